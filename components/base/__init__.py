@@ -1,0 +1,33 @@
+"""The declarative base: what a component is made of and how its equations are read."""
+
+from .component import Component as Component
+from .component import PortRef as PortRef
+from .errors import InertanceError as InertanceError
+from .errors import InitialConditionError as InitialConditionError
+from .errors import ModelError as ModelError
+from .errors import SimulationError as SimulationError
+from .errors import nearest as nearest
+from .fields import MISSING as MISSING
+from .fields import Field as Field
+from .fields import Impulse as Impulse
+from .fields import Mode as Mode
+from .fields import Option as Option
+from .fields import Parameter as Parameter
+from .fields import Part as Part
+from .fields import Port as Port
+from .fields import RealInput as RealInput
+from .fields import RealOutput as RealOutput
+from .fields import RotationalFlange as RotationalFlange
+from .fields import TranslationalFlange as TranslationalFlange
+from .fields import Variable as Variable
+from .fields import impulse as impulse
+from .fields import mode as mode
+from .fields import option as option
+from .fields import parameter as parameter
+from .fields import variable as variable
+from .sampled import Sampled as Sampled
+from .template import Shock as Shock
+from .template import Template as Template
+from .template import Transition as Transition
+from .template import der as der
+from .template import template_of as template_of

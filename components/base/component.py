@@ -1,0 +1,178 @@
+"""`Component`: the declarative base of every element and every composite."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Iterator
+from dataclasses import dataclass
+from numbers import Real
+from typing import Any, ClassVar, Self
+
+from .errors import nearest
+from .fields import (
+    MISSING,
+    Field,
+    Option,
+    Parameter,
+    Part,
+    Port,
+    RealInput,
+    RealOutput,
+    Variable,
+)
+from .sampled import Sampled
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class PortRef:
+    """A port of one component, to be connected."""
+
+    component: Component
+    name: str
+
+    def __repr__(self) -> str:
+        return f"<{self.name} of {type(self.component).__name__}>"
+
+
+class Component:
+    """An element (fields and `equations`) or a composite (parts and `connections`), or both.
+
+    Args:
+        values: parameters, options, fixed start values of variables, signals of inputs, and parts
+            that replace the declared ones, all by name.
+
+    Problems with the values are told when the network is assembled, all at once and by path.
+    """
+
+    fields: ClassVar[dict[str, Field]] = {}
+
+    def __init_subclass__(cls) -> None:
+        super().__init_subclass__()
+        for name, value in list(vars(cls).items()):
+            if isinstance(value, Component):
+                declared = Part(value)
+                declared.name = name
+                setattr(cls, name, declared)
+        cls.fields = {
+            name: value
+            for klass in reversed(cls.__mro__)
+            for name, value in vars(klass).items()
+            if isinstance(value, Field)
+        }
+
+    def __init__(self, **values: Any) -> None:
+        self._values: dict[str, Any] = {}
+        self._parts: dict[str, Component] = {}
+        self._problems: list[str] = []
+        cls = type(self)
+        components = {n: v for n, v in values.items() if isinstance(v, Component)}
+        for name in values.keys() - components.keys():
+            self._set(name, values[name])
+        for name, field in cls.fields.items():
+            if isinstance(field, Part):
+                self._parts[name] = field.default.clone()
+        if cls.parts is not Component.parts:
+            self._parts.update(self.parts())
+        for name, replacement in components.items():
+            if name not in self._parts:
+                self._problems.append(self._unknown(name))
+            self._parts[name] = replacement
+
+    def parts(self) -> dict[str, Component]:
+        """Return parts that depend on options (a number of planets); called once, at creation."""
+        return {}
+
+    def equations(self) -> Iterable[Any]:
+        """Yield the equations, each `left == right`; those of base classes are added by themselves."""
+        return ()
+
+    def transitions(self) -> Iterable[Any]:
+        """Yield the mode transitions, each `self.mode.goes(source, target, when=...)`."""
+        return ()
+
+    def connections(self) -> Iterable[tuple[PortRef, ...]]:
+        """Yield tuples of ports (own and of parts) that are joined at one node."""
+        return ()
+
+    def clone(self) -> Self:
+        """Return an independent copy; its parts are copied too."""
+        copy: Self = object.__new__(type(self))
+        copy.__dict__.update(self.__dict__)
+        copy._values = dict(self._values)
+        copy._parts = {name: component.clone() for name, component in self._parts.items()}
+        return copy
+
+    def with_values(self, **values: Any) -> Self:
+        """Return a copy with some values changed."""
+        copy = self.clone()
+        copy._problems = list(self._problems)
+        for name, value in values.items():
+            if isinstance(value, Component):
+                copy._parts[name] = value
+            else:
+                copy._set(name, value)
+        return copy
+
+    def _set(self, name: str, value: Any) -> None:
+        field = type(self).fields.get(name)
+        if isinstance(field, Parameter):
+            problem = _parameter_problem(field, value)
+        elif isinstance(field, Option):
+            allowed = field.choices is None or value in field.choices
+            problem = "" if allowed else f"{name} must be one of {field.choices}, got {value!r}"
+        elif isinstance(field, Variable):
+            finite = isinstance(value, Real) and abs(float(value)) < float("inf")
+            problem = "" if finite else f"start value of {name} must be a number, got {value!r}"
+        elif isinstance(field, RealInput):
+            good = isinstance(value, Real | Sampled | Callable)  # type: ignore[arg-type]
+            problem = (
+                "" if good else f"{name} takes a number, a function of time or Sampled data, got {value!r}"
+            )
+        else:
+            problem = self._unknown(name)
+        if problem:
+            self._problems.append(problem)
+        self._values[name] = value
+
+    def _unknown(self, name: str) -> str:
+        fields = type(self).fields.items()
+        known = [n for n, f in fields if not isinstance(f, Port | RealOutput)] + list(self._parts)
+        return f"has no parameter '{name}'{nearest(name, known)}"
+
+    def problems(self) -> Iterator[str]:
+        """Yield what is wrong with this component's own values."""
+        yield from self._problems
+        for name, field in type(self).fields.items():
+            if isinstance(field, Parameter) and field.default is MISSING and name not in self._values:
+                yield f"{name} [{field.unit}] ({field.doc}) must be given"
+
+    def _get(self, field: Field) -> Any:
+        if isinstance(field, Port | RealInput | RealOutput):
+            return PortRef(self, field.name)
+        if isinstance(field, Part):
+            return self._parts[field.name]
+        if field.name in self._values:
+            return self._values[field.name]
+        if isinstance(field, Parameter):
+            return field.default(self) if callable(field.default) else field.default
+        if isinstance(field, Option):
+            return field.default
+        return field
+
+    def __getattr__(self, name: str) -> Any:
+        parts = self.__dict__.get("_parts", {})
+        if name in parts:
+            return parts[name]
+        known = [*type(self).fields, *parts]
+        raise AttributeError(f"{type(self).__name__} has no '{name}'{nearest(name, known)}")
+
+    def __repr__(self) -> str:
+        values = ", ".join(f"{name}={value!r}" for name, value in self._values.items())
+        return f"{type(self).__name__}({values})"
+
+
+def _parameter_problem(field: Parameter, value: Any) -> str:
+    if isinstance(value, Parameter) or callable(value):
+        return ""
+    if not isinstance(value, Real):
+        return f"{field.name} must be a number [{field.unit}], got {value!r}"
+    return field.problem(float(value))

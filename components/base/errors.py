@@ -1,0 +1,34 @@
+"""The errors of the library, and the nearest name for a wrong one."""
+
+from collections.abc import Iterable
+from difflib import get_close_matches
+
+
+class InertanceError(Exception):
+    """Anything the library refuses or fails to do, told in words."""
+
+
+class ModelError(InertanceError, ValueError):
+    """A component or a network that cannot be turned into equations; lists every problem found."""
+
+    def __init__(self, title: str, problems: Iterable[str] = ()) -> None:
+        self.problems = list(problems)
+        super().__init__("\n".join([title, *(f"  - {problem}" for problem in self.problems)]))
+
+
+class InitialConditionError(InertanceError, ValueError):
+    """Start values that contradict the equations or each other."""
+
+
+class SimulationError(InertanceError, RuntimeError):
+    """A run that could not be finished; `result` holds what was computed before."""
+
+    def __init__(self, message: str, result: object = None) -> None:
+        self.result = result
+        super().__init__(message)
+
+
+def nearest(name: str, known: Iterable[str]) -> str:
+    """Return `"; did you mean 'k'?"` for the known name closest to `name`, or nothing."""
+    matches = get_close_matches(name, list(known), n=1)
+    return f"; did you mean '{matches[0]}'?" if matches else ""

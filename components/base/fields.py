@@ -1,0 +1,206 @@
+"""What a component declares: parameters, variables, ports, modes, parts.
+
+Each declaration is a class attribute. On a component it gives the value that was set (a number, a
+port to connect, a part); inside `equations` it gives the symbol.
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any, ClassVar
+
+if TYPE_CHECKING:
+    from .component import Component
+
+MISSING: Any = type("Missing", (), {"__repr__": lambda _: "required"})()
+
+
+class Field:
+    """One declared name of a component."""
+
+    kind: ClassVar[str] = "field"
+
+    def __init__(self, unit: str = "", doc: str = "") -> None:
+        self.unit, self.doc, self.name = unit, doc, ""
+
+    def __set_name__(self, owner: type, name: str) -> None:
+        self.name = name
+
+    def __get__(self, instance: Component | None, owner: type) -> Any:
+        return self if instance is None else instance._get(self)
+
+
+class Parameter(Field):
+    """A number that stays constant during a run."""
+
+    kind = "parameter"
+
+    def __init__(
+        self,
+        unit: str,
+        doc: str,
+        default: Any = MISSING,
+        min: float | None = None,
+        above: float | None = None,
+        max: float | None = None,
+    ) -> None:
+        super().__init__(unit, doc)
+        self.default, self.min, self.above, self.max = default, min, above, max
+
+    def problem(self, value: float) -> str:
+        """Say what is wrong with a value, or return an empty string."""
+        unit = f" {self.unit}" if self.unit not in ("", "1") else ""
+        if not abs(value) < float("inf"):
+            return f"{self.name} must be a finite number{unit and f' [{self.unit}]'}, got {value}"
+        if self.min is not None and value < self.min:
+            return f"{self.name} must be at least {self.min:g}{unit}, got {value}"
+        if self.above is not None and value <= self.above:
+            return f"{self.name} must be above {self.above:g}{unit}, got {value}"
+        if self.max is not None and value > self.max:
+            return f"{self.name} must be at most {self.max:g}{unit}, got {value}"
+        return ""
+
+
+class Option(Field):
+    """A choice that shapes the equations themselves, fixed when the network is assembled."""
+
+    kind = "option"
+
+    def __init__(self, doc: str, default: Any, choices: tuple[Any, ...] | None = None) -> None:
+        super().__init__("", doc)
+        self.default, self.choices = default, choices
+
+
+class Variable(Field):
+    """A quantity that moves."""
+
+    kind = "variable"
+
+    def __init__(
+        self, unit: str, doc: str, start: float = 0.0, nominal: float = float("nan"), state: str = "default"
+    ) -> None:
+        super().__init__(unit, doc)
+        self.start, self.nominal, self.state = start, nominal, state
+
+
+class RealInput(Field):
+    """A signal that comes in: connected, bound to a function of time or data, or left to the run."""
+
+    kind = "input"
+
+
+class RealOutput(Field):
+    """A signal that goes out."""
+
+    kind = "output"
+
+
+class Port(Field):
+    """A mechanical connection point: an across and a through variable."""
+
+    kind = "port"
+    across: ClassVar[str]
+    through: ClassVar[str]
+    units: ClassVar[tuple[str, str]]
+    domain: ClassVar[str]
+
+    def __init__(self, doc: str = "", optional: bool = False) -> None:
+        super().__init__("", doc)
+        self.optional = optional
+
+
+class TranslationalFlange(Port):
+    """A flange that slides: position `s` [m] across, force `f` [N] through (into the component)."""
+
+    across, through, units, domain = "s", "f", ("m", "N"), "translational"
+
+
+class RotationalFlange(Port):
+    """A flange that turns: angle `phi` [rad] across, torque `tau` [N.m] through."""
+
+    across, through, units, domain = "phi", "tau", ("rad", "N.m"), "rotational"
+
+
+class Mode(Field):
+    """A discrete state of a component; constant between events."""
+
+    kind = "mode"
+
+    def __init__(self, values: tuple[str, ...], doc: str, in_shock: dict[str, str]) -> None:
+        super().__init__("1", doc)
+        self.values, self.in_shock = values, in_shock
+
+
+class Impulse(Field):
+    """The integral of a through variable over a shock; zero except at the shock itself."""
+
+    kind = "impulse"
+
+
+class Part(Field):
+    """A component inside a component."""
+
+    kind = "part"
+
+    def __init__(self, default: Component, doc: str = "") -> None:
+        super().__init__("", doc or type(default).__name__)
+        self.default = default
+
+
+def parameter(
+    unit: str,
+    doc: str,
+    *,
+    default: Any = MISSING,
+    min: float | None = None,
+    above: float | None = None,
+    max: float | None = None,
+) -> Any:
+    """Declare a parameter.
+
+    Args:
+        unit: SI unit, `"1"` if it has none.
+        doc: what it is, in a few words.
+        default: its value when none is given; without one it must be given. A function of the
+            component (`lambda self: ...`) computes it from other parameters.
+        min: the least value allowed.
+        above: a value it must exceed.
+        max: the largest value allowed.
+    """
+    return Parameter(unit, doc, default, min, above, max)
+
+
+def option(doc: str, *, default: Any, choices: tuple[Any, ...] | None = None) -> Any:
+    """Declare a structural choice: a plain Python value, also inside `equations`."""
+    return Option(doc, default, choices)
+
+
+def variable(
+    unit: str, doc: str, *, start: float = 0.0, nominal: float = float("nan"), state: str = "default"
+) -> Any:
+    """Declare a variable.
+
+    Args:
+        unit: SI unit.
+        doc: what it is.
+        start: the guess of its start value; a user's own start value is fixed, this one never is.
+        nominal: its usual size, which scales the absolute tolerance (1 if nothing is said).
+        state: `"prefer"`, `"default"` or `"avoid"` when states are chosen.
+    """
+    return Variable(unit, doc, start, nominal, state)
+
+
+def mode(*values: str, doc: str = "mode", in_shock: dict[str, str] | None = None) -> Any:
+    """Declare a discrete mode; the first value is the one a run starts from.
+
+    Args:
+        values: the names of the modes.
+        doc: what it distinguishes.
+        in_shock: the mode that stands in for another while an impulse acts: friction that sticks
+            cannot transmit an impulse, so `{"stuck": "forward"}`.
+    """
+    return Mode(values, doc, in_shock or {})
+
+
+def impulse(unit: str, doc: str) -> Any:
+    """Declare an impulse, which stands beside its force in the equations and acts in shocks only."""
+    return Impulse(unit, doc)

@@ -1,0 +1,113 @@
+"""Springs, dampers and the inerter: forces between two flanges."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from typing import Any
+
+import casadi as ca
+
+from ..base import der, parameter, variable
+from .bases import Compliant, CompliantWithSpeed
+
+
+class Spring(Compliant):
+    """Linear spring: f = k (s_rel - s_rel0).
+
+    Source: MSL Translational.Components.Spring.
+    """
+
+    k = parameter("N/m", "stiffness", min=0)
+    s_rel0 = parameter("m", "unstretched length", default=0.0)
+
+    def equations(self) -> Iterable[Any]:
+        yield self.f == self.k * (self.s_rel - self.s_rel0)
+
+
+class Damper(CompliantWithSpeed):
+    """Linear damper: f = d v_rel.
+
+    Source: MSL Translational.Components.Damper.
+    """
+
+    d = parameter("N.s/m", "damping constant", min=0)
+
+    def equations(self) -> Iterable[Any]:
+        yield self.f == self.d * self.v_rel
+
+
+class SpringDamper(CompliantWithSpeed):
+    """Linear spring and damper in parallel: f = k (s_rel - s_rel0) + d v_rel.
+
+    Source: MSL Translational.Components.SpringDamper.
+    """
+
+    k = parameter("N/m", "stiffness", min=0)
+    d = parameter("N.s/m", "damping constant", min=0)
+    s_rel0 = parameter("m", "unstretched length", default=0.0)
+
+    def equations(self) -> Iterable[Any]:
+        yield self.f == self.k * (self.s_rel - self.s_rel0) + self.d * self.v_rel
+
+
+class Inerter(CompliantWithSpeed):
+    """Ideal inerter: f = b a_rel, force proportional to relative acceleration.
+
+    Source: M. C. Smith, IEEE Trans. Automat. Contr. 47 (2002) 1648-1662, eq. (4).
+    """
+
+    b = parameter("kg", "inertance", min=0)
+    a_rel = variable("m/s2", "relative acceleration of the flanges")
+
+    def equations(self) -> Iterable[Any]:
+        yield self.a_rel == der(self.v_rel)
+        yield self.f == self.b * self.a_rel
+
+
+class CubicSpring(Compliant):
+    """Spring with a cubic term: f = k e + k3 e^3 with e = s_rel - s_rel0.
+
+    Source: G. Duffing, Erzwungene Schwingungen bei veraenderlicher Eigenfrequenz (1918).
+    """
+
+    k = parameter("N/m", "linear stiffness", min=0)
+    k3 = parameter("N/m3", "cubic stiffness; negative softens")
+    s_rel0 = parameter("m", "unstretched length", default=0.0)
+
+    def equations(self) -> Iterable[Any]:
+        e = self.s_rel - self.s_rel0
+        yield self.f == self.k * e + self.k3 * e**3
+
+
+class QuadraticDamper(CompliantWithSpeed):
+    """Damper with force growing with the square of speed: f = c v_rel |v_rel|."""
+
+    c = parameter("N.s2/m2", "quadratic damping constant", min=0)
+
+    def equations(self) -> Iterable[Any]:
+        yield self.f == self.c * self.v_rel * ca.fabs(self.v_rel)
+
+
+class BoucWen(CompliantWithSpeed):
+    """Hysteretic spring: f = alpha k s_rel + (1 - alpha) k z.
+
+    z' = A v_rel - beta |v_rel| |z|^(n-1) z - gamma v_rel |z|^n, with z [m] the hysteretic displacement.
+
+    Source: Y.-K. Wen, J. Eng. Mech. Div. ASCE 102 (1976) 249-263.
+    """
+
+    k = parameter("N/m", "initial stiffness", min=0)
+    alpha = parameter("1", "share of stiffness after yield", min=0, max=1, default=0.1)
+    A = parameter("1", "scale of the hysteretic displacement", above=0, default=1.0)
+    beta = parameter("1/m^n", "loop shape against the motion", min=0)
+    gamma = parameter("1/m^n", "loop shape along the motion")
+    n = parameter("1", "sharpness of yield", min=1, default=2.0)
+    z = variable("m", "hysteretic displacement")
+
+    def equations(self) -> Iterable[Any]:
+        v, z = self.v_rel, self.z
+        size = ca.fabs(z)
+        yield self.f == self.alpha * self.k * self.s_rel + (1 - self.alpha) * self.k * z
+        yield der(z) == (
+            self.A * v - self.beta * ca.fabs(v) * size ** (self.n - 1) * z - self.gamma * v * size**self.n
+        )

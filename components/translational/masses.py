@@ -1,0 +1,55 @@
+"""Ground, rod and mass."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from typing import Any
+
+from ..base import Component, TranslationalFlange, der, parameter, variable
+
+
+class Fixed(Component):
+    """A flange held at a constant position: s = s0.
+
+    Source: MSL Translational.Components.Fixed.
+    """
+
+    flange = TranslationalFlange("held flange")
+    s0 = parameter("m", "position", default=0.0)
+
+    def equations(self) -> Iterable[Any]:
+        yield self.flange.s == self.s0
+
+
+class Rod(Component):
+    """A rigid rod without mass: flange_b.s = flange_a.s + L.
+
+    Source: MSL Translational.Components.Rod.
+    """
+
+    flange_a = TranslationalFlange("left flange")
+    flange_b = TranslationalFlange("right flange")
+    L = parameter("m", "length from flange_a to flange_b", default=0.0)
+
+    def equations(self) -> Iterable[Any]:
+        yield self.flange_b.s == self.flange_a.s + self.L
+        yield self.flange_a.f == -self.flange_b.f
+
+
+class Mass(Component):
+    """A sliding mass: m a = f, v = der(s), a = der(v).
+
+    Source: MSL Translational.Components.Mass; a body with length is a mass and a `Rod`.
+    """
+
+    flange = TranslationalFlange("where it is joined")
+    m = parameter("kg", "mass", above=0)
+    s = variable("m", "position")
+    v = variable("m/s", "velocity")
+    a = variable("m/s2", "acceleration")
+
+    def equations(self) -> Iterable[Any]:
+        yield self.flange.s == self.s
+        yield self.v == der(self.s)
+        yield self.a == der(self.v)
+        yield self.m * self.a == self.flange.f

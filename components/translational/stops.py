@@ -1,0 +1,85 @@
+"""Rigid stops: contact with restitution."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from typing import Any
+
+from ..base import Component, Shock, TranslationalFlange, der, impulse, mode, parameter, variable
+
+from .bases import Compliant
+from .friction import StribeckFriction
+from .masses import Mass
+
+
+class HardStop(Compliant):
+    """Two flanges that cannot come closer than s_rel = s_min.
+
+    A shock reverses the relative velocity, v_rel+ = -e v_rel-, by the impulse J that this takes.
+    Slower than `v_rest` afterwards, they stay in contact until they are pulled apart.
+
+    Source: I. Newton's law of restitution.
+    """
+
+    s_min = parameter("m", "least distance of the flanges", default=0.0)
+    e = parameter("1", "coefficient of restitution", min=0, max=1, default=0.0)
+    v_rest = parameter("m/s", "rebound speed below which contact is kept", min=0, default=1e-5)
+    mode = mode("free", "contact", doc="apart or in contact", in_shock={"contact": "free"})
+    J = impulse("N.s", "impulse of a shock, positive when it pushes the flanges apart")
+    s_rel = variable("m", "distance of the flanges", state="prefer")
+    v_rel = variable("m/s", "relative velocity of the flanges", state="prefer")
+    a_rel = variable("m/s2", "relative acceleration of the flanges")
+
+    def equations(self) -> Iterable[Any]:
+        yield self.v_rel == der(self.s_rel)
+        yield self.a_rel == der(self.v_rel)
+        yield self.mode.choose(free=self.f + self.J, contact=self.a_rel) == 0
+
+    def transitions(self) -> Iterable[Any]:
+        closing = self.s_rel < self.s_min
+        rebound = -self.e * self.v_rel
+        bounce = Shock(self.J, self.v_rel, rebound)
+        settle = Shock(self.J, self.v_rel, 0.0)
+        rests = rebound <= self.v_rest
+        yield self.mode.goes("free", "free", when=closing, allowed=rebound > self.v_rest, shock=bounce)
+        yield self.mode.goes(
+            "free", "contact", when=closing, allowed=rests, shock=settle, reset={"v_rel": 0.0}
+        )
+        yield self.mode.goes("contact", "free", when=self.f > 0)
+        yield self.mode.goes("contact", "free", when=self.v_rel > 0)
+        yield self.mode.goes("contact", "free", when=self.v_rel < 0)
+
+
+class MassWithStopAndFriction(Component):
+    """A mass that rubs on a support between two rigid stops (plastic unless `lower.e`, `upper.e`).
+
+    Source: MSL Translational.Components.MassWithStopAndFriction.
+    """
+
+    flange = TranslationalFlange("where the mass is joined")
+    support = TranslationalFlange("what it slides on", optional=True)
+    m = parameter("kg", "mass", above=0)
+    s_min = parameter("m", "lower stop")
+    s_max = parameter("m", "upper stop")
+    d = parameter("N.s/m", "viscous friction", min=0, default=0.0)
+    f_c = parameter("N", "Coulomb friction force", min=0, default=0.0)
+    f_s = parameter("N", "static friction force", min=0, default=lambda self: self.f_c)
+    v_s = parameter("m/s", "Stribeck velocity", above=0, default=1.0)
+    peak = parameter("1", "break-away force over f_s", min=1, default=1.0)
+    s = variable("m", "position")
+    v = variable("m/s", "velocity")
+    a = variable("m/s2", "acceleration")
+
+    mass = Mass(m=m)
+    friction = StribeckFriction(f_c=f_c, f_s=f_s, v_s=v_s, d=d, peak=peak)
+    lower = HardStop(s_min=s_min)
+    upper = HardStop(s_min=lambda self: -self.s_max)
+
+    def equations(self) -> Iterable[Any]:
+        yield self.s == self.mass.s
+        yield self.v == self.mass.v
+        yield self.a == self.mass.a
+
+    def connections(self) -> Iterable[Any]:
+        yield self.flange, self.mass.flange, self.friction.flange_b, self.lower.flange_b, self.upper.flange_a
+        yield self.support, self.friction.flange_a, self.lower.flange_a, self.upper.flange_b

@@ -1,0 +1,9 @@
+"""How elements join, and what is done with the equations."""
+
+from .algebra import TwoTerminal as TwoTerminal
+from .algebra import parallel as parallel
+from .algebra import series as series
+from .dae import DAE as DAE
+from .events import Event as Event
+from .network import Network as Network
+from .result import Result as Result

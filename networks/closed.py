@@ -1,0 +1,111 @@
+"""Closed: the equations with their inputs put in, so that only time is left of them."""
+
+from __future__ import annotations
+
+import warnings
+from collections.abc import Callable, Mapping
+from numbers import Real
+from typing import Any
+
+import casadi as ca
+import numpy as np
+
+from ..components.base import ModelError, Sampled, nearest
+from .dae import DAE, Input
+
+
+class Closed:
+    """A DAE as functions of (x, z, q, t), q being all that is constant within a segment.
+
+    Sampled inputs enter at MX level, around the SX equations; everything else stays SX.
+    """
+
+    def __init__(self, dae: DAE, signals: Mapping[str, Any]) -> None:
+        self.dae = dae
+        self.signals = _chosen(dae, signals)
+        self.sampled = any(isinstance(s, Sampled) for s in self.signals.values())
+        kind = ca.MX if self.sampled else ca.SX
+        self.x = kind.sym("x", dae.x.numel()) if self.sampled else dae.x
+        self.z = kind.sym("z", dae.z.numel()) if self.sampled else dae.z
+        self.q = kind.sym("q", dae.constants.numel()) if self.sampled else dae.constants
+        self.t = kind.sym("t") if self.sampled else dae.time
+        self.u = kind(0, 1)
+        self.u = ca.vertcat(self.u, *[self._input(i) for i in dae.inputs])
+
+    def _input(self, declared: Input) -> Any:
+        signal = self.signals[declared.path]
+        value = _traced(declared.path, signal, self.t)
+        for _ in range(declared.order):
+            value = ca.jacobian(value, self.t)
+        return value
+
+    def close(self, expression: Any) -> Any:
+        """Put the inputs into an expression of the DAE's symbols."""
+        dae = self.dae
+        if self.sampled:
+            inner = ca.Function("inner", dae.arguments(), [expression])
+            return inner(self.x, self.z, self.u, self.q, self.t)
+        if not dae.inputs:
+            return expression
+        return ca.substitute(expression, dae.u, self.u)
+
+    def function(self, name: str, *closed: Any) -> Any:
+        """Return a function of (x, z, q, t) of expressions that are already closed."""
+        return ca.Function(name, [self.x, self.z, self.q, self.t], list(closed))
+
+    def evaluator(self, *expressions: Any) -> Any:
+        """Return a function of (x, z, q, t) of expressions in the DAE's symbols."""
+        joined = ca.vertcat(*expressions)
+        return self.function("evaluate", self.close(joined))
+
+    def rate(self, closed: Any) -> Any:
+        """Return the time derivative of a closed expression along the motion, at constant z."""
+        moved = ca.jtimes(closed, self.x, self.close(self.dae.ode))
+        return moved + ca.jacobian(closed, self.t)
+
+
+def _chosen(dae: DAE, given: Mapping[str, Any]) -> dict[str, Any]:
+    """Return the signal of every input: the run's own, else the one bound to the component."""
+    names = dae.input_names
+    problems = [
+        f"there is no input '{name}'{nearest(name, names)}" for name in given if name not in names
+    ]
+    chosen = {}
+    for declared in dae.inputs:
+        if declared.order:
+            continue
+        signal = given.get(declared.path, declared.signal)
+        if signal is None:
+            problems.append(
+                f"input '{declared.path}' [{declared.unit}] has no signal; connect it, bind it, or "
+                f"give inputs={{'{declared.path}': ...}}"
+            )
+        chosen[declared.path] = Sampled(*signal) if isinstance(signal, tuple) else signal
+    if problems:
+        raise ModelError(f"'{dae.name}' cannot run:", problems)
+    return chosen
+
+
+def _traced(path: str, signal: Any, t: Any) -> Any:
+    if isinstance(signal, Sampled):
+        return signal.interpolant("signal")(t)
+    if isinstance(signal, Real):
+        return type(t)(float(signal))
+    if isinstance(signal, Callable):  # type: ignore[arg-type]
+        return _called(path, signal, t)
+    raise ModelError(
+        f"input '{path}' takes a number, a function of time, a Sampled or (time, values), got {signal!r}"
+    )
+
+
+def _called(path: str, function: Any, t: Any) -> Any:
+    try:
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore", FutureWarning)
+            value = function(t)
+        return type(t)(float(value)) if isinstance(value, int | float | np.number) else type(t)(value)
+    except Exception as error:
+        raise ModelError(
+            f"input '{path}': the function of time could not be read ({error}); write it with CasADi "
+            "or NumPy functions (`ca.sin`, `ca.if_else`), or give Sampled data"
+        ) from error

@@ -1,0 +1,190 @@
+"""`DAE`: the equations of a network, the one thing everything below reads."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
+
+import casadi as ca
+
+from ..components.base import ModelError, Parameter
+
+if TYPE_CHECKING:
+    from .index import System
+    from .result import Result
+    from .switching import Switching
+    from .tearing import Torn
+
+
+@dataclass(frozen=True)
+class Input:
+    """An external signal, or one of its time derivatives (`order`)."""
+
+    path: str
+    order: int
+    unit: str
+    signal: Any
+    variable: int
+
+
+@dataclass(frozen=True, eq=False)
+class DAE:
+    """Semi-explicit equations of index 1 with modes, in CasADi SX.
+
+        x' = ode(x, z, u, p, modes, t),   0 = alg(x, z, u, p, modes, t)
+
+    Attributes:
+        x: states; z: algebraic unknowns; u: inputs and their derivatives; p: parameters.
+        modes: discrete modes, constant between events.
+        impulses: zero except inside a shock.
+        completion: makes blocks that a mode leaves singular solvable (least norm), else zero.
+        variables: every joined variable as an expression of the above.
+        switching: the transitions between modes.
+    """
+
+    name: str
+    x: Any
+    z: Any
+    u: Any
+    p: Any
+    modes: Any
+    impulses: Any
+    completion: Any
+    time: Any
+    ode: Any
+    alg: Any
+    inputs: list[Input]
+    states: list[int]
+    algebraic: list[int]
+    blocks: list[Torn]
+    switching: Switching
+    variables: Any
+    system: System
+
+    @property
+    def state_names(self) -> list[str]:
+        """Full names of the states."""
+        return [self.system.name(v) for v in self.states]
+
+    @property
+    def input_names(self) -> list[str]:
+        """Full names of the external inputs."""
+        return [i.path for i in self.inputs if i.order == 0]
+
+    @property
+    def parameter_values(self) -> dict[str, float]:
+        """Every parameter that can be set, with its value."""
+        table = self.system.flat.table
+        return dict(zip(table.index, table.defaults, strict=True))
+
+    @property
+    def hybrid(self) -> bool:
+        """Whether there are modes to switch."""
+        return bool(self.switching.changes)
+
+    def names(self) -> Iterable[str]:
+        """Yield the full names of all variables."""
+        return self.system.flat.names()
+
+    def expression(self, path: str) -> Any:
+        """Return a variable, a mode, a parameter or `der(...)` of a variable as SX.
+
+        Raises:
+            KeyError: for an unknown name, with the nearest one.
+        """
+        if path == "time":
+            return self.time
+        if path in self.switching.mode_names:
+            return self.modes[self.switching.mode_names.index(path)]
+        table = self.system.flat.table
+        if path in table.index:
+            return self.p[table.index[path]]
+        root, sign = self.root(path)
+        return self.variables[root] * sign
+
+    def root(self, path: str) -> tuple[int, int]:
+        """Return the joined variable behind a name, and the sign against it."""
+        flat = self.system.flat
+        if path.startswith("der("):
+            root, sign = self.root(path[4:-1])
+            upper = self.system.derivative.get(root)
+            if upper is None:
+                raise KeyError(f"'{self.name}' has no variable '{path}'")
+            return upper[0], sign * upper[1]
+        return flat.joined.find(flat.variable(path))
+
+    def unit(self, path: str) -> str:
+        """Return the unit of a variable or parameter, empty if it has none."""
+        table = self.system.flat.table
+        if path in table.index:
+            return table.fields[table.index[path]].unit
+        if path == "time":
+            return "s"
+        if path in self.switching.mode_names:
+            return ""
+        return self.system.flat.unit(path)
+
+    def field(self, path: str) -> Parameter:
+        """Return the declaration of a parameter."""
+        table = self.system.flat.table
+        return table.fields[table.index[path]]
+
+    def simulate(
+        self,
+        stop: float,
+        *,
+        start: Mapping[str, float] | None = None,
+        guess: Mapping[str, float] | None = None,
+        inputs: Mapping[str, Any] | None = None,
+        parameters: Mapping[str, float] | None = None,
+        begin: float = 0.0,
+        step: float | None = None,
+        rtol: float = 1e-6,
+        atol: float = 1e-8,
+        solver: str = "auto",
+        sensitivities: Iterable[str] = (),
+        progress: bool | None = None,
+    ) -> Result:
+        """Run from `begin` to `stop` and return the result.
+
+        Args:
+            stop: end time [s].
+            start: fixed start values by name (of states or of anything that determines them).
+            guess: start values that may give way to fixed ones.
+            inputs: signals by name: a number, a function of time (CasADi or NumPy functions), a
+                `Sampled` or a pair (time, values).
+            parameters: changed parameters by name.
+            begin: start time [s].
+            step: output interval [s]; a 500th of the run if not given.
+            rtol: relative tolerance.
+            atol: absolute tolerance, times the nominal value of each state.
+            solver: "auto", "cvodes", "idas", "rosenbrock".
+            sensitivities: parameters whose forward sensitivities are wanted (smooth networks).
+            progress: show progress; by default on runs that last over a second on a terminal.
+
+        Raises:
+            ModelError: for unknown names or values out of range.
+            InitialConditionError: for start values that contradict each other.
+            SimulationError: if the run cannot be finished; its `result` keeps what was computed.
+        """
+        from .simulate import Settings, simulate
+
+        if not stop > begin:
+            raise ModelError(f"stop must be after begin ({begin:g} s), got {stop:g} s")
+        settings = Settings(
+            begin, stop, step or (stop - begin) / 500, rtol, atol, solver, progress
+        )
+        return simulate(
+            self, settings, start or {}, guess or {}, inputs or {}, parameters or {},
+            tuple(sensitivities),
+        )  # fmt: skip
+
+    def arguments(self) -> list[Any]:
+        """Return the symbols every expression depends on: x, z, u, q, time."""
+        return [self.x, self.z, self.u, self.constants, self.time]
+
+    @property
+    def constants(self) -> Any:
+        """All that is constant within a segment: p, modes, impulses, completion."""
+        return ca.vertcat(self.p, self.modes, self.impulses, self.completion)

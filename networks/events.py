@@ -1,0 +1,247 @@
+"""Events: watch indicators, locate crossings, find the modes that are consistent afterwards."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from typing import Any
+
+import casadi as ca
+import numpy as np
+from numpy.typing import NDArray
+
+from ..components.base import SimulationError
+from .closed import Closed
+from .switching import Change
+
+Array = NDArray[np.float64]
+FLOOR = 1e-12
+RELATIVE = 1e-12
+
+
+@dataclass(frozen=True)
+class Event:
+    """A change of mode, or a shock."""
+
+    time: float
+    component: str
+    mode: str
+    source: str
+    target: str
+    impulse: float | None = None
+
+
+@dataclass(eq=False)
+class Point:
+    """Where a run stands: time, states, algebraic unknowns and what is constant in the segment."""
+
+    t: float
+    x: Array
+    z: Array
+    q: Array
+
+
+@dataclass(eq=False)
+class Switcher:
+    """Knows the transitions of a DAE and applies them."""
+
+    closed: Closed
+    notes: list[str] = field(default_factory=list)
+
+    def __post_init__(self) -> None:
+        closed, dae = self.closed, self.closed.dae
+        self.switching = dae.switching
+        changes = self.switching.changes
+        expressions = closed.close(self.switching.expressions)
+        indicators = expressions[[c.indicator for c in changes]]
+        self._watch = closed.function("watch", indicators, closed.rate(indicators))
+        self._all = closed.function("switching", expressions)
+        self._motion = closed.evaluator(dae.ode)
+        self.muted = np.zeros(len(changes), dtype=bool)
+        self._slopes = closed.function(
+            "slopes", *[closed.close(b.matrix) for b in dae.blocks]
+        ) if dae.blocks else None
+        self._shock = self._shock_function(expressions) if dae.impulses.numel() else None
+        self.sources = np.array([c.source for c in changes])
+        self.mode_of = np.array([c.mode for c in changes])
+        self.seen = np.zeros(len(changes))
+        self.modes_at = dae.p.numel()
+        self.impulses_at = self.modes_at + dae.modes.numel()
+        self.completion_at = self.impulses_at + dae.impulses.numel()
+
+    def _shock_function(self, expressions: Any) -> Any:
+        """Return what impulses do to states, and the slopes of the expressions in the states."""
+        closed, dae = self.closed, self.closed.dae
+        response = closed.close(ca.jacobian(dae.ode, dae.impulses))
+        return closed.function("shock", response, ca.jacobian(expressions, closed.x))
+
+    def modes(self, q: Array) -> Array:
+        """Return the view of the modes in q."""
+        return q[self.modes_at : self.impulses_at]
+
+    def active(self, q: Array) -> NDArray[np.bool_]:
+        """Tell which transitions can fire in the present modes."""
+        active: NDArray[np.bool_] = (self.modes(q)[self.mode_of] == self.sources) & ~self.muted
+        return active
+
+    def shift(self, point: Point, indicator: int) -> None:
+        """Move a point that is very near a crossing onto it, along its velocity."""
+        for _ in range(2):
+            values, rates = self.watch(point.t, point.x, point.z, point.q)
+            delta = -float(values[indicator, 0] / rates[indicator, 0])
+            motion = self._motion(point.x, point.z, point.q, point.t).full().ravel()
+            point.t += delta
+            point.x = point.x + delta * motion
+            self._solve_algebraic(point)
+
+    def watch(self, t: Any, x: Array, z: Array, q: Array) -> tuple[Array, Array]:
+        """Return indicators and their rates, (indicators, instants); remember their size."""
+        values, rates = (m.full() for m in self._watch(x, z, q, t))
+        self.seen = np.maximum(self.seen, np.abs(values).max(axis=1, initial=0.0))
+        return values, rates
+
+    def tolerance(self) -> Array:
+        """Return the size below which each indicator counts as zero."""
+        return np.maximum(FLOOR, RELATIVE * self.seen)
+
+    def settle(self, point: Point, forced: int | None = None) -> list[Event]:
+        """Fire transitions at an instant until none is left, changing `point` in place."""
+        happened: list[Event] = []
+        visited: set[tuple[float, ...]] = set()
+        one_by_one = False
+        self.complete(point)
+        for _ in range(200):
+            fired = self._fired(point, forced)
+            forced = None
+            if not fired:
+                return happened
+            key = (*self.modes(point.q), *point.x, *(float(i) for i in fired))
+            one_by_one = one_by_one or key in visited
+            visited.add(key)
+            happened += self._apply(point, fired[:1] if one_by_one else fired)
+        names = sorted({event.component for event in happened[-20:]})
+        raise SimulationError(
+            f"no consistent set of modes at t = {point.t:.9g} s; these switch for ever: {', '.join(names)}"
+        )
+
+    def _fired(self, point: Point, forced: int | None) -> list[int]:
+        values, rates = self.watch(point.t, point.x, point.z, point.q)
+        g, rate, near = values[:, 0], rates[:, 0], self.tolerance()
+        rising = rate > 1e-10 * np.maximum(np.abs(rate).max(initial=0.0), 1.0)
+        ready = self.active(point.q) & ((g > near) | ((g > -near) & rising))
+        leaving = (g <= 10 * near) & (rate < 0)
+        ready &= ~leaving
+        if forced is not None:
+            ready[forced] = True
+        candidates = np.flatnonzero(ready)
+        if not len(candidates):
+            return []
+        everything = self._all(point.x, point.z, point.q, point.t).full().ravel()
+        changes = self.switching.changes
+        allowed = [i for i in candidates if _allowed(changes[i], everything)]
+        strongest: dict[int, int] = {}
+        for i in sorted(allowed, key=lambda i: float(g[i] / near[i])):
+            strongest[changes[i].mode] = int(i)
+        return sorted(strongest.values())
+
+    def _apply(self, point: Point, fired: list[int]) -> list[Event]:
+        changes = [self.switching.changes[i] for i in fired]
+        everything = self._all(point.x, point.z, point.q, point.t).full().ravel()
+        shocks = [c for c in changes if c.impulse is not None]
+        impulses = self._strike(point, shocks, everything) if shocks else {}
+        for change in changes:
+            self.modes(point.q)[change.mode] = change.target
+        self.complete(point)
+        resets = {r[0]: r[1] * everything[r[2]] for c in changes for r in c.resets}
+        if resets:
+            self._reset(point, resets)
+        self._solve_algebraic(point)
+        return [self._event(point.t, c, impulses) for c in changes]
+
+    def _event(self, t: float, change: Change, impulses: dict[int, float]) -> Event:
+        values = self.switching.mode_values[change.mode]
+        impulse = impulses.get(change.impulse) if change.impulse is not None else None
+        name = self.switching.mode_names[change.mode]
+        return Event(t, change.component, name, values[change.source], values[change.target], impulse)
+
+    def _strike(self, point: Point, shocks: list[Change], everything: Array) -> dict[int, float]:
+        """Find the impulses that give the velocities wanted, and let them act."""
+        q = point.q.copy()
+        modes = self.modes(q)
+        for number, table in enumerate(self.switching.in_shock):
+            modes[number] = table.get(int(modes[number]), modes[number])
+        during = Point(point.t, point.x, point.z, q)
+        self.complete(during)
+        assert self._shock is not None
+        response, slopes = (m.full() for m in self._shock(point.x, point.z, q, point.t))
+        numbers = [c.impulse for c in shocks]
+        wanted = np.array([everything[c.after] - everything[c.velocity] for c in shocks])
+        effect = slopes[[c.velocity for c in shocks]] @ response[:, numbers]
+        size = np.linalg.lstsq(effect, wanted, rcond=1e-10)[0]
+        point.x = point.x + response[:, numbers] @ size
+        return {int(n): float(s) for n, s in zip(numbers, size, strict=True) if n is not None}
+
+    def _reset(self, point: Point, resets: dict[int, float]) -> None:
+        """Give variables new values: states directly, others by the least change of states."""
+        dae = self.closed.dae
+        place = {variable: i for i, variable in enumerate(dae.states)}
+        others = [v for v in resets if v not in place]
+        for variable, value in resets.items():
+            if variable in place:
+                point.x[place[variable]] = value
+        if others:
+            expression = self.closed.close(dae.variables[others])
+            function = self.closed.function("reset", expression, ca.jacobian(expression, self.closed.x))
+            value, slope = (m.full() for m in function(point.x, point.z, point.q, point.t))
+            wanted = np.array([resets[v] for v in others])
+            point.x = point.x + np.linalg.lstsq(slope, wanted - value.ravel(), rcond=1e-10)[0]
+
+    def complete(self, point: Point) -> None:
+        """Set the completion of blocks that the present modes leave singular."""
+        if self._slopes is None:
+            return
+        dae = self.closed.dae
+        found = self._slopes(point.x, point.z, point.q, point.t)
+        matrices = [m.full() for m in found] if len(dae.blocks) > 1 else [found.full()]
+        at = self.completion_at
+        for block, matrix in zip(dae.blocks, matrices, strict=True):
+            size = matrix.size
+            completion, singular = _completion(matrix)
+            point.q[at : at + size] = completion.ravel(order="F")
+            at += size
+            if singular:
+                self._tell_shared(block.labels)
+
+    def _tell_shared(self, labels: list[str]) -> None:
+        note = (
+            f"{', '.join(labels)}: in some mode these hold a motion that is already held; their forces "
+            "are then not unique and the ones of least norm are taken"
+        )
+        if note not in self.notes:
+            self.notes.append(note)
+
+    def _solve_algebraic(self, point: Point) -> None:
+        if not self.closed.dae.z.numel():
+            return
+        residual = self.closed.close(self.closed.dae.alg)
+        function = self.closed.function("alg", residual, ca.jacobian(residual, self.closed.z))
+        for _ in range(50):
+            value, slope = (m.full() for m in function(point.x, point.z, point.q, point.t))
+            step = np.linalg.lstsq(slope, -value.ravel(), rcond=1e-12)[0]
+            point.z = point.z + step
+            if np.abs(step).max() <= 1e-12 * (1 + np.abs(point.z).max()):
+                return
+
+
+def _allowed(change: Change, everything: Array) -> bool:
+    return change.allowed is None or bool(everything[change.allowed])
+
+
+def _completion(matrix: Array) -> tuple[Array, bool]:
+    """Return what makes a singular matrix regular such that solutions have least norm."""
+    scale = np.abs(matrix).max(axis=1, initial=0.0)
+    scale[scale == 0] = 1.0
+    left, strength, right = np.linalg.svd(matrix / scale[:, None])
+    weak = strength <= 1e-10 * max(strength.max(initial=0.0), 1.0)
+    if not weak.any():
+        return np.zeros_like(matrix), False
+    return scale[:, None] * (left[:, weak] @ right[weak]), True

@@ -1,0 +1,144 @@
+"""The parameters of a network: one symbol each, and what depends on them."""
+
+from __future__ import annotations
+
+import types
+from typing import TYPE_CHECKING, Any
+
+import casadi as ca
+import numpy as np
+
+from ..components.base import MISSING, Component, ModelError, Option, Parameter, nearest
+
+if TYPE_CHECKING:
+    from .flatten import Instance
+
+
+class ParameterTable:
+    """Numbers that can be set, and expressions of them for the parameters that follow from others."""
+
+    def __init__(self, instances: dict[str, Instance], problems: list[str]) -> None:
+        self.instances = instances
+        self.index: dict[str, int] = {}
+        self.fields: list[Parameter] = []
+        self.defaults: list[float] = []
+        self._bound: dict[str, Any] = {}
+        for instance in instances.values():
+            for name, field in type(instance.component).fields.items():
+                if isinstance(field, Parameter):
+                    self._enter(instance, name, field)
+        self.symbols = ca.SX.sym("p", len(self.defaults))
+        self._check_dependent(problems)
+
+    def _enter(self, instance: Instance, name: str, field: Parameter) -> None:
+        given = instance.component._values.get(name, MISSING)
+        value = field.default if given is MISSING else given
+        path = f"{instance.path}.{name}" if instance.path else name
+        if isinstance(value, Parameter) or callable(value):
+            own = given is MISSING
+            self._bound[path] = (instance if own else instance.parent, value)
+            return
+        self.index[path] = len(self.defaults)
+        self.fields.append(field)
+        usable = value is not MISSING and isinstance(value, int | float | np.number)
+        self.defaults.append(float(value) if usable else np.nan)
+
+    def expression(self, instance: Instance, name: str) -> Any:
+        """Return a parameter as an expression of the symbols."""
+        path = f"{instance.path}.{name}" if instance.path else name
+        if path in self.index:
+            return self.symbols[self.index[path]]
+        scope, value = self._bound[path]
+        if isinstance(value, Parameter):
+            owner = _owner_of(value, scope)
+            if owner is None:
+                raise ModelError(f"{instance}: {name} refers to a parameter of no enclosing component")
+            return self.expression(owner, value.name)
+        if scope is None:
+            raise ModelError(f"{instance}: {name} is a function, but no component encloses it")
+        return ca.SX(value(_View(self, scope)))
+
+    def matrix(self, group: list[Instance]) -> Any:
+        """Return the parameters of like instances, (parameters, instances)."""
+        names = list(group[0].template.parameters)
+        if not names:
+            return ca.SX(0, len(group))
+        paths = [[f"{i.path}.{name}" if i.path else name for name in names] for i in group]
+        numbers = [self.index.get(path, 0) for row in paths for path in row]
+        values = ca.reshape(self.symbols[numbers], len(names), len(group)) if self.defaults else (
+            ca.SX(len(names), len(group))
+        )
+        for column, (instance, row) in enumerate(zip(group, paths, strict=True)):
+            for line, path in enumerate(row):
+                if path not in self.index:
+                    values[line, column] = self.expression(instance, names[line])
+        return values
+
+    def values(self, changed: dict[str, float]) -> np.ndarray[Any, np.dtype[np.float64]]:
+        """Return all numbers, some of them changed by name.
+
+        Raises:
+            ModelError: listing unknown names and values out of range.
+        """
+        numbers = np.array(self.defaults)
+        problems = []
+        for path, value in changed.items():
+            if path in self._bound:
+                problems.append(f"parameter '{path}' follows from others; change those")
+            elif path not in self.index:
+                problems.append(f"there is no parameter '{path}'{nearest(path, self.index)}")
+            else:
+                problem = self.fields[self.index[path]].problem(float(value))
+                problems += [f"'{path}': {problem}"] if problem else []
+                numbers[self.index[path]] = value
+        if problems:
+            raise ModelError("these parameters cannot be set:", problems)
+        return numbers
+
+    def _check_dependent(self, problems: list[str]) -> None:
+        paths = [p for p in self._bound]
+        if problems or not paths:
+            return
+        expressions = []
+        for path in paths:
+            instance = self.instances[path.rpartition(".")[0]]
+            expressions.append(self.expression(instance, path.rpartition(".")[2]))
+        numbers = ca.Function("dependent", [self.symbols], [ca.vertcat(*expressions)])(self.defaults)
+        for path, number in zip(paths, np.array(numbers).ravel(), strict=True):
+            instance = self.instances[path.rpartition(".")[0]]
+            field = type(instance.component).fields[path.rpartition(".")[2]]
+            problem = field.problem(float(number)) if isinstance(field, Parameter) else ""
+            if problem:
+                problems.append(f"{instance}: {problem}")
+
+
+class _View:
+    """A component as a formula of a dependent parameter sees it."""
+
+    def __init__(self, table: ParameterTable, instance: Instance) -> None:
+        self._table, self._instance = table, instance
+
+    def __getattr__(self, name: str) -> Any:
+        component: Component = self._instance.component
+        field = type(component).fields.get(name)
+        if isinstance(field, Parameter):
+            return self._table.expression(self._instance, name)
+        if isinstance(field, Option):
+            return component._get(field)
+        if name in component._parts:
+            path = f"{self._instance.path}.{name}" if self._instance.path else name
+            return _View(self._table, self._table.instances[path])
+        value = getattr(type(component), name, None)
+        if isinstance(value, property) and value.fget:
+            return value.fget(self)
+        if isinstance(value, types.FunctionType):
+            return types.MethodType(value, self)
+        raise ModelError(f"{self._instance} has no parameter '{name}'")
+
+
+def _owner_of(declared: Parameter, instance: Instance | None) -> Instance | None:
+    while instance is not None:
+        if type(instance.component).fields.get(declared.name) is declared:
+            return instance
+        instance = instance.parent
+    return None

@@ -1,0 +1,53 @@
+"""Progress of a run that takes more than a second, with an estimate of the time left."""
+
+from __future__ import annotations
+
+import sys
+import time
+from types import TracebackType
+from typing import Any
+
+
+class Progress:
+    """A bar on the terminal that appears once a run has lasted a second."""
+
+    def __init__(self, name: str, begin: float, stop: float, wanted: bool | None) -> None:
+        self.name, self.begin, self.stop = name, begin, stop
+        self.wanted = sys.stderr.isatty() if wanted is None else wanted
+        self.started = time.perf_counter()
+        self._bar: Any = None
+        self._task: Any = None
+
+    def __enter__(self) -> Progress:
+        return self
+
+    def at(self, t: float) -> None:
+        """Tell that the run has come to time t."""
+        if not self.wanted or (self._bar is None and time.perf_counter() - self.started < 1.0):
+            return
+        if self._bar is None:
+            self._show()
+        self._bar.update(self._task, completed=t - self.begin)
+
+    def _show(self) -> None:
+        from rich.console import Console
+        from rich.progress import BarColumn, TextColumn, TimeElapsedColumn, TimeRemainingColumn
+        from rich.progress import Progress as Bar
+
+        columns = (
+            TextColumn("{task.description}"), BarColumn(),
+            TextColumn("{task.completed:.3g}/{task.total:.3g} s simulated"),
+            TimeElapsedColumn(), TextColumn("left"), TimeRemainingColumn(),
+        )  # fmt: skip
+        self._bar = Bar(*columns, console=Console(stderr=True), transient=True)
+        self._bar.start()
+        self._task = self._bar.add_task(self.name, total=self.stop - self.begin)
+
+    def __exit__(
+        self,
+        kind: type[BaseException] | None,
+        error: BaseException | None,
+        trace: TracebackType | None,
+    ) -> None:
+        if self._bar is not None:
+            self._bar.stop()

@@ -1,0 +1,66 @@
+"""Reduce: from flat equations to the `DAE` (index 1, states chosen, solved where possible)."""
+
+from __future__ import annotations
+
+import casadi as ca
+
+from .causalise import Solution, causalise
+from .dae import DAE, Input
+from .flatten import Flat
+from .index import System, joined_system, reduce_index
+from .selection import select_states
+from .structure import check_structure
+from .switching import Switching, switching
+from .vectors import column, pick
+
+
+def reduce(flat: Flat) -> DAE:
+    """Return the network's equations in the form everything else reads.
+
+    Raises:
+        ModelError: if the network is structurally singular, naming the components concerned.
+    """
+    system = joined_system(flat)
+    check_structure(system)
+    reduce_index(system)
+    symbols = ca.SX.sym("v", system.size)
+    switch = switching(system, symbols)
+    solution = causalise(system, select_states(system), symbols, switch.expressions)
+    switch.expressions = solution.also
+    return _dae(system, solution, switch)
+
+
+def _dae(system: System, solution: Solution, switch: Switching) -> DAE:
+    flat = system.flat
+    values, symbols = solution.values, solution.symbols
+    rates = [system.derivative[s] for s in solution.states]
+    ode = pick(values, [d for d, _ in rates]) * ca.DM([sign for _, sign in rates])
+    known = sorted(system.known.items(), key=lambda item: (item[1], item[0]))
+    inputs = [_input(flat, path, order, number) for number, (path, order) in known]
+    return DAE(
+        name=flat.name,
+        x=pick(symbols, solution.states),
+        z=pick(symbols, solution.algebraic),
+        u=pick(symbols, [number for number, _ in known]),
+        p=flat.table.symbols,
+        modes=flat.mode_symbols,
+        impulses=flat.impulse_symbols,
+        completion=solution.completion,
+        time=flat.time,
+        ode=ode,
+        alg=column(solution.residuals),
+        inputs=inputs,
+        states=solution.states,
+        algebraic=solution.algebraic,
+        blocks=[block for block in solution.blocks if block.hybrid],
+        switching=switch,
+        variables=values,
+        system=system,
+    )
+
+
+def _input(flat: Flat, path: str, order: int, number: int) -> Input:
+    owner, _, name = path.rpartition(".")
+    component = flat.instances[owner].component
+    return Input(path, order, type(component).fields[name].unit, component._values.get(name), number)
+

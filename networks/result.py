@@ -1,0 +1,189 @@
+"""`Result`: named signals of a run, its events and its statistics."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import casadi as ca
+import numpy as np
+from numpy.typing import NDArray
+
+from .closed import Closed
+from .events import Event
+from .initial import Decision
+
+if TYPE_CHECKING:
+    import pandas as pd
+
+Array = NDArray[np.float64]
+
+
+@dataclass(eq=False)
+class Segment:
+    """The points between two events; what is constant among them."""
+
+    q: Array
+    times: list[Array] = field(default_factory=list)
+    states: list[Array] = field(default_factory=list)
+    algebraic: list[Array] = field(default_factory=list)
+
+    def extend(self, times: Array, states: Array, algebraic: Array) -> None:
+        """Append points."""
+        self.times.append(times)
+        self.states.append(states)
+        self.algebraic.append(algebraic)
+
+    def state(self, number: int) -> tuple[Array, Array]:
+        """Return states and algebraic unknowns of one point."""
+        for states, algebraic in zip(self.states, self.algebraic, strict=True):
+            if number < len(states):
+                return states[number], algebraic[number]
+            number -= len(states)
+        raise IndexError(number)
+
+
+class Result:
+    """What a run computed; signals are evaluated by name when they are asked for.
+
+    Attributes:
+        events: the changes of mode and the shocks, in order.
+        stats: steps, events by component, seconds.
+        initial: how every start value was decided.
+        notes: what the run wants to be known (forces that are not unique).
+
+    At an event two points share one time: before and after.
+
+    Example:
+        >>> from inertance import Fixed, Inerter, Mass, Network, Spring
+        >>> net = Network("example", wall=Fixed(), spring=Spring(k=1.0), mass=Mass(m=1.0, s=1.0))
+        >>> _ = net.connect(net.wall.flange, net.spring.flange_a)
+        >>> _ = net.connect(net.spring.flange_b, net.mass.flange)
+        >>> run = net.simulate(1.0)
+        >>> run["mass.s"].shape
+        (501,)
+    """
+
+    def __init__(
+        self,
+        closed: Closed,
+        segments: list[Segment],
+        events: list[Event],
+        stats: dict[str, Any],
+        initial: list[Decision],
+        notes: list[str],
+        sensitivities: dict[str, Array],
+    ) -> None:
+        self.dae = closed.dae
+        self.name = closed.dae.name
+        self.events, self.stats, self.initial, self.notes = events, stats, initial, notes
+        self._closed, self._segments = closed, segments
+        self._sensitivities = sensitivities
+        self._cache: dict[str, Array] = {}
+        self.time: Array = np.concatenate([t for s in segments for t in s.times])
+
+    def __getitem__(self, name: str) -> Array:
+        """Return a signal by its full name, in SI units.
+
+        Raises:
+            KeyError: for an unknown name, with the nearest one.
+        """
+        if name == "time":
+            return self.time
+        if name not in self._cache:
+            self._cache[name] = self._evaluate(self.dae.expression(name))
+        return self._cache[name]
+
+    def _evaluate(self, expression: Any) -> Array:
+        function = self._closed.evaluator(expression)
+        pieces = []
+        for segment in self._segments:
+            times = np.concatenate(segment.times)
+            states, algebraic = np.vstack(segment.states), np.vstack(segment.algebraic)
+            values = function(states.T, algebraic.T, segment.q, times[None, :]).full().ravel()
+            pieces.append(np.broadcast_to(values, times.shape))
+        return np.concatenate(pieces)
+
+    def __contains__(self, name: str) -> bool:
+        try:
+            self.dae.expression(name)
+        except KeyError:
+            return False
+        return True
+
+    def names(self) -> list[str]:
+        """Return the names of all signals."""
+        return ["time", *self.dae.names(), *self.dae.switching.mode_names]
+
+    def unit(self, name: str) -> str:
+        """Return the unit of a signal."""
+        return self.dae.unit(name)
+
+    def at(self, name: str, time: float) -> float:
+        """Return a signal at one instant, linear between outputs; after the event if there is one."""
+        i = int(np.searchsorted(self.time, time, side="right"))
+        if i == 0 or i == len(self.time):
+            return float(self[name][min(i, len(self.time) - 1)])
+        t0, t1 = self.time[i - 1], self.time[i]
+        y0, y1 = self[name][i - 1], self[name][i]
+        return float(y0 + (y1 - y0) * (time - t0) / (t1 - t0))
+
+    def sensitivity(self, name: str, parameter: str) -> Array:
+        """Return d(signal)/d(parameter) along a run asked for with `sensitivities=`.
+
+        Raises:
+            KeyError: if the parameter's sensitivities were not asked for.
+        """
+        if parameter not in self._sensitivities:
+            raise KeyError(f"run again with sensitivities=['{parameter}']")
+        closed, dae = self._closed, self.dae
+        expression = closed.close(dae.expression(name))
+        number = dae.system.flat.table.index[parameter]
+        slopes = ca.horzcat(
+            ca.jacobian(expression, closed.x), ca.jacobian(expression, closed.q)[:, number]
+        )
+        function = closed.function("slopes", slopes.T)
+        segment = self._segments[0]
+        states, algebraic = np.vstack(segment.states).T, np.vstack(segment.algebraic).T
+        values = function(states, algebraic, segment.q, self.time[None, :]).full()
+        values = values.reshape(-1, len(self.time), order="F") if values.shape[1] == 1 else values
+        total: Array = (values[:-1] * self._sensitivities[parameter].T).sum(axis=0) + values[-1]
+        return total
+
+    def to_dataframe(self, *names: str) -> pd.DataFrame:
+        """Return signals as a pandas DataFrame indexed by time; the states if no names are given."""
+        import pandas as pd
+
+        chosen = names or tuple(self.dae.state_names)
+        table = pd.DataFrame({name: self[name] for name in chosen}, index=pd.Index(self.time, name="time"))
+        table.attrs["units"] = {name: self.unit(name) for name in chosen}
+        return table
+
+    def plot(self, *names: str, axes: Any = None) -> Any:
+        """Plot signals over time, one panel a unit, and return the matplotlib figure."""
+        from .plotting import plot_result
+
+        return plot_result(self, names or tuple(self.dae.state_names[:4]), axes)
+
+    def save(self, path: str | Path, *names: str) -> Path:
+        """Write signals to .csv, .parquet or .npz; read them back with `load_table`.
+
+        Raises:
+            ValueError: for another ending.
+        """
+        from .storage import save_result
+
+        return save_result(self, Path(path), names)
+
+    def __repr__(self) -> str:
+        stats = self.stats
+        return (
+            f"<Result of '{self.name}': {self.time[0]:g} to {self.time[-1]:g} s, {len(self.time)} points, "
+            f"{len(self.dae.states)} states, {stats['steps']} steps, {stats['events']} events>"
+        )
+
+    def _repr_html_(self) -> str:
+        from .notebook import result_html
+
+        return result_html(self)

@@ -1,0 +1,108 @@
+"""Stepper: one compiled integrator over scaled time, used for every segment of a run."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any
+
+import casadi as ca
+import numpy as np
+from numpy.typing import NDArray
+
+from ..components.base import ModelError
+from .closed import Closed
+
+Array = NDArray[np.float64]
+SOLVERS = ("auto", "cvodes", "idas", "rosenbrock")
+
+
+@dataclass(frozen=True)
+class Tolerance:
+    """Relative and absolute tolerance of a run."""
+
+    rtol: float
+    atol: float
+
+
+class IntegratorFailed(Exception):
+    """The integrator gave up; the message is its own."""
+
+
+class Stepper:
+    """Integrates from (t, x, z) over any duration, with `nodes` equidistant outputs.
+
+    States are scaled by powers of two near their nominal values, so that one absolute tolerance
+    serves them all and no value is rounded.
+    """
+
+    def __init__(self, closed: Closed, solver: str, tolerance: Tolerance, nodes: int) -> None:
+        if solver not in SOLVERS:
+            raise ModelError(f"there is no solver '{solver}', only {', '.join(SOLVERS)}")
+        dae = closed.dae
+        if solver == "auto":
+            solver = "idas" if dae.z.numel() else "cvodes"
+        if solver == "cvodes" and dae.z.numel():
+            raise ModelError(
+                f"'{dae.name}' keeps {dae.z.numel()} algebraic unknowns, which solver 'cvodes' cannot "
+                "handle; use 'idas', 'rosenbrock' or 'auto'"
+            )
+        self.solver, self.nodes, self.steps = solver, nodes, 0
+        self.last_steps = 0
+        self.scale = _powers_of_two(dae)
+        self._function = self._build(closed, tolerance)
+        self.nx, self.nz = dae.x.numel(), dae.z.numel()
+
+    def _build(self, closed: Closed, tolerance: Tolerance) -> Any:
+        kind = type(closed.x)
+        begin, span, tau = (kind.sym(n) for n in ("begin", "span", "tau"))
+        scale = ca.DM(self.scale)
+        ode, alg = closed.close(closed.dae.ode), closed.close(closed.dae.alg)
+        moved = [closed.x, closed.t], [closed.x * scale, begin + span * tau]
+        ode, alg = ca.graph_substitute([ode, alg], *moved) if kind is ca.MX else (
+            ca.substitute([ode, alg], *moved)
+        )
+        x, ode = (closed.x, ode) if closed.x.numel() else (kind.sym("none"), kind(0))
+        scale = scale if closed.x.numel() else ca.DM(1)
+        problem = {
+            "x": x, "z": closed.z, "p": ca.vertcat(closed.q, begin, span), "t": tau,
+            "ode": span * ode / scale, "alg": alg,
+        }  # fmt: skip
+        options: dict[str, Any] = {"reltol": tolerance.rtol, "abstol": tolerance.atol}
+        options["max_num_steps"] = 1_000_000
+        grid = np.linspace(0, 1, self.nodes + 1)[1:]
+        return ca.integrator("run", self.solver, problem, 0.0, grid, options)
+
+    def run(self, t: float, x: Array, z: Array, q: Array, span: float) -> tuple[Array, Array]:
+        """Return states (nodes, nx) and algebraic unknowns (nodes, nz) over (t, t + span]."""
+        try:
+            x0 = x / self.scale if self.nx else [0.0]
+            result = self._function(x0=x0, z0=z, p=np.concatenate([q, [t, span]]))
+        except RuntimeError as error:
+            raise IntegratorFailed(str(error)) from error
+        stats = self._function.stats()
+        self.last_steps = int(stats.get("nsteps", stats.get("n_steps", 0)))
+        self.steps += self.last_steps
+        states = result["xf"].full().T[:, : self.nx] * self.scale
+        return states, result["zf"].full().T
+
+    def sensitivity(self, t: float, x: Array, z: Array, q: Array, span: float, seeds: Any) -> Any:
+        """Return d(states)/d(seed directions) at the nodes; seeds are (of x, of q)."""
+        of_x, of_q = seeds
+        count = of_x.shape[1]
+        forward = self._function.forward(count)
+        p = np.concatenate([q, [t, span]])
+        plain = self._function(x0=x / self.scale, z0=z, p=p)
+        names = forward.name_in()
+        given: dict[str, Any] = {"x0": x / self.scale, "z0": z, "p": p}
+        given |= {f"out_{name}": plain[name] for name in plain}
+        given["fwd_x0"] = of_x / self.scale[:, None]
+        given["fwd_p"] = np.vstack([of_q, np.zeros((2, count))])
+        result = forward(**{name: given[name] for name in names if name in given})
+        moved = result["fwd_xf"].full().reshape(self.nx, count, self.nodes, order="F")
+        return moved * self.scale[:, None, None]
+
+
+def _powers_of_two(dae: Any) -> Array:
+    nominal = dae.system.names.nominal
+    sizes = [nominal[s] if s < len(nominal) else 1.0 for s in dae.states]
+    return np.exp2(np.round(np.log2(np.array(sizes, dtype=float))))

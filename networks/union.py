@@ -1,0 +1,74 @@
+"""Union-find over signed variables, closed under time differentiation.
+
+If x = y then der(x) = der(y): joining two variables joins their derivatives, so that masses rigidly
+joined, or a velocity and the derivative of a position, are one variable without any index reduction.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+
+class SignedUnion:
+    """Classes of variables equal up to sign; variable i is `sign[i] * root[i]`."""
+
+    def __init__(self, size: int) -> None:
+        self.parent = list(range(size))
+        self.sign = [1] * size
+        self.derivative: dict[int, int] = {}
+        self.contradictions: list[int] = []
+
+    def new(self) -> int:
+        """Add a variable and return its index."""
+        self.parent.append(len(self.parent))
+        self.sign.append(1)
+        return len(self.parent) - 1
+
+    def find(self, i: int) -> tuple[int, int]:
+        """Return the root of a variable and the sign against it."""
+        path = []
+        while self.parent[i] != i:
+            path.append(i)
+            i = self.parent[i]
+        sign = 1
+        for j in reversed(path):
+            sign *= self.sign[j]
+            self.parent[j], self.sign[j] = i, sign
+        return i, sign
+
+    def set_derivative(self, i: int, derivative: int) -> None:
+        """State that `derivative` is the time derivative of variable i."""
+        root, sign = self.find(i)
+        if root in self.derivative:
+            self.join(self.derivative[root], derivative, sign)
+        else:
+            if sign < 0:
+                negative = self.new()
+                self.join(derivative, negative, -1)
+                derivative = negative
+            self.derivative[root] = derivative
+
+    def join(self, i: int, j: int, sign: int = 1) -> None:
+        """State that variable i equals `sign` times variable j, and so do their derivatives."""
+        todo = [(i, j, sign)]
+        while todo:
+            i, j, sign = todo.pop()
+            (a, sign_a), (b, sign_b) = self.find(i), self.find(j)
+            sign *= sign_a * sign_b
+            if a == b:
+                if sign < 0:
+                    self.contradictions.append(a)
+                continue
+            self.parent[b], self.sign[b] = a, sign
+            lost = self.derivative.pop(b, None)
+            if lost is not None and a in self.derivative:
+                todo.append((self.derivative[a], lost, sign))
+            elif lost is not None:
+                self.set_derivative(b, lost)
+
+    def arrays(self) -> tuple[NDArray[np.int64], NDArray[np.int64]]:
+        """Return root and sign of every variable."""
+        found = [self.find(i) for i in range(len(self.parent))]
+        roots, signs = zip(*found, strict=True) if found else ((), ())
+        return np.array(roots, dtype=np.int64), np.array(signs, dtype=np.int64)
