@@ -9,6 +9,8 @@ import casadi as ca
 
 from .base import Component, mode, option, parameter
 
+SLOW = 1e-6
+
 
 class StickSlip(Component):
     """Dry friction with three modes.
@@ -23,42 +25,61 @@ class StickSlip(Component):
     synchronous data flow principle (1999), section 4.
     """
 
-    mode = mode("stuck", "forward", "backward", doc="sticking or sliding", in_shock={"stuck": "forward"})
-    peak = parameter("1", "break-away resistance over sliding resistance at rest", default=1.0, min=1.0)
+    mode = mode(
+        "stuck", "forward", "backward", doc="sticking or sliding", in_shock={"stuck": "forward"}
+    )
+    peak = parameter(
+        "1", "break-away resistance over sliding resistance at rest", default=1.0, min=1.0
+    )
     regularised = option(
         "speed over which the sign of the motion is smoothed (no events, but creeps when it should stick)",
         default=None,
     )
 
     speed_name = "v_rel"
+    grips = None
 
     @property
     def breakaway(self) -> Any:
         """Resistance at which sliding begins."""
-        return self.peak * self.sliding(0.0)  # type: ignore[attr-defined]
+        return self.peak * self.sliding(0.0)
+
+    def laws(self) -> dict[str, Any]:
+        """What vanishes in each mode."""
+        return {
+            "stuck": self.acceleration,
+            "forward": self.resistance - self.sliding(self.speed),
+            "backward": self.resistance + self.sliding(-self.speed),
+        }
 
     def equations(self) -> Iterable[Any]:
-        resistance, speed = self.resistance, self.speed
         if self.regularised:
-            yield resistance == ca.tanh(speed / self.regularised) * self.sliding(ca.fabs(speed))
+            direction = ca.tanh(self.speed / self.regularised)
+            yield self.resistance == direction * self.sliding(ca.fabs(self.speed))
         else:
-            forward, backward = self.sliding(speed), self.sliding(-speed)
-            yield (
-                self.mode.choose(
-                    stuck=self.acceleration,
-                    forward=resistance - forward,
-                    backward=resistance + backward,
-                )
-                == 0
-            )
+            yield self.mode.choose(**self.laws()) == 0
 
     def transitions(self) -> Iterable[Any]:
         if self.regularised:
             return
-        limit, speed, stop = self.breakaway, self.speed, {self.speed_name: 0.0}
-        yield self.mode.goes("stuck", "forward", when=self.resistance > limit)
-        yield self.mode.goes("stuck", "backward", when=-self.resistance > limit)
-        yield self.mode.goes("stuck", "forward", when=speed > 0)
-        yield self.mode.goes("stuck", "backward", when=speed < 0)
-        yield self.mode.goes("forward", "stuck", when=speed < 0, reset=stop)
-        yield self.mode.goes("backward", "stuck", when=speed > 0, reset=stop)
+        limits = self.breakaway, self.breakaway
+        yield from breakaways(self.mode, self.resistance, limits, self.grips)
+        yield from reversals(self.mode, self.speed, self.speed_name)
+
+
+def breakaways(
+    mode: Any, resistance: Any, limits: tuple[Any, Any], allowed: Any = None
+) -> Iterable[Any]:
+    """Yield the ways out of sticking: a resistance beyond its limit forward or backward."""
+    forward, backward = limits
+    yield mode.goes("stuck", "forward", when=resistance > forward, allowed=allowed)
+    yield mode.goes("stuck", "backward", when=-resistance > backward, allowed=allowed)
+
+
+def reversals(mode: Any, speed: Any, name: str) -> Iterable[Any]:
+    """Yield what a change of the speed's sign does: it ends in sticking, unless the speed jumped."""
+    stop = {name: ca.if_else(ca.fabs(speed) < SLOW, 0.0, speed)}
+    yield mode.goes("stuck", "forward", when=speed > 0)
+    yield mode.goes("stuck", "backward", when=speed < 0)
+    yield mode.goes("forward", "stuck", when=speed < 0, reset=stop)
+    yield mode.goes("backward", "stuck", when=speed > 0, reset=stop)

@@ -5,5 +5,8 @@ from .algebra import parallel as parallel
 from .algebra import series as series
 from .dae import DAE as DAE
 from .events import Event as Event
+from .machines import BallScrewInerter as BallScrewInerter
+from .machines import PlanetaryFlywheelInerter as PlanetaryFlywheelInerter
+from .machines import RackPinionInerter as RackPinionInerter
 from .network import Network as Network
 from .result import Result as Result

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
+from itertools import pairwise
 from typing import Any
 
 from ..components import Component, ModelError, TwoFlanges, variable
@@ -48,7 +49,7 @@ def series(*elements: Component, **named: Component) -> TwoTerminal:
     parts = _named(elements, named)
     names = list(parts)
     nodes = [[("", "flange_a"), (names[0], "flange_a")]]
-    for left, right in zip(names, names[1:], strict=False):
+    for left, right in pairwise(names):
         nodes.append([(left, "flange_b"), (right, "flange_a")])
     nodes.append([(names[-1], "flange_b"), ("", "flange_b")])
     return TwoTerminal(nodes, parts)

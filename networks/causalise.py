@@ -7,19 +7,41 @@ is linear and small. What is left over stays algebraic (`z`).
 
 from __future__ import annotations
 
-from collections import defaultdict
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import Any
 
 import casadi as ca
 import numpy as np
+from numpy.typing import NDArray
 
 from .families import Ints
-from .index import System
+from .index import System, counted
 from .tearing import Block, Torn, tear
 from .vectors import column
 
 SMALL = 8
+
+
+@dataclass(eq=False)
+class _Solved:
+    """Solved unknowns, gathered block by block in any order."""
+
+    blocks: list[Ints] = field(default_factory=list)
+    variables: list[Ints] = field(default_factory=list)
+    values: list[Any] = field(default_factory=list)
+
+    def add(self, blocks: Ints, variables: Ints, values: Any) -> None:
+        self.blocks.append(blocks)
+        self.variables.append(variables)
+        self.values.append(values)
+
+    def in_order(self) -> tuple[list[int], Any]:
+        """Return variables and their expressions in the order of the blocks."""
+        if not self.blocks:
+            return [], ca.SX(0, 1)
+        order = np.argsort(np.concatenate(self.blocks), kind="stable").tolist()
+        variables = np.concatenate(self.variables)[order].tolist()
+        return variables, ca.vertcat(*self.values)[order]
 
 
 @dataclass(eq=False)
@@ -45,112 +67,87 @@ def causalise(system: System, states: list[int], symbols: Any, also: Any) -> Sol
         symbols: SX vector of all variables.
         also: further expressions of them to be written in terms of the states.
     """
-    equations = list(system.equations())
+    equations, unknowns, cuts = _triangular(system, states)
+    solved = _Solved()
+    done = _solve_single(system, equations, unknowns, cuts, symbols, solved)
+    torn: list[Torn] = []
+    for block in np.flatnonzero(~done):
+        span = slice(cuts[block], cuts[block + 1])
+        found = [system.equation(int(e)) for e in equations[span]]
+        result = tear(system, Block(found, unknowns[span].tolist()), symbols, SMALL)
+        torn.append(result)
+        if result.expressions:
+            variables, values = zip(*result.expressions, strict=True)
+            solved.add(np.full(len(variables), block), np.array(variables), ca.vertcat(*values))
+    return _substituted(system, states, symbols, solved, torn, also)
+
+
+def _triangular(system: System, states: list[int]) -> tuple[Ints, Ints, Ints]:
+    """Return equations and unknowns in block-lower-triangular order, and where blocks begin."""
     is_unknown = np.zeros(system.size, dtype=bool)
     for family in system.families:
         is_unknown[family.columns.ravel()] = True
     is_unknown[[upper for upper, _ in system.derivative.values()]] = True
     is_unknown[states] = False
     is_unknown[list(system.known)] = False
-    unknowns = np.flatnonzero(is_unknown)
-    blocks = _triangular(system, equations, unknowns)
-    order: list[int] = []
-    algebraic: list[int] = []
-    expressions: dict[int, Any] = {}
-    torn: list[Torn] = []
-    _solve_single(system, blocks, symbols, expressions)
-    for block in blocks:
-        if len(block.variables) == 1 and block.variables[0] in expressions:
-            order.append(block.variables[0])
-            continue
-        result = tear(system, block, symbols, SMALL)
-        torn.append(result)
-        for variable, expression in result.expressions:
-            expressions[variable] = expression
-            order.append(variable)
-        algebraic += result.algebraic
-    return _substituted(system, states, symbols, order, expressions, algebraic, torn, also)
-
-
-def _triangular(
-    system: System, equations: list[tuple[int, int]], unknowns: Ints
-) -> list[Block]:
-    number = np.full(system.size, -1, dtype=np.int64)
-    number[unknowns] = np.arange(len(unknowns))
-    rows, columns, start = [], [], 0
-    for family in system.families:
-        cells = number[family.columns]
-        r, c = np.nonzero(cells >= 0)
-        rows.append(r + start)
-        columns.append(cells[r, c])
-        start += len(family)
-    pattern = ca.Sparsity.triplet(
-        len(equations),
-        len(unknowns),
-        np.concatenate(rows).tolist() if rows else [],
-        np.concatenate(columns).tolist() if columns else [],
-    )
-    count, row_order, column_order, row_cut, column_cut, *_ = pattern.btf()
-    return [
-        Block(
-            [equations[i] for i in row_order[row_cut[b] : row_cut[b + 1]]],
-            [int(unknowns[j]) for j in column_order[column_cut[b] : column_cut[b + 1]]],
-        )
-        for b in range(count)
-    ]
+    rows, columns = system.incidence(counted(is_unknown))
+    count, size = system.equation_count(), int(is_unknown.sum())
+    pattern = ca.Sparsity.triplet(count, size, rows.tolist(), columns.tolist())
+    _, row_order, column_order, cuts, *_ = pattern.btf()
+    unknowns = np.flatnonzero(is_unknown)[np.array(column_order, dtype=np.int64)]
+    return np.array(row_order, dtype=np.int64), unknowns, np.array(cuts, dtype=np.int64)
 
 
 def _solve_single(
-    system: System, blocks: list[Block], symbols: Any, expressions: dict[int, Any]
-) -> None:
-    """Solve the single linear equations, all instances of one form at once."""
-    by_family: dict[int, tuple[list[int], list[int]]] = defaultdict(lambda: ([], []))
-    for block in blocks:
-        if len(block.variables) == 1:
-            number, row = block.equations[0]
-            by_family[number][0].append(row)
-            by_family[number][1].append(block.variables[0])
-    for number, (rows, variables) in by_family.items():
+    system: System, equations: Ints, unknowns: Ints, cuts: Ints, symbols: Any, solved: _Solved
+) -> NDArray[np.bool_]:
+    """Solve the single linear equations, all of one form at once; tell which blocks are solved."""
+    done = np.zeros(len(cuts) - 1, dtype=bool)
+    single = np.flatnonzero(np.diff(cuts) == 1)
+    chosen, targets = equations[cuts[single]], unknowns[cuts[single]]
+    starts = system.family_starts()
+    family_of = np.searchsorted(starts, chosen, side="right") - 1
+    for number in np.unique(family_of):
         family = system.families[number]
-        chosen, targets = np.array(rows), np.array(variables)
-        marks = (family.columns[chosen] == targets[:, None]) * family.signs[chosen]
+        members = np.flatnonzero(family_of == number)
+        rows = chosen[members] - starts[number]
+        marks = (family.columns[rows] == targets[members][:, None]) * family.signs[rows]
         patterns, kind = np.unique(marks, axis=0, return_inverse=True)
         for k, pattern in enumerate(patterns):
-            solved = family.solved(tuple(int(m) for m in pattern))
-            members = np.flatnonzero(kind.ravel() == k)
-            if solved is None or family.is_hybrid(solved[0]):
+            form = family.solved(tuple(int(m) for m in pattern))
+            if form is None or family.is_hybrid(form[0]):
                 continue
-            slope, offset = solved
-            result = family.evaluate(-offset / slope, chosen[members], symbols, system.flat.time)
-            for variable, expression in zip(targets[members], ca.horzsplit(result), strict=True):
-                expressions[int(variable)] = expression
+            slope, offset = form
+            alike = kind.ravel() == k
+            values = family.evaluate(-offset / slope, rows[alike], symbols, system.flat.time)
+            solved.add(single[members[alike]], targets[members[alike]], values.T)
+            done[single[members[alike]]] = True
+    return done
 
 
 def _substituted(
-    system: System,
-    states: list[int],
-    symbols: Any,
-    order: list[int],
-    expressions: dict[int, Any],
-    algebraic: list[int],
-    torn: list[Torn],
-    also: Any,
+    system: System, states: list[int], symbols: Any, solved: _Solved, torn: list[Torn], also: Any
 ) -> Solution:
     """Put the solved unknowns into each other, in one pass."""
-    for variable, conditions in system.held.items():
-        if variable in expressions:
-            for condition in conditions:
-                expressions[variable] = ca.if_else(condition, 0, expressions[variable])
+    order, definitions = solved.in_order()
+    place = {variable: i for i, variable in enumerate(order)} if system.held else {}
+    for variable in system.held.keys() & place.keys():
+        for condition in system.held[variable]:
+            held = ca.if_else(condition, 0, definitions[place[variable]])
+            definitions[place[variable]] = held
     residuals = [residual for block in torn for residual in block.residuals]
     matrices = [block.matrix for block in torn]
     targets = [symbols[order]] if order else []
-    definitions = [ca.vertcat(*[expressions[v] for v in order])] if order else []
-    solved, others = ca.substitute_inplace(targets, definitions, [*residuals, *matrices, also])
+    defined = [definitions] if order else []
+    solved_values, others = ca.substitute_inplace(targets, defined, [*residuals, *matrices, also])
     values = ca.SX(symbols)
     if order:
-        values[order] = solved[0]
+        values[order] = solved_values[0]
     count = len(residuals)
     for block, matrix in zip(torn, others[count:-1], strict=True):
         block.matrix = matrix
     completion = column([ca.vec(block.completion) for block in torn])
-    return Solution(values, symbols, states, algebraic, others[:count], torn, completion, others[-1])
+    algebraic = [variable for block in torn for variable in block.algebraic]
+    return Solution(
+        values, symbols, states, algebraic, others[:count], torn, completion, others[-1]
+    )

@@ -24,13 +24,12 @@ class Closed:
         self.dae = dae
         self.signals = _chosen(dae, signals)
         self.sampled = any(isinstance(s, Sampled) for s in self.signals.values())
-        kind = ca.MX if self.sampled else ca.SX
-        self.x = kind.sym("x", dae.x.numel()) if self.sampled else dae.x
-        self.z = kind.sym("z", dae.z.numel()) if self.sampled else dae.z
-        self.q = kind.sym("q", dae.constants.numel()) if self.sampled else dae.constants
-        self.t = kind.sym("t") if self.sampled else dae.time
-        self.u = kind(0, 1)
-        self.u = ca.vertcat(self.u, *[self._input(i) for i in dae.inputs])
+        kind: Any = ca.MX if self.sampled else ca.SX
+        self.x: Any = kind.sym("x", dae.x.numel()) if self.sampled else dae.x
+        self.z: Any = kind.sym("z", dae.z.numel()) if self.sampled else dae.z
+        self.q: Any = kind.sym("q", dae.constants.numel()) if self.sampled else dae.constants
+        self.t: Any = kind.sym("t") if self.sampled else dae.time
+        self.u = ca.vertcat(kind(0, 1), *[self._input(i) for i in dae.inputs])
 
     def _input(self, declared: Input) -> Any:
         signal = self.signals[declared.path]
@@ -103,7 +102,9 @@ def _called(path: str, function: Any, t: Any) -> Any:
         with warnings.catch_warnings():
             warnings.simplefilter("ignore", FutureWarning)
             value = function(t)
-        return type(t)(float(value)) if isinstance(value, int | float | np.number) else type(t)(value)
+        return (
+            type(t)(float(value)) if isinstance(value, int | float | np.number) else type(t)(value)
+        )
     except Exception as error:
         raise ModelError(
             f"input '{path}': the function of time could not be read ({error}); write it with CasADi "

@@ -123,7 +123,9 @@ class DAE:
             return "s"
         if path in self.switching.mode_names:
             return ""
-        return self.system.flat.unit(path)
+        if path.startswith("der("):
+            return f"{self.unit(path[4:-1])}/s"
+        return self.system.names.facts[self.system.flat.variable(path)].unit
 
     def field(self, path: str) -> Parameter:
         """Return the declaration of a parameter."""
@@ -172,9 +174,7 @@ class DAE:
 
         if not stop > begin:
             raise ModelError(f"stop must be after begin ({begin:g} s), got {stop:g} s")
-        settings = Settings(
-            begin, stop, step or (stop - begin) / 500, rtol, atol, solver, progress
-        )
+        settings = Settings(begin, stop, step or (stop - begin) / 500, rtol, atol, solver, progress)
         return simulate(
             self, settings, start or {}, guess or {}, inputs or {}, parameters or {},
             tuple(sensitivities),

@@ -57,9 +57,11 @@ class Switcher:
         self._all = closed.function("switching", expressions)
         self._motion = closed.evaluator(dae.ode)
         self.muted = np.zeros(len(changes), dtype=bool)
-        self._slopes = closed.function(
-            "slopes", *[closed.close(b.matrix) for b in dae.blocks]
-        ) if dae.blocks else None
+        self._slopes = (
+            closed.function("slopes", *[closed.close(b.matrix) for b in dae.blocks])
+            if dae.blocks
+            else None
+        )
         self._shock = self._shock_function(expressions) if dae.impulses.numel() else None
         self.sources = np.array([c.source for c in changes])
         self.mode_of = np.array([c.mode for c in changes])
@@ -161,7 +163,9 @@ class Switcher:
         values = self.switching.mode_values[change.mode]
         impulse = impulses.get(change.impulse) if change.impulse is not None else None
         name = self.switching.mode_names[change.mode]
-        return Event(t, change.component, name, values[change.source], values[change.target], impulse)
+        return Event(
+            t, change.component, name, values[change.source], values[change.target], impulse
+        )
 
     def _strike(self, point: Point, shocks: list[Change], everything: Array) -> dict[int, float]:
         """Find the impulses that give the velocities wanted, and let them act."""
@@ -190,7 +194,9 @@ class Switcher:
                 point.x[place[variable]] = value
         if others:
             expression = self.closed.close(dae.variables[others])
-            function = self.closed.function("reset", expression, ca.jacobian(expression, self.closed.x))
+            function = self.closed.function(
+                "reset", expression, ca.jacobian(expression, self.closed.x)
+            )
             value, slope = (m.full() for m in function(point.x, point.z, point.q, point.t))
             wanted = np.array([resets[v] for v in others])
             point.x = point.x + np.linalg.lstsq(slope, wanted - value.ravel(), rcond=1e-10)[0]

@@ -44,7 +44,7 @@ class Family:
     arguments: Any
     label: Callable[[int], str]
     modes: Any = field(default_factory=lambda: ca.SX(0, 1))
-    _solved: dict[tuple[int, ...], Any] = field(default_factory=dict)
+    _solved: dict[tuple[int, ...], tuple[Any, Any] | None] = field(default_factory=dict)
 
     def __len__(self) -> int:
         return len(self.columns)
@@ -105,9 +105,7 @@ class Family:
             replaced = ca.substitute(self.residual, pick(self.locals, places), signed)
             slope = ca.jacobian(replaced, unknown)
             linear = not ca.depends_on(slope, unknown)
-            self._solved[pattern] = (
-                (slope, ca.substitute(replaced, unknown, 0)) if linear else None
-            )
+            self._solved[pattern] = (slope, ca.substitute(replaced, unknown, 0)) if linear else None
         return self._solved[pattern]
 
 

@@ -7,7 +7,7 @@ symbolic work, so the cost is linear in the number of elements.
 from __future__ import annotations
 
 from collections import defaultdict
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass, field
 from typing import Any
 
@@ -18,13 +18,11 @@ from ..components.base import (
     Component,
     Mode,
     ModelError,
-    Parameter,
     Port,
     PortRef,
     RealInput,
     RealOutput,
     Template,
-    Variable,
     nearest,
     template_of,
 )
@@ -47,7 +45,7 @@ class Instance:
 
     def index(self, local: str) -> int:
         """Return the number of a variable given by its local name."""
-        return self.base + list(self.template.variables).index(local)
+        return self.base + self.template.place[local]
 
     def __str__(self) -> str:
         return f"{type(self.component).__name__} '{self.path}'"
@@ -213,9 +211,7 @@ def _members(
     return members
 
 
-def _merge(
-    members: list[tuple[Instance, str, int]], node_of: dict[tuple[int, str], _Node]
-) -> None:
+def _merge(members: list[tuple[Instance, str, int]], node_of: dict[tuple[int, str], _Node]) -> None:
     node = _Node()
     for member in members:
         key = (id(member[0]), member[1])
@@ -267,9 +263,7 @@ def _suffix(node: _Node, kind: str) -> str:
     return f".{getattr(declared, kind)}" if isinstance(declared, Port) else ""
 
 
-def _unconnected(
-    flat: Flat, outside: set[tuple[int, str]], problems: list[str]
-) -> Iterator[int]:
+def _unconnected(flat: Flat, outside: set[tuple[int, str]], problems: list[str]) -> Iterator[int]:
     for instance in flat.instances.values():
         if instance.parent is None:
             continue
@@ -287,7 +281,7 @@ def _unconnected(
 def _join_aliases(flat: Flat) -> None:
     for group in flat.groups:
         template = group[0].template
-        place = {name: i for i, name in enumerate(template.variables)}
+        place = template.place
         pairs = [(place[x], place[dx]) for x, dx in template.derivatives.items()]
         aliases = [(place[a], place[b], sign) for a, b, sign in template.aliases]
         for instance in group:
@@ -307,7 +301,7 @@ def _join_used_parts(flat: Flat, instance: Instance) -> None:
         if head in instance.component._parts and not local.startswith("der("):
             path = f"{instance.path}.{local}" if instance.path else local
             owner, _, rest = _owner(flat, path)
-            flat.joined.join(instance.base + list(instance.template.variables).index(local), owner.index(rest))
+            flat.joined.join(instance.index(local), owner.index(rest))
 
 
 def _owner(flat: Flat, path: str) -> tuple[Instance, str, str]:
@@ -321,7 +315,7 @@ def _owner(flat: Flat, path: str) -> tuple[Instance, str, str]:
 
 def _find_inputs(flat: Flat, nodes: list[_Node]) -> None:
     """Note the signals that no connection drives: the inputs of the whole network."""
-    driven = set()
+    driven: set[tuple[int, str]] = set()
     for node in nodes:
         for instance, name, sign in node.ports:
             declared = _port(instance, name)
@@ -351,6 +345,10 @@ def local_arguments(flat: Flat, group: list[Instance]) -> tuple[Any, Any]:
     return column(symbols), arguments
 
 
+def _label(group: list[Instance]) -> Callable[[int], str]:
+    return lambda row: str(group[row])
+
+
 def _component_families(flat: Flat) -> None:
     for group in flat.groups:
         template = group[0].template
@@ -366,7 +364,7 @@ def _component_families(flat: Flat) -> None:
             flat.families.append(
                 Family(
                     residual, pick(symbols, used), given, template.time, columns,
-                    np.ones_like(columns), arguments, lambda row, g=group: str(g[row]), modes,
+                    np.ones_like(columns), arguments, _label(group), modes,
                 )
             )  # fmt: skip
 

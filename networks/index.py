@@ -7,12 +7,12 @@ Source: C. Pantelides, SIAM J. Sci. Stat. Comput. 9 (1988) 213-231.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
 from dataclasses import dataclass, field
 from typing import Any
 
 import casadi as ca
 import numpy as np
+from numpy.typing import NDArray
 
 from ..components.base import ModelError
 from .families import Family, Ints, sum_family
@@ -44,11 +44,46 @@ class System:
             self.size += 1
         return self.derivative[variable]
 
-    def equations(self) -> Iterator[tuple[int, int]]:
-        """Yield (family, row) of every equation."""
-        for number, family in enumerate(self.families):
-            for row in range(len(family)):
-                yield number, row
+    def is_root(self) -> NDArray[np.bool_]:
+        """Tell which numbers stand for variables; the others are joined to one of these."""
+        root = np.ones(self.size, dtype=bool)
+        own = self.names.roots
+        root[: len(own)] = own == np.arange(len(own))
+        return root
+
+    def equations(self) -> list[tuple[int, int]]:
+        """Return (family, row) of every equation."""
+        return [(n, row) for n, family in enumerate(self.families) for row in range(len(family))]
+
+    def equation_count(self) -> int:
+        """Return the number of equations."""
+        return sum(len(family) for family in self.families)
+
+    def family_starts(self) -> Ints:
+        """Return the number of each family's first equation."""
+        sizes = [0, *(len(family) for family in self.families[:-1])]
+        return np.cumsum(sizes, dtype=np.int64)
+
+    def equation(self, number: int) -> tuple[int, int]:
+        """Return (family, row) of an equation."""
+        starts = self.family_starts()
+        family = int(np.searchsorted(starts, number, side="right")) - 1
+        return family, number - int(starts[family])
+
+    def incidence(self, number: Ints) -> tuple[Ints, Ints]:
+        """Return which equations (in the order of `equations`) hold which variables.
+
+        Args:
+            number: what each variable is counted as, negative if it is left out.
+        """
+        rows, columns, start = [np.zeros(0, np.int64)], [np.zeros(0, np.int64)], 0
+        for family in self.families:
+            counted = number[family.columns]
+            r, c = np.nonzero(counted >= 0)
+            rows.append(r + start)
+            columns.append(counted[r, c])
+            start += len(family)
+        return np.concatenate(rows), np.concatenate(columns)
 
     def name(self, variable: int) -> str:
         """Return the full name of a variable."""
@@ -82,7 +117,9 @@ def joined_system(flat: Flat) -> System:
     if clashes:
         raise ModelError(f"'{flat.name}' has two rigid sources at one node:", clashes)
     names = Names(flat, roots, signs)
-    system = System(flat, names, [f for f in flat.families if len(f)], derivative, known, len(roots))
+    system = System(
+        flat, names, [f for f in flat.families if len(f)], derivative, known, len(roots)
+    )
     system.held = _held(flat, roots)
     _cut_cycles(system)
     system.next_level = [{} for _ in system.families]
@@ -121,17 +158,19 @@ def _cut_cycles(system: System) -> None:
 def reduce_index(system: System) -> None:
     """Differentiate equations until the highest derivatives can be solved for."""
     while True:
-        tops = [
-            (number, np.array([r for r in range(len(f)) if r not in later], dtype=np.int64))
-            for number, (f, later) in enumerate(
-                zip(system.families, system.next_level, strict=True)
-            )
-        ]
-        rows, columns, owners = _incidence(system, tops)
-        size = int(columns.max()) + 1 if len(columns) else 0
-        pattern = ca.Sparsity.triplet(len(owners), size, rows.tolist(), columns.tolist())
+        equations = system.equations()
+        top = np.array([row not in system.next_level[number] for number, row in equations])
+        highest = np.ones(system.size, dtype=bool)
+        highest[list(system.derivative)] = False
+        highest[list(system.known)] = False
+        rows, columns = system.incidence(counted(highest))
+        row_number, kept = counted(top)[rows], top[rows]
+        pattern = ca.Sparsity.triplet(
+            int(top.sum()), int(highest.sum()), row_number[kept].tolist(), columns[kept].tolist()
+        )
         _, order, _, _, _, coarse, _ = pattern.btf()
-        over = [owners[i] for i in order[: coarse[2]]]
+        places = np.flatnonzero(top)
+        over = [equations[places[i]] for i in order[: coarse[2]]]
         if not over:
             return
         by_family: dict[int, list[int]] = {}
@@ -139,6 +178,11 @@ def reduce_index(system: System) -> None:
             by_family.setdefault(number, []).append(row)
         for number, chosen in by_family.items():
             _differentiate(system, number, np.array(sorted(chosen), dtype=np.int64))
+
+
+def counted(chosen: NDArray[np.bool_]) -> Ints:
+    """Number the chosen ones from zero; -1 for the others."""
+    return np.where(chosen, np.cumsum(chosen) - 1, -1)
 
 
 def _differentiate(system: System, number: int, rows: Ints) -> None:
@@ -149,26 +193,3 @@ def _differentiate(system: System, number: int, rows: Ints) -> None:
     system.level.append(system.level[number] + 1)
     for place, row in enumerate(rows):
         system.next_level[number][int(row)] = (later, place)
-
-
-def _incidence(
-    system: System, tops: list[tuple[int, Ints]]
-) -> tuple[Ints, Ints, list[tuple[int, int]]]:
-    """Return where the highest derivatives stand in the highest-level equations."""
-    highest = np.ones(system.size, dtype=bool)
-    highest[[v for v in system.derivative]] = False
-    highest[[v for v in system.known]] = False
-    numbers = np.cumsum(highest) - 1
-    rows, columns, owners = [], [], []
-    for number, chosen in tops:
-        cells = system.families[number].columns[chosen]
-        start = len(owners)
-        owners += [(number, int(row)) for row in chosen]
-        r, c = np.nonzero(highest[cells]) if cells.size else (np.array([], int), np.array([], int))
-        rows.append(r + start)
-        columns.append(numbers[cells[r, c]])
-    return (
-        np.concatenate(rows).astype(np.int64),
-        np.concatenate(columns).astype(np.int64),
-        owners,
-    )

@@ -65,7 +65,7 @@ class Names:
         rank = np.array([f.rank for f in facts])
         order = np.lexsort((np.arange(len(facts)), -rank, roots[: len(facts)]))
         sorted_roots = roots[: len(facts)][order]
-        first = np.flatnonzero(np.r_[True, sorted_roots[1:] != sorted_roots[:-1]]) if len(order) else []
+        _, first = np.unique(sorted_roots, return_index=True)
         self.best = {int(sorted_roots[i]): int(order[i]) for i in first}
         self.state = self._reduced(np.array([f.state for f in facts]), np.maximum)
         start = np.array([f.start for f in facts]) * signs[: len(facts)]

@@ -52,7 +52,9 @@ class ParameterTable:
         if isinstance(value, Parameter):
             owner = _owner_of(value, scope)
             if owner is None:
-                raise ModelError(f"{instance}: {name} refers to a parameter of no enclosing component")
+                raise ModelError(
+                    f"{instance}: {name} refers to a parameter of no enclosing component"
+                )
             return self.expression(owner, value.name)
         if scope is None:
             raise ModelError(f"{instance}: {name} is a function, but no component encloses it")
@@ -65,8 +67,10 @@ class ParameterTable:
             return ca.SX(0, len(group))
         paths = [[f"{i.path}.{name}" if i.path else name for name in names] for i in group]
         numbers = [self.index.get(path, 0) for row in paths for path in row]
-        values = ca.reshape(self.symbols[numbers], len(names), len(group)) if self.defaults else (
-            ca.SX(len(names), len(group))
+        values = (
+            ca.reshape(self.symbols[numbers], len(names), len(group))
+            if self.defaults
+            else (ca.SX(len(names), len(group)))
         )
         for column, (instance, row) in enumerate(zip(group, paths, strict=True)):
             for line, path in enumerate(row):
@@ -103,7 +107,9 @@ class ParameterTable:
         for path in paths:
             instance = self.instances[path.rpartition(".")[0]]
             expressions.append(self.expression(instance, path.rpartition(".")[2]))
-        numbers = ca.Function("dependent", [self.symbols], [ca.vertcat(*expressions)])(self.defaults)
+        numbers = ca.Function("dependent", [self.symbols], [ca.vertcat(*expressions)])(
+            self.defaults
+        )
         for path, number in zip(paths, np.array(numbers).ravel(), strict=True):
             instance = self.instances[path.rpartition(".")[0]]
             field = type(instance.component).fields[path.rpartition(".")[2]]

@@ -156,7 +156,9 @@ class Result:
         import pandas as pd
 
         chosen = names or tuple(self.dae.state_names)
-        table = pd.DataFrame({name: self[name] for name in chosen}, index=pd.Index(self.time, name="time"))
+        table = pd.DataFrame(
+            {name: self[name] for name in chosen}, index=pd.Index(self.time, name="time")
+        )
         table.attrs["units"] = {name: self.unit(name) for name in chosen}
         return table
 

@@ -177,9 +177,7 @@ def _eliminate(
     return chosen
 
 
-def _slopes(
-    system: System, equations: list[Equation], variables: list[int]
-) -> NDArray[np.float64]:
+def _slopes(system: System, equations: list[Equation], variables: list[int]) -> NDArray[np.float64]:
     """Return the equations' slopes in these derivatives, at the start values and slightly off."""
     unknowns = ca.SX.sym("v", system.size)
     by_family: dict[int, list[int]] = defaultdict(list)

@@ -19,7 +19,7 @@ from .initial import Decision, Wishes, initial_values, wishes
 from .progress import Progress
 from .result import Result, Segment
 from .sensitivity import Sensitivities
-from .stepper import Array, IntegratorFailed, Stepper, Tolerance
+from .stepper import Array, IntegratorError, Stepper, Tolerance
 
 NODES_BETWEEN_EVENTS = 64
 NODES_SMOOTH = 512
@@ -60,7 +60,9 @@ class Run:
 
     def record(self, times: Any, states: Any, algebraic: Any) -> None:
         """Append points to the present segment."""
-        self.segments[-1].extend(np.atleast_1d(times), np.atleast_2d(states), np.atleast_2d(algebraic))
+        self.segments[-1].extend(
+            np.atleast_1d(times), np.atleast_2d(states), np.atleast_2d(algebraic)
+        )
 
     def open_segment(self) -> None:
         """Start a segment at the present point, with its modes."""
@@ -96,7 +98,7 @@ def simulate(
                 _run_smooth(run, stepper, outputs, progress, follow)
             else:
                 _run_hybrid(run, run.switcher, stepper, outputs, progress)
-        except (IntegratorFailed, SimulationError) as error:
+        except (IntegratorError, SimulationError) as error:
             partial = _result(run, stepper, began, follow)
             raise SimulationError(_failure(run, error), partial) from error
     return _result(run, stepper, began, follow)
@@ -158,7 +160,7 @@ def _integrate(run: Run, stepper: Stepper, point: Point, span: float) -> tuple[A
     run.calls += 1
     try:
         return stepper.run(point.t, point.x, point.z, point.q, span)
-    except IntegratorFailed as error:
+    except IntegratorError as error:
         _approach(run, stepper, point, span)
         raise error
 
@@ -171,7 +173,7 @@ def _approach(run: Run, stepper: Stepper, point: Point, span: float) -> None:
         span /= 2
         try:
             states, algebraic = stepper.run(t, x, z, point.q, span)
-        except IntegratorFailed:
+        except IntegratorError:
             continue
         if not np.isfinite(states).all():
             continue

@@ -24,7 +24,7 @@ class Tolerance:
     atol: float
 
 
-class IntegratorFailed(Exception):
+class IntegratorError(Exception):
     """The integrator gave up; the message is its own."""
 
 
@@ -53,19 +53,18 @@ class Stepper:
         self.nx, self.nz = dae.x.numel(), dae.z.numel()
 
     def _build(self, closed: Closed, tolerance: Tolerance) -> Any:
-        kind = type(closed.x)
+        kind: Any = type(closed.x)
         begin, span, tau = (kind.sym(n) for n in ("begin", "span", "tau"))
         scale = ca.DM(self.scale)
-        ode, alg = closed.close(closed.dae.ode), closed.close(closed.dae.alg)
-        moved = [closed.x, closed.t], [closed.x * scale, begin + span * tau]
-        ode, alg = ca.graph_substitute([ode, alg], *moved) if kind is ca.MX else (
-            ca.substitute([ode, alg], *moved)
-        )
+        rates = closed.function("rates", closed.close(closed.dae.ode), closed.close(closed.dae.alg))
+        plain = (self.scale == 1).all()
+        scaled = closed.x if plain else closed.x * scale
+        ode, alg = rates(scaled, closed.z, closed.q, begin + span * tau)
         x, ode = (closed.x, ode) if closed.x.numel() else (kind.sym("none"), kind(0))
         scale = scale if closed.x.numel() else ca.DM(1)
         problem = {
             "x": x, "z": closed.z, "p": ca.vertcat(closed.q, begin, span), "t": tau,
-            "ode": span * ode / scale, "alg": alg,
+            "ode": span * (ode if plain else ode / scale), "alg": alg,
         }  # fmt: skip
         options: dict[str, Any] = {"reltol": tolerance.rtol, "abstol": tolerance.atol}
         options["max_num_steps"] = 1_000_000
@@ -78,7 +77,7 @@ class Stepper:
             x0 = x / self.scale if self.nx else [0.0]
             result = self._function(x0=x0, z0=z, p=np.concatenate([q, [t, span]]))
         except RuntimeError as error:
-            raise IntegratorFailed(str(error)) from error
+            raise IntegratorError(str(error)) from error
         stats = self._function.stats()
         self.last_steps = int(stats.get("nsteps", stats.get("n_steps", 0)))
         self.steps += self.last_steps
@@ -99,7 +98,8 @@ class Stepper:
         given["fwd_p"] = np.vstack([of_q, np.zeros((2, count))])
         result = forward(**{name: given[name] for name in names if name in given})
         moved = result["fwd_xf"].full().reshape(self.nx, count, self.nodes, order="F")
-        return moved * self.scale[:, None, None]
+        scaled: Array = moved * self.scale[:, None, None]
+        return scaled
 
 
 def _powers_of_two(dae: Any) -> Array:

@@ -6,7 +6,8 @@ import casadi as ca
 import numpy as np
 
 from ..components.base import ModelError
-from .index import System
+from .families import Ints
+from .index import System, counted
 
 
 def check_structure(system: System) -> None:
@@ -15,38 +16,34 @@ def check_structure(system: System) -> None:
     Orders of differentiation are set aside: a variable and its derivatives count as one unknown, so
     what fails here cannot be mended by any index reduction.
     """
-    base = _bases(system)
-    chains = sorted({b for v, b in base.items() if b not in system.known})
-    number = {variable: i for i, variable in enumerate(chains)}
-    rows, columns, owners = [], [], []
-    for f, family in enumerate(system.families):
-        for row in range(len(family)):
-            for cell in family.columns[row]:
-                chain = number.get(base[int(cell)])
-                if chain is not None:
-                    rows.append(len(owners))
-                    columns.append(chain)
-            owners.append((f, row))
-    pattern = ca.Sparsity.triplet(len(owners), len(chains), rows, columns)
+    bases = _bases(system)
+    chain = (bases == np.arange(system.size)) & system.is_root()
+    chain[list(system.known)] = False
+    chains = np.flatnonzero(chain).tolist()
+    number = counted(chain)[bases]
+    rows, columns = system.incidence(number)
+    owners = system.equations()
+    pattern = ca.Sparsity.triplet(len(owners), len(chains), rows.tolist(), columns.tolist())
     _, order, permuted, _, _, coarse_rows, coarse_columns = pattern.btf()
     over = [owners[i] for i in order[: coarse_rows[2]]] if coarse_rows[1] else []
-    under = [chains[i] for i in permuted[coarse_columns[2] :]] if coarse_columns[3] < len(chains) else []
+    under = (
+        [chains[i] for i in permuted[coarse_columns[2] :]]
+        if coarse_columns[3] < len(chains)
+        else []
+    )
     if over or under:
         problems = [*_too_many(system, over), *_too_few(system, under)]
         raise ModelError(f"'{system.flat.name}' is structurally singular:", problems)
 
 
-def _bases(system: System) -> dict[int, int]:
-    """Map every variable that occurs to the one it is a derivative of."""
-    lower = {d: v for v, (d, _) in system.derivative.items()}
-    used = np.unique(np.concatenate([f.columns.ravel() for f in system.families] or [[]]))
-    base = {}
-    for variable in {*used.astype(int).tolist(), *system.derivative, *lower}:
-        bottom = variable
-        while bottom in lower:
-            bottom = lower[bottom]
-        base[variable] = bottom
-    return base
+def _bases(system: System) -> Ints:
+    """Return, for every variable, the one it is a derivative of."""
+    lower = np.arange(system.size)
+    for variable, (upper, _) in system.derivative.items():
+        lower[upper] = variable
+    while (lower[lower] != lower).any():
+        lower = lower[lower]
+    return lower
 
 
 def _too_many(system: System, over: list[tuple[int, int]]) -> list[str]:

@@ -63,9 +63,7 @@ def tear(system: System, block: Block, symbols: Any, small: int) -> Torn:
     """Solve a block, explicitly if its torn part is linear and no larger than `small`."""
     cells = {e: _cells(system, e, set(block.variables)) for e in block.equations}
     follow, tears, rest = _order(system, block, cells)
-    assigned = [
-        (v, _explicit(system, e, cells[e][v], symbols)) for e, v in follow
-    ]
+    assigned = [(v, _explicit(system, e, cells[e][v], symbols)) for e, v in follow]
     residuals = [_residual(system, e, symbols) for e in rest]
     if assigned:
         targets = symbols[[v for v, _ in assigned]]
@@ -74,7 +72,7 @@ def tear(system: System, block: Block, symbols: Any, small: int) -> Torn:
     unknown = symbols[tears]
     residual = ca.vertcat(*residuals)
     matrix = ca.jacobian(residual, unknown)
-    hybrid = any(cell.hybrid for e in rest for cell in cells[e].values())
+    hybrid = any(cell is not None and cell.hybrid for e in rest for cell in cells[e].values())
     labels = sorted({system.label(e) for e in rest})
     shape = (len(tears), len(tears)) if hybrid else (0, 0)
     completion = ca.SX.sym("completion", *shape)

@@ -69,6 +69,7 @@ class SignedUnion:
 
     def arrays(self) -> tuple[NDArray[np.int64], NDArray[np.int64]]:
         """Return root and sign of every variable."""
-        found = [self.find(i) for i in range(len(self.parent))]
-        roots, signs = zip(*found, strict=True) if found else ((), ())
-        return np.array(roots, dtype=np.int64), np.array(signs, dtype=np.int64)
+        parent, sign = np.array(self.parent, dtype=np.int64), np.array(self.sign, dtype=np.int64)
+        while (parent[parent] != parent).any():
+            sign, parent = sign * sign[parent], parent[parent]
+        return parent, sign

@@ -44,6 +44,9 @@ class Component:
     """
 
     fields: ClassVar[dict[str, Field]] = {}
+    _options: ClassVar[tuple[Option, ...]] = ()
+    _required: ClassVar[tuple[Parameter, ...]] = ()
+    _declared_parts: ClassVar[tuple[Part, ...]] = ()
 
     def __init_subclass__(cls) -> None:
         super().__init_subclass__()
@@ -58,21 +61,29 @@ class Component:
             for name, value in vars(klass).items()
             if isinstance(value, Field)
         }
+        declared_fields = cls.fields.values()
+        cls._options = tuple(f for f in declared_fields if isinstance(f, Option))
+        cls._required = tuple(
+            f for f in declared_fields if isinstance(f, Parameter) and f.default is MISSING
+        )
+        cls._declared_parts = tuple(f for f in declared_fields if isinstance(f, Part))
 
     def __init__(self, **values: Any) -> None:
         self._values: dict[str, Any] = {}
         self._parts: dict[str, Component] = {}
         self._problems: list[str] = []
         cls = type(self)
-        components = {n: v for n, v in values.items() if isinstance(v, Component)}
-        for name in values.keys() - components.keys():
-            self._set(name, values[name])
-        for name, field in cls.fields.items():
-            if isinstance(field, Part):
-                self._parts[name] = field.default.clone()
+        replacements: dict[str, Component] = {}
+        for name, value in values.items():
+            if isinstance(value, Component):
+                replacements[name] = value
+            else:
+                self._set(name, value)
+        for declared in cls._declared_parts:
+            self._parts[declared.name] = declared.default.clone()
         if cls.parts is not Component.parts:
             self._parts.update(self.parts())
-        for name, replacement in components.items():
+        for name, replacement in replacements.items():
             if name not in self._parts:
                 self._problems.append(self._unknown(name))
             self._parts[name] = replacement
@@ -123,9 +134,11 @@ class Component:
             finite = isinstance(value, Real) and abs(float(value)) < float("inf")
             problem = "" if finite else f"start value of {name} must be a number, got {value!r}"
         elif isinstance(field, RealInput):
-            good = isinstance(value, Real | Sampled | Callable)  # type: ignore[arg-type]
+            good = isinstance(value, Real | Sampled | Callable)
             problem = (
-                "" if good else f"{name} takes a number, a function of time or Sampled data, got {value!r}"
+                ""
+                if good
+                else f"{name} takes a number, a function of time or Sampled data, got {value!r}"
             )
         else:
             problem = self._unknown(name)
@@ -141,9 +154,9 @@ class Component:
     def problems(self) -> Iterator[str]:
         """Yield what is wrong with this component's own values."""
         yield from self._problems
-        for name, field in type(self).fields.items():
-            if isinstance(field, Parameter) and field.default is MISSING and name not in self._values:
-                yield f"{name} [{field.unit}] ({field.doc}) must be given"
+        for field in type(self)._required:
+            if field.name not in self._values:
+                yield f"{field.name} [{field.unit}] ({field.doc}) must be given"
 
     def _get(self, field: Field) -> Any:
         if isinstance(field, Port | RealInput | RealOutput):
@@ -171,8 +184,8 @@ class Component:
 
 
 def _parameter_problem(field: Parameter, value: Any) -> str:
-    if isinstance(value, Parameter) or callable(value):
+    if type(value) is not float and (isinstance(value, Parameter) or callable(value)):
         return ""
-    if not isinstance(value, Real):
+    if type(value) is not float and not isinstance(value, Real):
         return f"{field.name} must be a number [{field.unit}], got {value!r}"
     return field.problem(float(value))

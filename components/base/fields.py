@@ -76,7 +76,12 @@ class Variable(Field):
     kind = "variable"
 
     def __init__(
-        self, unit: str, doc: str, start: float = 0.0, nominal: float = float("nan"), state: str = "default"
+        self,
+        unit: str,
+        doc: str,
+        start: float = 0.0,
+        nominal: float = float("nan"),
+        state: str = "default",
     ) -> None:
         super().__init__(unit, doc)
         self.start, self.nominal, self.state = start, nominal, state
@@ -175,7 +180,12 @@ def option(doc: str, *, default: Any, choices: tuple[Any, ...] | None = None) ->
 
 
 def variable(
-    unit: str, doc: str, *, start: float = 0.0, nominal: float = float("nan"), state: str = "default"
+    unit: str,
+    doc: str,
+    *,
+    start: float = 0.0,
+    nominal: float = float("nan"),
+    state: str = "default",
 ) -> Any:
     """Declare a variable.
 

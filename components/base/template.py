@@ -11,13 +11,24 @@ import types
 from collections.abc import Iterator
 from contextvars import ContextVar
 from dataclasses import dataclass, field
+from functools import cached_property
 from typing import Any
 
 import casadi as ca
 
 from .component import Component
 from .errors import ModelError, nearest
-from .fields import Field, Impulse, Mode, Option, Parameter, Part, Port, RealInput, RealOutput, Variable
+from .fields import (
+    Field,
+    Impulse,
+    Mode,
+    Option,
+    Part,
+    Port,
+    RealInput,
+    RealOutput,
+    Variable,
+)
 
 _reading: ContextVar[Template] = ContextVar("template being read")
 
@@ -60,6 +71,11 @@ class Template:
     transitions: list[Transition] = field(default_factory=list)
     choices: list[tuple[Any, str, dict[int, Any]]] = field(default_factory=list)
     held: list[tuple[str, str, int]] = field(default_factory=list)
+
+    @cached_property
+    def place(self) -> dict[str, int]:
+        """Number of each variable by name; asked for once the equations are read."""
+        return {name: number for number, name in enumerate(self.variables)}
 
     def variable(self, name: str) -> Any:
         """Return the symbol of a variable, made when it is first asked for."""
@@ -134,7 +150,9 @@ class Scope:
             value = getattr(owner, name)
         except AttributeError:
             known = [*owner.fields, *self._component._parts]
-            raise ModelError(f"{owner.__name__} declares no '{name}'{nearest(name, known)}") from None
+            raise ModelError(
+                f"{owner.__name__} declares no '{name}'{nearest(name, known)}"
+            ) from None
         if isinstance(value, property) and value.fget:
             return value.fget(self)
         return types.MethodType(value, self) if isinstance(value, types.FunctionType) else value
@@ -215,10 +233,7 @@ _templates: dict[Any, Template] = {}
 
 def template_of(component: Component) -> Template:
     """Return the template of a component, read once per class and choice of options."""
-    options = tuple(
-        component._get(f) for f in type(component).fields.values() if isinstance(f, Option)
-    )
-    key = (type(component), options)
+    key = (type(component), tuple(component._get(option) for option in type(component)._options))
     try:
         known = _templates.get(key)
     except TypeError:
@@ -273,7 +288,9 @@ def _add_equation(template: Template, equation: Any) -> None:
         known = [*template.parameters.values(), *template.modes.values(), template.time]
         known += [*template.impulses.values(), *template.variables.values()]
         if not any(ca.is_equal(symbol, other) for other in known):
-            raise ModelError(f"{name}: `{equation}` uses '{symbol}', which the component does not declare")
+            raise ModelError(
+                f"{name}: `{equation}` uses '{symbol}', which the component does not declare"
+            )
     _note_held(template, left, right)
     template.residuals.append(left - right)
 

@@ -65,7 +65,9 @@ class StribeckFriction(Friction):
 class TabulatedFriction(Friction):
     """Friction force interpolated linearly in a table of (speed, force), speeds from 0 upwards."""
 
-    table = option("pairs (speed [m/s], force [N]), speeds increasing from 0", default=((0.0, 1.0), (1.0, 1.0)))
+    table = option(
+        "pairs (speed [m/s], force [N]), speeds increasing from 0", default=((0.0, 1.0), (1.0, 1.0))
+    )
 
     def sliding(self, speed: Any) -> Any:
         """Friction force at a speed."""

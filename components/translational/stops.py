@@ -6,7 +6,6 @@ from collections.abc import Iterable
 from typing import Any
 
 from ..base import Component, Shock, TranslationalFlange, der, impulse, mode, parameter, variable
-
 from .bases import Compliant
 from .friction import StribeckFriction
 from .masses import Mass
@@ -41,7 +40,9 @@ class HardStop(Compliant):
         bounce = Shock(self.J, self.v_rel, rebound)
         settle = Shock(self.J, self.v_rel, 0.0)
         rests = rebound <= self.v_rest
-        yield self.mode.goes("free", "free", when=closing, allowed=rebound > self.v_rest, shock=bounce)
+        yield self.mode.goes(
+            "free", "free", when=closing, allowed=rebound > self.v_rest, shock=bounce
+        )
         yield self.mode.goes(
             "free", "contact", when=closing, allowed=rests, shock=settle, reset={"v_rel": 0.0}
         )
@@ -81,5 +82,11 @@ class MassWithStopAndFriction(Component):
         yield self.a == self.mass.a
 
     def connections(self) -> Iterable[Any]:
-        yield self.flange, self.mass.flange, self.friction.flange_b, self.lower.flange_b, self.upper.flange_a
+        yield (
+            self.flange,
+            self.mass.flange,
+            self.friction.flange_b,
+            self.lower.flange_b,
+            self.upper.flange_a,
+        )
         yield self.support, self.friction.flange_a, self.lower.flange_a, self.upper.flange_b

@@ -1,0 +1,116 @@
+"""Sensors: motion and force as signals, without effect on what they measure."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from typing import Any
+
+from ..base import Component, RealOutput, TranslationalFlange, der, variable
+
+
+class _Absolute(Component):
+    flange = TranslationalFlange("where it is measured")
+
+    def equations(self) -> Iterable[Any]:
+        yield self.flange.f == 0
+
+
+class _Between(Component):
+    flange_a = TranslationalFlange("left flange")
+    flange_b = TranslationalFlange("right flange")
+
+
+class _Relative(_Between):
+    def equations(self) -> Iterable[Any]:
+        yield self.flange_a.f == 0
+        yield self.flange_b.f == 0
+
+
+class PositionSensor(_Absolute):
+    """Position as a signal: s = flange.s.
+
+    Source: MSL Translational.Sensors.PositionSensor.
+    """
+
+    s = RealOutput("m", "position")
+
+    def equations(self) -> Iterable[Any]:
+        yield self.s == self.flange.s
+
+
+class SpeedSensor(_Absolute):
+    """Velocity as a signal: v = der(flange.s).
+
+    Source: MSL Translational.Sensors.SpeedSensor.
+    """
+
+    v = RealOutput("m/s", "velocity")
+
+    def equations(self) -> Iterable[Any]:
+        yield self.v == der(self.flange.s)
+
+
+class AccelerationSensor(_Absolute):
+    """Acceleration as a signal: a = der(v), v = der(flange.s).
+
+    Source: MSL Translational.Sensors.AccSensor.
+    """
+
+    a = RealOutput("m/s2", "acceleration")
+    v = variable("m/s", "velocity", state="avoid")
+
+    def equations(self) -> Iterable[Any]:
+        yield self.v == der(self.flange.s)
+        yield self.a == der(self.v)
+
+
+class RelativePositionSensor(_Relative):
+    """Distance as a signal: s_rel = flange_b.s - flange_a.s.
+
+    Source: MSL Translational.Sensors.RelPositionSensor.
+    """
+
+    s_rel = RealOutput("m", "distance of the flanges")
+
+    def equations(self) -> Iterable[Any]:
+        yield self.s_rel == self.flange_b.s - self.flange_a.s
+
+
+class RelativeSpeedSensor(RelativePositionSensor):
+    """Relative velocity as a signal: v_rel = der(s_rel), s_rel = flange_b.s - flange_a.s.
+
+    Source: MSL Translational.Sensors.RelSpeedSensor.
+    """
+
+    v_rel = RealOutput("m/s", "relative velocity")
+
+    def equations(self) -> Iterable[Any]:
+        yield self.v_rel == der(self.s_rel)
+
+
+class RelativeAccelerationSensor(RelativeSpeedSensor):
+    """Relative acceleration as a signal: a_rel = der(v_rel).
+
+    Source: MSL Translational.Sensors.RelAccSensor.
+    """
+
+    a_rel = RealOutput("m/s2", "relative acceleration")
+
+    def equations(self) -> Iterable[Any]:
+        yield self.a_rel == der(self.v_rel)
+
+
+class ForceSensor(_Between):
+    """Force as a signal, between flanges that move as one: f = flange_a.f.
+
+    f is positive where what is joined to flange_a pushes towards flange_b.
+
+    Source: MSL Translational.Sensors.ForceSensor.
+    """
+
+    f = RealOutput("N", "force from flange_a to flange_b")
+
+    def equations(self) -> Iterable[Any]:
+        yield self.flange_a.s == self.flange_b.s
+        yield self.f == self.flange_a.f
+        yield self.flange_a.f == -self.flange_b.f

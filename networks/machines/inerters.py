@@ -1,0 +1,90 @@
+"""Inerters as two-terminal machines: flange_a is the rod, flange_b the housing."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from typing import Any
+
+from ...components import (
+    CompliantNutScrew,
+    DiskFlywheel,
+    NutScrew,
+    PlanetaryFlywheel,
+    RackPinion,
+    RotationalFlange,
+    TwoFlanges,
+    variable,
+)
+
+
+class FlywheelInerter(TwoFlanges):
+    """A rod that turns a flywheel through a transmission, both in one housing."""
+
+    support = RotationalFlange("what keeps the housing from turning", optional=True)
+    f = variable("N", "force of the housing, positive when it pulls the flanges together")
+
+    def equations(self) -> Iterable[Any]:
+        yield self.f == self.flange_b.f
+
+    def joined(self, transmission: Any) -> Iterable[Any]:
+        """Join rod, transmission, flywheel and housing."""
+        yield self.flange_a, transmission.flange_t
+        yield transmission.flange_r, self.flywheel.flange
+        yield self.flange_b, transmission.support_t
+        yield self.support, transmission.support_r, self.flywheel.support
+
+
+class BallScrewInerter(FlywheelInerter):
+    """A ball screw that turns a flywheel: f = b a_rel with b = (2 pi/lead)^2 J if both are ideal.
+
+    Args:
+        screw: `NutScrew`, or `CompliantNutScrew` for a real one.
+        flywheel: `DiskFlywheel` or any other.
+
+    Source: Ge & Wang, Modeling, Testing, and Characteristic Analysis of a Planetary Flywheel Inerter,
+    eqs. (1), (2).
+
+    Example:
+        >>> from inertance import BallScrewInerter, DiskFlywheel, NutScrew
+        >>> inerter = BallScrewInerter(screw=NutScrew(lead=0.01), flywheel=DiskFlywheel(m=0.78, R=0.05))
+    """
+
+    screw = NutScrew()
+    flywheel = DiskFlywheel()
+
+    def connections(self) -> Iterable[Any]:
+        yield from self.joined(self.screw)
+
+
+class PlanetaryFlywheelInerter(BallScrewInerter):
+    """A ball screw that turns planets revolving in a ring: f = b a_rel, plus what real parts add.
+
+    Args:
+        screw: `CompliantNutScrew`, or `NutScrew` for an ideal one.
+        flywheel: `PlanetaryFlywheel`, or `IdealPlanetaryFlywheel` without compliance and friction.
+
+    The prototype of the source is `ge_wang.planetary_inerter()`.
+
+    Source: Ge & Wang, Modeling, Testing, and Characteristic Analysis of a Planetary Flywheel Inerter,
+    eqs. (16)-(27).
+    """
+
+    screw = CompliantNutScrew()
+    flywheel = PlanetaryFlywheel()
+
+
+class RackPinionInerter(FlywheelInerter):
+    """A rack that turns a flywheel through its pinion: f = b a_rel with b = J/R^2.
+
+    Args:
+        pinion: the `RackPinion`.
+        flywheel: `DiskFlywheel` or any other, on the pinion's shaft.
+
+    Source: M. C. Smith, IEEE Trans. Automat. Contr. 47 (2002) 1648-1662, section III.
+    """
+
+    pinion = RackPinion()
+    flywheel = DiskFlywheel()
+
+    def connections(self) -> Iterable[Any]:
+        yield from self.joined(self.pinion)

@@ -1,0 +1,195 @@
+"""Results as files: .csv, .parquet and .npz, with the unit of every column."""
+
+from __future__ import annotations
+
+import csv
+import re
+from collections.abc import Sequence
+from importlib.util import find_spec
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from .signals import chosen_signals
+
+if TYPE_CHECKING:
+    import pandas as pd
+
+    from .result import Result
+
+ENDINGS = (".csv", ".parquet", ".npz")
+
+
+def save_result(result: Result, path: Path, names: Sequence[str]) -> Path:
+    """Write signals of a run to a file and return its path.
+
+    Args:
+        result: the run.
+        path: the file; its ending says the format: .csv, .parquet or .npz.
+        names: signals or patterns (`mass.*`); the states if there are none.
+
+    Raises:
+        KeyError: for an unknown signal, with the nearest one.
+        ValueError: for another ending.
+        FileNotFoundError: if the folder does not exist.
+        ModuleNotFoundError: for .parquet without pyarrow.
+    """
+    ending = check_table_path(path)
+    table = result.to_dataframe(*chosen_signals(result.dae, names))
+    if ending == ".csv":
+        units = table.attrs["units"]
+        table.columns = [_headed(name, units[name]) for name in table.columns]
+        table.to_csv(path, index_label=_headed("time", "s"))
+    elif ending == ".parquet":
+        table.to_parquet(path)
+    else:
+        columns = list(table.columns)
+        np.savez_compressed(
+            path,
+            time=result.time,
+            values=table.to_numpy(),
+            names=np.array(columns, dtype=str),
+            units=np.array([table.attrs["units"][name] for name in columns], dtype=str),
+        )
+    return path
+
+
+def load_table(path: str | Path) -> pd.DataFrame:
+    """Return the table in a .csv, .parquet or .npz file.
+
+    Its index is the time [s]; `attrs["units"]` holds the unit of every column. A .csv file has one
+    line of headers, `time` or `time [s]` among them; a column without `[unit]` has the unit "".
+
+    Args:
+        path: a file written by `Result.save`, or a .csv file of measurements.
+
+    Raises:
+        ValueError: for another ending, or for what is no table of numbers over time, with file,
+            line and column.
+        FileNotFoundError: if there is no such file.
+
+    Example:
+        >>> from inertance import Mass, Network, load_table
+        >>> run = Network("coasting", mass=Mass(m=1.0, s=0.0, v=2.0)).simulate(1.0)
+    """
+    path = Path(path)
+    ending = _ending(path)
+    if not path.is_file():
+        raise FileNotFoundError(f"there is no file '{path}'")
+    if ending == ".parquet":
+        return _read_parquet(path)
+    return _read_csv(path) if ending == ".csv" else _read_npz(path)
+
+
+def check_table_path(path: Path) -> str:
+    """Return the ending of a file to be written, or raise what `save_result` would raise."""
+    ending = _ending(path)
+    if not path.parent.is_dir():
+        raise FileNotFoundError(f"there is no folder '{path.parent}' to write '{path.name}' into")
+    if ending == ".parquet":
+        _need_pyarrow(path)
+    return ending
+
+
+def _ending(path: Path) -> str:
+    ending = path.suffix.lower()
+    if ending not in ENDINGS:
+        raise ValueError(f"'{path}' ends in '{path.suffix}'; tables end in {', '.join(ENDINGS)}")
+    return ending
+
+
+def _need_pyarrow(path: Path) -> None:
+    if find_spec("pyarrow") is None:
+        raise ModuleNotFoundError(
+            f"'{path}': .parquet needs pyarrow; run `pip install 'inertance[parquet]'` or use .csv"
+        )
+
+
+def _headed(name: str, unit: str) -> str:
+    return f"{name} [{unit}]" if unit else name
+
+
+def _table(columns: dict[str, Any], time: Any, units: dict[str, str]) -> pd.DataFrame:
+    import pandas as pd
+
+    table = pd.DataFrame(columns, index=pd.Index(time, name="time"))
+    table.attrs["units"] = units
+    return table
+
+
+def _read_npz(path: Path) -> pd.DataFrame:
+    with np.load(path) as stored:
+        missing = {"time", "values", "names", "units"} - set(stored.files)
+        if missing:
+            raise ValueError(f"{path}: no array {', '.join(sorted(missing))}; not a saved result")
+        names, units = stored["names"].tolist(), stored["units"].tolist()
+        columns = dict(zip(names, stored["values"].T, strict=True))
+        return _table(columns, stored["time"], dict(zip(names, units, strict=True)))
+
+
+def _read_parquet(path: Path) -> pd.DataFrame:
+    import pandas as pd
+
+    _need_pyarrow(path)
+    table = pd.read_parquet(path)
+    if table.index.name != "time":
+        if "time" not in table.columns:
+            raise ValueError(f"{path}: no column 'time' among {', '.join(table.columns)}")
+        table = table.set_index("time")
+    table.attrs.setdefault("units", dict.fromkeys(table.columns, ""))
+    return table
+
+
+def _read_csv(path: Path) -> pd.DataFrame:
+    try:
+        lines = path.read_text(encoding="utf-8-sig").rstrip().splitlines()
+    except UnicodeDecodeError as error:
+        raise ValueError(f"{path}: not a text file in UTF-8 ({error.reason})") from error
+    rows = csv.reader(lines, skipinitialspace=True)
+    headers = [_split(header) for header in next(rows, [])]
+    units = dict(headers)
+    _check_headers(path, [name for name, _ in headers], units)
+    numbers = [_numbers(path, line, row, list(units)) for line, row in enumerate(rows, start=2)]
+    columns = dict(zip(units, np.array(numbers, ndmin=2).reshape(-1, len(units)).T, strict=True))
+    del units["time"]
+    return _table(columns, columns.pop("time"), units)
+
+
+def _split(header: str) -> tuple[str, str]:
+    found = re.fullmatch(r"(.*?)\s*\[([^\[\]]*)\]", header.strip())
+    return (found[1], found[2]) if found else (header.strip(), "")
+
+
+def _check_headers(path: Path, names: list[str], units: dict[str, str]) -> None:
+    where = f"{path}, line 1"
+    if "time" not in units:
+        raise ValueError(
+            f"{where}: no column 'time' among {', '.join(names)}; name one 'time' or 'time [s]', and "
+            "separate columns by commas"
+        )
+    if units["time"] not in ("", "s"):
+        raise ValueError(f"{where}, column 'time': the unit must be s, got {units['time']}")
+    twice = sorted({name for name in names if names.count(name) > 1})
+    if twice:
+        raise ValueError(f"{where}: column '{twice[0]}' is there twice")
+
+
+def _numbers(path: Path, line: int, row: list[str], names: list[str]) -> list[float]:
+    if len(row) != len(names):
+        raise ValueError(f"{path}, line {line}: {len(row)} cells, but {len(names)} columns")
+    try:
+        return [float(cell) for cell in row]
+    except ValueError:
+        column = next(i for i, cell in enumerate(row) if not _is_number(cell))
+        raise ValueError(
+            f"{path}, line {line}, column '{names[column]}': '{row[column]}' is no number"
+        ) from None
+
+
+def _is_number(cell: str) -> bool:
+    try:
+        float(cell)
+    except ValueError:
+        return False
+    return True

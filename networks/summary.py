@@ -1,0 +1,83 @@
+"""A run in words: where it started and why, how it went, what it wants to be known."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from .result import Result
+
+MOST_STATES = 20
+MOST_EVENTS = 12
+
+
+def summary(result: Result) -> str:
+    """Return a run's states, events, statistics and notes as text."""
+    stats = result.stats
+    lines = [
+        f"{result.name}: {result.time[0]:g} to {result.time[-1]:g} s, {len(result.time)} points",
+        f"{stats['solver']}: {stats['steps']} steps in {stats['integrator calls']} calls, "
+        f"{stats['events']} events, {stats['seconds']:.3g} s",
+        *_states(result),
+        *_events(result),
+        *(f"note: {note}" for note in result.notes),
+    ]
+    return "\n".join(lines)
+
+
+def state_table(result: Result) -> list[tuple[str, ...]]:
+    """Return name, unit, start, how it was decided, least, largest and last value of the states."""
+    rows = []
+    for decision in result.initial[:MOST_STATES]:
+        values = result[decision.name]
+        numbers = (f"{v:.5g}" for v in (decision.value, values.min(), values.max(), values[-1]))
+        start, least, largest, last = numbers
+        rows.append((decision.name, decision.unit, start, decision.reason, least, largest, last))
+    return rows
+
+
+def event_rows(result: Result) -> list[tuple[str, str, str]]:
+    """Return time, component and what changed, of the first events."""
+    return [
+        (
+            f"{event.time:.6g}",
+            event.component,
+            f"{event.source} → {event.target}"
+            + (f", impulse {event.impulse:.5g}" if event.impulse is not None else ""),
+        )
+        for event in result.events[:MOST_EVENTS]
+    ]
+
+
+def _states(result: Result) -> Iterator[str]:
+    rows = state_table(result)
+    if not rows:
+        return
+    yield ""
+    header = ("state", "unit", "start", "decided", "least", "largest", "last")
+    yield from _aligned([header, *rows], right={2, 4, 5, 6})
+    yield from _more(len(result.initial) - len(rows), "states")
+
+
+def _events(result: Result) -> Iterator[str]:
+    rows = event_rows(result)
+    if not rows:
+        return
+    yield ""
+    yield from _aligned([("time [s]", "component", "event"), *rows], right={0})
+    yield from _more(len(result.events) - len(rows), "events")
+
+
+def _more(count: int, what: str) -> Iterator[str]:
+    if count > 0:
+        yield f"and {count} more {what}"
+
+
+def _aligned(rows: list[tuple[str, ...]], right: set[int]) -> Iterator[str]:
+    widths = [max(map(len, column)) for column in zip(*rows, strict=True)]
+    for row in rows:
+        cells = zip(row, widths, range(len(row)), strict=True)
+        yield "  ".join(
+            cell.rjust(width) if i in right else cell.ljust(width) for cell, width, i in cells
+        ).rstrip()
