@@ -7,6 +7,11 @@ from .dae import DAE as DAE
 from .events import Event as Event
 from .machines import BallScrewInerter as BallScrewInerter
 from .machines import PlanetaryFlywheelInerter as PlanetaryFlywheelInerter
+from .machines import PlanetaryGeometry as PlanetaryGeometry
 from .machines import RackPinionInerter as RackPinionInerter
+from .machines import disk_mass as disk_mass
+from .machines import equivalent_inertia as equivalent_inertia
+from .machines import ge_wang as ge_wang
+from .machines import inertance as inertance
 from .network import Network as Network
 from .result import Result as Result

@@ -148,6 +148,4 @@ def _substituted(
         block.matrix = matrix
     completion = column([ca.vec(block.completion) for block in torn])
     algebraic = [variable for block in torn for variable in block.algebraic]
-    return Solution(
-        values, symbols, states, algebraic, others[:count], torn, completion, others[-1]
-    )
+    return Solution(values, symbols, states, algebraic, others[:count], torn, completion, others[-1])

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import warnings
 from collections.abc import Callable, Mapping
+from functools import cached_property
 from numbers import Real
 from typing import Any
 
@@ -12,6 +13,8 @@ import numpy as np
 
 from ..components.base import ModelError, Sampled, nearest
 from .dae import DAE, Input
+from .stepper import Stepper, Tolerance
+from .switchfunctions import SwitchFunctions
 
 
 class Closed:
@@ -22,7 +25,8 @@ class Closed:
 
     def __init__(self, dae: DAE, signals: Mapping[str, Any]) -> None:
         self.dae = dae
-        self.signals = _chosen(dae, signals)
+        self.signals = signals
+        self._steppers: dict[tuple[str, Tolerance, int], Stepper] = {}
         self.sampled = any(isinstance(s, Sampled) for s in self.signals.values())
         kind: Any = ca.MX if self.sampled else ca.SX
         self.x: Any = kind.sym("x", dae.x.numel()) if self.sampled else dae.x
@@ -58,17 +62,32 @@ class Closed:
         return self.function("evaluate", self.close(joined))
 
     def rate(self, closed: Any) -> Any:
-        """Return the time derivative of a closed expression along the motion, at constant z."""
-        moved = ca.jtimes(closed, self.x, self.close(self.dae.ode))
-        return moved + ca.jacobian(closed, self.t)
+        """Return the time derivative of a closed expression along the motion."""
+        motion = self.close(self.dae.ode)
+        moved = ca.jtimes(closed, self.x, motion) + ca.jacobian(closed, self.t)
+        if not self.dae.z.numel():
+            return moved
+        residual = self.close(self.dae.alg)
+        drift = ca.jtimes(residual, self.x, motion) + ca.jacobian(residual, self.t)
+        return moved - ca.jtimes(closed, self.z, ca.solve(ca.jacobian(residual, self.z), drift))
+
+    @cached_property
+    def switch_functions(self) -> SwitchFunctions:
+        """The compiled functions of the event loop."""
+        return SwitchFunctions(self)
+
+    def stepper(self, solver: str, tolerance: Tolerance, nodes: int) -> Stepper:
+        """Return a compiled integrator, made once for each choice."""
+        key = (solver, tolerance, nodes)
+        if key not in self._steppers:
+            self._steppers[key] = Stepper(self, solver, tolerance, nodes)
+        return self._steppers[key]
 
 
-def _chosen(dae: DAE, given: Mapping[str, Any]) -> dict[str, Any]:
+def chosen_signals(dae: DAE, given: Mapping[str, Any]) -> dict[str, Any]:
     """Return the signal of every input: the run's own, else the one bound to the component."""
     names = dae.input_names
-    problems = [
-        f"there is no input '{name}'{nearest(name, names)}" for name in given if name not in names
-    ]
+    problems = [f"there is no input '{name}'{nearest(name, names)}" for name in given if name not in names]
     chosen = {}
     for declared in dae.inputs:
         if declared.order:
@@ -102,9 +121,7 @@ def _called(path: str, function: Any, t: Any) -> Any:
         with warnings.catch_warnings():
             warnings.simplefilter("ignore", FutureWarning)
             value = function(t)
-        return (
-            type(t)(float(value)) if isinstance(value, int | float | np.number) else type(t)(value)
-        )
+        return type(t)(float(value)) if isinstance(value, int | float | np.number) else type(t)(value)
     except Exception as error:
         raise ModelError(
             f"input '{path}': the function of time could not be read ({error}); write it with CasADi "

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any
 
 import casadi as ca
@@ -11,10 +11,14 @@ import casadi as ca
 from ..components.base import ModelError, Parameter
 
 if TYPE_CHECKING:
+    from .closed import Closed
     from .index import System
     from .result import Result
     from .switching import Switching
     from .tearing import Torn
+
+
+KEPT = 4
 
 
 @dataclass(frozen=True)
@@ -61,6 +65,7 @@ class DAE:
     switching: Switching
     variables: Any
     system: System
+    _closed: dict[tuple[object, ...], Closed] = field(default_factory=dict)
 
     @property
     def state_names(self) -> list[str]:
@@ -179,6 +184,22 @@ class DAE:
             self, settings, start or {}, guess or {}, inputs or {}, parameters or {},
             tuple(sensitivities),
         )  # fmt: skip
+
+    def closed(self, signals: Mapping[str, Any]) -> Closed:
+        """Return the equations with input signals put in; the last few are kept, compiled.
+
+        Raises:
+            ModelError: for unknown inputs and for inputs without a signal.
+        """
+        from .closed import Closed, chosen_signals
+
+        chosen = chosen_signals(self, signals)
+        key = tuple(chosen.items())
+        known = self._closed.pop(key, None) or Closed(self, chosen)
+        self._closed[key] = known
+        if len(self._closed) > KEPT:
+            del self._closed[next(iter(self._closed))]
+        return known
 
     def arguments(self) -> list[Any]:
         """Return the symbols every expression depends on: x, z, u, q, time."""

@@ -48,33 +48,13 @@ class Switcher:
     notes: list[str] = field(default_factory=list)
 
     def __post_init__(self) -> None:
-        closed, dae = self.closed, self.closed.dae
-        self.switching = dae.switching
-        changes = self.switching.changes
-        expressions = closed.close(self.switching.expressions)
-        indicators = expressions[[c.indicator for c in changes]]
-        self._watch = closed.function("watch", indicators, closed.rate(indicators))
-        self._all = closed.function("switching", expressions)
-        self._motion = closed.evaluator(dae.ode)
-        self.muted = np.zeros(len(changes), dtype=bool)
-        self._slopes = (
-            closed.function("slopes", *[closed.close(b.matrix) for b in dae.blocks])
-            if dae.blocks
-            else None
-        )
-        self._shock = self._shock_function(expressions) if dae.impulses.numel() else None
-        self.sources = np.array([c.source for c in changes])
-        self.mode_of = np.array([c.mode for c in changes])
-        self.seen = np.zeros(len(changes))
+        dae = self.closed.dae
+        self.switching, self.functions = dae.switching, self.closed.switch_functions
+        self.muted = np.zeros(len(dae.switching.changes), dtype=bool)
+        self.seen = np.zeros(len(dae.switching.changes))
         self.modes_at = dae.p.numel()
         self.impulses_at = self.modes_at + dae.modes.numel()
         self.completion_at = self.impulses_at + dae.impulses.numel()
-
-    def _shock_function(self, expressions: Any) -> Any:
-        """Return what impulses do to states, and the slopes of the expressions in the states."""
-        closed, dae = self.closed, self.closed.dae
-        response = closed.close(ca.jacobian(dae.ode, dae.impulses))
-        return closed.function("shock", response, ca.jacobian(expressions, closed.x))
 
     def modes(self, q: Array) -> Array:
         """Return the view of the modes in q."""
@@ -82,7 +62,9 @@ class Switcher:
 
     def active(self, q: Array) -> NDArray[np.bool_]:
         """Tell which transitions can fire in the present modes."""
-        active: NDArray[np.bool_] = (self.modes(q)[self.mode_of] == self.sources) & ~self.muted
+        active: NDArray[np.bool_] = (
+            self.modes(q)[self.functions.mode_of] == self.functions.sources
+        ) & ~self.muted
         return active
 
     def shift(self, point: Point, indicator: int) -> None:
@@ -90,14 +72,14 @@ class Switcher:
         for _ in range(2):
             values, rates = self.watch(point.t, point.x, point.z, point.q)
             delta = -float(values[indicator, 0] / rates[indicator, 0])
-            motion = self._motion(point.x, point.z, point.q, point.t).full().ravel()
+            motion = self.functions.motion(point.x, point.z, point.q, point.t).full().ravel()
             point.t += delta
             point.x = point.x + delta * motion
             self._solve_algebraic(point)
 
     def watch(self, t: Any, x: Array, z: Array, q: Array) -> tuple[Array, Array]:
         """Return indicators and their rates, (indicators, instants); remember their size."""
-        values, rates = (m.full() for m in self._watch(x, z, q, t))
+        values, rates = (m.full() for m in self.functions.watch(x, z, q, t))
         self.seen = np.maximum(self.seen, np.abs(values).max(axis=1, initial=0.0))
         return values, rates
 
@@ -137,7 +119,7 @@ class Switcher:
         candidates = np.flatnonzero(ready)
         if not len(candidates):
             return []
-        everything = self._all(point.x, point.z, point.q, point.t).full().ravel()
+        everything = self.functions.everything(point.x, point.z, point.q, point.t).full().ravel()
         changes = self.switching.changes
         allowed = [i for i in candidates if _allowed(changes[i], everything)]
         strongest: dict[int, int] = {}
@@ -147,7 +129,7 @@ class Switcher:
 
     def _apply(self, point: Point, fired: list[int]) -> list[Event]:
         changes = [self.switching.changes[i] for i in fired]
-        everything = self._all(point.x, point.z, point.q, point.t).full().ravel()
+        everything = self.functions.everything(point.x, point.z, point.q, point.t).full().ravel()
         shocks = [c for c in changes if c.impulse is not None]
         impulses = self._strike(point, shocks, everything) if shocks else {}
         for change in changes:
@@ -163,9 +145,7 @@ class Switcher:
         values = self.switching.mode_values[change.mode]
         impulse = impulses.get(change.impulse) if change.impulse is not None else None
         name = self.switching.mode_names[change.mode]
-        return Event(
-            t, change.component, name, values[change.source], values[change.target], impulse
-        )
+        return Event(t, change.component, name, values[change.source], values[change.target], impulse)
 
     def _strike(self, point: Point, shocks: list[Change], everything: Array) -> dict[int, float]:
         """Find the impulses that give the velocities wanted, and let them act."""
@@ -175,8 +155,8 @@ class Switcher:
             modes[number] = table.get(int(modes[number]), modes[number])
         during = Point(point.t, point.x, point.z, q)
         self.complete(during)
-        assert self._shock is not None
-        response, slopes = (m.full() for m in self._shock(point.x, point.z, q, point.t))
+        assert self.functions.shock is not None
+        response, slopes = (m.full() for m in self.functions.shock(point.x, point.z, q, point.t))
         numbers = [c.impulse for c in shocks]
         wanted = np.array([everything[c.after] - everything[c.velocity] for c in shocks])
         effect = slopes[[c.velocity for c in shocks]] @ response[:, numbers]
@@ -194,22 +174,16 @@ class Switcher:
                 point.x[place[variable]] = value
         if others:
             expression = self.closed.close(dae.variables[others])
-            function = self.closed.function(
-                "reset", expression, ca.jacobian(expression, self.closed.x)
-            )
+            function = self.closed.function("reset", expression, ca.jacobian(expression, self.closed.x))
             value, slope = (m.full() for m in function(point.x, point.z, point.q, point.t))
             wanted = np.array([resets[v] for v in others])
             point.x = point.x + np.linalg.lstsq(slope, wanted - value.ravel(), rcond=1e-10)[0]
 
     def complete(self, point: Point) -> None:
         """Set the completion of blocks that the present modes leave singular."""
-        if self._slopes is None:
-            return
-        dae = self.closed.dae
-        found = self._slopes(point.x, point.z, point.q, point.t)
-        matrices = [m.full() for m in found] if len(dae.blocks) > 1 else [found.full()]
         at = self.completion_at
-        for block, matrix in zip(dae.blocks, matrices, strict=True):
+        for block, slopes in zip(self.closed.dae.blocks, self.functions.slopes, strict=True):
+            matrix = slopes(point.x, point.z, point.q, point.t).full()
             size = matrix.size
             completion, singular = _completion(matrix)
             point.q[at : at + size] = completion.ravel(order="F")
@@ -228,10 +202,8 @@ class Switcher:
     def _solve_algebraic(self, point: Point) -> None:
         if not self.closed.dae.z.numel():
             return
-        residual = self.closed.close(self.closed.dae.alg)
-        function = self.closed.function("alg", residual, ca.jacobian(residual, self.closed.z))
         for _ in range(50):
-            value, slope = (m.full() for m in function(point.x, point.z, point.q, point.t))
+            value, slope = (m.full() for m in self.functions.algebraic(point.x, point.z, point.q, point.t))
             step = np.linalg.lstsq(slope, -value.ravel(), rcond=1e-12)[0]
             point.z = point.z + step
             if np.abs(step).max() <= 1e-12 * (1 + np.abs(point.z).max()):

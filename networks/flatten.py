@@ -273,9 +273,7 @@ def _unconnected(flat: Flat, outside: set[tuple[int, str]], problems: list[str])
             if declared.optional:
                 yield instance.index(f"{name}.{declared.across}")
             else:
-                problems.append(
-                    f"{instance}: {name} is not connected; connect it (to a Fixed if it is held)"
-                )
+                problems.append(f"{instance}: {name} is not connected; connect it (to a Fixed if it is held)")
 
 
 def _join_aliases(flat: Flat) -> None:

@@ -100,9 +100,7 @@ def joined_system(flat: Flat) -> System:
     for family in flat.families:
         family.signs = family.signs * signs[family.columns]
         family.columns = roots[family.columns]
-    derivative = {
-        root: (int(roots[d]), int(signs[d])) for root, d in flat.joined.derivative.items()
-    }
+    derivative = {root: (int(roots[d]), int(signs[d])) for root, d in flat.joined.derivative.items()}
     known: dict[int, tuple[str, int]] = {}
     clashes = []
     for path, number in flat.inputs.items():
@@ -117,9 +115,7 @@ def joined_system(flat: Flat) -> System:
     if clashes:
         raise ModelError(f"'{flat.name}' has two rigid sources at one node:", clashes)
     names = Names(flat, roots, signs)
-    system = System(
-        flat, names, [f for f in flat.families if len(f)], derivative, known, len(roots)
-    )
+    system = System(flat, names, [f for f in flat.families if len(f)], derivative, known, len(roots))
     system.held = _held(flat, roots)
     _cut_cycles(system)
     system.next_level = [{} for _ in system.families]

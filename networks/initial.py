@@ -65,9 +65,7 @@ def wishes(dae: DAE, start: Mapping[str, float], guess: Mapping[str, float]) -> 
         known = fixed.setdefault(root, (name, sign * float(value)))
         if not np.isclose(known[1], sign * float(value), rtol=1e-12, atol=1e-12):
             unit = dae.unit(name)
-            clashes.append(
-                f"'{known[0]}' and '{name}' are one variable, fixed at two values [{unit}]"
-            )
+            clashes.append(f"'{known[0]}' and '{name}' are one variable, fixed at two values [{unit}]")
     if clashes:
         raise InitialConditionError("start values contradict each other: " + "; ".join(clashes))
     guesses = {}
@@ -84,9 +82,7 @@ def _root(dae: DAE, name: str) -> tuple[int, int]:
         raise ModelError(f"start value: {error.args[0]}") from None
 
 
-def initial_values(
-    closed: Closed, q: Array, t: float, wanted: Wishes
-) -> tuple[Array, Array, list[Decision]]:
+def initial_values(closed: Closed, q: Array, t: float, wanted: Wishes) -> tuple[Array, Array, list[Decision]]:
     """Return states, algebraic unknowns and how they were decided.
 
     Raises:
@@ -147,9 +143,7 @@ def _solve(
 
 def _contradiction(dae: DAE, others: list[int], wrong: Any, wanted: Wishes) -> str:
     names = [wanted.fixed[others[i]][0] for i in wrong if i < len(others)]
-    told = ", ".join(
-        f"'{n}' = {wanted.fixed[others[i]][1]:g}" for n, i in zip(names, wrong, strict=False)
-    )
+    told = ", ".join(f"'{n}' = {wanted.fixed[others[i]][1]:g}" for n, i in zip(names, wrong, strict=False))
     fixed = ", ".join(f"'{name}'" for name, _ in wanted.fixed.values())
     if not names:
         return f"'{dae.name}': no start satisfies the equations; give guess= for the states"

@@ -39,9 +39,7 @@ class Network(Component):
         """Add components by name and return the network."""
         for name, component in components.items():
             if not isinstance(component, Component):
-                raise ModelError(
-                    f"Network '{self.name}': '{name}' is not a component: {component!r}"
-                )
+                raise ModelError(f"Network '{self.name}': '{name}' is not a component: {component!r}")
             if name in self._parts:
                 raise ModelError(f"Network '{self.name}' already has a component '{name}'")
             self._parts[name] = component

@@ -52,9 +52,7 @@ class ParameterTable:
         if isinstance(value, Parameter):
             owner = _owner_of(value, scope)
             if owner is None:
-                raise ModelError(
-                    f"{instance}: {name} refers to a parameter of no enclosing component"
-                )
+                raise ModelError(f"{instance}: {name} refers to a parameter of no enclosing component")
             return self.expression(owner, value.name)
         if scope is None:
             raise ModelError(f"{instance}: {name} is a function, but no component encloses it")
@@ -107,9 +105,7 @@ class ParameterTable:
         for path in paths:
             instance = self.instances[path.rpartition(".")[0]]
             expressions.append(self.expression(instance, path.rpartition(".")[2]))
-        numbers = ca.Function("dependent", [self.symbols], [ca.vertcat(*expressions)])(
-            self.defaults
-        )
+        numbers = ca.Function("dependent", [self.symbols], [ca.vertcat(*expressions)])(self.defaults)
         for path, number in zip(paths, np.array(numbers).ravel(), strict=True):
             instance = self.instances[path.rpartition(".")[0]]
             field = type(instance.component).fields[path.rpartition(".")[2]]

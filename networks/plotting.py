@@ -74,8 +74,7 @@ def _given_axes(panels: list[list[str]], axes: Any) -> list[Axes]:
     if len(given) != len(panels):
         told = "; ".join(", ".join(panel) for panel in panels)
         raise ValueError(
-            f"these signals need {len(panels)} axes, one for each unit and mode ({told}), "
-            f"got {len(given)}"
+            f"these signals need {len(panels)} axes, one for each unit and mode ({told}), got {len(given)}"
         )
     return given
 

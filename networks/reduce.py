@@ -62,6 +62,4 @@ def _dae(system: System, solution: Solution, switch: Switching) -> DAE:
 def _input(flat: Flat, path: str, order: int, number: int) -> Input:
     owner, _, name = path.rpartition(".")
     component = flat.instances[owner].component
-    return Input(
-        path, order, type(component).fields[name].unit, component._values.get(name), number
-    )
+    return Input(path, order, type(component).fields[name].unit, component._values.get(name), number)

@@ -140,9 +140,7 @@ class Result:
         closed, dae = self._closed, self.dae
         expression = closed.close(dae.expression(name))
         number = dae.system.flat.table.index[parameter]
-        slopes = ca.horzcat(
-            ca.jacobian(expression, closed.x), ca.jacobian(expression, closed.q)[:, number]
-        )
+        slopes = ca.horzcat(ca.jacobian(expression, closed.x), ca.jacobian(expression, closed.q)[:, number])
         function = closed.function("slopes", slopes.T)
         segment = self._segments[0]
         states, algebraic = np.vstack(segment.states).T, np.vstack(segment.algebraic).T
@@ -156,9 +154,7 @@ class Result:
         import pandas as pd
 
         chosen = names or tuple(self.dae.state_names)
-        table = pd.DataFrame(
-            {name: self[name] for name in chosen}, index=pd.Index(self.time, name="time")
-        )
+        table = pd.DataFrame({name: self[name] for name in chosen}, index=pd.Index(self.time, name="time"))
         table.attrs["units"] = {name: self.unit(name) for name in chosen}
         return table
 

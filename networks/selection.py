@@ -53,9 +53,7 @@ def _levels(system: System) -> dict[Equation, int]:
 
 def _one_level_down(system: System, equations: list[Equation]) -> dict[Equation, int]:
     previous = {
-        later: (number, row)
-        for number, table in enumerate(system.next_level)
-        for row, later in table.items()
+        later: (number, row) for number, table in enumerate(system.next_level) for row, later in table.items()
     }
     below = [previous[equation] for equation in equations]
     return {equation: system.level[equation[0]] for equation in below}

@@ -3,14 +3,16 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import casadi as ca
 import numpy as np
 from numpy.typing import NDArray
 
 from ..components.base import ModelError
-from .closed import Closed
+
+if TYPE_CHECKING:
+    from .closed import Closed
 
 Array = NDArray[np.float64]
 SOLVERS = ("auto", "cvodes", "idas", "rosenbrock")
@@ -26,6 +28,15 @@ class Tolerance:
 
 class IntegratorError(Exception):
     """The integrator gave up; the message is its own."""
+
+
+@dataclass(frozen=True, eq=False)
+class Stretch:
+    """What one call computed: states (nodes, nx), algebraic unknowns (nodes, nz), steps taken."""
+
+    states: Array
+    algebraic: Array
+    steps: int
 
 
 class Stepper:
@@ -46,8 +57,7 @@ class Stepper:
                 f"'{dae.name}' keeps {dae.z.numel()} algebraic unknowns, which solver 'cvodes' cannot "
                 "handle; use 'idas', 'rosenbrock' or 'auto'"
             )
-        self.solver, self.nodes, self.steps = solver, nodes, 0
-        self.last_steps = 0
+        self.solver, self.nodes = solver, nodes
         self.scale = _powers_of_two(dae)
         self._function = self._build(closed, tolerance)
         self.nx, self.nz = dae.x.numel(), dae.z.numel()
@@ -71,18 +81,17 @@ class Stepper:
         grid = np.linspace(0, 1, self.nodes + 1)[1:]
         return ca.integrator("run", self.solver, problem, 0.0, grid, options)
 
-    def run(self, t: float, x: Array, z: Array, q: Array, span: float) -> tuple[Array, Array]:
-        """Return states (nodes, nx) and algebraic unknowns (nodes, nz) over (t, t + span]."""
+    def run(self, t: float, x: Array, z: Array, q: Array, span: float) -> Stretch:
+        """Integrate over (t, t + span]."""
         try:
             x0 = x / self.scale if self.nx else [0.0]
             result = self._function(x0=x0, z0=z, p=np.concatenate([q, [t, span]]))
         except RuntimeError as error:
             raise IntegratorError(str(error)) from error
         stats = self._function.stats()
-        self.last_steps = int(stats.get("nsteps", stats.get("n_steps", 0)))
-        self.steps += self.last_steps
         states = result["xf"].full().T[:, : self.nx] * self.scale
-        return states, result["zf"].full().T
+        steps = int(stats.get("nsteps", stats.get("n_steps", 0)))
+        return Stretch(states, result["zf"].full().T, steps)
 
     def sensitivity(self, t: float, x: Array, z: Array, q: Array, span: float, seeds: Any) -> Any:
         """Return d(states)/d(seed directions) at the nodes; seeds are (of x, of q)."""

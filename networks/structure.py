@@ -26,11 +26,7 @@ def check_structure(system: System) -> None:
     pattern = ca.Sparsity.triplet(len(owners), len(chains), rows.tolist(), columns.tolist())
     _, order, permuted, _, _, coarse_rows, coarse_columns = pattern.btf()
     over = [owners[i] for i in order[: coarse_rows[2]]] if coarse_rows[1] else []
-    under = (
-        [chains[i] for i in permuted[coarse_columns[2] :]]
-        if coarse_columns[3] < len(chains)
-        else []
-    )
+    under = [chains[i] for i in permuted[coarse_columns[2] :]] if coarse_columns[3] < len(chains) else []
     if over or under:
         problems = [*_too_many(system, over), *_too_few(system, under)]
         raise ModelError(f"'{system.flat.name}' is structurally singular:", problems)

@@ -10,6 +10,8 @@ if TYPE_CHECKING:
 
 MOST_STATES = 20
 MOST_EVENTS = 12
+STATE_HEADERS = ("state", "unit", "start", "decided", "least", "largest", "last")
+EVENT_HEADERS = ("time [s]", "component", "event")
 
 
 def summary(result: Result) -> str:
@@ -26,7 +28,7 @@ def summary(result: Result) -> str:
     return "\n".join(lines)
 
 
-def state_table(result: Result) -> list[tuple[str, ...]]:
+def state_rows(result: Result) -> list[tuple[str, ...]]:
     """Return name, unit, start, how it was decided, least, largest and last value of the states."""
     rows = []
     for decision in result.initial[:MOST_STATES]:
@@ -51,12 +53,11 @@ def event_rows(result: Result) -> list[tuple[str, str, str]]:
 
 
 def _states(result: Result) -> Iterator[str]:
-    rows = state_table(result)
+    rows = state_rows(result)
     if not rows:
         return
     yield ""
-    header = ("state", "unit", "start", "decided", "least", "largest", "last")
-    yield from _aligned([header, *rows], right={2, 4, 5, 6})
+    yield from _aligned([STATE_HEADERS, *rows], right={2, 4, 5, 6})
     yield from _more(len(result.initial) - len(rows), "states")
 
 
@@ -65,7 +66,7 @@ def _events(result: Result) -> Iterator[str]:
     if not rows:
         return
     yield ""
-    yield from _aligned([("time [s]", "component", "event"), *rows], right={0})
+    yield from _aligned([EVENT_HEADERS, *rows], right={0})
     yield from _more(len(result.events) - len(rows), "events")
 
 

@@ -75,10 +75,7 @@ def switching(system: System, symbols: Any) -> Switching:
         column(expressions),
         [f"{i.path}.{m.name}".lstrip(".") for i, m in flat.modes],
         [m.values for _, m in flat.modes],
-        [
-            {m.values.index(a): m.values.index(b) for a, b in m.in_shock.items()}
-            for _, m in flat.modes
-        ],
+        [{m.values.index(a): m.values.index(b) for a, b in m.in_shock.items()} for _, m in flat.modes],
         [f"{i.path}.{name}".lstrip(".") for i, name in flat.impulses],
     )
 

@@ -63,9 +63,7 @@ class Component:
         }
         declared_fields = cls.fields.values()
         cls._options = tuple(f for f in declared_fields if isinstance(f, Option))
-        cls._required = tuple(
-            f for f in declared_fields if isinstance(f, Parameter) and f.default is MISSING
-        )
+        cls._required = tuple(f for f in declared_fields if isinstance(f, Parameter) and f.default is MISSING)
         cls._declared_parts = tuple(f for f in declared_fields if isinstance(f, Part))
 
     def __init__(self, **values: Any) -> None:
@@ -136,9 +134,7 @@ class Component:
         elif isinstance(field, RealInput):
             good = isinstance(value, Real | Sampled | Callable)
             problem = (
-                ""
-                if good
-                else f"{name} takes a number, a function of time or Sampled data, got {value!r}"
+                "" if good else f"{name} takes a number, a function of time or Sampled data, got {value!r}"
             )
         else:
             problem = self._unknown(name)

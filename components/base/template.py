@@ -150,9 +150,7 @@ class Scope:
             value = getattr(owner, name)
         except AttributeError:
             known = [*owner.fields, *self._component._parts]
-            raise ModelError(
-                f"{owner.__name__} declares no '{name}'{nearest(name, known)}"
-            ) from None
+            raise ModelError(f"{owner.__name__} declares no '{name}'{nearest(name, known)}") from None
         if isinstance(value, property) and value.fget:
             return value.fget(self)
         return types.MethodType(value, self) if isinstance(value, types.FunctionType) else value
@@ -288,9 +286,7 @@ def _add_equation(template: Template, equation: Any) -> None:
         known = [*template.parameters.values(), *template.modes.values(), template.time]
         known += [*template.impulses.values(), *template.variables.values()]
         if not any(ca.is_equal(symbol, other) for other in known):
-            raise ModelError(
-                f"{name}: `{equation}` uses '{symbol}', which the component does not declare"
-            )
+            raise ModelError(f"{name}: `{equation}` uses '{symbol}', which the component does not declare")
     _note_held(template, left, right)
     template.residuals.append(left - right)
 

@@ -1,5 +1,10 @@
 """Ready-made machines."""
 
+from . import ge_wang as ge_wang
 from .inerters import BallScrewInerter as BallScrewInerter
 from .inerters import PlanetaryFlywheelInerter as PlanetaryFlywheelInerter
 from .inerters import RackPinionInerter as RackPinionInerter
+from .planetary_design import PlanetaryGeometry as PlanetaryGeometry
+from .planetary_design import disk_mass as disk_mass
+from .planetary_design import equivalent_inertia as equivalent_inertia
+from .planetary_design import inertance as inertance

@@ -1,0 +1,107 @@
+"""A run in progress: where it stands, what it has recorded, and how it fails."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..components.base import SimulationError
+from .closed import Closed
+from .events import Event, Point, Switcher
+from .initial import Decision
+from .result import Segment
+from .stepper import IntegratorError, Stepper, Stretch
+
+
+@dataclass(frozen=True)
+class Settings:
+    """What a run is asked to be."""
+
+    begin: float
+    stop: float
+    step: float
+    rtol: float
+    atol: float
+    solver: str
+    progress: bool | None
+
+    @property
+    def outputs(self) -> NDArray[np.float64]:
+        """Output instants; the step is adjusted to divide the run."""
+        count = max(1, round((self.stop - self.begin) / self.step))
+        return np.linspace(self.begin, self.stop, count + 1)
+
+
+@dataclass(eq=False)
+class Run:
+    """A run in progress: where it stands and what it has recorded."""
+
+    closed: Closed
+    settings: Settings
+    point: Point
+    switcher: Switcher | None
+    initial: list[Decision]
+    segments: list[Segment] = field(default_factory=list)
+    events: list[Event] = field(default_factory=list)
+    calls: int = 0
+    steps: int = 0
+
+    def record(self, times: Any, states: Any, algebraic: Any) -> None:
+        """Append points to the present segment."""
+        self.segments[-1].extend(np.atleast_1d(times), np.atleast_2d(states), np.atleast_2d(algebraic))
+
+    def open_segment(self) -> None:
+        """Start a segment at the present point, with its modes."""
+        p = self.point
+        self.segments.append(Segment(p.q.copy()))
+        self.record(p.t, p.x, p.z)
+
+
+def integrate(run: Run, stepper: Stepper, point: Point, span: float) -> Stretch:
+    """Integrate one stretch; when that fails, save what can be reached and fail with the place."""
+    run.calls += 1
+    try:
+        stretch = stepper.run(point.t, point.x, point.z, point.q, span)
+    except IntegratorError as error:
+        _approach(run, stepper, point, span)
+        raise error
+    run.steps += stretch.steps
+    return stretch
+
+
+def _approach(run: Run, stepper: Stepper, point: Point, span: float) -> None:
+    """Advance towards a failure in ever smaller strides, recording what is reached."""
+    t, x, z = point.t, point.x, point.z
+    smallest = max(1e-9 * span, 1e-14 * abs(t))
+    while span > smallest:
+        span /= 2
+        try:
+            stretch = stepper.run(t, x, z, point.q, span)
+        except IntegratorError:
+            continue
+        if not np.isfinite(stretch.states).all():
+            continue
+        times = t + span * np.arange(1, stepper.nodes + 1) / stepper.nodes
+        run.record(times, stretch.states, stretch.algebraic)
+        t, x, z = float(times[-1]), stretch.states[-1], stretch.algebraic[-1]
+    run.point = Point(t, x, z, point.q)
+
+
+def failure(run: Run, error: Exception) -> str:
+    """Say when a run ended and which state was moving fastest for its tolerance."""
+    dae, point, settings = run.closed.dae, run.point, run.settings
+    if isinstance(error, SimulationError):
+        return f"'{dae.name}': {error}"
+    rate = run.closed.evaluator(dae.ode)(point.x, point.z, point.q, point.t).full().ravel()
+    weight = np.abs(rate) / (settings.rtol * np.abs(point.x) + settings.atol)
+    worst = int(np.argmax(np.where(np.isfinite(weight), weight, np.inf)))
+    name = dae.state_names[worst] if len(rate) else "no state"
+    state = f"{name} = {point.x[worst]:.6g} with rate {rate[worst]:.6g}" if len(rate) else name
+    reason = str(error).strip().splitlines()[-1]
+    return (
+        f"'{dae.name}': integration failed at t = {point.t:.9g} s; the state that limited the step is "
+        f"{state}. Results up to there are kept in the error's `result`. Solver: {reason}"
+    )

@@ -1,0 +1,45 @@
+"""The compiled functions by which a run watches and changes modes."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+import casadi as ca
+import numpy as np
+
+if TYPE_CHECKING:
+    from .closed import Closed
+
+
+class SwitchFunctions:
+    """Functions of (x, z, q, t) made once for a DAE and its inputs.
+
+    Attributes:
+        watch: indicators and their rates.
+        everything: all switching expressions.
+        motion: state derivatives.
+        slopes: matrices of the blocks that depend on modes.
+        algebraic: residuals of the algebraic unknowns and their slopes.
+        shock: what impulses do to states, and the slopes of the switching expressions in the states.
+        sources, mode_of: per transition, the mode it leaves and whose mode it is.
+    """
+
+    def __init__(self, closed: Closed) -> None:
+        dae = closed.dae
+        changes = dae.switching.changes
+        expressions = closed.close(dae.switching.expressions)
+        indicators = expressions[[c.indicator for c in changes]]
+        self.watch = closed.function("watch", indicators, closed.rate(indicators))
+        self.everything = closed.function("switching", expressions)
+        self.motion = closed.evaluator(dae.ode)
+        self.slopes = [closed.evaluator(block.matrix) for block in dae.blocks]
+        residual = closed.close(dae.alg)
+        self.algebraic = closed.function("algebraic", residual, ca.jacobian(residual, closed.z))
+        self.shock = _shock(closed, expressions) if dae.impulses.numel() else None
+        self.sources = np.array([c.source for c in changes])
+        self.mode_of = np.array([c.mode for c in changes])
+
+
+def _shock(closed: Closed, expressions: Any) -> Any:
+    response = closed.close(ca.jacobian(closed.dae.ode, closed.dae.impulses))
+    return closed.function("shock", response, ca.jacobian(expressions, closed.x))
