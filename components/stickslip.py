@@ -25,12 +25,8 @@ class StickSlip(Component):
     synchronous data flow principle (1999), section 4.
     """
 
-    mode = mode(
-        "stuck", "forward", "backward", doc="sticking or sliding", in_shock={"stuck": "forward"}
-    )
-    peak = parameter(
-        "1", "break-away resistance over sliding resistance at rest", default=1.0, min=1.0
-    )
+    mode = mode("stuck", "forward", "backward", doc="sticking or sliding", in_shock={"stuck": "forward"})
+    peak = parameter("1", "break-away resistance over sliding resistance at rest", default=1.0, min=1.0)
     regularised = option(
         "speed over which the sign of the motion is smoothed (no events, but creeps when it should stick)",
         default=None,
@@ -46,10 +42,11 @@ class StickSlip(Component):
 
     def laws(self) -> dict[str, Any]:
         """What vanishes in each mode."""
+        friction = self.sliding(ca.fabs(self.speed))
         return {
             "stuck": self.acceleration,
-            "forward": self.resistance - self.sliding(self.speed),
-            "backward": self.resistance + self.sliding(-self.speed),
+            "forward": self.resistance - friction,
+            "backward": self.resistance + friction,
         }
 
     def equations(self) -> Iterable[Any]:
@@ -67,9 +64,7 @@ class StickSlip(Component):
         yield from reversals(self.mode, self.speed, self.speed_name)
 
 
-def breakaways(
-    mode: Any, resistance: Any, limits: tuple[Any, Any], allowed: Any = None
-) -> Iterable[Any]:
+def breakaways(mode: Any, resistance: Any, limits: tuple[Any, Any], allowed: Any = None) -> Iterable[Any]:
     """Yield the ways out of sticking: a resistance beyond its limit forward or backward."""
     forward, backward = limits
     yield mode.goes("stuck", "forward", when=resistance > forward, allowed=allowed)

@@ -15,3 +15,6 @@ from .machines import ge_wang as ge_wang
 from .machines import inertance as inertance
 from .network import Network as Network
 from .result import Result as Result
+from .signals import chosen_signals as chosen_signals
+from .storage import check_table_path as check_table_path
+from .storage import load_table as load_table

@@ -12,6 +12,7 @@ import casadi as ca
 import numpy as np
 
 from ..components.base import ModelError, Sampled, nearest
+from .compiled import Compiled, dense
 from .dae import DAE, Input
 from .stepper import Stepper, Tolerance
 from .switchfunctions import SwitchFunctions
@@ -33,7 +34,7 @@ class Closed:
         self.z: Any = kind.sym("z", dae.z.numel()) if self.sampled else dae.z
         self.q: Any = kind.sym("q", dae.constants.numel()) if self.sampled else dae.constants
         self.t: Any = kind.sym("t") if self.sampled else dae.time
-        self.u = ca.vertcat(kind(0, 1), *[self._input(i) for i in dae.inputs])
+        self.u = ca.densify(ca.vertcat(kind(0, 1), *[self._input(i) for i in dae.inputs]))
 
     def _input(self, declared: Input) -> Any:
         signal = self.signals[declared.path]
@@ -55,6 +56,13 @@ class Closed:
     def function(self, name: str, *closed: Any) -> Any:
         """Return a function of (x, z, q, t) of expressions that are already closed."""
         return ca.Function(name, [self.x, self.z, self.q, self.t], list(closed))
+
+    def compiled(self, name: str, *closed: Any, instants: int = 0) -> Compiled:
+        """Return such a function on NumPy buffers; for many `instants` at once, q being common."""
+        function = self.function(name, *dense(*closed))
+        if instants:
+            function = function.map(f"{name}_map", "serial", instants, [2], [])
+        return Compiled(function)
 
     def evaluator(self, *expressions: Any) -> Any:
         """Return a function of (x, z, q, t) of expressions in the DAE's symbols."""

@@ -20,21 +20,22 @@ def first_crossing(
         active: which indicators count.
         near: size below which an indicator counts as zero, (indicators,).
     """
+    rows = np.flatnonzero(active)
     step = np.diff(times)
-    before, after = values[:, :-1], values[:, 1:]
-    slope_a, slope_b = rates[:, :-1] * step, rates[:, 1:] * step
+    before, after = values[rows, :-1], values[rows, 1:]
+    slope_a, slope_b = rates[rows, :-1] * step, rates[rows, 1:] * step
+    limit = near[rows, None]
     highest = np.maximum(after, _interior_maximum(before, after, slope_a, slope_b))
-    limit = near[:, None]
     returns = (before > limit) & (slope_a < 0) & (after > limit) & (slope_b > 0)
-    crosses = active[:, None] & (((before <= limit) & (highest > limit)) | returns)
+    crosses = ((before <= limit) & (highest > limit)) | returns
     intervals = np.flatnonzero(crosses.any(axis=0))
     if not len(intervals):
         return None
     k = int(intervals[0])
     found = []
     for i in np.flatnonzero(crosses[:, k]):
-        theta = _root(before[i, k], after[i, k], slope_a[i, k], slope_b[i, k], near[i])
-        found.append((theta, int(i)))
+        theta = _root(before[i, k], after[i, k], slope_a[i, k], slope_b[i, k], limit[i, 0])
+        found.append((theta, int(rows[i])))
     theta, indicator = min(found)
     return k, indicator, float(times[k] + theta * step[k])
 
@@ -45,25 +46,30 @@ def _coefficients(a: Array, b: Array, da: Array, db: Array) -> tuple[Array, Arra
 
 
 def _interior_maximum(a: Array, b: Array, da: Array, db: Array) -> Array:
-    c3, c2 = _coefficients(a, b, da, db)
-    root = np.sqrt(np.maximum(c2**2 - 3 * c3 * da, 0))
-    best = np.full(a.shape, -np.inf)
-    with np.errstate(divide="ignore", invalid="ignore"):
-        for x in (-da / (c2 + root), -da / (c2 - root)):
-            inside = (x > 0) & (x < 1) & np.isfinite(x)
-            x = np.where(inside, x, 0.0)
-            value = a + x * (da + x * (c2 + x * c3))
-            best = np.where(inside, np.maximum(best, value), best)
-    return best
+    """Return the highest value inside each interval that has a peak there, else minus infinity."""
+    highest = np.full(a.shape, -np.inf)
+    peaked = (da > 0) & (db < 0)
+    if peaked.any():
+        a, b, da, db = a[peaked], b[peaked], da[peaked], db[peaked]
+        c3, c2 = _coefficients(a, b, da, db)
+        x = -da / (c2 - np.sqrt(c2**2 - 3 * c3 * da))
+        highest[peaked] = a + x * (da + x * (c2 + x * c3))
+    return highest
 
 
 def _root(a: float, b: float, da: float, db: float, near: float) -> float:
     """Return where the cubic rises through zero, as a share of the interval."""
-    c3, c2 = _coefficients(np.array(a), np.array(b), np.array(da), np.array(db))
-    coefficients = np.trim_zeros(np.array([float(c3), float(c2), da, a]), "f")
-    roots = np.roots(coefficients) if len(coefficients) > 1 else np.array([])
-    real = sorted(float(r.real) for r in roots if abs(r.imag) < 1e-9 and 0 < r.real <= 1)
-    for x in real:
-        if da + x * (2 * float(c2) + 3 * x * float(c3)) >= 0:
-            return x
-    return 0.0 if a >= -near or b <= a else float(np.clip(-a / (b - a), 0.0, 1.0))
+    c3, c2 = 2 * a - 2 * b + da + db, -3 * a + 3 * b - 2 * da - db
+    turns = max(c2 * c2 - 3 * c3 * da, 0.0) ** 0.5
+    low, high = 0.0, 1.0
+    if a >= 0:
+        if da >= 0:
+            return 0.0
+        low = -da / (c2 + turns)
+    if b <= near:
+        high = -da / (c2 - turns)
+    for _ in range(60):
+        middle = 0.5 * (low + high)
+        below = a + middle * (da + middle * (c2 + middle * c3)) < 0
+        low, high = (middle, high) if below else (low, middle)
+    return high

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
+from threading import get_ident
 from typing import TYPE_CHECKING, Any
 
 import casadi as ca
@@ -194,7 +195,7 @@ class DAE:
         from .closed import Closed, chosen_signals
 
         chosen = chosen_signals(self, signals)
-        key = tuple(chosen.items())
+        key = (get_ident(), *chosen.items())
         known = self._closed.pop(key, None) or Closed(self, chosen)
         self._closed[key] = known
         if len(self._closed) > KEPT:

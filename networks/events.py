@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, field
-from typing import Any
 
 import casadi as ca
 import numpy as np
@@ -11,11 +10,13 @@ from numpy.typing import NDArray
 
 from ..components.base import SimulationError
 from .closed import Closed
+from .stepper import Tolerance
 from .switching import Change
 
 Array = NDArray[np.float64]
 FLOOR = 1e-12
 RELATIVE = 1e-12
+REGULAR = 1e-6
 
 
 @dataclass(frozen=True)
@@ -70,18 +71,46 @@ class Switcher:
     def shift(self, point: Point, indicator: int) -> None:
         """Move a point that is very near a crossing onto it, along its velocity."""
         for _ in range(2):
-            values, rates = self.watch(point.t, point.x, point.z, point.q)
-            delta = -float(values[indicator, 0] / rates[indicator, 0])
-            motion = self.functions.motion(point.x, point.z, point.q, point.t).full().ravel()
-            point.t += delta
-            point.x = point.x + delta * motion
-            self._solve_algebraic(point)
+            values, rates = self.watch(point)
+            self.move(point, -float(values[indicator] / rates[indicator]))
 
-    def watch(self, t: Any, x: Array, z: Array, q: Array) -> tuple[Array, Array]:
-        """Return indicators and their rates, (indicators, instants); remember their size."""
-        values, rates = (m.full() for m in self.functions.watch(x, z, q, t))
-        self.seen = np.maximum(self.seen, np.abs(values).max(axis=1, initial=0.0))
+    def soonest(self, point: Point) -> tuple[float, int]:
+        """Return how soon an indicator will cross at its present rate, and which."""
+        values, rates = self.watch(point)
+        ahead = self.active(point.q) & (rates > 0) & (values < -self.tolerance())
+        if not ahead.any():
+            return np.inf, -1
+        delays = np.where(ahead, -values / np.where(ahead, rates, 1.0), np.inf)
+        first = int(delays.argmin())
+        return float(delays[first]), first
+
+    def hopped(self, point: Point, duration: float, tolerance: Tolerance) -> Point | None:
+        """Return the point a very short time later, or None if a straight line is not exact enough."""
+        later = Point(point.t, point.x.copy(), point.z.copy(), point.q)
+        self.move(later, duration)
+        before, after = (self.functions.motion(p.x, p.z, p.q, p.t)[0] for p in (point, later))
+        allowed = 0.1 * (tolerance.rtol * np.abs(point.x) + tolerance.atol)
+        exact = (0.5 * duration * np.abs(after - before) <= allowed).all()
+        return later if exact else None
+
+    def move(self, point: Point, duration: float) -> None:
+        """Move a point by a very short time, along its velocity."""
+        motion = self.functions.motion(point.x, point.z, point.q, point.t)[0]
+        point.t += duration
+        point.x = point.x + duration * motion
+        self._solve_algebraic(point)
+
+    def watch(self, point: Point) -> tuple[Array, Array]:
+        """Return indicators and their rates at a point; remember their size."""
+        values, rates = self.functions.watch(point.x, point.z, point.q, point.t)
+        np.maximum(self.seen, np.abs(values), out=self.seen)
         return values, rates
+
+    def watch_nodes(self, t: Array, x: Array, z: Array, q: Array) -> tuple[Array, Array]:
+        """Return indicators and their rates at the nodes of a stretch, (indicators, nodes)."""
+        values, rates = self.functions.watch_nodes(x, z, q, t[:, None])
+        np.maximum(self.seen, np.abs(values).max(axis=0, initial=0.0), out=self.seen)
+        return values.T, rates.T
 
     def tolerance(self) -> Array:
         """Return the size below which each indicator counts as zero."""
@@ -108,8 +137,7 @@ class Switcher:
         )
 
     def _fired(self, point: Point, forced: int | None) -> list[int]:
-        values, rates = self.watch(point.t, point.x, point.z, point.q)
-        g, rate, near = values[:, 0], rates[:, 0], self.tolerance()
+        (g, rate), near = self.watch(point), self.tolerance()
         rising = rate > 1e-10 * np.maximum(np.abs(rate).max(initial=0.0), 1.0)
         ready = self.active(point.q) & ((g > near) | ((g > -near) & rising))
         leaving = (g <= 10 * near) & (rate < 0)
@@ -119,7 +147,7 @@ class Switcher:
         candidates = np.flatnonzero(ready)
         if not len(candidates):
             return []
-        everything = self.functions.everything(point.x, point.z, point.q, point.t).full().ravel()
+        everything = self._everything(point)
         changes = self.switching.changes
         allowed = [i for i in candidates if _allowed(changes[i], everything)]
         strongest: dict[int, int] = {}
@@ -129,7 +157,7 @@ class Switcher:
 
     def _apply(self, point: Point, fired: list[int]) -> list[Event]:
         changes = [self.switching.changes[i] for i in fired]
-        everything = self.functions.everything(point.x, point.z, point.q, point.t).full().ravel()
+        everything = self._everything(point)
         shocks = [c for c in changes if c.impulse is not None]
         impulses = self._strike(point, shocks, everything) if shocks else {}
         for change in changes:
@@ -140,6 +168,9 @@ class Switcher:
             self._reset(point, resets)
         self._solve_algebraic(point)
         return [self._event(point.t, c, impulses) for c in changes]
+
+    def _everything(self, point: Point) -> Array:
+        return self.functions.everything(point.x, point.z, point.q, point.t)[0]
 
     def _event(self, t: float, change: Change, impulses: dict[int, float]) -> Event:
         values = self.switching.mode_values[change.mode]
@@ -156,7 +187,9 @@ class Switcher:
         during = Point(point.t, point.x, point.z, q)
         self.complete(during)
         assert self.functions.shock is not None
-        response, slopes = (m.full() for m in self.functions.shock(point.x, point.z, q, point.t))
+        shock = self.functions.shock(point.x, point.z, q, point.t)
+        response = shock[0].reshape(-1, len(point.x)).T
+        slopes = shock[1].reshape(len(point.x), -1).T
         numbers = [c.impulse for c in shocks]
         wanted = np.array([everything[c.after] - everything[c.velocity] for c in shocks])
         effect = slopes[[c.velocity for c in shocks]] @ response[:, numbers]
@@ -181,13 +214,16 @@ class Switcher:
 
     def complete(self, point: Point) -> None:
         """Set the completion of blocks that the present modes leave singular."""
-        at = self.completion_at
-        for block, slopes in zip(self.closed.dae.blocks, self.functions.slopes, strict=True):
-            matrix = slopes(point.x, point.z, point.q, point.t).full()
-            size = matrix.size
-            completion, singular = _completion(matrix)
-            point.q[at : at + size] = completion.ravel(order="F")
-            at += size
+        if not self.closed.dae.blocks:
+            return
+        slopes = self.functions.slopes(point.x, point.z, point.q, point.t)[0]
+        start = 0
+        for block in self.closed.dae.blocks:
+            size = len(block.torn)
+            part = slice(start, start + size**2)
+            completion, singular = _completion(slopes[part].reshape(size, size, order="F"))
+            point.q[self.completion_at :][part] = completion.ravel(order="F")
+            start = part.stop
             if singular:
                 self._tell_shared(block.labels)
 
@@ -203,8 +239,9 @@ class Switcher:
         if not self.closed.dae.z.numel():
             return
         for _ in range(50):
-            value, slope = (m.full() for m in self.functions.algebraic(point.x, point.z, point.q, point.t))
-            step = np.linalg.lstsq(slope, -value.ravel(), rcond=1e-12)[0]
+            value, slope = self.functions.algebraic(point.x, point.z, point.q, point.t)
+            slope = slope.reshape(len(value), -1).T
+            step = np.linalg.lstsq(slope, -value, rcond=1e-12)[0]
             point.z = point.z + step
             if np.abs(step).max() <= 1e-12 * (1 + np.abs(point.z).max()):
                 return
@@ -218,6 +255,8 @@ def _completion(matrix: Array) -> tuple[Array, bool]:
     """Return what makes a singular matrix regular such that solutions have least norm."""
     scale = np.abs(matrix).max(axis=1, initial=0.0)
     scale[scale == 0] = 1.0
+    if abs(np.linalg.det(matrix / scale[:, None])) > REGULAR:
+        return np.zeros_like(matrix), False
     left, strength, right = np.linalg.svd(matrix / scale[:, None])
     weak = strength <= 1e-10 * max(strength.max(initial=0.0), 1.0)
     if not weak.any():

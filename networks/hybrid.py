@@ -10,10 +10,11 @@ from .events import Point, Switcher
 from .progress import Progress
 from .run import Run, integrate
 from .stepper import Array, Stepper, Stretch
+from .switchfunctions import NODES as NODES
 
-NODES = 64
 CHATTER = 200
-LEAST_EXPONENT = -30
+LEAST_EXPONENT, MOST_EXPONENT = -30, 5
+HOP = 1e-3
 
 
 def run_hybrid(run: Run, switcher: Switcher, stepper: Stepper, outputs: Array, progress: Progress) -> None:
@@ -23,17 +24,24 @@ def run_hybrid(run: Run, switcher: Switcher, stepper: Stepper, outputs: Array, p
     recent: list[float] = []
     while next_output < len(outputs):
         point = run.point
+        delay, indicator = switcher.soonest(point)
+        if delay < HOP * interval:
+            later = switcher.hopped(point, delay, run.settings.tolerance)
+            if later is not None and later.t < outputs[next_output]:
+                _arrive(run, switcher, later, indicator)
+                recent = _watch_chatter(run, recent, interval)
+                continue
         remaining = len(outputs) - next_output
         on_grid = point.t == outputs[next_output - 1]
         intervals = 2**exponent if on_grid and exponent >= 0 else 1
-        while intervals > remaining:
+        while intervals > remaining or (intervals > 1 and interval * intervals > 3 * delay):
             intervals //= 2
         end = outputs[next_output + intervals - 1]
         span = float(end - point.t)
         if exponent < 0 and span > interval * 2.0**exponent:
             span, intervals = interval * 2.0**exponent, 0
         stretch = integrate(run, stepper, point, span)
-        if stretch.steps > 4 * stepper.nodes and exponent > LEAST_EXPONENT:
+        if stretch.steps > 8 * stepper.nodes and exponent > LEAST_EXPONENT:
             exponent -= 1
             continue
         times = point.t + span * np.arange(stepper.nodes + 1) / stepper.nodes
@@ -43,7 +51,7 @@ def run_hybrid(run: Run, switcher: Switcher, stepper: Stepper, outputs: Array, p
         if crossing is None:
             t = float(outputs[next_output - 1]) if intervals else float(times[-1])
             run.point = Point(t, stretch.states[-1], stretch.algebraic[-1], point.q)
-            exponent += 1 if stretch.steps < stepper.nodes and exponent < 6 else 0
+            exponent += 1 if stretch.steps < 2 * stepper.nodes and exponent < MOST_EXPONENT else 0
         else:
             _land(run, switcher, stepper, times, stretch, crossing)
             recent = _watch_chatter(run, recent, interval)
@@ -52,9 +60,9 @@ def run_hybrid(run: Run, switcher: Switcher, stepper: Stepper, outputs: Array, p
 
 def _crossing(run: Run, switcher: Switcher, times: Array, stretch: Stretch) -> tuple[int, int, float] | None:
     point = run.point
-    x = np.vstack([point.x, stretch.states]).T
-    z = np.vstack([point.z, stretch.algebraic]).T
-    values, rates = switcher.watch(times[None, :], x, z, point.q)
+    x = np.vstack([point.x, stretch.states])
+    z = np.vstack([point.z, stretch.algebraic])
+    values, rates = switcher.watch_nodes(times, x, z, point.q)
     switcher.muted &= values[:, -1] > -switcher.tolerance()
     return first_crossing(times, values, rates, switcher.active(point.q), switcher.tolerance())
 
@@ -88,6 +96,11 @@ def _land(
         x, z = stretch.states[node - 1], stretch.algebraic[node - 1]
     start = Point(float(times[node]), x.copy(), z.copy(), point.q)
     landed = _approach_crossing(run, switcher, stepper, start, float(times[node + 1]), t, indicator)
+    _arrive(run, switcher, landed, indicator)
+
+
+def _arrive(run: Run, switcher: Switcher, landed: Point, indicator: int) -> None:
+    """Fire what fires where an indicator crosses, and open the next segment."""
     run.record(landed.t, landed.x, landed.z)
     run.point = landed
     happened = switcher.settle(landed, forced=indicator)
@@ -112,8 +125,8 @@ def _approach_crossing(
     while t > start.t:
         stretch = integrate(run, stepper, start, t - start.t)
         landed = Point(t, stretch.states[-1].copy(), stretch.algebraic[-1].copy(), start.q)
-        values, rates = switcher.watch(t, landed.x, landed.z, landed.q)
-        g, rate = float(values[indicator, 0]), float(rates[indicator, 0])
+        values, rates = switcher.watch(landed)
+        g, rate = float(values[indicator]), float(rates[indicator])
         if rate > 0 and abs(g) <= 1e-6 * rate * (end - start.t):
             switcher.shift(landed, indicator)
             return landed

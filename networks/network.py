@@ -99,6 +99,11 @@ class Network(Component):
         parts = ", ".join(f"{n}: {type(c).__name__}" for n, c in self._parts.items())
         return f"<Network '{self.name}': {parts}>"
 
+    def _repr_html_(self) -> str:
+        from .notebook import network_html
+
+        return network_html(self)
+
 
 def _pairs(original: Component, copy: Component) -> Iterable[tuple[Component, Component]]:
     yield original, copy

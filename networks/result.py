@@ -158,6 +158,12 @@ class Result:
         table.attrs["units"] = {name: self.unit(name) for name in chosen}
         return table
 
+    def summary(self) -> str:
+        """Return states with their start values, events, statistics and notes as text."""
+        from .summary import summary
+
+        return summary(self)
+
     def plot(self, *names: str, axes: Any = None) -> Any:
         """Plot signals over time, one panel a unit, and return the matplotlib figure."""
         from .plotting import plot_result

@@ -13,7 +13,7 @@ from .closed import Closed
 from .events import Event, Point, Switcher
 from .initial import Decision
 from .result import Segment
-from .stepper import IntegratorError, Stepper, Stretch
+from .stepper import IntegratorError, Stepper, Stretch, Tolerance
 
 
 @dataclass(frozen=True)
@@ -27,6 +27,11 @@ class Settings:
     atol: float
     solver: str
     progress: bool | None
+
+    @property
+    def tolerance(self) -> Tolerance:
+        """Relative and absolute tolerance."""
+        return Tolerance(self.rtol, self.atol)
 
     @property
     def outputs(self) -> NDArray[np.float64]:

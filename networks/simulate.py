@@ -19,7 +19,7 @@ from .result import Result
 from .run import Run, Settings, failure
 from .sensitivity import Sensitivities
 from .smooth import run_smooth, smooth_nodes
-from .stepper import Array, IntegratorError, Stepper, Tolerance
+from .stepper import Array, IntegratorError, Stepper
 
 
 def simulate(
@@ -40,7 +40,7 @@ def simulate(
     run = _started(closed, settings, q, wishes(dae, start, guess))
     outputs = settings.outputs
     nodes = NODES if run.switcher else smooth_nodes(len(outputs) - 1)
-    stepper = closed.stepper(settings.solver, Tolerance(settings.rtol, settings.atol), nodes)
+    stepper = closed.stepper(settings.solver, settings.tolerance, nodes)
     follow = Sensitivities(dae, sensitivities, run.point) if sensitivities else None
     run.open_segment()
     with Progress(dae.name, settings.begin, settings.stop, settings.progress) as progress:

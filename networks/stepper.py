@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..components.base import ModelError
+from .compiled import Compiled
 
 if TYPE_CHECKING:
     from .closed import Closed
@@ -59,8 +60,10 @@ class Stepper:
             )
         self.solver, self.nodes = solver, nodes
         self.scale = _powers_of_two(dae)
-        self._function = self._build(closed, tolerance)
         self.nx, self.nz = dae.x.numel(), dae.z.numel()
+        self._function = self._build(closed, tolerance)
+        self._compiled = Compiled(self._function)
+        self._unused = [np.zeros(self._function.nnz_in(i)) for i in range(3, self._function.n_in())]
 
     def _build(self, closed: Closed, tolerance: Tolerance) -> Any:
         kind: Any = type(closed.x)
@@ -83,15 +86,15 @@ class Stepper:
 
     def run(self, t: float, x: Array, z: Array, q: Array, span: float) -> Stretch:
         """Integrate over (t, t + span]."""
+        x0 = x / self.scale if self.nx else np.zeros(1)
         try:
-            x0 = x / self.scale if self.nx else [0.0]
-            result = self._function(x0=x0, z0=z, p=np.concatenate([q, [t, span]]))
+            results = self._compiled(x0, z, np.concatenate([q, [t, span]]), *self._unused)
         except RuntimeError as error:
             raise IntegratorError(str(error)) from error
-        stats = self._function.stats()
-        states = result["xf"].full().T[:, : self.nx] * self.scale
-        steps = int(stats.get("nsteps", stats.get("n_steps", 0)))
-        return Stretch(states, result["zf"].full().T, steps)
+        stats = self._compiled.stats()
+        states, algebraic = (result.reshape(self.nodes, -1) for result in results[:2])
+        states = states[:, : self.nx] * self.scale
+        return Stretch(states, algebraic, int(stats.get("nsteps", stats.get("n_steps", 0))))
 
     def sensitivity(self, t: float, x: Array, z: Array, q: Array, span: float, seeds: Any) -> Any:
         """Return d(states)/d(seed directions) at the nodes; seeds are (of x, of q)."""

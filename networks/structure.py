@@ -18,7 +18,7 @@ def check_structure(system: System) -> None:
     """
     bases = _bases(system)
     chain = (bases == np.arange(system.size)) & system.is_root()
-    chain[list(system.known)] = False
+    chain[bases[list(system.known)]] = False
     chains = np.flatnonzero(chain).tolist()
     number = counted(chain)[bases]
     rows, columns = system.incidence(number)

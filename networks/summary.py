@@ -30,7 +30,7 @@ def summary(result: Result) -> str:
 
 def state_rows(result: Result) -> list[tuple[str, ...]]:
     """Return name, unit, start, how it was decided, least, largest and last value of the states."""
-    rows = []
+    rows: list[tuple[str, ...]] = []
     for decision in result.initial[:MOST_STATES]:
         values = result[decision.name]
         numbers = (f"{v:.5g}" for v in (decision.value, values.min(), values.max(), values[-1]))

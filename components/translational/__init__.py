@@ -3,6 +3,7 @@
 from .bases import Compliant as Compliant
 from .bases import CompliantWithSpeed as CompliantWithSpeed
 from .bases import TwoFlanges as TwoFlanges
+from .brake import Brake as Brake
 from .compliances import BoucWen as BoucWen
 from .compliances import CubicSpring as CubicSpring
 from .compliances import Damper as Damper

@@ -109,7 +109,5 @@ class BoucWen(CompliantWithSpeed):
         size = ca.fabs(z)
         yield self.f == self.alpha * self.k * self.s_rel + (1 - self.alpha) * self.k * z
         yield der(z) == (
-            self.A * v
-            - self.beta * ca.fabs(v) * size ** (self.n - 1) * z
-            - self.gamma * v * size**self.n
+            self.A * v - self.beta * ca.fabs(v) * size ** (self.n - 1) * z - self.gamma * v * size**self.n
         )

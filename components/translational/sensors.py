@@ -20,12 +20,6 @@ class _Between(Component):
     flange_b = TranslationalFlange("right flange")
 
 
-class _Relative(_Between):
-    def equations(self) -> Iterable[Any]:
-        yield self.flange_a.f == 0
-        yield self.flange_b.f == 0
-
-
 class PositionSensor(_Absolute):
     """Position as a signal: s = flange.s.
 
@@ -64,7 +58,7 @@ class AccelerationSensor(_Absolute):
         yield self.a == der(self.v)
 
 
-class RelativePositionSensor(_Relative):
+class RelativePositionSensor(_Between):
     """Distance as a signal: s_rel = flange_b.s - flange_a.s.
 
     Source: MSL Translational.Sensors.RelPositionSensor.
@@ -74,10 +68,12 @@ class RelativePositionSensor(_Relative):
 
     def equations(self) -> Iterable[Any]:
         yield self.s_rel == self.flange_b.s - self.flange_a.s
+        yield self.flange_a.f == 0
+        yield self.flange_b.f == 0
 
 
 class RelativeSpeedSensor(RelativePositionSensor):
-    """Relative velocity as a signal: v_rel = der(s_rel), s_rel = flange_b.s - flange_a.s.
+    """Relative velocity as a signal: v_rel = der(s_rel).
 
     Source: MSL Translational.Sensors.RelSpeedSensor.
     """
@@ -103,7 +99,7 @@ class RelativeAccelerationSensor(RelativeSpeedSensor):
 class ForceSensor(_Between):
     """Force as a signal, between flanges that move as one: f = flange_a.f.
 
-    f is positive where what is joined to flange_a pushes towards flange_b.
+    f is positive where what is joined to flange_a pushes flange_b forward.
 
     Source: MSL Translational.Sensors.ForceSensor.
     """

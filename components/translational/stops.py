@@ -40,9 +40,7 @@ class HardStop(Compliant):
         bounce = Shock(self.J, self.v_rel, rebound)
         settle = Shock(self.J, self.v_rel, 0.0)
         rests = rebound <= self.v_rest
-        yield self.mode.goes(
-            "free", "free", when=closing, allowed=rebound > self.v_rest, shock=bounce
-        )
+        yield self.mode.goes("free", "free", when=closing, allowed=rebound > self.v_rest, shock=bounce)
         yield self.mode.goes(
             "free", "contact", when=closing, allowed=rests, shock=settle, reset={"v_rel": 0.0}
         )

@@ -8,3 +8,8 @@ from .planetary_design import PlanetaryGeometry as PlanetaryGeometry
 from .planetary_design import disk_mass as disk_mass
 from .planetary_design import equivalent_inertia as equivalent_inertia
 from .planetary_design import inertance as inertance
+from .rig import RandomDisplacement as RandomDisplacement
+from .rig import Sinusoid as Sinusoid
+from .rig import frequency_response as frequency_response
+from .rig import rig as rig
+from .rig import tested as tested

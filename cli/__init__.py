@@ -1,0 +1,3 @@
+"""The command line: `inertance`."""
+
+from .app import app as app

@@ -1,0 +1,50 @@
+"""The commands and what they have in common."""
+
+from __future__ import annotations
+
+from typing import Annotated
+
+import typer
+
+from . import components, run
+
+EXAMPLES = """\b
+Examples:
+  inertance demo                           the planetary flywheel inerter, end to end
+  inertance components                     what there is to build with
+  inertance components Spring              its equation, ports, parameters, an example
+  inertance run model.py:build --stop 5    run the network that build() returns
+  inertance run --help                     data in, results and plots out
+
+\b
+Exit codes: 0 good, 1 a check or a run failed, 2 wrong use."""
+
+app = typer.Typer(
+    name="inertance",
+    no_args_is_help=True,
+    add_completion=False,
+    pretty_exceptions_enable=False,
+    rich_markup_mode=None,
+    epilog=EXAMPLES,
+    context_settings={"help_option_names": ["-h", "--help"]},
+)
+app.command(epilog=components.EXAMPLES)(components.components)
+app.command(epilog=run.EXAMPLES)(run.run)
+
+
+def _print_version(wanted: bool) -> None:
+    if wanted:
+        from importlib.metadata import version
+
+        typer.echo(f"inertance {version('inertance')}")
+        raise typer.Exit
+
+
+@app.callback()
+def main(
+    version: Annotated[
+        bool,
+        typer.Option("--version", help="Print the version.", is_eager=True, callback=_print_version),
+    ] = False,
+) -> None:
+    """Acausal 1-D mechanics: join elements at flanges, run the machine."""

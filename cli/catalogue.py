@@ -1,0 +1,107 @@
+"""The public components by family, under the names by which they are imported."""
+
+from __future__ import annotations
+
+import inspect
+from collections.abc import Iterator
+from functools import cache
+from importlib import import_module
+from types import ModuleType
+
+from ..components import Component, ModelError, RealInput, nearest
+from ..components.base import Part, template_of
+
+Kind = type[Component]
+
+
+@cache
+def catalogue() -> dict[str, dict[str, Kind]]:
+    """Return all public components: family, then name, then class."""
+    found: dict[str, dict[str, Kind]] = {}
+    for prefix, module in _faces():
+        for name, value in vars(module).items():
+            family = _family(value) if inspect.isclass(value) and name[0] != "_" else ""
+            if family:
+                found.setdefault(family, {})[prefix + name] = value
+    return {family: dict(sorted(found[family].items())) for family in sorted(found)}
+
+
+def _faces() -> Iterator[tuple[str, ModuleType]]:
+    """Yield the public face and the families on it that have names of their own."""
+    face = import_module("..", __package__)
+    yield "", face
+    for name, value in vars(face).items():
+        if inspect.ismodule(value) and value.__name__ == f"{face.__name__}.components.{name}":
+            yield f"{name}.", value
+
+
+def _family(kind: type) -> str:
+    """Return the package that a component lives in, empty for anything else."""
+    place = kind.__module__.split(".")
+    inside = issubclass(kind, Component) and len(place) > 3 and place[2] != "base"
+    return place[2] if inside else ""
+
+
+def all_names() -> dict[str, Kind]:
+    """Return every public component by its full name."""
+    return {name: kind for names in catalogue().values() for name, kind in names.items()}
+
+
+def full_name(kind: Kind) -> str:
+    """Return the name by which a component is imported."""
+    return next((name for name, known in all_names().items() if known is kind), kind.__name__)
+
+
+def first_line(kind: type) -> str:
+    """Return the first line of a component's docstring."""
+    return (inspect.getdoc(kind) or "").partition("\n")[0]
+
+
+def is_base(kind: Kind) -> bool:
+    """Return whether a class is for deriving from: it lacks equations of its own.
+
+    An element has as many equations as unknowns that are not left to the nodes, one a port.
+    """
+    if kind.connections is not Component.connections or any(
+        isinstance(field, Part) for field in kind.fields.values()
+    ):
+        return False
+    try:
+        template = template_of(kind())
+    except ModelError:
+        return True
+    inputs = {name for name, field in kind.fields.items() if isinstance(field, RealInput)}
+    unknowns = [v for v in template.variables if not v.startswith("der(") and v not in inputs]
+    ports = sum("." in name for name in unknowns) // 2
+    return len(template.residuals) + len(template.aliases) < len(unknowns) - ports
+
+
+def find(name: str) -> str:
+    """Return the full name of a component; capitals and a family in front may be left out.
+
+    Raises:
+        KeyError: for an unknown name, with the nearest one.
+    """
+    known = all_names()
+    lower = name.lower()
+    for matches in (
+        [full for full in known if full == name],
+        [full for full in known if full.lower() == lower],
+        [full for full in known if _plain(full) == lower],
+    ):
+        if matches:
+            return matches[0]
+    spoken = {full.lower(): full for full in known} | {_plain(full): full for full in known}
+    guess = nearest(lower, spoken)
+    for low in sorted(spoken, key=len):
+        guess = guess.replace(f"'{low}'", f"'{spoken[low]}'")
+    raise KeyError(f"there is no component '{name}'{guess}; `inertance components` lists them all")
+
+
+def _plain(full: str) -> str:
+    return full.rpartition(".")[2].lower()
+
+
+def namesakes(full: str) -> list[str]:
+    """Return the other components of the same plain name."""
+    return [name for name in all_names() if name != full and _plain(name) == _plain(full)]

@@ -1,0 +1,140 @@
+"""Everything about one component, as tables on the terminal."""
+
+from __future__ import annotations
+
+import inspect
+from collections.abc import Callable, Iterator
+from typing import Any
+
+import casadi as ca
+from rich.console import Console
+from rich.table import Table
+from rich.text import Text
+
+from ..components import Component
+from ..components.base import (
+    MISSING,
+    Field,
+    Impulse,
+    Mode,
+    Option,
+    Parameter,
+    Part,
+    Port,
+    RealInput,
+    RealOutput,
+    Variable,
+)
+from .catalogue import all_names, first_line, full_name, is_base, namesakes
+from .usage import usage
+
+Rows = list[tuple[str, ...]]
+FieldRow = Callable[[Any], tuple[str, ...]]
+
+
+def describe(full: str) -> None:
+    """Print the equation, ports, parameters, variables, modes and an example of a component."""
+    kind = all_names()[full]
+    console = Console(highlight=False, markup=False)
+    console.print(Text(full, style="bold"))
+    console.print(inspect.getdoc(kind) or "")
+    for base in _bases(kind):
+        console.print(Text(f"builds on {base.__name__}: {first_line(base)}", style="dim"))
+    for title, headers, field_kind, row in SECTIONS:
+        fields = [f for f in kind.fields.values() if isinstance(f, field_kind)]
+        if fields:
+            console.print(_table(title, headers, [row(field) for field in fields]))
+    if is_base(kind):
+        console.print("\nA base: derive an element from it and yield the equations it lacks.")
+    else:
+        console.print(Text("\nexample", style="bold"))
+        console.print(usage(kind), soft_wrap=True)
+    if others := namesakes(full):
+        console.print(Text(f"\nsee also {', '.join(others)}", style="dim"))
+
+
+def _bases(kind: type[Component]) -> Iterator[type[Component]]:
+    for base in kind.__mro__[1:]:
+        public = issubclass(base, Component) and base is not Component
+        if public and not base.__name__.startswith("_"):
+            yield base
+
+
+def _table(title: str, headers: tuple[str, ...], rows: Rows) -> Table:
+    table = Table(
+        title=f"\n{title}", title_justify="left", title_style="bold", box=None, pad_edge=False,
+        header_style="dim",
+    )  # fmt: skip
+    for header in headers:
+        table.add_column(header, overflow="fold", no_wrap=header == "name")
+    for row in rows:
+        table.add_row(*(Text(cell) for cell in row))
+    return table
+
+
+def _port(port: Port) -> tuple[str, ...]:
+    across, through = (
+        f"{name} [{unit}]" for name, unit in zip((port.across, port.through), port.units, strict=True)
+    )
+    left_open = " (grounded when left unconnected)" if port.optional else ""
+    return port.name, port.domain, across, through, port.doc + left_open
+
+
+def _signal(signal: Field) -> tuple[str, ...]:
+    return signal.name, signal.unit, signal.kind, signal.doc
+
+
+def _parameter(parameter: Parameter) -> tuple[str, ...]:
+    return parameter.name, parameter.unit, _default(parameter), _range(parameter), parameter.doc
+
+
+def _option(option: Option) -> tuple[str, ...]:
+    choices = "any" if option.choices is None else ", ".join(map(repr, option.choices))
+    return option.name, repr(option.default), choices, option.doc
+
+
+def _variable(variable: Variable) -> tuple[str, ...]:
+    return variable.name, variable.unit, variable.doc
+
+
+def _mode(mode: Mode) -> tuple[str, ...]:
+    return mode.name, ", ".join(mode.values), mode.doc
+
+
+def _part(part: Part) -> tuple[str, ...]:
+    return part.name, full_name(type(part.default)), first_line(type(part.default))
+
+
+def _default(parameter: Parameter) -> str:
+    if parameter.default is MISSING:
+        return "required"
+    if not callable(parameter.default):
+        return f"{parameter.default:g}"
+    try:
+        return str(parameter.default(_Symbols()))
+    except (TypeError, AttributeError):
+        return "follows from others"
+
+
+class _Symbols:
+    """A component as the formula of a default sees it: every name a symbol."""
+
+    def __getattr__(self, name: str) -> Any:
+        return ca.SX.sym(name)
+
+
+def _range(parameter: Parameter) -> str:
+    bounds = ((parameter.min, "≥"), (parameter.above, ">"), (parameter.max, "≤"))
+    return ", ".join(f"{sign} {bound:g}" for bound, sign in bounds if bound is not None) or "any"
+
+
+SECTIONS: tuple[tuple[str, tuple[str, ...], Any, FieldRow], ...] = (
+    ("ports", ("name", "kind", "across", "through", ""), Port, _port),
+    ("signals", ("name", "unit", "kind", ""), RealInput | RealOutput, _signal),
+    ("parameters", ("name", "unit", "default", "range", ""), Parameter, _parameter),
+    ("options", ("name", "default", "choices", ""), Option, _option),
+    ("variables", ("name", "unit", ""), Variable, _variable),
+    ("modes", ("name", "values", ""), Mode, _mode),
+    ("impulses", ("name", "unit", ""), Impulse, _variable),
+    ("parts", ("name", "component", ""), Part, _part),
+)

@@ -1,0 +1,129 @@
+"""`inertance run`: simulate the network of a Python file."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from pathlib import Path
+from typing import Annotated, Any
+
+import typer
+
+from ..components import InitialConditionError, ModelError, SimulationError
+from ..networks import DAE, Result, check_table_path, chosen_signals
+from .data import read_inputs, unbound_inputs
+from .failure import FAILED, WRONG_USE, fail, failing
+from .model import load_network
+
+DEFAULT_STOP = 10.0
+EXAMPLES = """\b
+Examples:
+  inertance run car.py:build --stop 5
+  inertance run car.py:build --set strut.damper.d=300 --start body.s=0.01
+  inertance run car.py:build --input road.csv --out run.csv --signals 'body.*,strut.f'
+  inertance run car.py:build --plot body.s,body.a
+
+NAMES are separated by commas; a * stands for any part of a name. Values are in SI units.
+
+A file for --input has a header such as "time,road.s_ref" (or "time [s],road.s_ref [m]") and lines of
+numbers; its time increases."""
+
+
+def run(
+    model: Annotated[
+        str, typer.Argument(metavar="MODEL", help="path/to/file.py:function that returns a Network.")
+    ],
+    stop: Annotated[float | None, typer.Option(help="End time [s]; the end of the data, or 10 s.")] = None,
+    step: Annotated[float | None, typer.Option(help="Output interval [s]; a 500th of the run.")] = None,
+    rtol: Annotated[float, typer.Option(help="Relative tolerance.")] = 1e-6,
+    data: Annotated[
+        Path | None,
+        typer.Option("--input", help="Table with a column 'time' and one named after each input."),
+    ] = None,
+    values: Annotated[
+        list[str] | None, typer.Option("--set", metavar="NAME=VALUE", help="Change a parameter.")
+    ] = None,
+    start: Annotated[list[str] | None, typer.Option(metavar="NAME=VALUE", help="Fix a start value.")] = None,
+    out: Annotated[Path | None, typer.Option(help="Write signals to a .csv, .parquet or .npz file.")] = None,
+    signals: Annotated[
+        str | None,
+        typer.Option(metavar="NAMES", help="What --out writes; the states if not given."),
+    ] = None,
+    plot: Annotated[
+        str | None,
+        typer.Option(metavar="NAMES", help="Draw signals into a .png beside the results."),
+    ] = None,
+) -> None:
+    """Run the network that a function of a Python file returns; print how it went."""
+    _check_positive("--step", step)
+    _check_positive("--rtol", rtol)
+    parameters, starts = _pairs("--set", values), _pairs("--start", start)
+    if out is not None:
+        with failing(WRONG_USE, ValueError, OSError, ImportError):
+            check_table_path(out)
+    network = load_network(model)
+    with failing(FAILED, ModelError):
+        dae = network.dae()
+    wanted, drawn = _signals(dae, signals), _signals(dae, plot)
+    arguments = _span_and_inputs(dae, data, stop) | {
+        "step": step, "rtol": rtol, "parameters": parameters, "start": starts,
+    }  # fmt: skip
+    error: SimulationError | None = None
+    with failing(FAILED, InitialConditionError), failing(WRONG_USE, ModelError):
+        try:
+            result = dae.simulate(**arguments)
+        except SimulationError as unfinished:
+            error, result = unfinished, unfinished.result  # type: ignore[assignment]
+    picture = (out or Path(model.rpartition(":")[2])).with_suffix(".png")
+    _show(result, out, wanted, picture, drawn)
+    if error is not None:
+        fail(str(error), FAILED)
+
+
+def _check_positive(name: str, value: float | None) -> None:
+    if value is not None and not value > 0:
+        fail(f"{name} must be above 0, got {value:g}", WRONG_USE)
+
+
+def _pairs(option: str, texts: Iterable[str] | None) -> dict[str, float]:
+    """Return the numbers of `name=value` texts by name."""
+    pairs = {}
+    for text in texts or ():
+        name, _, value = text.partition("=")
+        try:
+            pairs[name.strip()] = float(value)
+        except ValueError:
+            fail(f"{option} takes NAME=VALUE with a number, got '{text}'", WRONG_USE)
+    return pairs
+
+
+def _signals(dae: DAE, names: str | None) -> list[str]:
+    with failing(WRONG_USE, KeyError):
+        return chosen_signals(dae, (name.strip() for name in (names or "").split(",") if name.strip()))
+
+
+def _span_and_inputs(dae: DAE, data: Path | None, stop: float | None) -> dict[str, Any]:
+    if data is None:
+        unbound = sorted(unbound_inputs(dae))
+        if unbound:
+            told = ", ".join(f"'{name}' [{dae.unit(name)}]" for name in unbound)
+            header = ",".join(["time", *unbound])
+            fail(f"no signal for {told}; give --input FILE.csv with the header {header}", WRONG_USE)
+        return {"stop": DEFAULT_STOP if stop is None else stop}
+    with failing(WRONG_USE, ValueError, OSError, ImportError):
+        inputs = read_inputs(data, dae)
+    time = next(iter(inputs.values())).time
+    if stop is not None and stop > time[-1]:
+        fail(f"--stop {stop:g} s is after the last sample of {data}, {time[-1]:g} s", WRONG_USE)
+    end = float(time[-1]) if stop is None else stop
+    return {"begin": float(time[0]), "stop": end, "inputs": inputs}
+
+
+def _show(result: Result, out: Path | None, wanted: list[str], picture: Path, drawn: list[str]) -> None:
+    typer.echo(result.summary())
+    with failing(FAILED, OSError):
+        if out is not None:
+            result.save(out, *wanted)
+            typer.echo(f"wrote {out}")
+        if drawn:
+            result.plot(*drawn).savefig(picture, dpi=120)
+            typer.echo(f"wrote {picture}")

@@ -1,0 +1,75 @@
+"""A usage example of any component: a network in which its ports are joined, ready to run."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+
+from ..components import Component, RealInput, RotationalFlange, TranslationalFlange
+from ..components.base import MISSING, Parameter, Part, Port
+from .catalogue import full_name
+
+BODIES = {
+    TranslationalFlange: ("Fixed()", "Mass(m=1.0)"),
+    RotationalFlange: ("rotational.Fixed()", "rotational.Inertia(J=1.0)"),
+}
+
+
+def usage(kind: type[Component]) -> str:
+    """Return Python lines that put a component into a network and run it."""
+    own = _snake(kind.__name__)
+    parts, joins = {own: _call(kind)}, []
+    ports = [f for f in kind.fields.values() if isinstance(f, Port) and not f.optional]
+    for number, port in enumerate(ports):
+        ground, body = BODIES[type(port)]
+        if number == 0 and len(ports) > 1:
+            parts = {"ground": ground, **parts}
+            joins.append(f"net.connect(net.ground.flange, net.{own}.{port.name})")
+        else:
+            name = f"body_{number}" if len(ports) > 2 else "body"
+            parts[name] = body
+            joins.append(f"net.connect(net.{own}.{port.name}, net.{name}.flange)")
+    calls = [f"    {name}={call}," for name, call in parts.items()]
+    imported = sorted({"Network", *_imported("".join(parts.values()))})
+    return "\n".join(
+        [
+            f"from inertance import {', '.join(imported)}",
+            "",
+            "net = Network(",
+            '    "example",',
+            *calls,
+            ")",
+            *joins,
+            "run = net.simulate(1.0)",
+        ]
+    )
+
+
+def _snake(name: str) -> str:
+    return re.sub(r"(?<=[a-z])(?=[A-Z])", "_", name).lower()
+
+
+def _call(kind: type[Component]) -> str:
+    """Return the call that makes a component, required values filled in."""
+    return f"{full_name(kind)}({', '.join(_arguments(kind))})"
+
+
+def _arguments(kind: type[Component]) -> Iterator[str]:
+    for name, field in kind.fields.items():
+        if isinstance(field, Parameter) and field.default is MISSING:
+            yield f"{name}={_allowed(field):g}"
+        elif isinstance(field, RealInput):
+            yield f"{name}=lambda t: 0.1 * t"
+        elif isinstance(field, Part) and any(field.default.problems()):
+            yield f"{name}={_call(type(field.default))}"
+
+
+def _allowed(parameter: Parameter) -> float:
+    """Return a value within the range of a parameter, 1 if it may be."""
+    bounds = [b for b in (parameter.min, parameter.above, parameter.max) if b is not None]
+    tried = [1.0, *(b / 2 for b in bounds), *(b + 1.0 for b in bounds), *(b - 1.0 for b in bounds)]
+    return next(value for value in tried if not parameter.problem(value))
+
+
+def _imported(calls: str) -> set[str]:
+    return set(re.findall(r"(?<![\w.])([A-Za-z]\w*)(?=[.(])", calls))

@@ -1,0 +1,22 @@
+"""The clearance law that gear teeth, screws and bearings share."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import casadi as ca
+
+
+def past_clearance(force: Any, half: Any) -> Any:
+    """Return what is left of a contact's spring and damper force behind a clearance: a dead zone.
+
+    force - half above half, force + half below -half, zero between: continuous, and it never pulls.
+
+    Args:
+        force: stiffness and damping force of the contact without clearance [N].
+        half: stiffness times half the clearance [N].
+
+    Source: Ge & Wang, Modeling, Testing, and Characteristic Analysis of a Planetary Flywheel Inerter,
+    eqs. (20), (24).
+    """
+    return ca.fmax(force - half, 0) + ca.fmin(force + half, 0)

@@ -1,0 +1,57 @@
+"""Pressed surfaces: what clutches and brakes have in common, for sliding and for turning."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from typing import Any
+
+import casadi as ca
+
+from .base import Component, RealInput, mode, option, parameter
+from .stickslip import StickSlip
+from .tables import interpolated
+
+APART = 1e-9
+
+
+class Pressed(Component):
+    """Two surfaces that a signal presses together: fn = fn_max max(f_normalized, 0)."""
+
+    f_normalized = RealInput("1", "normal force over its largest value")
+    fn_max = parameter("N", "largest normal force", min=0)
+    mu_pos = option("rows (speed, friction coefficient), speeds increasing from 0", default=((0.0, 0.5),))
+
+    def grip(self, speed: Any) -> Any:
+        """Friction force mu(speed) fn while sliding."""
+        return interpolated(self.mu_pos, speed) * self.fn_max * ca.fmax(self.f_normalized, 0)
+
+
+class PressedStickSlip(Pressed, StickSlip):
+    """Dry friction of pressed surfaces, which are free while f_normalized is not above zero.
+
+    Break-away takes `peak` times the resistance to sliding at rest.
+    Limits: a signal below 1e-9 counts as zero.
+    """
+
+    mode = mode(
+        "free", "stuck", "forward", "backward",
+        doc="free, sticking or sliding", in_shock={"stuck": "forward"},
+    )  # fmt: skip
+
+    @property
+    def grips(self) -> Any:
+        """Whether the surfaces are pressed."""
+        return self.f_normalized > APART
+
+    def laws(self) -> dict[str, Any]:
+        """What vanishes in each mode; a plain variable would count as a motion that is held."""
+        return {"free": -self.resistance, **StickSlip.laws(self)}
+
+    def transitions(self) -> Iterable[Any]:
+        if self.regularised:
+            return
+        for pressed in ("stuck", "forward", "backward"):
+            yield self.mode.goes(pressed, "free", when=self.f_normalized < APART)
+        yield self.mode.goes("free", "forward", when=self.grips, allowed=self.speed > 0)
+        yield self.mode.goes("free", "backward", when=self.grips, allowed=self.speed < 0)
+        yield self.mode.goes("free", "stuck", when=self.grips, allowed=self.speed == 0)

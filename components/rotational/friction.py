@@ -1,0 +1,99 @@
+"""Dry friction between two shafts, and in a bearing."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from typing import Any
+
+import casadi as ca
+
+from ..base import Component, RotationalFlange, der, option, parameter, variable
+from ..stickslip import StickSlip
+from ..tables import interpolated
+from .bases import Compliant
+
+
+class Friction(Compliant, StickSlip):
+    """Two shafts that rub on each other; subclasses say how much in `sliding(speed)`."""
+
+    phi_rel = variable("rad", "angle between the flanges", state="prefer")
+    w_rel = variable("rad/s", "relative speed of the flanges", state="prefer")
+    a_rel = variable("rad/s2", "relative acceleration of the flanges")
+
+    resistance = property(lambda self: self.tau)
+    speed = property(lambda self: self.w_rel)
+    acceleration = property(lambda self: self.a_rel)
+    speed_name = "w_rel"
+
+    def equations(self) -> Iterable[Any]:
+        yield self.w_rel == der(self.phi_rel)
+        yield self.a_rel == der(self.w_rel)
+
+
+class CoulombFriction(Friction):
+    """Coulomb friction: tau = tau_c sgn(w_rel) while sliding, |tau| <= peak tau_c while stuck.
+
+    Source: C. A. Coulomb, Theorie des machines simples (1785).
+    """
+
+    tau_c = parameter("N.m", "Coulomb friction torque", min=0)
+
+    def sliding(self, speed: Any) -> Any:
+        """Friction torque at a speed."""
+        return self.tau_c + 0 * speed
+
+
+class StribeckFriction(Friction):
+    """Coulomb, Stribeck and viscous friction.
+
+    tau = [tau_c + (tau_s - tau_c) exp(-|w_rel|/w_s)] sgn(w_rel) + d w_rel while sliding;
+    |tau| <= peak tau_s while stuck.
+
+    Source: Ge & Wang, Modeling, Testing, and Characteristic Analysis of a Planetary Flywheel Inerter,
+    eq. (26).
+    """
+
+    tau_c = parameter("N.m", "Coulomb friction torque", min=0)
+    tau_s = parameter("N.m", "static friction torque", min=0)
+    w_s = parameter("rad/s", "Stribeck speed", above=0)
+    d = parameter("N.m.s/rad", "viscous friction", min=0, default=0.0)
+
+    def sliding(self, speed: Any) -> Any:
+        """Friction torque at a speed."""
+        drop = (self.tau_s - self.tau_c) * ca.exp(-speed / self.w_s)
+        return self.tau_c + drop + self.d * speed
+
+
+class TabulatedFriction(Friction):
+    """Friction torque interpolated linearly over speed: |tau| = tau_pos(|w_rel|) while sliding.
+
+    |tau| <= peak tau_pos(0) while stuck; beyond its end the table goes on straight.
+
+    Source: MSL Rotational.Components.BearingFriction.
+    """
+
+    tau_pos = option("rows (speed [rad/s], torque [N.m]), speeds increasing from 0", default=((0.0, 1.0),))
+
+    def sliding(self, speed: Any) -> Any:
+        """Friction torque at a speed."""
+        return interpolated(self.tau_pos, speed)
+
+
+class BearingFriction(Component):
+    """Friction of a shaft in its bearing, whose housing is the ground when left unconnected.
+
+    Example:
+        >>> from inertance import rotational
+        >>> oiled = rotational.StribeckFriction(tau_c=0.2, tau_s=0.22, w_s=1.0, d=3e-3)
+        >>> bearing = rotational.BearingFriction(friction=oiled)
+        >>> table = rotational.TabulatedFriction(tau_pos=((0, 0.5), (1, 1)), peak=1.2)
+        >>> bearing = rotational.BearingFriction(friction=table)
+    """
+
+    flange = RotationalFlange("shaft")
+    support = RotationalFlange("housing", optional=True)
+    friction = CoulombFriction(tau_c=0.0)
+
+    def connections(self) -> Iterable[Any]:
+        yield self.support, self.friction.flange_a
+        yield self.flange, self.friction.flange_b

@@ -1,0 +1,86 @@
+"""Gears without loss, and the elastic mesh of two gears."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from typing import Any
+
+from ..base import Component, RotationalFlange, der, option, parameter, variable
+from ..clearance import past_clearance
+
+
+class IdealGear(Component):
+    """A gearbox without inertia or loss, angles against its housing: phi_a = ratio phi_b.
+
+    Torques: flange_b.tau = -ratio flange_a.tau; the support takes what is left of their sum.
+
+    Source: MSL Rotational.Components.IdealGear.
+    """
+
+    flange_a = RotationalFlange("left shaft")
+    flange_b = RotationalFlange("right shaft")
+    support = RotationalFlange("housing", optional=True)
+    ratio = parameter("1", "turns of flange_a for one of flange_b")
+
+    def equations(self) -> Iterable[Any]:
+        a, b, housing = self.flange_a, self.flange_b, self.support
+        yield a.phi - housing.phi == self.ratio * (b.phi - housing.phi)
+        yield b.tau == -self.ratio * a.tau
+        yield housing.tau == -(a.tau + b.tau)
+
+
+class IdealPlanetary(Component):
+    """A planetary gear without inertia or loss: (1 + ratio) phi_carrier = phi_sun + ratio phi_ring.
+
+    Torques: ring.tau = ratio sun.tau, carrier.tau = -(1 + ratio) sun.tau.
+
+    Source: MSL Rotational.Components.IdealPlanetary.
+    """
+
+    sun = RotationalFlange("sun shaft")
+    carrier = RotationalFlange("carrier shaft")
+    ring = RotationalFlange("ring shaft")
+    ratio = parameter("1", "teeth of the ring over teeth of the sun", above=0)
+
+    def equations(self) -> Iterable[Any]:
+        sun, carrier, ring = self.sun, self.carrier, self.ring
+        yield (1 + self.ratio) * carrier.phi == sun.phi + self.ratio * ring.phi
+        yield ring.tau == self.ratio * sun.tau
+        yield carrier.tau == -(1 + self.ratio) * sun.tau
+
+
+class GearMesh(Component):
+    """Two gears meshing with stiffness, damping and clearance along the line of action.
+
+    s_rel = r_a (phi_a - phi_c) + r_b (phi_b - phi_c), with -r_b when gear b is a ring around gear a,
+    and phi_c the angle of the support that carries the gears' axes. With p = k s_rel + d v_rel:
+    f = p - k g when p >= k g, zero when |p| < k g, p + k g when p <= -k g.
+    flange_a.tau = r_a f, flange_b.tau = r_b f (-r_b for a ring); the support takes the rest.
+
+    Source: Ge & Wang, Modeling, Testing, and Characteristic Analysis of a Planetary Flywheel Inerter,
+    eqs. (16)-(20).
+    """
+
+    flange_a = RotationalFlange("gear a")
+    flange_b = RotationalFlange("gear b")
+    support = RotationalFlange("what carries the axes of the gears", optional=True)
+    r_a = parameter("m", "base radius of gear a", above=0)
+    r_b = parameter("m", "base radius of gear b", above=0)
+    k = parameter("N/m", "mesh stiffness", above=0)
+    d = parameter("N.s/m", "mesh damping", min=0, default=0.0)
+    g = parameter("m", "half of the clearance", min=0, default=0.0)
+    internal = option("whether gear b is a ring around gear a", default=False, choices=(False, True))
+    s_rel = variable("m", "approach of the flanks along the line of action", state="avoid")
+    v_rel = variable("m/s", "speed of approach", state="avoid")
+    f = variable("N", "force along the line of action, positive against positive angles of gear a")
+
+    def equations(self) -> Iterable[Any]:
+        a, b, axes = self.flange_a, self.flange_b, self.support
+        r_b = -self.r_b if self.internal else self.r_b
+        contact = self.k * self.s_rel + self.d * self.v_rel
+        yield self.s_rel == self.r_a * (a.phi - axes.phi) + r_b * (b.phi - axes.phi)
+        yield self.v_rel == der(self.s_rel)
+        yield self.f == past_clearance(contact, self.k * self.g)
+        yield a.tau == self.r_a * self.f
+        yield b.tau == r_b * self.f
+        yield axes.tau == -(a.tau + b.tau)

@@ -1,0 +1,91 @@
+"""The README and docs/ tell the truth: blocks run and print what they say, links lead somewhere."""
+
+from __future__ import annotations
+
+import doctest
+import re
+from collections.abc import Iterator
+from contextlib import redirect_stdout
+from io import StringIO
+from pathlib import Path
+from types import FunctionType, ModuleType
+from typing import Any
+
+import inertance
+import pytest
+from matplotlib import pyplot
+
+ROOT = Path(__file__).parents[2]
+PAGES = [ROOT / "README.md", *sorted((ROOT / "docs").glob("*.md"))]
+FENCE = re.compile(r"^```(\w+)\n(.*?)^```$", re.MULTILINE | re.DOTALL)
+ROOMS = ("components", "networks", "cli")
+LINK = re.compile(r"\[[^\]]*\]\((?!https?://)([^)#\s]+)")
+
+
+def blocks(page: Path) -> Iterator[tuple[str, str | None]]:
+    """Yield each Python block, its line numbers kept, and the text block right below it, if any."""
+    text = page.read_text(encoding="utf-8")
+    fences = list(FENCE.finditer(text))
+    for fence, below in zip(fences, [*fences[1:], None], strict=True):
+        if fence[1] != "python":
+            continue
+        told = below is not None and below[1] == "text" and not text[fence.end() : below.start()].strip()
+        padding = "\n" * text.count("\n", 0, fence.start(2))
+        yield padding + fence[2], below[2] if told and below else None
+
+
+def public(kind: type) -> dict[str, Any]:
+    """Return the public objects of a kind by the name a user writes: `Mass`, `rotational.Spring`."""
+    found: dict[str, Any] = {}
+    for name, value in vars(inertance).items():
+        if isinstance(value, ModuleType) and name not in ROOMS:
+            found |= {f"{name}.{inner}": item for inner, item in vars(value).items() if _own(item, value)}
+        else:
+            found[name] = value
+    return {name: item for name, item in found.items() if isinstance(item, kind) and name[0] != "_"}
+
+
+def _own(item: Any, module: ModuleType) -> bool:
+    return getattr(item, "__module__", "").startswith(module.__name__)
+
+
+def examples() -> list[doctest.DocTest]:
+    finder = doctest.DocTestFinder()
+    objects = {**public(type), **public(FunctionType)}
+    tests = [test for name, item in objects.items() for test in finder.find(item, name, globs={})]
+    return [test for test in tests if test.examples]
+
+
+@pytest.mark.parametrize("page", PAGES, ids=lambda page: page.name)
+def test_blocks_run_and_print_what_stands_below(
+    page: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    pyplot.switch_backend("Agg")
+    namespace: dict[str, Any] = {"__name__": page.stem}
+    for source, told in blocks(page):
+        printed = StringIO()
+        with redirect_stdout(printed):
+            exec(compile(source, str(page), "exec"), namespace)
+        if told is not None:
+            assert printed.getvalue() == told
+    pyplot.close("all")
+
+
+@pytest.mark.parametrize("example", examples(), ids=lambda example: example.name)
+def test_examples_of_docstrings(example: doctest.DocTest) -> None:
+    report = StringIO()
+    failed, _ = doctest.DocTestRunner().run(example, out=report.write)
+    assert not failed, report.getvalue()
+
+
+@pytest.mark.parametrize("page", PAGES, ids=lambda page: page.name)
+def test_links_lead_to_files(page: Path) -> None:
+    links = LINK.findall(page.read_text(encoding="utf-8"))
+    assert [link for link in links if not (page.parent / link).exists()] == []
+
+
+def test_every_component_is_listed() -> None:
+    page = (ROOT / "docs" / "components.md").read_text(encoding="utf-8")
+    components = {name for name, item in public(type).items() if issubclass(item, inertance.Component)}
+    assert {name for name in components if f"`{name}`" not in page} == set()
