@@ -53,13 +53,15 @@ def run(
         typer.Option(metavar="NAMES", help="Draw signals into a .png beside the results."),
     ] = None,
 ) -> None:
-    """Run the network that a function of a Python file returns; print how it went."""
+    """Run the network that a function of a Python file returns."""
     _check_positive("--step", step)
     _check_positive("--rtol", rtol)
     parameters, starts = _pairs("--set", values), _pairs("--start", start)
     if out is not None:
         with failing(WRONG_USE, ValueError, OSError, ImportError):
             check_table_path(out)
+    elif signals is not None:
+        fail("--signals says what --out writes; give --out FILE too", WRONG_USE)
     network = load_network(model)
     with failing(FAILED, ModelError):
         dae = network.dae()

@@ -33,7 +33,11 @@ class StickSlip(Component):
     )
 
     speed_name = "v_rel"
-    grips = None
+
+    @property
+    def grips(self) -> Any:
+        """Condition for sticking at all, if there is one."""
+        return None
 
     @property
     def breakaway(self) -> Any:

@@ -9,10 +9,15 @@ from .machines import BallScrewInerter as BallScrewInerter
 from .machines import PlanetaryFlywheelInerter as PlanetaryFlywheelInerter
 from .machines import PlanetaryGeometry as PlanetaryGeometry
 from .machines import RackPinionInerter as RackPinionInerter
+from .machines import RandomDisplacement as RandomDisplacement
+from .machines import Sinusoid as Sinusoid
 from .machines import disk_mass as disk_mass
 from .machines import equivalent_inertia as equivalent_inertia
+from .machines import frequency_response as frequency_response
 from .machines import ge_wang as ge_wang
 from .machines import inertance as inertance
+from .machines import rig as rig
+from .machines import tested as tested
 from .network import Network as Network
 from .result import Result as Result
 from .signals import chosen_signals as chosen_signals

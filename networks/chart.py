@@ -77,7 +77,8 @@ def _legend(series: Mapping[str, Array]) -> str:
 
 def _place_x(time: Array, at: Array) -> Array:
     span = float(time[-1] - time[0]) or 1.0
-    return LEFT + (at - time[0]) * ((WIDTH - LEFT - RIGHT) / span)
+    placed: Array = LEFT + (at - time[0]) * ((WIDTH - LEFT - RIGHT) / span)
+    return placed
 
 
 def _place_y(values: Array, shown: tuple[float, float]) -> Array:

@@ -24,9 +24,9 @@ class Compiled:
         self._results = [_buffer(function.size_out(i)) for i in range(function.n_out())]
         self._buffer, self._evaluate = function.buffer()
         for i, argument in enumerate(self._arguments):
-            self._buffer.set_arg(i, memoryview(argument.ravel()))
+            self._buffer.set_arg(i, memoryview(argument.ravel()))  # type: ignore[arg-type]
         for i, result in enumerate(self._results):
-            self._buffer.set_res(i, memoryview(result.ravel()))
+            self._buffer.set_res(i, memoryview(result.ravel()))  # type: ignore[arg-type]
 
     def __call__(self, *values: ArrayLike) -> list[Array]:
         """Evaluate and return copies of the results."""

@@ -52,7 +52,8 @@ def _interior_maximum(a: Array, b: Array, da: Array, db: Array) -> Array:
     if peaked.any():
         a, b, da, db = a[peaked], b[peaked], da[peaked], db[peaked]
         c3, c2 = _coefficients(a, b, da, db)
-        x = -da / (c2 - np.sqrt(c2**2 - 3 * c3 * da))
+        lean = 3 * (b - a) - da - db
+        x = da / (da + (np.sqrt(lean**2 - da * db) - lean))
         highest[peaked] = a + x * (da + x * (c2 + x * c3))
     return highest
 

@@ -176,7 +176,8 @@ class DAE:
             InitialConditionError: for start values that contradict each other.
             SimulationError: if the run cannot be finished; its `result` keeps what was computed.
         """
-        from .simulate import Settings, simulate
+        from .run import Settings
+        from .simulate import simulate
 
         if not stop > begin:
             raise ModelError(f"stop must be after begin ({begin:g} s), got {stop:g} s")

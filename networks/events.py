@@ -53,6 +53,7 @@ class Switcher:
         self.switching, self.functions = dae.switching, self.closed.switch_functions
         self.muted = np.zeros(len(dae.switching.changes), dtype=bool)
         self.seen = np.zeros(len(dae.switching.changes))
+        self.fastest = np.ones(len(dae.switching.changes))
         self.modes_at = dae.p.numel()
         self.impulses_at = self.modes_at + dae.modes.numel()
         self.completion_at = self.impulses_at + dae.impulses.numel()
@@ -104,12 +105,14 @@ class Switcher:
         """Return indicators and their rates at a point; remember their size."""
         values, rates = self.functions.watch(point.x, point.z, point.q, point.t)
         np.maximum(self.seen, np.abs(values), out=self.seen)
+        np.maximum(self.fastest, np.abs(rates), out=self.fastest)
         return values, rates
 
     def watch_nodes(self, t: Array, x: Array, z: Array, q: Array) -> tuple[Array, Array]:
         """Return indicators and their rates at the nodes of a stretch, (indicators, nodes)."""
         values, rates = self.functions.watch_nodes(x, z, q, t[:, None])
         np.maximum(self.seen, np.abs(values).max(axis=0, initial=0.0), out=self.seen)
+        np.maximum(self.fastest, np.abs(rates).max(axis=0, initial=0.0), out=self.fastest)
         return values.T, rates.T
 
     def tolerance(self) -> Array:
@@ -138,7 +141,7 @@ class Switcher:
 
     def _fired(self, point: Point, forced: int | None) -> list[int]:
         (g, rate), near = self.watch(point), self.tolerance()
-        rising = rate > 1e-10 * np.maximum(np.abs(rate).max(initial=0.0), 1.0)
+        rising = rate > 1e-10 * self.fastest
         ready = self.active(point.q) & ((g > near) | ((g > -near) & rising))
         leaving = (g <= 10 * near) & (rate < 0)
         ready &= ~leaving

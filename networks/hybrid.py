@@ -95,11 +95,12 @@ def _land(
     if node:
         x, z = stretch.states[node - 1], stretch.algebraic[node - 1]
     start = Point(float(times[node]), x.copy(), z.copy(), point.q)
-    landed = _approach_crossing(run, switcher, stepper, start, float(times[node + 1]), t, indicator)
-    _arrive(run, switcher, landed, indicator)
+    end = float(times[node + 1])
+    landed, reached = _approach_crossing(run, switcher, stepper, start, end, t, indicator)
+    _arrive(run, switcher, landed, indicator if reached else None)
 
 
-def _arrive(run: Run, switcher: Switcher, landed: Point, indicator: int) -> None:
+def _arrive(run: Run, switcher: Switcher, landed: Point, indicator: int | None) -> None:
     """Fire what fires where an indicator crosses, and open the next segment."""
     run.record(landed.t, landed.x, landed.z)
     run.point = landed
@@ -107,7 +108,7 @@ def _arrive(run: Run, switcher: Switcher, landed: Point, indicator: int) -> None
     run.events += happened
     if happened:
         run.open_segment()
-    else:
+    elif indicator is not None:
         switcher.muted[indicator] = True
 
 
@@ -119,8 +120,11 @@ def _approach_crossing(
     end: float,
     t: float,
     indicator: int,
-) -> Point:
-    """Integrate from `start` onto the instant at which an indicator rises through zero."""
+) -> tuple[Point, bool]:
+    """Integrate from `start` onto the instant at which an indicator rises through zero.
+
+    Return where this ends, and whether zero was reached: nodes can make believe in a crossing.
+    """
     low, high = start.t, end
     while t > start.t:
         stretch = integrate(run, stepper, start, t - start.t)
@@ -129,14 +133,14 @@ def _approach_crossing(
         g, rate = float(values[indicator]), float(rates[indicator])
         if rate > 0 and abs(g) <= 1e-6 * rate * (end - start.t):
             switcher.shift(landed, indicator)
-            return landed
-        if g >= 0 and high - low < 1e-13 * max(1.0, abs(t)):
-            return landed
+            return landed, True
+        if high - low < 1e-13 * max(1.0, abs(t)):
+            return landed, g >= 0
         low, high = (t, high) if g < 0 else (low, t)
         newton = t - g / rate if rate > 0 else np.inf
         t = newton if low < newton < high else 0.5 * (low + high)
         t = high if high - low < 1e-13 * max(1.0, abs(t)) else t
-    return start
+    return start, True
 
 
 def _watch_chatter(run: Run, recent: list[float], interval: float) -> list[float]:

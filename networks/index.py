@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 
 from ..components.base import ModelError
 from .families import Family, Ints, sum_family
-from .flatten import Flat
+from .flat import Flat
 from .naming import Names
 
 
@@ -116,7 +116,8 @@ def joined_system(flat: Flat) -> System:
         raise ModelError(f"'{flat.name}' has two rigid sources at one node:", clashes)
     names = Names(flat, roots, signs)
     system = System(flat, names, [f for f in flat.families if len(f)], derivative, known, len(roots))
-    system.held = _held(flat, roots)
+    rates = {upper for upper, _ in derivative.values()}
+    system.held = {v: c for v, c in _held(flat, roots).items() if v in rates}
     _cut_cycles(system)
     system.next_level = [{} for _ in system.families]
     system.level = [0] * len(system.families)

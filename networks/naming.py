@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from ..components.base import Port, Variable
 from .families import Ints
-from .flatten import Flat, Instance
+from .flat import Flat, Instance
 
 _STATE = {"prefer": 1, "default": 0, "avoid": -1}
 

@@ -45,12 +45,11 @@ def result_html(result: Result) -> str:
 def network_html(network: Network) -> str:
     """Return a network as HTML: a sketch of what is joined, and its components with their values."""
     parts = network._parts
-    drawing = sketch(network)
-    shown = drawing or f'<span style="{MUTED}">(no sketch of {len(parts)} components)</span>'
+    too_many = f'<span style="{MUTED}">(no sketch of so many)</span>' if parts else ""
     return _page(
         network.name,
         f"{len(parts)} components",
-        f'<div style="overflow-x:auto">{shown}</div>',
+        f'<div style="overflow-x:auto">{sketch(network) or too_many}</div>',
         _components(network),
     )
 

@@ -11,7 +11,7 @@ import numpy as np
 from ..components.base import MISSING, Component, ModelError, Option, Parameter, nearest
 
 if TYPE_CHECKING:
-    from .flatten import Instance
+    from .flat import Instance
 
 
 class ParameterTable:

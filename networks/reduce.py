@@ -6,7 +6,7 @@ import casadi as ca
 
 from .causalise import Solution, causalise
 from .dae import DAE, Input
-from .flatten import Flat
+from .flat import Flat
 from .index import System, joined_system, reduce_index
 from .selection import select_states
 from .structure import check_structure

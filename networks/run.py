@@ -80,7 +80,7 @@ def integrate(run: Run, stepper: Stepper, point: Point, span: float) -> Stretch:
 def _approach(run: Run, stepper: Stepper, point: Point, span: float) -> None:
     """Advance towards a failure in ever smaller strides, recording what is reached."""
     t, x, z = point.t, point.x, point.z
-    smallest = max(1e-9 * span, 1e-14 * abs(t))
+    smallest = max(1e-6 * span, 1e-14 * abs(t))
     while span > smallest:
         span /= 2
         try:

@@ -70,7 +70,8 @@ def _started(closed: Closed, settings: Settings, q: Array, wanted: Wishes) -> Ru
             return run
         run.events = switcher.settle(point)
         mentions_others = any(v not in closed.dae.states for v in wanted.fixed)
-        if not run.events or not mentions_others:
+        struck = any(event.impulse is not None for event in run.events)
+        if not run.events or not mentions_others or struck:
             return run
         again = initial_values(closed, point.q, t, wanted)
         if np.allclose(again[0], point.x, rtol=1e-12, atol=1e-14):

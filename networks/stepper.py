@@ -16,6 +16,7 @@ if TYPE_CHECKING:
     from .closed import Closed
 
 Array = NDArray[np.float64]
+MOST_STEPS = 50_000
 SOLVERS = ("auto", "cvodes", "idas", "rosenbrock")
 
 
@@ -80,7 +81,9 @@ class Stepper:
             "ode": span * (ode if plain else ode / scale), "alg": alg,
         }  # fmt: skip
         options: dict[str, Any] = {"reltol": tolerance.rtol, "abstol": tolerance.atol}
-        options["max_num_steps"] = 1_000_000
+        options["max_num_steps"] = MOST_STEPS
+        if self.solver != "rosenbrock":
+            options["disable_internal_warnings"] = True
         grid = np.linspace(0, 1, self.nodes + 1)[1:]
         return ca.integrator("run", self.solver, problem, 0.0, grid, options)
 

@@ -70,16 +70,29 @@ def load_table(path: str | Path) -> pd.DataFrame:
         FileNotFoundError: if there is no such file.
 
     Example:
-        >>> from inertance import Mass, Network, load_table
-        >>> run = Network("coasting", mass=Mass(m=1.0, s=0.0, v=2.0)).simulate(1.0)
+        >>> from tempfile import TemporaryDirectory
+        >>> from inertance import Fixed, Mass, Network, Spring, load_table
+        >>> net = Network("swing", wall=Fixed(), spring=Spring(k=1.0), mass=Mass(m=1.0, s=0.1))
+        >>> _ = net.connect(net.wall.flange, net.spring.flange_a)
+        >>> _ = net.connect(net.spring.flange_b, net.mass.flange)
+        >>> with TemporaryDirectory() as folder:
+        ...     table = load_table(net.simulate(1.0).save(f"{folder}/run.csv", "mass.a"))
+        >>> table.attrs["units"]
+        {'mass.a': 'm/s2'}
     """
     path = Path(path)
     ending = _ending(path)
     if not path.is_file():
         raise FileNotFoundError(f"there is no file '{path}'")
+    if ending == ".csv":
+        return _read_csv(path)
     if ending == ".parquet":
-        return _read_parquet(path)
-    return _read_csv(path) if ending == ".csv" else _read_npz(path)
+        _need_pyarrow(path)
+    try:
+        stored = _read_parquet(path) if ending == ".parquet" else _read_npz(path)
+    except (OSError, ValueError) as error:
+        raise ValueError(f"{path}: cannot be read ({error})") from error
+    return stored
 
 
 def check_table_path(path: Path) -> str:
@@ -122,7 +135,7 @@ def _read_npz(path: Path) -> pd.DataFrame:
     with np.load(path) as stored:
         missing = {"time", "values", "names", "units"} - set(stored.files)
         if missing:
-            raise ValueError(f"{path}: no array {', '.join(sorted(missing))}; not a saved result")
+            raise ValueError(f"no array {', '.join(sorted(missing))}; not a saved result")
         names, units = stored["names"].tolist(), stored["units"].tolist()
         columns = dict(zip(names, stored["values"].T, strict=True))
         return _table(columns, stored["time"], dict(zip(names, units, strict=True)))
@@ -131,11 +144,10 @@ def _read_npz(path: Path) -> pd.DataFrame:
 def _read_parquet(path: Path) -> pd.DataFrame:
     import pandas as pd
 
-    _need_pyarrow(path)
     table = pd.read_parquet(path)
     if table.index.name != "time":
         if "time" not in table.columns:
-            raise ValueError(f"{path}: no column 'time' among {', '.join(table.columns)}")
+            raise ValueError(f"no column 'time' among {', '.join(table.columns)}")
         table = table.set_index("time")
     table.attrs.setdefault("units", dict.fromkeys(table.columns, ""))
     return table

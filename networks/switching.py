@@ -9,8 +9,9 @@ import casadi as ca
 import numpy as np
 
 from ..components.base import Template
+from .equations import local_arguments
 from .families import Family
-from .flatten import Instance, local_arguments
+from .flat import Instance
 from .index import System
 from .vectors import column
 

@@ -25,9 +25,9 @@ from .fields import mode as mode
 from .fields import option as option
 from .fields import parameter as parameter
 from .fields import variable as variable
+from .reading import der as der
+from .reading import template_of as template_of
 from .sampled import Sampled as Sampled
 from .template import Shock as Shock
 from .template import Template as Template
 from .template import Transition as Transition
-from .template import der as der
-from .template import template_of as template_of

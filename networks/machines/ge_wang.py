@@ -21,7 +21,7 @@ from .inerters import BallScrewInerter, PlanetaryFlywheelInerter
 from .planetary_design import PlanetaryGeometry, disk_mass, equivalent_inertia, inertance
 
 J_SCREW = 2.80e-5
-M_BRACKET, M_PLANET = 0.426, 0.094
+M_BRACKET, M_PLANET, M_DISK = 0.426, 0.094, 0.974
 LEAD = 0.010
 GEARS = {"R": 0.050, "r": 0.017, "J_s": 2.89e-4 + J_SCREW, "J_p": 1.66e-5, "J_r": 1.02e-4}
 GEOMETRY = PlanetaryGeometry(N=4, lam=17 / 50, beta=9.5 / 17, tau=15 / 7.5, R=0.050, L=0.0075)

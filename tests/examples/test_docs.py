@@ -4,6 +4,9 @@ from __future__ import annotations
 
 import doctest
 import re
+import shlex
+import subprocess
+import sys
 from collections.abc import Iterator
 from contextlib import redirect_stdout
 from io import StringIO
@@ -19,6 +22,9 @@ ROOT = Path(__file__).parents[2]
 PAGES = [ROOT / "README.md", *sorted((ROOT / "docs").glob("*.md"))]
 FENCE = re.compile(r"^```(\w+)\n(.*?)^```$", re.MULTILINE | re.DOTALL)
 ROOMS = ("components", "networks", "cli")
+FILE = re.compile(r"^<!-- (\S+\.\w+) -->\n```\w+\n(.*?)^```$", re.MULTILINE | re.DOTALL)
+COMMAND = re.compile(r"^inertance .*$", re.MULTILINE)
+CLI = (ROOT / "docs" / "cli.md").read_text(encoding="utf-8")
 LINK = re.compile(r"\[[^\]]*\]\((?!https?://)([^)#\s]+)")
 
 
@@ -89,3 +95,12 @@ def test_every_component_is_listed() -> None:
     page = (ROOT / "docs" / "components.md").read_text(encoding="utf-8")
     components = {name for name, item in public(type).items() if issubclass(item, inertance.Component)}
     assert {name for name in components if f"`{name}`" not in page} == set()
+
+
+@pytest.mark.parametrize("command", COMMAND.findall(CLI))
+def test_commands_run(command: str, tmp_path: Path) -> None:
+    for name, content in FILE.findall(CLI):
+        (tmp_path / name).write_text(content, encoding="utf-8")
+    words = [sys.executable, "-m", *shlex.split(command)]
+    done = subprocess.run(words, cwd=tmp_path, capture_output=True, text=True, check=False)
+    assert done.returncode == 0, done.stderr

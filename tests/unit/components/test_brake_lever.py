@@ -16,15 +16,13 @@ def braked(signal: ia.Component, mass: ia.Mass, **brake: Any) -> ia.Network:
     return net
 
 
-def switches(run: ia.Result, mode: str) -> list[tuple[float, str]]:
+def switches(run: ia.Result, mode: str) -> list[tuple[Any, str]]:
     return [(pytest.approx(e.time, abs=1e-6), e.target) for e in run.events if e.mode == mode]
 
 
 def test_brake_stops_a_mass() -> None:
     """MSL Translational.Examples.Brake: 1 N from 0.1 s on a mass of 1 kg at 1 m/s."""
-    net = braked(
-        signals.Step(height=2.0, start_time=0.1), ia.Mass(m=1.0, s=0.0, v=1.0), fn_max=1.0, cgeo=1.0
-    )
+    net = braked(signals.Step(height=2.0, start_time=0.1), ia.Mass(m=1.0, s=0.0, v=1.0), fn_max=1.0, cgeo=1.0)
     run = net.simulate(2.0, inputs={"load.f": 0.0}, rtol=1e-9, atol=1e-11)
     assert switches(run, "brake.mode") == [(0.1, "forward"), (1.1, "stuck")]
     assert run["mass.s"][-1] == pytest.approx(0.6, abs=1e-8)
@@ -34,11 +32,9 @@ def test_brake_stops_a_mass() -> None:
 def test_brake_force_follows_its_table_of_friction() -> None:
     """With mu = 0.5 + 0.2 v: m v' = -fn (0.5 + 0.2 v)."""
     table = ((0.0, 0.5), (1.0, 0.7))
-    net = braked(
-        signals.Constant(k=1.0), ia.Mass(m=2.0, s=0.0, v=3.0), fn_max=10.0, mu_pos=table
-    )
-    run = net.simulate(0.8, inputs={"load.f": 0.0}, rtol=1e-9, atol=1e-11)
-    assert run["mass.v"][-1] == pytest.approx(5.5 * np.exp(-0.8) - 2.5, abs=1e-7)
+    net = braked(signals.Constant(k=1.0), ia.Mass(m=2.0, s=0.0, v=3.0), fn_max=10.0, mu_pos=table)
+    run = net.simulate(0.6, inputs={"load.f": 0.0}, rtol=1e-9, atol=1e-11)
+    assert run["mass.v"][-1] == pytest.approx(5.5 * np.exp(-0.6) - 2.5, abs=1e-7)
 
 
 def test_brake_holds_up_to_break_away_and_releases() -> None:
@@ -71,9 +67,7 @@ def test_brake_reacts_on_its_support() -> None:
 
 
 def levered(lever: ia.Component, m_a: float, m_b: float, **start: float) -> ia.Network:
-    net = ia.Network(
-        "levered", lever=lever, a=ia.Mass(m=m_a, **start), b=ia.Mass(m=m_b), load=ia.Force()
-    )
+    net = ia.Network("levered", lever=lever, a=ia.Mass(m=m_a, **start), b=ia.Mass(m=m_b), load=ia.Force())
     net.connect(net.load.flange, net.lever.flange_a, net.a.flange)
     net.connect(net.lever.flange_b, net.b.flange)
     return net
@@ -111,7 +105,7 @@ def test_straight_large_angle_lever_is_a_lever() -> None:
     ends = []
     for lever in (large, ia.Lever(ratio=-2.0)):
         net = levered(lever, m_a=2.0, m_b=5.0, v=0.0)
-        run = net.simulate(0.2, inputs={"load.f": 20.0}, start={"a.s": 0.1}, rtol=1e-9, atol=1e-11)
+        run = net.simulate(0.15, inputs={"load.f": 20.0}, start={"a.s": 0.1}, rtol=1e-9, atol=1e-11)
         ends.append([run["a.s"][-1], run["b.v"][-1], run["lever.support.f"][-1]])
     assert ends[0] == pytest.approx(ends[1], rel=1e-6)
     assert 0.1 < ends[0][0] < 0.2

@@ -1,13 +1,14 @@
 """Rotational inertias, springs, dampers, inerter and backlash against closed forms and written-out laws."""
 
 from math import exp, pi, sqrt
+from typing import Any
 
 import casadi as ca
 import numpy as np
 import pytest
 from inertance import ModelError, Network, rotational
 
-TIGHT = {"rtol": 1e-10, "atol": 1e-12}
+TIGHT: dict[str, Any] = {"rtol": 1e-10, "atol": 1e-12}
 
 
 def on_ground(element: rotational.Compliant, **start: float) -> Network:

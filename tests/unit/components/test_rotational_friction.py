@@ -2,6 +2,7 @@
 
 from itertools import pairwise
 from math import pi
+from typing import Any
 
 import casadi as ca
 import inertance as ia
@@ -9,7 +10,7 @@ import numpy as np
 import pytest
 from inertance import Network, rotational
 
-TIGHT = {"rtol": 1e-10, "atol": 1e-12}
+TIGHT: dict[str, Any] = {"rtol": 1e-10, "atol": 1e-12}
 
 
 def in_bearing(friction: rotational.Friction, torque: object, **start: float) -> Network:
@@ -22,7 +23,7 @@ def in_bearing(friction: rotational.Friction, torque: object, **start: float) ->
     return net.connect(net.torque.flange, net.body.flange, net.bearing.flange)
 
 
-def switches(run: ia.Result, mode: str) -> list[tuple[float, str]]:
+def switches(run: ia.Result, mode: str) -> list[tuple[Any, str]]:
     return [(event.time, event.target) for event in run.events if event.mode == mode]
 
 
@@ -225,7 +226,8 @@ def test_a_pressed_freewheel_brakes_what_runs_ahead() -> None:
 def test_a_freewheel_that_falls_behind_is_caught_by_an_impulse() -> None:
     run = freewheel(0.0).simulate(1.0, start={"wheel.w_rel": -5, "outer.w": 0})
     caught = run.events[0]
-    assert (caught.time, caught.target, caught.impulse) == (0, "stuck", pytest.approx(2.5))
+    assert (caught.time, caught.target) == (0, "stuck")
+    assert caught.impulse == pytest.approx(2.5)
     assert run["inner.w"][-1] == pytest.approx(2.5)
     assert run["outer.w"][-1] == pytest.approx(2.5)
 
@@ -253,7 +255,7 @@ def test_three_clutches_in_a_row_lock_and_slip_in_turn() -> None:
         ]
         net.connect(*ports)
     run = net.simulate(1.5, rtol=1e-8)
-    near = {"abs": 1e-5}
+    near: dict[str, Any] = {"abs": 1e-5}
     assert switches(run, "clutch2.mode") == [
         (pytest.approx(0.4), "backward"),
         (pytest.approx(0.70962146, **near), "stuck"),

@@ -2,16 +2,17 @@
 
 from collections.abc import Callable
 from math import pi
+from typing import Any
 
 import casadi as ca
 import numpy as np
 import pytest
-from inertance import ModelError, Network, Result, rotational
+from inertance import Component, ModelError, Network, Result, rotational
 
-TIGHT = {"rtol": 1e-10, "atol": 1e-12}
+TIGHT: dict[str, Any] = {"rtol": 1e-10, "atol": 1e-12}
 
 
-def geared(gear: object, torque: object, load: object = 0.0, **start: float) -> Network:
+def geared(gear: Component, torque: object, load: object = 0.0, **start: float) -> Network:
     net = Network(
         "geared",
         torque=rotational.Torque(tau=torque),

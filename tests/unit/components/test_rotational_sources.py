@@ -5,10 +5,10 @@ from math import pi
 import casadi as ca
 import numpy as np
 import pytest
-from inertance import Network, rotational
+from inertance import Component, Network, rotational
 
 
-def driven(source: rotational.Torque) -> Network:
+def driven(source: Component) -> Network:
     net = Network("driven", source=source, body=rotational.Inertia(J=2.0))
     return net.connect(net.source.flange, net.body.flange)
 
@@ -40,6 +40,12 @@ def test_a_prescribed_speed_goes_on_from_its_start_angle() -> None:
     run = driven(rotational.Speed(w_ref=lambda t: ca.cos(t), phi=0.5)).simulate(pi / 2, rtol=1e-10)
     assert run["body.phi"][-1] == pytest.approx(1.5)
     assert run["body.a"][-1] == pytest.approx(-1.0)
+
+
+def test_a_constant_speed_takes_no_torque() -> None:
+    run = driven(rotational.Speed(w_ref=2.0, phi=1)).simulate(1.0)
+    assert run["body.phi"][-1] == pytest.approx(3.0)
+    assert (run["source.flange.tau"] == 0).all()
 
 
 def test_a_prescribed_acceleration_goes_on_from_its_start_speed() -> None:

@@ -1,0 +1,181 @@
+"""`inertance demo`: the planetary flywheel inerter end to end, against a disk of equal inertance."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from math import ceil
+from pathlib import Path
+from typing import Annotated
+
+import numpy as np
+import typer
+from numpy.typing import NDArray
+from rich.console import Console
+from rich.table import Table
+
+from ..networks import RandomDisplacement, Sinusoid, frequency_response, ge_wang, tested
+
+EXAMPLES = """\b
+Examples:
+  inertance demo
+  inertance demo --out pictures"""
+
+TESTS = (Sinusoid(0.020, 0.1), Sinusoid(0.010, 3.0), Sinusoid(0.007, 5.0), Sinusoid(0.0015, 10.0))
+INERTERS = {"planetary": ge_wang.planetary_inerter, "disk": ge_wang.disk_inerter}
+RANDOM = (RandomDisplacement(seed=1), RandomDisplacement(seed=2))
+SETTLE = 2.0
+
+
+@dataclass(frozen=True)
+class Cycle:
+    """One cycle of a sinusoidal test, once the start has died away.
+
+    Attributes:
+        t: time within the cycle [s].
+        x, v, a: motion of the rod [m, m/s, m/s2].
+        F: force on the rod [N].
+        stuck: share of the cycle in which the screw stands still.
+    """
+
+    t: NDArray[np.float64]
+    x: NDArray[np.float64]
+    v: NDArray[np.float64]
+    a: NDArray[np.float64]
+    F: NDArray[np.float64]
+    stuck: float
+
+    @property
+    def force(self) -> float:
+        """Greatest force [N]."""
+        return float(np.abs(self.F).max())
+
+    @property
+    def inertance(self) -> float:
+        """Force in phase with acceleration, over acceleration [kg]."""
+        return float((self.F * self.a).mean() / (self.a**2).mean())
+
+    @property
+    def inertial(self) -> bool:
+        """Whether the force follows acceleration more than velocity."""
+        return self._share(self.a) > self._share(self.v)
+
+    @property
+    def energy(self) -> float:
+        """Energy dissipated in the cycle [J]."""
+        return float(np.trapezoid(self.F, self.x))
+
+    def _share(self, motion: NDArray[np.float64]) -> float:
+        return abs(float((self.F * motion).mean())) / float(np.sqrt((motion**2).mean()))
+
+
+@dataclass(frozen=True)
+class Responses:
+    """H(f) of both inerters under random displacement."""
+
+    f: NDArray[np.float64]
+    planetary: NDArray[np.complex128]
+    disk: NDArray[np.complex128]
+
+    @property
+    def ratio(self) -> NDArray[np.float64]:
+        """Gain of the planetary inerter over that of the disk."""
+        return np.abs(self.planetary) / np.abs(self.disk)
+
+
+def demo(
+    out: Annotated[Path, typer.Option(help="Directory for the pictures.")] = Path("inertance-demo"),
+) -> None:
+    """Test a planetary flywheel inerter against a disk inerter, in a table and pictures."""
+    from .demo_pictures import draw_cycles, draw_design_map, draw_responses
+
+    console = Console()
+    out.mkdir(parents=True, exist_ok=True)
+    console.print(design_table())
+    with console.status("Four sinusoidal tests of two inerters ..."):
+        cycles = {name: [last_cycle(make, test) for test in TESTS] for name, make in INERTERS.items()}
+    console.print(cycles_table(cycles))
+    with console.status("Random displacement, 0.5 to 15 Hz ..."):
+        responses = random_tests()
+    console.print(responses_table(responses))
+    for picture in (
+        draw_cycles(out / "sinusoidal_tests.png", TESTS, cycles),
+        draw_responses(out / "frequency_response.png", responses),
+        draw_design_map(out / "design_map.png", ge_wang.GEOMETRY),
+    ):
+        console.print(f"wrote {picture}")
+
+
+def last_cycle(make: Callable[[], ge_wang.BallScrewInerter], test: Sinusoid) -> Cycle:
+    """Return the last cycle of a test long enough for the start to die away."""
+    period = 1 / test.frequency
+    stop = max(2, ceil(SETTLE / period)) * period
+    run = tested(make(), test, stop, step=period / 500)
+    t = np.linspace(0, period, 501)
+    w = 2 * np.pi * test.frequency
+    x, v = test.amplitude * np.sin(w * t), test.amplitude * w * np.cos(w * t)
+    F, slip = (
+        np.interp(stop - period + t, run.time, run[name])
+        for name in ("inerter.flange_a.f", "inerter.screw.friction.w_rel")
+    )
+    return Cycle(t, x, v, -(w**2) * x, F, float((np.abs(slip) < 1e-12).mean()))
+
+
+def random_tests() -> Responses:
+    """Return frequencies and the responses of both inerters to random displacement."""
+    found = {name: frequency_response(make(), RANDOM, SETTLE) for name, make in INERTERS.items()}
+    (f, planetary), (_, disk) = found["planetary"], found["disk"]
+    return Responses(f, planetary, disk)
+
+
+def design_table() -> Table:
+    """Return what the prototype's tables say about it."""
+    mass = ge_wang.M_BRACKET + 4 * ge_wang.M_PLANET
+    table = Table(title="Prototype of Ge & Wang", show_header=False)
+    for row in (
+        ("equivalent inertia J_e, eq. (7)", f"{ge_wang.J_E:.3e} kg.m2"),
+        ("inertance b, eq. (2)", f"{ge_wang.B:.0f} kg"),
+        ("mass of bracket and planets", f"{mass:.3f} kg"),
+        ("saving against the disk of the source", f"{1 - mass / ge_wang.M_DISK:.1%}"),
+        ("inertia per mass against a disk, eq. (15)", f"{ge_wang.GEOMETRY.gain:.3f}"),
+    ):
+        table.add_row(*row)
+    return table
+
+
+def cycles_table(cycles: dict[str, list[Cycle]]) -> Table:
+    """Return force, inertance, energy and sticking of every test."""
+    table = Table(
+        title="Sinusoidal tests, one cycle",
+        caption="Equivalent inertance is the force in phase with acceleration; – where friction prevails.",
+    )
+    table.add_column("displacement", no_wrap=True)
+    table.add_column("inerter")
+    for heading in ("greatest\nforce [N]", "equivalent\ninertance [kg]", "dissipated\n[J]", "stuck\n[%]"):
+        table.add_column(heading, justify="right")
+    for i, test in enumerate(TESTS):
+        for name, found in cycles.items():
+            c = found[i]
+            table.add_row(
+                f"{1e3 * test.amplitude:g} mm, {test.frequency:g} Hz",
+                name,
+                f"{c.force:.0f}",
+                f"{c.inertance:.1f}" if c.inertial else "–",
+                f"{c.energy:.2f}",
+                f"{100 * c.stuck:.1f}",
+                end_section=name == "disk",
+            )
+    return table
+
+
+def responses_table(responses: Responses) -> Table:
+    """Return how far the planetary inerter's gain exceeds the disk's, by band."""
+    table = Table(title="Gain |H|, planetary over disk")
+    table.add_column("band [Hz]")
+    for heading in ("least", "mean", "greatest"):
+        table.add_column(heading, justify="right")
+    for low, high in ((0.5, 1), (1, 2), (2, 5), (5, 15)):
+        ratio = responses.ratio[(responses.f >= low) & (responses.f <= high)]
+        figures = (ratio.min(), ratio.mean(), ratio.max())
+        table.add_row(f"{low:g} to {high:g}", *(f"{value:.3f}" for value in figures))
+    return table

@@ -1,0 +1,140 @@
+"""Connections: ports joined at nodes, and what is wrong with them."""
+
+from __future__ import annotations
+
+from collections import defaultdict
+from collections.abc import Iterator
+from dataclasses import dataclass, field
+from typing import Any
+
+from ..components.base import Port, PortRef, RealInput, RealOutput
+from .flat import Flat, Instance
+
+
+@dataclass(eq=False)
+class Node:
+    """Ports joined at one level of the tree; own ports of the composite count negatively."""
+
+    ports: list[tuple[Instance, str, int]] = field(default_factory=list)
+
+
+def connect_ports(flat: Flat, problems: list[str]) -> tuple[list[Node], list[int]]:
+    """Join what connections join; return the nodes and the across variables that are grounded."""
+    by_component = {id(i.component): i for i in flat.instances.values()}
+    outside: set[tuple[int, str]] = set()
+    nodes: list[Node] = []
+    for owner in flat.instances.values():
+        node_of: dict[tuple[int, str], Node] = {}
+        for ports in owner.component.connections():
+            members = _members(owner, ports, by_component, problems)
+            outside.update((id(i), name) for i, name, sign in members if sign > 0)
+            _merge(members, node_of)
+        distinct = {id(node): node for node in node_of.values()}
+        nodes.extend(distinct.values())
+    for node in nodes:
+        _check_node(node, problems)
+    if not problems:
+        _join_nodes(flat, nodes)
+    return nodes, list(_unconnected(flat, outside, problems))
+
+
+def _members(
+    owner: Instance,
+    ports: tuple[PortRef, ...],
+    by_component: dict[int, Instance],
+    problems: list[str],
+) -> list[tuple[Instance, str, int]]:
+    members = []
+    for port in ports:
+        instance = by_component.get(id(port.component))
+        if instance is None or (instance is not owner and instance.parent is not owner):
+            problems.append(
+                f"{port!r} is connected in '{owner.path or 'the network'}' but belongs to no "
+                "component of it; add the component, or connect it where it lives"
+            )
+            continue
+        members.append((instance, port.name, -1 if instance is owner else 1))
+    return members
+
+
+def _merge(members: list[tuple[Instance, str, int]], node_of: dict[tuple[int, str], Node]) -> None:
+    node = Node()
+    for member in members:
+        key = (id(member[0]), member[1])
+        present = node_of.get(key)
+        if present is node:
+            continue
+        if present is None:
+            node.ports.append(member)
+            node_of[key] = node
+            continue
+        small, large = sorted((node, present), key=lambda n: len(n.ports))
+        large.ports.extend(small.ports)
+        for other in small.ports:
+            node_of[(id(other[0]), other[1])] = large
+        node = large
+
+
+def port_of(instance: Instance, name: str) -> Any:
+    """Return the declaration of a port."""
+    return type(instance.component).fields[name]
+
+
+def _check_node(node: Node, problems: list[str]) -> None:
+    kinds = defaultdict(list)
+    drivers = []
+    for instance, name, sign in node.ports:
+        declared = port_of(instance, name)
+        where = f"{instance.path}.{name}".lstrip(".")
+        kinds[getattr(declared, "domain", "signal")].append(where)
+        if isinstance(declared, RealOutput if sign > 0 else RealInput):
+            drivers.append(where)
+    if len(kinds) > 1:
+        told = "; ".join(f"{kind}: {', '.join(where)}" for kind, where in kinds.items())
+        problems.append(f"one node joins ports of different kinds ({told}); connect like with like")
+    elif "signal" in kinds and len(drivers) > 1:
+        problems.append(f"one signal has several sources: {', '.join(drivers)}; keep one")
+
+
+def _join_nodes(flat: Flat, nodes: list[Node]) -> None:
+    for node in nodes:
+        ending = suffix(node, "across")
+        first, name, _ = node.ports[0]
+        anchor = first.index(name + ending)
+        for instance, name, _ in node.ports[1:]:
+            flat.joined.join(anchor, instance.index(name + ending))
+
+
+def suffix(node: Node, kind: str) -> str:
+    """Return what follows the ports' names in those of their across or through variables."""
+    declared = port_of(node.ports[0][0], node.ports[0][1])
+    return f".{getattr(declared, kind)}" if isinstance(declared, Port) else ""
+
+
+def _unconnected(flat: Flat, outside: set[tuple[int, str]], problems: list[str]) -> Iterator[int]:
+    for instance in flat.instances.values():
+        if instance.parent is None:
+            continue
+        for name, declared in type(instance.component).fields.items():
+            if not isinstance(declared, Port) or (id(instance), name) in outside:
+                continue
+            if declared.optional:
+                yield instance.index(f"{name}.{declared.across}")
+            else:
+                problems.append(f"{instance}: {name} is not connected; connect it (to a Fixed if it is held)")
+
+
+def find_inputs(flat: Flat, nodes: list[Node]) -> None:
+    """Note the signals that no connection drives: the inputs of the whole network."""
+    driven: set[tuple[int, str]] = set()
+    for node in nodes:
+        for instance, name, sign in node.ports:
+            declared = port_of(instance, name)
+            source = RealOutput if sign > 0 else RealInput
+            if isinstance(declared, source) and (sign > 0 or instance.parent is not None):
+                driven.update((id(i), n) for i, n, _ in node.ports)
+    for instance in flat.instances.values():
+        for name, declared in type(instance.component).fields.items():
+            if isinstance(declared, RealInput) and (id(instance), name) not in driven:
+                path = f"{instance.path}.{name}" if instance.path else name
+                flat.inputs[path] = instance.index(name)

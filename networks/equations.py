@@ -1,0 +1,81 @@
+"""Equations: the families of residuals of components and of nodes."""
+
+from __future__ import annotations
+
+from collections import defaultdict
+from collections.abc import Callable
+from typing import Any
+
+import casadi as ca
+import numpy as np
+
+from .connections import Node, suffix
+from .families import Family, sum_family
+from .flat import Flat, Instance
+from .vectors import column, pick
+
+
+def local_arguments(flat: Flat, group: list[Instance]) -> tuple[Any, Any]:
+    """Return what a template takes as given, as symbols (k,) and as arguments (k, instances)."""
+    template = group[0].template
+    mode_of = {(id(i), m.name): k for k, (i, m) in enumerate(flat.modes)}
+    impulse_of = {(id(i), name): k for k, (i, name) in enumerate(flat.impulses)}
+    modes = [[mode_of[id(i), name] for i in group] for name in template.modes]
+    impulses = [[impulse_of[id(i), name] for i in group] for name in template.impulses]
+    arguments = ca.vertcat(
+        flat.table.matrix(group),
+        *[flat.mode_symbols[row].T for row in modes],
+        *[flat.impulse_symbols[row].T for row in impulses],
+    )
+    symbols = [*template.parameters.values(), *template.modes.values(), *template.impulses.values()]
+    return column(symbols), arguments
+
+
+def _label(group: list[Instance]) -> Callable[[int], str]:
+    return lambda row: str(group[row])
+
+
+def component_families(flat: Flat) -> None:
+    """Add the equations of all components, one family for each equation of a class."""
+    for group in flat.groups:
+        template = group[0].template
+        if not template.residuals:
+            continue
+        symbols = ca.vertcat(*template.variables.values())
+        modes = column([*template.modes.values()])
+        given, arguments = local_arguments(flat, group)
+        bases = np.array([i.base for i in group], dtype=np.int64)[:, None]
+        for residual in template.residuals:
+            used = [i for i in range(symbols.numel()) if ca.depends_on(residual, symbols[i])]
+            columns = bases + np.array(used, dtype=np.int64)[None, :]
+            flat.families.append(
+                Family(
+                    residual, pick(symbols, used), given, template.time, columns,
+                    np.ones_like(columns), arguments, _label(group), modes,
+                )
+            )  # fmt: skip
+
+
+def node_families(flat: Flat, nodes: list[Node]) -> None:
+    """State that through variables sum to zero; two of them are equal and opposite at once."""
+    sums: dict[int, list[tuple[list[int], list[int], str]]] = defaultdict(list)
+    for node in nodes:
+        ending = suffix(node, "through")
+        if not ending:
+            continue
+        numbers = [i.index(name + ending) for i, name, _ in node.ports]
+        signs = [sign for *_, sign in node.ports]
+        if len(numbers) == 2:
+            flat.joined.join(numbers[0], numbers[1], -signs[0] * signs[1])
+            continue
+        ports = ", ".join(f"{i.path}.{name}".lstrip(".") for i, name, _ in node.ports)
+        sums[len(numbers)].append((numbers, signs, f"node of {ports}"))
+    for members in sums.values():
+        numbers_, signs_, labels = zip(*members, strict=True)
+        flat.families.append(sum_family(numbers_, signs_, labels))
+
+
+def zero_family(flat: Flat, variables: list[int], label: str) -> None:
+    """State that variables are zero."""
+    if variables:
+        flat.families.append(sum_family([[v] for v in variables], [[1] for _ in variables], label))

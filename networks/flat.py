@@ -1,0 +1,79 @@
+"""`Flat`: the variables and equations of a whole network, before anything is solved."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass, field
+from typing import Any
+
+import casadi as ca
+
+from ..components.base import Component, Mode, Template, nearest
+from .families import Family
+from .parameters import ParameterTable
+from .union import SignedUnion
+
+
+@dataclass(eq=False)
+class Instance:
+    """One component in its place."""
+
+    path: str
+    component: Component
+    parent: Instance | None
+    template: Template
+    base: int = 0
+    row: int = 0
+
+    def index(self, local: str) -> int:
+        """Return the number of a variable given by its local name."""
+        return self.base + self.template.place[local]
+
+    def __str__(self) -> str:
+        return f"{type(self.component).__name__} '{self.path}'"
+
+
+@dataclass(eq=False)
+class Flat:
+    """Variables, equations and modes of a whole network."""
+
+    name: str
+    instances: dict[str, Instance]
+    groups: list[list[Instance]]
+    joined: SignedUnion
+    table: ParameterTable
+    families: list[Family] = field(default_factory=list)
+    modes: list[tuple[Instance, Mode]] = field(default_factory=list)
+    impulses: list[tuple[Instance, str]] = field(default_factory=list)
+    mode_symbols: Any = None
+    impulse_symbols: Any = None
+    inputs: dict[str, int] = field(default_factory=dict)
+    time: Any = field(default_factory=lambda: ca.SX.sym("time"))
+
+    def variable(self, path: str) -> int:
+        """Return the number of a variable given by its full name, or raise with the nearest one."""
+        inner = path.removeprefix("der(").removesuffix(")") if path.startswith("der(") else path
+        pieces = inner.split(".")
+        for cut in range(len(pieces) - 1, -1, -1):
+            instance = self.instances.get(".".join(pieces[:cut]))
+            local = ".".join(pieces[cut:])
+            if instance is not None and local in instance.template.variables:
+                index = instance.index(local)
+                return index if inner is path else self.derivative_of(path, index)
+        raise KeyError(f"'{self.name}' has no variable '{path}'{nearest(path, self.names())}")
+
+    def derivative_of(self, path: str, index: int) -> int:
+        """Return the number of a variable's derivative, for a name like der(mass.v)."""
+        root, sign = self.joined.find(index)
+        known = self.joined.derivative.get(root)
+        if known is None or sign < 0:
+            raise KeyError(f"'{self.name}' has no variable '{path}'")
+        return known
+
+    def names(self) -> Iterator[str]:
+        """Yield the full names of all variables."""
+        for instance in self.instances.values():
+            prefix = instance.path + "." if instance.path else ""
+            for local in instance.template.variables:
+                if not local.startswith("der("):
+                    yield prefix + local
