@@ -66,21 +66,26 @@ from inertance.components import parameter as parameter
 from inertance.components import rotational as rotational
 from inertance.components import signals as signals
 from inertance.components import variable as variable
-from inertance.networks import BallScrewInerter as BallScrewInerter
 from inertance.networks import DAE as DAE
-from inertance.networks import disk_mass as disk_mass
-from inertance.networks import equivalent_inertia as equivalent_inertia
+from inertance.networks import BallScrewInerter as BallScrewInerter
 from inertance.networks import Event as Event
-from inertance.networks import ge_wang as ge_wang
-from inertance.networks import inertance as inertance
 from inertance.networks import Network as Network
 from inertance.networks import PlanetaryFlywheelInerter as PlanetaryFlywheelInerter
 from inertance.networks import PlanetaryGeometry as PlanetaryGeometry
 from inertance.networks import RackPinionInerter as RackPinionInerter
+from inertance.networks import RandomDisplacement as RandomDisplacement
 from inertance.networks import Result as Result
+from inertance.networks import Sinusoid as Sinusoid
 from inertance.networks import TwoTerminal as TwoTerminal
+from inertance.networks import disk_mass as disk_mass
+from inertance.networks import equivalent_inertia as equivalent_inertia
+from inertance.networks import ge_wang as ge_wang
+from inertance.networks import inertance as inertance
+from inertance.networks import inerter_rig as inerter_rig
 from inertance.networks import load_table as load_table
 from inertance.networks import parallel as parallel
+from inertance.networks import rig_response as rig_response
+from inertance.networks import run_on_rig as run_on_rig
 from inertance.networks import series as series
 
 

@@ -6,7 +6,8 @@ from typing import Annotated
 
 import typer
 
-from . import components, run
+from . import components, demo, run
+from .failure import clean
 
 EXAMPLES = """\b
 Examples:
@@ -28,8 +29,9 @@ app = typer.Typer(
     epilog=EXAMPLES,
     context_settings={"help_option_names": ["-h", "--help"]},
 )
-app.command(epilog=components.EXAMPLES)(components.components)
-app.command(epilog=run.EXAMPLES)(run.run)
+app.command(epilog=demo.EXAMPLES)(clean(demo.demo))
+app.command(epilog=components.EXAMPLES)(clean(components.components))
+app.command(epilog=run.EXAMPLES)(clean(run.run))
 
 
 def _print_version(wanted: bool) -> None:

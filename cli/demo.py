@@ -14,7 +14,8 @@ from numpy.typing import NDArray
 from rich.console import Console
 from rich.table import Table
 
-from ..networks import RandomDisplacement, Sinusoid, frequency_response, ge_wang, tested
+from ..components import Component
+from ..networks import RandomDisplacement, Sinusoid, rig_response, ge_wang, run_on_rig
 
 EXAMPLES = """\b
 Examples:
@@ -100,17 +101,17 @@ def demo(
     console.print(responses_table(responses))
     for picture in (
         draw_cycles(out / "sinusoidal_tests.png", TESTS, cycles),
-        draw_responses(out / "frequency_response.png", responses),
+        draw_responses(out / "rig_response.png", responses),
         draw_design_map(out / "design_map.png", ge_wang.GEOMETRY),
     ):
         console.print(f"wrote {picture}")
 
 
-def last_cycle(make: Callable[[], ge_wang.BallScrewInerter], test: Sinusoid) -> Cycle:
+def last_cycle(make: Callable[[], Component], test: Sinusoid) -> Cycle:
     """Return the last cycle of a test long enough for the start to die away."""
     period = 1 / test.frequency
     stop = max(2, ceil(SETTLE / period)) * period
-    run = tested(make(), test, stop, step=period / 500)
+    run = run_on_rig(make(), test, stop, step=period / 500)
     t = np.linspace(0, period, 501)
     w = 2 * np.pi * test.frequency
     x, v = test.amplitude * np.sin(w * t), test.amplitude * w * np.cos(w * t)
@@ -123,7 +124,7 @@ def last_cycle(make: Callable[[], ge_wang.BallScrewInerter], test: Sinusoid) -> 
 
 def random_tests() -> Responses:
     """Return frequencies and the responses of both inerters to random displacement."""
-    found = {name: frequency_response(make(), RANDOM, SETTLE) for name, make in INERTERS.items()}
+    found = {name: rig_response(make(), RANDOM, SETTLE) for name, make in INERTERS.items()}
     (f, planetary), (_, disk) = found["planetary"], found["disk"]
     return Responses(f, planetary, disk)
 

@@ -73,7 +73,7 @@ def draw_responses(path: Path, responses: Responses) -> Path:
 
 def draw_design_map(path: Path, prototype: PlanetaryGeometry) -> Path:
     """Draw the gain of eq. (15) over lambda and tau, with the prototype on it; return the path."""
-    lam, tau = np.meshgrid(np.linspace(0.01, 0.5, 200), np.linspace(0.0, 4.0, 200))
+    lam, tau = np.meshgrid(np.linspace(0.01, 0.46, 200), np.linspace(0.0, 4.0, 200))
     gain = PlanetaryGeometry(prototype.N, lam, prototype.beta, tau).gain
     figure = Figure(figsize=(8.5, 6), layout="constrained")
     ax = figure.subplots()
@@ -82,7 +82,7 @@ def draw_design_map(path: Path, prototype: PlanetaryGeometry) -> Path:
     lines = ax.contour(lam, tau, gain, np.delete(levels, 8)[::2], colors="0.25", linewidths=0.5)
     ax.clabel(lines, fmt="%.2f", fontsize=8)
     limit = float(prototype.adjacency_limit)
-    ax.axvspan(limit, 0.5, facecolor="white", alpha=0.6, hatch="//", edgecolor="0.4")
+    ax.axvspan(limit, 0.46, facecolor="white", alpha=0.6, hatch="//", edgecolor="0.4")
     ax.axvline(float(prototype.threshold), color="k", linestyle="--", label="A = A', threshold of (15)")
     ax.axvline(limit, color="0.4", label="planets touch, (12)")
     ax.plot(prototype.lam, prototype.tau, "*", color="gold", markeredgecolor="k", markersize=16,

@@ -2,11 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from contextlib import contextmanager
-from typing import NoReturn
+from functools import wraps
+from typing import NoReturn, ParamSpec
 
 import typer
+
+from ..components import InertanceError
+
+Given = ParamSpec("Given")
 
 FAILED = 1
 WRONG_USE = 2
@@ -26,6 +31,17 @@ def failing(code: int, *kinds: type[Exception]) -> Iterator[None]:
         yield
     except kinds as error:
         fail(told(error), code)
+
+
+def clean(command: Callable[Given, None]) -> Callable[Given, None]:
+    """Return a command that tells what goes wrong in it by a message and an exit code."""
+
+    @wraps(command)
+    def cleaned(*args: Given.args, **kwargs: Given.kwargs) -> None:
+        with failing(FAILED, InertanceError), failing(WRONG_USE, OSError):
+            command(*args, **kwargs)
+
+    return cleaned
 
 
 def told(error: Exception) -> str:

@@ -2,11 +2,11 @@
 
 A motor drives a carriage through a ball screw, and a computer holds it on the reference qg:
 
-    M a = f - d v - f_c sgn(v) - f_0,   f = gtau vir,   vir = kv (kp (qg - qm) - v) + pulses
+    m a = f - d v - f_c sgn(v) - f_0,   f = gtau vir,   vir = kv (kp (qg - qm) - v) + pulses
 
 Mass, friction and offset are fitted to the force of the first record by least squares on filtered
 derivatives of the position (IDIM-LS), once without Coulomb friction and once with it, and both models run
-on the references of both records. M is carriage, screw and motor in one: the records cannot part them.
+on the references of both records. m is carriage, screw and motor in one: the records cannot part them.
 
 What remains in the pictures: near rest the axis rubs with 12 to 17 N, not with 20, and a reversal of its
 friction takes it 10 ms or 20 um; a ripple of 1 to 2 N comes back every 2.5 mm of travel; over the length of
@@ -87,14 +87,14 @@ class Record:
 class Parameters:
     """Mass [kg], viscous friction [N.s/m], offset [N], and Coulomb friction [N] if there is any."""
 
-    M: float
+    m: float
     d: float
     f_0: float
     f_c: float | None = None
 
 
 MODELS = ("mass + viscous", "mass + viscous + Coulomb")
-PUBLISHED = Parameters(M=95.1089, d=203.5034, f_0=-3.1648, f_c=20.3935)
+PUBLISHED = Parameters(m=95.1089, d=203.5034, f_0=-3.1648, f_c=20.3935)
 
 
 @dataclass(frozen=True, eq=False)
@@ -132,7 +132,7 @@ def load(path: Path) -> Record:
 
 
 def estimate(record: Record, coulomb: bool) -> Parameters:
-    """Fit M a + d v + f_0 [+ f_c sgn(v)] to the measured force by least squares (IDIM-LS)."""
+    """Fit m a + d v + f_0 [+ f_c sgn(v)] to the measured force by least squares (IDIM-LS)."""
     low_pass = butter(4, CUTOFF, fs=1 / SAMPLE)
     v = np.gradient(filtfilt(*low_pass, record.qm), SAMPLE)
     columns = [np.gradient(v, SAMPLE), v, np.ones_like(v)] + [np.sign(v)] * coulomb
@@ -151,7 +151,7 @@ def axis(record: Record, parameters: Parameters) -> Network:
     net = Network(
         "EMPS axis",
         bed=Fixed(),
-        carriage=Mass(m=p.M),
+        carriage=Mass(m=p.m),
         viscous=Damper(d=p.d),
         offset=ConstantForce(f_constant=-p.f_0),
         motor=Force(),
@@ -216,10 +216,10 @@ def study(directory: Path) -> tuple[list[Parameters], dict[str, list[Comparison]
 
 def print_tables(fitted: list[Parameters], runs: dict[str, list[Comparison]]) -> None:
     """Print the parameters beside the published ones, and how far each model is from each record."""
-    print(f"{'fitted on ' + FILES['estimation']:26}  M [kg]  d [N.s/m]  f_c [N]  f_0 [N]")
+    print(f"{'fitted on ' + FILES['estimation']:26}  m [kg]  d [N.s/m]  f_c [N]  f_0 [N]")
     for model, p in zip((*MODELS, "published"), (*fitted, PUBLISHED), strict=True):
         f_c = "-" if p.f_c is None else f"{p.f_c:.2f}"
-        print(f"  {model:24}{p.M:8.2f}{p.d:11.1f}{f_c:>9}{p.f_0:9.2f}")
+        print(f"  {model:24}{p.m:8.2f}{p.d:11.1f}{f_c:>9}{p.f_0:9.2f}")
     print(f"\n{'':26}  position error [um]    force error             run")
     print(f"{'':26}       rms   largest   rms [N]  relative    steps  events  time [s]")
     for name, compared in runs.items():

@@ -13,11 +13,11 @@ from .machines import RandomDisplacement as RandomDisplacement
 from .machines import Sinusoid as Sinusoid
 from .machines import disk_mass as disk_mass
 from .machines import equivalent_inertia as equivalent_inertia
-from .machines import frequency_response as frequency_response
 from .machines import ge_wang as ge_wang
 from .machines import inertance as inertance
-from .machines import rig as rig
-from .machines import tested as tested
+from .machines import inerter_rig as inerter_rig
+from .machines import rig_response as rig_response
+from .machines import run_on_rig as run_on_rig
 from .network import Network as Network
 from .result import Result as Result
 from .signals import chosen_signals as chosen_signals

@@ -6,25 +6,16 @@ from collections.abc import Iterable
 from itertools import pairwise
 from typing import Any
 
-from ..components import Component, ModelError, TwoFlanges, variable
+from ..components import Component, ModelError, TwoFlanges, rotational, variable
 
 
-class TwoTerminal(TwoFlanges):
-    """Several two-terminal elements as one, from flange_a to flange_b.
+class _Joined(Component):
+    """Elements between flange_a and flange_b, and the nodes that join them."""
 
-    `s_rel` is the distance of its flanges and `f` = flange_b.f the force through it.
-    """
-
-    f = variable("N", "force between the flanges, positive when it pulls them together")
-
-    def __init__(self, ports: list[list[tuple[str, str]]], parts: dict[str, Component]) -> None:
+    def __init__(self, nodes: list[list[tuple[str, str]]], parts: dict[str, Component]) -> None:
         super().__init__()
         self._parts.update(parts)
-        self._nodes = ports
-
-    def equations(self) -> Iterable[Any]:
-        """State what `f` is."""
-        yield self.f == self.flange_b.f
+        self._nodes = nodes
 
     def connections(self) -> Iterable[tuple[Any, ...]]:
         """Return the nodes between the elements."""
@@ -32,7 +23,30 @@ class TwoTerminal(TwoFlanges):
             yield tuple(getattr(self._parts[part] if part else self, port) for part, port in node)
 
 
-def series(*elements: Component, **named: Component) -> TwoTerminal:
+class TwoTerminal(_Joined, TwoFlanges):
+    """Several two-terminal elements as one, from flange_a to flange_b.
+
+    `s_rel` is the distance of its flanges and `f` = flange_b.f the force through it.
+    """
+
+    f = variable("N", "force between the flanges, positive when it pulls them together")
+
+    def equations(self) -> Iterable[Any]:
+        """State what `f` is."""
+        yield self.f == self.flange_b.f
+
+
+class RotationalTwoTerminal(_Joined, rotational.TwoFlanges):
+    """The same for turning elements: `phi_rel` and `tau` = flange_b.tau."""
+
+    tau = variable("N.m", "torque between the flanges, positive when it turns b back towards a")
+
+    def equations(self) -> Iterable[Any]:
+        """State what `tau` is."""
+        yield self.tau == self.flange_b.tau
+
+
+def series(*elements: Component, **named: Component) -> TwoTerminal | RotationalTwoTerminal:
     """Join two-terminal elements end to end: one force, distances add.
 
     Args:
@@ -52,23 +66,32 @@ def series(*elements: Component, **named: Component) -> TwoTerminal:
     for left, right in pairwise(names):
         nodes.append([(left, "flange_b"), (right, "flange_a")])
     nodes.append([(names[-1], "flange_b"), ("", "flange_b")])
-    return TwoTerminal(nodes, parts)
+    return _joined(nodes, parts)
 
 
-def parallel(*elements: Component, **named: Component) -> TwoTerminal:
+def parallel(*elements: Component, **named: Component) -> TwoTerminal | RotationalTwoTerminal:
     """Join two-terminal elements side by side: one distance, forces add.
 
     Args and errors as for `series`.
     """
     parts = _named(elements, named)
     nodes = [[("", port), *((name, port) for name in parts)] for port in ("flange_a", "flange_b")]
-    return TwoTerminal(nodes, parts)
+    return _joined(nodes, parts)
+
+
+def _joined(
+    nodes: list[list[tuple[str, str]]], parts: dict[str, Component]
+) -> TwoTerminal | RotationalTwoTerminal:
+    domains = {getattr(type(element).fields["flange_a"], "domain", "") for element in parts.values()}
+    if len(domains) > 1:
+        raise ModelError("series() and parallel() join sliding elements or turning ones, not both")
+    return TwoTerminal(nodes, parts) if domains == {"translational"} else RotationalTwoTerminal(nodes, parts)
 
 
 def _named(elements: tuple[Component, ...], named: dict[str, Component]) -> dict[str, Component]:
     parts: dict[str, Component] = {}
     for element in elements:
-        stem = "branch" if isinstance(element, TwoTerminal) else type(element).__name__.lower()
+        stem = "branch" if isinstance(element, _Joined) else type(element).__name__.lower()
         count = sum(name.rstrip("0123456789_") == stem for name in parts)
         parts[f"{stem}_{count + 1}" if count else stem] = element
     parts |= named
@@ -76,7 +99,7 @@ def _named(elements: tuple[Component, ...], named: dict[str, Component]) -> dict
         raise ModelError("series() and parallel() join at least one element")
     for name, element in parts.items():
         fields = type(element).fields
-        if not isinstance(element, TwoFlanges) and not {"flange_a", "flange_b"} <= set(fields):
+        if not {"flange_a", "flange_b"} <= set(fields):
             raise ModelError(
                 f"'{name}' ({type(element).__name__}) has no flange_a and flange_b; "
                 "series() and parallel() join two-terminal elements"

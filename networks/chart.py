@@ -43,7 +43,8 @@ def _frame(
     )
     for value in dict.fromkeys(extremes):
         y = float(_place_y(np.array(value), shown)) + 4
-        yield f'<text x="{LEFT - 5}" y="{y:.1f}" text-anchor="end">{value:.3g}</text>'
+        told = value if abs(value) > 1e-9 * (shown[1] - shown[0]) else 0.0
+        yield f'<text x="{LEFT - 5}" y="{y:.1f}" text-anchor="end">{told:.3g}</text>'
     if shown[0] < 0 < shown[1]:
         y = float(_place_y(np.array(0.0), shown))
         yield (

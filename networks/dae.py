@@ -179,9 +179,8 @@ class DAE:
         from .run import Settings
         from .simulate import simulate
 
-        if not stop > begin:
-            raise ModelError(f"stop must be after begin ({begin:g} s), got {stop:g} s")
-        settings = Settings(begin, stop, step or (stop - begin) / 500, rtol, atol, solver, progress)
+        step = (stop - begin) / 500 if step is None else step
+        settings = Settings(begin, stop, step, rtol, atol, solver, progress)
         return simulate(
             self, settings, start or {}, guess or {}, inputs or {}, parameters or {},
             tuple(sensitivities),

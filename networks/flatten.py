@@ -28,6 +28,8 @@ def flatten(network: Component) -> Flat:
     name = getattr(network, "name", type(network).__name__)
     problems: list[str] = []
     instances = {i.path: i for i in _walk(network, "", None, problems, {})}
+    if len(instances) == 1 and not template_of(network).variables:
+        problems.append("it has no components; give some to Network(...) or add()")
     groups = _grouped(instances)
     size = sum(len(group) * len(group[0].template.variables) for group in groups)
     flat = Flat(name, instances, groups, SignedUnion(size), ParameterTable(instances, problems))

@@ -1,12 +1,13 @@
 """Initialization: start values that satisfy the equations and what the user fixed.
 
 Fixed values hold exactly; states nobody fixed move from their guesses as little as the fixed values
-of other variables require, and a default start never becomes a condition.
+of other variables require, and a default start never becomes a condition. A relative state (of a
+friction element, a stop) has no guess of its own worth keeping where the motions it relates have.
 """
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from typing import Any
 
@@ -19,6 +20,9 @@ from .closed import Closed
 from .dae import DAE
 
 Array = NDArray[np.float64]
+SOLVED = "solved from fixed values of other variables"
+RELATED = "from the start values of the motions it relates"
+KEPT = "guess kept"
 
 
 @dataclass(frozen=True)
@@ -93,12 +97,64 @@ def initial_values(closed: Closed, q: Array, t: float, wanted: Wishes) -> tuple[
     free = [i for i, s in enumerate(dae.states) if s not in wanted.fixed]
     others = [v for v in wanted.fixed if v not in dae.states]
     conditions = [dae.variables[v] - wanted.fixed[v][1] for v in others]
-    moved = np.zeros(len(x), dtype=bool)
+    before = x.copy()
+    for variables, movable in _leading(dae, wanted):
+        soft = [dae.variables[v] - value for v, value in variables.items()]
+        x = _nearer(closed, q, t, (x, z), ca.vertcat(*conditions), ca.vertcat(*soft), movable)
+    related = x != before
+    before = x.copy()
     if others or len(z):
-        before = x.copy()
         x, z = _solve(closed, q, t, (x, z), free, ca.vertcat(*conditions, dae.alg), others, wanted)
-        moved = x != before
-    return x, z, [_decided(dae, i, float(x[i]), bool(moved[i]), wanted) for i in range(len(x))]
+    moved = x != before
+    reasons = np.select([moved, related], [SOLVED, RELATED], KEPT)
+    return x, z, [_decided(dae, i, float(x[i]), str(reasons[i]), wanted) for i in range(len(x))]
+
+
+def _leading(dae: DAE, wanted: Wishes) -> Iterator[tuple[dict[int, float], list[int]]]:
+    """Yield variables that are no states but whose start values lead, and the states they move."""
+    names, states = dae.system.names, set(dae.states)
+    open_ = [(i, s) for i, s in enumerate(dae.states) if s not in {*wanted.fixed, *wanted.guesses}]
+    relative = [i for i, s in open_ if s < len(names.state) and names.state[s] > 0]
+    if relative:
+        motions = [
+            v
+            for v in dae.system.derivative
+            if v < len(names.state) and names.state[v] == 0 and v not in {*states, *dae.system.known}
+        ]
+        values = {v: wanted.guesses.get(v, float(names.start[v])) for v in motions}
+        yield {v: value for v, value in values.items() if v not in wanted.fixed}, relative
+    guessed = {v: value for v, value in wanted.guesses.items() if v not in states}
+    if guessed:
+        yield guessed, [i for i, _ in open_]
+
+
+def _nearer(
+    closed: Closed,
+    q: Array,
+    t: float,
+    start: tuple[Array, Array],
+    hard: Any,
+    soft: Any,
+    movable: list[int],
+) -> Array:
+    """Move states so that `hard` is zero and, as far as that allows, `soft` is least."""
+    x, z = start[0].copy(), start[1]
+    residuals = [closed.close(ca.vertcat(ca.SX(0, 1), part)) for part in (hard, soft)]
+    slopes = [ca.jacobian(residual, closed.x)[:, movable] for residual in residuals]
+    function = closed.function("nearer", *residuals, *slopes)
+    for _ in range(20):
+        h, s, to_h, to_s = (m.full() for m in function(x, z, q, t))
+        must = np.linalg.pinv(to_h, rcond=1e-12) @ -h
+        _, strength, right = np.linalg.svd(to_h)
+        free = right[np.count_nonzero(strength > 1e-12 * strength.max(initial=0.0)) :].T
+        may = free @ np.linalg.lstsq(to_s @ free, -(s + to_s @ must), rcond=1e-12)[0]
+        step = (must + may).ravel()
+        if not np.isfinite(step).all():
+            return start[0]
+        x[movable] += step
+        if np.abs(step).max(initial=0.0) <= 1e-13 * (1 + np.abs(x).max(initial=0.0)):
+            break
+    return x
 
 
 def _guessed(dae: DAE, wanted: Wishes, variables: list[int]) -> Array:
@@ -153,15 +209,11 @@ def _contradiction(dae: DAE, others: list[int], wrong: Any, wanted: Wishes) -> s
     )
 
 
-def _decided(dae: DAE, i: int, value: float, moved: bool, wanted: Wishes) -> Decision:
+def _decided(dae: DAE, i: int, value: float, reason: str, wanted: Wishes) -> Decision:
     variable = dae.states[i]
     name = dae.system.name(variable)
     unit = dae.system.names.unit(variable)
     if variable in wanted.fixed:
         given = wanted.fixed[variable][0]
         reason = "fixed" if given == name else f"fixed through {given}"
-    elif moved:
-        reason = "solved from fixed values of other variables"
-    else:
-        reason = "guess kept"
     return Decision(name, value, unit, reason)

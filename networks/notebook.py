@@ -88,36 +88,42 @@ def _table(headers: Sequence[str], rows: Iterable[Sequence[str]]) -> str:
     return f'<table style="font:inherit"><thead><tr>{head}</tr></thead><tbody>{body}</tbody></table>'
 
 
-def _components(owner: Component) -> str:
-    parts = list(owner._parts.items())
-    rows = [_component_row(name, part) for name, part in parts[:MOST_ROWS]]
+def _components(*owners: Component) -> str:
+    """Return the parts of the last owner as a table; the others enclose it."""
+    parts = list(owners[-1]._parts.items())
+    rows = [_component_row(name, part, owners) for name, part in parts[:MOST_ROWS]]
     table = _table(("name", "component", "values"), rows)
     return table + _more(len(parts) - len(rows))
 
 
-def _component_row(name: str, part: Component) -> tuple[str, str, str]:
-    values = "; ".join(_values(part))
+def _component_row(name: str, part: Component, owners: tuple[Component, ...]) -> tuple[str, str, str]:
+    values = "; ".join(_values(part, owners))
     problems = "".join(f'<div style="color:#cc3311">{escape(problem)}</div>' for problem in part.problems())
-    inside = _folded(f"{len(part._parts)} parts", _components(part)) if part._parts else ""
+    inside = _folded(f"{len(part._parts)} parts", _components(*owners, part)) if part._parts else ""
     return f"<b>{escape(name)}</b>", escape(type(part).__name__), values + problems + inside
 
 
-def _values(part: Component) -> Iterator[str]:
+def _values(part: Component, owners: tuple[Component, ...]) -> Iterator[str]:
     for name, field in type(part).fields.items():
-        given = name in part._values
-        text = _value(field, part._values[name] if given else getattr(field, "default", None))
-        wanted = given or isinstance(field, Parameter)
-        if wanted and text:
-            shown = f"{escape(name)} = {escape(text)}"
-            yield shown if given else f'<span style="{MUTED}">{shown}</span>'
+        own = part._values.get(name, getattr(field, "default", None))
+        value = _followed(own, owners)
+        if value is MISSING or not (name in part._values or isinstance(field, Parameter)):
+            continue
+        shown = f"{escape(name)} = {escape(_told(field, value))}"
+        plain = name in part._values and value is own
+        yield shown if plain else f'<span style="{MUTED}">{shown}</span>'
 
 
-def _value(field: Field, value: Any) -> str:
+def _followed(value: Any, owners: tuple[Component, ...]) -> Any:
+    """Return the value of a parameter that is bound to one of an enclosing component."""
+    for owner in reversed(owners):
+        if isinstance(value, Parameter) and type(owner).fields.get(value.name) is value:
+            value = owner._values.get(value.name, value.default)
+    return value
+
+
+def _told(field: Field, value: Any) -> str:
     unit = pretty_unit(field.unit)
-    if isinstance(value, Parameter):
-        return f"{value.name} of the whole"
-    if isinstance(field, Parameter) and value is MISSING:
-        return ""
     if isinstance(field, Option):
         return repr(value)
     if isinstance(value, int | float):

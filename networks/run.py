@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ..components.base import SimulationError
+from ..components.base import ModelError, SimulationError
 from .closed import Closed
 from .events import Event, Point, Switcher
 from .initial import Decision
@@ -27,6 +27,21 @@ class Settings:
     atol: float
     solver: str
     progress: bool | None
+
+    def __post_init__(self) -> None:
+        finite = all(np.isfinite([self.begin, self.stop, self.step, self.rtol, self.atol]))
+        problems = [] if finite else ["begin, stop, step, rtol and atol must be finite numbers"]
+        if not self.stop > self.begin:
+            problems.append(f"stop must be after begin ({self.begin:g} s), got {self.stop:g} s")
+        for name, value, unit in (
+            ("step", self.step, " s"),
+            ("rtol", self.rtol, ""),
+            ("atol", self.atol, ""),
+        ):
+            if value <= 0:
+                problems.append(f"{name} must be above 0{unit}, got {value:g}{unit}")
+        if problems:
+            raise ModelError("this run cannot be done:", problems)
 
     @property
     def tolerance(self) -> Tolerance:
@@ -93,6 +108,19 @@ def _approach(run: Run, stepper: Stepper, point: Point, span: float) -> None:
         run.record(times, stretch.states, stretch.algebraic)
         t, x, z = float(times[-1]), stretch.states[-1], stretch.algebraic[-1]
     run.point = Point(t, x, z, point.q)
+
+
+def limiting_state(run: Run) -> str:
+    """Name the state that bends most for its tolerance at most outputs: the one that limits steps."""
+    settings, names = run.settings, run.closed.dae.state_names
+    votes = np.zeros(len(names), dtype=int)
+    for segment in run.segments:
+        states = np.vstack(segment.states)
+        if len(states) > 2 and names:
+            bend = np.abs(states[2:] - 2 * states[1:-1] + states[:-2])
+            weight = settings.rtol * np.abs(states[1:-1]) + settings.atol
+            votes += np.bincount((bend / weight).argmax(axis=1), minlength=len(names))
+    return names[int(votes.argmax())] if votes.any() else ""
 
 
 def failure(run: Run, error: Exception) -> str:

@@ -16,7 +16,7 @@ from .hybrid import NODES, run_hybrid
 from .initial import Wishes, initial_values, wishes
 from .progress import Progress
 from .result import Result
-from .run import Run, Settings, failure
+from .run import Run, Settings, failure, limiting_state
 from .sensitivity import Sensitivities
 from .smooth import run_smooth, smooth_nodes
 from .stepper import Array, IntegratorError, Stepper
@@ -93,6 +93,7 @@ def _result(run: Run, stepper: Stepper, began: float, follow: Sensitivities | No
         "integrator calls": run.calls,
         "events": len(run.events),
         "events by component": by_component,
+        "limiting state": limiting_state(run),
         "seconds": clock.perf_counter() - began,
     }
     notes = run.switcher.notes if run.switcher else []

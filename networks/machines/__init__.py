@@ -10,6 +10,6 @@ from .planetary_design import equivalent_inertia as equivalent_inertia
 from .planetary_design import inertance as inertance
 from .rig import RandomDisplacement as RandomDisplacement
 from .rig import Sinusoid as Sinusoid
-from .rig import frequency_response as frequency_response
-from .rig import rig as rig
-from .rig import tested as tested
+from .rig import inerter_rig as inerter_rig
+from .rig import rig_response as rig_response
+from .rig import run_on_rig as run_on_rig

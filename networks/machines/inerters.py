@@ -7,6 +7,7 @@ from typing import Any
 
 from ...components import (
     CompliantNutScrew,
+    Component,
     DiskFlywheel,
     NutScrew,
     PlanetaryFlywheel,
@@ -49,8 +50,8 @@ class BallScrewInerter(FlywheelInerter):
         >>> inerter = BallScrewInerter(screw=NutScrew(lead=0.01), flywheel=DiskFlywheel(m=0.78, R=0.05))
     """
 
-    screw = NutScrew()
-    flywheel = DiskFlywheel()
+    screw: Component = NutScrew()
+    flywheel: Component = DiskFlywheel()
 
     def connections(self) -> Iterable[Any]:
         yield from self.joined(self.screw)
@@ -69,8 +70,8 @@ class PlanetaryFlywheelInerter(BallScrewInerter):
     eqs. (16)-(27).
     """
 
-    screw = CompliantNutScrew()
-    flywheel = PlanetaryFlywheel()
+    screw: Component = CompliantNutScrew()
+    flywheel: Component = PlanetaryFlywheel()
 
 
 class RackPinionInerter(FlywheelInerter):
@@ -84,7 +85,7 @@ class RackPinionInerter(FlywheelInerter):
     """
 
     pinion = RackPinion()
-    flywheel = DiskFlywheel()
+    flywheel: Component = DiskFlywheel()
 
     def connections(self) -> Iterable[Any]:
         yield from self.joined(self.pinion)

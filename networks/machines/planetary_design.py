@@ -1,3 +1,4 @@
+# ruff: noqa: N802  (symbols keep the case of the formula)
 """How heavy a planetary flywheel must be for its inertance, against a disk.
 
 Source of all formulas: Ge & Wang, Modeling, Testing, and Characteristic Analysis of a Planetary

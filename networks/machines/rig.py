@@ -69,7 +69,7 @@ class RandomDisplacement:
         return ca.dot(ca.DM(amplitudes), ca.sin(ca.DM(2 * pi * f) * t + ca.DM(phases)))
 
 
-def rig(inerter: Component, displacement: Callable[[Any], Any]) -> Network:
+def inerter_rig(inerter: Component, displacement: Callable[[Any], Any]) -> Network:
     """Return the network of `frame`, `actuator` and `inerter`, the rod moving as prescribed [m]."""
     net = Network("rig", frame=Fixed(), actuator=Position(s_ref=displacement), inerter=inerter)
     net.connect(net.actuator.flange, net.inerter.flange_a)
@@ -77,7 +77,7 @@ def rig(inerter: Component, displacement: Callable[[Any], Any]) -> Network:
     return net
 
 
-def tested(inerter: Component, displacement: Callable[[Any], Any], stop: float, **options: Any) -> Result:
+def run_on_rig(inerter: Component, displacement: Callable[[Any], Any], stop: float, **options: Any) -> Result:
     """Run an inerter on the rig from a rolling start: every contact unstretched and at one speed.
 
     From any other start the screw rings on its axial stiffness for seconds.
@@ -92,7 +92,7 @@ def tested(inerter: Component, displacement: Callable[[Any], Any], stop: float, 
         The run; the force on the rod is `inerter.flange_a.f`.
     """
     rolling = {f"{path}.{x}": 0.0 for path in _contacts(inerter, "inerter") for x in ("s_rel", "v_rel")}
-    return rig(inerter, displacement).simulate(stop, start=rolling, **options)
+    return inerter_rig(inerter, displacement).simulate(stop, start=rolling, **options)
 
 
 def _contacts(component: Component, path: str) -> Iterator[str]:
@@ -102,7 +102,7 @@ def _contacts(component: Component, path: str) -> Iterator[str]:
         yield from _contacts(part, f"{path}.{name}")
 
 
-def frequency_response(
+def rig_response(
     inerter: Component, displacements: Sequence[RandomDisplacement], settle: float = 2.0
 ) -> tuple[Array, NDArray[np.complex128]]:
     """Return frequencies [Hz] and H(f) = G_xF/G_xx [N/m] under random displacements of one period.
@@ -116,12 +116,14 @@ def frequency_response(
     eq. (32).
     """
     lines, period = displacements[0].lines, displacements[0].period
-    cross, power = 0, 0
+    cross, power = np.zeros(len(lines), dtype=complex), np.zeros(len(lines))
     for displacement in displacements:
-        run = tested(inerter.clone(), displacement, period, begin=-settle, step=1e-3)
+        run = run_on_rig(inerter.clone(), displacement, period, begin=-settle, step=1e-3)
         x, F = (_spectrum(run, name, period)[lines] for name in ("actuator.s_ref", "inerter.flange_a.f"))
-        cross, power = cross + x.conj() * F, power + abs(x) ** 2
-    return lines / period, cross / power
+        cross += x.conj() * F
+        power += abs(x) ** 2
+    response: NDArray[np.complex128] = cross / power
+    return lines / period, response
 
 
 def _spectrum(run: Result, name: str, period: float) -> NDArray[np.complex128]:

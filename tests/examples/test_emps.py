@@ -13,7 +13,8 @@ EXAMPLE = Path(__file__).parents[2] / "examples" / "emps.py"
 
 def load_example() -> Any:
     spec = importlib.util.spec_from_file_location("emps", EXAMPLE)
-    assert spec and spec.loader
+    assert spec
+    assert spec.loader
     module = sys.modules["emps"] = importlib.util.module_from_spec(spec)
     spec.loader.exec_module(module)
     return module
@@ -22,7 +23,7 @@ def load_example() -> Any:
 emps = load_example()
 MEASURED = pytest.mark.skipif(
     not all((emps.DATA / file).is_file() for file in emps.FILES.values()),
-    reason="no EMPS records: unchecked are fit, control law, position and force errors, sticking and pictures",
+    reason="no EMPS records: not checked are fit, control law, position and force errors, sticking, pictures",
 )
 
 
@@ -41,7 +42,7 @@ def test_says_where_the_records_come_from(tmp_path: Path, monkeypatch: pytest.Mo
 @MEASURED
 def test_estimates_are_the_published_ones(studied: Any) -> None:
     found, published = studied[0][1], emps.PUBLISHED
-    assert found.M == pytest.approx(published.M, rel=1e-3)
+    assert found.m == pytest.approx(published.m, rel=1e-3)
     assert found.d == pytest.approx(published.d, rel=1e-3)
     assert found.f_c == pytest.approx(published.f_c, rel=2e-3)
     assert found.f_0 == pytest.approx(published.f_0, rel=5e-3)

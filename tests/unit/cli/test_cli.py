@@ -134,6 +134,12 @@ def test_importing_the_library_stays_light() -> None:
     assert done.stdout == "[]\n"
 
 
+def test_a_path_that_cannot_be_written(folder: Path) -> None:
+    assert "model.py" in refused(2, "demo", "--out", "model.py")
+    (folder / "taken.csv").mkdir()
+    assert "taken.csv" in refused(2, "run", "model.py:free", "--out", "taken.csv")
+
+
 # components
 
 

@@ -119,6 +119,14 @@ def test_parts_of_composites_fold_away() -> None:
     assert "d = 260 N·s/m" in html
 
 
+def test_values_handed_down_to_parts_are_shown() -> None:
+    guide = ia.MassWithStopAndFriction(m=2.0, s_min=-1.0, s_max=1.0, f_c=3.0)
+    html = shown(ia.Network("guide", guide=guide))
+    assert html.count("m = 2 kg") == 2
+    assert html.count("f_c = 3 N") == 2
+    assert "follows from others" in html
+
+
 def boxes(html: str) -> dict[str, tuple[float, float, float, float]]:
     """Return the rectangle of each component in a sketch: left, top, right, bottom."""
     found = {}
