@@ -80,12 +80,12 @@ from inertance.networks import TwoTerminal as TwoTerminal
 from inertance.networks import disk_mass as disk_mass
 from inertance.networks import equivalent_inertia as equivalent_inertia
 from inertance.networks import ge_wang as ge_wang
-from inertance.networks import inertance as inertance
 from inertance.networks import inerter_rig as inerter_rig
 from inertance.networks import load_table as load_table
 from inertance.networks import parallel as parallel
 from inertance.networks import rig_response as rig_response
 from inertance.networks import run_on_rig as run_on_rig
+from inertance.networks import screw_inertance as screw_inertance
 from inertance.networks import series as series
 
 

@@ -20,8 +20,7 @@ def catalogue() -> dict[str, dict[str, Kind]]:
     found: dict[str, dict[str, Kind]] = {}
     for prefix, module in _faces():
         for name, value in vars(module).items():
-            family = _family(value) if inspect.isclass(value) and name[0] != "_" else ""
-            if family:
+            if inspect.isclass(value) and issubclass(value, Component) and (family := _family(value)):
                 found.setdefault(family, {})[prefix + name] = value
     return {family: dict(sorted(found[family].items())) for family in sorted(found)}
 
@@ -35,11 +34,10 @@ def _faces() -> Iterator[tuple[str, ModuleType]]:
             yield f"{name}.", value
 
 
-def _family(kind: type) -> str:
-    """Return the package that a component lives in, empty for anything else."""
+def _family(kind: Kind) -> str:
+    """Return the package that a component lives in, empty for what is not of a family."""
     place = kind.__module__.split(".")
-    inside = issubclass(kind, Component) and len(place) > 3 and place[2] != "base"
-    return place[2] if inside else ""
+    return place[2] if len(place) > 3 and place[2] != "base" else ""
 
 
 def all_names() -> dict[str, Kind]:

@@ -15,7 +15,7 @@ from rich.console import Console
 from rich.table import Table
 
 from ..components import Component
-from ..networks import RandomDisplacement, Sinusoid, rig_response, ge_wang, run_on_rig
+from ..networks import RandomDisplacement, Sinusoid, ge_wang, rig_response, run_on_rig
 
 EXAMPLES = """\b
 Examples:

@@ -8,7 +8,7 @@ from typing import Annotated, Any
 
 import typer
 
-from ..components import InitialConditionError, ModelError, SimulationError
+from ..components import ModelError, SimulationError
 from ..networks import DAE, Result, check_table_path, chosen_signals
 from .data import read_inputs, unbound_inputs
 from .failure import FAILED, WRONG_USE, fail, failing
@@ -58,27 +58,31 @@ def run(
     _check_positive("--rtol", rtol)
     parameters, starts = _pairs("--set", values), _pairs("--start", start)
     if out is not None:
-        with failing(WRONG_USE, ValueError, OSError, ImportError):
+        with failing(WRONG_USE, ValueError, ImportError):
             check_table_path(out)
     elif signals is not None:
         fail("--signals says what --out writes; give --out FILE too", WRONG_USE)
-    network = load_network(model)
-    with failing(FAILED, ModelError):
-        dae = network.dae()
+    dae = load_network(model).dae()
     wanted, drawn = _signals(dae, signals), _signals(dae, plot)
     arguments = _span_and_inputs(dae, data, stop) | {
         "step": step, "rtol": rtol, "parameters": parameters, "start": starts,
     }  # fmt: skip
-    error: SimulationError | None = None
-    with failing(FAILED, InitialConditionError), failing(WRONG_USE, ModelError):
-        try:
-            result = dae.simulate(**arguments)
-        except SimulationError as unfinished:
-            error, result = unfinished, unfinished.result  # type: ignore[assignment]
+    with failing(WRONG_USE, ModelError):
+        result, failure = _simulated(dae, arguments)
     picture = (out or Path(model.rpartition(":")[2])).with_suffix(".png")
     _show(result, out, wanted, picture, drawn)
-    if error is not None:
-        fail(str(error), FAILED)
+    if failure:
+        fail(failure, FAILED)
+
+
+def _simulated(dae: DAE, arguments: dict[str, Any]) -> tuple[Result, str]:
+    """Return what was computed, and why it could not be finished."""
+    try:
+        return dae.simulate(**arguments), ""
+    except SimulationError as error:
+        if not isinstance(error.result, Result):
+            raise
+        return error.result, str(error)
 
 
 def _check_positive(name: str, value: float | None) -> None:
@@ -111,7 +115,7 @@ def _span_and_inputs(dae: DAE, data: Path | None, stop: float | None) -> dict[st
             header = ",".join(["time", *unbound])
             fail(f"no signal for {told}; give --input FILE.csv with the header {header}", WRONG_USE)
         return {"stop": DEFAULT_STOP if stop is None else stop}
-    with failing(WRONG_USE, ValueError, OSError, ImportError):
+    with failing(WRONG_USE, ValueError, ImportError):
         inputs = read_inputs(data, dae)
     time = next(iter(inputs.values())).time
     if stop is not None and stop > time[-1]:
@@ -122,10 +126,9 @@ def _span_and_inputs(dae: DAE, data: Path | None, stop: float | None) -> dict[st
 
 def _show(result: Result, out: Path | None, wanted: list[str], picture: Path, drawn: list[str]) -> None:
     typer.echo(result.summary())
-    with failing(FAILED, OSError):
-        if out is not None:
-            result.save(out, *wanted)
-            typer.echo(f"wrote {out}")
-        if drawn:
-            result.plot(*drawn).savefig(picture, dpi=120)
-            typer.echo(f"wrote {picture}")
+    if out is not None:
+        result.save(out, *wanted)
+        typer.echo(f"wrote {out}")
+    if drawn:
+        result.plot(*drawn).savefig(picture, dpi=120)
+        typer.echo(f"wrote {picture}")

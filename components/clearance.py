@@ -10,7 +10,7 @@ import casadi as ca
 def past_clearance(force: Any, half: Any) -> Any:
     """Return what is left of a contact's spring and damper force behind a clearance: a dead zone.
 
-    force - half above half, force + half below -half, zero between: continuous, and it never pulls.
+    force - half above half, force + half below -half, zero between: continuous.
 
     Args:
         force: stiffness and damping force of the contact without clearance [N].

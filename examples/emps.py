@@ -46,7 +46,7 @@ from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 from numpy.typing import NDArray
 from scipy.io import loadmat
-from scipy.signal import butter, decimate, filtfilt
+from scipy.signal import butter, decimate, sosfiltfilt
 
 Array = NDArray[np.float64]
 
@@ -133,8 +133,8 @@ def load(path: Path) -> Record:
 
 def estimate(record: Record, coulomb: bool) -> Parameters:
     """Fit m a + d v + f_0 [+ f_c sgn(v)] to the measured force by least squares (IDIM-LS)."""
-    low_pass = butter(4, CUTOFF, fs=1 / SAMPLE)
-    v = np.gradient(filtfilt(*low_pass, record.qm), SAMPLE)
+    low_pass = butter(4, CUTOFF, fs=1 / SAMPLE, output="sos")
+    v = np.gradient(sosfiltfilt(low_pass, record.qm), SAMPLE)
     columns = [np.gradient(v, SAMPLE), v, np.ones_like(v)] + [np.sign(v)] * coulomb
     slow = [decimate(column[EDGE:-EDGE], DECIMATION) for column in (*columns, record.force)]
     fitted = np.linalg.lstsq(np.column_stack(slow[:-1]), slow[-1], rcond=None)[0]

@@ -14,10 +14,10 @@ from .machines import Sinusoid as Sinusoid
 from .machines import disk_mass as disk_mass
 from .machines import equivalent_inertia as equivalent_inertia
 from .machines import ge_wang as ge_wang
-from .machines import inertance as inertance
 from .machines import inerter_rig as inerter_rig
 from .machines import rig_response as rig_response
 from .machines import run_on_rig as run_on_rig
+from .machines import screw_inertance as screw_inertance
 from .network import Network as Network
 from .result import Result as Result
 from .signals import chosen_signals as chosen_signals

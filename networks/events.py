@@ -146,6 +146,8 @@ class Switcher:
         leaving = (g <= 10 * near) & (rate < 0)
         ready &= ~leaving
         if forced is not None:
+            same = self.functions.mode_of == self.functions.mode_of[forced]
+            ready |= self.active(point.q) & same & (g == g[forced])
             ready[forced] = True
         candidates = np.flatnonzero(ready)
         if not len(candidates):
@@ -165,6 +167,7 @@ class Switcher:
         impulses = self._strike(point, shocks, everything) if shocks else {}
         for change in changes:
             self.modes(point.q)[change.mode] = change.target
+            self.muted[self.functions.mode_of == change.mode] = False
         self.complete(point)
         resets = {r[0]: r[1] * everything[r[2]] for c in changes for r in c.resets}
         if resets:

@@ -40,6 +40,8 @@ class Network(Component):
         for name, component in components.items():
             if not isinstance(component, Component):
                 raise ModelError(f"Network '{self.name}': '{name}' is not a component: {component!r}")
+            if name.startswith("_") or "." in name or hasattr(Network, name) or name == "name":
+                raise ModelError(f"Network '{self.name}': '{name}' cannot name a component; choose another")
             if name in self._parts:
                 raise ModelError(f"Network '{self.name}' already has a component '{name}'")
             self._parts[name] = component

@@ -48,5 +48,10 @@ class SwitchFunctions:
 
 
 def _shock(closed: Closed, expressions: Any) -> Any:
-    response = closed.close(ca.jacobian(closed.dae.ode, closed.dae.impulses))
+    dae = closed.dae
+    response = ca.jacobian(dae.ode, dae.impulses)
+    if dae.z.numel():
+        yielding = ca.solve(ca.jacobian(dae.alg, dae.z), ca.jacobian(dae.alg, dae.impulses))
+        response = response - ca.mtimes(ca.jacobian(dae.ode, dae.z), yielding)
+    response = closed.close(response)
     return closed.compiled("shock", response, ca.jacobian(expressions, closed.x))

@@ -58,7 +58,7 @@ class StribeckFriction(Friction):
 
     def sliding(self, speed: Any) -> Any:
         """Friction force at a speed."""
-        drop = (self.f_s - self.f_c) * ca.exp(-ca.fabs(speed) / self.v_s)
+        drop = (self.f_s - self.f_c) * ca.exp(-speed / self.v_s)
         return self.f_c + drop + self.d * speed
 
 

@@ -18,7 +18,7 @@ from ...components import (
     rotational,
 )
 from .inerters import BallScrewInerter, PlanetaryFlywheelInerter
-from .planetary_design import PlanetaryGeometry, disk_mass, equivalent_inertia, inertance
+from .planetary_design import PlanetaryGeometry, disk_mass, equivalent_inertia, screw_inertance
 
 J_SCREW = 2.80e-5
 M_BRACKET, M_PLANET, M_DISK = 0.426, 0.094, 0.974
@@ -31,7 +31,7 @@ SCREW = {"lead": LEAD, "m_r": 1.701, "k": 1.168e7, "d": 1.223e3, "eps": 1.006e-7
 MESH = {"k_r": 1.353e9, "c_r": 4.671e4, "g_r": 1.838e-9, "T_pm": 8.067e-4, "T_pv": 1.366e-4}
 
 J_E = equivalent_inertia(GEOMETRY.N, GEOMETRY.lam, GEARS["J_s"], GEARS["J_p"], GEARS["J_r"])
-B = inertance(J_E, LEAD)
+B = screw_inertance(J_E, LEAD)
 
 
 def planetary_inerter(*, lumped: bool = True, regularised: float | None = None) -> PlanetaryFlywheelInerter:

@@ -14,7 +14,7 @@ from typing import Any
 import numpy as np
 
 
-def inertance(J_e: Any, lead: Any) -> Any:
+def screw_inertance(J_e: Any, lead: Any) -> Any:
     """Return b = (2 pi/lead)^2 J_e [kg], eq. (2).
 
     Args:
