@@ -56,13 +56,14 @@ def first_line(kind: type) -> str:
 
 
 def is_base(kind: Kind) -> bool:
-    """Return whether a class is for deriving from: it lacks equations of its own.
+    """Return whether a class is for deriving from: others do, and it lacks equations of its own.
 
     An element has as many equations as unknowns that are not left to the nodes, one a port.
     """
-    if kind.connections is not Component.connections or any(
-        isinstance(field, Part) for field in kind.fields.values()
-    ):
+    derived = any(issubclass(other, kind) and other is not kind for other in all_names().values())
+    composite = kind.connections is not Component.connections
+    composite = composite or any(isinstance(field, Part) for field in kind.fields.values())
+    if composite or not derived:
         return False
     try:
         template = template_of(kind())

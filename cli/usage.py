@@ -7,6 +7,7 @@ from collections.abc import Iterator
 
 from ..components import Component, RealInput, RotationalFlange, TranslationalFlange
 from ..components.base import MISSING, Parameter, Part, Port
+from ..networks import Network
 from .catalogue import full_name
 
 BODIES = {
@@ -17,7 +18,7 @@ BODIES = {
 
 def usage(kind: type[Component]) -> str:
     """Return Python lines that put a component into a network and run it."""
-    own = _snake(kind.__name__)
+    own = _own_name(kind)
     parts, joins = {own: _call(kind)}, []
     ports = [f for f in kind.fields.values() if isinstance(f, Port) and not f.optional]
     for number, port in enumerate(ports):
@@ -45,8 +46,10 @@ def usage(kind: type[Component]) -> str:
     )
 
 
-def _snake(name: str) -> str:
-    return re.sub(r"(?<=[a-z])(?=[A-Z])", "_", name).lower()
+def _own_name(kind: type[Component]) -> str:
+    """Return the class's name as a component is named, kept apart from what a network itself has."""
+    name = re.sub(r"(?<=[a-z])(?=[A-Z])", "_", kind.__name__).lower()
+    return f"the_{name}" if hasattr(Network, name) else name
 
 
 def _call(kind: type[Component]) -> str:

@@ -21,6 +21,7 @@ System Identification Benchmarks, Eindhoven, 2019. The records are not part of t
 from __future__ import annotations
 
 import argparse
+import os
 import sys
 from dataclasses import dataclass
 from pathlib import Path
@@ -50,7 +51,8 @@ from scipy.signal import butter, decimate, sosfiltfilt
 
 Array = NDArray[np.float64]
 
-DATA = Path(__file__).resolve().parents[2] / "shared" / "data" / "emps"
+SHARED = os.environ.get("INERTANCE_SHARED") or Path(__file__).resolve().parents[2] / "shared"
+DATA = Path(SHARED) / "data" / "emps"
 FILES = {"estimation": "DATA_EMPS.mat", "pulses": "DATA_EMPS_PULSES.mat"}
 MISSING = """no {file} in {directory}
 The EMPS records come from https://www.nonlinearbenchmark.org (benchmark "EMPS"), or from the Python package

@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 
 from ..components.base import SimulationError
 from .closed import Closed
+from .impacts import partners, solve_impact
 from .stepper import Tolerance
 from .switching import Change
 
@@ -146,9 +147,9 @@ class Switcher:
         leaving = (g <= 10 * near) & (rate < 0)
         ready &= ~leaving
         if forced is not None:
-            same = self.functions.mode_of == self.functions.mode_of[forced]
-            ready |= self.active(point.q) & same & (g == g[forced])
-            ready[forced] = True
+            same_mode = self.functions.mode_of == self.functions.mode_of[forced]
+            twins = same_mode & (g == g[forced]) & (rate == rate[forced])
+            ready |= self.active(point.q) & twins
         candidates = np.flatnonzero(ready)
         if not len(candidates):
             return []
@@ -164,7 +165,12 @@ class Switcher:
         changes = [self.switching.changes[i] for i in fired]
         everything = self._everything(point)
         shocks = [c for c in changes if c.impulse is not None]
-        impulses = self._strike(point, shocks, everything) if shocks else {}
+        impulses: dict[int, float] = {}
+        if shocks:
+            shocks += partners(self.switching, self.modes(point.q), shocks)
+            impulses = self._strike(point, shocks, everything)
+            others = [c for c in changes if c.impulse is None]
+            changes = [*others, *(c for c in shocks if c.impulse in impulses)]
         for change in changes:
             self.modes(point.q)[change.mode] = change.target
             self.muted[self.functions.mode_of == change.mode] = False
@@ -194,14 +200,11 @@ class Switcher:
         self.complete(during)
         assert self.functions.shock is not None
         shock = self.functions.shock(point.x, point.z, q, point.t)
-        response = shock[0].reshape(-1, len(point.x)).T
-        slopes = shock[1].reshape(len(point.x), -1).T
-        numbers = [c.impulse for c in shocks]
-        wanted = np.array([everything[c.after] - everything[c.velocity] for c in shocks])
-        effect = slopes[[c.velocity for c in shocks]] @ response[:, numbers]
-        size = np.linalg.lstsq(effect, wanted, rcond=1e-10)[0]
-        point.x = point.x + response[:, numbers] @ size
-        return {int(n): float(s) for n, s in zip(numbers, size, strict=True) if n is not None}
+        response = shock[0].reshape(len(self.switching.impulse_names), len(point.x)).T
+        slopes = shock[1].reshape(len(point.x), len(everything)).T
+        impulses, step = solve_impact(shocks, response, slopes, everything)
+        point.x = point.x + step
+        return impulses
 
     def _reset(self, point: Point, resets: dict[int, float]) -> None:
         """Give variables new values: states directly, others by the least change of states."""

@@ -81,15 +81,36 @@ class Run:
 
 
 def integrate(run: Run, stepper: Stepper, point: Point, span: float) -> Stretch:
-    """Integrate one stretch; when that fails, save what can be reached and fail with the place."""
+    """Integrate one stretch; when that fails at once, from node to node."""
     run.calls += 1
     try:
         stretch = stepper.run(point.t, point.x, point.z, point.q, span)
-    except IntegratorError as error:
-        _approach(run, stepper, point, span)
-        raise error
+    except IntegratorError:
+        return _node_by_node(run, stepper, point, span)
     run.steps += stretch.steps
     return stretch
+
+
+def _node_by_node(run: Run, stepper: Stepper, point: Point, span: float) -> Stretch:
+    """Integrate each interval on its own, which allows more steps; save what is reached on failure."""
+    step = span / stepper.nodes
+    t, x, z, steps = point.t, point.x, point.z, 0
+    states, algebraic = [], []
+    for number in range(stepper.nodes):
+        try:
+            piece = stepper.run(t, x, z, point.q, step)
+        except IntegratorError:
+            if number:
+                times = point.t + step * np.arange(1, number + 1)
+                run.record(times, np.array(states), np.array(algebraic))
+            _approach(run, stepper, Point(t, x, z, point.q), step)
+            raise
+        t, x, z = t + step, piece.states[-1], piece.algebraic[-1]
+        states.append(x)
+        algebraic.append(z)
+        steps += piece.steps
+        run.steps += piece.steps
+    return Stretch(np.array(states), np.array(algebraic), steps)
 
 
 def _approach(run: Run, stepper: Stepper, point: Point, span: float) -> None:
@@ -102,6 +123,7 @@ def _approach(run: Run, stepper: Stepper, point: Point, span: float) -> None:
             stretch = stepper.run(t, x, z, point.q, span)
         except IntegratorError:
             continue
+        run.steps += stretch.steps
         if not np.isfinite(stretch.states).all():
             continue
         times = t + span * np.arange(1, stepper.nodes + 1) / stepper.nodes
@@ -136,5 +158,6 @@ def failure(run: Run, error: Exception) -> str:
     reason = str(error).strip().splitlines()[-1]
     return (
         f"'{dae.name}': integration failed at t = {point.t:.9g} s; the state that limited the step is "
-        f"{state}. Results up to there are kept in the error's `result`. Solver: {reason}"
+        f"{state}. If it is really that fast, give a smaller step=. Results up to there are kept in the "
+        f"error's `result`. Solver: {reason}"
     )

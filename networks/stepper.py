@@ -16,7 +16,7 @@ if TYPE_CHECKING:
     from .closed import Closed
 
 Array = NDArray[np.float64]
-MOST_STEPS = 50_000
+MOST_STEPS = 20_000
 SOLVERS = ("auto", "cvodes", "idas", "rosenbrock")
 
 

@@ -130,6 +130,8 @@ class _ModeScope:
 
 
 def _relation(when: Any) -> Any:
+    if isinstance(when, bool) or (isinstance(when, ca.SX) and when.is_constant()):
+        return ca.SX(1.0 if when else -1.0)
     if not isinstance(when, ca.SX) or when.op() not in (ca.OP_LT, ca.OP_LE):
         raise ModelError(f"when= takes a relation such as `self.f > self.f_max`, got {when}")
     return when.dep(1) - when.dep(0)

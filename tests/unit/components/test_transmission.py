@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 from inertance import rotational
 
-TIGHT = {"rtol": 1e-9, "atol": 1e-11}
+TIGHT: dict[str, Any] = {"rtol": 1e-9, "atol": 1e-11}
 GEARS = {"R": 0.05, "r": 0.017, "J_p": 1.66e-5, "J_r": 1.02e-4}
 MESH = {"k_r": 1e8, "c_r": 4e3}
 
@@ -87,7 +87,9 @@ def test_screw_friction_holds_the_nut() -> None:
     """Friction of 0.2 N.m at a lead of 10 mm holds 40 pi N, and no more."""
     friction = rotational.CoulombFriction(tau_c=0.2)
     screw = ia.CompliantNutScrew(lead=0.01, m_r=0.5, k=1e6, d=2e3, friction=friction)
-    net = ia.Network("held", force=ia.Force(f=lambda t: 50 * t), screw=screw, wheel=rotational.Inertia(J=1e-3))
+    net = ia.Network(
+        "held", force=ia.Force(f=lambda t: 50 * t), screw=screw, wheel=rotational.Inertia(J=1e-3)
+    )
     net.connect(net.force.flange, net.screw.flange_t)
     net.connect(net.screw.flange_r, net.wheel.flange)
     run = net.simulate(3.0, **TIGHT)
@@ -158,9 +160,7 @@ def meshed(planet: bool) -> ia.Network:
         return net
     alpha = cos(pi / 9)
     net.add(
-        mesh=rotational.GearMesh(
-            r_a=0.017 * alpha, r_b=0.05 * alpha, k=1e8, d=4e3, g=1e-6, internal=True
-        ),
+        mesh=rotational.GearMesh(r_a=0.017 * alpha, r_b=0.05 * alpha, k=1e8, d=4e3, g=1e-6, internal=True),
         spin=rotational.Inertia(J=1.66e-5, phi=0.0, w=0.0),
         revolution=rotational.Inertia(J=1.02e-4),
         friction=rotational.StribeckFriction(tau_c=0.01, tau_s=0.01, w_s=1.0, d=1e-4, regularised=0.1),
