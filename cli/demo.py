@@ -13,6 +13,7 @@ import typer
 from numpy.typing import NDArray
 from rich.console import Console
 from rich.table import Table
+from rich.text import Text
 
 from ..components import Component
 from ..networks import RandomDisplacement, Sinusoid, ge_wang, rig_response, run_on_rig
@@ -24,7 +25,7 @@ Examples:
 
 TESTS = (Sinusoid(0.020, 0.1), Sinusoid(0.010, 3.0), Sinusoid(0.007, 5.0), Sinusoid(0.0015, 10.0))
 INERTERS = {"planetary": ge_wang.planetary_inerter, "disk": ge_wang.disk_inerter}
-RANDOM = (RandomDisplacement(seed=1), RandomDisplacement(seed=2))
+RANDOM = tuple(RandomDisplacement(seed, period=8.0) for seed in (1, 2))
 SETTLE = 2.0
 
 
@@ -101,7 +102,7 @@ def demo(
     console.print(responses_table(responses))
     for picture in (
         draw_cycles(out / "sinusoidal_tests.png", TESTS, cycles),
-        draw_responses(out / "rig_response.png", responses),
+        draw_responses(out / "frequency_response.png", responses),
         draw_design_map(out / "design_map.png", ge_wang.GEOMETRY),
     ):
         console.print(f"wrote {picture}")
@@ -124,7 +125,7 @@ def last_cycle(make: Callable[[], Component], test: Sinusoid) -> Cycle:
 
 def random_tests() -> Responses:
     """Return frequencies and the responses of both inerters to random displacement."""
-    found = {name: rig_response(make(), RANDOM, SETTLE) for name, make in INERTERS.items()}
+    found = {name: rig_response(make(), RANDOM, settle=1.0) for name, make in INERTERS.items()}
     (f, planetary), (_, disk) = found["planetary"], found["disk"]
     return Responses(f, planetary, disk)
 
@@ -153,7 +154,7 @@ def cycles_table(cycles: dict[str, list[Cycle]]) -> Table:
     table.add_column("displacement", no_wrap=True)
     table.add_column("inerter")
     for heading in ("greatest\nforce [N]", "equivalent\ninertance [kg]", "dissipated\n[J]", "stuck\n[%]"):
-        table.add_column(heading, justify="right")
+        table.add_column(Text(heading), justify="right")
     for i, test in enumerate(TESTS):
         for name, found in cycles.items():
             c = found[i]
@@ -172,7 +173,7 @@ def cycles_table(cycles: dict[str, list[Cycle]]) -> Table:
 def responses_table(responses: Responses) -> Table:
     """Return how far the planetary inerter's gain exceeds the disk's, by band."""
     table = Table(title="Gain |H|, planetary over disk")
-    table.add_column("band [Hz]")
+    table.add_column("band, Hz")
     for heading in ("least", "mean", "greatest"):
         table.add_column(heading, justify="right")
     for low, high in ((0.5, 1), (1, 2), (2, 5), (5, 15)):

@@ -41,7 +41,7 @@ class Closed:
         value = _traced(declared.path, signal, self.t)
         for _ in range(declared.order):
             value = ca.jacobian(value, self.t)
-        return value
+        return declared.sign * value
 
     def close(self, expression: Any) -> Any:
         """Put the inputs into an expression of the DAE's symbols."""

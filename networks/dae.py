@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 
 import casadi as ca
 
-from ..components.base import ModelError, Parameter
+from ..components.base import Parameter
 
 if TYPE_CHECKING:
     from .closed import Closed
@@ -24,10 +24,11 @@ KEPT = 4
 
 @dataclass(frozen=True)
 class Input:
-    """An external signal, or one of its time derivatives (`order`)."""
+    """An external signal, or one of its time derivatives (`order`); the symbol in u is `sign` times it."""
 
     path: str
     order: int
+    sign: int
     unit: str
     signal: Any
     variable: int

@@ -17,6 +17,8 @@ from .switching import Change
 Array = NDArray[np.float64]
 FLOOR = 1e-12
 RELATIVE = 1e-12
+FLAT = 1e-10
+UNRESOLVED = 1e-3
 REGULAR = 1e-6
 
 
@@ -116,6 +118,26 @@ class Switcher:
         np.maximum(self.fastest, np.abs(rates).max(axis=0, initial=0.0), out=self.fastest)
         return values.T, rates.T
 
+    def resolved(self, point: Point, times: Array) -> bool:
+        """Tell whether nodes are close enough for what time itself does to the indicators.
+
+        No state need move for a force to come and go, so the integrator's steps do not tell.
+        """
+        if not self.functions.timed:
+            return True
+        halfway = times + 0.5 * (times[1] - times[0])
+        at, between = (
+            self.functions.watch_nodes(point.x, point.z, point.q, t[:, None])[0] for t in (times, halfway)
+        )
+        cubic = (9 * (at[1:-2] + at[2:-1]) - at[:-3] - at[3:]) / 16
+        error = np.abs(between[1:-2] - cubic).max(axis=0)
+        return bool((error <= UNRESOLVED * np.ptp(at, axis=0) + self.tolerance()).all())
+
+    def flat_at(self, point: Point, crossing: tuple[int, int, float]) -> bool:
+        """Tell whether a crossing is where the stretch began, though the indicator does not rise there."""
+        _, indicator, t = crossing
+        return t <= point.t and self.watch(point)[1][indicator] <= FLAT * self.fastest[indicator]
+
     def tolerance(self) -> Array:
         """Return the size below which each indicator counts as zero."""
         return np.maximum(FLOOR, RELATIVE * self.seen)
@@ -142,7 +164,7 @@ class Switcher:
 
     def _fired(self, point: Point, forced: int | None) -> list[int]:
         (g, rate), near = self.watch(point), self.tolerance()
-        rising = rate > 1e-10 * self.fastest
+        rising = rate > FLAT * self.fastest
         ready = self.active(point.q) & ((g > near) | ((g > -near) & rising))
         leaving = (g <= 10 * near) & (rate < 0)
         ready &= ~leaving

@@ -13,7 +13,7 @@ from .stepper import Array, Stepper, Stretch
 from .switchfunctions import NODES as NODES
 
 CHATTER = 200
-LEAST_EXPONENT, MOST_EXPONENT = -30, 5
+LEAST_EXPONENT, FINE_EXPONENT, MOST_EXPONENT = -30, -4, 5
 HOP = 1e-3
 
 
@@ -41,11 +41,11 @@ def run_hybrid(run: Run, switcher: Switcher, stepper: Stepper, outputs: Array, p
         if exponent < 0 and span > interval * 2.0**exponent:
             span, intervals = interval * 2.0**exponent, 0
         stretch = integrate(run, stepper, point, span)
-        if stretch.steps > 8 * stepper.nodes and exponent > LEAST_EXPONENT:
-            exponent -= 1
-            continue
         times = point.t + span * np.arange(stepper.nodes + 1) / stepper.nodes
         crossing = _crossing(run, switcher, times, stretch)
+        if _too_coarse(switcher, point, times, stretch, crossing, exponent):
+            exponent = min(exponent, intervals.bit_length() - 1) - 1
+            continue
         kept = stepper.nodes if crossing is None else crossing[0]
         next_output = _record_outputs(run, outputs, next_output, intervals, stretch, kept)
         if crossing is None:
@@ -56,6 +56,23 @@ def run_hybrid(run: Run, switcher: Switcher, stepper: Stepper, outputs: Array, p
             _land(run, switcher, stepper, times, stretch, crossing)
             recent = _watch_chatter(run, recent, interval)
         progress.at(run.point.t)
+
+
+def _too_coarse(
+    switcher: Switcher,
+    point: Point,
+    times: Array,
+    stretch: Stretch,
+    crossing: tuple[int, int, float] | None,
+    exponent: int,
+) -> bool:
+    """Tell whether a stretch is too long for its nodes to show what happens in it."""
+    if exponent <= LEAST_EXPONENT:
+        return False
+    nodes = len(times) - 1
+    if stretch.steps > 8 * nodes or (crossing is not None and switcher.flat_at(point, crossing)):
+        return True
+    return exponent > FINE_EXPONENT and stretch.steps < nodes and not switcher.resolved(point, times)
 
 
 def _crossing(run: Run, switcher: Switcher, times: Array, stretch: Stretch) -> tuple[int, int, float] | None:

@@ -28,7 +28,7 @@ class System:
     names: Names
     families: list[Family]
     derivative: dict[int, tuple[int, int]]
-    known: dict[int, tuple[str, int]]
+    known: dict[int, tuple[str, int, int]]
     size: int
     held: dict[int, list[Any]] = field(default_factory=dict)
     next_level: list[dict[int, tuple[int, int]]] = field(default_factory=list)
@@ -39,8 +39,8 @@ class System:
         if variable not in self.derivative:
             self.derivative[variable] = (self.size, 1)
             if variable in self.known:
-                name, order = self.known[variable]
-                self.known[self.size] = (name, order + 1)
+                name, order, sign = self.known[variable]
+                self.known[self.size] = (name, order + 1, sign)
             self.size += 1
         return self.derivative[variable]
 
@@ -101,17 +101,17 @@ def joined_system(flat: Flat) -> System:
         family.signs = family.signs * signs[family.columns]
         family.columns = roots[family.columns]
     derivative = {root: (int(roots[d]), int(signs[d])) for root, d in flat.joined.derivative.items()}
-    known: dict[int, tuple[str, int]] = {}
+    known: dict[int, tuple[str, int, int]] = {}
     clashes = []
     for path, number in flat.inputs.items():
-        root, order = int(roots[number]), 0
+        root, order, sign = int(roots[number]), 0, int(signs[number])
         if root in known:
             clashes.append(f"'{path}' and '{known[root][0]}' prescribe the same quantity; keep one")
         while root not in known:
-            known[root] = (path, order)
+            known[root] = (path, order, sign)
             if root not in derivative:
                 break
-            root, order = derivative[root][0], order + 1
+            root, order, sign = derivative[root][0], order + 1, sign * derivative[root][1]
     if clashes:
         raise ModelError(f"'{flat.name}' has two rigid sources at one node:", clashes)
     names = Names(flat, roots, signs)

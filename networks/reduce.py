@@ -36,7 +36,7 @@ def _dae(system: System, solution: Solution, switch: Switching) -> DAE:
     rates = [system.derivative[s] for s in solution.states]
     ode = pick(values, [d for d, _ in rates]) * ca.DM([sign for _, sign in rates])
     known = sorted(system.known.items(), key=lambda item: (item[1], item[0]))
-    inputs = [_input(flat, path, order, number) for number, (path, order) in known]
+    inputs = [_input(flat, number, *fact) for number, fact in known]
     return DAE(
         name=flat.name,
         x=pick(symbols, solution.states),
@@ -59,7 +59,8 @@ def _dae(system: System, solution: Solution, switch: Switching) -> DAE:
     )
 
 
-def _input(flat: Flat, path: str, order: int, number: int) -> Input:
+def _input(flat: Flat, number: int, path: str, order: int, sign: int) -> Input:
     owner, _, name = path.rpartition(".")
     component = flat.instances[owner].component
-    return Input(path, order, type(component).fields[name].unit, component._values.get(name), number)
+    unit, signal = type(component).fields[name].unit, component._values.get(name)
+    return Input(path, order, sign, unit, signal, number)

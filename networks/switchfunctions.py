@@ -20,6 +20,7 @@ class SwitchFunctions:
 
     Attributes:
         watch: indicators and their rates; `watch_nodes` the same at all nodes of a stretch.
+        timed: whether time itself moves an indicator.
         everything: all switching expressions.
         motion: state derivatives.
         slopes: matrices of the blocks that depend on modes, one after the other, by columns.
@@ -36,6 +37,7 @@ class SwitchFunctions:
         watched = indicators, closed.rate(indicators)
         self.watch = closed.compiled("watch", *watched)
         self.watch_nodes = closed.compiled("watch", *watched, instants=NODES + 1)
+        self.timed = ca.depends_on(indicators, closed.t)
         self.everything = closed.compiled("switching", expressions)
         self.motion = closed.compiled("motion", closed.close(dae.ode))
         matrices = [ca.vec(ca.densify(block.matrix)) for block in dae.blocks]

@@ -36,9 +36,9 @@ class Backlash(CompliantWithSpeed):
     """Spring and damper with clearance: a dead zone of half-width k eps on P + D.
 
     f = u - k eps where u = P + D >= k eps, u + k eps where u <= -k eps, else 0, with
-    P = k (s_rel - s_rel0) and D = c v_rel. So f is continuous and never opposes u.
+    P = k (s_rel - s_rel0) and D = d v_rel. So f is continuous and never opposes u.
 
-    Limits: the damper counts inside the clearance too. Where c |v_rel| > k (eps - |s_rel - s_rel0|),
+    Limits: the damper counts inside the clearance too. Where d |v_rel| > k (eps - |s_rel - s_rel0|),
     f acts before contact, and on fast separation it may pull; `ElastoGap` limits the damping instead.
 
     Source: Ge & Wang, Modeling, Testing, and Characteristic Analysis of a Planetary Flywheel Inerter,
@@ -46,10 +46,10 @@ class Backlash(CompliantWithSpeed):
     """
 
     k = parameter("N/m", "stiffness", min=0)
-    c = parameter("N.s/m", "damping constant", min=0)
+    d = parameter("N.s/m", "damping constant", min=0)
     eps = parameter("m", "half of the clearance", min=0)
     s_rel0 = parameter("m", "distance at the middle of the clearance", default=0.0)
 
     def equations(self) -> Iterable[Any]:
-        contact = self.k * (self.s_rel - self.s_rel0) + self.c * self.v_rel
+        contact = self.k * (self.s_rel - self.s_rel0) + self.d * self.v_rel
         yield self.f == past_clearance(contact, self.k * self.eps)

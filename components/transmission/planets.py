@@ -119,6 +119,6 @@ class PlanetaryFlywheel(PlanetGear):
         return {name: Planet(regularised=self.regularised, **shared) for name in names}
 
     def connections(self) -> Iterable[Any]:
-        planets = [part for part in self._parts.values() if isinstance(part, Planet)]
+        planets = [part for name, part in self._parts.items() if name != "bracket"]
         yield self.flange, self.bracket.flange, *(planet.bracket for planet in planets)
         yield self.support, *(planet.ring for planet in planets)

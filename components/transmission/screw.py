@@ -38,7 +38,7 @@ class CompliantNutScrew(Component):
     eps = parameter("m", "half the axial clearance of nut and bearings", min=0, default=0.0)
 
     nut = Mass(m=m_r)
-    contact = Backlash(k=k, c=d, eps=eps)
+    contact = Backlash(k=k, d=d, eps=eps)
     thread = NutScrew(lead=lead)
     friction = Damper(d=0.0)
 

@@ -116,14 +116,14 @@ def rig_response(
     eq. (32).
     """
     lines, period = displacements[0].lines, displacements[0].period
-    cross, power = np.zeros(len(lines), dtype=complex), np.zeros(len(lines))
+    cross = np.zeros(len(lines), dtype=np.complex128)
+    power = np.zeros_like(cross)
     for displacement in displacements:
         run = run_on_rig(inerter.clone(), displacement, period, begin=-settle, step=1e-3)
         x, F = (_spectrum(run, name, period)[lines] for name in ("actuator.s_ref", "inerter.flange_a.f"))
         cross += x.conj() * F
-        power += abs(x) ** 2
-    response: NDArray[np.complex128] = cross / power
-    return lines / period, response
+        power += x.conj() * x
+    return lines / period, cross / power
 
 
 def _spectrum(run: Result, name: str, period: float) -> NDArray[np.complex128]:

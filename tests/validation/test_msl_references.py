@@ -9,16 +9,15 @@ from dataclasses import dataclass, field
 from functools import cache
 from itertools import pairwise
 from math import exp, inf, pi
-from pathlib import Path
+from typing import Any
 
 import casadi as ca
 import inertance as ia
 import numpy as np
 import pytest
 from inertance import Network, rotational, signals
-from numpy.typing import NDArray
+from scipy.linalg import expm
 
-Array = NDArray[np.float64]
 History = list[tuple[float, int]]
 
 NUMBERS = {"backward": -1, "stuck": 0, "forward": 1, "free": 2}
@@ -178,7 +177,10 @@ def friction() -> Network:
 
 @dataclass(frozen=True)
 class Case:
-    """An example: how to build it, its length, and the largest error measured, of a signal's range."""
+    """An example: how to build it, its length, the largest error allowed, of a signal's range, and modes.
+
+    The errors are those measured, rounded up; all are well below 1e-3.
+    """
 
     build: Callable[[], Network]
     stop: float
@@ -187,49 +189,20 @@ class Case:
 
 
 CASES = {
-    "Rotational.First": Case(first, 1.0, 3e-4),
-    "Rotational.Backlash": Case(backlash, 1.0, 1e-4),
+    "Rotational.First": Case(first, 1.0, 3.3e-4),
+    "Rotational.Backlash": Case(backlash, 1.0, 2e-5),
     "Rotational.CoupledClutches": Case(
         coupled_clutches, 1.5, 2e-5, {f"clutch{i}": f"clutch{i}.mode" for i in (1, 2, 3)}
     ),
-    "Translational.Accelerate": Case(accelerate, 1.0, 1e-7),
-    "Translational.Damper": Case(damper, 1.0, 3e-6),
-    "Translational.ElastoGap": Case(elasto_gap, 5.0, 1e-5),
+    "Translational.Accelerate": Case(accelerate, 1.0, 2e-7),
+    "Translational.Damper": Case(damper, 1.0, 4e-6),
+    "Translational.ElastoGap": Case(elasto_gap, 5.0, 8e-6),
     "Translational.Friction": Case(
-        friction, 5.0, 5e-5, {b: f"{b}.friction.mode" for b in ("stop1", "stop2", "supportFriction")}
+        friction, 5.0, 2e-5, {b: f"{b}.friction.mode" for b in ("stop1", "stop2", "supportFriction")}
     ),
     "Translational.Oscillator": Case(oscillator, 1.0, 5e-4),
 }
-
-
-class Reference:
-    """A reference result: its signals by name, and the names of those that count."""
-
-    def __init__(self, folder: Path, name: str) -> None:
-        path = folder / f"{name}.csv"
-        with path.open(encoding="utf-8") as file:
-            heads = file.readline().replace('"', "").strip().split(",")
-        table = np.loadtxt(path, delimiter=",", skiprows=1)
-        self.signals: dict[str, Array] = dict(zip(heads, table.T, strict=True))
-        self.time = self.signals["time"]
-        counted = (folder / f"{name}.signals.txt").read_text(encoding="utf-8").split()
-        self.motions = [c for c in counted if c != "time" and "mode" not in c and "start" not in c]
-        self.modes = [c for c in counted if c.endswith(".mode")]
-        self.starts = [c for c in counted if c.endswith((".startForward", ".startBackward"))]
-        assert {"time", *self.motions, *self.modes, *self.starts} == set(counted) == set(heads)
-
-    @property
-    def between_events(self) -> NDArray[np.bool_]:
-        """Rows away from events: at an event two rows share one time."""
-        step = np.diff(self.time) > 0
-        rows: NDArray[np.bool_] = np.append(True, step) & np.append(step, True)
-        return rows
-
-    def history(self, name: str) -> History:
-        """Return the values a discrete signal takes, and from when."""
-        values = self.signals[name]
-        changed = np.flatnonzero(np.diff(values, prepend=values[0] - 1))
-        return [(float(self.time[i]), int(values[i])) for i in changed]
+HYBRID = [name for name, case in CASES.items() if case.modes]
 
 
 @cache
@@ -252,49 +225,61 @@ def lasting(history: History) -> History:
 
 
 @pytest.mark.parametrize("name", CASES)
-def test_every_counted_signal_agrees(name: str, msl_references: Path) -> None:
-    reference, run = Reference(msl_references, name), run_of(name)
-    rows = reference.between_events
-    for signal in reference.motions:
-        expected = reference.signals[signal][rows]
-        ours = np.interp(reference.time[rows], run["time"], run[signal])
-        assert np.abs(ours - expected).max() < CASES[name].error * np.ptp(expected), signal
+def test_every_counted_motion_agrees(name: str, reference: Callable[[str], Any]) -> None:
+    expected, run = reference(name), run_of(name)
+    rows = expected.between_events
+    assert expected.motions
+    for signal in expected.motions:
+        values = expected.signals[signal][rows]
+        ours = np.interp(expected.time[rows], run["time"], run[signal])
+        assert np.abs(ours - values).max() < CASES[name].error * np.ptp(values), signal
 
 
-@pytest.mark.parametrize("name", [name for name, case in CASES.items() if case.modes])
-def test_every_mode_switches_when_it_should(name: str, msl_references: Path) -> None:
-    reference, run = Reference(msl_references, name), run_of(name)
-    assert {f"{element}.mode" for element in CASES[name].modes} == set(reference.modes)
+@pytest.mark.parametrize("name", CASES)
+def test_every_counted_mode_switches_when_it_should(name: str, reference: Callable[[str], Any]) -> None:
+    expected, run = reference(name), run_of(name)
+    assert expected.modes == [f"{element}.mode" for element in CASES[name].modes]
     for element, mode in CASES[name].modes.items():
-        expected, ours = lasting(reference.history(f"{element}.mode")), lasting(history(run, mode))
-        assert [value for _, value in ours] == [value for _, value in expected], element
-        assert [t for t, _ in ours] == pytest.approx([t for t, _ in expected], abs=1e-5), element
+        theirs, ours = lasting(expected.history(f"{element}.mode")), lasting(history(run, mode))
+        assert [value for _, value in ours] == [value for _, value in theirs], element
+        assert [t for t, _ in ours] == pytest.approx([t for t, _ in theirs], abs=BLINK), element
 
 
-@pytest.mark.parametrize("name", [name for name, case in CASES.items() if case.modes])
-def test_break_away_comes_where_the_start_flags_rise(name: str, msl_references: Path) -> None:
+@pytest.mark.parametrize("name", HYBRID)
+def test_break_away_comes_where_the_start_flags_rise(name: str, reference: Callable[[str], Any]) -> None:
     """MSL's startForward and startBackward are true from break-away until the speed is above zero.
 
-    We have no such state: break-away is the event stuck -> forward or backward. So a flag must fall within
-    BLINK of its rise, and its rise must be one of these events.
+    Here nothing lies between: break-away is the event stuck -> forward or backward. So a flag must fall
+    within BLINK of its rise, and the rise must be such an event.
     """
-    reference, run = Reference(msl_references, name), run_of(name)
+    expected, run = reference(name), run_of(name)
+    breakaways: list[Any] = [(e.mode, e.target, e.time) for e in run.events if e.source == "stuck"]
     risen = 0
-    for signal in reference.starts:
+    for signal in expected.starts:
         element, flag = signal.split(".")
         target = flag.removeprefix("start").lower()
-        (_, initially), *changes = reference.history(signal)
-        assert not initially, signal
+        (_, at_first), *changes = expected.history(signal)
+        assert not at_first, signal
         for (rise, _), (fall, _) in zip(changes[::2], changes[1::2], strict=True):
             risen += 1
             assert fall - rise < BLINK, signal
-            assert any(
-                event.mode == CASES[name].modes[element]
-                and (event.source, event.target) == ("stuck", target)
-                and abs(event.time - rise) < BLINK
-                for event in run.events
-            ), signal
+            assert (CASES[name].modes[element], target, pytest.approx(rise, abs=BLINK)) in breakaways, signal
     assert risen
+
+
+def test_first_against_its_exact_solution() -> None:
+    """What parts us from the reference of First (3.1e-4 of the range) is the reference's own error."""
+    run = run_of("Rotational.First")
+    # phi2, w2, phi3, w3, sin and cos of the torque; the inertia before the gear counts ratio^2 times
+    c, J, omega = 1e4, 2 + 100 * 0.1, 10 * pi
+    motion = np.zeros((6, 6))
+    motion[0, 1] = motion[2, 3] = 1
+    motion[1] = [-c / J, -10 / J, c / J, 0, 100 / J, 0]
+    motion[3, [0, 2]] = c / 2, -c / 2
+    motion[4, 5], motion[5, 4] = omega, -omega
+    exact = np.array([expm(motion * t)[:, 5] for t in run["time"][::100]]).T
+    for name, row in {"inertia2.phi": 0, "inertia2.w": 1, "inertia3.phi": 2, "inertia3.w": 3}.items():
+        assert np.abs(run[name][::100] - exact[row]).max() < 1e-5 * np.ptp(exact[row]), name
 
 
 def test_oscillator_against_its_closed_form() -> None:
@@ -302,4 +287,4 @@ def test_oscillator_against_its_closed_form() -> None:
     run = run_of("Translational.Oscillator")
     t, w0, w = run["time"], 100.0, 2 * pi * 15.9155
     exact = -0.5 + (np.sin(w * t) - w / w0 * np.sin(w0 * t)) / (w0**2 - w**2)
-    assert np.abs(run["mass1.s"] - exact).max() < 1e-6 * np.ptp(exact)
+    assert np.abs(run["mass1.s"] - exact).max() < 5e-6 * np.ptp(exact)

@@ -75,12 +75,12 @@ def test_elasto_gap_deepest_point_follows_from_energy(n: float) -> None:
     ],
 )
 def test_backlash_is_a_dead_zone_on_spring_and_damper(s: float, v: float, force: float) -> None:
-    element = ia.Backlash(k=100.0, c=2.0, eps=0.01)
+    element = ia.Backlash(k=100.0, d=2.0, eps=0.01)
     assert force_at(element, s, v) == pytest.approx(force, abs=1e-12)
 
 
 def test_backlash_without_clearance_is_a_spring_and_damper() -> None:
-    backlash = ia.Backlash(k=100.0, c=2.0, eps=0.0, s_rel0=0.3)
+    backlash = ia.Backlash(k=100.0, d=2.0, eps=0.0, s_rel0=0.3)
     plain = ia.SpringDamper(k=100.0, d=2.0, s_rel0=0.3)
     ends = [against_wall(e, 0.5, 0.0).simulate(1.0)["mass.s"][-1] for e in (backlash, plain)]
     assert ends[0] == pytest.approx(ends[1], abs=1e-12)
@@ -90,7 +90,7 @@ def test_backlash_lengthens_the_period() -> None:
     k, eps, amplitude = 400.0, 0.1, 0.5
     w = np.sqrt(k)
     period = 2 * np.pi / w + 4 * eps / (w * (amplitude - eps))
-    net = against_wall(ia.Backlash(k=k, c=0.0, eps=eps), s=amplitude, v=0.0)
+    net = against_wall(ia.Backlash(k=k, d=0.0, eps=eps), s=amplitude, v=0.0)
     run = net.simulate(10 * period, rtol=1e-10, atol=1e-12)
     assert run["mass.s"][-1] == pytest.approx(amplitude, rel=1e-6)
     assert run["mass.s"].min() == pytest.approx(-amplitude, rel=1e-6)
@@ -100,6 +100,6 @@ def test_errors_name_parameter_value_and_unit() -> None:
     net = against_wall(ia.ElastoGap(k=-1.0, d=0.0), s=1.0, v=0.0)
     with pytest.raises(ia.ModelError, match=r"ElastoGap 'gap': k must be at least 0 N/m\^n, got -1"):
         net.simulate(1.0)
-    net = against_wall(ia.Backlash(k=1.0, c=0.0), s=1.0, v=0.0)
+    net = against_wall(ia.Backlash(k=1.0, d=0.0), s=1.0, v=0.0)
     with pytest.raises(ia.ModelError, match=r"eps \[m\] \(half of the clearance\) must be given"):
         net.simulate(1.0)
