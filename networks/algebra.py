@@ -16,6 +16,11 @@ class _Joined(Component):
         super().__init__()
         self._parts.update(parts)
         self._nodes = nodes
+        self._own_parts()
+
+    def __repr__(self) -> str:
+        parts = ", ".join(f"{name}={part!r}" for name, part in self._parts.items())
+        return f"{type(self).__name__}({parts})"
 
     def connections(self) -> Iterable[tuple[Any, ...]]:
         """Return the nodes between the elements."""
@@ -57,8 +62,8 @@ def series(*elements: Component, **named: Component) -> TwoTerminal | Rotational
         ModelError: for an element without these flanges.
 
     Example:
-        >>> from inertance import Damper, Inerter, Spring, parallel, series
-        >>> tid = series(Spring(k=4e4), parallel(Inerter(b=130.0), Damper(d=260.0)))
+        >>> from inertance import Inerter, SpringDamper, series
+        >>> tid = series(SpringDamper(k=4e4, d=260.0), Inerter(b=130.0))
     """
     parts = _named(elements, named)
     names = list(parts)

@@ -11,9 +11,12 @@ from ..components.base import Port, PortRef, RealInput, RealOutput
 from .flat import Flat, Instance
 
 
+_Key = tuple[int, str, int]
+
+
 @dataclass(eq=False)
 class Node:
-    """Ports joined at one level of the tree; own ports of the composite count negatively."""
+    """Joined ports; a composite's own port, seen from inside, counts negatively."""
 
     ports: list[tuple[Instance, str, int]] = field(default_factory=list)
 
@@ -21,16 +24,12 @@ class Node:
 def connect_ports(flat: Flat, problems: list[str]) -> tuple[list[Node], list[int]]:
     """Join what connections join; return the nodes and the across variables that are grounded."""
     by_component = {id(i.component): i for i in flat.instances.values()}
-    outside: set[tuple[int, str]] = set()
-    nodes: list[Node] = []
+    node_of: dict[_Key, Node] = {}
     for owner in flat.instances.values():
-        node_of: dict[tuple[int, str], Node] = {}
         for ports in owner.component.connections():
-            members = _members(owner, ports, by_component, problems)
-            outside.update((id(i), name) for i, name, sign in members if sign > 0)
-            _merge(members, node_of)
-        distinct = {id(node): node for node in node_of.values()}
-        nodes.extend(distinct.values())
+            _merge(_members(owner, ports, by_component, problems), node_of)
+    outside = {(instance, name) for instance, name, sign in node_of if sign > 0}
+    nodes = list({id(node): node for node in node_of.values()}.values())
     for node in nodes:
         _check_node(node, problems)
     if not problems:
@@ -47,7 +46,7 @@ def _members(
     members = []
     for port in ports:
         instance = by_component.get(id(port.component))
-        if instance is None or (instance is not owner and instance.parent is not owner):
+        if instance is None or not _belongs(instance, owner):
             problems.append(
                 f"{port!r} is connected in '{owner.path or 'the network'}' but belongs to no "
                 "component of it; add the component, or connect it where it lives"
@@ -57,10 +56,16 @@ def _members(
     return members
 
 
-def _merge(members: list[tuple[Instance, str, int]], node_of: dict[tuple[int, str], Node]) -> None:
+def _belongs(instance: Instance | None, owner: Instance) -> bool:
+    while instance is not None and instance is not owner:
+        instance = instance.parent
+    return instance is owner
+
+
+def _merge(members: list[tuple[Instance, str, int]], node_of: dict[_Key, Node]) -> None:
     node = Node()
     for member in members:
-        key = (id(member[0]), member[1])
+        key = (id(member[0]), *member[1:])
         present = node_of.get(key)
         if present is node:
             continue
@@ -71,7 +76,7 @@ def _merge(members: list[tuple[Instance, str, int]], node_of: dict[tuple[int, st
         small, large = sorted((node, present), key=lambda n: len(n.ports))
         large.ports.extend(small.ports)
         for other in small.ports:
-            node_of[(id(other[0]), other[1])] = large
+            node_of[(id(other[0]), *other[1:])] = large
         node = large
 
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping
 from typing import TYPE_CHECKING, Any, Self
 
-from ..components.base import Component, ModelError, PortRef
+from ..components.base import Component, ModelError, PortRef, nearest
 
 if TYPE_CHECKING:
     from .dae import DAE
@@ -64,6 +64,24 @@ class Network(Component):
     def connections(self) -> Iterable[tuple[PortRef, ...]]:
         """Return the nodes made by `connect`."""
         return self._joined
+
+    def with_values(self, **values: Any) -> Self:
+        """Return a copy with some components exchanged; connections go to the new ones.
+
+        Raises:
+            ModelError: for a name the network does not have, with the nearest one.
+        """
+        copy = self.clone()
+        for name, component in values.items():
+            if name not in copy._parts or not isinstance(component, Component):
+                known = nearest(name, copy._parts)
+                raise ModelError(f"Network '{self.name}' has no component '{name}'{known} to exchange")
+            old, copy._parts[name] = copy._parts[name], component
+            copy._joined = [
+                tuple(PortRef(component, p.name) if p.component is old else p for p in ports)
+                for ports in copy._joined
+            ]
+        return copy
 
     def clone(self) -> Self:
         """Return an independent copy, connections included."""

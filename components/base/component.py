@@ -70,6 +70,7 @@ class Component:
         self._values: dict[str, Any] = {}
         self._parts: dict[str, Component] = {}
         self._problems: list[str] = []
+        self._owner: Component | None = None
         cls = type(self)
         replacements: dict[str, Component] = {}
         for name, value in values.items():
@@ -85,6 +86,11 @@ class Component:
             if name not in self._parts:
                 self._problems.append(self._unknown(name))
             self._parts[name] = replacement
+        self._own_parts()
+
+    def _own_parts(self) -> None:
+        for component in self._parts.values():
+            component._owner = self
 
     def parts(self) -> dict[str, Component]:
         """Return parts that depend on options (a number of planets); called once, at creation."""
@@ -108,6 +114,7 @@ class Component:
         copy.__dict__.update(self.__dict__)
         copy._values = dict(self._values)
         copy._parts = {name: component.clone() for name, component in self._parts.items()}
+        copy._own_parts()
         return copy
 
     def with_values(self, **values: Any) -> Self:
@@ -159,13 +166,24 @@ class Component:
             return PortRef(self, field.name)
         if isinstance(field, Part):
             return self._parts[field.name]
+        if isinstance(field, Parameter):
+            return self._parameter_value(field)
         if field.name in self._values:
             return self._values[field.name]
-        if isinstance(field, Parameter):
-            return field.default(self) if callable(field.default) else field.default
         if isinstance(field, Option):
             return field.default
         return field
+
+    def _parameter_value(self, field: Parameter) -> Any:
+        value = self._values.get(field.name, MISSING)
+        if value is MISSING:
+            return field.default(self) if callable(field.default) else field.default
+        owner = self._owner
+        if isinstance(value, Parameter):
+            while owner is not None and type(owner).fields.get(value.name) is not value:
+                owner = owner._owner
+            return value if owner is None else owner._get(value)
+        return value(owner) if callable(value) and owner is not None else value
 
     def __getattr__(self, name: str) -> Any:
         parts = self.__dict__.get("_parts", {})

@@ -30,5 +30,6 @@ class SimulationError(InertanceError, RuntimeError):
 
 def nearest(name: str, known: Iterable[str]) -> str:
     """Return `"; did you mean 'k'?"` for the known name closest to `name`, or nothing."""
-    matches = get_close_matches(name, list(known), n=1)
-    return f"; did you mean '{matches[0]}'?" if matches else ""
+    by_folded = {other.lower(): other for other in known}
+    matches = get_close_matches(name.lower(), list(by_folded), n=1)
+    return f"; did you mean '{by_folded[matches[0]]}'?" if matches else ""

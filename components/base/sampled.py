@@ -24,6 +24,7 @@ class Sampled:
 
     Example:
         >>> import numpy as np
+        >>> from inertance import Sampled
         >>> t = np.linspace(0, 1, 101)
         >>> road = Sampled(t, 0.01 * np.sin(2 * np.pi * t))
     """

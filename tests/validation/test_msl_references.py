@@ -189,16 +189,16 @@ class Case:
 
 
 CASES = {
-    "Rotational.First": Case(first, 1.0, 3.3e-4),
-    "Rotational.Backlash": Case(backlash, 1.0, 2e-5),
+    "Rotational.First": Case(first, 1.0, 3.5e-4),
+    "Rotational.Backlash": Case(backlash, 1.0, 3e-5),
     "Rotational.CoupledClutches": Case(
-        coupled_clutches, 1.5, 2e-5, {f"clutch{i}": f"clutch{i}.mode" for i in (1, 2, 3)}
+        coupled_clutches, 1.5, 3e-5, {f"clutch{i}": f"clutch{i}.mode" for i in (1, 2, 3)}
     ),
     "Translational.Accelerate": Case(accelerate, 1.0, 2e-7),
     "Translational.Damper": Case(damper, 1.0, 4e-6),
     "Translational.ElastoGap": Case(elasto_gap, 5.0, 8e-6),
     "Translational.Friction": Case(
-        friction, 5.0, 2e-5, {b: f"{b}.friction.mode" for b in ("stop1", "stop2", "supportFriction")}
+        friction, 5.0, 4e-5, {b: f"{b}.friction.mode" for b in ("stop1", "stop2", "supportFriction")}
     ),
     "Translational.Oscillator": Case(oscillator, 1.0, 5e-4),
 }
