@@ -99,14 +99,16 @@ def _named(elements: tuple[Component, ...], named: dict[str, Component]) -> dict
         stem = "branch" if isinstance(element, _Joined) else type(element).__name__.lower()
         count = sum(name.rstrip("0123456789_") == stem for name in parts)
         parts[f"{stem}_{count + 1}" if count else stem] = element
-    parts |= named
+    for name, element in named.items():
+        if name in parts or name.startswith("_") or hasattr(TwoTerminal, name):
+            raise ModelError(f"'{name}' cannot name an element here; choose another")
+        parts[name] = element
     if not parts:
         raise ModelError("series() and parallel() join at least one element")
     for name, element in parts.items():
-        fields = type(element).fields
-        if not {"flange_a", "flange_b"} <= set(fields):
+        if not {"flange_a", "flange_b"} <= getattr(type(element), "fields", {}).keys():
             raise ModelError(
-                f"'{name}' ({type(element).__name__}) has no flange_a and flange_b; "
+                f"'{name}' ({element!r}) has no flange_a and flange_b; "
                 "series() and parallel() join two-terminal elements"
             )
     return parts

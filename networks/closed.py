@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import warnings
 from collections.abc import Callable, Mapping
 from functools import cached_property
 from numbers import Real
@@ -11,11 +10,12 @@ from typing import Any
 import casadi as ca
 import numpy as np
 
-from ..components.base import ModelError, Sampled, nearest
+from ..components.base import ModelError, Sampled, nearest, numpy_on_symbols
 from .compiled import Compiled, dense
 from .dae import DAE, Input
 from .stepper import Stepper, Tolerance
 from .switchfunctions import SwitchFunctions
+from .vectors import pick
 
 
 class Closed:
@@ -28,6 +28,7 @@ class Closed:
         self.dae = dae
         self.signals = signals
         self._steppers: dict[tuple[str, Tolerance, int], Stepper] = {}
+        self._tangents: dict[tuple[tuple[int, ...], bool], Any] = {}
         self.sampled = any(isinstance(s, Sampled) for s in self.signals.values())
         kind: Any = ca.MX if self.sampled else ca.SX
         self.x: Any = kind.sym("x", dae.x.numel()) if self.sampled else dae.x
@@ -68,6 +69,16 @@ class Closed:
         """Return a function of (x, z, q, t) of expressions in the DAE's symbols."""
         joined = ca.vertcat(*expressions)
         return self.function("evaluate", self.close(joined))
+
+    def tangent(self, variables: tuple[int, ...], algebraic: bool) -> Any:
+        """Return a function of joined variables (and algebraic residuals) and their slopes in x and z."""
+        key = variables, algebraic
+        if key not in self._tangents:
+            values = pick(self.dae.variables, variables)
+            values = self.close(ca.vertcat(values, self.dae.alg) if algebraic else values)
+            slopes = ca.jacobian(values, self.x), ca.jacobian(values, self.z)
+            self._tangents[key] = self.function("tangent", values, *slopes)
+        return self._tangents[key]
 
     def rate(self, closed: Any) -> Any:
         """Return the time derivative of a closed expression along the motion."""
@@ -115,23 +126,26 @@ def chosen_signals(dae: DAE, given: Mapping[str, Any]) -> dict[str, Any]:
 def _traced(path: str, signal: Any, t: Any) -> Any:
     if isinstance(signal, Sampled):
         return signal.interpolant("signal")(t)
-    if isinstance(signal, Real):
+    if isinstance(signal, Real) and np.isfinite(float(signal)):
         return type(t)(float(signal))
     if isinstance(signal, Callable):  # type: ignore[arg-type]
         return _called(path, signal, t)
     raise ModelError(
-        f"input '{path}' takes a number, a function of time, a Sampled or (time, values), got {signal!r}"
+        f"input '{path}' takes a finite number, a function of time, a Sampled or (time, values), "
+        f"got {signal!r}"
     )
 
 
 def _called(path: str, function: Any, t: Any) -> Any:
     try:
-        with warnings.catch_warnings():
-            warnings.simplefilter("ignore", FutureWarning)
-            value = function(t)
-        return type(t)(float(value)) if isinstance(value, int | float | np.number) else type(t)(value)
+        with numpy_on_symbols():
+            value = type(t)(function(t))
     except Exception as error:
+        told = str(error).partition("\n")[0]
         raise ModelError(
-            f"input '{path}': the function of time could not be read ({error}); write it with CasADi "
+            f"input '{path}': the function of time could not be read ({told}); write it with CasADi "
             "or NumPy functions (`ca.sin`, `ca.if_else`), or give Sampled data"
         ) from error
+    if value.numel() != 1:
+        raise ModelError(f"input '{path}': the function of time must return one number, got {value.shape}")
+    return value

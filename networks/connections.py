@@ -26,8 +26,11 @@ def connect_ports(flat: Flat, problems: list[str]) -> tuple[list[Node], list[int
     by_component = {id(i.component): i for i in flat.instances.values()}
     node_of: dict[_Key, Node] = {}
     for owner in flat.instances.values():
-        for ports in owner.component.connections():
-            _merge(_members(owner, ports, by_component, problems), node_of)
+        try:
+            for ports in owner.component.connections():
+                _merge(_members(owner, ports, by_component, problems), node_of)
+        except AttributeError as error:
+            problems.append(f"{owner}: its connections cannot be made: {error}")
     outside = {(instance, name) for instance, name, sign in node_of if sign > 0}
     nodes = list({id(node): node for node in node_of.values()}.values())
     for node in nodes:
@@ -48,7 +51,7 @@ def _members(
         instance = by_component.get(id(port.component))
         if instance is None or not _belongs(instance, owner):
             problems.append(
-                f"{port!r} is connected in '{owner.path or 'the network'}' but belongs to no "
+                f"{port!r} is connected in {owner if owner.path else 'the network'} but belongs to no "
                 "component of it; add the component, or connect it where it lives"
             )
             continue

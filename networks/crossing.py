@@ -6,6 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 Array = NDArray[np.float64]
+CREST = 4 / 27
 
 
 def first_crossing(
@@ -14,17 +15,21 @@ def first_crossing(
     """Return (interval, indicator, time) of the earliest crossing, or None.
 
     Args:
-        times: instants of the nodes, (nodes,).
+        times: instants of the nodes, equidistant, (nodes,).
         values: indicators at the nodes, (indicators, nodes).
         rates: their time derivatives.
         active: which indicators count.
         near: size below which an indicator counts as zero, (indicators,).
     """
     rows = np.flatnonzero(active)
-    step = np.diff(times)
-    before, after = values[rows, :-1], values[rows, 1:]
-    slope_a, slope_b = rates[rows, :-1] * step, rates[rows, 1:] * step
     limit = near[rows, None]
+    values, rises = values[rows], rates[rows] * (times[1] - times[0])
+    before, after, slope_a, slope_b = values[:, :-1], values[:, 1:], rises[:, :-1], rises[:, 1:]
+    bound = np.maximum(before, after) + CREST * (np.abs(slope_a) + np.abs(slope_b))
+    near_by = np.flatnonzero((bound > limit).any(axis=0))
+    if not len(near_by):
+        return None
+    before, after, slope_a, slope_b = (a[:, near_by] for a in (before, after, slope_a, slope_b))
     highest = np.maximum(after, _interior_maximum(before, after, slope_a, slope_b))
     returns = (before > limit) & (slope_a < 0) & (after > limit) & (slope_b > 0)
     crosses = ((before <= limit) & (highest > limit)) | returns
@@ -37,7 +42,8 @@ def first_crossing(
         theta = _root(before[i, k], after[i, k], slope_a[i, k], slope_b[i, k], limit[i, 0])
         found.append((theta, int(rows[i])))
     theta, indicator = min(found)
-    return k, indicator, float(times[k] + theta * step[k])
+    first = int(near_by[k])
+    return first, indicator, float(times[first] + theta * (times[first + 1] - times[first]))
 
 
 def _coefficients(a: Array, b: Array, da: Array, db: Array) -> tuple[Array, Array]:

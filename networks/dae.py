@@ -104,9 +104,9 @@ class DAE:
             return self.time
         if path in self.switching.mode_names:
             return self.modes[self.switching.mode_names.index(path)]
-        table = self.system.flat.table
-        if path in table.index:
-            return self.p[table.index[path]]
+        parameter = self.system.flat.table.at(path)
+        if parameter is not None:
+            return parameter
         root, sign = self.root(path)
         return self.variables[root] * sign
 
@@ -123,9 +123,9 @@ class DAE:
 
     def unit(self, path: str) -> str:
         """Return the unit of a variable or parameter, empty if it has none."""
-        table = self.system.flat.table
-        if path in table.index:
-            return table.fields[table.index[path]].unit
+        declared = self.system.flat.table.field(path)
+        if declared is not None:
+            return declared.unit
         if path == "time":
             return "s"
         if path in self.switching.mode_names:

@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, field
+from functools import lru_cache
 
-import casadi as ca
 import numpy as np
 from numpy.typing import NDArray
 
@@ -67,10 +67,11 @@ class Switcher:
 
     def active(self, q: Array) -> NDArray[np.bool_]:
         """Tell which transitions can fire in the present modes."""
-        active: NDArray[np.bool_] = (
-            self.modes(q)[self.functions.mode_of] == self.functions.sources
-        ) & ~self.muted
-        return active
+        return self._leavable(q) & ~self.muted
+
+    def _leavable(self, q: Array) -> NDArray[np.bool_]:
+        present: NDArray[np.bool_] = self.modes(q)[self.functions.mode_of] == self.functions.sources
+        return present
 
     def shift(self, point: Point, indicator: int) -> None:
         """Move a point that is very near a crossing onto it, along its velocity."""
@@ -89,20 +90,28 @@ class Switcher:
         return float(delays[first]), first
 
     def hopped(self, point: Point, duration: float, tolerance: Tolerance) -> Point | None:
-        """Return the point a very short time later, or None if a straight line is not exact enough."""
-        later = Point(point.t, point.x.copy(), point.z.copy(), point.q)
+        """Return the point a very short time later (or earlier), or None if a step is not exact enough.
+
+        One step of the trapezoidal rule, corrected twice; the second correction bounds its error.
+        """
+        later = Point(point.t, point.x, point.z, point.q)
         self.move(later, duration)
-        before, after = (self.functions.motion(p.x, p.z, p.q, p.t)[0] for p in (point, later))
+        before = self._motion(point)
+        for _ in range(2):
+            corrected = point.x + 0.5 * duration * (before + self._motion(later))
+            change, later.x = np.abs(corrected - later.x), corrected
+            self._solve_algebraic(later)
         allowed = 0.1 * (tolerance.rtol * np.abs(point.x) + tolerance.atol)
-        exact = (0.5 * duration * np.abs(after - before) <= allowed).all()
-        return later if exact else None
+        return later if (change <= allowed).all() else None
 
     def move(self, point: Point, duration: float) -> None:
         """Move a point by a very short time, along its velocity."""
-        motion = self.functions.motion(point.x, point.z, point.q, point.t)[0]
+        point.x = point.x + duration * self._motion(point)
         point.t += duration
-        point.x = point.x + duration * motion
         self._solve_algebraic(point)
+
+    def _motion(self, point: Point) -> Array:
+        return self.functions.motion(point.x, point.z, point.q, point.t)[0]
 
     def watch(self, point: Point) -> tuple[Array, Array]:
         """Return indicators and their rates at a point; remember their size."""
@@ -123,7 +132,8 @@ class Switcher:
 
         No state need move for a force to come and go, so the integrator's steps do not tell.
         """
-        if not self.functions.timed:
+        watched = self.functions.timed & self._leavable(point.q)
+        if not watched.any():
             return True
         halfway = times + 0.5 * (times[1] - times[0])
         at, between = (
@@ -131,7 +141,8 @@ class Switcher:
         )
         cubic = (9 * (at[1:-2] + at[2:-1]) - at[:-3] - at[3:]) / 16
         error = np.abs(between[1:-2] - cubic).max(axis=0)
-        return bool((error <= UNRESOLVED * np.ptp(at, axis=0) + self.tolerance()).all())
+        allowed = UNRESOLVED * np.ptp(at, axis=0) + self.tolerance()
+        return bool((error <= allowed)[watched].all())
 
     def flat_at(self, point: Point, crossing: tuple[int, int, float]) -> bool:
         """Tell whether a crossing is where the stretch began, though the indicator does not rise there."""
@@ -230,18 +241,15 @@ class Switcher:
 
     def _reset(self, point: Point, resets: dict[int, float]) -> None:
         """Give variables new values: states directly, others by the least change of states."""
-        dae = self.closed.dae
-        place = {variable: i for i, variable in enumerate(dae.states)}
-        others = [v for v in resets if v not in place]
-        for variable, value in resets.items():
-            if variable in place:
-                point.x[place[variable]] = value
+        others = [v for v in resets if v not in self.functions.state_of]
+        for variable in resets.keys() - others:
+            point.x[self.functions.state_of[variable]] = resets[variable]
         if others:
-            expression = self.closed.close(dae.variables[others])
-            function = self.closed.function("reset", expression, ca.jacobian(expression, self.closed.x))
-            value, slope = (m.full() for m in function(point.x, point.z, point.q, point.t))
-            wanted = np.array([resets[v] for v in others])
-            point.x = point.x + np.linalg.lstsq(slope, wanted - value.ravel(), rcond=1e-10)[0]
+            value, slope = self.functions.reset(point.x, point.z, point.q, point.t)
+            rows = [self.functions.reset_of[v] for v in others]
+            missing = np.array([resets[v] for v in others]) - value[rows]
+            slope = slope.reshape(len(point.x), len(value)).T[rows]
+            point.x = point.x + np.linalg.lstsq(slope, missing, rcond=1e-10)[0]
 
     def complete(self, point: Point) -> None:
         """Set the completion of blocks that the present modes leave singular."""
@@ -252,8 +260,8 @@ class Switcher:
         for block in self.closed.dae.blocks:
             size = len(block.torn)
             part = slice(start, start + size**2)
-            completion, singular = _completion(slopes[part].reshape(size, size, order="F"))
-            point.q[self.completion_at :][part] = completion.ravel(order="F")
+            completion, singular = _completion(slopes[part].tobytes(), size)
+            point.q[self.completion_at :][part] = completion
             start = part.stop
             if singular:
                 self._tell_shared(block.labels)
@@ -282,14 +290,17 @@ def _allowed(change: Change, everything: Array) -> bool:
     return change.allowed is None or bool(everything[change.allowed])
 
 
-def _completion(matrix: Array) -> tuple[Array, bool]:
-    """Return what makes a singular matrix regular such that solutions have least norm."""
+@lru_cache(maxsize=256)
+def _completion(entries: bytes, size: int) -> tuple[Array, bool]:
+    """Return what makes a singular matrix regular such that solutions have least norm, by columns."""
+    matrix = np.frombuffer(entries).reshape(size, size, order="F")
     scale = np.abs(matrix).max(axis=1, initial=0.0)
     scale[scale == 0] = 1.0
     if abs(np.linalg.det(matrix / scale[:, None])) > REGULAR:
-        return np.zeros_like(matrix), False
+        return np.zeros(size**2), False
     left, strength, right = np.linalg.svd(matrix / scale[:, None])
     weak = strength <= 1e-10 * max(strength.max(initial=0.0), 1.0)
     if not weak.any():
-        return np.zeros_like(matrix), False
-    return scale[:, None] * (left[:, weak] @ right[weak]), True
+        return np.zeros(size**2), False
+    completion = scale[:, None] * (left[:, weak] @ right[weak])
+    return completion.ravel(order="F"), True

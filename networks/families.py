@@ -85,6 +85,21 @@ class Family:
             self.modes,
         )
 
+    def chosen(self, rows: Ints) -> Family:
+        """Return the family of some instances."""
+        label = self.label
+        return Family(
+            self.residual,
+            self.locals,
+            self.given,
+            self.time,
+            self.columns[rows],
+            self.signs[rows],
+            self.arguments[:, rows.tolist()],
+            lambda row: label(int(rows[row])),
+            self.modes,
+        )
+
     def is_hybrid(self, expression: Any) -> bool:
         """Tell whether an expression of local symbols depends on a mode."""
         return self.modes.numel() > 0 and bool(ca.depends_on(expression, self.modes))

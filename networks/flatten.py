@@ -11,7 +11,7 @@ from collections.abc import Iterator
 
 import casadi as ca
 
-from ..components.base import Component, ModelError, template_of
+from ..components.base import Component, ModelError, Template, declared_template, template_of
 from .connections import connect_ports, find_inputs
 from .equations import component_families, node_families, zero_family
 from .flat import Flat, Instance
@@ -28,7 +28,7 @@ def flatten(network: Component) -> Flat:
     name = getattr(network, "name", type(network).__name__)
     problems: list[str] = []
     instances = {i.path: i for i in _walk(network, "", None, problems, {})}
-    if len(instances) == 1 and not template_of(network).variables:
+    if len(instances) == 1 and not instances[""].template.variables:
         problems.append("it has no components; give some to Network(...) or add()")
     groups = _grouped(instances)
     size = sum(len(group) * len(group[0].template.variables) for group in groups)
@@ -60,11 +60,19 @@ def _walk(
         )
         return
     seen[id(component)] = path
-    problems.extend(f"{type(component).__name__} '{path}': {p}" for p in component.problems())
-    instance = Instance(path, component, parent, template_of(component))
+    instance = Instance(path, component, parent, _template(component, path, problems))
+    problems.extend(f"{instance}: {p}" for p in component.problems())
     yield instance
     for name, part in component._parts.items():
         yield from _walk(part, f"{path}.{name}" if path else name, instance, problems, seen)
+
+
+def _template(component: Component, path: str, problems: list[str]) -> Template:
+    try:
+        return template_of(component)
+    except ModelError as error:
+        problems.append(f"{type(component).__name__} '{path}': {error}")
+        return declared_template(component)
 
 
 def _grouped(instances: dict[str, Instance]) -> list[list[Instance]]:

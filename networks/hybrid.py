@@ -13,14 +13,15 @@ from .stepper import Array, Stepper, Stretch
 from .switchfunctions import NODES as NODES
 
 CHATTER = 200
-LEAST_EXPONENT, FINE_EXPONENT, MOST_EXPONENT = -30, -4, 5
+LEAST_EXPONENT, FINE_EXPONENT, MOST_EXPONENT = -30, -3, 6
 HOP = 1e-3
+AHEAD = 2
 
 
 def run_hybrid(run: Run, switcher: Switcher, stepper: Stepper, outputs: Array, progress: Progress) -> None:
     """Integrate between events; stretches are power-of-two multiples of the output interval."""
     interval = float(outputs[1] - outputs[0])
-    next_output, exponent = 1, 3
+    next_output, since, exponent = 1, 0, MOST_EXPONENT
     recent: list[float] = []
     while next_output < len(outputs):
         point = run.point
@@ -34,7 +35,7 @@ def run_hybrid(run: Run, switcher: Switcher, stepper: Stepper, outputs: Array, p
         remaining = len(outputs) - next_output
         on_grid = point.t == outputs[next_output - 1]
         intervals = 2**exponent if on_grid and exponent >= 0 else 1
-        while intervals > remaining or (intervals > 1 and interval * intervals > 3 * delay):
+        while intervals > remaining or (intervals > 1 and interval * intervals > AHEAD * delay):
             intervals //= 2
         end = outputs[next_output + intervals - 1]
         span = float(end - point.t)
@@ -53,6 +54,8 @@ def run_hybrid(run: Run, switcher: Switcher, stepper: Stepper, outputs: Array, p
             run.point = Point(t, stretch.states[-1], stretch.algebraic[-1], point.q)
             exponent += 1 if stretch.steps < 2 * stepper.nodes and exponent < MOST_EXPONENT else 0
         else:
+            exponent = max(exponent - 1, min((next_output - since).bit_length(), MOST_EXPONENT))
+            since = next_output
             _land(run, switcher, stepper, times, stretch, crossing)
             recent = _watch_chatter(run, recent, interval)
         progress.at(run.point.t)
@@ -143,21 +146,25 @@ def _approach_crossing(
     Return where this ends, and whether zero was reached: nodes can make believe in a crossing.
     """
     low, high = start.t, end
-    while t > start.t:
+    while True:
+        narrow = high - low < 1e-13 * max(1.0, abs(t))
+        t = high if narrow else t
+        if t <= start.t:
+            return start, True
         stretch = integrate(run, stepper, start, t - start.t)
         landed = Point(t, stretch.states[-1].copy(), stretch.algebraic[-1].copy(), start.q)
         values, rates = switcher.watch(landed)
         g, rate = float(values[indicator]), float(rates[indicator])
-        if rate > 0 and abs(g) <= 1e-6 * rate * (end - start.t):
-            switcher.shift(landed, indicator)
-            return landed, True
-        if high - low < 1e-13 * max(1.0, abs(t)):
+        newton = t - g / rate if rate > 0 else np.inf
+        if low <= newton <= high:
+            hit = switcher.hopped(landed, newton - t, run.settings.tolerance)
+            if hit is not None:
+                switcher.shift(hit, indicator)
+                return hit, True
+        if narrow:
             return landed, g >= 0
         low, high = (t, high) if g < 0 else (low, t)
-        newton = t - g / rate if rate > 0 else np.inf
         t = newton if low < newton < high else 0.5 * (low + high)
-        t = high if high - low < 1e-13 * max(1.0, abs(t)) else t
-    return start, True
 
 
 def _watch_chatter(run: Run, recent: list[float], interval: float) -> list[float]:

@@ -15,6 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..components.base import ModelError
+from .duplicates import without_duplicates
 from .families import Family, Ints, sum_family
 from .flat import Flat
 from .naming import Names
@@ -50,6 +51,15 @@ class System:
         own = self.names.roots
         root[: len(own)] = own == np.arange(len(own))
         return root
+
+    def bases(self) -> Ints:
+        """Return, for every variable, the one it is a derivative of."""
+        lower = np.arange(self.size)
+        for variable, (upper, _) in self.derivative.items():
+            lower[upper] = variable
+        while (lower[lower] != lower).any():
+            lower = lower[lower]
+        return lower
 
     def equations(self) -> list[tuple[int, int]]:
         """Return (family, row) of every equation."""
@@ -106,16 +116,20 @@ def joined_system(flat: Flat) -> System:
     for path, number in flat.inputs.items():
         root, order, sign = int(roots[number]), 0, int(signs[number])
         if root in known:
-            clashes.append(f"'{path}' and '{known[root][0]}' prescribe the same quantity; keep one")
+            clashes.append(
+                f"'{path}' and '{known[root][0]}' prescribe one quantity: nothing lies between them; keep "
+                "one, or put a Mass between forces, a Spring between motions"
+            )
         while root not in known:
             known[root] = (path, order, sign)
             if root not in derivative:
                 break
             root, order, sign = derivative[root][0], order + 1, sign * derivative[root][1]
     if clashes:
-        raise ModelError(f"'{flat.name}' has two rigid sources at one node:", clashes)
+        raise ModelError(f"'{flat.name}' is over-determined:", clashes)
     names = Names(flat, roots, signs)
-    system = System(flat, names, [f for f in flat.families if len(f)], derivative, known, len(roots))
+    families = [part for family in flat.families if len(family) for part in without_duplicates(family)]
+    system = System(flat, names, families, derivative, known, len(roots))
     rates = {upper for upper, _ in derivative.values()}
     system.held = {v: c for v, c in _held(flat, roots).items() if v in rates}
     _cut_cycles(system)

@@ -9,9 +9,9 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
+from numbers import Real
 from typing import Any
 
-import casadi as ca
 import numpy as np
 from numpy.typing import NDArray
 
@@ -64,19 +64,25 @@ def wishes(dae: DAE, start: Mapping[str, float], guess: Mapping[str, float]) -> 
     clashes = []
     for name, value in {**given, **start}.items():
         root, sign = _root(dae, name)
-        if not np.isfinite(value):
-            raise ModelError(f"start value of '{name}' must be a finite number, got {value}")
-        known = fixed.setdefault(root, (name, sign * float(value)))
+        known = fixed.setdefault(root, (name, sign * _number(name, value)))
         if not np.isclose(known[1], sign * float(value), rtol=1e-12, atol=1e-12):
-            unit = dae.unit(name)
-            clashes.append(f"'{known[0]}' and '{name}' are one variable, fixed at two values [{unit}]")
+            clashes.append(
+                f"'{known[0]}' and '{name}' are one variable, fixed at two values, {sign * known[1]:g} and "
+                f"{value:g} {dae.unit(name)}; fix one"
+            )
     if clashes:
         raise InitialConditionError("start values contradict each other: " + "; ".join(clashes))
     guesses = {}
     for name, value in guess.items():
         root, sign = _root(dae, name)
-        guesses[root] = sign * float(value)
+        guesses[root] = sign * _number(name, value)
     return Wishes(fixed, guesses)
+
+
+def _number(name: str, value: Any) -> float:
+    if not isinstance(value, Real) or not np.isfinite(float(value)):
+        raise ModelError(f"start value of '{name}' must be a finite number, got {value!r}")
+    return float(value)
 
 
 def _root(dae: DAE, name: str) -> tuple[int, int]:
@@ -96,15 +102,14 @@ def initial_values(closed: Closed, q: Array, t: float, wanted: Wishes) -> tuple[
     x, z = (_guessed(dae, wanted, variables) for variables in (dae.states, dae.algebraic))
     free = [i for i, s in enumerate(dae.states) if s not in wanted.fixed]
     others = [v for v in wanted.fixed if v not in dae.states]
-    conditions = [dae.variables[v] - wanted.fixed[v][1] for v in others]
+    hard = {v: wanted.fixed[v][1] for v in others}
     before = x.copy()
-    for variables, movable in _leading(dae, wanted):
-        soft = [dae.variables[v] - value for v, value in variables.items()]
-        x = _nearer(closed, q, t, (x, z), ca.vertcat(*conditions), ca.vertcat(*soft), movable)
+    for soft, movable in _leading(dae, wanted):
+        x = _nearer(closed, q, t, (x, z), hard, soft, movable)
     related = x != before
     before = x.copy()
     if others or len(z):
-        x, z = _solve(closed, q, t, (x, z), free, ca.vertcat(*conditions, dae.alg), others, wanted)
+        x, z = _solve(closed, q, t, (x, z), free, hard, wanted)
     moved = x != before
     reasons = np.select([moved, related], [SOLVED, RELATED], KEPT)
     return x, z, [_decided(dae, i, float(x[i]), str(reasons[i]), wanted) for i in range(len(x))]
@@ -133,22 +138,20 @@ def _nearer(
     q: Array,
     t: float,
     start: tuple[Array, Array],
-    hard: Any,
-    soft: Any,
+    hard: dict[int, float],
+    soft: dict[int, float],
     movable: list[int],
 ) -> Array:
-    """Move states so that `hard` is zero and, as far as that allows, `soft` is least."""
+    """Move states so that `hard` is met and, as far as that allows, `soft` is nearest."""
     x, z = start[0].copy(), start[1]
-    residuals = [closed.close(ca.vertcat(ca.SX(0, 1), part)) for part in (hard, soft)]
-    slopes = [ca.jacobian(residual, closed.x)[:, movable] for residual in residuals]
-    function = closed.function("nearer", *residuals, *slopes)
     for _ in range(20):
-        h, s, to_h, to_s = (m.full() for m in function(x, z, q, t))
+        (h, to_h), (s, to_s) = (_missed(closed, aims, x, z, q, t)[:2] for aims in (hard, soft))
+        to_h, to_s = to_h[:, movable], to_s[:, movable]
         must = np.linalg.pinv(to_h, rcond=1e-12) @ -h
         _, strength, right = np.linalg.svd(to_h)
         free = right[np.count_nonzero(strength > 1e-12 * strength.max(initial=0.0)) :].T
         may = free @ np.linalg.lstsq(to_s @ free, -(s + to_s @ must), rcond=1e-12)[0]
-        step = (must + may).ravel()
+        step = must + may
         if not np.isfinite(step).all():
             return start[0]
         x[movable] += step
@@ -172,40 +175,47 @@ def _solve(
     t: float,
     start: tuple[Array, Array],
     free: list[int],
-    conditions: Any,
-    others: list[int],
+    hard: dict[int, float],
     wanted: Wishes,
 ) -> tuple[Array, Array]:
     """Gauss-Newton with steps of least norm in the free states and z."""
     x, z = start[0].copy(), start[1].copy()
-    residual = closed.close(conditions)
-    slopes = [ca.jacobian(residual, closed.x)[:, free], ca.jacobian(residual, closed.z)]
-    function = closed.function("start", residual, ca.horzcat(*slopes))
     for _ in range(50):
-        value, slope = (m.full() for m in function(x, z, q, t))
+        value, to_x, to_z = _missed(closed, hard, x, z, q, t, algebraic=True)
+        slope = np.hstack([to_x[:, free], to_z])
         if not np.isfinite(value).all():
             break
-        step = np.linalg.lstsq(slope, -value.ravel(), rcond=1e-12)[0] if slope.size else np.zeros(0)
+        step = np.linalg.lstsq(slope, -value, rcond=1e-12)[0] if slope.size else np.zeros(0)
         x[free] += step[: len(free)]
         z += step[len(free) :]
         if np.abs(step).max(initial=0.0) <= 1e-13 * (1 + np.abs(np.r_[x, z]).max(initial=0.0)):
             break
-    value = function(x, z, q, t)[0].full().ravel()
+    value = _missed(closed, hard, x, z, q, t, algebraic=True)[0]
     wrong = np.flatnonzero(~(np.abs(value) <= 1e-8 * (1 + np.abs(x).max(initial=0.0))))
     if len(wrong):
-        raise InitialConditionError(_contradiction(closed.dae, others, wrong, wanted))
+        raise InitialConditionError(_contradiction(closed.dae, list(hard), wrong, wanted))
     return x, z
 
 
+def _missed(
+    closed: Closed, aims: dict[int, float], x: Array, z: Array, q: Array, t: float, algebraic: bool = False
+) -> tuple[Array, Array, Array]:
+    """Return by how much variables miss their aims (and algebraic equations zero), with slopes in x, z."""
+    value, to_x, to_z = (m.full() for m in closed.tangent(tuple(aims), algebraic)(x, z, q, t))
+    value[: len(aims), 0] -= list(aims.values())
+    return value.ravel(), to_x, to_z
+
+
 def _contradiction(dae: DAE, others: list[int], wrong: Any, wanted: Wishes) -> str:
-    names = [wanted.fixed[others[i]][0] for i in wrong if i < len(others)]
-    told = ", ".join(f"'{n}' = {wanted.fixed[others[i]][1]:g}" for n, i in zip(names, wrong, strict=False))
-    fixed = ", ".join(f"'{name}'" for name, _ in wanted.fixed.values())
-    if not names:
+    failed = {wanted.fixed[others[i]][0] for i in wrong if i < len(others)}
+    told = {name: f"'{name}' = {value:g} {dae.unit(name)}" for name, value in wanted.fixed.values()}
+    if not failed:
         return f"'{dae.name}': no start satisfies the equations; give guess= for the states"
+    kept = ", ".join(told[name] for name in told if name not in failed)
+    given = f"with {kept}" if kept else "by any choice of the states"
     return (
-        f"'{dae.name}': the start values {told} cannot be reached together with the others that are "
-        f"fixed ({fixed}); give some of them as guess= instead of start="
+        f"'{dae.name}': {', '.join(told[name] for name in failed)} cannot be reached {given}; give some "
+        "as guess= instead of start="
     )
 
 

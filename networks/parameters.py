@@ -3,12 +3,23 @@
 from __future__ import annotations
 
 import types
+from collections.abc import Iterator
+from numbers import Real
 from typing import TYPE_CHECKING, Any
 
 import casadi as ca
 import numpy as np
 
-from ..components.base import MISSING, Component, ModelError, Option, Parameter, nearest
+from ..components.base import (
+    MISSING,
+    Component,
+    ModelError,
+    Option,
+    Parameter,
+    nearest,
+    numpy_on_symbols,
+)
+from .vectors import column
 
 if TYPE_CHECKING:
     from .flat import Instance
@@ -28,7 +39,9 @@ class ParameterTable:
                 if isinstance(field, Parameter):
                     self._enter(instance, name, field)
         self.symbols = ca.SX.sym("p", len(self.defaults))
-        self._check_dependent(problems)
+        self._dependent = self._read_dependent(problems)
+        if not problems:
+            problems += self._out_of_range(self.defaults)
 
     def _enter(self, instance: Instance, name: str, field: Parameter) -> None:
         given = instance.component._values.get(name, MISSING)
@@ -56,7 +69,22 @@ class ParameterTable:
             return self.expression(owner, value.name)
         if scope is None:
             raise ModelError(f"{instance}: {name} is a function, but no component encloses it")
-        return ca.SX(value(_View(self, scope)))
+        with numpy_on_symbols():
+            return ca.SX(value(_View(self, scope)))
+
+    def at(self, path: str) -> Any | None:
+        """Return a parameter by its full name as an expression of the symbols, None if there is none."""
+        if path not in self.index and path not in self._bound:
+            return None
+        owner, _, name = path.rpartition(".")
+        return self.expression(self.instances[owner], name)
+
+    def field(self, path: str) -> Parameter | None:
+        """Return the declaration of a parameter by its full name, None if there is none."""
+        if path in self.index:
+            return self.fields[self.index[path]]
+        owner, _, name = path.rpartition(".")
+        return type(self.instances[owner].component).fields[name] if path in self._bound else None  # type: ignore[return-value]
 
     def matrix(self, group: list[Instance]) -> Any:
         """Return the parameters of like instances, (parameters, instances)."""
@@ -70,10 +98,10 @@ class ParameterTable:
             if self.defaults
             else (ca.SX(len(names), len(group)))
         )
-        for column, (instance, row) in enumerate(zip(group, paths, strict=True)):
+        for place, (instance, row) in enumerate(zip(group, paths, strict=True)):
             for line, path in enumerate(row):
                 if path not in self.index:
-                    values[line, column] = self.expression(instance, names[line])
+                    values[line, place] = self.expression(instance, names[line])
         return values
 
     def values(self, changed: dict[str, float]) -> np.ndarray[Any, np.dtype[np.float64]]:
@@ -90,28 +118,41 @@ class ParameterTable:
             elif path not in self.index:
                 problems.append(f"there is no parameter '{path}'{nearest(path, self.index)}")
             else:
-                problem = self.fields[self.index[path]].problem(float(value))
+                problem = _problem(self.fields[self.index[path]], value)
                 problems += [f"'{path}': {problem}"] if problem else []
-                numbers[self.index[path]] = value
+                numbers[self.index[path]] = np.nan if problem else value
+        if changed and not problems:
+            problems += self._out_of_range(numbers)
         if problems:
             raise ModelError("these parameters cannot be set:", problems)
         return numbers
 
-    def _check_dependent(self, problems: list[str]) -> None:
-        paths = [p for p in self._bound]
-        if problems or not paths:
-            return
+    def _read_dependent(self, problems: list[str]) -> Any:
+        """Return the parameters that follow from others, as a function of the numbers."""
         expressions = []
-        for path in paths:
-            instance = self.instances[path.rpartition(".")[0]]
-            expressions.append(self.expression(instance, path.rpartition(".")[2]))
-        numbers = ca.Function("dependent", [self.symbols], [ca.vertcat(*expressions)])(self.defaults)
-        for path, number in zip(paths, np.array(numbers).ravel(), strict=True):
-            instance = self.instances[path.rpartition(".")[0]]
-            field = type(instance.component).fields[path.rpartition(".")[2]]
-            problem = field.problem(float(number)) if isinstance(field, Parameter) else ""
+        for path in self._bound:
+            try:
+                expressions.append(self.at(path))
+            except ModelError as error:
+                problems.append(str(error))
+            except RecursionError:
+                owner, _, name = path.rpartition(".")
+                problems.append(f"{self.instances[owner]}: {name} depends on itself; give it a number")
+        return ca.Function("dependent", [self.symbols], [column(expressions)])
+
+    def _out_of_range(self, numbers: Any) -> Iterator[str]:
+        values = self._dependent(numbers).full().ravel() if self._bound else ()
+        for path, number in zip(self._bound, values, strict=True):
+            declared = self.field(path)
+            problem = declared.problem(float(number)) if declared else ""
             if problem:
-                problems.append(f"{instance}: {problem}")
+                yield f"{self.instances[path.rpartition('.')[0]]}: {problem}"
+
+
+def _problem(declared: Parameter, value: Any) -> str:
+    if isinstance(value, Real):
+        return declared.problem(float(value))
+    return f"{declared.name} must be a number, got {value!r}"
 
 
 class _View:

@@ -8,6 +8,7 @@ from .causalise import Solution, causalise
 from .dae import DAE, Input
 from .flat import Flat
 from .index import System, joined_system, reduce_index
+from .loops import close_loops
 from .selection import select_states
 from .structure import check_structure
 from .switching import Switching, switching
@@ -21,6 +22,7 @@ def reduce(flat: Flat) -> DAE:
         ModelError: if the network is structurally singular, naming the components concerned.
     """
     system = joined_system(flat)
+    close_loops(system)
     check_structure(system)
     reduce_index(system)
     symbols = ca.SX.sym("v", system.size)

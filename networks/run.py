@@ -13,7 +13,7 @@ from .closed import Closed
 from .events import Event, Point, Switcher
 from .initial import Decision
 from .result import Segment
-from .stepper import IntegratorError, Stepper, Stretch, Tolerance
+from .stepper import Array, IntegratorError, Stepper, Stretch, Tolerance
 
 
 @dataclass(frozen=True)
@@ -95,7 +95,8 @@ def _node_by_node(run: Run, stepper: Stepper, point: Point, span: float) -> Stre
     """Integrate each interval on its own, which allows more steps; save what is reached on failure."""
     step = span / stepper.nodes
     t, x, z, steps = point.t, point.x, point.z, 0
-    states, algebraic = [], []
+    states: list[Array] = []
+    algebraic: list[Array] = []
     for number in range(stepper.nodes):
         try:
             piece = stepper.run(t, x, z, point.q, step)

@@ -15,6 +15,7 @@ from numpy.typing import NDArray
 
 from ..components.base import ModelError
 from .index import System
+from .singular import closed_loop
 
 Equation = tuple[int, int]
 
@@ -149,9 +150,9 @@ def _eliminate(
 ) -> set[int]:
     """Choose a nonsingular set of columns by elimination, least wanted first."""
     variables = sorted({v for e in equations for v in cells[e]}, key=wish.__getitem__)
-    matrix = _slopes(system, equations, variables)
-    scale = np.abs(matrix).max(axis=1, keepdims=True)
-    matrix = matrix / np.where(scale > 0, scale, 1)
+    slopes = _slopes(system, equations, variables)
+    scale = np.abs(slopes).max(axis=1, keepdims=True)
+    matrix = slopes = slopes / np.where(scale > 0, scale, 1)
     chosen: set[int] = set()
     free = np.ones(len(equations), dtype=bool)
     for column, variable in enumerate(variables):
@@ -167,11 +168,9 @@ def _eliminate(
         free[pivot] = False
         chosen.add(variable)
     if free.any():
-        names = sorted({system.label(equations[i]) for i in np.flatnonzero(free)})
-        raise ModelError(
-            f"'{system.flat.name}' is singular: the constraints of {', '.join(names)} are not "
-            "independent; remove a redundant one or make one compliant"
-        )
+        dependent = np.linalg.svd(slopes)[0][:, -1]
+        names = sorted({system.label(equations[i]) for i in np.flatnonzero(np.abs(dependent) > 1e-6)})
+        raise ModelError(f"'{system.flat.name}' is singular:", [closed_loop(names)])
     return chosen
 
 

@@ -8,7 +8,7 @@ from .run import Run, integrate
 from .sensitivity import Sensitivities
 from .stepper import Array, Stepper
 
-MOST_NODES = 512
+MOST_NODES = 1024
 
 
 def smooth_nodes(outputs: int) -> int:

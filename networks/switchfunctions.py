@@ -7,12 +7,12 @@ from typing import TYPE_CHECKING, Any
 import casadi as ca
 import numpy as np
 
-from .vectors import column
+from .vectors import column, pick
 
 if TYPE_CHECKING:
     from .closed import Closed
 
-NODES = 32
+NODES = 64
 
 
 class SwitchFunctions:
@@ -20,12 +20,14 @@ class SwitchFunctions:
 
     Attributes:
         watch: indicators and their rates; `watch_nodes` the same at all nodes of a stretch.
-        timed: whether time itself moves an indicator.
+        timed: per transition, whether time itself moves its indicator.
         everything: all switching expressions.
         motion: state derivatives.
         slopes: matrices of the blocks that depend on modes, one after the other, by columns.
         algebraic: residuals of the algebraic unknowns and their slopes.
         shock: what impulses do to states, and the slopes of the switching expressions in the states.
+        reset: variables that transitions reset and that are no states, and their slopes in the states.
+        reset_of, state_of: the row of a variable in `reset`, in the states.
         sources, mode_of: per transition, the mode it leaves and whose mode it is.
     """
 
@@ -37,7 +39,7 @@ class SwitchFunctions:
         watched = indicators, closed.rate(indicators)
         self.watch = closed.compiled("watch", *watched)
         self.watch_nodes = closed.compiled("watch", *watched, instants=NODES + 1)
-        self.timed = ca.depends_on(indicators, closed.t)
+        self.timed = np.isin(np.arange(len(changes)), ca.jacobian_sparsity(indicators, closed.t).row())
         self.everything = closed.compiled("switching", expressions)
         self.motion = closed.compiled("motion", closed.close(dae.ode))
         matrices = [ca.vec(ca.densify(block.matrix)) for block in dae.blocks]
@@ -45,6 +47,11 @@ class SwitchFunctions:
         residual = closed.close(dae.alg)
         self.algebraic = closed.compiled("algebraic", residual, ca.jacobian(residual, closed.z))
         self.shock = _shock(closed, expressions) if dae.impulses.numel() else None
+        self.state_of = {variable: row for row, variable in enumerate(dae.states)}
+        others = sorted({r[0] for c in changes for r in c.resets} - set(dae.states))
+        self.reset_of = {variable: row for row, variable in enumerate(others)}
+        values = closed.close(pick(dae.variables, others))
+        self.reset = closed.compiled("reset", values, ca.jacobian(values, closed.x))
         self.sources = np.array([c.source for c in changes])
         self.mode_of = np.array([c.mode for c in changes])
 

@@ -99,7 +99,7 @@ def _cells(system: System, equation: Equation, variables: set[int]) -> dict[int,
             found[variable] = None
             continue
         slope, offset = solved
-        plain = not any(ca.depends_on(slope, s) for s in ca.vertsplit(family.locals))
+        plain = slope.is_constant() or not ca.depends_on(slope, family.locals)
         found[variable] = _Cell(slope, offset, plain, family.is_hybrid(slope))
     return found
 

@@ -226,9 +226,9 @@ static void solve(Model *m, SUNContext context, Run *run) {
     N_VDestroy(y);
 }
 
-static double now(void) {
+static double now(clockid_t clock) {
     struct timespec t;
-    clock_gettime(CLOCK_MONOTONIC, &t);
+    clock_gettime(clock, &t);
     return t.tv_sec + 1e-9 * t.tv_nsec;
 }
 
@@ -237,15 +237,22 @@ static int by_value(const void *a, const void *b) {
     return (x > y) - (x < y);
 }
 
-static double median_time(Model *m, SUNContext context, Run *run, int repeats) {
-    double times[repeats];
+static double median(double *values, int count) {
+    qsort(values, count, sizeof *values, by_value);
+    return values[count / 2];
+}
+
+static void measure(Model *m, SUNContext context, Run *run, int repeats, double *wall, double *cpu) {
+    double walls[repeats], cpus[repeats];
     for (int i = 0; i < repeats; i++) {
-        const double begin = now();
+        walls[i] = now(CLOCK_MONOTONIC);
+        cpus[i] = now(CLOCK_PROCESS_CPUTIME_ID);
         solve(m, context, run);
-        times[i] = now() - begin;
+        walls[i] = now(CLOCK_MONOTONIC) - walls[i];
+        cpus[i] = now(CLOCK_PROCESS_CPUTIME_ID) - cpus[i];
     }
-    qsort(times, repeats, sizeof *times, by_value);
-    return times[repeats / 2];
+    *wall = median(walls, repeats);
+    *cpu = median(cpus, repeats);
 }
 
 static void write_csv(const Run *run, const char *path) {
@@ -289,8 +296,9 @@ int main(int argc, char **argv) {
     SUNContext context;
     Run run;
     check(SUNContext_Create(NULL, &context), "SUNContext_Create");
-    const double seconds = median_time(&m, context, &run, repeats);
-    printf("time %.6e s, steps %ld, evaluations %ld, events %ld\n", seconds, run.steps,
+    double wall, cpu;
+    measure(&m, context, &run, repeats, &wall, &cpu);
+    printf("wall %.6e s, cpu %.6e s, steps %ld, evaluations %ld, events %ld\n", wall, cpu, run.steps,
            run.evaluations, run.events);
     if (csv) write_csv(&run, csv);
     SUNContext_Free(&context);

@@ -25,6 +25,8 @@ from .fields import mode as mode
 from .fields import option as option
 from .fields import parameter as parameter
 from .fields import variable as variable
+from .quiet import numpy_on_symbols as numpy_on_symbols
+from .reading import declared_template as declared_template
 from .reading import der as der
 from .reading import template_of as template_of
 from .sampled import Sampled as Sampled

@@ -69,7 +69,7 @@ class Component:
     def __init__(self, **values: Any) -> None:
         self._values: dict[str, Any] = {}
         self._parts: dict[str, Component] = {}
-        self._problems: list[str] = []
+        self._problems: dict[str, str] = {}
         self._owner: Component | None = None
         cls = type(self)
         replacements: dict[str, Component] = {}
@@ -82,11 +82,9 @@ class Component:
             self._parts[declared.name] = declared.default.clone()
         if cls.parts is not Component.parts:
             self._parts.update(self.parts())
-        for name, replacement in replacements.items():
-            if name not in self._parts:
-                self._problems.append(self._unknown(name))
-            self._parts[name] = replacement
         self._own_parts()
+        for name, replacement in replacements.items():
+            self._replace(name, replacement)
 
     def _own_parts(self) -> None:
         for component in self._parts.values():
@@ -112,7 +110,7 @@ class Component:
         """Return an independent copy; its parts are copied too."""
         copy: Self = object.__new__(type(self))
         copy.__dict__.update(self.__dict__)
-        copy._values = dict(self._values)
+        copy._values, copy._problems = dict(self._values), dict(self._problems)
         copy._parts = {name: component.clone() for name, component in self._parts.items()}
         copy._own_parts()
         return copy
@@ -120,13 +118,22 @@ class Component:
     def with_values(self, **values: Any) -> Self:
         """Return a copy with some values changed."""
         copy = self.clone()
-        copy._problems = list(self._problems)
+        shaped = type(self).parts is not Component.parts
         for name, value in values.items():
             if isinstance(value, Component):
-                copy._parts[name] = value
+                copy._replace(name, value)
             else:
                 copy._set(name, value)
+                if shaped and isinstance(type(self).fields.get(name), Option):
+                    copy._problems[name] = f"{name} shapes its parts; create another one with it"
         return copy
+
+    def _replace(self, name: str, part: Component) -> None:
+        if name not in self._parts:
+            self._problems[name] = self._unknown(name)
+            return
+        self._parts[name] = part
+        part._owner = self
 
     def _set(self, name: str, value: Any) -> None:
         field = type(self).fields.get(name)
@@ -145,8 +152,9 @@ class Component:
             )
         else:
             problem = self._unknown(name)
+        self._problems.pop(name, None)
         if problem:
-            self._problems.append(problem)
+            self._problems[name] = problem
         self._values[name] = value
 
     def _unknown(self, name: str) -> str:
@@ -156,7 +164,7 @@ class Component:
 
     def problems(self) -> Iterator[str]:
         """Yield what is wrong with this component's own values."""
-        yield from self._problems
+        yield from self._problems.values()
         for field in type(self)._required:
             if field.name not in self._values:
                 yield f"{field.name} [{field.unit}] ({field.doc}) must be given"

@@ -6,7 +6,7 @@ equalities between variables (aliases) apart from them.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from contextvars import ContextVar
 from typing import Any
 
@@ -15,6 +15,7 @@ import casadi as ca
 from .component import Component
 from .errors import ModelError
 from .fields import Option, Part, Port, RealInput, RealOutput, Variable
+from .quiet import numpy_on_symbols
 from .scope import Scope
 from .template import Template
 
@@ -46,7 +47,8 @@ def template_of(component: Component) -> Template:
     return known
 
 
-def _read(component: Component) -> Template:
+def declared_template(component: Component) -> Template:
+    """Return a template of the declarations alone, which stands in for one that cannot be read."""
     template = Template(type(component))
     scope: Any = Scope(template, component)
     for name, field_ in type(component).fields.items():
@@ -57,30 +59,37 @@ def _read(component: Component) -> Template:
             template.variable(f"{name}.{field_.through}")
         elif not isinstance(field_, Option | Part):
             getattr(scope, name)
+    return template
+
+
+def _read(component: Component) -> Template:
+    template = declared_template(component)
+    scope = Scope(template, component)
     token = _reading.set(template)
     try:
-        for method in _stated(type(component), "equations"):
-            for equation in method(scope):
+        with numpy_on_symbols():
+            for equation in _stated(scope, type(component), "equations"):
                 _add_equation(template, equation)
-        for method in _stated(type(component), "transitions"):
-            template.transitions.extend(method(scope))
+            template.transitions.extend(_stated(scope, type(component), "transitions"))
     finally:
         _reading.reset(token)
     return template
 
 
-def _stated(owner: type, name: str) -> Iterator[Any]:
+def _stated(scope: Scope, owner: type, name: str) -> Iterator[Any]:
     for klass in reversed(owner.__mro__):
         if name in vars(klass):
-            yield vars(klass)[name]
+            stated = vars(klass)[name](scope)
+            if not isinstance(stated, Iterable):
+                raise ModelError(f"{name}() of {klass.__name__} must yield, got {stated}")
+            yield from stated
 
 
 def _add_equation(template: Template, equation: Any) -> None:
-    name = template.owner.__name__
     if not isinstance(equation, ca.SX) or equation.op() != ca.OP_EQ:
         raise ModelError(
-            f"{name}: `{equation}` is not an equation. Yield `left == right` between different "
-            "expressions of the component's variables (`x == x` says nothing)"
+            f"`{equation}` is not an equation; yield `left == right` between different expressions of "
+            "the component's variables (`x == x` says nothing)"
         )
     left, right = equation.dep(0), equation.dep(1)
     plain = _signed_name(template, left), _signed_name(template, right)
@@ -91,7 +100,9 @@ def _add_equation(template: Template, equation: Any) -> None:
         known = [*template.parameters.values(), *template.modes.values(), template.time]
         known += [*template.impulses.values(), *template.variables.values()]
         if not any(ca.is_equal(symbol, other) for other in known):
-            raise ModelError(f"{name}: `{equation}` uses '{symbol}', which the component does not declare")
+            raise ModelError(
+                f"`{equation}` uses '{symbol}', which the component does not declare; use its own fields"
+            )
     _note_held(template, left, right)
     template.residuals.append(left - right)
 

@@ -6,6 +6,7 @@ Every declared variable, parameter and mode is a CasADi SX symbol there.
 from __future__ import annotations
 
 import types
+from functools import reduce
 from typing import Any
 
 import casadi as ca
@@ -59,7 +60,8 @@ class Scope:
             value = getattr(owner, name)
         except AttributeError:
             known = [*owner.fields, *self._component._parts]
-            raise ModelError(f"{owner.__name__} declares no '{name}'{nearest(name, known)}") from None
+            told = nearest(name, known) or "; declare it with parameter() or variable()"
+            raise ModelError(f"{owner.__name__} declares no '{name}'{told}") from None
         if isinstance(value, property) and value.fget:
             return value.fget(self)
         return types.MethodType(value, self) if isinstance(value, types.FunctionType) else value
@@ -90,7 +92,7 @@ class _ModeScope:
     def is_(self, *values: str) -> Any:
         """Return a condition: the mode is one of these."""
         conditions = [self._symbol == self._index(value) for value in values]
-        return conditions[0] if len(conditions) == 1 else ca.logic_or(*conditions)
+        return reduce(ca.logic_or, conditions)
 
     def choose(self, **cases: Any) -> Any:
         """Return the expression of the present mode; one for each mode."""
