@@ -64,7 +64,9 @@ class StickSlip(Component):
         if self.regularised:
             return
         limits = self.breakaway, self.breakaway
-        yield from breakaways(self.mode, self.resistance, limits, self.grips)
+        slow = ca.fabs(self.speed) < SLOW
+        allowed = slow if self.grips is None else ca.logic_and(slow, self.grips)
+        yield from breakaways(self.mode, self.resistance, limits, allowed)
         yield from reversals(self.mode, self.speed, self.speed_name)
 
 

@@ -8,7 +8,7 @@ from typing import Any
 import casadi as ca
 
 from ..base import Component, ModelError, RotationalFlange, der, mode, option, parameter, variable
-from ..stickslip import breakaways, reversals
+from ..stickslip import SLOW, breakaways, reversals
 from ..tables import interpolated
 
 
@@ -65,7 +65,7 @@ class LossyGear(Component):
     def transitions(self) -> Iterable[Any]:
         torque = self.flange_a.tau
         limits = tuple(ca.fmax(*self.losses(sign * torque, 0.0)) for sign in (1, -1))
-        yield from breakaways(self.mode, self.tau_loss, limits)
+        yield from breakaways(self.mode, self.tau_loss, limits, ca.fabs(self.w) < SLOW)
         yield from reversals(self.mode, self.w, "w")
         (forward_a, forward_b), (backward_a, backward_b) = (
             self.losses(sign * torque, sign * self.w) for sign in (1, -1)
