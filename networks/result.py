@@ -127,13 +127,14 @@ class Result:
             KeyError: for an unknown name, with the nearest one.
             ValueError: for an instant outside the run.
         """
-        if not self.time[0] <= time <= self.time[-1]:
+        rounding = 1e-12 * max(1.0, abs(time))
+        if not self.time[0] - rounding <= time <= self.time[-1] + rounding:
             raise ValueError(
                 f"t = {time:g} s is outside the run, {self.time[0]:g} to {self.time[-1]:g} s; run longer"
             )
         i = int(np.searchsorted(self.time, time, side="right"))
-        if i == len(self.time):
-            return float(self[name][-1])
+        if i in (0, len(self.time)):
+            return float(self[name][min(i, len(self.time) - 1)])
         t0, t1 = self.time[i - 1], self.time[i]
         y0, y1 = self[name][i - 1], self[name][i]
         return float(y0 + (y1 - y0) * (time - t0) / (t1 - t0))
