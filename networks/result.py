@@ -127,11 +127,9 @@ class Result:
             KeyError: for an unknown name, with the nearest one.
             ValueError: for an instant outside the run.
         """
-        rounding = 1e-12 * max(1.0, abs(time))
-        if not self.time[0] - rounding <= time <= self.time[-1] + rounding:
-            raise ValueError(
-                f"t = {time:g} s is outside the run, {self.time[0]:g} to {self.time[-1]:g} s; run longer"
-            )
+        first, last = self.time[[0, -1]]
+        if not abs(time - (first + last) / 2) <= (last - first) * (0.5 + 1e-6):
+            raise ValueError(f"t = {time:g} s is outside the run, {first:g} to {last:g} s; run longer")
         i = int(np.searchsorted(self.time, time, side="right"))
         if i in (0, len(self.time)):
             return float(self[name][min(i, len(self.time) - 1)])
