@@ -17,7 +17,7 @@ LIBRARIES = ("cvode", "nvecserial")
 PRINTED = re.compile(r"wall (\S+) s, cpu (\S+) s, steps (\d+)")
 
 
-class Missing(Exception):
+class MissingError(Exception):
     """Something that the C program needs is not there."""
 
 
@@ -25,20 +25,22 @@ class CProgram:
     """peers/pfi.c, `smooth` or `hybrid`.
 
     Raises:
-        Missing: without a C compiler or SUNDIALS.
+        MissingError: without a C compiler or SUNDIALS.
     """
 
     def __init__(self, model: str) -> None:
         compiler = shutil.which("cc")
         if compiler is None:
-            raise Missing("no C compiler `cc`")
+            raise MissingError("no C compiler `cc`")
         self.model, self.directory = model, Path(mkdtemp(prefix="inertance-"))
         self.program = self.directory / "pfi"
         libraries = [f"-lsundials_{name}" for name in LIBRARIES]
         command = [compiler, "-O2", str(SOURCE), "-o", str(self.program), *libraries, "-lm"]
         done = subprocess.run(command, capture_output=True, text=True)
         if done.returncode:
-            raise Missing(f"not compiled, needs SUNDIALS 6 (libsundials-dev): {done.stderr.splitlines()[0]}")
+            raise MissingError(
+                f"not compiled, needs SUNDIALS 6 (libsundials-dev): {done.stderr.splitlines()[0]}"
+            )
 
     def go(self) -> Cost:
         """Return the median cost of a few runs in one process."""

@@ -1,4 +1,4 @@
-"""Interleaved measurements: every round runs every contender, so that what slows the machine slows them all."""
+"""Interleaved measurements: every round runs every contender, so noise of the machine hits them all."""
 
 from __future__ import annotations
 

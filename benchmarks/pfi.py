@@ -20,7 +20,9 @@ Array = NDArray[np.float64]
 
 def reduced(regularised: float | None = None) -> DAE:
     """Return the prototype on the rig, assembled and reduced."""
-    return inerter_rig(ge_wang.planetary_inerter(regularised=regularised), Sinusoid(AMPLITUDE, FREQUENCY)).dae()
+    return inerter_rig(
+        ge_wang.planetary_inerter(regularised=regularised), Sinusoid(AMPLITUDE, FREQUENCY)
+    ).dae()
 
 
 def rolling() -> dict[str, float]:

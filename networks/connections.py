@@ -10,7 +10,6 @@ from typing import Any
 from ..components.base import Port, PortRef, RealInput, RealOutput
 from .flat import Flat, Instance
 
-
 _Key = tuple[int, str, int]
 
 

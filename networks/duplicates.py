@@ -24,8 +24,9 @@ def without_duplicates(family: Family) -> list[Family]:
     first = np.array([[row.index(c) for c in row] for row in family.columns[rows].tolist()])
     turned = family.signs[rows] * np.take_along_axis(family.signs[rows], first, axis=1)
     forms, kind = np.unique(np.hstack([first, turned]), axis=0, return_inverse=True)
+    half = forms.shape[1] // 2
     merged = [
-        _merged(family, *np.split(form, 2), rows[kind.ravel() == k]) for k, form in enumerate(forms)
+        _merged(family, form[:half], form[half:], rows[kind.ravel() == k]) for k, form in enumerate(forms)
     ]
     return [*([family.chosen(plain)] if len(plain) else []), *merged]
 

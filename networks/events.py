@@ -96,7 +96,7 @@ class Switcher:
         """
         later = Point(point.t, point.x, point.z, point.q)
         self.move(later, duration)
-        before = self._motion(point)
+        before, change = self._motion(point), np.zeros(0)
         for _ in range(2):
             corrected = point.x + 0.5 * duration * (before + self._motion(later))
             change, later.x = np.abs(corrected - later.x), corrected

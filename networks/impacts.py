@@ -48,7 +48,7 @@ def solve_impact(
     """
     acting = list(changes)
     while True:
-        numbers = [change.impulse for change in acting]
+        numbers = [int(change.impulse or 0) for change in acting]
         wanted = np.array([everything[c.after] - everything[c.velocity] for c in acting])
         effect = slopes[[c.velocity for c in acting]] @ response[:, numbers]
         immovable = [c.component for c, row in zip(acting, effect, strict=True) if not row.any()]
@@ -60,5 +60,5 @@ def solve_impact(
         size = np.linalg.lstsq(effect, wanted, rcond=1e-10)[0]
         if size.min() >= 0 or len(acting) == 1:
             step: Array = response[:, numbers] @ size
-            return {int(n): float(s) for n, s in zip(numbers, size, strict=True) if n is not None}, step
+            return {n: float(s) for n, s in zip(numbers, size, strict=True)}, step
         del acting[int(size.argmin())]

@@ -154,7 +154,7 @@ def _cut_cycles(system: System) -> None:
     done: set[int] = set()
     for start in list(system.derivative):
         chain: list[int] = []
-        variable = start
+        variable, sign = start, 1
         while variable in system.derivative and variable not in done:
             done.add(variable)
             chain.append(variable)

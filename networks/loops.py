@@ -79,8 +79,8 @@ def _edges(number: int, family: Family, highest: NDArray[np.bool_]) -> list[_Edg
     edges = []
     for row in few[~(unknown[few] & ~unit).any(axis=1)]:
         places = np.flatnonzero(unknown[row])
-        a, b = (family.columns[row, places].tolist() + [GROUND])[:2]
-        signs = (slope * family.signs[row])[places].astype(int).tolist() + [1]
+        a, b = [*family.columns[row, places].tolist(), GROUND][:2]
+        signs = [*(slope * family.signs[row])[places].astype(int).tolist(), 1]
         if a != b:
             edges.append(_Edge((number, int(row)), a, b, signs[0], signs[1]))
     return edges

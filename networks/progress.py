@@ -25,11 +25,10 @@ class Progress:
         """Tell that the run has come to time t."""
         if not self.wanted or (self._bar is None and time.perf_counter() - self.started < 1.0):
             return
-        if self._bar is None:
-            self._show()
-        self._bar.update(self._task, completed=t - self.begin)
+        bar = self._bar or self._show()
+        bar.update(self._task, completed=t - self.begin)
 
-    def _show(self) -> None:
+    def _show(self) -> Any:
         from rich.console import Console
         from rich.progress import BarColumn, TextColumn, TimeElapsedColumn, TimeRemainingColumn
         from rich.progress import Progress as Bar
@@ -42,6 +41,7 @@ class Progress:
         self._bar = Bar(*columns, console=Console(stderr=True), transient=True)
         self._bar.start()
         self._task = self._bar.add_task(self.name, total=self.stop - self.begin)
+        return self._bar
 
     def __exit__(
         self,

@@ -37,10 +37,8 @@ def tell_singular(system: System, over: list[Equation], under: list[int]) -> lis
         instances = place.instances_of(equations)
         concerned |= place.through(instances)
         problems.append(_conflict(place, instances))
-    for unknowns in _grouped(under, place.equations_with):
-        if not concerned & set(unknowns):
-            problems.append(_undetermined(place, unknowns))
-    return problems
+    open_ = [unknowns for unknowns in _grouped(under, place.equations_with) if not concerned & set(unknowns)]
+    return problems + [_undetermined(place, unknowns) for unknowns in open_]
 
 
 class _Place:

@@ -120,4 +120,5 @@ class Stepper:
 def _powers_of_two(dae: Any) -> Array:
     nominal = dae.system.names.nominal
     sizes = [nominal[s] if s < len(nominal) else 1.0 for s in dae.states]
-    return np.exp2(np.round(np.log2(np.array(sizes, dtype=float))))
+    powers: Array = np.exp2(np.round(np.log2(np.array(sizes, dtype=float))))
+    return powers

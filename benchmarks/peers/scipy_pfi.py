@@ -126,9 +126,7 @@ def terminal_force(drive: Drive, t: State, y: State) -> State:
     return np.array(screw) + M_R * acceleration
 
 
-def solve_smooth(
-    drive: Drive, w_smooth: float, grid: State, exact_jacobian: bool, **options: object
-) -> Run:
+def solve_smooth(drive: Drive, w_smooth: float, grid: State, exact_jacobian: bool, **options: object) -> Run:
     def rhs(t: float, y: State) -> list[float]:
         return rates(drive, lambda _, w: tanh(w / w_smooth), t, y)
 

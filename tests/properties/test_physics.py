@@ -16,17 +16,17 @@ size = st.floats(0.1, 10.0)
 @st.composite
 def branches(draw: st.DrawFn) -> ia.Component:
     """Draw an element that stores or dissipates, but never creates."""
-    kind = draw(st.sampled_from(["spring", "damper", "inerter", "coulomb", "quadratic", "cubic", "tid"]))
     a, b, c = draw(size), draw(size), draw(size)
-    return {
-        "spring": lambda: ia.Spring(k=10 * a),
-        "damper": lambda: ia.Damper(d=a),
-        "inerter": lambda: ia.Inerter(b=a),
-        "coulomb": lambda: ia.CoulombFriction(f_c=0.2 * a),
-        "quadratic": lambda: ia.QuadraticDamper(c=a),
-        "cubic": lambda: ia.CubicSpring(k=10 * a, k3=5 * b),
-        "tid": lambda: ia.series(ia.SpringDamper(k=10 * a, d=b), ia.Inerter(b=c)),
-    }[kind]()
+    elements = [
+        ia.Spring(k=10 * a),
+        ia.Damper(d=a),
+        ia.Inerter(b=a),
+        ia.CoulombFriction(f_c=0.2 * a),
+        ia.QuadraticDamper(c=a),
+        ia.CubicSpring(k=10 * a, k3=5 * b),
+        ia.series(ia.SpringDamper(k=10 * a, d=b), ia.Inerter(b=c)),
+    ]
+    return draw(st.sampled_from(elements))
 
 
 def chain(parts: list[ia.Component], masses: list[float], order: list[int]) -> ia.Network:
@@ -54,16 +54,17 @@ def speed(run: ia.Result, i: int) -> NDArray[np.float64]:
 def test_elements_react_equally_and_no_energy_appears(drawn: list[tuple[ia.Component, float]]) -> None:
     parts, masses = [part for part, _ in drawn], [mass for _, mass in drawn]
     run = chain(parts, masses, list(range(1 + 2 * len(drawn)))).simulate(1.0, rtol=1e-8, atol=1e-10)
-    kinetic = sum(0.5 * m * run[f"m{i}.v"] ** 2 for i, m in enumerate(masses))
+    kinetic = np.sum([0.5 * m * run[f"m{i}.v"] ** 2 for i, m in enumerate(masses)], axis=0)
     into_elements = np.zeros(len(run.time))
     for i in range(len(parts)):
         assert run[f"e{i}.flange_a.f"] == pytest.approx(-run[f"e{i}.flange_b.f"], abs=1e-9)
         into_elements += run[f"e{i}.f"] * speed(run, i)
-    power = -sum(m * run[f"m{i}.v"] * run[f"m{i}.a"] for i, m in enumerate(masses))
+    power = -np.sum([m * run[f"m{i}.v"] * run[f"m{i}.a"] for i, m in enumerate(masses)], axis=0)
     assert into_elements == pytest.approx(power, abs=1e-7 * max(1.0, abs(power).max()))
-    inerters = sum(
-        0.5 * part.b * speed(run, i) ** 2 for i, part in enumerate(parts) if isinstance(part, ia.Inerter)
-    )
+    inerters = np.zeros(len(run.time))
+    for i, part in enumerate(parts):
+        if isinstance(part, ia.Inerter):
+            inerters += 0.5 * part.b * speed(run, i) ** 2
     stored = kinetic + inerters
     assert stored.max() <= stored[0] * (1 + 1e-5)
 

@@ -15,7 +15,7 @@ import pytest
 from inertance import Network, rotational, signals
 from numpy.typing import NDArray
 from scipy.integrate import solve_ivp
-from scipy.optimize import brentq
+from scipy.optimize import root_scalar
 
 Array = NDArray[np.float64]
 Switches = Callable[[ia.Result, str], list[tuple[Any, str]]]
@@ -59,10 +59,10 @@ def driven(t: Any, since: float, gain: float) -> Any:
 
 def test_demo1(switches: Switches) -> None:
     run = demo().simulate(0.5, step=1e-3, **TIGHT)
-    stop1 = brentq(driven, 0.05, 0.1, (0.0, BACKWARD), xtol=1e-13)
-    start1 = brentq(driving, 0.1, 0.2, (FORWARD,), xtol=1e-13)
-    stop2 = brentq(driven, 0.3, 0.4, (start1, FORWARD), xtol=1e-13)
-    start2 = brentq(driving, 0.4, 0.5, (BACKWARD,), xtol=1e-13)
+    stop1 = root_scalar(driven, args=(0.0, BACKWARD), bracket=(0.05, 0.1), xtol=1e-13).root
+    start1 = root_scalar(driving, args=(FORWARD,), bracket=(0.1, 0.2), xtol=1e-13).root
+    stop2 = root_scalar(driven, args=(start1, FORWARD), bracket=(0.3, 0.4), xtol=1e-13).root
+    start2 = root_scalar(driving, args=(BACKWARD,), bracket=(0.4, 0.5), xtol=1e-13).root
     expected = [
         (0.0, "backward"),
         (stop1, "stuck"),
@@ -112,11 +112,11 @@ def test_demo2() -> None:
         return solve_ivp(law, (begin, end), [0.0], rtol=1e-12, atol=1e-14, dense_output=True).sol
 
     falls = turning(0.0, 0.2, BACKWARD, 4.75)
-    stop1 = brentq(lambda t: falls(t)[0], 0.04, 0.1, xtol=1e-13)
-    start1 = brentq(lambda t: driving(t, FORWARD) - 0.5, 0.2, 0.25, xtol=1e-13)
+    stop1 = root_scalar(lambda t: falls(t)[0], bracket=(0.04, 0.1), xtol=1e-13).root
+    start1 = root_scalar(lambda t: driving(t, FORWARD) - 0.5, bracket=(0.2, 0.25), xtol=1e-13).root
     rises = turning(start1, 0.4, FORWARD, 1.75)
-    stop2 = brentq(lambda t: rises(t)[0], 0.26, 0.4, xtol=1e-13)
-    start2 = brentq(lambda t: driving(t, BACKWARD) + 2, 0.4, 0.5, xtol=1e-13)
+    stop2 = root_scalar(lambda t: rises(t)[0], bracket=(0.26, 0.4), xtol=1e-13).root
+    start2 = root_scalar(lambda t: driving(t, BACKWARD) + 2, bracket=(0.4, 0.5), xtol=1e-13).root
     falls_again = turning(start2, 0.5, BACKWARD, 4.75)
 
     t, w = run["time"], run["Inertia1.w"]

@@ -1,5 +1,7 @@
 """Constrained structures against their closed forms: what is rigidly joined moves as one."""
 
+from typing import Any
+
 import casadi as ca
 import inertance as ia
 import numpy as np
@@ -54,7 +56,7 @@ def test_gear_and_screw_between_inertias() -> None:
 
 def test_position_driven_mass_from_function_data_and_signal() -> None:
     t = np.linspace(-0.5, 1.5, 4001)
-    wanted = {
+    wanted: dict[str, dict[str, Any]] = {
         "function": {"s_ref": lambda t: 0.1 * ca.sin(7 * t)},
         "data": {"s_ref": ia.Sampled(t, 0.1 * np.sin(7 * t))},
         "signal": {},

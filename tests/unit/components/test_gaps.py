@@ -3,7 +3,7 @@
 import inertance as ia
 import numpy as np
 import pytest
-from scipy.optimize import brentq
+from scipy.optimize import root_scalar
 
 
 def against_wall(element: ia.Component, s: float, v: float, m: float = 1.0) -> ia.Network:
@@ -47,7 +47,7 @@ def test_elasto_gap_release_speed() -> None:
     def pressed(t: float) -> float:
         return float(e0 * np.exp(-decay * t) * (np.cos(w * t) + decay / w * np.sin(w * t)))
 
-    release = brentq(lambda t: k * pressed(t) - d * speed(t), 0.1, 1.0)
+    release = root_scalar(lambda t: k * pressed(t) - d * speed(t), bracket=(0.1, 1.0)).root
     assert run["mass.v"][-1] == pytest.approx(speed(release), rel=1e-6)
     assert run["gap.f"].max() == 0.0
 
