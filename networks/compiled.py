@@ -29,10 +29,16 @@ class Compiled:
             self._buffer.set_res(i, memoryview(result.ravel()))  # type: ignore[arg-type]
 
     def __call__(self, *values: ArrayLike) -> list[Array]:
-        """Evaluate and return copies of the results."""
+        """Evaluate and return copies of the results.
+
+        Raises:
+            RuntimeError: if the function reports a failure, as an integrator may.
+        """
         for argument, value in zip(self._arguments, values, strict=True):
             argument[...] = value
         self._evaluate()
+        if self._buffer.ret():
+            raise RuntimeError(f"'{self.function.name()}' could not be evaluated")
         return [result.copy() for result in self._results]
 
     def stats(self) -> dict[str, Any]:

@@ -6,12 +6,14 @@ import numpy as np
 from numpy.typing import NDArray
 
 Array = NDArray[np.float64]
+Crossing = tuple[int, int, float]
 CREST = 4 / 27
+LOST = 0.05
 
 
 def first_crossing(
     times: Array, values: Array, rates: Array, active: NDArray[np.bool_], near: Array
-) -> tuple[int, int, float] | None:
+) -> Crossing | None:
     """Return (interval, indicator, time) of the earliest crossing, or None.
 
     Args:
@@ -44,6 +46,17 @@ def first_crossing(
     theta, indicator = min(found)
     first = int(near_by[k])
     return first, indicator, float(times[first] + theta * (times[first + 1] - times[first]))
+
+
+def followed(times: Array, values: Array, rates: Array, active: NDArray[np.bool_], near: Array) -> bool:
+    """Tell whether nodes follow the indicators: a cubic over two intervals meets the node between.
+
+    A jump and what dies out soon are missed by few nodes, a fast oscillation by most. Same arguments.
+    """
+    v, r = values[active], rates[active] * (times[1] - times[0])
+    cubic = 0.5 * (v[:, :-2] + v[:, 2:]) + 0.25 * (r[:, :-2] - r[:, 2:])
+    lost = np.abs(cubic - v[:, 1:-1]) > (LOST * np.ptp(v, axis=1) + near[active])[:, None]
+    return bool((np.count_nonzero(lost, axis=1) <= len(times) // 8).all())
 
 
 def _coefficients(a: Array, b: Array, da: Array, db: Array) -> tuple[Array, Array]:

@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 
 from ..components.base import SimulationError
 from .closed import Closed
+from .crossing import Crossing
 from .impacts import partners, solve_impact
 from .stepper import Tolerance
 from .switching import Change
@@ -57,6 +58,7 @@ class Switcher:
         self.muted = np.zeros(len(dae.switching.changes), dtype=bool)
         self.seen = np.zeros(len(dae.switching.changes))
         self.fastest = np.ones(len(dae.switching.changes))
+        self._adrift: list[str] = []
         self.modes_at = dae.p.numel()
         self.impulses_at = self.modes_at + dae.modes.numel()
         self.completion_at = self.impulses_at + dae.impulses.numel()
@@ -73,12 +75,6 @@ class Switcher:
         present: NDArray[np.bool_] = self.modes(q)[self.functions.mode_of] == self.functions.sources
         return present
 
-    def shift(self, point: Point, indicator: int) -> None:
-        """Move a point that is very near a crossing onto it, along its velocity."""
-        for _ in range(2):
-            values, rates = self.watch(point)
-            self.move(point, -float(values[indicator] / rates[indicator]))
-
     def soonest(self, point: Point) -> tuple[float, int]:
         """Return how soon an indicator will cross at its present rate, and which."""
         values, rates = self.watch(point)
@@ -89,8 +85,8 @@ class Switcher:
         first = int(delays.argmin())
         return float(delays[first]), first
 
-    def hopped(self, point: Point, duration: float, tolerance: Tolerance) -> Point | None:
-        """Return the point a very short time later (or earlier), or None if a step is not exact enough.
+    def hopped(self, point: Point, duration: float, indicator: int, tolerance: Tolerance) -> Point | None:
+        """Return the crossing a very short time later (or earlier), or None if it is too far for one step.
 
         One step of the trapezoidal rule, corrected twice; the second correction bounds its error.
         """
@@ -102,7 +98,16 @@ class Switcher:
             change, later.x = np.abs(corrected - later.x), corrected
             self._solve_algebraic(later)
         allowed = 0.1 * (tolerance.rtol * np.abs(point.x) + tolerance.atol)
-        return later if (change <= allowed).all() else None
+        if (change > allowed).any():
+            return None
+        self._shift(later, indicator)
+        return later
+
+    def _shift(self, point: Point, indicator: int) -> None:
+        """Move a point that is very near a crossing onto it, along its velocity."""
+        for _ in range(2):
+            values, rates = self.watch(point)
+            self.move(point, -float(values[indicator] / rates[indicator]))
 
     def move(self, point: Point, duration: float) -> None:
         """Move a point by a very short time, along its velocity."""
@@ -144,7 +149,7 @@ class Switcher:
         allowed = UNRESOLVED * np.ptp(at, axis=0) + self.tolerance()
         return bool((error <= allowed)[watched].all())
 
-    def flat_at(self, point: Point, crossing: tuple[int, int, float]) -> bool:
+    def flat_at(self, point: Point, crossing: Crossing) -> bool:
         """Tell whether a crossing is where the stretch began, though the indicator does not rise there."""
         _, indicator, t = crossing
         return t <= point.t and self.watch(point)[1][indicator] <= FLAT * self.fastest[indicator]
@@ -163,11 +168,13 @@ class Switcher:
             fired = self._fired(point, forced)
             forced = None
             if not fired:
+                self._check_adrift(point.t)
                 return happened
             key = (*self.modes(point.q), *point.x, *(float(i) for i in fired))
             one_by_one = one_by_one or key in visited
             visited.add(key)
             happened += self._apply(point, fired[:1] if one_by_one else fired)
+        self._check_adrift(point.t)
         names = sorted({event.component for event in happened[-20:]})
         raise SimulationError(
             f"no consistent set of modes at t = {point.t:.9g} s; these switch for ever: {', '.join(names)}"
@@ -256,6 +263,7 @@ class Switcher:
         if not self.closed.dae.blocks:
             return
         slopes = self.functions.slopes(point.x, point.z, point.q, point.t)[0]
+        self._adrift = []
         start = 0
         for block in self.closed.dae.blocks:
             size = len(block.torn)
@@ -264,7 +272,20 @@ class Switcher:
             point.q[self.completion_at :][part] = completion
             start = part.stop
             if singular:
-                self._tell_shared(block.labels)
+                freed = np.abs(completion.reshape(size, size, order="F")).max(axis=0)
+                loose = freed > 1e-6 * freed.max()
+                if self.functions.is_rate[block.torn][loose].any():
+                    self._adrift += block.labels
+                else:
+                    self._tell_shared(block.labels)
+
+    def _check_adrift(self, t: float) -> None:
+        """Raise if nothing determines an acceleration in the present modes."""
+        if self._adrift:
+            raise SimulationError(
+                f"at t = {t:.9g} s nothing with inertia moves with {', '.join(self._adrift)}, which no "
+                "longer holds; join a Mass (or an Inertia) where it slides"
+            )
 
     def _tell_shared(self, labels: list[str]) -> None:
         note = (

@@ -2,89 +2,81 @@
 
 from __future__ import annotations
 
+from collections import deque
+
 import numpy as np
 
 from ..components.base import SimulationError
-from .crossing import first_crossing
+from .crossing import Crossing, first_crossing, followed
 from .events import Point, Switcher
+from .pace import FINE, LEAST, Pace
 from .progress import Progress
 from .run import Run, integrate
 from .stepper import Array, Stepper, Stretch
 from .switchfunctions import NODES as NODES
 
-CHATTER = 200
-LEAST_EXPONENT, FINE_EXPONENT, MOST_EXPONENT = -30, -3, 6
+CHATTER = {200: 1e-6, 20_000: 1.0}
 HOP = 1e-3
-AHEAD = 2
 
 
 def run_hybrid(run: Run, switcher: Switcher, stepper: Stepper, outputs: Array, progress: Progress) -> None:
-    """Integrate between events; stretches are power-of-two multiples of the output interval."""
-    interval = float(outputs[1] - outputs[0])
-    next_output, since, exponent = 1, 0, MOST_EXPONENT
-    recent: list[float] = []
-    while next_output < len(outputs):
+    """Integrate between events, at a pace that keeps calls few and crossings visible."""
+    pace = Pace(outputs)
+    recent: deque[float] = deque(maxlen=max(CHATTER))
+    while pace.next < len(outputs):
         point = run.point
         delay, indicator = switcher.soonest(point)
-        if delay < HOP * interval:
-            later = switcher.hopped(point, delay, run.settings.tolerance)
-            if later is not None and later.t < outputs[next_output]:
-                _arrive(run, switcher, later, indicator)
-                recent = _watch_chatter(run, recent, interval)
-                continue
-        remaining = len(outputs) - next_output
-        on_grid = point.t == outputs[next_output - 1]
-        intervals = 2**exponent if on_grid and exponent >= 0 else 1
-        while intervals > remaining or (intervals > 1 and interval * intervals > AHEAD * delay):
-            intervals //= 2
-        end = outputs[next_output + intervals - 1]
-        span = float(end - point.t)
-        if exponent < 0 and span > interval * 2.0**exponent:
-            span, intervals = interval * 2.0**exponent, 0
+        if _hop(run, switcher, delay, indicator, pace):
+            _watch_chatter(run, recent, pace.interval)
+            continue
+        span, intervals = pace.stretch(point.t, delay)
         stretch = integrate(run, stepper, point, span)
         times = point.t + span * np.arange(stepper.nodes + 1) / stepper.nodes
-        crossing = _crossing(run, switcher, times, stretch)
-        if _too_coarse(switcher, point, times, stretch, crossing, exponent):
-            exponent = min(exponent, intervals.bit_length() - 1) - 1
+        crossing, follows = _crossing(run, switcher, times, stretch)
+        if pace.exponent > LEAST and not (follows and _plain(switcher, point, times, crossing, pace)):
+            pace.retry(intervals)
             continue
         kept = stepper.nodes if crossing is None else crossing[0]
-        next_output = _record_outputs(run, outputs, next_output, intervals, stretch, kept)
+        pace.next = _record_outputs(run, outputs, pace.next, intervals, stretch, kept)
         if crossing is None:
-            t = float(outputs[next_output - 1]) if intervals else float(times[-1])
+            t = float(outputs[pace.next - 1]) if intervals else float(times[-1])
             run.point = Point(t, stretch.states[-1], stretch.algebraic[-1], point.q)
-            exponent += 1 if stretch.steps < 2 * stepper.nodes and exponent < MOST_EXPONENT else 0
+            pace.passed()
         else:
-            exponent = max(exponent - 1, min((next_output - since).bit_length(), MOST_EXPONENT))
-            since = next_output
+            pace.crossed()
             _land(run, switcher, stepper, times, stretch, crossing)
-            recent = _watch_chatter(run, recent, interval)
+            _watch_chatter(run, recent, pace.interval)
         progress.at(run.point.t)
 
 
-def _too_coarse(
-    switcher: Switcher,
-    point: Point,
-    times: Array,
-    stretch: Stretch,
-    crossing: tuple[int, int, float] | None,
-    exponent: int,
-) -> bool:
-    """Tell whether a stretch is too long for its nodes to show what happens in it."""
-    if exponent <= LEAST_EXPONENT:
+def _hop(run: Run, switcher: Switcher, delay: float, indicator: int, pace: Pace) -> bool:
+    """Go to a crossing that is too near to integrate to; tell whether that was possible."""
+    if delay >= HOP * pace.interval:
         return False
-    nodes = len(times) - 1
-    if stretch.steps > 8 * nodes or (crossing is not None and switcher.flat_at(point, crossing)):
-        return True
-    return exponent > FINE_EXPONENT and stretch.steps < nodes and not switcher.resolved(point, times)
+    later = switcher.hopped(run.point, delay, indicator, run.settings.tolerance)
+    if later is None or later.t >= pace.outputs[pace.next]:
+        return False
+    _arrive(run, switcher, later, indicator)
+    return True
 
 
-def _crossing(run: Run, switcher: Switcher, times: Array, stretch: Stretch) -> tuple[int, int, float] | None:
+def _plain(switcher: Switcher, point: Point, times: Array, crossing: Crossing | None, pace: Pace) -> bool:
+    """Tell whether a stretch is short enough for its nodes to show what happens in it."""
+    if crossing is not None and switcher.flat_at(point, crossing):
+        return False
+    return pace.exponent <= FINE or switcher.resolved(point, times)
+
+
+def _crossing(run: Run, switcher: Switcher, times: Array, stretch: Stretch) -> tuple[Crossing | None, bool]:
+    """Return the first crossing, and whether the nodes follow the indicators at all."""
     point = run.point
     x = np.vstack([point.x, stretch.states])
     z = np.vstack([point.z, stretch.algebraic])
     values, rates = switcher.watch_nodes(times, x, z, point.q)
-    switcher.muted &= values[:, -1] > -switcher.tolerance()
-    return first_crossing(times, values, rates, switcher.active(point.q), switcher.tolerance())
+    near = switcher.tolerance()
+    switcher.muted &= values[:, -1] > -near
+    watched = times, values, rates, switcher.active(point.q), near
+    return first_crossing(*watched), followed(*watched)
 
 
 def _record_outputs(run: Run, outputs: Array, first: int, intervals: int, stretch: Stretch, kept: int) -> int:
@@ -106,7 +98,7 @@ def _land(
     stepper: Stepper,
     times: Array,
     stretch: Stretch,
-    crossing: tuple[int, int, float],
+    crossing: Crossing,
 ) -> None:
     """Integrate onto a crossing, fire what fires there and open the next segment."""
     node, indicator, t = crossing
@@ -122,7 +114,8 @@ def _land(
 
 def _arrive(run: Run, switcher: Switcher, landed: Point, indicator: int | None) -> None:
     """Fire what fires where an indicator crosses, and open the next segment."""
-    run.record(landed.t, landed.x, landed.z)
+    if landed.t > run.segments[-1].times[-1][-1]:
+        run.record(landed.t, landed.x, landed.z)
     run.point = landed
     happened = switcher.settle(landed, forced=indicator)
     run.events += happened
@@ -156,10 +149,9 @@ def _approach_crossing(
         values, rates = switcher.watch(landed)
         g, rate = float(values[indicator]), float(rates[indicator])
         newton = t - g / rate if rate > 0 else np.inf
-        if low <= newton <= high:
-            hit = switcher.hopped(landed, newton - t, run.settings.tolerance)
+        if low <= newton <= high and abs(newton - t) < HOP * (end - start.t):
+            hit = switcher.hopped(landed, newton - t, indicator, run.settings.tolerance)
             if hit is not None:
-                switcher.shift(hit, indicator)
                 return hit, True
         if narrow:
             return landed, g >= 0
@@ -167,13 +159,14 @@ def _approach_crossing(
         t = newton if low < newton < high else 0.5 * (low + high)
 
 
-def _watch_chatter(run: Run, recent: list[float], interval: float) -> list[float]:
-    recent = [*recent, run.point.t][-CHATTER:]
-    if len(recent) == CHATTER and recent[-1] - recent[0] < 1e-6 * interval:
-        names = sorted({event.component for event in run.events[-CHATTER:]})
-        raise SimulationError(
-            f"chattering: {CHATTER} events within {recent[-1] - recent[0]:.3g} s at t = "
-            f"{recent[-1]:.9g} s, from {', '.join(names)}; give it a resting speed, hysteresis or "
-            "some compliance"
-        )
-    return recent
+def _watch_chatter(run: Run, recent: deque[float], interval: float) -> None:
+    """Raise if there are very many events in next to no time, or more in an interval than can be meant."""
+    recent.append(run.point.t)
+    for count, most in CHATTER.items():
+        if len(recent) >= count and recent[-1] - recent[-count] < most * interval:
+            names = sorted({event.component for event in run.events[-count:]})
+            raise SimulationError(
+                f"chattering: {count} events within {recent[-1] - recent[-count]:.3g} s at t = "
+                f"{recent[-1]:.9g} s, from {', '.join(names)}; give it a resting speed, hysteresis or "
+                "some compliance"
+            )

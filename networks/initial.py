@@ -101,16 +101,19 @@ def initial_values(closed: Closed, q: Array, t: float, wanted: Wishes) -> tuple[
     dae = closed.dae
     x, z = (_guessed(dae, wanted, variables) for variables in (dae.states, dae.algebraic))
     free = [i for i, s in enumerate(dae.states) if s not in wanted.fixed]
-    others = [v for v in wanted.fixed if v not in dae.states]
+    states = set(dae.states)
+    others = [v for v in wanted.fixed if v not in states]
     hard = {v: wanted.fixed[v][1] for v in others}
-    before = x.copy()
-    for soft, movable in _leading(dae, wanted):
-        x = _nearer(closed, q, t, (x, z), hard, soft, movable)
-    related = x != before
-    before = x.copy()
-    if others or len(z):
-        x, z = _solve(closed, q, t, (x, z), free, hard, wanted)
-    moved = x != before
+    related, moved = np.zeros((2, len(x)), dtype=bool)
+    for _ in range(2 if others else 1):
+        before = x.copy()
+        for soft, movable in _leading(dae, wanted):
+            x = _nearer(closed, q, t, (x, z), hard, soft, movable)
+        related |= x != before
+        before = x.copy()
+        if others or len(z):
+            x, z = _solve(closed, q, t, (x, z), free, hard, wanted)
+        moved |= x != before
     reasons = np.select([moved, related], [SOLVED, RELATED], KEPT)
     return x, z, [_decided(dae, i, float(x[i]), str(reasons[i]), wanted) for i in range(len(x))]
 
@@ -118,13 +121,13 @@ def initial_values(closed: Closed, q: Array, t: float, wanted: Wishes) -> tuple[
 def _leading(dae: DAE, wanted: Wishes) -> Iterator[tuple[dict[int, float], list[int]]]:
     """Yield variables that are no states but whose start values lead, and the states they move."""
     names, states = dae.system.names, set(dae.states)
-    open_ = [(i, s) for i, s in enumerate(dae.states) if s not in {*wanted.fixed, *wanted.guesses}]
+    given = {*wanted.fixed, *wanted.guesses}
+    open_ = [(i, s) for i, s in enumerate(dae.states) if s not in given]
     relative = [i for i, s in open_ if s < len(names.state) and names.state[s] > 0]
     if relative:
+        led = {*states, *dae.system.known}
         motions = [
-            v
-            for v in dae.system.derivative
-            if v < len(names.state) and names.state[v] == 0 and v not in {*states, *dae.system.known}
+            v for v in dae.system.derivative if v < len(names.state) and names.state[v] == 0 and v not in led
         ]
         values = {v: wanted.guesses.get(v, float(names.start[v])) for v in motions}
         yield {v: value for v, value in values.items() if v not in wanted.fixed}, relative

@@ -75,15 +75,23 @@ def _edges(number: int, family: Family, highest: NDArray[np.bool_]) -> list[_Edg
         return []
     slopes = ca.jacobian(family.residual, family.locals)
     slope = np.array([float(s) if s.is_constant() else 0.0 for s in ca.horzsplit(ca.densify(slopes))])
-    unit = np.abs(slope) == 1
-    edges = []
-    for row in few[~(unknown[few] & ~unit).any(axis=1)]:
-        places = np.flatnonzero(unknown[row])
-        a, b = [*family.columns[row, places].tolist(), GROUND][:2]
-        signs = [*(slope * family.signs[row])[places].astype(int).tolist(), 1]
-        if a != b:
-            edges.append(_Edge((number, int(row)), a, b, signs[0], signs[1]))
-    return edges
+    few = few[~(unknown[few] & (np.abs(slope) != 1)).any(axis=1)]
+    places = np.argsort(~unknown[few], axis=1, kind="stable")
+    there = np.take_along_axis(unknown[few], places, axis=1)
+    columns = np.take_along_axis(family.columns[few], places, axis=1)
+    signs = np.take_along_axis((slope * family.signs[few]).astype(int), places, axis=1)
+    ends = _two(np.where(there, columns, GROUND), GROUND)
+    turned = _two(np.where(there, signs, 1), 1)
+    return [
+        _Edge((number, row), *end, *turn)
+        for row, end, turn in zip(few.tolist(), ends.tolist(), turned.tolist(), strict=True)
+        if end[0] != end[1]
+    ]
+
+
+def _two(numbers: Ints, missing: int) -> Ints:
+    """Return the first two columns."""
+    return np.column_stack([numbers, np.full(len(numbers), missing)])[:, :2]
 
 
 def _in_loops(edges: list[_Edge]) -> list[_Edge]:

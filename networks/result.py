@@ -11,6 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from .closed import Closed
+from .compiled import dense
 from .events import Event
 from .initial import Decision
 
@@ -92,8 +93,20 @@ class Result:
         if name == "time":
             return self.time
         if name not in self._cache:
-            self._cache[name] = self._evaluate(self.dae.expression(name))
+            expression = self.dae.expression(name)
+            state = self._state(name)
+            self._cache[name] = self._evaluate(expression) if state is None else state
         return self._cache[name]
+
+    def _state(self, name: str) -> Array | None:
+        """Return what was recorded, if a name stands for a state."""
+        if name in self.dae.switching.mode_names or name in self.dae.system.flat.table.index:
+            return None
+        root, sign = self.dae.root(name)
+        if root not in self.dae.states:
+            return None
+        place = self.dae.states.index(root)
+        return sign * np.concatenate([states[:, place] for s in self._segments for states in s.states])
 
     def _evaluate(self, expression: Any) -> Array:
         function = self._closed.evaluator(expression)
@@ -131,7 +144,7 @@ class Result:
         if not abs(time - (first + last) / 2) <= (last - first) * (0.5 + 1e-6):
             raise ValueError(f"t = {time:g} s is outside the run, {first:g} to {last:g} s; run longer")
         i = int(np.searchsorted(self.time, time, side="right"))
-        if i in (0, len(self.time)):
+        if i == 0 or i == len(self.time):
             return float(self[name][min(i, len(self.time) - 1)])
         t0, t1 = self.time[i - 1], self.time[i]
         y0, y1 = self[name][i - 1], self[name][i]
@@ -146,16 +159,18 @@ class Result:
         if parameter not in self._sensitivities:
             raise KeyError(f"run again with sensitivities=['{parameter}']")
         closed, dae = self._closed, self.dae
-        expression = closed.close(dae.expression(name))
+        residuals = closed.close(ca.vertcat(dae.expression(name), dae.alg))
         number = dae.system.flat.table.index[parameter]
-        slopes = ca.horzcat(ca.jacobian(expression, closed.x), ca.jacobian(expression, closed.q)[:, number])
-        function = closed.function("slopes", slopes.T)
+        of_x, of_z, of_q = (ca.jacobian(residuals, symbol) for symbol in (closed.x, closed.z, closed.q))
+        function = closed.function("slopes", *dense(of_x, of_z, of_q[:, number]))
         segment = self._segments[0]
         states, algebraic = np.vstack(segment.states).T, np.vstack(segment.algebraic).T
-        values = function(states, algebraic, segment.q, self.time[None, :]).full()
-        values = values.reshape(-1, len(self.time), order="F") if values.shape[1] == 1 else values
-        total: Array = (values[:-1] * self._sensitivities[parameter].T).sum(axis=0) + values[-1]
-        return total
+        slopes = function(states, algebraic, segment.q, self.time[None, :])
+        count = residuals.numel()
+        to_x, to_z, to_p = (m.full().reshape(count, len(self.time), -1).transpose(1, 0, 2) for m in slopes)
+        moved = to_x @ self._sensitivities[parameter][:, :, None] + to_p
+        total: Array = moved[:, :1] - to_z[:, :1] @ np.linalg.solve(to_z[:, 1:], moved[:, 1:])
+        return total.ravel()
 
     def to_dataframe(self, *names: str) -> pd.DataFrame:
         """Return signals as a pandas DataFrame indexed by time; the states if no names are given."""

@@ -125,8 +125,6 @@ def _approach(run: Run, stepper: Stepper, point: Point, span: float) -> None:
         except IntegratorError:
             continue
         run.steps += stretch.steps
-        if not np.isfinite(stretch.states).all():
-            continue
         times = t + span * np.arange(1, stepper.nodes + 1) / stepper.nodes
         run.record(times, stretch.states, stretch.algebraic)
         t, x, z = float(times[-1]), stretch.states[-1], stretch.algebraic[-1]
@@ -135,25 +133,25 @@ def _approach(run: Run, stepper: Stepper, point: Point, span: float) -> None:
 
 def limiting_state(run: Run) -> str:
     """Name the state that bends most for its tolerance at most outputs: the one that limits steps."""
-    settings, names = run.settings, run.closed.dae.state_names
-    votes = np.zeros(len(names), dtype=int)
+    settings, dae = run.settings, run.closed.dae
+    votes = np.zeros(len(dae.states), dtype=int)
     for segment in run.segments:
         states = np.vstack(segment.states)
-        if len(states) > 2 and names:
+        if len(states) > 2 and dae.states:
             bend = np.abs(states[2:] - 2 * states[1:-1] + states[:-2])
             weight = settings.rtol * np.abs(states[1:-1]) + settings.atol
-            votes += np.bincount((bend / weight).argmax(axis=1), minlength=len(names))
-    return names[int(votes.argmax())] if votes.any() else ""
+            votes += np.bincount((bend / weight).argmax(axis=1), minlength=len(votes))
+    return dae.system.name(dae.states[int(votes.argmax())]) if votes.any() else ""
 
 
 def failure(run: Run, error: Exception) -> str:
-    """Say when a run ended and which state was moving fastest for its tolerance."""
+    """Say when a run ended and which state was bending most for its tolerance."""
     dae, point, settings = run.closed.dae, run.point, run.settings
     if isinstance(error, SimulationError):
         return f"'{dae.name}': {error}"
-    rate = run.closed.evaluator(dae.ode)(point.x, point.z, point.q, point.t).full().ravel()
-    weight = np.abs(rate) / (settings.rtol * np.abs(point.x) + settings.atol)
-    worst = int(np.argmax(np.where(np.isfinite(weight), weight, np.inf)))
+    rate, bend = _motion(run)
+    weight = bend / (settings.rtol * np.abs(point.x) + settings.atol)
+    worst = int(np.argmax(np.where(np.isfinite(weight), weight, np.inf))) if len(rate) else 0
     name = dae.state_names[worst] if len(rate) else "no state"
     state = f"{name} = {point.x[worst]:.6g} with rate {rate[worst]:.6g}" if len(rate) else name
     reason = str(error).strip().splitlines()[-1]
@@ -162,3 +160,12 @@ def failure(run: Run, error: Exception) -> str:
         f"{state}. If it is really that fast, give a smaller step=. Results up to there are kept in the "
         f"error's `result`. Solver: {reason}"
     )
+
+
+def _motion(run: Run) -> tuple[Array, Array]:
+    """Return the rates of the states where a run stands, and the size of the rates' own rates."""
+    closed, point = run.closed, run.point
+    ode = closed.close(closed.dae.ode)
+    function = closed.function("motion", ode, closed.rate(ode))
+    rate, bend = (m.full().ravel() for m in function(point.x, point.z, point.q, point.t))
+    return rate, np.abs(bend)

@@ -4,23 +4,26 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
+import casadi as ca
 import numpy as np
 from numpy.typing import NDArray
 
 from ..components.base import ModelError, nearest
 
 if TYPE_CHECKING:
-    from .dae import DAE
+    from .closed import Closed
     from .events import Point
+    from .initial import Wishes
     from .stepper import Stepper
 
 Array = NDArray[np.float64]
 
 
 class Sensitivities:
-    """d(states)/d(parameters) along a run; start values do not depend on the parameters."""
+    """d(states)/d(parameters) along a run, from the start values that follow from fixed ones."""
 
-    def __init__(self, dae: DAE, names: tuple[str, ...], point: Point) -> None:
+    def __init__(self, closed: Closed, names: tuple[str, ...], point: Point, wanted: Wishes) -> None:
+        dae = closed.dae
         table = dae.system.flat.table
         unknown = [n for n in names if n not in table.index]
         if unknown:
@@ -34,16 +37,32 @@ class Sensitivities:
         self.names = names
         self._of_q = np.zeros((len(point.q), len(names)))
         self._of_q[[table.index[n] for n in names], range(len(names))] = 1.0
-        self._slopes: list[Array] = [np.zeros((len(point.x), len(names)))]
+        self._slopes: list[Array] = [_start_slopes(closed, point, wanted, self._of_q)]
 
     def advance(self, stepper: Stepper, point: Point, span: float, begin: int) -> None:
         """Carry the sensitivities over one chunk that starts at output number `begin`."""
         seeds = self._slopes[begin], self._of_q
         moved = stepper.sensitivity(point.t, point.x, point.z, point.q, span, seeds)
-        new = [moved[:, :, k] for k in range(moved.shape[2])]
-        self._slopes = [*self._slopes[: begin + 1], *new]
+        self._slopes = [*self._slopes[: begin + 1], *moved.transpose(1, 0, 2)]
 
     def collected(self) -> dict[str, Array]:
         """Return, for each parameter, d(states)/d(parameter), (outputs, states)."""
         stacked = np.array(self._slopes)
         return {name: stacked[:, :, k] for k, name in enumerate(self.names)}
+
+
+def _start_slopes(closed: Closed, point: Point, wanted: Wishes, of_q: Array) -> Array:
+    """Return how states start that are solved from fixed values of other variables; others stay."""
+    dae = closed.dae
+    slopes = np.zeros((len(point.x), of_q.shape[1]))
+    others = [v for v in wanted.fixed if v not in dae.states]
+    free = [i for i, s in enumerate(dae.states) if s not in wanted.fixed]
+    if others:
+        missed = closed.close(ca.vertcat(dae.variables[others], dae.alg))
+        of = [ca.jacobian(missed, symbol) for symbol in (closed.x, closed.z, closed.q)]
+        to_x, to_z, to_q = (
+            m.full() for m in closed.function("start", *of)(point.x, point.z, point.q, point.t)
+        )
+        moved = np.linalg.lstsq(np.hstack([to_x[:, free], to_z]), -to_q @ of_q, rcond=1e-12)[0]
+        slopes[free] = moved[: len(free)]
+    return slopes

@@ -35,13 +35,14 @@ def simulate(
     began = clock.perf_counter()
     closed = dae.closed(inputs)
     numbers = dae.system.flat.table.values(dict(parameters))
-    others = dae.constants.numel() - len(numbers)
+    others = closed.q.numel() - len(numbers)
     q = np.concatenate([numbers, np.zeros(others)])
-    run = _started(closed, settings, q, wishes(dae, start, guess))
+    wanted = wishes(dae, start, guess)
+    run = _started(closed, settings, q, wanted)
     outputs = settings.outputs
     nodes = NODES if run.switcher else smooth_nodes(len(outputs) - 1)
     stepper = closed.stepper(settings.solver, settings.tolerance, nodes)
-    follow = Sensitivities(dae, sensitivities, run.point) if sensitivities else None
+    follow = Sensitivities(closed, sensitivities, run.point, wanted) if sensitivities else None
     run.open_segment()
     with Progress(dae.name, settings.begin, settings.stop, settings.progress) as progress:
         try:
@@ -68,7 +69,10 @@ def _started(closed: Closed, settings: Settings, q: Array, wanted: Wishes) -> Ru
         run = Run(closed, settings, point, switcher, decisions)
         if switcher is None:
             return run
-        run.events = switcher.settle(point)
+        try:
+            run.events = switcher.settle(point)
+        except SimulationError as error:
+            raise SimulationError(f"'{closed.dae.name}': {error}") from error
         mentions_others = any(v not in closed.dae.states for v in wanted.fixed)
         struck = any(event.impulse is not None for event in run.events)
         if not run.events or not mentions_others or struck:

@@ -81,7 +81,7 @@ class Stepper:
             "ode": span * (ode if plain else ode / scale), "alg": alg,
         }  # fmt: skip
         options: dict[str, Any] = {"reltol": tolerance.rtol, "abstol": tolerance.atol}
-        options["max_num_steps"] = MOST_STEPS
+        options |= {"max_num_steps": MOST_STEPS, "show_eval_warnings": False}
         if self.solver != "rosenbrock":
             options["disable_internal_warnings"] = True
         grid = np.linspace(0, 1, self.nodes + 1)[1:]
@@ -97,10 +97,12 @@ class Stepper:
         stats = self._compiled.stats()
         states, algebraic = (result.reshape(self.nodes, -1) for result in results[:2])
         states = states[:, : self.nx] * self.scale
+        if not np.isfinite(states).all():
+            raise IntegratorError(f"{self.solver} left the finite numbers")
         return Stretch(states, algebraic, int(stats.get("nsteps", stats.get("n_steps", 0))))
 
     def sensitivity(self, t: float, x: Array, z: Array, q: Array, span: float, seeds: Any) -> Any:
-        """Return d(states)/d(seed directions) at the nodes; seeds are (of x, of q)."""
+        """Return d(states)/d(seeds), (nx, nodes, seeds); seeds are directions (of x, of q)."""
         of_x, of_q = seeds
         count = of_x.shape[1]
         forward = self._function.forward(count)
@@ -112,7 +114,8 @@ class Stepper:
         given["fwd_x0"] = of_x / self.scale[:, None]
         given["fwd_p"] = np.vstack([of_q, np.zeros((2, count))])
         result = forward(**{name: given[name] for name in names if name in given})
-        moved = result["fwd_xf"].full().reshape(self.nx, count, self.nodes, order="F")
+        by_seed = result["fwd_xf"].full()[: self.nx].reshape(self.nx, count, self.nodes)
+        moved = by_seed.transpose(0, 2, 1)
         scaled: Array = moved * self.scale[:, None, None]
         return scaled
 

@@ -28,6 +28,7 @@ class SwitchFunctions:
         shock: what impulses do to states, and the slopes of the switching expressions in the states.
         reset: variables that transitions reset and that are no states, and their slopes in the states.
         reset_of, state_of: the row of a variable in `reset`, in the states.
+        is_rate: which joined variables are derivatives.
         sources, mode_of: per transition, the mode it leaves and whose mode it is.
     """
 
@@ -52,6 +53,9 @@ class SwitchFunctions:
         self.reset_of = {variable: row for row, variable in enumerate(others)}
         values = closed.close(pick(dae.variables, others))
         self.reset = closed.compiled("reset", values, ca.jacobian(values, closed.x))
+        self.is_rate = np.isin(
+            np.arange(dae.system.size), [upper for upper, _ in dae.system.derivative.values()]
+        )
         self.sources = np.array([c.source for c in changes])
         self.mode_of = np.array([c.mode for c in changes])
 

@@ -80,7 +80,7 @@ def _stated(scope: Scope, owner: type, name: str) -> Iterator[Any]:
     for klass in reversed(owner.__mro__):
         if name in vars(klass):
             stated = vars(klass)[name](scope)
-            if not isinstance(stated, Iterable):
+            if isinstance(stated, ca.SX) or not isinstance(stated, Iterable):
                 raise ModelError(f"{name}() of {klass.__name__} must yield, got {stated}")
             yield from stated
 

@@ -61,7 +61,8 @@ class Scope:
         except AttributeError:
             known = [*owner.fields, *self._component._parts]
             told = nearest(name, known) or "; declare it with parameter() or variable()"
-            raise ModelError(f"{owner.__name__} declares no '{name}'{told}") from None
+            where = f"part '{self._prefix[:-1]}'" if self._prefix else "it"
+            raise ModelError(f"{where} declares no '{name}'{told}") from None
         if isinstance(value, property) and value.fget:
             return value.fget(self)
         return types.MethodType(value, self) if isinstance(value, types.FunctionType) else value

@@ -1,0 +1,60 @@
+"""Pace: how far one call of the integrator goes."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from .stepper import Array
+
+LEAST, FINE, FIRST, MOST = -30, -3, 4, 6
+AHEAD = 2
+
+
+@dataclass(eq=False)
+class Pace:
+    """Stretches of 2^exponent output intervals, so that outputs are nodes of a stretch.
+
+    Attributes:
+        next: number of the output that comes next.
+        since: what `next` was at the last event.
+    """
+
+    outputs: Array
+    next: int = 1
+    since: int = 0
+    exponent: int = FIRST
+
+    @property
+    def interval(self) -> float:
+        """Time between outputs."""
+        return float(self.outputs[1] - self.outputs[0])
+
+    def stretch(self, t: float, delay: float) -> tuple[float, int]:
+        """Return the duration of the next stretch, and how many outputs it reaches.
+
+        Args:
+            t: where it begins.
+            delay: how soon an event is expected; going far beyond it would be in vain.
+        """
+        on_grid = t == self.outputs[self.next - 1]
+        intervals = 2**self.exponent if on_grid and self.exponent >= 0 else 1
+        remaining = len(self.outputs) - self.next
+        while intervals > remaining or (intervals > 1 and self.interval * intervals > AHEAD * delay):
+            intervals //= 2
+        span = float(self.outputs[self.next + intervals - 1] - t)
+        if self.exponent < 0 and span > self.interval * 2.0**self.exponent:
+            return self.interval * 2.0**self.exponent, 0
+        return span, intervals
+
+    def retry(self, intervals: int) -> None:
+        """Make the next stretch shorter than one that was too long."""
+        self.exponent = min(self.exponent, intervals.bit_length() - 1) - 1
+
+    def passed(self) -> None:
+        """Make the next stretch longer than one in which nothing happened."""
+        self.exponent = min(self.exponent + 1, MOST)
+
+    def crossed(self) -> None:
+        """Make stretches fit the time between events."""
+        self.exponent = max(self.exponent - 1, min((self.next - self.since).bit_length(), MOST))
+        self.since = self.next
