@@ -1,17 +1,15 @@
 """Run benchmarks and print what the library costs over its peers.
 
-python benchmarks/run.py [--rounds N] [--peers-python PYTHON] [smooth_pfi hybrid_pfi chain cold_start pypi]
+python benchmarks/run.py [--rounds N] [smooth_pfi hybrid_pfi chain cold_start]
 """
 
 from __future__ import annotations
 
 import argparse
-import sys
 
 import chain
 import cold_start
 import hybrid_pfi
-import pypi
 import smooth_pfi
 
 BENCHMARKS = {
@@ -26,14 +24,12 @@ def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawTextHelpFormatter)
     parser.add_argument("names", nargs="*", metavar="name", help="benchmarks; all if none is named")
     parser.add_argument("--rounds", type=int, default=7, help="how often each contender has its turn")
-    parser.add_argument("--peers-python", default=sys.executable, help="interpreter that has the PyPI peers")
     given = parser.parse_args()
-    known = {**BENCHMARKS, "pypi": lambda rounds: pypi.main(rounds, given.peers_python)}
-    unknown = [name for name in given.names if name not in known]
+    unknown = [name for name in given.names if name not in BENCHMARKS]
     if unknown or given.rounds < 1:
-        parser.error(f"there are {', '.join(known)}, and at least one round")
-    for name in given.names or known:
-        known[name](given.rounds)
+        parser.error(f"there are {', '.join(BENCHMARKS)}, and at least one round")
+    for name in given.names or BENCHMARKS:
+        BENCHMARKS[name](given.rounds)
 
 
 if __name__ == "__main__":
