@@ -22,7 +22,9 @@ from .base import parameter as parameter
 from .base import variable as variable
 from .translational import Accelerate as Accelerate
 from .translational import AccelerationSensor as AccelerationSensor
+from .translational import AsymmetricFriction as AsymmetricFriction
 from .translational import Backlash as Backlash
+from .translational import BilinearSpring as BilinearSpring
 from .translational import BoucWen as BoucWen
 from .translational import Brake as Brake
 from .translational import Compliant as Compliant
@@ -31,6 +33,7 @@ from .translational import ConstantForce as ConstantForce
 from .translational import CoulombFriction as CoulombFriction
 from .translational import CubicSpring as CubicSpring
 from .translational import Damper as Damper
+from .translational import DriftingFriction as DriftingFriction
 from .translational import ElastoGap as ElastoGap
 from .translational import Fixed as Fixed
 from .translational import Force as Force
@@ -40,6 +43,7 @@ from .translational import HardStop as HardStop
 from .translational import Inerter as Inerter
 from .translational import LargeAngleLever as LargeAngleLever
 from .translational import Lever as Lever
+from .translational import LoadedFriction as LoadedFriction
 from .translational import Mass as Mass
 from .translational import MassWithStopAndFriction as MassWithStopAndFriction
 from .translational import Position as Position
@@ -48,6 +52,7 @@ from .translational import QuadraticDamper as QuadraticDamper
 from .translational import RelativeAccelerationSensor as RelativeAccelerationSensor
 from .translational import RelativePositionSensor as RelativePositionSensor
 from .translational import RelativeSpeedSensor as RelativeSpeedSensor
+from .translational import Ripple as Ripple
 from .translational import Rod as Rod
 from .translational import Speed as Speed
 from .translational import SpeedSensor as SpeedSensor

@@ -19,7 +19,7 @@ class StickSlip(Component):
     Forward and backward: the resistance follows the law `sliding(speed)` against the motion.
 
     A subclass defines `resistance`, `speed`, `acceleration` (properties), `speed_name`, and
-    `sliding(speed)`, the resistance at a speed that is not negative.
+    `sliding(speed)`, the resistance at a speed that is not negative; `sliding_back` if it differs backward.
 
     Source: M. Otter, H. Elmqvist, S. E. Mattsson, Hybrid modeling in Modelica based on the
     synchronous data flow principle (1999), section 4.
@@ -44,26 +44,31 @@ class StickSlip(Component):
         """Resistance at which sliding begins."""
         return self.peak * self.sliding(0.0)
 
+    def sliding_back(self, speed: Any) -> Any:
+        """Resistance at a speed backward, by default as forward."""
+        return self.sliding(speed)
+
     def laws(self) -> dict[str, Any]:
         """What vanishes in each mode."""
-        friction = self.sliding(ca.fabs(self.speed))
+        speed = ca.fabs(self.speed)
         return {
             "stuck": self.acceleration,
-            "forward": self.resistance - friction,
-            "backward": self.resistance + friction,
+            "forward": self.resistance - self.sliding(speed),
+            "backward": self.resistance + self.sliding_back(speed),
         }
 
     def equations(self) -> Iterable[Any]:
         if self.regularised:
-            direction = ca.tanh(self.speed / self.regularised)
-            yield self.resistance == direction * self.sliding(ca.fabs(self.speed))
+            speed = ca.fabs(self.speed)
+            friction = ca.if_else(self.speed > 0, self.sliding(speed), self.sliding_back(speed))
+            yield self.resistance == ca.tanh(self.speed / self.regularised) * friction
         else:
             yield self.mode.choose(**self.laws()) == 0
 
     def transitions(self) -> Iterable[Any]:
         if self.regularised:
             return
-        limits = self.breakaway, self.breakaway
+        limits = self.breakaway, self.peak * self.sliding_back(0.0)
         slow = ca.fabs(self.speed) < SLOW
         allowed = slow if self.grips is None else ca.logic_and(slow, self.grips)
         yield from breakaways(self.mode, self.resistance, limits, allowed)

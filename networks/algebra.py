@@ -12,15 +12,16 @@ from ..components import Component, ModelError, TwoFlanges, rotational, variable
 class _Joined(Component):
     """Elements between flange_a and flange_b, and the nodes that join them."""
 
-    def __init__(self, nodes: list[list[tuple[str, str]]], parts: dict[str, Component]) -> None:
+    def __init__(self, how: str, nodes: list[list[tuple[str, str]]], parts: dict[str, Component]) -> None:
         super().__init__()
+        self._how = how
         self._parts.update(parts)
         self._nodes = nodes
         self._own_parts()
 
     def __repr__(self) -> str:
         parts = ", ".join(f"{name}={part!r}" for name, part in self._parts.items())
-        return f"{type(self).__name__}({parts})"
+        return f"{self._how}({parts})"
 
     def connections(self) -> Iterable[tuple[Any, ...]]:
         """Return the nodes between the elements."""
@@ -71,7 +72,7 @@ def series(*elements: Component, **named: Component) -> TwoTerminal | Rotational
     for left, right in pairwise(names):
         nodes.append([(left, "flange_b"), (right, "flange_a")])
     nodes.append([(names[-1], "flange_b"), ("", "flange_b")])
-    return _joined(nodes, parts)
+    return _joined("series", nodes, parts)
 
 
 def parallel(*elements: Component, **named: Component) -> TwoTerminal | RotationalTwoTerminal:
@@ -81,16 +82,17 @@ def parallel(*elements: Component, **named: Component) -> TwoTerminal | Rotation
     """
     parts = _named(elements, named)
     nodes = [[("", port), *((name, port) for name in parts)] for port in ("flange_a", "flange_b")]
-    return _joined(nodes, parts)
+    return _joined("parallel", nodes, parts)
 
 
 def _joined(
-    nodes: list[list[tuple[str, str]]], parts: dict[str, Component]
+    how: str, nodes: list[list[tuple[str, str]]], parts: dict[str, Component]
 ) -> TwoTerminal | RotationalTwoTerminal:
     domains = {getattr(type(element).fields["flange_a"], "domain", "") for element in parts.values()}
     if len(domains) > 1:
         raise ModelError("series() and parallel() join sliding elements or turning ones, not both")
-    return TwoTerminal(nodes, parts) if domains == {"translational"} else RotationalTwoTerminal(nodes, parts)
+    kind = TwoTerminal if domains == {"translational"} else RotationalTwoTerminal
+    return kind(how, nodes, parts)
 
 
 def _named(elements: tuple[Component, ...], named: dict[str, Component]) -> dict[str, Component]:

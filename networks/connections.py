@@ -24,12 +24,19 @@ def connect_ports(flat: Flat, problems: list[str]) -> tuple[list[Node], list[int
     """Join what connections join; return the nodes and the across variables that are grounded."""
     by_component = {id(i.component): i for i in flat.instances.values()}
     node_of: dict[_Key, Node] = {}
+    insertions = [(o, *ports) for o in flat.instances.values() for ports in o.component.insertions()]
+    moved = {(id(port.component), port.name): near for _, port, _, near in insertions}
     for owner in flat.instances.values():
         try:
             for ports in owner.component.connections():
-                _merge(_members(owner, ports, by_component, problems), node_of)
+                members = _members(owner, ports, by_component, problems)
+                if moved:
+                    members = [_moved(member, moved, by_component) for member in members]
+                _merge(members, node_of)
         except AttributeError as error:
             problems.append(f"{owner}: its connections cannot be made: {error}")
+    for owner, port, far, _ in insertions:
+        _merge(_members(owner, (port, far), by_component, problems), node_of)
     outside = {(instance, name) for instance, name, sign in node_of if sign > 0}
     nodes = list({id(node): node for node in node_of.values()}.values())
     for node in nodes:
@@ -56,6 +63,17 @@ def _members(
             continue
         members.append((instance, port.name, -1 if instance is owner else 1))
     return members
+
+
+def _moved(
+    member: tuple[Instance, str, int],
+    moved: dict[tuple[int, str], PortRef],
+    by_component: dict[int, Instance],
+) -> tuple[Instance, str, int]:
+    """Return the flange of what is inserted at a port, if anything is, in the port's stead."""
+    instance, name, sign = member
+    near = moved.get((id(instance.component), name)) if sign > 0 else None
+    return (by_component[id(near.component)], near.name, 1) if near is not None else member
 
 
 def _belongs(instance: Instance | None, owner: Instance) -> bool:
@@ -122,13 +140,13 @@ def _unconnected(flat: Flat, outside: set[tuple[int, str]], problems: list[str])
     for instance in flat.instances.values():
         if instance.parent is None:
             continue
-        for name, declared in type(instance.component).fields.items():
-            if not isinstance(declared, Port) or (id(instance), name) in outside:
+        for declared in type(instance.component)._ports:
+            if (id(instance), declared.name) in outside:
                 continue
             if declared.optional:
-                yield instance.index(f"{name}.{declared.across}")
+                yield instance.index(f"{declared.name}.{declared.across}")
             else:
-                problems.append(f"{instance}: {name} is not connected; connect it (to a Fixed if it is held)")
+                problems.append(f"{instance}: {declared.name} is not connected; connect it (to a Fixed if it is held)")
 
 
 def find_inputs(flat: Flat, nodes: list[Node]) -> None:
@@ -141,7 +159,7 @@ def find_inputs(flat: Flat, nodes: list[Node]) -> None:
             if isinstance(declared, source) and (sign > 0 or instance.parent is not None):
                 driven.update((id(i), n) for i, n, _ in node.ports)
     for instance in flat.instances.values():
-        for name, declared in type(instance.component).fields.items():
-            if isinstance(declared, RealInput) and (id(instance), name) not in driven:
-                path = f"{instance.path}.{name}" if instance.path else name
-                flat.inputs[path] = instance.index(name)
+        for declared in type(instance.component)._inputs:
+            if (id(instance), declared.name) not in driven:
+                path = f"{instance.path}.{declared.name}" if instance.path else declared.name
+                flat.inputs[path] = instance.index(declared.name)

@@ -33,6 +33,7 @@ class Network(Component):
         super().__init__()
         self.name = name
         self._joined: list[tuple[PortRef, ...]] = []
+        self._inserted: list[tuple[PortRef, str]] = []
         self.add(**components)
 
     def add(self, **components: Component) -> Self:
@@ -61,9 +62,50 @@ class Network(Component):
         self._joined.append(ports)
         return self
 
+    def insert(self, port: PortRef, **element: Component) -> Self:
+        """Put a two-terminal element between a port and all it is connected to; return the network.
+
+        The port may belong to a part at any depth. The element's flange_a goes to the port, its flange_b to
+        what the port was connected to.
+
+        Args:
+            port: a flange, such as `net.inerter.screw.flange_t`.
+            element: one element by name, with flange_a and flange_b.
+
+        Raises:
+            ModelError: if the port or the element is none, or something is inserted there already.
+
+        Example:
+            >>> from inertance import Backlash, Fixed, Mass, Network, Spring
+            >>> net = Network("oscillator", wall=Fixed(), spring=Spring(k=100.0), mass=Mass(m=1.0))
+            >>> _ = net.connect(net.wall.flange, net.spring.flange_a)
+            >>> _ = net.connect(net.spring.flange_b, net.mass.flange)
+            >>> _ = net.insert(net.spring.flange_b, play=Backlash(k=1e6, d=100.0, eps=1e-3))
+        """
+        told = f"Network '{self.name}': insert() puts an element with flange_a and flange_b at a port"
+        if not isinstance(port, PortRef):
+            raise ModelError(f"{told} such as `net.mass.flange`, got {port!r}")
+        if len(element) != 1 or any(
+            not {"flange_a", "flange_b"} <= type(e).fields.keys() for e in element.values()
+        ):
+            raise ModelError(f"{told}, got {', '.join(repr(e) for e in element.values()) or 'none'}")
+        if any(p.component is port.component and p.name == port.name for p, _ in self._inserted):
+            raise ModelError(
+                f"Network '{self.name}': at {port!r} something is inserted already; join both by series()"
+            )
+        self.add(**element)
+        self._inserted.append((port, next(iter(element))))
+        return self
+
     def connections(self) -> Iterable[tuple[PortRef, ...]]:
         """Return the nodes made by `connect`."""
         return self._joined
+
+    def insertions(self) -> Iterable[tuple[PortRef, PortRef, PortRef]]:
+        """Yield the ports at which `insert` put an element, with the flanges of that element."""
+        for port, name in self._inserted:
+            element = self._parts[name]
+            yield port, PortRef(element, "flange_a"), PortRef(element, "flange_b")
 
     def with_values(self, **values: Any) -> Self:
         """Return a copy with some components exchanged; connections go to the new ones.
@@ -77,21 +119,23 @@ class Network(Component):
                 known = nearest(name, copy._parts)
                 raise ModelError(f"Network '{self.name}' has no component '{name}'{known} to exchange")
             old, copy._parts[name] = copy._parts[name], component
-            copy._joined = [
-                tuple(PortRef(component, p.name) if p.component is old else p for p in ports)
-                for ports in copy._joined
-            ]
+            copy._refer({old: component})
         return copy
 
     def clone(self) -> Self:
         """Return an independent copy, connections included."""
         copy = super().clone()
-        twins = dict(_pairs(self, copy))
-        copy._joined = [
-            tuple(PortRef(twins.get(port.component, port.component), port.name) for port in ports)
-            for ports in self._joined
-        ]
+        copy._refer(dict(_pairs(self, copy)))
         return copy
+
+    def _refer(self, twins: Mapping[Component, Component]) -> None:
+        """Let connections and insertions refer to other components."""
+
+        def twin(port: PortRef) -> PortRef:
+            return PortRef(twins.get(port.component, port.component), port.name)
+
+        self._joined = [tuple(twin(port) for port in ports) for ports in self._joined]
+        self._inserted = [(twin(port), name) for port, name in self._inserted]
 
     def dae(self) -> DAE:
         """Return the network's equations: flattened, reduced to index 1, states chosen."""

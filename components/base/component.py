@@ -47,6 +47,9 @@ class Component:
     _options: ClassVar[tuple[Option, ...]] = ()
     _required: ClassVar[tuple[Parameter, ...]] = ()
     _declared_parts: ClassVar[tuple[Part, ...]] = ()
+    _parameters: ClassVar[tuple[Parameter, ...]] = ()
+    _ports: ClassVar[tuple[Port, ...]] = ()
+    _inputs: ClassVar[tuple[RealInput, ...]] = ()
 
     def __init_subclass__(cls) -> None:
         super().__init_subclass__()
@@ -63,8 +66,11 @@ class Component:
         }
         declared_fields = cls.fields.values()
         cls._options = tuple(f for f in declared_fields if isinstance(f, Option))
-        cls._required = tuple(f for f in declared_fields if isinstance(f, Parameter) and f.default is MISSING)
+        cls._parameters = tuple(f for f in declared_fields if isinstance(f, Parameter))
+        cls._required = tuple(f for f in cls._parameters if f.default is MISSING)
         cls._declared_parts = tuple(f for f in declared_fields if isinstance(f, Part))
+        cls._ports = tuple(f for f in declared_fields if isinstance(f, Port))
+        cls._inputs = tuple(f for f in declared_fields if isinstance(f, RealInput))
 
     def __init__(self, **values: Any) -> None:
         self._values: dict[str, Any] = {}
@@ -104,6 +110,10 @@ class Component:
 
     def connections(self) -> Iterable[tuple[PortRef, ...]]:
         """Yield tuples of ports (own and of parts) that are joined at one node."""
+        return ()
+
+    def insertions(self) -> Iterable[tuple[PortRef, PortRef, PortRef]]:
+        """Yield (port, near, far): the flanges of an element that stands between a port and its node."""
         return ()
 
     def clone(self) -> Self:

@@ -6,10 +6,14 @@ from .bases import TwoFlanges as TwoFlanges
 from .clutches import Brake as Brake
 from .clutches import Clutch as Clutch
 from .clutches import OneWayClutch as OneWayClutch
+from .compliances import BilinearSpring as BilinearSpring
+from .compliances import BoucWen as BoucWen
+from .compliances import CubicSpring as CubicSpring
 from .compliances import Damper as Damper
 from .compliances import ElastoBacklash as ElastoBacklash
 from .compliances import Inerter as Inerter
 from .compliances import QuadraticDamper as QuadraticDamper
+from .compliances import Ripple as Ripple
 from .compliances import Spring as Spring
 from .compliances import SpringDamper as SpringDamper
 from .friction import BearingFriction as BearingFriction
@@ -17,6 +21,9 @@ from .friction import CoulombFriction as CoulombFriction
 from .friction import Friction as Friction
 from .friction import StribeckFriction as StribeckFriction
 from .friction import TabulatedFriction as TabulatedFriction
+from .friction_variants import AsymmetricFriction as AsymmetricFriction
+from .friction_variants import DriftingFriction as DriftingFriction
+from .friction_variants import LoadedFriction as LoadedFriction
 from .gears import GearMesh as GearMesh
 from .gears import IdealGear as IdealGear
 from .gears import IdealPlanetary as IdealPlanetary

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
+from math import pi
 from typing import Any
 
 import casadi as ca
@@ -48,6 +49,70 @@ class SpringDamper(CompliantWithSpeed):
 
     def equations(self) -> Iterable[Any]:
         yield self.tau == self.c * (self.phi_rel - self.phi_rel0) + self.d * self.w_rel
+
+
+class CubicSpring(Compliant):
+    """Spring with a cubic term: tau = c e + c3 e^3 with e = phi_rel - phi_rel0."""
+
+    c = parameter("N.m/rad", "linear stiffness", min=0)
+    c3 = parameter("N.m/rad3", "cubic stiffness; negative softens")
+    phi_rel0 = parameter("rad", "unstretched angle", default=0.0)
+
+    def equations(self) -> Iterable[Any]:
+        e = self.phi_rel - self.phi_rel0
+        yield self.tau == self.c * e + self.c3 * e**3
+
+
+class BilinearSpring(Compliant):
+    """Spring that is stiffer one way: tau = c_pull e for e > 0 and c_push e for e < 0.
+
+    e = phi_rel - phi_rel0.
+    """
+
+    c_pull = parameter("N.m/rad", "stiffness when pulled", min=0)
+    c_push = parameter("N.m/rad", "stiffness when pushed", min=0)
+    phi_rel0 = parameter("rad", "unstretched angle", default=0.0)
+
+    def equations(self) -> Iterable[Any]:
+        e = self.phi_rel - self.phi_rel0
+        yield self.tau == self.c_pull * ca.fmax(e, 0) + self.c_push * ca.fmin(e, 0)
+
+
+class Ripple(Compliant):
+    """Torque that comes back with every period: tau = tau_sin sin(2 pi phi_rel/period) + tau_cos cos(...)."""
+
+    tau_sin = parameter("N.m", "amplitude of the sine")
+    tau_cos = parameter("N.m", "amplitude of the cosine", default=0.0)
+    period = parameter("rad", "angle after which the torque comes back", above=0)
+
+    def equations(self) -> Iterable[Any]:
+        angle = 2 * pi * self.phi_rel / self.period
+        yield self.tau == self.tau_sin * ca.sin(angle) + self.tau_cos * ca.cos(angle)
+
+
+class BoucWen(CompliantWithSpeed):
+    """Hysteretic spring: tau = alpha c phi_rel + (1 - alpha) c z.
+
+    z' = A w_rel - beta |w_rel| |z|^(n-1) z - gamma w_rel |z|^n, with z [rad] the hysteretic angle.
+
+    Source: Y.-K. Wen, J. Eng. Mech. Div. ASCE 102 (1976) 249-263, written for turning.
+    """
+
+    c = parameter("N.m/rad", "initial stiffness", min=0)
+    alpha = parameter("1", "share of stiffness after yield", min=0, max=1, default=0.1)
+    A = parameter("1", "scale of the hysteretic angle", above=0, default=1.0)
+    beta = parameter("1/rad^n", "loop shape against the motion", min=0)
+    gamma = parameter("1/rad^n", "loop shape along the motion")
+    n = parameter("1", "sharpness of yield", min=1, default=2.0)
+    z = variable("rad", "hysteretic angle")
+
+    def equations(self) -> Iterable[Any]:
+        w, z = self.w_rel, self.z
+        size = ca.fabs(z)
+        yield self.tau == self.alpha * self.c * self.phi_rel + (1 - self.alpha) * self.c * z
+        yield der(z) == (
+            self.A * w - self.beta * ca.fabs(w) * size ** (self.n - 1) * z - self.gamma * w * size**self.n
+        )
 
 
 class QuadraticDamper(CompliantWithSpeed):

@@ -4,11 +4,13 @@ from .bases import Compliant as Compliant
 from .bases import CompliantWithSpeed as CompliantWithSpeed
 from .bases import TwoFlanges as TwoFlanges
 from .brake import Brake as Brake
+from .compliances import BilinearSpring as BilinearSpring
 from .compliances import BoucWen as BoucWen
 from .compliances import CubicSpring as CubicSpring
 from .compliances import Damper as Damper
 from .compliances import Inerter as Inerter
 from .compliances import QuadraticDamper as QuadraticDamper
+from .compliances import Ripple as Ripple
 from .compliances import Spring as Spring
 from .compliances import SpringDamper as SpringDamper
 from .friction import CoulombFriction as CoulombFriction
@@ -16,6 +18,9 @@ from .friction import Friction as Friction
 from .friction import StribeckFriction as StribeckFriction
 from .friction import SupportFriction as SupportFriction
 from .friction import TabulatedFriction as TabulatedFriction
+from .friction_variants import AsymmetricFriction as AsymmetricFriction
+from .friction_variants import DriftingFriction as DriftingFriction
+from .friction_variants import LoadedFriction as LoadedFriction
 from .gaps import Backlash as Backlash
 from .gaps import ElastoGap as ElastoGap
 from .lever import LargeAngleLever as LargeAngleLever

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
+from math import pi
 from typing import Any
 
 import casadi as ca
@@ -77,6 +78,36 @@ class CubicSpring(Compliant):
     def equations(self) -> Iterable[Any]:
         e = self.s_rel - self.s_rel0
         yield self.f == self.k * e + self.k3 * e**3
+
+
+class BilinearSpring(Compliant):
+    """Spring that is stiffer one way: f = k_pull e for e > 0 and k_push e for e < 0.
+
+    e = s_rel - s_rel0.
+    """
+
+    k_pull = parameter("N/m", "stiffness when pulled", min=0)
+    k_push = parameter("N/m", "stiffness when pushed", min=0)
+    s_rel0 = parameter("m", "unstretched length", default=0.0)
+
+    def equations(self) -> Iterable[Any]:
+        e = self.s_rel - self.s_rel0
+        yield self.f == self.k_pull * ca.fmax(e, 0) + self.k_push * ca.fmin(e, 0)
+
+
+class Ripple(Compliant):
+    """Force that comes back with every period of travel: f = f_sin sin(2 pi s_rel/period) + f_cos cos(...).
+
+    The thread of a screw, the poles of a motor, the teeth of a rack.
+    """
+
+    f_sin = parameter("N", "amplitude of the sine")
+    f_cos = parameter("N", "amplitude of the cosine", default=0.0)
+    period = parameter("m", "travel after which the force comes back", above=0)
+
+    def equations(self) -> Iterable[Any]:
+        angle = 2 * pi * self.s_rel / self.period
+        yield self.f == self.f_sin * ca.sin(angle) + self.f_cos * ca.cos(angle)
 
 
 class QuadraticDamper(CompliantWithSpeed):
