@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import resource
 import subprocess
 from collections.abc import Callable, Sequence
@@ -50,10 +51,10 @@ class Ratio:
 
     @property
     def met(self) -> str:
-        """Whether the target is met by the median of CPU times."""
+        """Whether the target is met by the medians of CPU and of wall time."""
         if self.contender.target is None:
             return ""
-        return "yes" if self.cpu.middle <= self.contender.target else "NO"
+        return "yes" if max(self.cpu.middle, self.wall.middle) <= self.contender.target else "NO"
 
 
 def timed(action: Callable[[], object], repeats: int = 3) -> Callable[[], Cost]:
@@ -82,12 +83,14 @@ def once(action: Callable[[], object]) -> Callable[[], Cost]:
     return go
 
 
-def process(command: Sequence[str]) -> Callable[[], Cost]:
-    """Return a go: a whole process from start to end."""
+def process(command: Sequence[str], cache: str) -> Callable[[], Cost]:
+    """Return a go: a whole process from start to end, its bytecode being kept in the directory `cache`."""
+    environment = {name: value for name, value in os.environ.items() if name != "PYTHONDONTWRITEBYTECODE"}
+    environment["PYTHONPYCACHEPREFIX"] = cache
 
     def go() -> Cost:
         before, wall = resource.getrusage(resource.RUSAGE_CHILDREN), perf_counter()
-        subprocess.run(command, check=True, capture_output=True)
+        subprocess.run(command, check=True, capture_output=True, env=environment)
         wall, after = perf_counter() - wall, resource.getrusage(resource.RUSAGE_CHILDREN)
         return Cost(wall, after.ru_utime - before.ru_utime + after.ru_stime - before.ru_stime)
 

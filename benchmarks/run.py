@@ -1,15 +1,17 @@
 """Run benchmarks and print what the library costs over its peers.
 
-python benchmarks/run.py [--rounds N] [smooth_pfi hybrid_pfi chain cold_start]
+python benchmarks/run.py [--rounds N] [--peers-python PYTHON] [smooth_pfi hybrid_pfi chain cold_start pypi]
 """
 
 from __future__ import annotations
 
 import argparse
+import sys
 
 import chain
 import cold_start
 import hybrid_pfi
+import pypi
 import smooth_pfi
 
 BENCHMARKS = {
@@ -24,12 +26,14 @@ def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawTextHelpFormatter)
     parser.add_argument("names", nargs="*", metavar="name", help="benchmarks; all if none is named")
     parser.add_argument("--rounds", type=int, default=7, help="how often each contender has its turn")
+    parser.add_argument("--peers-python", default=sys.executable, help="interpreter that has the PyPI peers")
     given = parser.parse_args()
-    unknown = [name for name in given.names if name not in BENCHMARKS]
+    benchmarks = {**BENCHMARKS, "pypi": lambda rounds: pypi.main(rounds, given.peers_python)}
+    unknown = [name for name in given.names if name not in benchmarks]
     if unknown or given.rounds < 1:
-        parser.error(f"there are {', '.join(BENCHMARKS)}, and at least one round")
-    for name in given.names or BENCHMARKS:
-        BENCHMARKS[name](given.rounds)
+        parser.error(f"there are {', '.join(benchmarks)}, and at least one round")
+    for name in given.names or benchmarks:
+        benchmarks[name](given.rounds)
 
 
 if __name__ == "__main__":

@@ -6,7 +6,7 @@ from typing import Annotated
 
 import typer
 
-from . import components, demo, run
+from . import components, demo, diagnose, fit, run
 from .failure import clean
 
 EXAMPLES = """\b
@@ -32,6 +32,8 @@ app = typer.Typer(
 app.command(epilog=demo.EXAMPLES)(clean(demo.demo))
 app.command(epilog=components.EXAMPLES)(clean(components.components))
 app.command(epilog=run.EXAMPLES)(clean(run.run))
+app.command(epilog=fit.EXAMPLES)(clean(fit.fit))
+app.command(epilog=diagnose.EXAMPLES)(clean(diagnose.diagnose))
 
 
 def _print_version(wanted: bool) -> None:

@@ -9,7 +9,7 @@ import casadi as ca
 
 from .base import Component, RealInput, mode, option, parameter
 from .stickslip import StickSlip
-from .tables import interpolated
+from .tables import interpolated, over_speed
 
 APART = 1e-9
 
@@ -19,7 +19,11 @@ class Pressed(Component):
 
     f_normalized = RealInput("1", "normal force over its largest value")
     fn_max = parameter("N", "largest normal force", min=0)
-    mu_pos = option("rows (speed, friction coefficient), speeds increasing from 0", default=((0.0, 0.5),))
+    mu_pos = option(
+        "rows (speed, friction coefficient), speeds increasing from 0",
+        default=((0.0, 0.5),),
+        check=over_speed("coefficient"),
+    )
 
     def grip(self, speed: Any) -> Any:
         """Friction force mu(speed) fn while sliding."""

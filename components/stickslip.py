@@ -7,7 +7,7 @@ from typing import Any
 
 import casadi as ca
 
-from .base import Component, mode, option, parameter
+from .base import Component, mode, option, parameter, smoothing
 
 SLOW = 1e-6
 
@@ -30,6 +30,7 @@ class StickSlip(Component):
     regularised = option(
         "speed over which the sign of the motion is smoothed (no events, but creeps when it should stick)",
         default=None,
+        check=smoothing,
     )
 
     speed_name = "v_rel"

@@ -2,29 +2,46 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from itertools import pairwise
 from typing import Any
 
 import casadi as ca
 
-from .base import ModelError
+from .base import rows
 
 Table = tuple[tuple[float, ...], ...]
+
+
+def over_speed(value: str) -> Callable[[Any], str]:
+    """Return a check for rows (speed, value)."""
+    what = f"takes rows (speed, {value}) of finite numbers, speeds increasing from 0, values not below 0"
+    return rows(what, 2, lambda given: _increase(given) and all(y >= 0 for _, y in given))
+
+
+def over_speed_with_losses(value: Any) -> str:
+    """Check rows (speed, eta1, eta2, tau_bf1, tau_bf2)."""
+    what = (
+        "takes rows (speed, eta1, eta2, tau_bf1, tau_bf2) of finite numbers, speeds increasing from 0, "
+        "efficiencies above 0 and at most 1, bearing friction not below 0"
+    )
+    return rows(what, 5, lambda given: _increase(given) and all(map(_is_loss, given)))(value)
+
+
+def _is_loss(row: tuple[float, ...]) -> bool:
+    return all(0 < eta <= 1 for eta in row[1:3]) and min(row[3:]) >= 0
+
+
+def _increase(given: list[tuple[float, ...]]) -> bool:
+    return given[0][0] == 0 and all(a[0] < b[0] for a, b in pairwise(given))
 
 
 def interpolated(table: Table, at: Any, column: int = 1) -> Any:
     """Return a column of a table at a value of its first column, its ends extrapolated.
 
     A table of one row is constant.
-
-    Raises:
-        ModelError: if rows differ in length or the first column does not increase from 0.
     """
-    heads = [float(row[0]) for row in table]
-    increasing = all(a < b for a, b in pairwise(heads))
-    if len({len(row) for row in table}) != 1 or heads[0] != 0 or not increasing:
-        raise ModelError(f"a table needs rows of one length whose first column increases from 0, got {table}")
     values = [float(row[column]) for row in table]
     if len(table) == 1:
         return values[0] + 0 * at
-    return ca.pw_lin(ca.SX(at), ca.DM(heads), ca.DM(values))
+    return ca.pw_lin(ca.SX(at), ca.DM([float(row[0]) for row in table]), ca.DM(values))

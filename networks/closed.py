@@ -5,17 +5,21 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from functools import cached_property
 from numbers import Real
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import casadi as ca
 import numpy as np
 
-from ..components.base import ModelError, Sampled, nearest, numpy_on_symbols
+from ..components.base import ModelError, RealInput, Sampled, nearest, numpy_on_symbols
 from .compiled import Compiled, dense
 from .dae import DAE, Input
+from .polynomial import Polynomial
 from .stepper import Stepper, Tolerance
 from .switchfunctions import SwitchFunctions
 from .vectors import pick
+
+if TYPE_CHECKING:
+    from .csource.native import Native
 
 
 class Closed:
@@ -27,29 +31,36 @@ class Closed:
     def __init__(self, dae: DAE, signals: Mapping[str, Any]) -> None:
         self.dae = dae
         self.signals = signals
-        self._steppers: dict[tuple[str, Tolerance, int], Stepper] = {}
+        self._steppers: dict[tuple[str, Tolerance, int, int], Stepper] = {}
         self._tangents: dict[tuple[tuple[int, ...], bool], Any] = {}
+        self._evaluators: dict[str, Any] = {}
         self.sampled = any(isinstance(s, Sampled) for s in self.signals.values())
         kind: Any = ca.MX if self.sampled else ca.SX
+        constants = dae.constants
+        self._constant, self.courses = constants.numel(), _courses(constants.numel(), signals)
+        added = sum(place.stop - place.start for place in self.courses.values())
         self.x: Any = kind.sym("x", dae.x.numel()) if self.sampled else dae.x
         self.z: Any = kind.sym("z", dae.z.numel()) if self.sampled else dae.z
-        self.q: Any = kind.sym("q", dae.constants.numel()) if self.sampled else dae.constants
+        self.q: Any = (
+            kind.sym("q", self._constant + added)
+            if self.sampled
+            else ca.vertcat(constants, ca.SX.sym("course", added))
+        )
         self.t: Any = kind.sym("t") if self.sampled else dae.time
         self.u = ca.densify(ca.vertcat(kind(0, 1), *[self._input(i) for i in dae.inputs]))
 
     def _input(self, declared: Input) -> Any:
         signal = self.signals[declared.path]
-        value = _traced(declared.path, signal, self.t)
-        for _ in range(declared.order):
-            value = ca.jacobian(value, self.t)
-        return declared.sign * value
+        if isinstance(signal, Polynomial):
+            signal = signal.along(self.q[self.courses[declared.path]])
+        return input_value(declared, signal, self.t)
 
     def close(self, expression: Any) -> Any:
         """Put the inputs into an expression of the DAE's symbols."""
         dae = self.dae
         if self.sampled:
             inner = ca.Function("inner", dae.arguments(), [expression])
-            return inner(self.x, self.z, self.u, self.q, self.t)
+            return inner(self.x, self.z, self.u, self.q[: self._constant], self.t)
         if not dae.inputs:
             return expression
         return ca.substitute(expression, dae.u, self.u)
@@ -69,6 +80,22 @@ class Closed:
         """Return a function of (x, z, q, t) of expressions in the DAE's symbols."""
         joined = ca.vertcat(*expressions)
         return self.function("evaluate", self.close(joined))
+
+    def signal(self, name: str) -> Any:
+        """Return a function of (x, z, q, t) of a signal by its full name, made once."""
+        if name not in self._evaluators:
+            self._evaluators[name] = self.evaluator(self.dae.expression(name))
+        return self._evaluators[name]
+
+    def input_values(self, times: Any) -> Any:
+        """Return the inputs and their derivatives at instants, (inputs, instants)."""
+        if not self.dae.inputs:
+            return np.zeros((0, np.size(times)))
+        return self._input_values(times).full()
+
+    @cached_property
+    def _input_values(self) -> Any:
+        return ca.Function("inputs", [self.t], [self.u])
 
     def tangent(self, variables: tuple[int, ...], algebraic: bool) -> Any:
         """Return a function of joined variables (and algebraic residuals) and their slopes in x and z."""
@@ -95,32 +122,86 @@ class Closed:
         """The compiled functions of the event loop."""
         return SwitchFunctions(self)
 
-    def stepper(self, solver: str, tolerance: Tolerance, nodes: int) -> Stepper:
+    @cached_property
+    def native(self) -> Native:
+        """The network as a compiled program."""
+        from .csource.native import Native
+
+        return Native(self)
+
+    def stepper(self, solver: str, tolerance: Tolerance, nodes: int, most_steps: int) -> Stepper:
         """Return a compiled integrator, made once for each choice."""
-        key = (solver, tolerance, nodes)
+        key = (solver, tolerance, nodes, most_steps)
         if key not in self._steppers:
-            self._steppers[key] = Stepper(self, solver, tolerance, nodes)
+            self._steppers[key] = Stepper(self, *key)
         return self._steppers[key]
 
 
-def chosen_signals(dae: DAE, given: Mapping[str, Any]) -> dict[str, Any]:
-    """Return the signal of every input: the run's own, else the one bound to the component."""
+def _courses(first: int, signals: Mapping[str, Any]) -> dict[str, slice]:
+    """Return where in q the instant and the coefficients of each polynomial input stand."""
+    places = {}
+    for path, signal in signals.items():
+        if isinstance(signal, Polynomial):
+            places[path] = slice(first, first + signal.degree + 2)
+            first = places[path].stop
+    return places
+
+
+def chosen_signals(dae: DAE, given: Mapping[str, Any], free: bool = False) -> dict[str, Any]:
+    """Return the signal of every input: the run's own, else the one bound to the component.
+
+    An input without a signal is a problem, or, if it may be `free`, left out.
+    """
     names = dae.input_names
-    problems = [f"there is no input '{name}'{nearest(name, names)}" for name in given if name not in names]
+    problems = [f"there is no input '{name}'{_meant(dae, name)}" for name in given if name not in names]
     chosen = {}
     for declared in dae.inputs:
         if declared.order:
             continue
         signal = given.get(declared.path, declared.signal)
+        if signal is None and free:
+            continue
         if signal is None:
             problems.append(
                 f"input '{declared.path}' [{declared.unit}] has no signal; connect it, bind it, or "
                 f"give inputs={{'{declared.path}': ...}}"
             )
-        chosen[declared.path] = Sampled(*signal) if isinstance(signal, tuple) else signal
+        try:
+            chosen[declared.path] = Sampled(*_pair(signal)) if isinstance(signal, tuple) else signal
+        except ModelError as error:
+            problems.append(f"input '{declared.path}': {error}")
     if problems:
         raise ModelError(f"'{dae.name}' cannot run:", problems)
     return chosen
+
+
+def _meant(dae: DAE, name: str) -> str:
+    """Return the input that was meant, or why it may be missing, or all inputs."""
+    names = dae.input_names
+    component, _, field = name.rpartition(".")
+    instance = dae.system.flat.instances.get(component)
+    if instance is not None and isinstance(type(instance.component).fields.get(field), RealInput):
+        return "; it is connected to a signal of the network"
+    return nearest(name, names) or f"; the inputs are {', '.join(names) or 'none'}"
+
+
+def _pair(signal: tuple[Any, ...]) -> tuple[Any, Any]:
+    if len(signal) != 2:
+        raise ModelError(f"a sampled signal is a pair (time, values), got {len(signal)} items")
+    return signal[0], signal[1]
+
+
+def input_value(declared: Input, signal: Any, t: Any) -> Any:
+    """Return an input, or the derivative that it is, as an expression of time.
+
+    Raises:
+        ModelError: for what is no signal, by the name of its input.
+    """
+    curved = isinstance(signal, Sampled) and declared.order >= 2
+    value = signal.curvature("curvature")(t) if curved else _traced(declared.path, signal, t)
+    for _ in range(declared.order - 2 * curved):
+        value = ca.jacobian(value, t)
+    return declared.sign * value
 
 
 def _traced(path: str, signal: Any, t: Any) -> Any:

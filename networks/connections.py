@@ -119,6 +119,9 @@ def _check_node(node: Node, problems: list[str]) -> None:
         problems.append(f"one node joins ports of different kinds ({told}); connect like with like")
     elif "signal" in kinds and len(drivers) > 1:
         problems.append(f"one signal has several sources: {', '.join(drivers)}; keep one")
+    for instance, name, sign in node.ports if drivers else ():
+        if sign > 0 and instance.component._values.get(name) is not None:
+            problems.append(f"{instance}: {name} has a signal of its own and that of {drivers[0]}; keep one")
 
 
 def _join_nodes(flat: Flat, nodes: list[Node]) -> None:
@@ -146,7 +149,9 @@ def _unconnected(flat: Flat, outside: set[tuple[int, str]], problems: list[str])
             if declared.optional:
                 yield instance.index(f"{declared.name}.{declared.across}")
             else:
-                problems.append(f"{instance}: {declared.name} is not connected; connect it (to a Fixed if it is held)")
+                problems.append(
+                    f"{instance}: {declared.name} is not connected; connect it (to a Fixed if it is held)"
+                )
 
 
 def find_inputs(flat: Flat, nodes: list[Node]) -> None:

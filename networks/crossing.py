@@ -33,7 +33,7 @@ def first_crossing(
         return None
     before, after, slope_a, slope_b = (a[:, near_by] for a in (before, after, slope_a, slope_b))
     highest = np.maximum(after, _interior_maximum(before, after, slope_a, slope_b))
-    returns = (before > limit) & (slope_a < 0) & (after > limit) & (slope_b > 0)
+    returns = (before > limit) & (slope_a <= 0) & (after > limit) & (slope_b > 0)
     crosses = ((before <= limit) & (highest > limit)) | returns
     intervals = np.flatnonzero(crosses.any(axis=0))
     if not len(intervals):

@@ -168,7 +168,7 @@ class DAE:
             step: output interval [s]; a 500th of the run if not given.
             rtol: relative tolerance.
             atol: absolute tolerance, times the nominal value of each state.
-            solver: "auto", "cvodes", "idas", "rosenbrock".
+            solver: "auto", "cvodes", "idas", "rosenbrock", or "compiled" (in C, needs a compiler).
             sensitivities: parameters whose forward sensitivities are wanted (smooth networks).
             progress: show progress; by default on runs that last over a second on a terminal.
 
@@ -180,11 +180,11 @@ class DAE:
         from .run import Settings
         from .simulate import simulate
 
-        step = (stop - begin) / 500 if step is None else step
+        step = abs(stop - begin) / 500 or 1.0 if step is None else step
         settings = Settings(begin, stop, step, rtol, atol, solver, progress)
+        wanted = (sensitivities,) if isinstance(sensitivities, str) else tuple(sensitivities)
         return simulate(
-            self, settings, start or {}, guess or {}, inputs or {}, parameters or {},
-            tuple(sensitivities),
+            self, settings, start or {}, guess or {}, inputs or {}, parameters or {}, wanted
         )  # fmt: skip
 
     def closed(self, signals: Mapping[str, Any]) -> Closed:

@@ -46,7 +46,7 @@ def component_families(flat: Flat) -> None:
         given, arguments = local_arguments(flat, group)
         bases = np.array([i.base for i in group], dtype=np.int64)[:, None]
         for residual in template.residuals:
-            used = [i for i in range(symbols.numel()) if ca.depends_on(residual, symbols[i])]
+            used = ca.jacobian_sparsity(residual, symbols).get_col()
             columns = bases + np.array(used, dtype=np.int64)[None, :]
             flat.families.append(
                 Family(

@@ -21,6 +21,7 @@ RELATIVE = 1e-12
 FLAT = 1e-10
 UNRESOLVED = 1e-3
 REGULAR = 1e-6
+INSIDE = 1e-9
 
 
 @dataclass(frozen=True)
@@ -100,14 +101,16 @@ class Switcher:
         allowed = 0.1 * (tolerance.rtol * np.abs(point.x) + tolerance.atol)
         if (change > allowed).any():
             return None
-        self._shift(later, indicator)
-        return later
+        return later if self._shift(later, indicator) else None
 
-    def _shift(self, point: Point, indicator: int) -> None:
-        """Move a point that is very near a crossing onto it, along its velocity."""
+    def _shift(self, point: Point, indicator: int) -> bool:
+        """Move a point that is very near a crossing onto it, along its velocity; tell whether it is there."""
         for _ in range(2):
             values, rates = self.watch(point)
+            if rates[indicator] <= 0:
+                return False
             self.move(point, -float(values[indicator] / rates[indicator]))
+        return bool(abs(self.watch(point)[0][indicator]) <= self.tolerance()[indicator])
 
     def move(self, point: Point, duration: float) -> None:
         """Move a point by a very short time, along its velocity."""
@@ -184,7 +187,7 @@ class Switcher:
         (g, rate), near = self.watch(point), self.tolerance()
         rising = rate > FLAT * self.fastest
         ready = self.active(point.q) & ((g > near) | ((g > -near) & rising))
-        leaving = (g <= 10 * near) & (rate < 0)
+        leaving = (g <= 10 * near) & (rate < -FLAT * self.fastest)
         ready &= ~leaving
         if forced is not None:
             same_mode = self.functions.mode_of == self.functions.mode_of[forced]
@@ -209,6 +212,7 @@ class Switcher:
         if shocks:
             shocks += partners(self.switching, self.modes(point.q), shocks)
             impulses = self._strike(point, shocks, everything)
+            everything = self._everything(point)
             others = [c for c in changes if c.impulse is None]
             changes = [*others, *(c for c in shocks if c.impulse in impulses)]
         for change in changes:
@@ -277,7 +281,20 @@ class Switcher:
                 if self.functions.is_rate[block.torn][loose].any():
                     self._adrift += block.labels
                 else:
-                    self._tell_shared(block.labels)
+                    self.tell_shared(block.labels)
+
+    def tell_inside(self, point: Point) -> None:
+        """Note what begins beyond the point at which it strikes."""
+        self.complete(point)
+        values = self.watch(point)[0]
+        for i in np.flatnonzero(self._leavable(point.q) & (values > INSIDE)):
+            change = self.switching.changes[i]
+            note = (
+                f"{change.component} begins {values[i]:.4g} beyond where it strikes, and holds or rebounds "
+                "there; give it another start"
+            )
+            if change.impulse is not None and note not in self.notes:
+                self.notes.append(note)
 
     def _check_adrift(self, t: float) -> None:
         """Raise if nothing determines an acceleration in the present modes."""
@@ -287,7 +304,8 @@ class Switcher:
                 "longer holds; join a Mass (or an Inertia) where it slides"
             )
 
-    def _tell_shared(self, labels: list[str]) -> None:
+    def tell_shared(self, labels: list[str]) -> None:
+        """Note that components share a load in a way no equation tells."""
         note = (
             f"{', '.join(labels)}: in some mode these hold a motion that is already held; their forces "
             "are then not unique and the ones of least norm are taken"

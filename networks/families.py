@@ -68,8 +68,7 @@ class Family:
         n = self.locals.numel()
         rates = ca.vertcat(*[ca.SX.sym(f"der({self.locals[i].name()})") for i in range(n)])
         slope = ca.jtimes(self.residual, self.locals, rates) + ca.jacobian(self.residual, self.time)
-        keep = [i for i in range(n) if ca.depends_on(slope, rates[i])]
-        again = [i for i in range(n) if ca.depends_on(slope, self.locals[i])]
+        keep, again = (ca.jacobian_sparsity(slope, v).get_col() for v in (rates, self.locals))
         unique, inverse = np.unique(self.columns[rows][:, keep], return_inverse=True)
         found = np.array([derivative_of(int(c)) for c in unique], dtype=np.int64).reshape(-1, 2)
         of_rates = found[inverse.reshape(len(rows), len(keep))]
@@ -115,12 +114,11 @@ class Family:
         """
         if pattern not in self._solved:
             places = [i for i, sign in enumerate(pattern) if sign]
-            unknown = ca.SX.sym("unknown")
-            signed = ca.vertcat(*[pattern[i] * unknown for i in places])
-            replaced = ca.substitute(self.residual, pick(self.locals, places), signed)
-            slope = ca.jacobian(replaced, unknown)
-            linear = not ca.depends_on(slope, unknown)
-            self._solved[pattern] = (slope, ca.substitute(replaced, unknown, 0)) if linear else None
+            stand_ins = pick(self.locals, places)
+            slope = ca.jacobian(self.residual, stand_ins) @ ca.DM([pattern[i] for i in places])
+            linear = not ca.depends_on(slope, stand_ins)
+            offset = ca.substitute(self.residual, stand_ins, ca.DM.zeros(len(places)))
+            self._solved[pattern] = (slope, offset) if linear else None
         return self._solved[pattern]
 
 

@@ -6,8 +6,10 @@ symbolic work, so the cost is linear in the number of elements.
 
 from __future__ import annotations
 
+import traceback
 from collections import defaultdict
 from collections.abc import Iterator
+from pathlib import Path
 
 import casadi as ca
 
@@ -68,11 +70,19 @@ def _walk(
 
 
 def _template(component: Component, path: str, problems: list[str]) -> Template:
+    if component._shapeless:
+        return declared_template(component)
     try:
         return template_of(component)
     except ModelError as error:
         problems.append(f"{type(component).__name__} '{path}': {error}")
-        return declared_template(component)
+    except Exception as error:
+        place = traceback.extract_tb(error.__traceback__)[-1]
+        problems.append(
+            f"{type(component).__name__} '{path}': its equations cannot be read: {type(error).__name__}: "
+            f"{error} ({place.name}(), line {place.lineno} of {Path(place.filename).name})"
+        )
+    return declared_template(component)
 
 
 def _grouped(instances: dict[str, Instance]) -> list[list[Instance]]:

@@ -11,12 +11,14 @@ from .crossing import Crossing, first_crossing, followed
 from .events import Point, Switcher
 from .pace import FINE, LEAST, Pace
 from .progress import Progress
-from .run import Run, integrate
-from .stepper import Array, Stepper, Stretch
+from .run import Run, attempt, integrate
+from .stepper import Array, IntegratorError, Stepper, Stretch
 from .switchfunctions import NODES as NODES
 
 CHATTER = {200: 1e-6, 20_000: 1.0}
 HOP = 1e-3
+RESOLUTION = 1e-12
+MOST_STEPS = 500
 
 
 def run_hybrid(run: Run, switcher: Switcher, stepper: Stepper, outputs: Array, progress: Progress) -> None:
@@ -27,10 +29,14 @@ def run_hybrid(run: Run, switcher: Switcher, stepper: Stepper, outputs: Array, p
         point = run.point
         delay, indicator = switcher.soonest(point)
         if _hop(run, switcher, delay, indicator, pace):
+            pace.limit = np.inf
             _watch_chatter(run, recent, pace.interval)
             continue
         span, intervals = pace.stretch(point.t, delay)
-        stretch = integrate(run, stepper, point, span)
+        stretch = _tried(run, stepper, span, pace)
+        if stretch is None:
+            pace.failed(point.t + span, intervals)
+            continue
         times = point.t + span * np.arange(stepper.nodes + 1) / stepper.nodes
         crossing, follows = _crossing(run, switcher, times, stretch)
         if pace.exponent > LEAST and not (follows and _plain(switcher, point, times, crossing, pace)):
@@ -58,6 +64,25 @@ def _hop(run: Run, switcher: Switcher, delay: float, indicator: int, pace: Pace)
         return False
     _arrive(run, switcher, later, indicator)
     return True
+
+
+def _tried(run: Run, stepper: Stepper, span: float, pace: Pace) -> Stretch | None:
+    """Integrate a stretch; None if that fails, maybe beyond an event that a shorter one comes upon."""
+    point = run.point
+    try:
+        return attempt(run, stepper, point, span)
+    except IntegratorError:
+        if pace.exponent > LEAST and span > RESOLUTION * abs(point.t):
+            return None
+        _record_here(run)
+        raise
+
+
+def _record_here(run: Run) -> None:
+    """Record where a run stands, unless that was done."""
+    point = run.point
+    if point.t > run.segments[-1].times[-1][-1]:
+        run.record(point.t, point.x, point.z)
 
 
 def _plain(switcher: Switcher, point: Point, times: Array, crossing: Crossing | None, pace: Pace) -> bool:
@@ -114,9 +139,8 @@ def _land(
 
 def _arrive(run: Run, switcher: Switcher, landed: Point, indicator: int | None) -> None:
     """Fire what fires where an indicator crosses, and open the next segment."""
-    if landed.t > run.segments[-1].times[-1][-1]:
-        run.record(landed.t, landed.x, landed.z)
     run.point = landed
+    _record_here(run)
     happened = switcher.settle(landed, forced=indicator)
     run.events += happened
     if happened:
@@ -139,6 +163,8 @@ def _approach_crossing(
     Return where this ends, and whether zero was reached: nodes can make believe in a crossing.
     """
     low, high = start.t, end
+    g, rate = (float(m[indicator]) for m in switcher.watch(start))
+    beyond = g > switcher.tolerance()[indicator] or (g >= 0 and rate < 0)
     while True:
         narrow = high - low < 1e-13 * max(1.0, abs(t))
         t = high if narrow else t
@@ -148,14 +174,15 @@ def _approach_crossing(
         landed = Point(t, stretch.states[-1].copy(), stretch.algebraic[-1].copy(), start.q)
         values, rates = switcher.watch(landed)
         g, rate = float(values[indicator]), float(rates[indicator])
-        newton = t - g / rate if rate > 0 else np.inf
-        if low <= newton <= high and abs(newton - t) < HOP * (end - start.t):
+        newton = t - g / rate if rate > 0 and not beyond else np.inf
+        close = abs(newton - t) < HOP * (end - start.t) and low <= newton <= high
+        if close or (narrow and start.t < newton < end):
             hit = switcher.hopped(landed, newton - t, indicator, run.settings.tolerance)
             if hit is not None:
                 return hit, True
         if narrow:
             return landed, g >= 0
-        low, high = (t, high) if g < 0 else (low, t)
+        low, high = (t, high) if (rate < 0 if beyond else g < 0) else (low, t)
         t = newton if low < newton < high else 0.5 * (low + high)
 
 

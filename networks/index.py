@@ -169,8 +169,10 @@ def _cut_cycles(system: System) -> None:
 def reduce_index(system: System) -> None:
     """Differentiate equations until the highest derivatives can be solved for."""
     while True:
-        equations = system.equations()
-        top = np.array([row not in system.next_level[number] for number, row in equations])
+        starts = system.family_starts()
+        top = np.ones(system.equation_count(), dtype=bool)
+        for start, later in zip(starts.tolist(), system.next_level, strict=True):
+            top[[start + row for row in later]] = False
         highest = np.ones(system.size, dtype=bool)
         highest[list(system.derivative)] = False
         highest[list(system.known)] = False
@@ -180,15 +182,12 @@ def reduce_index(system: System) -> None:
             int(top.sum()), int(highest.sum()), row_number[kept].tolist(), columns[kept].tolist()
         )
         _, order, _, _, _, coarse, _ = pattern.btf()
-        places = np.flatnonzero(top)
-        over = [equations[places[i]] for i in order[: coarse[2]]]
-        if not over:
+        over = np.sort(np.flatnonzero(top)[list(order[: coarse[2]])])
+        if not len(over):
             return
-        by_family: dict[int, list[int]] = {}
-        for number, row in over:
-            by_family.setdefault(number, []).append(row)
-        for number, chosen in by_family.items():
-            _differentiate(system, number, np.array(sorted(chosen), dtype=np.int64))
+        family_of = np.searchsorted(starts, over, side="right") - 1
+        for number in sorted(set(family_of.tolist())):
+            _differentiate(system, number, over[family_of == number] - starts[number])
 
 
 def counted(chosen: NDArray[np.bool_]) -> Ints:

@@ -64,11 +64,12 @@ def wishes(dae: DAE, start: Mapping[str, float], guess: Mapping[str, float]) -> 
     clashes = []
     for name, value in {**given, **start}.items():
         root, sign = _root(dae, name)
-        known = fixed.setdefault(root, (name, sign * _number(name, value)))
-        if not np.isclose(known[1], sign * float(value), rtol=1e-12, atol=1e-12):
+        known, wanted = fixed.setdefault(root, (name, sign * _number(name, value)))
+        if not np.isclose(wanted, sign * float(value), rtol=1e-12, atol=1e-12):
+            other = _root(dae, known)[1]
             clashes.append(
-                f"'{known[0]}' and '{name}' are one variable, fixed at two values, {sign * known[1]:g} and "
-                f"{value:g} {dae.unit(name)}; fix one"
+                f"'{known}' and '{name}' are {'one variable' if sign == other else 'opposite'}, fixed at two "
+                f"values, {other * wanted:g} and {value:g} {dae.unit(name)}; fix one"
             )
     if clashes:
         raise InitialConditionError("start values contradict each other: " + "; ".join(clashes))
@@ -211,7 +212,10 @@ def _missed(
 
 def _contradiction(dae: DAE, others: list[int], wrong: Any, wanted: Wishes) -> str:
     failed = {wanted.fixed[others[i]][0] for i in wrong if i < len(others)}
-    told = {name: f"'{name}' = {value:g} {dae.unit(name)}" for name, value in wanted.fixed.values()}
+    told = {
+        name: f"'{name}' = {_root(dae, name)[1] * value:g} {dae.unit(name)}"
+        for name, value in wanted.fixed.values()
+    }
     if not failed:
         return f"'{dae.name}': no start satisfies the equations; give guess= for the states"
     kept = ", ".join(told[name] for name in told if name not in failed)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from bisect import bisect_right
 from dataclasses import dataclass
 from typing import Any
 
@@ -53,24 +54,23 @@ class Names:
     def __init__(self, flat: Flat, roots: Ints, signs: Ints) -> None:
         self.flat, self.roots, self.signs = flat, roots, signs
         self.instances: list[Instance] = []
-        facts: list[Local] = []
-        self.places: list[tuple[int, int]] = []
+        self.facts: list[Local] = []
+        columns = []
         for group in flat.groups:
             local = local_facts(group[0])
-            for instance in group:
-                self.places += [(len(self.instances), i) for i in range(len(local))]
-                self.instances.append(instance)
-                facts += local
-        self.facts = facts
-        rank = np.array([f.rank for f in facts])
-        order = np.lexsort((np.arange(len(facts)), -rank, roots[: len(facts)]))
-        sorted_roots = roots[: len(facts)][order]
-        _, first = np.unique(sorted_roots, return_index=True)
-        self.best = {int(sorted_roots[i]): int(order[i]) for i in first}
-        self.state = self._reduced(np.array([f.state for f in facts]), np.maximum)
-        start = np.array([f.start for f in facts]) * signs[: len(facts)]
-        self.start = self._strongest(start)
-        nominal = self._reduced(np.array([f.nominal for f in facts]), np.fmin)
+            self.instances += group
+            self.facts += local * len(group)
+            numbers = np.array([(f.rank, f.state, f.start, f.nominal) for f in local]).reshape(-1, 4)
+            columns.append(np.tile(numbers.T, len(group)))
+        rank, state, start, nominal = np.hstack(columns)
+        count = len(self.facts)
+        order = np.lexsort((-rank, roots[:count]))
+        sorted_roots = roots[order]
+        first = np.flatnonzero(np.diff(sorted_roots, prepend=-1))
+        self.best = dict(zip(sorted_roots[first].tolist(), order[first].tolist(), strict=True))
+        self.state = self._reduced(state.astype(int), np.maximum)
+        self.start = self._strongest(start * signs[:count])
+        nominal = self._reduced(nominal, np.fmin)
         self.nominal = np.where(np.isnan(nominal), 1.0, nominal)
 
     def _reduced(self, values: NDArray[Any], operation: Any) -> NDArray[Any]:
@@ -87,9 +87,8 @@ class Names:
 
     def full_name(self, number: int) -> str:
         """Return the full name of a variable of the flat network."""
-        instance_number, local = self.places[number]
-        instance = self.instances[instance_number]
-        name = list(instance.template.variables)[local]
+        instance = self.instances[bisect_right(self.instances, number, key=lambda i: i.base) - 1]
+        name = list(instance.template.variables)[number - instance.base]
         if name.startswith("der("):
             inner = name[4:-1]
             return f"der({instance.path}.{inner})" if instance.path else name

@@ -41,7 +41,8 @@ class Network(Component):
         for name, component in components.items():
             if not isinstance(component, Component):
                 raise ModelError(f"Network '{self.name}': '{name}' is not a component: {component!r}")
-            if name.startswith("_") or "." in name or hasattr(Network, name) or name == "name":
+            reserved = name.startswith("_") or hasattr(Network, name) or name in ("", "name")
+            if reserved or any(mark in name for mark in ".()"):
                 raise ModelError(f"Network '{self.name}': '{name}' cannot name a component; choose another")
             if name in self._parts:
                 raise ModelError(f"Network '{self.name}' already has a component '{name}'")

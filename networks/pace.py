@@ -4,10 +4,13 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+import numpy as np
+
 from .stepper import Array
 
 LEAST, FINE, FIRST, MOST = -30, -3, 4, 6
 AHEAD = 2
+SLACK = 1 + 1e-9
 
 
 @dataclass(eq=False)
@@ -17,12 +20,14 @@ class Pace:
     Attributes:
         next: number of the output that comes next.
         since: what `next` was at the last event.
+        limit: where a stretch ended that could not be integrated; none goes beyond it before an event.
     """
 
     outputs: Array
     next: int = 1
     since: int = 0
     exponent: int = FIRST
+    limit: float = np.inf
 
     @property
     def interval(self) -> float:
@@ -36,6 +41,7 @@ class Pace:
             t: where it begins.
             delay: how soon an event is expected; going far beyond it would be in vain.
         """
+        self._stay_within_limit(t)
         on_grid = t == self.outputs[self.next - 1]
         intervals = 2**self.exponent if on_grid and self.exponent >= 0 else 1
         remaining = len(self.outputs) - self.next
@@ -45,6 +51,19 @@ class Pace:
         if self.exponent < 0 and span > self.interval * 2.0**self.exponent:
             return self.interval * 2.0**self.exponent, 0
         return span, intervals
+
+    def _stay_within_limit(self, t: float) -> None:
+        left = self.limit - t
+        if left <= 0:
+            self.limit = np.inf
+            return
+        while self.exponent > LEAST and self.interval * 2.0**self.exponent > SLACK * left:
+            self.exponent -= 1
+
+    def failed(self, end: float, intervals: int) -> None:
+        """Make the next stretch shorter than one that could not be integrated to its end."""
+        self.limit = end
+        self.retry(intervals)
 
     def retry(self, intervals: int) -> None:
         """Make the next stretch shorter than one that was too long."""
@@ -58,3 +77,4 @@ class Pace:
         """Make stretches fit the time between events."""
         self.exponent = max(self.exponent - 1, min((self.next - self.since).bit_length(), MOST))
         self.since = self.next
+        self.limit = np.inf

@@ -35,18 +35,17 @@ class ParameterTable:
         self.defaults: list[float] = []
         self._bound: dict[str, Any] = {}
         for instance in instances.values():
-            for name, field in type(instance.component).fields.items():
-                if isinstance(field, Parameter):
-                    self._enter(instance, name, field)
+            for field in type(instance.component)._parameters:
+                self._enter(instance, field)
         self.symbols = ca.SX.sym("p", len(self.defaults))
         self._dependent = self._read_dependent(problems)
         if not problems:
             problems += self._out_of_range(self.defaults)
 
-    def _enter(self, instance: Instance, name: str, field: Parameter) -> None:
-        given = instance.component._values.get(name, MISSING)
+    def _enter(self, instance: Instance, field: Parameter) -> None:
+        given = instance.component._values.get(field.name, MISSING)
         value = field.default if given is MISSING else given
-        path = f"{instance.path}.{name}" if instance.path else name
+        path = f"{instance.path}.{field.name}" if instance.path else field.name
         if isinstance(value, Parameter) or callable(value):
             own = given is MISSING
             self._bound[path] = (instance if own else instance.parent, value)

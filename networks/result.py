@@ -93,14 +93,13 @@ class Result:
         if name == "time":
             return self.time
         if name not in self._cache:
-            expression = self.dae.expression(name)
             state = self._state(name)
-            self._cache[name] = self._evaluate(expression) if state is None else state
+            self._cache[name] = self._evaluate(name) if state is None else state
         return self._cache[name]
 
     def _state(self, name: str) -> Array | None:
         """Return what was recorded, if a name stands for a state."""
-        if name in self.dae.switching.mode_names or name in self.dae.system.flat.table.index:
+        if name in self.dae.switching.mode_names or self.dae.system.flat.table.field(name) is not None:
             return None
         root, sign = self.dae.root(name)
         if root not in self.dae.states:
@@ -108,8 +107,8 @@ class Result:
         place = self.dae.states.index(root)
         return sign * np.concatenate([states[:, place] for s in self._segments for states in s.states])
 
-    def _evaluate(self, expression: Any) -> Array:
-        function = self._closed.evaluator(expression)
+    def _evaluate(self, name: str) -> Array:
+        function = self._closed.signal(name)
         pieces = []
         for segment in self._segments:
             times = np.concatenate(segment.times)

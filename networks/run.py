@@ -29,9 +29,10 @@ class Settings:
     progress: bool | None
 
     def __post_init__(self) -> None:
-        finite = all(np.isfinite([self.begin, self.stop, self.step, self.rtol, self.atol]))
-        problems = [] if finite else ["begin, stop, step, rtol and atol must be finite numbers"]
-        if not self.stop > self.begin:
+        problems = []
+        if not all(np.isfinite([self.begin, self.stop, self.step, self.rtol, self.atol])):
+            problems.append("begin, stop, step, rtol and atol must be finite numbers")
+        elif not self.stop > self.begin:
             problems.append(f"stop must be after begin ({self.begin:g} s), got {self.stop:g} s")
         for name, value, unit in (
             ("step", self.step, " s"),
@@ -68,6 +69,7 @@ class Run:
     events: list[Event] = field(default_factory=list)
     calls: int = 0
     steps: int = 0
+    limiting: str = ""
 
     def record(self, times: Any, states: Any, algebraic: Any) -> None:
         """Append points to the present segment."""
@@ -82,11 +84,16 @@ class Run:
 
 def integrate(run: Run, stepper: Stepper, point: Point, span: float) -> Stretch:
     """Integrate one stretch; when that fails at once, from node to node."""
-    run.calls += 1
     try:
-        stretch = stepper.run(point.t, point.x, point.z, point.q, span)
+        return attempt(run, stepper, point, span)
     except IntegratorError:
         return _node_by_node(run, stepper, point, span)
+
+
+def attempt(run: Run, stepper: Stepper, point: Point, span: float) -> Stretch:
+    """Integrate one stretch at once."""
+    run.calls += 1
+    stretch = stepper.run(point.t, point.x, point.z, point.q, span)
     run.steps += stretch.steps
     return stretch
 
@@ -133,6 +140,8 @@ def _approach(run: Run, stepper: Stepper, point: Point, span: float) -> None:
 
 def limiting_state(run: Run) -> str:
     """Name the state that bends most for its tolerance at most outputs: the one that limits steps."""
+    if run.limiting:
+        return run.limiting
     settings, dae = run.settings, run.closed.dae
     votes = np.zeros(len(dae.states), dtype=int)
     for segment in run.segments:
@@ -150,6 +159,13 @@ def failure(run: Run, error: Exception) -> str:
     if isinstance(error, SimulationError):
         return f"'{dae.name}': {error}"
     rate, bend = _motion(run)
+    wrong = [dae.state_names[i] for i in np.flatnonzero(~np.isfinite(rate))]
+    if wrong:
+        return (
+            f"'{dae.name}': at t = {point.t:.9g} s the rate of {', '.join(wrong[:5])} is not a finite "
+            "number; an input, a division by zero, or a root of a negative number there makes it so. Results up to "
+            "there are kept in the error's `result`"
+        )
     weight = bend / (settings.rtol * np.abs(point.x) + settings.atol)
     worst = int(np.argmax(np.where(np.isfinite(weight), weight, np.inf))) if len(rate) else 0
     name = dae.state_names[worst] if len(rate) else "no state"

@@ -37,7 +37,7 @@ class Sensitivities:
         self.names = names
         self._of_q = np.zeros((len(point.q), len(names)))
         self._of_q[[table.index[n] for n in names], range(len(names))] = 1.0
-        self._slopes: list[Array] = [_start_slopes(closed, point, wanted, self._of_q)]
+        self._slopes: list[Array] = [start_slopes(closed, point, wanted, self._of_q)]
 
     def advance(self, stepper: Stepper, point: Point, span: float, begin: int) -> None:
         """Carry the sensitivities over one chunk that starts at output number `begin`."""
@@ -51,7 +51,7 @@ class Sensitivities:
         return {name: stacked[:, :, k] for k, name in enumerate(self.names)}
 
 
-def _start_slopes(closed: Closed, point: Point, wanted: Wishes, of_q: Array) -> Array:
+def start_slopes(closed: Closed, point: Point, wanted: Wishes, of_q: Array) -> Array:
     """Return how states start that are solved from fixed values of other variables; others stay."""
     dae = closed.dae
     slopes = np.zeros((len(point.x), of_q.shape[1]))

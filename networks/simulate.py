@@ -3,23 +3,23 @@
 from __future__ import annotations
 
 import time as clock
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from typing import Any
 
 import numpy as np
 
-from ..components.base import InitialConditionError, SimulationError
+from ..components.base import InitialConditionError, ModelError, SimulationError
 from .closed import Closed
 from .dae import DAE
-from .events import Point, Switcher
-from .hybrid import NODES, run_hybrid
+from .events import Event, Point, Switcher
+from .hybrid import MOST_STEPS, NODES, run_hybrid
 from .initial import Wishes, initial_values, wishes
 from .progress import Progress
 from .result import Result
 from .run import Run, Settings, failure, limiting_state
 from .sensitivity import Sensitivities
-from .smooth import run_smooth, smooth_nodes
-from .stepper import Array, IntegratorError, Stepper
+from .smooth import run_smooth, smooth_pieces
+from .stepper import Array, IntegratorError
 
 
 def simulate(
@@ -40,39 +40,58 @@ def simulate(
     wanted = wishes(dae, start, guess)
     run = _started(closed, settings, q, wanted)
     outputs = settings.outputs
-    nodes = NODES if run.switcher else smooth_nodes(len(outputs) - 1)
-    stepper = closed.stepper(settings.solver, settings.tolerance, nodes)
+    compiled = settings.solver == "compiled"
+    if compiled and sensitivities:
+        raise ModelError("solver 'compiled' does not follow sensitivities; use 'auto'")
     follow = Sensitivities(closed, sensitivities, run.point, wanted) if sensitivities else None
-    run.open_segment()
+    solver, go = _compiled(run, outputs) if compiled else _interpreted(run, outputs, follow)
     with Progress(dae.name, settings.begin, settings.stop, settings.progress) as progress:
         try:
-            if run.switcher is None:
-                run_smooth(run, stepper, outputs, progress, follow)
-            else:
-                run_hybrid(run, run.switcher, stepper, outputs, progress)
+            go(progress)
         except (IntegratorError, SimulationError) as error:
-            partial = _result(run, stepper, began, follow)
+            partial = _result(run, solver, began, follow)
             raise SimulationError(failure(run, error), partial) from error
-    return _result(run, stepper, began, follow)
+    return _result(run, solver, began, follow)
+
+
+def _compiled(run: Run, outputs: Array) -> tuple[str, Callable[[Progress], None]]:
+    native = run.closed.native
+    return "compiled", lambda progress: native.run(run, outputs, progress)
+
+
+def _interpreted(
+    run: Run, outputs: Array, follow: Sensitivities | None
+) -> tuple[str, Callable[[Progress], None]]:
+    switcher = run.switcher
+    pieces = (NODES, MOST_STEPS) if switcher else smooth_pieces(len(outputs) - 1)
+    stepper = run.closed.stepper(run.settings.solver, run.settings.tolerance, *pieces)
+    run.open_segment()
+    if switcher is None:
+        return stepper.solver, lambda progress: run_smooth(run, stepper, outputs, progress, follow)
+    return stepper.solver, lambda progress: run_hybrid(run, switcher, stepper, outputs, progress)
 
 
 def _started(closed: Closed, settings: Settings, q: Array, wanted: Wishes) -> Run:
     """Find start values and the modes they imply, again until both agree."""
     t = settings.begin
     switcher = Switcher(closed) if closed.dae.hybrid or closed.dae.blocks else None
-    for _ in range(10):
+    for attempt in range(10):
         if switcher is not None:
             guess = Point(t, np.zeros(closed.dae.x.numel()), np.zeros(closed.dae.z.numel()), q)
             switcher.complete(guess)
-        x, z, decisions = initial_values(closed, q, t, wanted)
+        try:
+            x, z, decisions = initial_values(closed, q, t, wanted)
+        except InitialConditionError:
+            if attempt or switcher is None:
+                raise
+            q = _modes_of_motions(closed, switcher, q, t, wanted)
+            continue
         point = Point(t, x, z, q)
         run = Run(closed, settings, point, switcher, decisions)
         if switcher is None:
             return run
-        try:
-            run.events = switcher.settle(point)
-        except SimulationError as error:
-            raise SimulationError(f"'{closed.dae.name}': {error}") from error
+        switcher.tell_inside(point)
+        run.events = _settled(switcher, point)
         mentions_others = any(v not in closed.dae.states for v in wanted.fixed)
         struck = any(event.impulse is not None for event in run.events)
         if not run.events or not mentions_others or struck:
@@ -87,12 +106,29 @@ def _started(closed: Closed, settings: Settings, q: Array, wanted: Wishes) -> Ru
     )
 
 
-def _result(run: Run, stepper: Stepper, began: float, follow: Sensitivities | None) -> Result:
+def _modes_of_motions(closed: Closed, switcher: Switcher, q: Array, t: float, wanted: Wishes) -> Array:
+    """Return the modes that positions and speeds alone imply; at rest not every start can be reached."""
+    fixed = {v: value for v, value in wanted.fixed.items() if v in closed.dae.system.derivative}
+    x, z, _ = initial_values(closed, q, t, Wishes(fixed, wanted.guesses))
+    point = Point(t, x, z, q)
+    _settled(switcher, point)
+    return point.q
+
+
+def _settled(switcher: Switcher, point: Point) -> list[Event]:
+    """Find the modes in which a run begins."""
+    try:
+        return switcher.settle(point)
+    except SimulationError as error:
+        raise SimulationError(f"'{switcher.closed.dae.name}': {error}") from error
+
+
+def _result(run: Run, solver: str, began: float, follow: Sensitivities | None) -> Result:
     by_component: dict[str, int] = {}
     for event in run.events:
         by_component[event.component] = by_component.get(event.component, 0) + 1
     stats = {
-        "solver": stepper.solver,
+        "solver": solver,
         "steps": run.steps,
         "integrator calls": run.calls,
         "events": len(run.events),

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections import defaultdict
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
 from html import escape
 
@@ -12,6 +12,7 @@ from ..components.base import Component, Port, PortRef
 MOST_BOXES = 60
 ROW, GAP, BOX = 52, 46, 36
 COLOURS = {"translational": "#4477aa", "rotational": "#ee6677", "both": "#aa3377", "": "#228833"}
+MARK = "#cc3311"
 
 
 @dataclass(eq=False)
@@ -21,6 +22,7 @@ class _Box:
     label: str = ""
     kind: str = ""
     colour: str = ""
+    mark: str = ""
     joined: list[_Box] = field(default_factory=list)
     layer: int = -1
     x: float = 0.0
@@ -29,7 +31,8 @@ class _Box:
     @property
     def width(self) -> float:
         """Width in pixels, by the longest text."""
-        return 16 + 7.2 * max(len(self.label), 0.85 * len(self.kind)) if self.label else 8.0
+        longest = max(len(self.label), 0.85 * len(self.kind), 0.85 * len(self.mark))
+        return 16 + 7.2 * longest if self.label else 8.0
 
 
 @dataclass(frozen=True, eq=False)
@@ -40,9 +43,14 @@ class _Line:
     signal: bool
 
 
-def sketch(component: Component) -> str:
-    """Return the parts of a composite and how they are joined, as SVG; empty if too many."""
-    boxes, lines = _graph(component)
+def sketch(component: Component, marks: Mapping[str, str] | None = None) -> str:
+    """Return the parts of a composite and how they are joined, as SVG; empty if too many.
+
+    Args:
+        component: the composite.
+        marks: name of a part -> a word that marks it.
+    """
+    boxes, lines = _graph(component, marks or {})
     if not boxes or len(boxes) > MOST_BOXES:
         return ""
     _lay_out(boxes)
@@ -55,23 +63,24 @@ def sketch(component: Component) -> str:
     )
 
 
-def _graph(component: Component) -> tuple[list[_Box], list[_Line]]:
-    names = {id(part): name for name, part in component._parts.items()}
-    boxes = {
-        id(part): _Box(names[id(part)], type(part).__name__, _colour(part))
-        for part in component._parts.values()
+def _graph(component: Component, marks: Mapping[str, str]) -> tuple[list[_Box], list[_Line]]:
+    parts = {
+        name: _Box(name, type(part).__name__, _colour(part), marks.get(name, ""))
+        for name, part in component._parts.items()
     }
+    paths = {id(part): path for path, part in _inner(component, "")}
     outer: dict[str, _Box] = {}
     nodes: list[_Box] = []
     lines: list[_Line] = []
     for ports in _nodes(component):
+        told = " — ".join(f"{paths.get(id(p.component), '')}.{p.name}".lstrip(".") for p in ports)
         ends = []
         for port in ports:
             if port.component is component:
                 ends.append(outer.setdefault(port.name, _Box(port.name)))
-            elif id(port.component) in boxes:
-                ends.append(boxes[id(port.component)])
-        told = " — ".join(f"{names.get(id(p.component), '')}.{p.name}".lstrip(".") for p in ports)
+            elif id(port.component) in paths:
+                ends.append(parts[paths[id(port.component)].partition(".")[0]])
+        ends = list(dict.fromkeys(ends))
         signal = not isinstance(type(ports[0].component).fields.get(ports[0].name), Port)
         if len(ends) > 2:
             nodes.append(_Box())
@@ -81,18 +90,40 @@ def _graph(component: Component) -> tuple[list[_Box], list[_Line]]:
     for line in lines:
         line.left.joined.append(line.right)
         line.right.joined.append(line.left)
-    return [*outer.values(), *boxes.values(), *nodes], lines
+    return [*outer.values(), *parts.values(), *nodes], lines
+
+
+def _inner(component: Component, path: str) -> Iterator[tuple[str, Component]]:
+    """Yield parts at any depth with their paths: a node may reach into a part."""
+    for name, part in component._parts.items():
+        yield f"{path}{name}", part
+        yield from _inner(part, f"{path}{name}.")
 
 
 def _nodes(component: Component) -> list[list[PortRef]]:
     """Return the ports of each node; connections that share a port make one node."""
     node_of: dict[tuple[int, str], dict[tuple[int, str], PortRef]] = {}
-    for ports in component.connections():
+    for ports in _joined(component):
         node = {(id(port.component), port.name): port for port in ports}
         for key in list(node):
             node |= node_of.get(key, {})
         node_of |= dict.fromkeys(node, node)
     return [list(node.values()) for node in {id(n): n for n in node_of.values()}.values()]
+
+
+def _joined(component: Component) -> Iterator[tuple[PortRef, ...]]:
+    """Yield connections, those of a port at which an element was inserted going to its far flange."""
+    far_of = {}
+    joined = {(id(p.component), p.name) for ports in component.connections() for p in ports}
+    for port, near, far in component.insertions():
+        key = id(port.component), port.name
+        yield port, near
+        if key in joined:
+            far_of[key] = far
+        else:
+            yield port, far
+    for ports in component.connections():
+        yield tuple(far_of.get((id(port.component), port.name), port) for port in ports)
 
 
 def _colour(component: Component) -> str:
@@ -173,11 +204,17 @@ def _node(box: _Box) -> Iterator[str]:
 
 def _labelled(box: _Box) -> Iterator[str]:
     left, up = box.x - box.width / 2, box.y - BOX / 2
+    frame = MARK if box.mark else box.colour or "currentColor"
     yield (
         f'<rect x="{left:.1f}" y="{up:.1f}" width="{box.width:.1f}" height="{BOX}" rx="4" '
         f'fill="{box.colour or "none"}" fill-opacity="0.12" '
-        f'stroke="{box.colour or "currentColor"}" stroke-width="1.3"/>'
+        f'stroke="{frame}" stroke-width="{3 if box.mark else 1.3}"/>'
     )
+    if box.mark:
+        yield (
+            f'<text x="{box.x:.1f}" y="{up - 4:.1f}" text-anchor="middle" font-size="10" fill="{MARK}">'
+            f"{escape(box.mark)}</text>"
+        )
     lines = [(box.label, box.y - 2, 1.0), (box.kind, box.y + 12, 0.65)] if box.kind else [
         (box.label, box.y + 4, 1.0)
     ]  # fmt: skip

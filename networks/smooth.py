@@ -9,12 +9,13 @@ from .sensitivity import Sensitivities
 from .stepper import Array, Stepper
 
 MOST_NODES = 1024
+MOST_STEPS = 20_000
 
 
-def smooth_nodes(outputs: int) -> int:
-    """Return how many outputs one call covers, so that calls are equal and not too long."""
+def smooth_pieces(outputs: int) -> tuple[int, int]:
+    """Return how many outputs one call covers, so that calls are equal, and the most steps for each."""
     chunks = -(-outputs // MOST_NODES)
-    return -(-outputs // chunks)
+    return -(-outputs // chunks), MOST_STEPS
 
 
 def run_smooth(

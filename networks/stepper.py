@@ -16,8 +16,7 @@ if TYPE_CHECKING:
     from .closed import Closed
 
 Array = NDArray[np.float64]
-MOST_STEPS = 20_000
-SOLVERS = ("auto", "cvodes", "idas", "rosenbrock")
+SOLVERS = ("auto", "cvodes", "idas", "rosenbrock", "compiled")
 
 
 @dataclass(frozen=True)
@@ -48,7 +47,9 @@ class Stepper:
     serves them all and no value is rounded.
     """
 
-    def __init__(self, closed: Closed, solver: str, tolerance: Tolerance, nodes: int) -> None:
+    def __init__(
+        self, closed: Closed, solver: str, tolerance: Tolerance, nodes: int, most_steps: int
+    ) -> None:
         if solver not in SOLVERS:
             raise ModelError(f"there is no solver '{solver}', only {', '.join(SOLVERS)}")
         dae = closed.dae
@@ -60,13 +61,13 @@ class Stepper:
                 "handle; use 'idas', 'rosenbrock' or 'auto'"
             )
         self.solver, self.nodes = solver, nodes
-        self.scale = _powers_of_two(dae)
+        self.scale = nominal_sizes(dae, dae.states)
         self.nx, self.nz = dae.x.numel(), dae.z.numel()
-        self._function = self._build(closed, tolerance)
+        self._function = self._build(closed, tolerance, most_steps)
         self._compiled = Compiled(self._function)
         self._unused = [np.zeros(self._function.nnz_in(i)) for i in range(3, self._function.n_in())]
 
-    def _build(self, closed: Closed, tolerance: Tolerance) -> Any:
+    def _build(self, closed: Closed, tolerance: Tolerance, most_steps: int) -> Any:
         kind: Any = type(closed.x)
         begin, span, tau = (kind.sym(n) for n in ("begin", "span", "tau"))
         scale = ca.DM(self.scale)
@@ -81,7 +82,7 @@ class Stepper:
             "ode": span * (ode if plain else ode / scale), "alg": alg,
         }  # fmt: skip
         options: dict[str, Any] = {"reltol": tolerance.rtol, "abstol": tolerance.atol}
-        options |= {"max_num_steps": MOST_STEPS, "show_eval_warnings": False}
+        options |= {"max_num_steps": most_steps, "show_eval_warnings": False}
         if self.solver != "rosenbrock":
             options["disable_internal_warnings"] = True
         grid = np.linspace(0, 1, self.nodes + 1)[1:]
@@ -120,8 +121,9 @@ class Stepper:
         return scaled
 
 
-def _powers_of_two(dae: Any) -> Array:
+def nominal_sizes(dae: Any, variables: list[int]) -> Array:
+    """Return the powers of two nearest the nominal values of joined variables."""
     nominal = dae.system.names.nominal
-    sizes = [nominal[s] if s < len(nominal) else 1.0 for s in dae.states]
+    sizes = [nominal[s] if s < len(nominal) else 1.0 for s in variables]
     powers: Array = np.exp2(np.round(np.log2(np.array(sizes, dtype=float))))
     return powers

@@ -51,21 +51,16 @@ class SignedUnion:
 
     def join(self, i: int, j: int, sign: int = 1) -> None:
         """State that variable i equals `sign` times variable j, and so do their derivatives."""
-        todo = [(i, j, sign)]
-        while todo:
-            i, j, sign = todo.pop()
-            (a, sign_a), (b, sign_b) = self.find(i), self.find(j)
-            sign *= sign_a * sign_b
-            if a == b:
-                if sign < 0:
-                    self.contradictions.append(a)
-                continue
-            self.parent[b], self.sign[b] = a, sign
-            lost = self.derivative.pop(b, None)
-            if lost is not None and a in self.derivative:
-                todo.append((self.derivative[a], lost, sign))
-            elif lost is not None:
-                self.set_derivative(b, lost)
+        (a, sign_a), (b, sign_b) = self.find(i), self.find(j)
+        sign *= sign_a * sign_b
+        if a == b:
+            if sign < 0:
+                self.contradictions.append(a)
+            return
+        self.parent[b], self.sign[b] = a, sign
+        lost = self.derivative.pop(b, None)
+        if lost is not None:
+            self.set_derivative(b, lost)
 
     def arrays(self) -> tuple[NDArray[np.int64], NDArray[np.int64]]:
         """Return root and sign of every variable."""

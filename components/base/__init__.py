@@ -1,5 +1,9 @@
 """The declarative base: what a component is made of and how its equations are read."""
 
+from .checks import counting as counting
+from .checks import instant as instant
+from .checks import rows as rows
+from .checks import smoothing as smoothing
 from .component import Component as Component
 from .component import PortRef as PortRef
 from .errors import InertanceError as InertanceError

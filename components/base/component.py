@@ -86,11 +86,16 @@ class Component:
                 self._set(name, value)
         for declared in cls._declared_parts:
             self._parts[declared.name] = declared.default.clone()
-        if cls.parts is not Component.parts:
+        if cls.parts is not Component.parts and not self._shapeless:
             self._parts.update(self.parts())
         self._own_parts()
         for name, replacement in replacements.items():
             self._replace(name, replacement)
+
+    @property
+    def _shapeless(self) -> bool:
+        """Whether an option is wrong, so that neither parts nor equations can be told."""
+        return any(option.name in self._problems for option in type(self)._options)
 
     def _own_parts(self) -> None:
         for component in self._parts.values():
@@ -150,8 +155,7 @@ class Component:
         if isinstance(field, Parameter):
             problem = _parameter_problem(field, value)
         elif isinstance(field, Option):
-            allowed = field.choices is None or value in field.choices
-            problem = "" if allowed else f"{name} must be one of {field.choices}, got {value!r}"
+            problem = field.problem(value)
         elif isinstance(field, Variable):
             finite = isinstance(value, Real) and abs(float(value)) < float("inf")
             problem = "" if finite else f"start value of {name} must be a number, got {value!r}"

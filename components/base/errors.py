@@ -1,7 +1,6 @@
 """The errors of the library, and the nearest name for a wrong one."""
 
 from collections.abc import Iterable
-from difflib import get_close_matches
 
 
 class InertanceError(Exception):
@@ -30,6 +29,8 @@ class SimulationError(InertanceError, RuntimeError):
 
 def nearest(name: str, known: Iterable[str]) -> str:
     """Return `"; did you mean 'k'?"` for the known name closest to `name`, or nothing."""
+    from difflib import get_close_matches
+
     by_folded = {other.lower(): other for other in known}
     matches = get_close_matches(name.lower(), list(by_folded), n=1)
     return f"; did you mean '{by_folded[matches[0]]}'?" if matches else ""

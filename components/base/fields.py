@@ -6,6 +6,7 @@ port to connect, a part); inside `equations` it gives the symbol.
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from typing import TYPE_CHECKING, Any, ClassVar
 
 if TYPE_CHECKING:
@@ -65,9 +66,22 @@ class Option(Field):
 
     kind = "option"
 
-    def __init__(self, doc: str, default: Any, choices: tuple[Any, ...] | None = None) -> None:
+    def __init__(
+        self,
+        doc: str,
+        default: Any,
+        choices: tuple[Any, ...] | None = None,
+        check: Callable[[Any], str] | None = None,
+    ) -> None:
         super().__init__("", doc)
-        self.default, self.choices = default, choices
+        self.default, self.choices, self.check = default, choices, check
+
+    def problem(self, value: Any) -> str:
+        """Say what is wrong with a value, or return an empty string."""
+        if self.choices is not None and value not in self.choices:
+            return f"{self.name} must be one of {self.choices}, got {value!r}"
+        told = self.check(value) if self.check else ""
+        return f"{self.name} {told}, got {value!r}" if told else ""
 
 
 class Variable(Field):
@@ -174,9 +188,22 @@ def parameter(
     return Parameter(unit, doc, default, min, above, max)
 
 
-def option(doc: str, *, default: Any, choices: tuple[Any, ...] | None = None) -> Any:
-    """Declare a structural choice: a plain Python value, also inside `equations`."""
-    return Option(doc, default, choices)
+def option(
+    doc: str,
+    *,
+    default: Any,
+    choices: tuple[Any, ...] | None = None,
+    check: Callable[[Any], str] | None = None,
+) -> Any:
+    """Declare a structural choice: a plain Python value, also inside `equations`.
+
+    Args:
+        doc: what it is, in a few words.
+        default: its value when none is given.
+        choices: the values allowed.
+        check: a function that says what a value must be (`"must be above 0"`) if it is not.
+    """
+    return Option(doc, default, choices, check)
 
 
 def variable(

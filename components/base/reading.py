@@ -96,10 +96,11 @@ def _add_equation(template: Template, equation: Any) -> None:
     if plain[0] and plain[1] and plain[0][0] != plain[1][0]:
         template.aliases.append((plain[0][0], plain[1][0], plain[0][1] * plain[1][1]))
         return
+    declared = (template.parameters, template.modes, template.impulses, template.variables)
+    known = {symbol.element_hash() for group in declared for symbol in group.values()}
+    known.add(template.time.element_hash())
     for symbol in ca.symvar(equation):
-        known = [*template.parameters.values(), *template.modes.values(), template.time]
-        known += [*template.impulses.values(), *template.variables.values()]
-        if not any(ca.is_equal(symbol, other) for other in known):
+        if symbol.element_hash() not in known:
             raise ModelError(
                 f"`{equation}` uses '{symbol}', which the component does not declare; use its own fields"
             )

@@ -33,8 +33,11 @@ class Sampled:
     values: NDArray[np.float64]
 
     def __init__(self, time: ArrayLike, values: ArrayLike) -> None:
-        object.__setattr__(self, "time", np.array(time, dtype=float).ravel())
-        object.__setattr__(self, "values", np.array(values, dtype=float).ravel())
+        try:
+            object.__setattr__(self, "time", np.array(time, dtype=float).ravel())
+            object.__setattr__(self, "values", np.array(values, dtype=float).ravel())
+        except (TypeError, ValueError) as error:
+            raise ModelError(f"Sampled signal: time and values must be numbers ({error})") from None
         problem = self._problem()
         if problem:
             raise ModelError(f"Sampled signal: {problem}")
@@ -59,3 +62,17 @@ class Sampled:
         import casadi as ca
 
         return ca.interpolant(name, "bspline", [self.time], self.values)
+
+    def curvature(self, name: str) -> Any:
+        """Return the second derivative of the signal as a CasADi function of time.
+
+        It is linear between instants. CasADi 3.8.2 writes beyond its memory when the spline itself is
+        differentiated three times; this function can be differentiated once more.
+        """
+        import casadi as ca
+
+        t = ca.MX.sym("t")
+        rate = ca.jacobian(self.interpolant(name)(t), t)
+        second = ca.Function(name, [t], [ca.jacobian(rate, t)])
+        values = second.map(len(self.time))(self.time[None, :]).full().ravel()
+        return ca.interpolant(name, "linear", [self.time], values)

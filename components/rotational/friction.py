@@ -9,7 +9,7 @@ import casadi as ca
 
 from ..base import Component, RotationalFlange, der, option, parameter, variable
 from ..stickslip import StickSlip
-from ..tables import interpolated
+from ..tables import interpolated, over_speed
 from .bases import Compliant
 
 
@@ -72,7 +72,11 @@ class TabulatedFriction(Friction):
     Source: MSL Rotational.Components.BearingFriction.
     """
 
-    tau_pos = option("rows (speed [rad/s], torque [N.m]), speeds increasing from 0", default=((0.0, 1.0),))
+    tau_pos = option(
+        "rows (speed [rad/s], torque [N.m]), speeds increasing from 0",
+        default=((0.0, 1.0),),
+        check=over_speed("torque"),
+    )
 
     def sliding(self, speed: Any) -> Any:
         """Friction torque at a speed."""

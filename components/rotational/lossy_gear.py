@@ -7,9 +7,9 @@ from typing import Any
 
 import casadi as ca
 
-from ..base import Component, ModelError, RotationalFlange, der, mode, option, parameter, variable
+from ..base import Component, RotationalFlange, der, mode, option, parameter, variable
 from ..stickslip import SLOW, breakaways, reversals
-from ..tables import interpolated
+from ..tables import interpolated, over_speed_with_losses
 
 
 class LossyGear(Component):
@@ -33,7 +33,11 @@ class LossyGear(Component):
     flange_b = RotationalFlange("right shaft")
     support = RotationalFlange("housing", optional=True)
     ratio = parameter("1", "turns of flange_a for one of flange_b")
-    lossTable = option("rows (speed, eta1, eta2, tau_bf1, tau_bf2)", default=((0.0, 1.0, 1.0, 0.0, 0.0),))  # noqa: N815
+    lossTable = option(  # noqa: N815
+        "rows (speed, eta1, eta2, tau_bf1, tau_bf2)",
+        default=((0.0, 1.0, 1.0, 0.0, 0.0),),
+        check=over_speed_with_losses,
+    )
     driver = mode("a", "b", doc="the side that drives the mesh")
     mode = mode("stuck", "forward", "backward", doc="sticking or turning", in_shock={"stuck": "forward"})
     phi = variable("rad", "angle of flange_a against the support", state="prefer")
@@ -43,8 +47,6 @@ class LossyGear(Component):
 
     def losses(self, torque: Any, speed: Any) -> tuple[Any, Any]:
         """Loss torque when a drives and when b drives, for turning forward."""
-        if not all(0 < eta <= 1 for row in self.lossTable for eta in row[1:3]):
-            raise ModelError(f"efficiencies must be above 0 and at most 1, got {self.lossTable}")
         eta1, eta2, tau_bf1, tau_bf2 = (interpolated(self.lossTable, ca.fabs(speed), i) for i in (1, 2, 3, 4))
         return (1 - eta1) * torque + tau_bf1, (1 - 1 / eta2) * torque + tau_bf2
 

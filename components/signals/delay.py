@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 from typing import Any
 
-from ..base import Component, der, option, parameter, variable
+from ..base import Component, counting, der, option, parameter, variable
 from .blocks import Block
 
 
@@ -32,7 +32,7 @@ class Delay(Block):
     """
 
     T = parameter("s", "delay", above=0)
-    n = option("order: number of stages", default=5)
+    n = option("order: number of stages", default=5, check=counting)
 
     def parts(self) -> dict[str, Component]:
         """Return the stages."""

@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
+from itertools import pairwise
 from typing import Any
 
 import casadi as ca
 
-from ..base import Component, RealOutput, mode, option, parameter
+from ..base import Component, RealOutput, instant, mode, option, parameter, rows
 
 
 class Source(Component):
@@ -95,7 +96,7 @@ class Sine(Source):
     f = parameter("Hz", "frequency")
     phase = parameter("rad", "phase at start_time", default=0.0)
     offset = parameter("", "mean", default=0.0)
-    start_time = option("time [s] before which y = offset", default=None)
+    start_time = option("time [s] before which y = offset", default=None, check=instant)
     mode = mode("before", "running", doc="before or after start_time")
 
     def equations(self) -> Iterable[Any]:
@@ -119,7 +120,15 @@ class TimeTable(Source):
     which wants no event at every sample, take `Sampled`.
     """
 
-    table = option("pairs (time [s], value), times not decreasing", default=((0.0, 0.0),))
+    table = option(
+        "rows (time [s], value), times not decreasing",
+        default=((0.0, 0.0),),
+        check=rows(
+            "takes rows (time, value) of finite numbers, times not decreasing",
+            2,
+            lambda given: all(a[0] <= b[0] for a, b in pairwise(given)),
+        ),
+    )
 
     def slopes(self) -> Iterable[tuple[str, Any, Any]]:
         """Yield a name, the row before and the row after, wherever the signal changes."""

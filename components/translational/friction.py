@@ -9,6 +9,7 @@ import casadi as ca
 
 from ..base import Component, TranslationalFlange, der, option, parameter, variable
 from ..stickslip import StickSlip
+from ..tables import interpolated, over_speed
 from .bases import Compliant
 
 
@@ -66,7 +67,9 @@ class TabulatedFriction(Friction):
     """Friction force interpolated linearly in a table of (speed, force), speeds from 0 upwards."""
 
     table = option(
-        "pairs (speed [m/s], force [N]), speeds increasing from 0", default=((0.0, 1.0), (1.0, 1.0))
+        "rows (speed [m/s], force [N]), speeds increasing from 0",
+        default=((0.0, 1.0),),
+        check=over_speed("force"),
     )
 
     def sliding(self, speed: Any) -> Any:
@@ -89,11 +92,3 @@ class SupportFriction(Component):
     def connections(self) -> Iterable[Any]:
         yield self.support, self.friction.flange_a
         yield self.flange, self.friction.flange_b
-
-
-def interpolated(table: Any, at: Any) -> Any:
-    """Return a table of pairs interpolated linearly, constant slope beyond its end."""
-    xs, ys = (ca.DM([float(pair[i]) for pair in table]) for i in (0, 1))
-    if len(table) == 1:
-        return ys[0] + 0 * at
-    return ca.pw_lin(ca.SX(at), xs, ys)

@@ -5,10 +5,14 @@ from __future__ import annotations
 from collections.abc import Iterable
 from typing import Any
 
+import casadi as ca
+
 from ..base import Component, Shock, TranslationalFlange, der, impulse, mode, parameter, variable
 from .bases import Compliant
 from .friction import StribeckFriction
 from .masses import Mass
+
+STILL = 1e-12
 
 
 class HardStop(Compliant):
@@ -39,7 +43,8 @@ class HardStop(Compliant):
         rebound = -self.e * self.v_rel
         bounce = Shock(self.J, self.v_rel, rebound)
         settle = Shock(self.J, self.v_rel, 0.0)
-        rests = rebound <= self.v_rest
+        pressed = ca.logic_or(self.v_rel < 0, ca.logic_and(self.v_rel < STILL, self.a_rel < 0))
+        rests = ca.logic_and(pressed, rebound <= self.v_rest)
         yield self.mode.goes("free", "free", when=closing, allowed=rebound > self.v_rest, shock=bounce)
         yield self.mode.goes(
             "free", "contact", when=closing, allowed=rests, shock=settle, reset={"v_rel": 0.0}

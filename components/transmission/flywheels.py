@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 from typing import Any
 
-from ..base import Component, RotationalFlange, der, option, parameter, variable
+from ..base import Component, RotationalFlange, counting, der, option, parameter, variable
 
 
 class Flywheel(Component):
@@ -49,7 +49,7 @@ class IdealPlanetaryFlywheel(Flywheel):
     eqs. (5), (7).
     """
 
-    N = option("number of planets", default=4)
+    N = option("number of planets", default=4, check=counting)
     R = parameter("m", "pitch radius of the ring", above=0)
     r = parameter("m", "pitch radius of a planet", above=0)
     J_s = parameter("kg.m2", "inertia of bracket and screw", min=0)

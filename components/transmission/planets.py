@@ -8,7 +8,7 @@ from typing import Any
 
 import casadi as ca
 
-from ..base import Component, RotationalFlange, der, option, parameter, variable
+from ..base import Component, RotationalFlange, counting, der, option, parameter, smoothing, variable
 from ..clearance import past_clearance
 from ..rotational import Inertia
 from ..stickslip import StickSlip
@@ -104,9 +104,11 @@ class PlanetaryFlywheel(PlanetGear):
 
     flange = RotationalFlange("where the screw is joined")
     support = RotationalFlange("housing that holds the ring", optional=True)
-    N = option("number of planets", default=4)
-    lumped = option("whether one coordinate stands for all planets", default=True)
-    regularised = option("speed of spin [rad/s] over which planet friction is smoothed", default=None)
+    N = option("number of planets", default=4, check=counting)
+    lumped = option("whether one coordinate stands for all planets", default=True, choices=(True, False))
+    regularised = option(
+        "speed of spin [rad/s] over which planet friction is smoothed", default=None, check=smoothing
+    )
     J_s = parameter("kg.m2", "inertia of bracket and screw", above=0)
 
     bracket = Inertia(J=J_s)

@@ -1,4 +1,3 @@
-# ruff: noqa: N802  (symbols keep the case of the formula)
 """How heavy a planetary flywheel must be for its inertance, against a disk.
 
 Source of all formulas: Ge & Wang, Modeling, Testing, and Characteristic Analysis of a Planetary
@@ -80,7 +79,7 @@ class PlanetaryGeometry:
         return self.beta * self.r
 
     @property
-    def l(self) -> Any:  # noqa: E743
+    def l(self) -> Any:
         """Thickness of the planets [m]."""
         return self.tau * self.L
 

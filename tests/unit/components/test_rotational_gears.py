@@ -206,5 +206,5 @@ def test_losses_vary_with_speed() -> None:
 
 
 def test_impossible_efficiencies_are_refused() -> None:
-    with pytest.raises(ModelError, match="efficiencies must be above 0 and at most 1"):
+    with pytest.raises(ModelError, match="efficiencies above 0 and at most 1"):
         geared(rotational.LossyGear(ratio=2.0, lossTable=((0, 1.1, 0.5, 0, 0),)), 1.0).dae()

@@ -236,7 +236,7 @@ def test_what_is_refused_on_the_spot() -> None:
             net.connect(thing)  # type: ignore[arg-type]
     with pytest.raises(ia.ModelError, match="already has a component 'mass'"):
         net.add(mass=ia.Mass(m=1.0))
-    for name in ("a.b", "simulate", "_hidden", "name"):
+    for name in ("a.b", "simulate", "_hidden", "name", "", "der(x)"):
         with pytest.raises(ia.ModelError, match="cannot name a component"):
             net.add(**{name: ia.Mass(m=1.0)})
     with pytest.raises(ia.ModelError, match="'mass' is not a component"):
@@ -245,3 +245,100 @@ def test_what_is_refused_on_the_spot() -> None:
         _ = net.mas
     with pytest.raises(AttributeError, match=r"Mass has no 'flang'; did you mean 'flange'\?"):
         _ = net.mass.flang
+
+
+@pytest.mark.parametrize(
+    "table",
+    [
+        (),
+        ((0.0,),),
+        ((0.0, 1.0), (0.0, 2.0)),
+        ((1.0, 1.0),),
+        ((0.0, np.nan),),
+        ((0.0, -1.0),),
+        "abc",
+        3.0,
+        None,
+    ],
+)
+def test_bad_tables_are_told_by_path_with_all_other_problems(table: Any) -> None:
+    told = refused(
+        oscillator(
+            spring=ia.TabulatedFriction(table=table, peak=0.5),
+            wall=ia.Fixed(s0="here"),
+        )
+    )
+    assert told[1].startswith("TabulatedFriction 'spring': table takes rows (speed, force) of finite numbers")
+    assert len(told) == 3
+
+
+@pytest.mark.parametrize(
+    ("component", "message"),
+    [
+        (
+            ia.CoulombFriction(f_c=1.0, regularised=0.0),
+            "regularised must be None or a number above 0, got 0.0",
+        ),
+        (
+            ia.CoulombFriction(f_c=1.0, regularised="on"),
+            "regularised must be None or a number above 0, got 'on'",
+        ),
+        (ia.PlanetaryFlywheel(N=0), "N must be a whole number, at least 1, got 0"),
+        (ia.PlanetaryFlywheel(N=2.5, lumped=False), "N must be a whole number, at least 1, got 2.5"),
+        (ia.signals.Delay(T=1.0, n="5"), "n must be a whole number, at least 1, got '5'"),
+        (ia.signals.Sine(f=1.0, start_time=np.inf), "start_time must be None or a finite number, got inf"),
+        (
+            ia.signals.TimeTable(table=((1.0, 0.0), (0.0, 1.0))),
+            "table takes rows (time, value) of finite numbers",
+        ),
+        (ia.signals.TimeTable(table=3), "table takes rows (time, value) of finite numbers"),
+        (
+            rotational.LossyGear(ratio=1.0, lossTable=((0, 1.1, 1, 0, 0),)),
+            "lossTable takes rows (speed, eta1, eta2",
+        ),
+        (rotational.Clutch(fn_max=1.0, mu_pos=((0.0, -1.0),)), "mu_pos takes rows (speed, coefficient)"),
+    ],
+)
+def test_a_bad_option(component: ia.Component, message: str) -> None:
+    assert any(message in told for told in refused(oscillator(more=component)))
+
+
+def test_an_equation_that_raises_is_told_by_path_and_line() -> None:
+    told = refused(oscillator(spring=law(lambda self: self.f == [self.k][1]), mass=ia.Mass(m=-1.0)))
+    assert told[0].startswith("Odd 'spring': its equations cannot be read: ")
+    assert "line " in told[0]
+    assert "test_errors.py" in told[0]
+    assert len(told) == 2
+
+
+def test_bad_inputs_are_told_by_their_names() -> None:
+    net = oscillator(push=ia.Force())
+    net.connect(net.push.flange, net.mass.flange)
+    t = np.linspace(0, 1, 5)
+    for signal, message in [
+        ((t,), "input 'push.f': a sampled signal is a pair (time, values), got 1 items"),
+        ((t, t[:3]), "input 'push.f': Sampled signal: 5 instants but 3 values"),
+        ((t, np.r_[t[:4], np.nan]), "input 'push.f': Sampled signal: value nan at sample 4"),
+        ((t, ["x"] * 5), "input 'push.f': Sampled signal: time and values must be numbers"),
+    ]:
+        assert refused(net, inputs={"push.f": signal})[0].startswith(message)
+    assert refused(net, inputs={"wind": 1.0})[0] == "there is no input 'wind'; the inputs are push.f"
+    net.add(source=ia.signals.Constant(k=2.0)).connect(net.source.y, net.push.f)
+    told = refused(net, inputs={"push.f": 1.0})
+    assert told == ["there is no input 'push.f'; it is connected to a signal of the network"]
+
+
+def test_a_signal_of_its_own_and_a_connection_are_one_too_many() -> None:
+    net = oscillator(push=ia.Force(f=3.0), source=ia.signals.Constant(k=2.0))
+    net.connect(net.push.flange, net.mass.flange).connect(net.source.y, net.push.f)
+    assert refused(net) == ["Force 'push': f has a signal of its own and that of source.y; keep one"]
+
+
+def test_a_signal_that_is_no_number_is_told_as_such() -> None:
+    net = oscillator(push=ia.Force(f=lambda t: np.sqrt(0.5 - t)))
+    net.connect(net.push.flange, net.mass.flange)
+    with pytest.raises(ia.SimulationError, match=r"the rate of mass\.v is not a finite number") as caught:
+        net.simulate(1.0, inputs={"push.f": lambda t: 0 / (0 * t)})
+    assert isinstance(caught.value.result, ia.Result)
+    with pytest.raises(ia.SimulationError, match=r"'oscillator': .* t = 0\.[45]\d*"):
+        net.simulate(1.0)

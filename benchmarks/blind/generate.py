@@ -1,0 +1,67 @@
+"""Make the cases of the blind benchmark; the library is not imported here.
+
+python benchmarks/blind/generate.py FOLDER [--cases 240] [--seed 1] [--jobs 2]
+
+FOLDER/cases/0001/ holds campaign.toml, model.py and the records, without a hint of what is wrong;
+FOLDER/sealed.json the hash of every label; FOLDER/labels/ the labels, for the scorer alone.
+"""
+
+from __future__ import annotations
+
+import argparse
+import json
+import sys
+from collections.abc import Sequence
+from concurrent.futures import ProcessPoolExecutor
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from case import make
+from plan import Draft, drafts
+from seal import seal
+
+SCORED, CALIBRATION = 1, 1001
+
+
+def generate(folder: Path, count: int, seed: int = SCORED, jobs: int = 2) -> None:
+    """Make a set of cases and seal its labels; cases that are there already are kept."""
+    wanted = drafts(count, seed)
+    names = [f"{number + 1:04d}" for number in range(count)]
+    parts = folder / "labels" / "parts"
+    parts.mkdir(parents=True, exist_ok=True)
+    missing = [
+        (d, folder, n) for d, n in zip(wanted, names, strict=True) if not (parts / f"{n}.json").exists()
+    ]
+    with ProcessPoolExecutor(jobs) as pool:
+        for done, name in enumerate(pool.map(_made, missing), start=1):
+            print(f"\r{done}/{len(missing)} cases made ({name})", end="", file=sys.stderr, flush=True)
+    print(file=sys.stderr)
+    labels = {name: json.loads((parts / f"{name}.json").read_text()) for name in names}
+    salts = {name: _salt(draft.seed) for draft, name in zip(wanted, names, strict=True)}
+    seal(folder, labels, salts, reopen=seed == CALIBRATION)
+
+
+def _made(job: tuple[Draft, Path, str]) -> str:
+    draft, folder, name = job
+    label: dict[str, Any] = make(draft, folder / "cases" / name)
+    (folder / "labels" / "parts" / f"{name}.json").write_text(json.dumps(label))
+    return name
+
+
+def _salt(seed: int) -> str:
+    return np.random.default_rng([seed, 1]).bytes(16).hex()
+
+
+def main(arguments: Sequence[str] | None = None) -> None:
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawTextHelpFormatter)
+    parser.add_argument("folder", type=Path)
+    parser.add_argument("--cases", type=int, default=240)
+    parser.add_argument("--seed", type=int, default=SCORED, help=f"{CALIBRATION} is the calibration set")
+    parser.add_argument("--jobs", type=int, default=2)
+    given = parser.parse_args(arguments)
+    generate(given.folder, given.cases, given.seed, given.jobs)
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,67 @@
+"""Generate the blind cases, diagnose each in a process of its own, open the labels, print the table.
+
+python benchmarks/blind/run.py [--folder DIR] [--cases 240 | --sample 24] [--seed 1] [--jobs 2] [--baselines]
+
+What is there already is kept, so a run that was broken off goes on where it stopped.
+"""
+
+from __future__ import annotations
+
+import argparse
+import json
+import subprocess
+import sys
+import time
+from collections.abc import Sequence
+from concurrent.futures import ThreadPoolExecutor
+from pathlib import Path
+
+from generate import CALIBRATION, SCORED, generate
+from score import report
+
+LIMIT = 600.0
+
+
+def diagnose(case: Path) -> str:
+    """Write verdict.json for a case through the command line, and verdict.run.json with what it took."""
+    verdict, note = case / "verdict.json", case / "verdict.run.json"
+    if note.exists():
+        return case.name
+    command = [sys.executable, "-m", "inertance", "diagnose", "campaign.toml", "--json", verdict.name]
+    begin = time.perf_counter()
+    try:
+        done = subprocess.run(command, cwd=case, capture_output=True, text=True, timeout=LIMIT, check=False)
+        told, code = (done.stderr or done.stdout)[-2000:], done.returncode
+    except subprocess.TimeoutExpired:
+        told, code = f"no verdict within {LIMIT:g} s", -1
+    seconds = time.perf_counter() - begin
+    note.write_text(json.dumps({"seconds": seconds, "code": code, "told": "" if verdict.exists() else told}))
+    return case.name
+
+
+def main(arguments: Sequence[str] | None = None) -> None:
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawTextHelpFormatter)
+    parser.add_argument("--folder", type=Path, help="where cases go; blind_SEED_CASES if not given")
+    parser.add_argument("--cases", type=int, default=240)
+    parser.add_argument("--sample", type=int, help="only so many cases; any first 24 are balanced")
+    parser.add_argument("--seed", type=int, default=SCORED, help=f"{CALIBRATION} is the calibration set")
+    parser.add_argument("--jobs", type=int, default=2)
+    parser.add_argument("--baselines", action="store_true", help="run the baselines, too")
+    given = parser.parse_args(arguments)
+    count = given.sample or given.cases
+    folder = given.folder or Path(f"blind_{given.seed}_{count}")
+    generate(folder, count, given.seed, given.jobs)
+    cases = sorted(path for path in (folder / "cases").iterdir() if path.is_dir())
+    with ThreadPoolExecutor(given.jobs) as pool:
+        for done, name in enumerate(pool.map(diagnose, cases), start=1):
+            print(f"\r{done}/{len(cases)} cases diagnosed ({name})", end="", file=sys.stderr, flush=True)
+    print(file=sys.stderr)
+    if given.baselines:
+        from baselines import judge
+
+        judge(folder, given.jobs)
+    report(folder)
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,208 @@
+"""Hold verdicts against labels and print the table.
+
+python benchmarks/blind/score.py FOLDER
+
+Opening the labels is noted in FOLDER/opened.json with the hashes of all verdicts; scoring refuses if a
+verdict was written or changed after that.
+"""
+
+from __future__ import annotations
+
+import argparse
+import json
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from math import sqrt
+from pathlib import Path
+from statistics import mean, median
+from typing import Any
+
+from seal import unseal
+
+Answer = tuple[str, str]
+
+
+@dataclass(frozen=True)
+class Scored:
+    """A case with its label, and what was answered.
+
+    Attributes:
+        label: the truth.
+        verdict: the verdict's JSON; empty if there is none.
+        seconds: run time, None if not known.
+        oracle: the share of the gap that refitting the true effect closes, None if not known.
+    """
+
+    label: dict[str, Any]
+    verdict: dict[str, Any]
+    seconds: float | None = None
+    oracle: float | None = None
+
+    @property
+    def said(self) -> str:
+        """The verdict's word."""
+        return str(self.verdict.get("verdict", "failed"))
+
+    @property
+    def first(self) -> Answer | None:
+        """The effect named first."""
+        named = self.named
+        return named[0] if named else None
+
+    @property
+    def named(self) -> list[Answer]:
+        """Effects that the verdict names."""
+        effects = self.verdict.get("effects") or []
+        return [_answer(effect) for effect in effects]
+
+    @property
+    def members(self) -> list[Answer]:
+        """The equivalence class: what is named, and what the data cannot tell from it."""
+        others = self.verdict.get("equivalent") or []
+        flat = [entry for member in others for entry in (member if isinstance(member, list) else [member])]
+        return list(dict.fromkeys([*self.named, *(_answer(entry) for entry in flat)]))
+
+    def is_right(self, answer: Answer | None, effect: dict[str, Any] | None = None) -> bool:
+        """Tell whether an answer is the true effect, or one of them."""
+        effects = [effect] if effect else self.label["effects"]
+        return answer is not None and any(list(answer) in e["answers"] for e in effects)
+
+    @property
+    def hit(self) -> bool:
+        """Whether kind and site of all effects are named, none too many."""
+        effects = self.label["effects"]
+        found = [any(self.is_right(answer, effect) for answer in self.named) for effect in effects]
+        return all(found) and len(self.named) == len(effects)
+
+
+def wilson(hits: int, count: int, z: float = 1.959964) -> tuple[float, float]:
+    """Return the 95 % interval of a share.
+
+    Source: E. B. Wilson, J. Amer. Statist. Assoc. 22 (1927) 209-212.
+    """
+    if count == 0:
+        return 0.0, 1.0
+    p, spread = hits / count, z**2 / count
+    middle = (p + spread / 2) / (1 + spread)
+    half = z * sqrt(p * (1 - p) / count + spread / (4 * count)) / (1 + spread)
+    return max(0.0, middle - half), min(1.0, middle + half)
+
+
+def table(cases: Sequence[Scored]) -> list[tuple[str, str, str]]:
+    """Return rows of (measure, figure, target)."""
+    single = [c for c in cases if c.label["group"] == "effect"]
+    clean = [c for c in cases if c.label["group"] in ("none", "parameters")]
+    rows = [
+        _share(f"kind and site, gap-to-noise {s:g}", at, lambda c: c.hit, target)
+        for s, target in ((10.0, ">= 90 %"), (3.0, ">= 80 %"), (1.0, ""))
+        for at in [[c for c in single if c.label["severity"] == s]]
+    ]
+    pairs = [c for c in cases if c.label["group"] == "pair"]
+    rows.append(_share("two effects, both and no other", pairs, lambda c: c.hit, ""))
+    rows.append(_share("two effects, first named is one of them", pairs, lambda c: c.is_right(c.first), ""))
+    for group in ("none", "parameters"):
+        some = [c for c in clean if c.label["group"] == group]
+        rows.append(_share(f"false alarms, {group}", some, _alarm, ""))
+    rows.append(_share("false alarms, both", clean, _alarm, "<= 3 %"))
+    shown = [c for c in single if c.label["severity"] >= 3 and c.said in ("effect", "ambiguous")]
+    rows.append(_share("class holds the truth", shown, lambda c: any(map(c.is_right, c.members)), ">= 95 %"))
+    sizes = [len(c.members) for c in shown]
+    rows.append(("mean size of a class", f"{mean(sizes):.2f}" if sizes else "-", "<= 2"))
+    strange = [c for c in cases if c.label["group"] == "unknown"]
+    rows.append(_share("unknown recognised", strange, lambda c: c.said == "unknown", ">= 80 %"))
+    rows.append(_closed(shown))
+    rows += _times(cases)
+    rows.append(_share("no verdict", cases, lambda c: c.said == "failed", "0 %"))
+    return rows
+
+
+def by(cases: Sequence[Scored], key: Callable[[Scored], str]) -> list[tuple[str, str, str]]:
+    """Return the share of right kind and site of single effects at gap-to-noise 3 and 10, by a key."""
+    single = [c for c in cases if c.label["group"] == "effect" and c.label["severity"] >= 3]
+    return [
+        _share(name, [c for c in single if key(c) == name], lambda c: c.hit, "")
+        for name in sorted({*map(key, single)})
+    ]
+
+
+def read(folder: Path, verdict: str = "verdict.json") -> list[Scored]:
+    """Open the labels and return all cases that were run."""
+    labels = unseal(folder)
+    cases = []
+    for name, label in labels.items():
+        case = folder / "cases" / name
+        note = _json(case / verdict.replace(".json", ".run.json"))
+        if note or (case / verdict).exists():
+            oracle = _json(case / "oracle.json").get("closed")
+            cases.append(Scored(label, _json(case / verdict), note.get("seconds"), oracle))
+    return cases
+
+
+def show(title: str, rows: Sequence[tuple[str, str, str]]) -> None:
+    """Print rows under a title."""
+    print(f"\n{title}")
+    for measure, figure, target in rows:
+        print(f"  {measure:42} {figure:34} {target}")
+
+
+def _alarm(case: Scored) -> bool:
+    return case.said in ("effect", "ambiguous", "unknown")
+
+
+def _answer(effect: dict[str, Any]) -> Answer:
+    return str(effect.get("kind")), str(effect.get("site"))
+
+
+def _share(
+    measure: str, cases: Sequence[Scored], hit: Callable[[Scored], bool], target: str
+) -> tuple[str, str, str]:
+    hits = sum(hit(c) for c in cases)
+    if not cases:
+        return measure, "-", target
+    low, high = wilson(hits, len(cases))
+    figure = f"{hits / len(cases):6.1%}  [{low:.1%}, {high:.1%}]  {hits}/{len(cases)}"
+    return measure, figure, target
+
+
+def _closed(cases: Sequence[Scored]) -> tuple[str, str, str]:
+    """Compare with what refitting the true effect closes, or with all of the gap where that is not known."""
+    pairs = [(c.verdict.get("closed"), c.oracle or 1.0) for c in cases]
+    shares = [float(closed) / oracle for closed, oracle in pairs if closed is not None]
+    figure = f"median {median(shares):.3f}, mean {mean(shares):.3f}, {len(shares)} cases" if shares else "-"
+    return "closed, over refitting the true effect", figure, ">= 0.9"
+
+
+def _times(cases: Sequence[Scored]) -> list[tuple[str, str, str]]:
+    rows = []
+    for rig in sorted({c.label["rig"] for c in cases}):
+        seconds = [c.seconds for c in cases if c.label["rig"] == rig and c.seconds is not None]
+        figure = f"median {median(seconds):.1f} s, most {max(seconds):.1f} s" if seconds else "-"
+        rows.append((f"run time, {rig}", figure, "< 60 s" if rig == "pfi" else ""))
+    return rows
+
+
+def _json(path: Path) -> dict[str, Any]:
+    return json.loads(path.read_text()) if path.exists() else {}
+
+
+def main(arguments: Sequence[str] | None = None) -> None:
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawTextHelpFormatter)
+    parser.add_argument("folder", type=Path)
+    given = parser.parse_args(arguments)
+    report(given.folder)
+
+
+def report(folder: Path) -> None:
+    """Print the table of a set, of the diagnosis and of every baseline that was run."""
+    cases = read(folder)
+    show(f"diagnosis, {len(cases)} cases", table(cases))
+    show("kind and site by kind, gap-to-noise 3 and 10", by(cases, lambda c: c.label["effects"][0]["kind"]))
+    show("kind and site by topology, gap-to-noise 3 and 10", by(cases, lambda c: c.label["rig"]))
+    names = sorted({path.name for path in folder.glob("cases/*/baseline_*.json")} - {"verdict.json"})
+    for name in (n for n in names if not n.endswith(".run.json")):
+        baseline = read(folder, name)
+        show(f"{name[:-5].replace('_', ' ')}, {len(baseline)} cases", table(baseline))
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,71 @@
+"""How large an effect must be for a gap-to-noise ratio, the gap being what parameters cannot explain."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+import numpy as np
+from assembly import Rig, Values
+from effects import Effect, Sized, Typical, first_guess, signals
+from excitations import STEP
+from stepper import Array, Drive
+
+PRIOR = 0.2
+COARSE = 2
+
+
+class Scale:
+    """Measures gaps on some records of a rig with given parameters, in units of each channel's noise.
+
+    It steps at 10 kHz, which is enough for a size.
+    """
+
+    def __init__(
+        self, rig: Rig, values: Values, drives: list[Drive], typical: Mapping[str, Typical], noise: float
+    ) -> None:
+        self.rig, self.values, self.typical = rig, values, typical
+        self.drives = [Drive(*(x[::COARSE] for x in (d.u, d.w, d.wd, d.wdd))) for d in drives]
+        clean = self._seen(values, [])
+        self.noise = noise * np.sqrt(np.mean(np.concatenate(clean) ** 2, axis=0))
+        self.signal = 1 / noise
+        self._clean = self._scaled(clean)
+        self._projector = self._explained()
+
+    def gap(self, effects: list[Sized]) -> tuple[float, float]:
+        """Return rms of the change over noise, what parameters can explain taken off, and before it was."""
+        change = self._scaled(self._seen(self.values, effects)) - self._clean
+        left = change - self._slopes @ (self._projector @ change)
+        return tuple(float(np.sqrt(np.mean(x**2))) for x in (left, change))  # type: ignore[return-value]
+
+    def size(self, effect: Effect, severity: float) -> float | None:
+        """Return the size that makes a gap of `severity`, None if the rig would change beyond likeness."""
+        size = first_guess(effect, self.rig, self.drives[0], COARSE * STEP)
+        for _ in range(9):
+            gap, change = self.gap([(effect, size)])
+            if not np.isfinite(gap) or change > 0.6 * max(self.signal, 3 * severity):
+                return None
+            if abs(gap / severity - 1) < 0.1:
+                return size
+            size *= float(np.clip(severity / max(gap, 1e-12), 0.1, 10))
+        return None
+
+    def _seen(self, values: Values, effects: list[Sized]) -> list[Array]:
+        step = COARSE * STEP
+        every = round(1e-3 / step)
+        return [
+            signals(self.rig, values, drive, effects, self.typical, step)[::every, 1:]
+            for drive in self.drives
+        ]
+
+    def _scaled(self, seen: list[Array]) -> Array:
+        return np.concatenate([(y / self.noise).ravel() for y in seen])
+
+    def _explained(self) -> Array:
+        """Return what maps a change to the relative changes of parameters that explain it best."""
+        slopes = []
+        for name, value in self.values.items():
+            moved = self._scaled(self._seen({**self.values, name: 1.01 * value}, []))
+            slopes.append((moved - self._clean) / 0.01)
+        self._slopes = np.column_stack(slopes)
+        normal = self._slopes.T @ self._slopes + np.eye(len(slopes)) / PRIOR**2
+        return np.asarray(np.linalg.solve(normal, self._slopes.T))

@@ -1,0 +1,66 @@
+"""`inertance fit`: estimate the parameters of a campaign."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Annotated
+
+import typer
+from rich.console import Console
+
+from ..components import ModelError
+from ..identification import Campaign, Fit
+from ..identification import fit as fitted
+from .failure import FAILED, WRONG_USE, fail, failing
+
+EXAMPLES = """\b
+Examples:
+  inertance fit campaign.toml
+  inertance fit campaign.toml --json fit.json --plot fit.png
+  inertance fit campaign.toml --starts 8 --workers 2
+
+campaign.toml says which model, channels, parameters and records: see docs/identification.md.
+Ctrl-C ends the fit and keeps the best parameters until then."""
+
+
+def fit(
+    campaign: Annotated[Path, typer.Argument(metavar="CAMPAIGN", help="The TOML file of the campaign.")],
+    json: Annotated[Path | None, typer.Option(help="Write values, errors and warnings to a file.")] = None,
+    plot: Annotated[Path | None, typer.Option(help="Draw measured and predicted into a .png.")] = None,
+    channel: Annotated[str | None, typer.Option(help="The channel to draw; the first output.")] = None,
+    starts: Annotated[int, typer.Option(min=1, help="Number of starts, drawn from the priors.")] = 1,
+    workers: Annotated[int, typer.Option(min=1, help="Processes for the starts.")] = 1,
+    solver: Annotated[str, typer.Option(help="auto, cvodes, idas, rosenbrock or compiled.")] = "auto",
+) -> None:
+    """Fit the uncertain parameters of a campaign to its training records."""
+    for path in (json, plot):
+        if path is not None and not path.parent.is_dir():
+            fail(f"there is no folder '{path.parent}' to write '{path.name}' into", WRONG_USE)
+    with failing(WRONG_USE, ModelError):
+        read = Campaign.load(campaign)
+    if channel is not None and channel not in read.outputs:
+        fail(f"there is no output channel '{channel}'; there are {', '.join(read.outputs)}", WRONG_USE)
+    found = _fitted(read, starts, workers, solver)
+    typer.echo(found.table())
+    if json is not None:
+        typer.echo(f"wrote {found.to_json(json)}")
+    if plot is not None:
+        found.plot(channel).savefig(plot, dpi=120)
+        typer.echo(f"wrote {plot}")
+    if any(stage.optimum.ended == "interrupted" for stage in found.stages):
+        raise typer.Exit(FAILED)
+
+
+def _fitted(campaign: Campaign, starts: int, workers: int, solver: str) -> Fit:
+    with Console(stderr=True).status("Fitting ...") as status:
+
+        def report(line: str) -> None:
+            status.update(f"Fitting: {line}")
+
+        if workers == 1 or starts == 1:
+            return fitted(campaign, starts=starts, solver=solver, report=report)
+        from concurrent.futures import ProcessPoolExecutor
+        from multiprocessing import get_context
+
+        with ProcessPoolExecutor(workers, mp_context=get_context("spawn")) as executor:
+            return fitted(campaign, starts=starts, executor=executor, solver=solver, report=report)

@@ -1,0 +1,11 @@
+"""Where measured data and a model part, and which missing effect parts them."""
+
+from . import across as across
+from . import channels as channels
+from . import series as series
+from .effects import Effect as Effect
+from .effects import register as register
+from .search import diagnose as diagnose
+from .verdict import Gap as Gap
+from .verdict import Ranked as Ranked
+from .verdict import Verdict as Verdict

@@ -1,0 +1,28 @@
+"""What a verdict rests on."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from ..identification import Campaign
+from .refit import Refit
+from .screening import Candidate
+
+
+@dataclass(frozen=True, eq=False)
+class Evidence:
+    """The records, and the models held against them.
+
+    Attributes:
+        campaign: records, channels, priors.
+        nominal: the model as given.
+        refit: its parameters fitted.
+        after: with the effects as well; the same as `refit` if none was accepted.
+        screened: every effect at every site, with what it would explain.
+    """
+
+    campaign: Campaign
+    nominal: Refit
+    refit: Refit
+    after: Refit
+    screened: tuple[Candidate, ...] = ()

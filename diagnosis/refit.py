@@ -1,0 +1,272 @@
+"""Refit: uncertain parameters and effects fitted together to the training records."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..components import SimulationError
+from ..identification import Accuracy, Campaign, Experiment, Prediction, Stand
+from ..networks import DAE, Network, Variations
+from .placed import Placed, driven, sensed, with_effects
+
+Array = NDArray[np.float64]
+WORST = 1e6  # residual, in units of noise, that stands for a run which fails
+ROUNDS = 12
+
+
+@dataclass(frozen=True, eq=False)
+class Refit:
+    """A model fitted to the training records.
+
+    Attributes:
+        parameters: the network's uncertain parameters, fitted.
+        effects: the effects in it, fitted.
+        train, test: weighted residuals of each record, each a dictionary by channel.
+        cost: sum of squares of the training residuals and the priors.
+    """
+
+    parameters: dict[str, float]
+    effects: tuple[Placed, ...]
+    train: list[dict[str, Array]]
+    test: list[dict[str, Array]]
+    cost: float
+
+    @property
+    def test_cost(self) -> float:
+        """Sum of squares of the test residuals."""
+        return float(sum(r @ r for record in self.test for r in record.values()))
+
+
+class Joint:
+    """Parameters and effects as one vector, in units of what they may be expected to be."""
+
+    def __init__(
+        self, campaign: Campaign, network: Network, parameters: Mapping[str, float], effects: Sequence[Placed]
+    ) -> None:
+        self.campaign, self.effects = campaign, tuple(effects)
+        self.dae: DAE = with_effects(network, effects).dae()
+        self.names = list(parameters)
+        self.sigma = {name: floor.sigma for name, floor in campaign.floors.items()}
+        priors = [campaign.priors[name] for name in self.names]
+        self.center = np.array([prior.center for prior in priors])
+        self.scale = np.array([prior.scale for prior in priors])
+        self.pull = np.array([1.0 if np.isfinite(prior.sd) else 0.0 for prior in priors])
+        self.sizes = [_scales(placed) for placed in self.effects]
+        self.start = np.concatenate(
+            [
+                (np.array([parameters[n] for n in self.names]) - self.center) / self.scale,
+                *[
+                    np.array([p.values[q.name] for q in p.quantities]) / s
+                    for p, s in zip(self.effects, self.sizes, strict=True)
+                ],
+            ]
+        )
+        low = [(prior.min - prior.center) / prior.scale for prior in priors]
+        high = [(prior.max - prior.center) / prior.scale for prior in priors]
+        lows = [1e-3 if q.shape else q.low for p in self.effects for q in p.quantities]
+        self.bounds = np.array([*low, *lows]), np.array([*high, *[np.inf] * len(lows)])
+        paths = [path for placed in self.effects for path in placed.network_parameters]
+        outputs = [c.path for c in campaign.measured.values() if not c.driven]
+        self.variations = Variations(self.dae, [*outputs, *self.dae.state_names], [*self.names, *paths])
+        self.stands = {id(e): self._stand(e) for e in campaign.experiments}
+
+    def _stand(self, experiment: Experiment) -> Stand:
+        return Stand(self.dae, experiment, self.campaign.measured, self.variations)
+
+    def unpacked(self, vector: Array) -> tuple[dict[str, float], tuple[Placed, ...]]:
+        """Return parameters and effects of a vector."""
+        count = len(self.names)
+        values = self.center + vector[:count] * self.scale
+        placed, at = [], count
+        for effect, size in zip(self.effects, self.sizes, strict=True):
+            placed.append(effect.with_values(vector[at : at + len(size)] * size))
+            at += len(size)
+        return dict(zip(self.names, values.tolist(), strict=True)), tuple(placed)
+
+    def linearise(
+        self, vector: Array, experiment: Experiment, accuracy: Accuracy, slopes: bool
+    ) -> tuple[dict[str, Array], Array]:
+        """Return the weighted residual of a record by channel, and its slopes in the vector."""
+        parameters, effects = self.unpacked(vector)
+        given = {**parameters}
+        for placed in effects:
+            given |= placed.network_parameters
+        stand = self._driven(experiment, effects)
+        start = None if experiment.initial == "rest" else stand.rest(given, accuracy)
+        found = stand.run(given, start, accuracy, slopes)
+        values = {name: sensed(found.time, name, found.values[name], effects) for name in found.values}
+        record = experiment.record
+        residuals = {n: (record.values[n] - values[n]) / self.sigma[n] for n in values}
+        if not slopes:
+            return residuals, np.zeros((0, 0))
+        columns = self._slopes(vector, found, effects, experiment, given, accuracy)
+        free = experiment.initial == "fit"
+        to_start = np.concatenate([found.start_slopes[n] / self.sigma[n] for n in values]) if free else None
+        return _freed(residuals, columns, to_start)
+
+    def _driven(self, experiment: Experiment, effects: Sequence[Placed]) -> Stand:
+        """Return the stand of a record, its inputs as the actuators pass them on."""
+        if any(placed.effect.kind.startswith("actuator") for placed in effects):
+            return self._stand(driven(experiment, effects))
+        return self.stands[id(experiment)]
+
+    def _slopes(
+        self,
+        vector: Array,
+        found: Prediction,
+        effects: Sequence[Placed],
+        experiment: Experiment,
+        given: Mapping[str, float],
+        accuracy: Accuracy,
+    ) -> Array:
+        """Return d(weighted prediction)/d(vector), channels one below the other."""
+        rows = {name: _sensed_slopes(found, name, effects) for name in found.values}
+        count = len(self.names)
+        blocks = []
+        for name, row in rows.items():
+            parts = [row[:, :count] * self.scale]
+            at = count
+            for placed, size in zip(effects, self.sizes, strict=True):
+                paths = len(placed.network_parameters)
+                if paths:
+                    parts.append(row[:, at : at + paths] @ (placed.slopes(size) * size))
+                else:
+                    parts.append(
+                        self._channel_slopes(found, name, placed, effects, size, experiment, given, accuracy)
+                    )
+                at += paths
+            blocks.append(np.hstack(parts) / self.sigma[name])
+        return np.concatenate(blocks)
+
+    def _channel_slopes(
+        self,
+        found: Prediction,
+        name: str,
+        placed: Placed,
+        effects: Sequence[Placed],
+        size: Array,
+        experiment: Experiment,
+        given: Mapping[str, float],
+        accuracy: Accuracy,
+    ) -> Array:
+        """Return how a channel's prediction changes with an effect on a channel, by differences."""
+        base = sensed(found.time, name, found.values[name], effects)
+        values = np.array([placed.values[q.name] for q in placed.quantities])
+        columns = []
+        for i, scale in enumerate(size):
+            step = 1e-3 * scale
+            moved = values.copy()
+            moved[i] += step
+            changed = [placed.with_values(moved) if p is placed else p for p in effects]
+            if placed.effect.kind.startswith("actuator"):
+                again = self._driven(experiment, changed).run(given, None, accuracy, False)
+                other = sensed(found.time, name, again.values[name], changed)
+            else:
+                other = sensed(found.time, name, found.values[name], changed)
+            columns.append((other - base) / step * scale)
+        return np.column_stack(columns)
+
+
+def refit(
+    campaign: Campaign,
+    network: Network,
+    parameters: Mapping[str, float],
+    effects: Sequence[Placed] = (),
+    accuracy: Accuracy | None = None,
+    rounds: int = ROUNDS,
+) -> Refit:
+    """Fit parameters and effects to the training records and hold them against the test records.
+
+    Args:
+        campaign: records, priors, noise.
+        network: the nominal model, without effects.
+        parameters: values of the uncertain parameters to start from.
+        effects: effects to insert, with values to start from.
+        accuracy: solver and tolerances.
+        rounds: most evaluations.
+    """
+    from scipy.optimize import least_squares
+
+    accuracy = accuracy or Accuracy()
+    joint = Joint(campaign, network, parameters, effects)
+    known: dict[bytes, tuple[Array, Array]] = {}
+
+    def evaluate(vector: Array) -> tuple[Array, Array]:
+        key = vector.tobytes()
+        if key not in known:
+            known.clear()
+            known[key] = _stacked(joint, vector, accuracy)
+        return known[key]
+
+    low, high = joint.bounds
+    start = np.clip(joint.start, low + 1e-9, high - 1e-9)
+
+    def residual(vector: Array) -> Array:
+        return evaluate(vector)[0]
+
+    def slopes(vector: Array) -> Array:
+        return evaluate(vector)[1]
+
+    found = least_squares(
+        residual,
+        start,
+        jac=slopes,
+        bounds=(low, high),
+        max_nfev=rounds,
+        ftol=1e-5,
+        xtol=1e-5,
+    )
+    fitted, placed = joint.unpacked(found.x)
+    train = [joint.linearise(found.x, e, accuracy, True)[0] for e in campaign.training]
+    test = [joint.linearise(found.x, e, accuracy, True)[0] for e in campaign.testing]
+    return Refit(fitted, placed, train, test, 2 * float(found.cost))
+
+
+def _stacked(joint: Joint, vector: Array, accuracy: Accuracy) -> tuple[Array, Array]:
+    """Return residuals of all training records and of the priors, and their slopes."""
+    residuals, slopes = [], []
+    try:
+        for experiment in joint.campaign.training:
+            found, columns = joint.linearise(vector, experiment, accuracy, True)
+            residuals += list(found.values())
+            slopes.append(-columns)
+    except SimulationError:
+        count = sum(len(e.record.time) * len(joint.sigma) for e in joint.campaign.training)
+        residuals, slopes = [np.full(count, WORST)], [np.zeros((count, len(vector)))]
+    count = len(joint.names)
+    residuals.append(joint.pull * vector[:count])
+    slopes.append(np.eye(count, len(vector)) * joint.pull[:, None])
+    return np.concatenate(residuals), np.concatenate(slopes)
+
+
+def _sensed_slopes(found: Prediction, name: str, effects: Sequence[Placed]) -> Array:
+    """Return slopes of a channel as its sensor passes them on; sensors are linear but for a constant."""
+    slopes = found.slopes[name]
+    nothing = sensed(found.time, name, np.zeros(len(found.time)), effects)
+    if not any(placed.site.path == name for placed in effects):
+        return slopes
+    return np.column_stack([sensed(found.time, name, column, effects) - nothing for column in slopes.T])
+
+
+def _freed(
+    residuals: dict[str, Array], columns: Array, to_start: Array | None
+) -> tuple[dict[str, Array], Array]:
+    """Take off what start values can explain."""
+    if to_start is None:
+        return residuals, columns
+    stacked = np.concatenate(list(residuals.values()))
+    both = np.column_stack([stacked, columns])
+    left = both - to_start @ np.linalg.lstsq(to_start, both, rcond=1e-8)[0]
+    parts = np.split(left[:, 0], np.cumsum([len(r) for r in residuals.values()])[:-1])
+    return dict(zip(residuals, parts, strict=True)), left[:, 1:]
+
+
+def _scales(placed: Placed) -> Array:
+    """Return what each quantity may be expected to be: its value, or a trifle where it is zero."""
+    values = np.array([placed.values[q.name] for q in placed.quantities], dtype=float)
+    largest = float(np.abs(values).max()) or 1.0
+    return np.where(np.abs(values) > 1e-3 * largest, np.abs(values), 1e-1 * largest)

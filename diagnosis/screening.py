@@ -1,0 +1,217 @@
+"""Screening: what each effect at each site would explain of the residual, from one linear response each.
+
+With residual r, slopes J of the uncertain parameters (in units of their prior standard deviation) and
+signature G of an effect, all in units of noise, the score is the drop of
+
+    |r - J p - G a|^2 + |p|^2
+
+by sizes a on their physical side. It is the one-sided Lagrange multiplier test, with priors.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass, field, replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..identification import Accuracy, Campaign
+from ..networks import Network
+from .effects import EFFECTS, Effect, Motion
+from .placed import Placed, with_effects
+from .probes import motion_at, probed, scaled
+from .sight import Sight
+from .sites import Site, sites_of
+
+Array = NDArray[np.float64]
+FREE = 10.0  # how far, in its own size, an effect that was found may still change
+
+
+@dataclass(frozen=True)
+class Candidate:
+    """An effect at a site (or on a channel) with the values that explain most.
+
+    Attributes:
+        gain: drop of the squared residual, in units of noise, over what the nominal parameters can do.
+        share: what is left of its signature once the parameters' slopes are taken off, 0 to 1.
+    """
+
+    effect: Effect
+    site: Site
+    values: dict[str, float]
+    gain: float
+    share: float
+
+    @property
+    def label(self) -> str:
+        """Kind and site."""
+        return f"{self.effect.kind} at {self.site.path}"
+
+
+@dataclass(eq=False)
+class _Tally:
+    """Sums over records for one effect, site and shape."""
+
+    effect: Effect
+    site: Site
+    shape: dict[str, float]
+    own: Array
+    crossed: Array
+    seen: Array
+
+
+@dataclass(eq=False)
+class _Sums:
+    """Sums over records that all candidates share, and theirs."""
+
+    count: int
+    slopes: Array = field(init=False)
+    residual: Array = field(init=False)
+    tallies: dict[tuple[str, str, tuple[float, ...]], _Tally] = field(default_factory=dict)
+
+    def __post_init__(self) -> None:
+        self.slopes, self.residual = np.zeros((self.count, self.count)), np.zeros(self.count)
+
+
+def screen(
+    campaign: Campaign,
+    network: Network,
+    parameters: Mapping[str, float],
+    effects: Sequence[Placed] = (),
+    accuracy: Accuracy | None = None,
+) -> list[Candidate]:
+    """Return candidates, the most explaining first.
+
+    Args:
+        campaign: records, channels, priors, noise.
+        network: the nominal model.
+        parameters: its uncertain parameters, refitted.
+        effects: what has been found already.
+        accuracy: solver and tolerances.
+    """
+    sites = sites_of(network)
+    dae = probed(with_effects(network, effects), sites).dae()
+    found = {name: value for placed in effects for name, value in placed.network_parameters.items()}
+    names = [*parameters, *found]
+    sigma = {name: floor.sigma for name, floor in campaign.floors.items()}
+    given, accuracy = {**parameters, **found}, accuracy or Accuracy()
+    sights = [
+        Sight(dae, e, campaign.measured, sigma, given, names, effects, accuracy) for e in campaign.training
+    ]
+    motions = [[motion_at(sight.run, number, site) for sight in sights] for number, site in enumerate(sites)]
+    sites = [scaled(site, moved) for site, moved in zip(sites, motions, strict=True)]
+    deviations = [campaign.priors[name].scale for name in parameters]
+    deviations += [FREE * (abs(value) or 1.0) for value in found.values()]
+    sums = _Sums(len(names))
+    for index, sight in enumerate(sights):
+        slopes = sight.slopes * np.array(deviations)
+        _add(sums, sight, slopes, sites, [moved[index] for moved in motions], motions)
+    return sorted(_scored(sums), key=lambda candidate: -candidate.gain)
+
+
+def _add(
+    sums: _Sums,
+    sight: Sight,
+    slopes: Array,
+    sites: Sequence[Site],
+    moved: Sequence[Motion],
+    motions: Sequence[Sequence[Motion]],
+) -> None:
+    """Add what one record says of every candidate."""
+    residual = sight.residual
+    sums.slopes += slopes.T @ slopes
+    sums.residual += slopes.T @ residual
+
+    def count(effect: Effect, site: Site, shape: dict[str, float], own: Array) -> None:
+        key = effect.kind, site.path, tuple(shape.values())
+        parts = own.T @ own, own.T @ slopes, own.T @ residual
+        empty = (np.zeros_like(part) for part in parts)
+        tally = sums.tallies.setdefault(key, _Tally(effect, site, shape, *empty))
+        tally.own += parts[0]
+        tally.crossed += parts[1]
+        tally.seen += parts[2]
+
+    for number, site in enumerate(sites):
+        for probe in ("push", "stretch"):
+            found = list(_forces(site, moved[number], motions[number], probe))
+            if found:
+                columns = sight.to_inputs({f"{probe}_{number}.u": np.hstack([c for _, _, c in found])})
+                ends = np.cumsum([c.shape[1] for _, _, c in found])[:-1]
+                for (effect, shape, _), own in zip(found, np.split(columns, ends, axis=1), strict=True):
+                    count(effect, site, shape, own)
+    for effect, site, own in _channel_changes(sight):
+        count(effect, site, {}, own)
+
+
+def _forces(
+    site: Site, motion: Motion, motions: Sequence[Motion], probe: str
+) -> Iterator[tuple[Effect, dict[str, float], Array]]:
+    """Yield, for each effect and shape, the force or stretch of a unit of each size at a site."""
+    widest = max(motions, key=lambda m: m.travel)
+    at_rest = replace(motion, s=motion.s - site.rest)
+    for effect in EFFECTS.values():
+        stretched = effect.place == "series"
+        if effect.basis is None or effect.place not in site.places or stretched != (probe == "stretch"):
+            continue
+        if not motion.travel:
+            continue
+        names = [q.name for q in effect.quantities[site.domain] if q.shape]
+        about = motion if effect.kind == "position_ripple" else at_rest
+        for shape in effect.shapes(widest):
+            columns = np.column_stack(effect.basis(about, shape))
+            yield effect, dict(zip(names, shape.values(), strict=True)), columns
+
+
+def _channel_changes(sight: Sight) -> Iterator[tuple[Effect, Site, Array]]:
+    """Yield what a small effect on each channel changes, per unit of its size."""
+    time = sight.record.time
+    for effect in EFFECTS.values():
+        if effect.change is None:
+            continue
+        driven = effect.kind.startswith("actuator")
+        quantity = effect.quantities["channel"][0]
+        for name, path in (sight.inputs if driven else sight.outputs).items():
+            signal = sight.record.values[name] if driven else sight.predicted[name]
+            small = {"s": 1 / sight.record.rate, "unit": 0.01 * float(np.ptp(signal))}.get(quantity.unit, 1.0)
+            change = (effect.change(time, signal, {quantity.name: small}) - signal) / small
+            site = Site(name, "channel", path, "", frozenset({"channel"}))
+            if driven:
+                given = np.interp(sight.run.time, time, change)[:, None]
+                yield effect, site, sight.to_inputs({path: given})
+            else:
+                yield effect, site, sight.to_output(name, change)
+
+
+def _scored(sums: _Sums) -> Iterator[Candidate]:
+    """Yield the best shape of each effect at each site."""
+    prior = np.linalg.inv(sums.slopes + np.eye(sums.count)) if sums.count else np.zeros((0, 0))
+    best: dict[tuple[str, str], Candidate] = {}
+    for (kind, path, _), tally in sums.tallies.items():
+        matrix = tally.own - tally.crossed @ prior @ tally.crossed.T
+        seen = tally.seen - tally.crossed @ prior @ sums.residual
+        sizes = tally.effect.sizes(tally.site.domain)
+        values, gain = _least(matrix, seen, np.array([q.low for q in sizes]))
+        size = np.trace(tally.own)
+        share = float(np.trace(matrix) / size) if size > 0 else 0.0
+        chosen = dict(zip([q.name for q in sizes], values.tolist(), strict=True)) | tally.shape
+        candidate = Candidate(tally.effect, tally.site, chosen, gain, share)
+        if (kind, path) not in best or gain > best[kind, path].gain:
+            best[kind, path] = candidate
+    yield from best.values()
+
+
+def _least(matrix: Array, seen: Array, low: Array) -> tuple[Array, float]:
+    """Return sizes a that minimise a'Ma - 2 a'c above their lower bounds, and the drop."""
+    from scipy.optimize import lsq_linear
+
+    scale = np.sqrt(np.maximum(np.diag(matrix), 1e-300))
+    strength, vectors = np.linalg.eigh(matrix / np.outer(scale, scale))
+    kept = strength > 1e-9
+    root = np.sqrt(strength[kept])[:, None] * vectors[:, kept].T
+    wanted = (vectors[:, kept].T @ (seen / scale)) / np.sqrt(strength[kept])
+    bounds = np.where(np.isfinite(low), 0.0, -np.inf), np.full(len(low), np.inf)
+    found = lsq_linear(root, wanted, bounds) if kept.any() else None
+    if found is None:
+        return np.zeros(len(low)), 0.0
+    return found.x / scale, float(wanted @ wanted - 2 * found.cost)

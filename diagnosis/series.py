@@ -1,0 +1,90 @@
+"""Effects in series with a site, or at its node: play, compliance, inertia."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from .. import components as ia
+from ..components import rotational
+from ..networks import parallel
+from .edits import Add, Connect, Edit, Insert
+from .effects import Array, Effect, Motion, Values, both, register
+from .sites import Site
+
+STIFF = 1e-3  # travel of a site over the deflection of a stop under its largest force
+FAST = 1e-4  # s, in which a stop or a compliance settles
+TINY = 1e-15  # least compliance
+SHARP = 0.02  # force at which play is taken up, over the largest
+LEAK = 1e-3  # damping inside a clearance over damping of its stops
+
+
+def _play(site: Site, name: str, values: Values) -> list[Edit]:
+    stiffness = site.force / (STIFF * site.travel)
+    damping = FAST * stiffness
+    if site.domain == "rotational":
+        gap = rotational.ElastoBacklash(c=stiffness, d=damping, b=2 * values["eps"])
+        element = parallel(gap=gap, oil=rotational.Damper(d=LEAK * damping))
+    else:
+        stops = ia.Backlash(k=stiffness, d=damping, eps=values["eps"])
+        element = parallel(gap=stops, oil=ia.Damper(d=LEAK * damping))
+    return [Insert(site.moving, name, element)]
+
+
+def _yielding(site: Site, name: str, values: Values) -> list[Edit]:
+    value = 1 / max(values["compliance"], TINY)
+    turning = site.domain == "rotational"
+    spring = (
+        rotational.SpringDamper(c=value, d=FAST * value)
+        if turning
+        else ia.SpringDamper(k=value, d=FAST * value)
+    )
+    return [Insert(site.moving, name, spring)]
+
+
+def _inertia(site: Site, name: str, values: Values) -> list[Edit]:
+    turning = site.domain == "rotational"
+    inertia = rotational.Inertia(**values) if turning else ia.Mass(**values)
+    return [Add(name, inertia), Connect((f"{name}.flange", site.moving))]
+
+
+def _play_parameters(site: Site, name: str, values: Values) -> dict[str, float]:
+    width = {"b": 2 * values["eps"]} if site.domain == "rotational" else {"eps": values["eps"]}
+    return {f"{name}.gap.{key}": value for key, value in width.items()}
+
+
+def _yield_parameters(site: Site, name: str, values: Values) -> dict[str, float]:
+    stiffness = "c" if site.domain == "rotational" else "k"
+    value = 1 / max(values["compliance"], TINY)
+    return {f"{name}.{stiffness}": value, f"{name}.d": FAST * value}
+
+
+def _taken_up(motion: Motion, _: Values) -> list[Array]:
+    """Return where play lies: on the side to which the force presses."""
+    return [np.tanh(motion.f / (SHARP * float(np.abs(motion.f).max())))]
+
+
+BACKLASH = register(
+    Effect(
+        "backlash",
+        "series",
+        both(eps=(("eps", "m"), ("eps", "rad"))),
+        _play,
+        _taken_up,
+        parameters=_play_parameters,
+    )
+)
+COMPLIANCE = register(
+    Effect(
+        "compliance",
+        "series",
+        both(compliance=(("compliance", "m/N"), ("compliance", "rad/(N.m)"))),
+        _yielding,
+        lambda motion, _: [motion.f],
+        parameters=_yield_parameters,
+    )
+)
+INERTIA = register(
+    Effect(
+        "added_inertia", "node", both(m=(("m", "kg"), ("J", "kg.m2"))), _inertia, lambda motion, _: [motion.a]
+    )
+)

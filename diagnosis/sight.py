@@ -1,0 +1,81 @@
+"""A record as the nominal model sees it: residual, slopes, and the answer to small changes anywhere."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..identification import Accuracy, Channel, Experiment, Stand
+from ..networks import DAE, Variations
+from .placed import Placed, driven, sensed
+
+Array = NDArray[np.float64]
+
+
+class Sight:
+    """One record beside a prediction, in units of noise, with what its start can explain taken off.
+
+    Args:
+        dae: the model, which may have probes.
+        experiment: the record.
+        channels: what is measured.
+        sigma: noise of each output channel.
+        parameters: values to run with; `names` are those in which slopes are wanted.
+        effects: what has been found on channels.
+        accuracy: solver and tolerances.
+    """
+
+    def __init__(
+        self,
+        dae: DAE,
+        experiment: Experiment,
+        channels: Mapping[str, Channel],
+        sigma: Mapping[str, float],
+        parameters: Mapping[str, float],
+        names: Sequence[str],
+        effects: Sequence[Placed],
+        accuracy: Accuracy,
+    ) -> None:
+        self.outputs = {name: c.path for name, c in channels.items() if not c.driven}
+        self.inputs = {name: c.path for name, c in channels.items() if c.driven}
+        self.sigma, self.record = sigma, experiment.record
+        variations = Variations(dae, [*self.outputs.values(), *dae.state_names], names)
+        stand = Stand(dae, driven(experiment, effects), channels, variations)
+        start = None if experiment.initial == "rest" else stand.rest(parameters, accuracy)
+        found = stand.run(parameters, start, accuracy)
+        self.run = found.run
+        self.predicted = {n: sensed(found.time, n, v, effects) for n, v in found.values.items()}
+        free = np.concatenate([found.start_slopes[n] / sigma[n] for n in self.outputs])
+        self._basis = _orthonormal(free if experiment.initial == "fit" else free[:, :0])
+        missed = [(self.record.values[n] - self.predicted[n]) / sigma[n] for n in self.outputs]
+        self.residual = self.off(np.concatenate(missed))
+        self.slopes = self.off(np.concatenate([found.slopes[n] / sigma[n] for n in self.outputs]))
+        self._variations = variations
+        time, step = self.record.time, 1 / self.record.rate
+        self._at = np.searchsorted(self.run.time, time + 1e-3 * step, side="right") - 1
+
+    def off(self, columns: Array) -> Array:
+        """Take off what the start values can explain."""
+        left: Array = columns - self._basis @ (self._basis.T @ columns)
+        return left
+
+    def to_inputs(self, changes: Mapping[str, Array]) -> Array:
+        """Return what changes of inputs, given at the points of the run, change in the outputs."""
+        moved = self._variations.pushed(self.run, changes)[self._at]
+        weighted = [moved[:, n] / self.sigma[name] for n, name in enumerate(self.outputs)]
+        return self.off(np.concatenate(weighted))
+
+    def to_output(self, channel: str, change: Array) -> Array:
+        """Return a change of one output channel, given at the instants of the record, as a column."""
+        parts = [change / self.sigma[n] if n == channel else np.zeros(len(change)) for n in self.outputs]
+        return self.off(np.concatenate(parts)[:, None])
+
+
+def _orthonormal(columns: Array) -> Array:
+    if not columns.shape[1]:
+        return columns
+    left, strength, _ = np.linalg.svd(columns / np.maximum(np.linalg.norm(columns, axis=0), 1e-300), False)
+    kept: Array = left[:, strength > 1e-8 * strength.max()]
+    return kept

@@ -1,0 +1,121 @@
+"""Draw the pictures of gallery.md that take minutes: `python docs/make_gallery.py`."""
+
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import inertance as ia
+import numpy as np
+from inertance import ge_wang
+from matplotlib import pyplot
+from numpy.typing import NDArray
+
+IMAGES = Path(__file__).parent / "images"
+RANGES = {"d": (50.0, 30e3), "b": (0.5, 3000.0), "k": (10.0, 1e8)}
+STIFFNESS = np.geomspace(10e3, 120e3, 5)
+
+
+def best(layout: str, k: float, measure: Any, starts: list[dict[str, float]]) -> ia.Tuned:
+    """Return the best parameters of a layout at a static stiffness, starting from others."""
+    car = ia.quarter_car(ia.suspension(layout, k, 2e3, 200.0, k_b=1e6, k_1=1e2, k_2=1e2)).dae()
+    bounds = {
+        n: RANGES[n[-1]] for n in car.parameter_values if n[-1] in RANGES and n.startswith("strut.rest")
+    }
+    tried = []
+    for start in [{}, *starts]:
+        given = {_last(n): value for n, value in start.items()}
+        begin = {n: start.get(n, given.get(_last(n), car.parameter_values[n])) for n in bounds}
+        tried.append(ia.tune(car, measure, bounds, start=begin, starts=1))
+    return min(tried, key=lambda tuned: tuned.value)
+
+
+def _last(name: str) -> str:
+    return ".".join(name.split(".")[-2:]) if "centring" not in name else name
+
+
+def tuned_over_stiffness(measure: Any) -> dict[str, list[float]]:
+    """Return the least measure of each layout over static stiffness; richer ones start from simpler ones."""
+    values: dict[str, list[float]] = {f"S{number}": [] for number in range(1, 9)}
+    for k in STIFFNESS:
+        simpler: list[dict[str, float]] = []
+        for layout, found in values.items():
+            tuned = best(layout, float(k), measure, simpler)
+            found.append(tuned.value)
+            print(measure.__name__, layout, round(k), tuned.value, flush=True)
+            if layout in ("S2", "S4", "S6"):
+                simpler.append(tuned.parameters)
+    return values
+
+
+def ranking() -> None:
+    """Draw J1 and J3 of S1 to S8 over static stiffness."""
+    figure, axes = pyplot.subplots(1, 2, figsize=(11.0, 4.6), layout="constrained")
+    for ax, measure, title in ((axes[0], ia.ride_j1, "J1 [m/s²]"), (axes[1], ia.tyre_j3, "J3 [N]")):
+        for number, (layout, values) in enumerate(tuned_over_stiffness(measure).items()):
+            style = "o-" if number % 2 == 0 else "s--"
+            ax.plot(STIFFNESS / 1e3, values, style, markersize=3, label=layout)
+        ax.set_xlabel("static stiffness [kN/m]")
+        ax.set_ylabel(title)
+        ax.grid(alpha=0.3)
+    axes[0].legend(ncols=2, frameon=False)
+    figure.savefig(IMAGES / "suspension_ranking.png", dpi=110)
+
+
+INERTERS: dict[str, Callable[[], ia.Component]] = {
+    "ideal": lambda: ia.Inerter(b=ge_wang.B),
+    "disk": ge_wang.disk_inerter,
+    "planetary": ge_wang.planetary_inerter,
+}
+
+
+def rms(values: NDArray[np.float64]) -> float:
+    """Return the root of the mean square."""
+    return float(np.sqrt(np.mean(values**2)))
+
+
+def real_car(inerter: ia.Component, road: str) -> float:
+    """Return the rms acceleration of a quarter car on a road [m/s2]."""
+    car = ia.quarter_car(ia.suspension("S4", 60e3, 3200.0, inerter))
+    profile = ia.road_profile(road, 25.0, 8.0, seed=1)
+    return rms(car.simulate(8.0, inputs={"road.s_ref": profile}, step=2e-3)["body.a"])
+
+
+def real_tid(inerter: ia.Component | None, force: float) -> float:
+    """Return the rms displacement [m] of a structure of 7.7 t and 1.5 Hz in random wind."""
+    m, w = 7700.0, 3 * np.pi
+    rule, b = ia.den_hartog(ge_wang.B / m), ge_wang.B
+    absorbers = {(0, 1): ia.tid(rule.stiffness(b, w), rule.damping(b, w), inerter)} if inerter else None
+    frame = ia.shear_frame([m], [m * w**2], [2 * 0.01 * m * w], absorbers)
+    dae, t, power = frame.dae(), np.linspace(0.0, 20.0, 401), 0.0
+    for seed in range(3):
+        gusts = ia.Sampled(t, force * np.random.default_rng(seed).standard_normal(len(t)))
+        power += rms(dae.simulate(20.0, inputs={"wind.f": gusts}, step=5e-3)["floor1.s"]) ** 2 / 3
+    return float(np.sqrt(power))
+
+
+def real_inerters() -> None:
+    """Draw and print what friction and backlash leave of an inerter's promise."""
+    roads, forces = "ABCD", (300.0, 3e3, 30e3)
+    figure, axes = pyplot.subplots(1, 2, figsize=(10.5, 4.2), layout="constrained")
+    bare = [real_tid(None, force) for force in forces]
+    for name, make in INERTERS.items():
+        on_road = [real_car(make(), road) for road in roads]
+        in_wind = [real_tid(make(), force) / free for force, free in zip(forces, bare, strict=True)]
+        print(name, np.round(on_road, 4), np.round(in_wind, 4), flush=True)
+        axes[0].plot(list(roads), np.array(on_road) / 2.0 ** np.arange(len(roads)), "o-", label=name)
+        axes[1].semilogx(forces, in_wind, "o-", label=name)
+    axes[0].set_xlabel("road, ISO 8608")
+    axes[0].set_ylabel("rms acceleration, as on A [m/s²]")
+    axes[1].set_xlabel("rms force of wind [N]")
+    axes[1].set_ylabel("displacement, with TID over without")
+    axes[0].set_title("quarter car, S4", fontsize="medium")
+    axes[1].set_title("TID, b/m = 0.05", fontsize="medium")
+    for ax in axes:
+        ax.grid(alpha=0.3)
+        ax.legend(frameon=False)
+    figure.savefig(IMAGES / "real_inerters.png", dpi=110)
+
+
+if __name__ == "__main__":
+    ranking()
+    real_inerters()

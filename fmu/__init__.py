@@ -1,0 +1,18 @@
+"""Every network a block for any tool, every tool's FMU a part of a network."""
+
+from .errors import FMUError as FMUError
+from .export import export as export
+from .import_blocks import FMUBlock as FMUBlock
+from .import_blocks import FMUForce as FMUForce
+from .import_blocks import FMUMotion as FMUMotion
+from .import_blocks import FMURotation as FMURotation
+from .import_blocks import FMUTorque as FMUTorque
+from .import_cosimulate import cosimulate as cosimulate
+from .import_coupling import CoupledRun as CoupledRun
+from .import_run import ForeignEvent as ForeignEvent
+from .import_run import ForeignRun as ForeignRun
+from .imported import FMU as FMU
+from .terminals import Terminal as Terminal
+from .terminals import publish as publish
+
+export_fmu = export

@@ -1,0 +1,129 @@
+"""Runs of a checked FMU through FMPy: Model Exchange under its CVODE, Co-Simulation step by step."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, field
+
+import numpy as np
+from numpy.typing import NDArray
+
+from .check_probe import Probe, Subject
+from .errors import FMUError
+
+Array = NDArray[np.float64]
+DENSE = 300
+
+
+@dataclass(frozen=True)
+class Experiment:
+    """What is run: from `begin` to `stop`, looked at every `step`, at a tolerance, with constant inputs."""
+
+    begin: float
+    stop: float
+    step: float
+    rtol: float
+    inputs: Mapping[str, float] = field(default_factory=dict)
+
+    @property
+    def grid(self) -> Array:
+        """The instants of output."""
+        count = max(1, round((self.stop - self.begin) / self.step))
+        return np.linspace(self.begin, self.stop, count + 1)
+
+
+@dataclass(frozen=True, eq=False)
+class Course:
+    """What a run gave: values of `names` at the instants of output, and the instants of events."""
+
+    names: Sequence[str]
+    time: Array
+    values: Array
+    events: Array | None
+    solver: str = ""
+
+    def __getitem__(self, name: str) -> Array:
+        found: Array = self.values[:, list(self.names).index(name)]
+        return found
+
+
+Visit = Callable[[Probe, float], None]
+
+
+def exchange(
+    subject: Subject, names: Sequence[str], experiment: Experiment, visit: Visit | None = None
+) -> Course:
+    """Run Model Exchange; `visit` is called with the probe at every instant of output.
+
+    FMPy integrates with CVODE, whose Jacobian is dense: beyond 300 states LSODA does, as in `FMU.simulate`.
+    """
+    if len(subject.fmu.states) > DENSE:
+        return _exchange_large(subject, names, experiment)
+    from fmpy import simulate_fmu
+    from fmpy.fmi1 import FMICallException
+
+    with subject.probe("ME") as probe:
+        problems: list[Exception] = []
+
+        def finished(time: float, _: object) -> bool:
+            try:
+                if visit is not None:
+                    visit(probe, time)
+            except Exception as error:
+                problems.append(error)
+            return not problems
+
+        try:
+            run = simulate_fmu(
+                str(subject.files.folder), validate=False, start_time=experiment.begin,
+                stop_time=experiment.stop, output_interval=experiment.step, fmi_type="ModelExchange",
+                relative_tolerance=experiment.rtol, start_values=dict(experiment.inputs), output=list(names),
+                model_description=probe.description, fmu_instance=probe.instance, step_finished=finished,
+            )  # fmt: skip
+        except FMICallException as error:
+            raise FMUError(f"FMU '{probe.name}': {error}") from error
+        if problems:
+            raise problems[0]
+    if run["time"][-1] < experiment.stop - 1e-9 * (1 + abs(experiment.stop)):
+        raise FMUError(f"FMU '{subject.fmu.name}' ended at t = {run['time'][-1]:.9g} s")
+    return _sampled(names, run["time"], [run[name].astype(float) for name in names], experiment, "CVODE")
+
+
+def _exchange_large(subject: Subject, names: Sequence[str], experiment: Experiment) -> Course:
+    run = subject.fmu.simulate(
+        experiment.stop, begin=experiment.begin, step=experiment.step, rtol=experiment.rtol, kind="ME",
+        inputs=dict(experiment.inputs), record=names,
+    )  # fmt: skip
+    return _sampled(names, run.time, [run[name] for name in names], experiment, "LSODA")
+
+
+def _sampled(
+    names: Sequence[str], time: Array, columns: list[Array], experiment: Experiment, solver: str
+) -> Course:
+    """Return the values at the instants of output, after what happened there; two of one time make an event."""
+    grid = experiment.grid
+    near = np.searchsorted(time, grid + 1e-9 * experiment.step, side="right") - 1
+    values = np.column_stack([column[near] for column in columns]) if columns else np.zeros((len(grid), 0))
+    return Course(names, grid, values, np.unique(time[1:][np.diff(time) == 0]), solver)
+
+
+def communicate(subject: Subject, names: Sequence[str], experiment: Experiment, events: bool) -> Course:
+    """Run Co-Simulation, with event mode if `events`; the communication step is that of output."""
+    grid, rows, found = experiment.grid, [], []
+    with subject.probe("CS", events) as probe:
+        probe.begin(experiment.begin, experiment.stop, experiment.rtol, experiment.inputs)
+        rows.append(probe.values(names))
+        for t, target in zip(grid, grid[1:], strict=False):
+            while t < target:
+                stepped = probe.step(t, target - t, [], [])
+                arrived = stepped.reached >= target - 4 * np.spacing(abs(target))
+                if not arrived and stepped.reached <= t and not stepped.event:
+                    raise FMUError(f"FMU '{probe.name}' does not advance beyond t = {t:.9g} s")
+                t = target if arrived else stepped.reached
+                if stepped.event and events:
+                    found.append(t)
+                    probe.enter_events()
+                    probe.update()
+            rows.append(probe.values(names))
+    instants = np.unique(found) if events else None
+    return Course(names, grid, np.array(rows), instants, "the FMU's own")

@@ -1,0 +1,134 @@
+"""Coupling: what passes between a network and an FMU in it, and what they did together."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+from math import factorial
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..networks import Event, Result
+from .foreign import Values
+from .import_blocks import ForeignComponent, Given, Taken
+from .import_participants import Course, Participant
+from .import_run import ForeignEvent, ForeignRun
+
+Array = NDArray[np.float64]
+
+
+@dataclass(eq=False)
+class CoupledRun:
+    """What a network and its FMUs did together.
+
+    `run["body.s"]` is a signal of the network; `run.fmus["pump"]["flow"]` a variable of an FMU, in the unit
+    that it declares.
+
+    Attributes:
+        network: the result of the network, at the communication points.
+        fmus: the run of every FMU, by the path of its component.
+        communication_step: as asked [s].
+        order: of the extrapolation of what the FMUs take.
+        step_error: for everything exchanged, by name [its SI unit]: the largest difference to the run
+            with half the communication step; empty if that was not asked for.
+        notes: what is to be known, such as a communication step that is too long.
+        stats: communication steps, seconds.
+    """
+
+    network: Result
+    fmus: dict[str, ForeignRun]
+    communication_step: float
+    order: int
+    step_error: dict[str, float] = field(default_factory=dict)
+    notes: list[str] = field(default_factory=list)
+    stats: dict[str, Any] = field(default_factory=dict)
+
+    @property
+    def time(self) -> Array:
+        """Instants of the network's points [s]."""
+        return self.network.time
+
+    @property
+    def events(self) -> list[Event | ForeignEvent]:
+        """Events of the network and of the FMUs, in order."""
+        theirs = [event for run in self.fmus.values() for event in run.events]
+        return sorted([*self.network.events, *theirs], key=lambda event: event.time)
+
+    def __getitem__(self, name: str) -> Array:
+        """Return a signal of the network by its full name."""
+        return self.network[name]
+
+
+@dataclass(eq=False)
+class Coupled:
+    """One FMU in the network: its participant and how its variables convert."""
+
+    path: str
+    component: ForeignComponent
+    fmu: Participant
+    order: int
+    was: Array = field(default_factory=lambda: np.zeros(0))
+
+    def wanted(self) -> list[tuple[str, int]]:
+        """Return what is to be observed in the network: values and rates of what the FMU takes."""
+        return [
+            (f"{self.path}.{taken.name}", taken.order + i)
+            for taken in self.component.taken
+            for i in range(self.order + 1)
+        ]
+
+    def course(self, observed: Array, t: float) -> Course:
+        """Return what the FMU takes as a function of time, from observations at t."""
+        table = observed.reshape(-1, self.order + 1) / [factorial(i) for i in range(self.order + 1)]
+        pairs = list(zip(self.component.taken, table.tolist(), strict=True))
+
+        def at(time: float) -> Values:
+            return [self._foreign(taken, _polynomial(row, time - t)) for taken, row in pairs]
+
+        return at
+
+    def _foreign(self, taken: Taken, value: float) -> float:
+        fmu = self.component.fmu
+        return fmu.measure(fmu.variables[taken.input]).from_si(taken.sign * value)
+
+    def start_inputs(self) -> Values:
+        """Return the values that the FMU itself declares for its inputs."""
+        variables = self.component.fmu.variables
+        return [float(variables[taken.input].start or 0.0) for taken in self.component.taken]
+
+    def courses(self, now: Array, duration: float | None = None) -> dict[str, Sequence[float]]:
+        """Return the polynomials from what was to what is now; without duration, from what was on."""
+        found: dict[str, Sequence[float]] = {}
+        place = 0
+        for given in self.component.given:
+            width = 1 if given.rate is None else 2
+            part = slice(place, place + width)
+            place += width
+            before, after = self._si(given, self.was[part]), self._si(given, now[part])
+            course = before if duration is None else _between(before, after, duration)
+            found[f"{self.path}.{given.name}"] = course
+        return found
+
+    def _si(self, given: Given, values: Array) -> list[float]:
+        fmu = self.component.fmu
+        names = [given.value] if given.rate is None else [given.value, given.rate]
+        measures = [fmu.measure(fmu.variables[name]) for name in names]
+        return [given.sign * m.to_si(float(v)) for m, v in zip(measures, values, strict=True)]
+
+
+def _polynomial(coefficients: list[float], x: float) -> float:
+    value = 0.0
+    for coefficient in reversed(coefficients):
+        value = value * x + coefficient
+    return value
+
+
+def _between(before: list[float], after: list[float], duration: float) -> list[float]:
+    """Return coefficients of the line, or with rates the cubic, from one end of a step to the other."""
+    if len(before) == 1:
+        return [before[0], (after[0] - before[0]) / duration]
+    (s, v), (s1, v1) = before, after
+    gap = (s1 - s) / duration
+    return [s, v, (3 * gap - 2 * v - v1) / duration, (v + v1 - 2 * gap) / duration**2]

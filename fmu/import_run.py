@@ -1,0 +1,254 @@
+"""Running an FMU alone."""
+
+from __future__ import annotations
+
+import time as clock
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..components import nearest
+from .errors import FMUError
+from .foreign import Instance, Values, finite
+from .import_description import ForeignVariable
+from .import_inputs import Inputs, chosen_inputs, chosen_values, groups
+from .import_solver import Chatter, Solver
+from .imported import FMU
+
+if TYPE_CHECKING:
+    import pandas as pd
+
+Array = NDArray[np.float64]
+
+
+@dataclass(frozen=True)
+class ForeignEvent:
+    """An event of an FMU: "state", "time", "step" (asked for by the FMU) or "input"."""
+
+    time: float
+    cause: str
+
+
+@dataclass(eq=False)
+class ForeignRun:
+    """What an FMU gave along a run, in the units it declares.
+
+    At an event two points share one time: before and after.
+
+    Attributes:
+        name: of the FMU.
+        events: its events, in order.
+        stats: solver, steps, evaluations, seconds.
+        notes: what is to be known, such as an end that the FMU asked for.
+    """
+
+    name: str
+    units: dict[str, str]
+    events: list[ForeignEvent] = field(default_factory=list)
+    stats: dict[str, Any] = field(default_factory=dict)
+    notes: list[str] = field(default_factory=list)
+    _times: list[float] = field(default_factory=list)
+    _rows: list[Values] = field(default_factory=list)
+
+    def record(self, t: float, values: Values) -> None:
+        """Append a point."""
+        self._times.append(t)
+        self._rows.append(values)
+
+    @property
+    def time(self) -> Array:
+        """Instants of the points [s]."""
+        return np.array(self._times)
+
+    def names(self) -> list[str]:
+        """Return the names of what was recorded."""
+        return ["time", *self.units]
+
+    def __contains__(self, name: str) -> bool:
+        return name == "time" or name in self.units
+
+    def __getitem__(self, name: str) -> Array:
+        """Return a variable along the run.
+
+        Raises:
+            KeyError: if it was not recorded, with the nearest name.
+        """
+        if name == "time":
+            return self.time
+        if name not in self.units:
+            raise KeyError(
+                f"'{name}' of '{self.name}' was not recorded (record=[...]){nearest(name, self.units)}"
+            )
+        place = list(self.units).index(name)
+        return np.array([row[place] for row in self._rows])
+
+    def unit(self, name: str) -> str:
+        """Return the unit of a variable."""
+        return "s" if name == "time" else self.units[name]
+
+    def to_dataframe(self) -> pd.DataFrame:
+        """Return everything as a pandas DataFrame indexed by time."""
+        import pandas as pd
+
+        rows = np.array(self._rows, dtype=float).reshape(len(self._rows), len(self.units))
+        table = pd.DataFrame(rows, columns=list(self.units), index=pd.Index(self.time, name="time"))
+        table.attrs["units"] = dict(self.units)
+        return table
+
+
+def recorded_variables(fmu: FMU, extra: tuple[str, ...]) -> list[ForeignVariable]:
+    """Return what a run records: outputs, states, and what is asked for besides."""
+    names = [*fmu.outputs, *fmu.states, *extra]
+    variables = [fmu.variable(name) for name in dict.fromkeys(names)]
+    return [v for v in variables if v.type not in ("String", "Binary", "Clock")]
+
+
+def begin_run(
+    fmu: FMU, instance: Instance, begin: float, stop: float, rtol: float, inputs: Inputs,
+    parameters: Mapping[str, Any], start: Mapping[str, Any],
+) -> None:  # fmt: skip
+    """Set values and inputs in initialization mode, which it does not leave."""
+    values = chosen_values(fmu, parameters, start)
+    instance.start(begin, stop, rtol, values, inputs.references)
+    inputs.hold(instance, begin)
+    instance.drive(inputs.at(begin))
+
+
+def simulate_alone(
+    fmu: FMU, kind: str, begin: float, stop: float, step: float | None, rtol: float,
+    signals: Mapping[str, Any], parameters: Mapping[str, Any], start: Mapping[str, Any],
+    record: tuple[str, ...],
+) -> ForeignRun:  # fmt: skip
+    """Run an FMU; see `FMU.simulate`."""
+    if not stop > begin or not (step is None or 0 < step < np.inf) or not 0 < rtol < 1:
+        raise FMUError(
+            f"FMU '{fmu.name}' cannot run from {begin:g} s to {stop:g} s with step={step} and rtol={rtol:g}"
+        )
+    began = clock.perf_counter()
+    inputs = chosen_inputs(fmu, signals)
+    variables = recorded_variables(fmu, record)
+    run = ForeignRun(fmu.name, {c: v.unit for v in variables for c in v.columns})
+    count = max(1, round((stop - begin) / (step or (stop - begin) / 500)))
+    outputs = np.linspace(begin, stop, count + 1)
+    with fmu.instantiate(kind) as instance:
+        begin_run(fmu, instance, begin, stop, rtol, inputs, parameters, start)
+        alone = _Alone(run, instance, inputs, groups(variables), outputs)
+        if kind == "ME":
+            alone.exchange(rtol, fmu.description.numberOfEventIndicators)
+        else:
+            alone.communicate()
+    run.stats["seconds"] = clock.perf_counter() - began
+    return run
+
+
+@dataclass(eq=False)
+class _Alone:
+    run: ForeignRun
+    instance: Instance
+    inputs: Inputs
+    wanted: list[Any]
+    outputs: Array
+
+    def __post_init__(self) -> None:
+        self.chatter = Chatter(self.run.name, float(self.outputs[-1] - self.outputs[0]), [])
+
+    def exchange(self, rtol: float, watched: int) -> None:
+        """Integrate a Model Exchange FMU."""
+        t, stop = float(self.outputs[0]), float(self.outputs[-1])
+        self.instance.started()
+        update = self.instance.update()
+        if update.terminate:
+            raise FMUError(f"FMU '{self.run.name}' asked to end at its start")
+        longest = float(self.outputs[1] - t)
+        solver = Solver(self.run.name, self.instance, watched, self.inputs.at, t, rtol, longest)
+        solver.next_event = np.inf if update.next_event is None else update.next_event
+        self._look(solver, t)
+        following, ended = 1, False
+        while solver.t < stop and not ended:
+            jump = self.inputs.next_jump(solver.t)
+            piece = solver.step(min(stop, jump))
+            while following < len(self.outputs) and self.outputs[following] <= piece.end:
+                output = float(self.outputs[following])
+                self._look(solver, output, np.asarray(piece.states(output)))
+                following += 1
+            asked, ended = solver.arrive()
+            causes = {
+                "state": piece.event, "time": solver.t >= solver.next_event,
+                "input": solver.t >= jump, "step": asked,
+            }  # fmt: skip
+            cause = next((name for name, true in causes.items() if true), None)
+            if cause and not ended:
+                ended = self._switch(solver, cause)
+        self.run.stats |= {"solver": "LSODA", "steps": solver.steps, "evaluations": solver.evaluations}
+        self._tell(ended, solver.t)
+
+    def _switch(self, solver: Solver, cause: str) -> bool:
+        if self.run._times[-1] < solver.t:
+            self._look(solver, solver.t)
+        self.instance.enter_events()
+        self.inputs.hold(self.instance, solver.t)
+        ended = solver.updated().terminate
+        self.run.events.append(ForeignEvent(solver.t, cause))
+        self.chatter.happened(solver.t)
+        if not ended:
+            self._look(solver, solver.t)
+        return ended
+
+    def _look(self, solver: Solver, t: float, x: Array | None = None) -> None:
+        states: Array = solver.x if x is None else x
+        self.run.record(t, self.instance.look(t, states.tolist(), self.inputs.at(t), self.wanted))
+
+    def _tell(self, ended: bool, t: float) -> None:
+        if ended:
+            self.run.notes.append(f"the FMU asked to end at t = {t:.9g} s")
+
+    def communicate(self) -> None:
+        """Advance a Co-Simulation FMU from communication point to communication point."""
+        t, stop = float(self.outputs[0]), float(self.outputs[-1])
+        self.instance.started()
+        modes = self.instance.event_mode
+        ended = modes and self.instance.update().terminate
+        self._read(t)
+        following, steps = 1, 0
+        while following < len(self.outputs) and not ended:
+            target = min(float(self.outputs[following]), self.inputs.next_jump(t) if modes else np.inf)
+            before, after = self.inputs.at(t), self.inputs.at(target)
+            rates = [(b - a) / (target - t) for a, b in zip(before, after, strict=True)]
+            stepped = self.instance.step(t, target - t, before, rates)
+            steps += 1
+            arrived = stepped.reached >= target - 4 * np.spacing(abs(target))
+            if not arrived and stepped.reached <= t and not stepped.event:
+                raise FMUError(f"FMU '{self.run.name}' does not advance beyond t = {t:.9g} s")
+            t = target if arrived else stepped.reached
+            self.instance.drive(self.inputs.at(t))
+            self._read(t)
+            jumped = arrived and t == self.inputs.next_jump(before_jump(t))
+            if not modes:
+                self.inputs.hold(self.instance, t)
+            elif stepped.event or jumped:
+                ended = self._event_mode(t, "state" if stepped.event else "input")
+            ended = ended or stepped.terminate
+            following += t >= self.outputs[following]
+        self.run.stats |= {"solver": "the FMU's own", "steps": steps}
+        self._tell(ended, min(t, stop))
+
+    def _event_mode(self, t: float, cause: str) -> bool:
+        self.instance.enter_events()
+        self.inputs.hold(self.instance, t)
+        update = self.instance.update()
+        self.run.events.append(ForeignEvent(t, cause))
+        self.chatter.happened(t)
+        if not update.terminate:
+            self._read(t)
+        return update.terminate
+
+    def _read(self, t: float) -> None:
+        self.run.record(t, list(finite(self.run.name, "a variable", t, self.instance.get(self.wanted))))
+
+
+def before_jump(t: float) -> float:
+    """Return the last instant before t that can be told from it."""
+    return float(np.nextafter(t, -np.inf))

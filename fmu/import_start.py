@@ -1,0 +1,29 @@
+"""A common start: values that two sides return to each other unchanged."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+import numpy as np
+from numpy.typing import NDArray
+
+Array = NDArray[np.float64]
+ROUNDS = 30
+CLOSE = 1e-9
+
+
+def unchanged(answer: Callable[[Array], Array], guess: Array) -> Array | None:
+    """Return u = answer(u), by Broyden's method from plain repetition on; None if it is not found."""
+    u, leap = guess, np.eye(len(guess))
+    rest = answer(u) - u
+    for _ in range(ROUNDS + len(guess)):
+        if (np.abs(rest) <= CLOSE * np.abs(u) + CLOSE**2).all():
+            return u
+        move = leap @ rest
+        u = u + move
+        change = answer(u) - u - rest
+        rest = rest + change
+        weight = move @ leap
+        if abs(weight @ change) > 0:
+            leap = leap - np.outer(move + leap @ change, weight) / (weight @ change)
+    return None

@@ -1,0 +1,29 @@
+"""Records of measurements, excitations, and fitting parameters to them."""
+
+from .bench import Accuracy as Accuracy
+from .bench import Bench as Bench
+from .bench import Prediction as Prediction
+from .bench import Stand as Stand
+from .block import Block as Block
+from .block import Linearised as Linearised
+from .campaign import Campaign as Campaign
+from .entries import Experiment as Experiment
+from .entries import Prior as Prior
+from .entries import Stage as Stage
+from .excitation import Chirp as Chirp
+from .excitation import Multisine as Multisine
+from .excitation import SineDwells as SineDwells
+from .excitation import sampled as sampled
+from .filters import Filter as Filter
+from .fitting import fit as fit
+from .fitting import fit_stage as fit_stage
+from .noise import Floor as Floor
+from .outcome import Fit as Fit
+from .outcome import FittedStage as FittedStage
+from .records import Channel as Channel
+from .records import Record as Record
+from .records import read_record as read_record
+from .refine import Optimum as Optimum
+from .refine import Problem as Problem
+from .uncertainty import Uncertainty as Uncertainty
+from .uncertainty import uncertainty as uncertainty

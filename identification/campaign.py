@@ -1,0 +1,182 @@
+"""`Campaign`: what was measured on which machine, and what is uncertain about its model."""
+
+from __future__ import annotations
+
+import tomllib
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Any, Self
+
+from ..components import ModelError
+from ..networks import DAE, Network
+from .entries import (
+    Experiment,
+    Prior,
+    Problems,
+    Stage,
+    read_channels,
+    read_experiments,
+    read_noise,
+    read_parameters,
+    read_stages,
+)
+from .model import load_model
+from .noise import Floor, repeated_floor, spectral_floor
+from .records import Channel
+
+KEYS = ("model", "channels", "parameters", "train", "test", "noise", "stage")
+
+
+@dataclass(eq=False)
+class Campaign:
+    """Measurements of one machine and the model they are held against.
+
+    Made by `Campaign.load("campaign.toml")`, or from the same entries in Python:
+
+    Args:
+        model: the network, or "path/to/file.py:function" that returns it.
+        channels: column of the data -> {"input" or "output": path, "unit": unit}.
+        parameters: path -> {"rel": relative standard deviation} or {"min": ..., "max": ...}.
+        train: records to fit, each {"file": path} or {"record": `Record`}, with what may be added: "initial"
+            ("fit", the default, or "rest"), "window" [s], "repeat_of", "temperature", "offset",
+            "shooting" [s].
+        test: records never fitted.
+        noise: standard deviation of an output channel, in its unit.
+        stage: stages of the fit, each {"parameters", "channels", "train", "filter"}; one of everything if
+            empty.
+        base: folder that relative paths start from.
+
+    Raises:
+        ModelError: telling everything that is wrong at once, with file and key.
+
+    Example:
+        >>> import numpy as np
+        >>> import inertance as ia
+        >>> net = ia.Network("swing", push=ia.Force(), mass=ia.Mass(m=1.0))
+        >>> _ = net.add(spring=ia.Spring(k=90.0), wall=ia.Fixed())
+        >>> _ = net.connect(net.wall.flange, net.spring.flange_a)
+        >>> _ = net.connect(net.spring.flange_b, net.mass.flange, net.push.flange)
+        >>> t = np.linspace(0, 10, 1001)
+        >>> run = ia.Record("chirp", t, {"F": np.sin(t**2), "x": 1e-3 * np.sin(9 * t)})
+        >>> campaign = ia.Campaign(
+        ...     net,
+        ...     channels={"F": {"input": "push.f", "unit": "N"}, "x": {"output": "mass.s", "unit": "m"}},
+        ...     parameters={"spring.k": {"rel": 0.2}},
+        ...     train=[{"record": run}],
+        ... )
+        >>> campaign.outputs
+        ['x']
+    """
+
+    model: Network | str
+    channels: Mapping[str, Mapping[str, Any]]
+    parameters: Mapping[str, Mapping[str, float]]
+    train: Sequence[Mapping[str, Any]]
+    test: Sequence[Mapping[str, Any]] = ()
+    noise: Mapping[str, float] = field(default_factory=dict)
+    stage: Sequence[Mapping[str, Any]] = ()
+    base: Path = field(default_factory=Path)
+    source: str = "campaign"
+    network: Network = field(init=False, repr=False)
+    dae: DAE = field(init=False, repr=False)
+    measured: dict[str, Channel] = field(init=False, repr=False)
+    priors: dict[str, Prior] = field(init=False, repr=False)
+    training: list[Experiment] = field(init=False, repr=False)
+    testing: list[Experiment] = field(init=False, repr=False)
+    stages: list[Stage] = field(init=False, repr=False)
+    floors: dict[str, Floor] = field(init=False, repr=False)
+    notes: list[str] = field(init=False, repr=False)
+
+    def __post_init__(self) -> None:
+        self.base = Path(self.base)
+        problems = Problems(self.source)
+        with problems.of("model"):
+            self.network = load_model(self.model, self.base) if isinstance(self.model, str) else self.model
+            self.dae = self.network.dae()
+        problems.stop()
+        self.measured = read_channels(self.channels, self.dae, problems)
+        self.priors = read_parameters(self.parameters, self.dae, problems)
+        channels = self.measured
+        self.training = read_experiments("train", self.train, channels, self.base, problems)
+        self.testing = read_experiments("test", self.test, channels, self.base, problems)
+        self._check_apart(problems)
+        stated = read_noise(self.noise, channels, problems)
+        self.stages = read_stages(self.stage, self, problems)
+        problems.stop()
+        self.notes = [f"{e.name}: {note}" for e in self.experiments for note in e.record.notes]
+        self._note_rates()
+        self.floors = {name: self._floor(name, stated) for name in self.outputs}
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        entries = (self.channels, self.parameters, self.train, self.test, self.noise, self.stage)
+        return Campaign, (self.model, *entries, self.base, self.source)
+
+    @classmethod
+    def load(cls, path: str | Path) -> Self:
+        """Read a campaign from a TOML file.
+
+        Raises:
+            ModelError: telling everything that is wrong at once.
+        """
+        path = Path(path)
+        if not path.is_file():
+            raise ModelError(f"there is no file '{path}'")
+        try:
+            entries = tomllib.loads(path.read_text(encoding="utf-8"))
+        except (tomllib.TOMLDecodeError, UnicodeDecodeError) as error:
+            raise ModelError(f"{path}: this is not TOML ({error})") from error
+        problems = Problems(str(path))
+        problems.unknown("", entries, KEYS)
+        for key, kind in (("model", str), ("channels", dict), ("parameters", dict), ("train", list)):
+            if not isinstance(entries.get(key), kind):
+                wanted = {str: "a text", dict: f"a table [{key}]", list: f"tables [[{key}]]"}[kind]
+                problems.add(f"{key}: {wanted} must be given")
+        problems.stop()
+        return cls(**entries, base=path.parent, source=str(path))
+
+    @property
+    def inputs(self) -> list[str]:
+        """Channels that drive the network."""
+        return [name for name, channel in self.measured.items() if channel.driven]
+
+    @property
+    def outputs(self) -> list[str]:
+        """Channels that the network predicts."""
+        return [name for name, channel in self.measured.items() if not channel.driven]
+
+    @property
+    def experiments(self) -> list[Experiment]:
+        """All records, those to fit first."""
+        return [*self.training, *self.testing]
+
+    @property
+    def start(self) -> dict[str, float]:
+        """Values of the uncertain parameters before any fit."""
+        values = self.dae.parameter_values
+        return {name: values[name] for name in self.priors}
+
+    def _check_apart(self, problems: Problems) -> None:
+        known = {(e.source, e.window): n for n, e in enumerate(self.training, start=1)}
+        for number, experiment in enumerate(self.testing, start=1):
+            if (experiment.source, experiment.window) in known:
+                twin = known[experiment.source, experiment.window]
+                problems.add(
+                    f"[[test]] {number}: '{experiment.name}' is also [[train]] {twin}; what was "
+                    "fitted tests nothing: give a record of another excitation, or another window"
+                )
+
+    def _note_rates(self) -> None:
+        rates = {e.name: e.record.rate for e in self.experiments}
+        if max(rates.values()) > 1.01 * min(rates.values()):
+            told = ", ".join(f"{name} {rate:g} Hz" for name, rate in rates.items())
+            self.notes.append(f"sampling rates differ ({told}); each record is simulated at its own")
+
+    def _floor(self, channel: str, stated: Mapping[str, float]) -> Floor:
+        if channel in stated:
+            return Floor(stated[channel], "stated")
+        by_source = {str(e.source): e.record for e in self.experiments}
+        pairs = [(e.record, by_source[e.repeat_of]) for e in self.experiments if e.repeat_of in by_source]
+        floors = [repeated_floor(*pair, channel) for pair in pairs]
+        floors = floors or [spectral_floor(e.record.values[channel]) for e in self.training]
+        return sorted(floors, key=lambda floor: floor.sigma)[len(floors) // 2]

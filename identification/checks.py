@@ -1,0 +1,97 @@
+"""What is wrong with measured columns, told by file, line and column, with a remedy."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+import numpy as np
+from numpy.typing import NDArray
+
+from .tables import Table
+
+Array = NDArray[np.float64]
+LEAST = 32
+JITTER = 0.25
+GAP = 1.75
+RUN = 5
+STEEP = 1.0
+
+
+def time_problems(table: Table, name: str, time: Array) -> Iterator[str]:
+    """Yield what keeps a column from being the time of a record."""
+    where = f"{table.path}, {{}}, column '{name}'"
+    wrong = np.flatnonzero(~np.isfinite(time))
+    if len(wrong):
+        told = f"no usable number ({len(wrong)} such in this column); cut these lines out"
+        yield f"{where.format(table.place(int(wrong[0])))}: {told}"
+        return
+    step = np.diff(time)
+    back = np.flatnonzero(step < 0)
+    if len(back):
+        row = int(back[0]) + 1
+        told = f"{time[row]:g} comes after {time[row - 1]:g}; sort the lines by time"
+        yield f"{where.format(table.place(row))}: {told}"
+        return
+    same = np.flatnonzero(step == 0)
+    if len(same):
+        row = int(same[0]) + 1
+        told = f"{time[row]:g} stands there twice ({len(same)} such); keep one line of each instant"
+        yield f"{where.format(table.place(row))}: {told}"
+        return
+    usual = float(np.median(step)) if len(step) else 0.0
+    holes = np.flatnonzero(step > GAP * usual)
+    if len(holes):
+        row = int(holes[np.argmax(step[holes])]) + 1
+        told = (
+            f"a gap of {time[row] - time[row - 1]:g} s before {time[row]:g} s, where samples are {usual:g} s "
+            f"apart ({len(holes)} such); cut the record there with window = [from, to], or fill it"
+        )
+        yield f"{where.format(table.place(row))}: {told}"
+    elif len(step) and float(np.abs(step - usual).max()) > JITTER * usual:
+        row = int(np.argmax(np.abs(step - usual))) + 1
+        told = f"samples are not evenly spaced ({step.min():g} to {step.max():g} s); resample the record"
+        yield f"{where.format(table.place(row))}: {told}"
+
+
+def value_problems(table: Table, name: str, values: Array, driven: bool) -> Iterator[str]:
+    """Yield what keeps a column from being a channel; `driven` tells that it is an input."""
+    where = f"{table.path}, {{}}, column '{name}'"
+    wrong = np.flatnonzero(~np.isfinite(values))
+    if len(wrong):
+        told = (
+            f"{values[wrong[0]]} is no usable number ({len(wrong)} such in this column); fill or cut it out"
+        )
+        yield f"{where.format(table.place(int(wrong[0])))}: {told}"
+    elif np.ptp(values) == 0:
+        remedy = "it excites nothing; give it in the model instead" if driven else "is the sensor connected?"
+        yield f"{table.path}, column '{name}': the value is {values[0]:g} throughout; {remedy}"
+    else:
+        row = clipped(values)
+        if row is not None:
+            told = (
+                f"stays at {values[row]:g}, an extreme, as if the sensor were saturated; measure with a "
+                "larger range, or cut with window = [from, to]"
+            )
+            yield f"{where.format(table.place(row))}: {told}"
+
+
+def clipped(values: Array) -> int | None:
+    """Return where a signal runs against a limit and stays there, at least twice; None if it does not.
+
+    A plateau that is reached gently is none: the step before it must be as steep as the signal mostly is.
+    """
+    change = np.abs(np.diff(values))
+    moving = change[change > 0]
+    if not len(moving):
+        return None
+    usual = float(np.median(moving))
+    for limit in (float(values.max()), float(values.min())):
+        at: NDArray[np.bool_] = np.concatenate([[False], values == limit, [False]])
+        begins = np.flatnonzero(at[1:] & ~at[:-1])
+        ends = np.flatnonzero(~at[1:] & at[:-1])
+        pairs = zip(begins.tolist(), ends.tolist(), strict=True)
+        long = [begin for begin, end in pairs if end - begin >= RUN and begin > 0]
+        runs = [n for n in long if change[n - 1] + change[max(n - 2, 0)] > STEEP * usual]
+        if len(runs) > 1:
+            return int(runs[0])
+    return None

@@ -1,0 +1,196 @@
+"""`fit`: estimate the uncertain parameters of a campaign, stage after stage."""
+
+from __future__ import annotations
+
+import pickle
+from collections.abc import Callable, Sequence
+from concurrent.futures import Executor, as_completed
+from dataclasses import dataclass
+from functools import lru_cache
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..components import InertanceError, ModelError
+from .bench import Accuracy, Bench
+from .block import Block
+from .campaign import Campaign
+from .entries import Stage
+from .outcome import Fit, FittedStage, compared
+from .refine import Iteration, Optimum, Problem
+from .uncertainty import uncertainty
+
+Array = NDArray[np.float64]
+Report = Callable[[str], None]
+
+
+@dataclass(frozen=True)
+class Start:
+    """One start of a multi-start: its values, and where it led or why it failed."""
+
+    values: dict[str, float]
+    fitted: dict[str, float]
+    cost: float
+    problem: str = ""
+
+
+def fit(
+    campaign: Campaign,
+    *,
+    starts: int = 1,
+    executor: Executor | None = None,
+    seed: int = 0,
+    solver: str = "auto",
+    rtol: float = 1e-6,
+    report: Report | None = None,
+) -> Fit:
+    """Fit the parameters of a campaign to its training records: maximum a posteriori.
+
+        minimise  sum ((F measured - F predicted)/sigma)^2 + sum ((p - p_0)/(rel p_0))^2,   min <= p <= max,
+
+    with F the stage's filter and sigma the noise floor, over the parameters p and each record's own start
+    and offsets. Stages follow each other; what one has fitted is fixed or further fitted in the next.
+
+    Args:
+        campaign: records, model and priors.
+        starts: number of starts; further ones are drawn from the priors (bounds) by a Sobol sequence.
+        executor: runs the starts; the campaign goes to its workers by pickle.
+        seed: of the draw.
+        solver: as for `DAE.simulate`.
+        rtol: relative tolerance of the runs.
+        report: called with a line of progress.
+
+    Returns:
+        The fit; after Ctrl-C, the best found until then, which says so.
+
+    Raises:
+        SimulationError: if the model cannot be run with its own parameters.
+    """
+    accuracy = Accuracy(solver, rtol)
+    tell = report or (lambda line: None)
+    values = dict(campaign.start)
+    tried: list[Start] = []
+    if starts > 1:
+        tried = _multistart(campaign, starts, executor, seed, accuracy, tell)
+        good = [one for one in tried if not one.problem]
+        if good:
+            values |= min(good, key=lambda one: one.cost).fitted
+    return _staged(campaign, values, accuracy, tell, tried)
+
+
+def _staged(
+    campaign: Campaign, values: dict[str, float], accuracy: Accuracy, tell: Report, tried: Sequence[Start]
+) -> Fit:
+    bench = Bench(campaign.dae, campaign.measured, campaign.training, list(campaign.priors))
+    stages: list[FittedStage] = []
+    for number, stage in enumerate(campaign.stages, start=1):
+        label = f"stage {number} of {len(campaign.stages)}, " if len(campaign.stages) > 1 else ""
+
+        def progress(i: Iteration, label: str = label) -> None:
+            tell(f"{label}iteration {i.number}, misfit {i.cost:.5g}")
+
+        done = fit_stage(campaign, bench, stage, values, accuracy, progress)
+        stages.append(done)
+        values |= done.optimum.values
+        if done.optimum.ended == "interrupted":
+            break
+    tell("predicting the test records")
+    return Fit(campaign, values, stages, compared(campaign, bench, values, stages, accuracy), list(tried))
+
+
+def fit_stage(
+    campaign: Campaign,
+    bench: Bench,
+    stage: Stage,
+    values: dict[str, float],
+    accuracy: Accuracy | None = None,
+    report: Callable[[Iteration], None] | None = None,
+) -> FittedStage:
+    """Fit some parameters to some channels of some records, starting from `values`."""
+    accuracy = accuracy or Accuracy()
+    sigma = {name: floor.sigma for name, floor in campaign.floors.items()}
+    blocks = [Block(bench.stands[n], stage.channels, sigma, stage.filter) for n in stage.train]
+    for block in blocks:
+        block.prepare(values, accuracy)
+    priors = {name: campaign.priors[name] for name in stage.parameters}
+    columns = [bench.parameters.index(name) for name in priors]
+    problem = Problem(blocks, priors, columns, values, accuracy)
+    optimum = problem.minimise(values, report=report)
+    return FittedStage(stage, optimum, uncertainty(optimum, blocks, priors, columns), blocks)
+
+
+def _multistart(
+    campaign: Campaign, starts: int, executor: Executor | None, seed: int, accuracy: Accuracy, tell: Report
+) -> list[Start]:
+    """Fit from several starts; Ctrl-C keeps those that are done."""
+    drawn = _drawn(campaign, starts, seed)
+    done: list[Start] = []
+    try:
+        if executor is None:
+            for values in drawn:
+                done.append(_from(campaign, values, accuracy))
+                tell(f"start {len(done)} of {starts}, misfit {done[-1].cost:.5g}")
+            return done
+        payload = _pickled(campaign)
+        jobs = [executor.submit(_job, payload, values, accuracy) for values in drawn]
+        for job in as_completed(jobs):
+            done.append(job.result())
+            tell(f"start {len(done)} of {starts}, misfit {done[-1].cost:.5g}")
+    except KeyboardInterrupt:
+        tell(f"interrupted; {len(done)} of {starts} starts are done")
+        if executor is not None:
+            executor.shutdown(wait=False, cancel_futures=True)
+    return done
+
+
+def _drawn(campaign: Campaign, count: int, seed: int) -> list[dict[str, float]]:
+    """Return starts: the model's own values, then points of a Sobol sequence over two standard deviations."""
+    from scipy.stats import qmc
+
+    own = campaign.start
+    sobol = qmc.Sobol(len(own), seed=seed).random(1 << (count - 1).bit_length())[: count - 1]
+    drawn = [own]
+    for point in sobol:
+        values = {}
+        for share, (name, prior) in zip(point, campaign.priors.items(), strict=True):
+            low = max(prior.min, prior.center - 2 * prior.scale)
+            high = min(prior.max, prior.center + 2 * prior.scale)
+            values[name] = float(low + share * (high - low))
+        drawn.append(values)
+    return drawn
+
+
+def _from(campaign: Campaign, values: dict[str, float], accuracy: Accuracy) -> Start:
+    """Fit all stages from a start."""
+    bench = Bench(campaign.dae, campaign.measured, campaign.training, list(campaign.priors))
+    fitted, cost = dict(values), np.inf
+    try:
+        for stage in campaign.stages:
+            optimum: Optimum = fit_stage(campaign, bench, stage, fitted, accuracy).optimum
+            fitted |= optimum.values
+            cost = optimum.cost
+            if optimum.ended == "interrupted":
+                raise KeyboardInterrupt
+    except InertanceError as error:
+        return Start(values, fitted, np.inf, str(error))
+    return Start(values, fitted, cost)
+
+
+def _pickled(campaign: Campaign) -> bytes:
+    try:
+        return pickle.dumps(campaign)
+    except (pickle.PicklingError, TypeError, AttributeError) as error:
+        raise ModelError(
+            f"{campaign.source}: the model cannot be sent to other processes ({error}); give it as "
+            "model = 'path/to/file.py:function'"
+        ) from error
+
+
+def _job(payload: bytes, values: dict[str, float], accuracy: Accuracy) -> Start:
+    return _from(_unpickled(payload), values, accuracy)
+
+
+@lru_cache(maxsize=1)
+def _unpickled(payload: bytes) -> Campaign:
+    campaign: Campaign = pickle.loads(payload)
+    return campaign

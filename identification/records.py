@@ -1,0 +1,198 @@
+"""Records: what was measured in one run, as channels in SI units over evenly spaced time."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field, replace
+from pathlib import Path
+from typing import Self
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..components import ModelError, Sampled
+from .checks import LEAST, time_problems, value_problems
+from .filters import decimated
+from .tables import Table, read_table
+from .units import converted, factor
+
+Array = NDArray[np.float64]
+EVEN = 1e-4
+
+
+@dataclass(frozen=True)
+class Channel:
+    """A column of the data and the quantity of the network that it measures.
+
+    Args:
+        path: full name of the quantity.
+        driven: whether it is an input of the network; an output otherwise.
+        unit: of the column.
+        si: unit of the quantity in the network.
+    """
+
+    path: str
+    driven: bool
+    unit: str
+    si: str
+
+
+@dataclass(frozen=True, eq=False)
+class Record:
+    """What was measured in one run.
+
+    Attributes:
+        name: what it is called in reports.
+        time: instants, evenly spaced [s].
+        values: channels by name, in SI units.
+        notes: what was tolerated or changed on reading.
+        temperature: a channel for effects that follow it, if there is one.
+    """
+
+    name: str
+    time: Array
+    values: dict[str, Array]
+    notes: tuple[str, ...] = ()
+    temperature: Array | None = field(default=None, repr=False)
+
+    @property
+    def rate(self) -> float:
+        """Samples a second [Hz]."""
+        return (len(self.time) - 1) / float(self.time[-1] - self.time[0])
+
+    def sampled(self, channel: str) -> Sampled:
+        """Return a channel as an input signal."""
+        return Sampled(self.time, self.values[channel])
+
+    def window(self, begin: float, end: float) -> Self:
+        """Return the part between two instants [s].
+
+        Raises:
+            ModelError: if too little is left.
+        """
+        inside = (self.time >= begin - 0.5 / self.rate) & (self.time <= end + 0.5 / self.rate)
+        if np.count_nonzero(inside) < LEAST:
+            raise ModelError(
+                f"{self.name}: window {begin:g} to {end:g} s holds {np.count_nonzero(inside)} samples of "
+                f"{self.time[0]:g} to {self.time[-1]:g} s; at least {LEAST} are needed"
+            )
+        values = {name: v[inside] for name, v in self.values.items()}
+        temperature = None if self.temperature is None else self.temperature[inside]
+        return replace(self, time=self.time[inside], values=values, temperature=temperature)
+
+    def resampled(self, rate: float) -> Self:
+        """Return the record at a lower rate [Hz], aliases removed without phase."""
+        values = {name: decimated(v, self.rate, rate)[0] for name, v in self.values.items()}
+        stride = max(1, round(self.rate / rate))
+        temperature = None if self.temperature is None else self.temperature[::stride]
+        note = f"resampled from {self.rate:g} to {self.rate / stride:g} Hz"
+        return replace(
+            self, time=self.time[::stride], values=values, temperature=temperature, notes=(*self.notes, note)
+        )
+
+
+def read_record(
+    path: str | Path,
+    channels: Mapping[str, Channel],
+    window: tuple[float, float] | None = None,
+    temperature: str | None = None,
+) -> Record:
+    """Read a record and check it.
+
+    Args:
+        path: .csv, .txt, .parquet, .mat (to version 7) or .npz; a column 'time' or 't' is needed.
+        channels: the columns wanted.
+        window: the part of it that counts [s].
+        temperature: the column of a temperature.
+
+    Raises:
+        ModelError: telling all that is wrong, with file, line, column and remedy.
+    """
+    path = Path(path)
+    table = read_table(path)
+    problems: list[str] = []
+    time = _time(table, window, problems)
+    columns = _columns(table, channels, temperature, problems)
+    if problems:
+        raise ModelError(f"record {path.name} cannot be used:", problems)
+    rows = _rows(time, window)
+    if np.count_nonzero(rows) < LEAST:
+        of = f" in the window {window[0]:g} to {window[1]:g} s" if window else ""
+        raise ModelError(
+            f"{path}: {np.count_nonzero(rows)} samples{of}, from {time[0]:g} to {time[-1]:g} s; at least "
+            f"{LEAST} are needed"
+        )
+    for name, channel in channels.items():
+        problems += value_problems(_part(table, rows), name, columns[name][rows], channel.driven)
+    problems += [] if window is None else list(time_problems(_part(table, rows), table.time_name, time[rows]))
+    if problems:
+        raise ModelError(f"record {path.name} cannot be used:", problems)
+    values = {name: converted(columns[name][rows], c.unit, c.si) for name, c in channels.items()}
+    extra = columns[temperature][rows] if temperature else None
+    return _even(path.name, time[rows], values, extra)
+
+
+def _time(table: Table, window: tuple[float, float] | None, problems: list[str]) -> Array:
+    name = table.time_name
+    time = table.columns[name] * factor(table.units.get(name) or "s", "s")
+    told = list(time_problems(table, name, time))
+    if window is None or not np.isfinite(time).all() or (np.diff(time) <= 0).any():
+        problems += told
+    return time
+
+
+def _rows(time: Array, window: tuple[float, float] | None) -> NDArray[np.bool_]:
+    if window is None:
+        return np.ones(len(time), dtype=bool)
+    slack = 0.5 * float(np.median(np.diff(time))) if len(time) > 1 else 0.0
+    inside: NDArray[np.bool_] = (time >= window[0] - slack) & (time <= window[1] + slack)
+    return inside
+
+
+def _columns(
+    table: Table, channels: Mapping[str, Channel], temperature: str | None, problems: list[str]
+) -> dict[str, Array]:
+    """Return the columns wanted; note what is missing, or in another unit than the campaign says."""
+    columns: dict[str, Array] = {}
+    for name in [*channels, *([temperature] if temperature else [])]:
+        try:
+            columns[name] = table.column(name)
+        except ModelError as error:
+            problems.append(str(error))
+            continue
+        written = table.units.get(name, "")
+        if name in channels and written and channels[name].unit:
+            problems += _clash(table, name, written, channels[name])
+    return columns
+
+
+def _clash(table: Table, name: str, written: str, channel: Channel) -> list[str]:
+    try:
+        same = np.isclose(factor(written, channel.si), factor(channel.unit, channel.si))
+    except ModelError as error:
+        return [f"{table.path}, column '{name}': {error}"]
+    told = f"the file says [{written}], the campaign unit = '{channel.unit}'; correct one"
+    return [] if same else [f"{table.path}, column '{name}': {told}"]
+
+
+def _part(table: Table, rows: NDArray[np.bool_]) -> Table:
+    first = int(np.argmax(rows))
+    return replace(table, first_line=table.first_line + first if table.first_line else 0)
+
+
+def _even(name: str, time: Array, values: dict[str, Array], temperature: Array | None) -> Record:
+    """Return a record on evenly spaced instants; small jitter is evened out and told."""
+    from scipy.interpolate import make_interp_spline
+
+    even = np.linspace(time[0], time[-1], len(time))
+    step = even[1] - even[0]
+    worst = float(np.abs(time - even).max())
+    if worst <= EVEN * step:
+        return Record(name, even, values, (), temperature)
+    uneven = float(np.abs(np.diff(time) - step).max())
+    if uneven <= 1e-3 * step:
+        return Record(name, even, values, (f"instants rounded to steps of {step:g} s",), temperature)
+    note = f"instants jitter by up to {uneven / step:.0%} of {step:g} s; values interpolated onto even steps"
+    values = {key: make_interp_spline(time, v, k=3)(even) for key, v in values.items()}
+    temperature = None if temperature is None else np.interp(even, time, temperature)
+    return Record(name, even, values, (note,), temperature)

@@ -1,0 +1,91 @@
+"""ISO 2631-1: how people feel vibration, as filters on the acceleration."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from math import pi, sqrt
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from ...components.base import ModelError, nearest
+from .statespace import StateSpace
+
+Array = NDArray[np.float64]
+BAND = {"Wk": (0.4, 100.0), "Wd": (0.4, 100.0), "Wc": (0.4, 100.0), "We": (0.4, 100.0), "Wj": (0.4, 100.0)}
+TRANSITION = {
+    "Wk": (12.5, 12.5, 0.63),
+    "Wd": (2.0, 2.0, 0.63),
+    "Wc": (8.0, 8.0, 0.63),
+    "We": (1.0, 1.0, 0.63),
+}
+STEP = {"Wk": (2.37, 0.91, 3.35, 0.91), "Wj": (3.75, 0.91, 5.32, 0.91)}
+
+
+def comfort_filter(weighting: str = "Wk") -> StateSpace:
+    """Return a weighting of ISO 2631-1 as a system from acceleration to weighted acceleration [m/s2].
+
+    Band limits of second order at f1, f2 (Q = 1/sqrt 2), transition (1 + s/w3)/(1 + s/(Q4 w4) + (s/w4)^2),
+    upward step (1 + s/(Q5 w5) + (s/w5)^2)/(1 + s/(Q6 w6) + (s/w6)^2) (w5/w6)^2.
+
+    Args:
+        weighting: "Wk" vertical, "Wd" horizontal, "Wc" backrest, "We" rotation, "Wj" head.
+
+    Raises:
+        ModelError: for an unknown weighting.
+
+    Source: ISO 2631-1:1997, annex A, table A.1.
+    """
+    from scipy.signal import tf2ss
+
+    if weighting not in BAND:
+        raise ModelError(f"weightings of ISO 2631-1 are {', '.join(BAND)}{nearest(weighting, BAND)}")
+    low, high = (2 * pi * f for f in BAND[weighting])
+    above, below = np.poly1d([1.0, 0.0, 0.0]), _quadratic(low, 1 / sqrt(2)) * low**2
+    below = below * _quadratic(high, 1 / sqrt(2))
+    if weighting in TRANSITION:
+        f3, f4, Q4 = TRANSITION[weighting]
+        above = above * np.poly1d([1 / (2 * pi * f3), 1.0])
+        below = below * _quadratic(2 * pi * f4, Q4)
+    if weighting in STEP:
+        f5, Q5, f6, Q6 = STEP[weighting]
+        above = above * _quadratic(2 * pi * f5, Q5) * (f5 / f6) ** 2
+        below = below * _quadratic(2 * pi * f6, Q6)
+    A, B, C, D = tf2ss(above.coeffs, below.coeffs)
+    felt = StateSpace(A, B, C, D, name=weighting, inputs=("a",), outputs=("a_w",))
+    return replace(felt, input_units=("m/s2",), output_units=("m/s2",))
+
+
+def weighted(system: StateSpace, weighting: str = "Wk") -> StateSpace:
+    """Return a system with every output passed through a weighting of ISO 2631-1."""
+    filters = comfort_filter(weighting)
+    found = system
+    for k, name in enumerate(system.outputs):
+        found = found.then(filters, k, f"{name} ({weighting})")
+    return found
+
+
+def weighted_rms(time: ArrayLike, acceleration: ArrayLike, weighting: str = "Wk") -> float:
+    """Return the weighted rms acceleration of a record [m/s2].
+
+    ISO 2631-1 annex C calls 0.315 a little, 0.8 plainly and over 2 m/s2 extremely uncomfortable.
+
+    Args:
+        time: instants at equal steps [s].
+        acceleration: [m/s2].
+        weighting: as for `comfort_filter`.
+
+    Raises:
+        ModelError: for steps that are not equal.
+    """
+    from scipy.signal import lsim
+
+    t, a = np.asarray(time, dtype=float), np.asarray(acceleration, dtype=float)
+    if not np.allclose(np.diff(t), t[1] - t[0], rtol=1e-6, atol=0):
+        raise ModelError("weighted_rms() takes instants at equal steps; interpolate the record first")
+    _, felt, _ = lsim(comfort_filter(weighting).to_scipy(), a, t - t[0])
+    return float(np.sqrt(np.mean(felt**2)))
+
+
+def _quadratic(w: float, Q: float) -> np.poly1d:
+    return np.poly1d([1 / w**2, 1 / (Q * w), 1.0])

@@ -1,0 +1,206 @@
+"""Linearise: from the equations of a network to x' = A x + B u, y = C x + D u with names and units."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from functools import cached_property
+from typing import Any
+from weakref import WeakKeyDictionary
+
+import casadi as ca
+import numpy as np
+from numpy.typing import NDArray
+
+from ...components.base import ModelError, nearest
+from ..dae import DAE
+from ..network import Network
+from ..result import Result
+from .operating import HOLDING, OperatingPoint, operating_point
+from .realise import Channel, drop_held, realised
+from .statespace import StateSpace
+
+Array = NDArray[np.float64]
+_KNOWN: WeakKeyDictionary[DAE, dict[tuple[tuple[str, ...], ...], Linearisation]] = WeakKeyDictionary()
+
+
+def linearise(
+    network: Network | DAE,
+    inputs: Iterable[str] | None = None,
+    outputs: Iterable[str] | None = None,
+    *,
+    at: str | Result = "equilibrium",
+    time: float = 0.0,
+    start: Mapping[str, float] | None = None,
+    signals: Mapping[str, Any] | None = None,
+    parameters: Mapping[str, float] | None = None,
+) -> StateSpace:
+    """Return a network as a linear system about an operating point.
+
+        x' = A x + B u,   y = C x + D u (+ D1 u' + D2 u'' + ... where the network differentiates an input)
+
+    Args:
+        network: a network, or its `DAE` (which keeps what it compiled).
+        inputs: what drives it: inputs ("road.s_ref"), their derivatives ("der(road.s_ref)", whose integral
+            becomes a state), or parameters ("weight.f_constant"). All inputs if None.
+        outputs: any variables by name. The states if None.
+        at: "equilibrium", looked for from the start values; "start"; or a `Result`, at `time`.
+        time: instant [s], of a run or of the signals.
+        start: start values by name.
+        signals: constant parts of the inputs by name; 0 if not given.
+        parameters: changed parameters by name.
+
+    Raises:
+        ModelError: for unknown names, or if there is no equilibrium.
+
+    Limits: friction and stops are linear only in the mode they are in; what holds is told in `notes`, and
+    the motions it holds are no states. A law with a corner has the slope of one side of it.
+
+    Example:
+        >>> from inertance import Damper, Fixed, Force, Mass, Network, Spring, linearise
+        >>> net = Network("oscillator", wall=Fixed(), spring=Spring(k=100.0), mass=Mass(m=1.0), push=Force())
+        >>> _ = net.connect(net.wall.flange, net.spring.flange_a)
+        >>> _ = net.connect(net.spring.flange_b, net.mass.flange, net.push.flange)
+        >>> system = linearise(net, ["push.f"], ["mass.s"])
+        >>> round(abs(system(0j).item()), 6)
+        0.01
+    """
+    dae = network.dae() if isinstance(network, Network) else network
+    point = operating_point(dae, at, time=time, start=start, inputs=signals, parameters=parameters)
+    wanted = (
+        (dae.input_names if inputs is None else inputs),
+        (dae.state_names if outputs is None else outputs),
+    )
+    return _compiled(dae, tuple(wanted[0]), tuple(wanted[1])).at(point)
+
+
+def _compiled(dae: DAE, inputs: tuple[str, ...], outputs: tuple[str, ...]) -> Linearisation:
+    """Return the slopes of a network's equations, compiled once as long as the `DAE` lives."""
+    known = _KNOWN.setdefault(dae, {})
+    if (inputs, outputs) not in known:
+        known[inputs, outputs] = Linearisation(dae, inputs, outputs)
+    return known[inputs, outputs]
+
+
+class Linearisation:
+    """The slopes of a network's equations, compiled once and evaluated at any operating point.
+
+    Args:
+        dae: the equations.
+        inputs, outputs: names as for `linearise`.
+    """
+
+    def __init__(self, dae: DAE, inputs: Iterable[str], outputs: Iterable[str]) -> None:
+        self.dae = dae
+        self.inputs = [_channel(dae, name) for name in inputs]
+        self.outputs = list(outputs)
+        self._h = ca.vertcat(ca.SX(0, 1), *[_expression(dae, name) for name in self.outputs])
+
+    @cached_property
+    def _slopes(self) -> Any:
+        dae = self.dae
+        all_ = ca.vertcat(dae.ode, dae.alg, self._h)
+        symbols = [dae.x, dae.z, dae.u, dae.p]
+        return ca.Function("slopes", dae.arguments(), [ca.densify(ca.jacobian(all_, s)) for s in symbols])
+
+    @cached_property
+    def _motions(self) -> dict[str, Any]:
+        """For each mode, how the quantities of its component whose derivatives exist depend on the states."""
+        dae = self.dae
+        found = {}
+        for mode in dae.switching.mode_names:
+            path = mode.rpartition(".")[0]
+            own = [n for n in dae.names() if n.rpartition(".")[0] == path and _differentiated(dae, n)]
+            values = ca.vertcat(ca.SX(0, 1), *[dae.expression(n) for n in own])
+            slopes = [ca.densify(ca.jacobian(values, s)) for s in (dae.x, dae.u)]
+            found[mode] = ca.Function("motions", dae.arguments(), slopes)
+        return found
+
+    def at(self, point: OperatingPoint) -> StateSpace:
+        """Return the linear system about a point."""
+        place = (point.x, point.z, point.u, point.q, point.t)
+        of_x, of_z, of_u, of_p = (m.full() for m in self._slopes(*place))
+        n, m = len(point.x), len(point.z)
+        states, algebraic, outputs = np.split(np.arange(len(of_x)), [n, n + m])
+        notes = list(point.notes)
+        follow = _following(of_z[algebraic], np.hstack([of_x, of_u, of_p])[algebraic], notes)
+        whole = np.hstack([of_x, of_u, of_p])
+        whole[np.r_[states, outputs]] += of_z[np.r_[states, outputs]] @ follow
+        of_x, of_u, of_p = np.split(whole, [n, n + of_u.shape[1]], axis=1)
+        A, C = of_x[states], of_x[outputs]
+        names, units = self.dae.state_names, [self.dae.unit(name) for name in self.dae.state_names]
+        kept = drop_held(A, of_u[states], self._held_rows(point))
+        if kept is not None:
+            keep, restore = kept
+            notes.append(f"held, and therefore no states: {', '.join(np.delete(names, keep))}")
+            A, C, of_u, of_p = (
+                A[keep] @ restore,
+                C @ restore,
+                *(np.vstack([part[keep], part[outputs]]) for part in (of_u, of_p)),
+            )
+            names, units = [names[k] for k in keep], [units[k] for k in keep]
+        channels = [self._columns(c, of_u, of_p) for c in self.inputs]
+        inputs = [c.name for c in self.inputs], [c.unit for c in self.inputs]
+        told = [self.dae.unit(name) for name in self.outputs]
+        return realised(
+            self.dae.name, (A, C), channels, (names, units), inputs, (self.outputs, told), notes, point
+        )
+
+    def _columns(self, channel: Channel, of_u: Array, of_p: Array) -> tuple[Channel, dict[int, Array]]:
+        """Return the slopes in a channel and its derivatives, by order."""
+        if channel.parameter is not None:
+            return channel, {0: of_p[:, channel.parameter]}
+        columns: dict[int, Array] = {}
+        for k, declared in enumerate(self.dae.inputs):
+            if declared.path == channel.path:
+                columns[declared.order] = columns.get(declared.order, 0.0) + declared.sign * of_u[:, k]
+        return channel, columns
+
+    def _held_rows(self, point: OperatingPoint) -> Array:
+        rows = [np.zeros((0, len(point.x)))]
+        for mode, value in point.modes.items():
+            if value in HOLDING:
+                of_x, of_u = (
+                    m.full() for m in self._motions[mode](point.x, point.z, point.u, point.q, point.t)
+                )
+                rows.append(of_x[~of_u.any(axis=1)])
+        return np.vstack(rows)
+
+
+def _following(of_z: Array, of_others: Array, notes: list[str]) -> Array:
+    """Return how algebraic unknowns follow all others."""
+    if not len(of_z):
+        return np.zeros((0, of_others.shape[1]))
+    scale = np.abs(of_z).max(axis=1)
+    scale[scale == 0] = 1.0
+    follow, _, rank, _ = np.linalg.lstsq(of_z / scale[:, None], -of_others / scale[:, None], rcond=1e-13)
+    if rank < len(of_z):
+        notes.append(
+            f"{len(of_z) - rank} algebraic unknowns are not determined here; the least ones are taken"
+        )
+    result: Array = follow
+    return result
+
+
+def _channel(dae: DAE, name: str) -> Channel:
+    path, order = name, 0
+    while path.startswith("der(") and path.endswith(")"):
+        path, order = path[4:-1], order + 1
+    table = dae.system.flat.table
+    if path in dae.input_names:
+        unit = next(i.unit for i in dae.inputs if i.path == path)
+        return Channel(name, path, order, unit, None)
+    if path in table.index and not order:
+        return Channel(name, path, 0, dae.unit(path), table.index[path])
+    known = [*dae.input_names, *table.index]
+    raise ModelError(f"'{dae.name}' has no input '{path}'{nearest(path, known)}")
+
+
+def _expression(dae: DAE, name: str) -> Any:
+    try:
+        return dae.expression(name)
+    except KeyError as error:
+        raise ModelError(f"'{dae.name}' has no output '{name}': {error.args[0]}") from None
+
+
+def _differentiated(dae: DAE, name: str) -> bool:
+    return dae.root(name)[0] in dae.system.derivative

@@ -1,0 +1,146 @@
+"""Modes: natural frequencies, damping ratios and shapes, drawn and moving."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..dae import DAE
+from ..network import Network
+
+if TYPE_CHECKING:
+    from matplotlib.animation import FuncAnimation
+    from matplotlib.figure import Figure
+
+    from .statespace import StateSpace
+
+Complex = NDArray[np.complex128]
+
+
+@dataclass(frozen=True, eq=False)
+class Mode:
+    """One natural motion, exp(pole t) times its shape.
+
+    Attributes:
+        pole: [rad/s]; one of a conjugate pair stands for both.
+        shape: complex amplitudes of the outputs, by name; the greatest is 1.
+        state: the same of the states.
+    """
+
+    pole: complex
+    shape: dict[str, complex]
+    state: dict[str, complex]
+
+    @property
+    def frequency(self) -> float:
+        """Undamped natural frequency [Hz]."""
+        return abs(self.pole) / (2 * math.pi)
+
+    @property
+    def damped_frequency(self) -> float:
+        """Frequency of the oscillation [Hz], 0 if it creeps."""
+        return abs(self.pole.imag) / (2 * math.pi)
+
+    @property
+    def damping(self) -> float:
+        """Damping ratio: 1 and above creeps, below 0 grows; nan for a free motion."""
+        return -self.pole.real / abs(self.pole) if self.pole else math.nan
+
+    def __str__(self) -> str:
+        return f"{self.frequency:.4g} Hz, damping {100 * self.damping:.3g} %"
+
+
+def modes(system: StateSpace) -> list[Mode]:
+    """Return a system's modes; see `StateSpace.modes`."""
+    poles, vectors = np.linalg.eig(system.A)
+    order = [k for k in np.lexsort((poles.imag, np.abs(poles))) if poles[k].imag >= 0]
+    found = []
+    for k in order:
+        shape, state = system.C @ vectors[:, k], vectors[:, k]
+        found.append(
+            Mode(complex(poles[k]), _named(system.outputs, shape), _named(system.states, state))
+        )  # fmt: skip
+    return found
+
+
+def _named(names: Sequence[str], values: Complex) -> dict[str, complex]:
+    top = values[np.argmax(np.abs(values))] if len(values) else 1.0
+    scaled = values / top if abs(top) > 0 else values
+    return dict(zip(names, map(complex, scaled), strict=True))
+
+
+def body_positions(network: Network | DAE) -> list[str]:
+    """Return the names of the positions of all masses, in the order they were added."""
+    dae = network.dae() if isinstance(network, Network) else network
+    found = []
+    for path, instance in dae.system.flat.instances.items():
+        fields = type(instance.component).fields
+        if "m" in fields and {"s", "v", "a"} <= fields.keys():
+            found.append(f"{path}.s")
+    return found
+
+
+def plot_modes(modes: Sequence[Mode], *, phase: float = 0.0, axes: Any = None) -> Figure:
+    """Draw mode shapes side by side: one point a body, bodies upwards, the motion to the side.
+
+    The full line is the shape at `phase`, the grey ones its extent over a period.
+
+    Args:
+        modes: what to draw.
+        phase: where in the period [rad].
+        axes: matplotlib axes, one a mode; a new figure if None.
+    """
+    from matplotlib import pyplot
+
+    if axes is None:
+        _, axes = pyplot.subplots(
+            1,
+            len(modes),
+            sharey=True,
+            squeeze=False,
+            figsize=(1.5 + 1.8 * len(modes), 4.0),
+            layout="constrained",
+        )
+    for ax, mode in zip(np.ravel(axes), modes, strict=True):
+        _draw(ax, mode, phase)
+    figure: Figure = np.ravel(axes)[0].get_figure()
+    return figure
+
+
+def animate_modes(modes: Sequence[Mode], frames: int = 40) -> FuncAnimation:
+    """Return the shapes in motion, one period; `.save("modes.gif", writer="pillow")` keeps it.
+
+    Args:
+        modes: what to draw.
+        frames: pictures in a period.
+    """
+    from matplotlib.animation import FuncAnimation
+
+    figure = plot_modes(modes)
+    axes = figure.axes
+
+    def draw(frame: int) -> list[Any]:
+        for ax, mode in zip(axes, modes, strict=True):
+            ax.clear()
+            _draw(ax, mode, 2 * math.pi * frame / frames)
+        return []
+
+    return FuncAnimation(figure, draw, frames=frames, interval=50)
+
+
+def _draw(ax: Any, mode: Mode, phase: float) -> None:
+    shape = np.array(list(mode.shape.values()))
+    height = np.arange(len(shape))
+    swing = np.abs(shape)
+    ax.fill_betweenx(height, -swing, swing, color="0.92")
+    ax.plot((shape * np.exp(1j * phase)).real, height, "o-", linewidth=1.6)
+    ax.axvline(0.0, color="0.6", linewidth=0.8)
+    ax.set_xlim(-1.15, 1.15)
+    ax.set_yticks(height, list(mode.shape))
+    ax.set_title(f"{mode.frequency:.3g} Hz\n{100 * mode.damping:.2g} %", fontsize="small")
+    ax.set_xlabel("shape")

@@ -1,0 +1,58 @@
+"""Periodic motions: what harmonic balance finds, and whether they persist."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..dae import DAE
+
+Array = NDArray[np.float64]
+Complex = NDArray[np.complex128]
+
+
+@dataclass(frozen=True, eq=False)
+class Orbit:
+    """A periodic motion of a driven network.
+
+    Attributes:
+        frequency: of the drive [Hz].
+        multipliers: Floquet multipliers, of one period; the motion persists if all lie in the unit circle.
+        error: share of the outputs' power in the highest tenth of the harmonics.
+    """
+
+    dae: DAE
+    frequency: float
+    coefficients: Complex
+    outputs: dict[str, Complex]
+    multipliers: Complex
+    error: float
+
+    @property
+    def stable(self) -> bool:
+        """Whether small disturbances die out."""
+        return bool((np.abs(self.multipliers) < 1.0 + 1e-6).all())
+
+    def amplitude(self, output: str, harmonic: int = 1) -> float:
+        """Return the amplitude of one harmonic of an output, or its mean for harmonic 0."""
+        value = abs(self.outputs[output][harmonic])
+        return float(value if harmonic == 0 else 2 * value)
+
+    def phase(self, output: str, harmonic: int = 1) -> float:
+        """Return the phase of a harmonic against the drive's sine [rad]."""
+        return float(np.angle(1j * self.outputs[output][harmonic]))
+
+    def over_period(self, output: str, points: int = 400) -> tuple[Array, Array]:
+        """Return instants of one period [s] and an output there."""
+        phase = np.linspace(0.0, 2 * np.pi, points)
+        lines = self.outputs[output]
+        waves = np.exp(1j * np.outer(phase, np.arange(len(lines))))
+        values = 2 * (waves @ lines).real - lines[0].real
+        return phase / (2 * np.pi * self.frequency), values
+
+    def peak(self, output: str) -> float:
+        """Return half of what an output covers from its least to its greatest value in a period."""
+        values = self.over_period(output)[1]
+        return float(np.ptp(values) / 2)

@@ -1,0 +1,101 @@
+"""Driving-point admittance and impedance: what a pair of flanges answers to."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from typing import Any
+
+from ...components import Fixed, Force, Position, RelativeSpeedSensor, rotational
+from ...components.base import Component, ModelError, PortRef, nearest
+from ..network import Network
+from .linearise import linearise
+from .statespace import StateSpace
+
+
+def admittance(
+    network: Component, flange_a: str = "flange_a", flange_b: str = "flange_b", **options: Any
+) -> StateSpace:
+    """Return the mechanical admittance between two flanges: force over relative velocity, Y(s) = F/v.
+
+    A spring has Y = k/s, a damper Y = d, an inerter Y = b s. In a network, everything else stays joined and
+    other inputs are held.
+
+    Args:
+        network: a network, or a two-terminal element.
+        flange_a: path of one flange, such as "strut.flange_a".
+        flange_b: path of the other.
+        options: as for `linearise`: `at`, `start`, `parameters`.
+
+    Raises:
+        ModelError: for an unknown flange, or one that cannot be moved against the other.
+
+    Source: M. C. Smith, IEEE Trans. Automat. Contr. 47 (2002) 1648-1662, section II.
+
+    Example:
+        >>> from inertance import Damper, Inerter, admittance, series
+        >>> Y = admittance(series(Damper(d=100.0), Inerter(b=10.0)))
+        >>> round(abs(Y(1j).item()), 6)  # 1/(1/d + 1/(b s)) at 1 rad/s
+        9.950372
+    """
+    net, turning = _probed(network, flange_a, flange_b, "move")
+    drive, force = ("phi_ref", "tau") if turning else ("s_ref", "f")
+    system = linearise(net, [f"der(probe.{drive})"], [f"probe.flange.{force}"], **options).minimal()
+    return _told(system, "v" if not turning else "w", force, -1.0)
+
+
+def impedance(
+    network: Component, flange_a: str = "flange_a", flange_b: str = "flange_b", **options: Any
+) -> StateSpace:
+    """Return the mechanical impedance between two flanges: relative velocity over force, Z(s) = v/F = 1/Y.
+
+    Args and errors as for `admittance`.
+    """
+    net, turning = _probed(network, flange_a, flange_b, "push")
+    force, speed = ("tau", "w_rel") if turning else ("f", "v_rel")
+    system = linearise(net, [f"probe.{force}"], [f"meter.{speed}"], **options).minimal()
+    return _told(system, force, "w" if turning else "v", 1.0)
+
+
+def _probed(network: Component, flange_a: str, flange_b: str, how: str) -> tuple[Network, bool]:
+    """Return a copy with a source between two flanges, and whether they turn."""
+    if isinstance(network, Network):
+        net = network.clone()
+    else:
+        net = Network("element", element=network.clone())
+        flange_a, flange_b = f"element.{flange_a}", f"element.{flange_b}"
+    a, b = (port(net, path) for path in (flange_a, flange_b))
+    domains = [getattr(type(p.component).fields[p.name], "domain", "") for p in (a, b)]
+    if domains[0] != domains[1] or domains[0] not in ("translational", "rotational"):
+        raise ModelError(f"'{flange_a}' and '{flange_b}' must be two flanges that both slide or both turn")
+    turning = domains[0] == "rotational"
+    if not isinstance(network, Network):
+        net.add(ground=rotational.Fixed() if turning else Fixed())
+        net.connect(net.ground.flange, a)
+    if how == "move":
+        net.add(probe=rotational.Position() if turning else Position())
+    else:
+        net.add(probe=rotational.Torque() if turning else Force())
+        net.add(meter=rotational.RelativeSpeedSensor() if turning else RelativeSpeedSensor())
+        net.connect(a, net.meter.flange_a).connect(b, net.meter.flange_b)
+    net.connect(a, net.probe.support).connect(b, net.probe.flange)
+    return net, turning
+
+
+def port(net: Network, path: str) -> PortRef:
+    """Return a port by its path."""
+    part: Any = net
+    *parts, name = path.split(".")
+    for step in parts:
+        if step not in part._parts:
+            raise ModelError(f"'{net.name}' has no part '{step}' in '{path}'{nearest(step, part._parts)}")
+        part = part._parts[step]
+    if name not in type(part).fields:
+        raise ModelError(f"'{path}': there is no such flange{nearest(name, type(part).fields)}")
+    return PortRef(part, name)
+
+
+def _told(system: StateSpace, given: str, answer: str, sign: float) -> StateSpace:
+    return replace(
+        system, C=sign * system.C, D=sign * system.D, D_s=tuple(sign * D for D in system.D_s),
+        inputs=(given,), outputs=(answer,),
+    )  # fmt: skip

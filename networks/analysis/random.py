@@ -1,0 +1,57 @@
+"""Random response: spectra and root mean squares of a linear system's outputs."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import TYPE_CHECKING
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from ...components.base import ModelError
+
+if TYPE_CHECKING:
+    from .statespace import StateSpace
+
+Array = NDArray[np.float64]
+Spectrum = float | Callable[[Array], ArrayLike]
+
+
+def response_psd(system: StateSpace, f: ArrayLike, input_psd: Spectrum = 1.0) -> Array:
+    """Return the one-sided spectra of the outputs, S_y(f) = |G(f)|^2 S_u(f), shape (frequencies, outputs).
+
+    Args:
+        system: with one input, or several that are independent and alike.
+        f: frequencies [Hz].
+        input_psd: one-sided spectrum of the input, a number or a function of f, in its unit squared per Hz.
+    """
+    at = np.asarray(f, dtype=float)
+    given = np.asarray(input_psd(at) if callable(input_psd) else np.full(at.shape, input_psd), dtype=float)
+    spectrum: Array = (np.abs(system.response(at)) ** 2).sum(axis=-1) * given[:, None]
+    return spectrum
+
+
+def response_rms(
+    system: StateSpace, input_psd: Spectrum, low: float, high: float, points: int = 20001
+) -> dict[str, float]:
+    """Return the rms of each output within a band, by its name.
+
+    For white input without a band, `StateSpace.h2` is exact.
+
+    Args:
+        system: with one input, or several that are independent and alike.
+        input_psd: one-sided spectrum of the input, as for `response_psd`.
+        low: begin of the band [Hz].
+        high: end of the band [Hz].
+        points: at which the spectrum is taken, spaced geometrically.
+
+    Raises:
+        ModelError: for an empty band.
+    """
+    from scipy.integrate import simpson
+
+    if not 0 < low < high:
+        raise ModelError(f"a band goes from low > 0 to a higher frequency, got {low:g} to {high:g} Hz")
+    f = np.geomspace(low, high, points)
+    power = simpson(response_psd(system, f, input_psd) * f[:, None], x=np.log(f), axis=0)
+    return dict(zip(system.outputs, map(float, np.sqrt(power)), strict=True))

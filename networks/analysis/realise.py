@@ -1,0 +1,241 @@
+"""Realise: derivatives of inputs, held motions and redundant states, brought into the form A, B, C, D."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from typing import TYPE_CHECKING
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ...components.base import ModelError
+from .statespace import StateSpace
+
+if TYPE_CHECKING:
+    from .operating import OperatingPoint
+
+Array = NDArray[np.float64]
+Named = tuple[list[str], list[str]]
+
+
+@dataclass(frozen=True)
+class Channel:
+    """What drives a linear system: an input, the `order`-th derivative of one, or a parameter."""
+
+    name: str
+    path: str
+    order: int
+    base_unit: str
+    parameter: int | None
+
+    @property
+    def unit(self) -> str:
+        """Its unit."""
+        return rate_unit(self.base_unit, self.order)
+
+
+def rate_unit(unit: str, order: int) -> str:
+    """Return the unit of a derivative: m, m/s, m/s2."""
+    if not order:
+        return unit
+    stem, slash, below = unit.partition("/s")
+    known = int(below or 1) if slash and (below == "" or below.isdigit()) else 0
+    if slash and not known:
+        return f"{unit}/s{order if order > 1 else ''}"
+    total = known + order
+    return f"{stem if slash else unit}/s{total if total > 1 else ''}"
+
+
+def drop_held(A: Array, B: Array, rows: Array) -> tuple[list[int], Array] | None:
+    """Return the states to keep when some motions are held, and all states from those kept.
+
+    A row h holds if h x stays as it is whatever the inputs do: h A is zero up to what is held already.
+    """
+    import scipy.linalg
+
+    n = len(A)
+    held = np.zeros((0, n))
+    whole = np.hstack([A, B])
+    for _ in range(2):
+        for h in rows:
+            rate = h @ whole
+            size = np.abs(h) @ np.abs(whole)
+            rest = rate[:n] - (rate[:n] @ np.linalg.pinv(held)) @ held if len(held) else rate[:n]
+            still = np.abs(rest).max(initial=0.0) <= 1e-10 * max(size[:n].max(initial=0.0), 1.0)
+            if still and np.abs(rate[n:]).max(initial=0.0) <= 1e-10 * max(size[n:].max(initial=0.0), 1e-300):
+                grown = np.vstack([held, h])
+                if np.linalg.matrix_rank(grown, tol=1e-10) > len(held):
+                    held = grown
+    if not len(held):
+        return None
+    _, _, pivots = scipy.linalg.qr(held, pivoting=True, mode="economic")
+    gone = sorted(int(k) for k in pivots[: len(held)])
+    keep = [k for k in range(n) if k not in gone]
+    restore = np.zeros((n, len(keep)))
+    restore[keep] = np.eye(len(keep))
+    restore[gone] = -np.linalg.solve(held[:, gone], held[:, keep])
+    return keep, restore
+
+
+def realised(
+    name: str,
+    matrices: tuple[Array, Array],
+    channels: list[tuple[Channel, dict[int, Array]]],
+    states: Named,
+    inputs: Named,
+    outputs: Named,
+    notes: list[str],
+    point: OperatingPoint,
+) -> StateSpace:
+    """Return x' = A x + sum B_k u^(k), y = C x + sum D_k u^(k) without derivatives in the first equation.
+
+    Where a channel is a derivative u^(n), the lower ones become states. Where derivatives are left,
+    x = w + E u + F u' + ... with E, F such that they leave w' = A w + (B_0 + A B_1 + A^2 B_2 + ...) u.
+    """
+    A, C = matrices
+    names, units = list(states[0]), list(states[1])
+    size, count = len(A), len(C)
+    left: list[dict[int, Array]] = []
+    for number, (channel, columns) in enumerate(channels):
+        rest = {order - channel.order: c for order, c in columns.items() if order >= channel.order}
+        lower = [columns.get(order, np.zeros(size + count)) for order in range(channel.order)]
+        if channel.order:
+            A, C, left, rest = _integrators(A, C, left, rest, lower)
+            path = channel.path
+            for order in range(channel.order):
+                names.append(f"{'der(' * order}{path}{')' * order}")
+                units.append(rate_unit(channel.base_unit, order))
+            size = len(A)
+        left.append(rest)
+        notes += [] if columns else [f"nothing depends on {inputs[0][number]}"]
+    return _without_derivatives(
+        StateSpace(
+            A, np.zeros((size, len(left))), C, np.zeros((count, len(left))),
+            name=name, states=tuple(names), inputs=tuple(inputs[0]), outputs=tuple(outputs[0]),
+            state_units=tuple(units), input_units=tuple(inputs[1]), output_units=tuple(outputs[1]),
+            notes=tuple(notes), point=point,
+        ),
+        left,
+    )  # fmt: skip
+
+
+def _integrators(
+    A: Array, C: Array, left: list[dict[int, Array]], rest: dict[int, Array], lower: list[Array]
+) -> tuple[Array, Array, list[dict[int, Array]], dict[int, Array]]:
+    """Append the integrals of a channel as states; earlier channels do not touch them."""
+    size, more = len(A), len(lower)
+    block = np.stack(lower, axis=1)
+    grown = np.zeros((size + more, size + more))
+    grown[:size, :size], grown[:size, size:] = A, block[:size]
+    for k in range(more - 1):
+        grown[size + k, size + k + 1] = 1.0
+
+    def pad(column: Array) -> Array:
+        return np.concatenate([column[:size], np.zeros(more), column[size:]])
+
+    rest = {order: pad(column) for order, column in rest.items()}
+    own = rest.setdefault(0, np.zeros(size + more + len(C)))
+    own[size + more - 1] = 1.0
+    return grown, np.hstack([C, block[size:]]), [{o: pad(c) for o, c in r.items()} for r in left], rest
+
+
+def _without_derivatives(system: StateSpace, left: list[dict[int, Array]]) -> StateSpace:
+    A, C, n = system.A, system.C, len(system.A)
+    highest = max((order for columns in left for order in columns), default=0)
+    B = np.zeros((highest + 1, n, len(left)))
+    D = np.zeros((highest + 1, len(C), len(left)))
+    for k, columns in enumerate(left):
+        for order, column in columns.items():
+            B[order, :, k], D[order, :, k] = column[:n], column[n:]
+    shifted = bool(B[1:].any())
+    for order in range(highest, 0, -1):
+        D[order - 1] += C @ B[order]
+        B[order - 1] += A @ B[order]
+    size = np.abs(D).max(initial=0.0)
+    above = [D[order] for order in range(1, highest + 1)]
+    while above and np.abs(above[-1]).max(initial=0.0) <= 1e-14 * size:
+        above.pop()
+    notes = list(system.notes)
+    if shifted:
+        notes.append("states are less what follows an input at once, so that no derivative of it drives them")
+    if above:
+        notes.append(f"improper: outputs contain derivatives of inputs up to order {len(above)}")
+    return replace(system, B=B[0], D=D[0], D_s=tuple(above), notes=tuple(notes))
+
+
+def chained(system: StateSpace, after: StateSpace, row: int, name: str) -> StateSpace:
+    """Return a system with one output passed through another; see `StateSpace.then`."""
+    if not (system.proper and after.proper):
+        raise ModelError(f"'{system.name}': only proper systems are chained; take a derivative as the input")
+    n, added = len(system.A), len(after.A)
+    A = np.zeros((n + added, n + added))
+    A[:n, :n], A[n:, n:], A[n:, :n] = system.A, after.A, after.B @ system.C[[row]]
+    B = np.vstack([system.B, after.B @ system.D[[row]]])
+    C, D = np.hstack([system.C, np.zeros((len(system.C), added))]), system.D.copy()
+    C[row] = np.hstack([after.D @ system.C[[row]], after.C])
+    D[row] = after.D @ system.D[[row]]
+    outputs, units = list(system.outputs), list(system.output_units)
+    outputs[row], units[row] = (
+        name,
+        units[row] if after.output_units == after.input_units else after.output_units[0],
+    )
+    return replace(
+        system, A=A, B=B, C=C, D=D, outputs=tuple(outputs), output_units=tuple(units),
+        states=(*system.states, *(f"{name}.{state}" for state in after.states)),
+        state_units=(*system.state_units, *after.state_units),
+    )  # fmt: skip
+
+
+def controllable_part(A: Array, B: Array, tolerance: float) -> Array:
+    """Return an orthonormal basis of what the inputs reach, block by block.
+
+    Source: H. Rosenbrock, State-space and Multivariable Theory (1970); the staircase by singular values.
+    """
+    n = len(A)
+    basis = np.zeros((n, 0))
+    block = B
+    while basis.shape[1] < n and block.size:
+        block = block - basis @ (basis.T @ block)
+        block = block - basis @ (basis.T @ block)
+        left, strength, _ = np.linalg.svd(block, full_matrices=False)
+        new = left[:, strength > tolerance]
+        if not new.shape[1]:
+            break
+        basis = np.hstack([basis, new])
+        block = A @ new
+    return basis
+
+
+def balanced(system: StateSpace) -> tuple[Array, Array, Array]:
+    """Return A, B, C with states scaled so that rows and columns of A are of like size."""
+    import scipy.linalg
+
+    if not len(system.A):
+        return system.A, system.B, system.C
+    A, (scale, _) = scipy.linalg.matrix_balance(system.A, permute=False, separate=True)
+    return np.asarray(A, dtype=float), system.B / scale[:, None], system.C * scale
+
+
+def minimal(system: StateSpace, tolerance: float = 1e-9) -> StateSpace:
+    """Return the part of a system that its inputs reach and its outputs show; see `StateSpace.minimal`."""
+    A, B, C = balanced(system)
+    rate = float(np.abs(A).max(initial=1e-300))
+    gains = _norms(B, 0), _norms(C, 1)
+    A, B, C = A / rate, B / gains[0], C / gains[1][:, None]
+    reach = controllable_part(A, B, tolerance)
+    A, B, C = reach.T @ A @ reach, reach.T @ B, C @ reach
+    show = controllable_part(A.T, C.T, tolerance)
+    A, B, C = show.T @ A @ show, show.T @ B, C @ show
+    lost = len(system.A) - len(A)
+    if not lost:
+        return system
+    return replace(
+        system, A=A * rate, B=B * gains[0], C=C * gains[1][:, None],
+        states=tuple(f"x{k + 1}" for k in range(len(A))), state_units=("1",) * len(A),
+        notes=(*system.notes, f"{lost} states that no input reaches or no output shows are left out"),
+    )  # fmt: skip
+
+
+def _norms(matrix: Array, axis: int) -> Array:
+    sizes: Array = np.linalg.norm(matrix, axis=axis)
+    return np.where(sizes > 0, sizes, 1.0)

@@ -1,0 +1,154 @@
+"""Excitations: ISO 8608 roads, bumps, and records of earthquakes and wind."""
+
+from __future__ import annotations
+
+import csv
+from collections.abc import Callable, Iterator
+from math import pi
+from pathlib import Path
+from typing import Any
+
+import casadi as ca
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from ...components.base import ModelError, Sampled, nearest
+
+Array = NDArray[np.float64]
+N_0 = 0.1
+G_D: dict[str, float] = {letter: 16e-6 * 4.0**k for k, letter in enumerate("ABCDEFGH")}
+GRAVITY = 9.80665
+
+
+def road_spectrum(road_class: str, n: ArrayLike) -> Array:
+    """Return the displacement spectrum of a road: G_d(n) = G_d(n_0) (n/n_0)^-2 [m3], one-sided.
+
+    Args:
+        road_class: "A" (motorway) to "H"; G_d at n_0 = 0.1 cycle/m is 16e-6 m3 for A and 4 times more each.
+        n: spatial frequency [cycle/m].
+
+    Source: ISO 8608:2016, geometric means of the classes.
+    """
+    spectrum: Array = _class(road_class) * (np.asarray(n, dtype=float) / N_0) ** -2.0
+    return spectrum
+
+
+def roughness(road_class: str) -> float:
+    """Return kappa [m3/cycle] of the two-sided spectrum kappa/n^2 that J1 and J3 use: G_d(n_0) n_0^2/2."""
+    return _class(road_class) * N_0**2 / 2
+
+
+def road_profile(
+    road_class: str,
+    speed: float,
+    duration: float,
+    seed: int = 0,
+    *,
+    low: float = 0.011,
+    high: float = 2.83,
+) -> Sampled:
+    """Return the height of a random road under a wheel over time [m], Gaussian, from 0 at the start.
+
+    A sum of sines with random phases at the multiples of 1/length, with the class's spectrum.
+
+    Args:
+        road_class: "A" to "H".
+        speed: of the vehicle [m/s].
+        duration: [s].
+        seed: of the phases.
+        low: least spatial frequency [cycle/m].
+        high: greatest spatial frequency [cycle/m].
+
+    Raises:
+        ModelError: for an unknown class, or a road shorter than its longest wave.
+    """
+    length = speed * duration
+    if not length * low >= 1.0:
+        raise ModelError(
+            f"a road of {length:g} m holds no wave of {low:g} cycle/m; drive over {1 / (low * speed):g} s"
+        )
+    lines = np.arange(int(np.ceil(low * length)), int(high * length) + 1)
+    count = 8 * int(2 ** np.ceil(np.log2(lines[-1])))
+    amplitudes = np.sqrt(2 * road_spectrum(road_class, lines / length) / length)
+    phases = np.random.default_rng(seed).uniform(0, 2 * pi, len(lines))
+    spectrum = np.zeros(count // 2 + 1, dtype=complex)
+    spectrum[lines] = amplitudes * np.exp(1j * phases) * count / 2
+    height = np.fft.irfft(spectrum, count)
+    return Sampled(np.linspace(0.0, duration, count + 1), np.r_[height, height[0]] - height[0])
+
+
+def bump(height: float, length: float, speed: float, begin: float = 0.0) -> Callable[[Any], Any]:
+    """Return a bump shaped as one wave of a cosine, height (1 - cos(2 pi x/length))/2, as a function of time.
+
+    Args:
+        height: [m]; negative for a pothole.
+        length: [m].
+        speed: of the vehicle [m/s].
+        begin: when the wheel meets it [s].
+    """
+
+    def profile(t: Any) -> Any:
+        x = speed * (t - begin)
+        wave = height / 2 * (1 - ca.cos(2 * pi * x / length))
+        return ca.if_else(ca.logic_and(x > 0, x < length), wave, 0.0)
+
+    return profile
+
+
+def record(path: str | Path, column: str | None = None, *, time: str = "time", scale: float = 1.0) -> Sampled:
+    """Return a measured signal from a file, such as the acceleration of the ground or the force of wind.
+
+    Args:
+        path: .csv with a header line; or .at2 of the PEER ground motion database, whose g become m/s2.
+        column: of the signal in a .csv; the one after `time` if None.
+        time: column of the instants [s].
+        scale: factor to SI units.
+
+    Raises:
+        ModelError: for a missing file or column, or what is no number, with its line.
+    """
+    file = Path(path)
+    if not file.is_file():
+        raise ModelError(f"record: there is no file {file}")
+    if file.suffix.lower() == ".at2":
+        return _peer(file, scale)
+    with file.open(newline="", encoding="utf-8") as stream:
+        rows = csv.reader(stream)
+        heads = [head.strip() for head in next(rows, [])]
+        wanted = column or next((h for h in heads if h != time), "")
+        for name in (time, wanted):
+            if name not in heads:
+                raise ModelError(f"{file} has no column '{name}'{nearest(name, heads)}")
+        places = heads.index(time), heads.index(wanted)
+        pairs = [_numbers(file, number, row, places) for number, row in enumerate(rows, start=2) if row]
+    instants, values = np.array(pairs, dtype=float).reshape(-1, 2).T
+    return Sampled(instants, scale * values)
+
+
+def _numbers(file: Path, line: int, row: list[str], places: tuple[int, int]) -> list[float]:
+    try:
+        return [float(row[k]) for k in places]
+    except (ValueError, IndexError):
+        raise ModelError(f"{file}, line {line}: two numbers are needed, got {','.join(row)!r}") from None
+
+
+def _peer(file: Path, scale: float) -> Sampled:
+    lines = file.read_text(encoding="utf-8").splitlines()
+    facts = dict(_facts(lines[3])) if len(lines) > 4 else {}
+    if "DT" not in facts:
+        raise ModelError(f"{file}, line 4: no 'DT=' as the PEER format has it")
+    values = np.array(" ".join(lines[4:]).split(), dtype=float) * GRAVITY * scale
+    return Sampled(facts["DT"] * np.arange(len(values)), values)
+
+
+def _facts(line: str) -> Iterator[tuple[str, float]]:
+    for part in line.split(","):
+        name, equals, value = part.partition("=")
+        if equals:
+            yield name.strip().upper(), float(value.split()[0])
+
+
+def _class(road_class: str) -> float:
+    if road_class not in G_D:
+        raise ModelError(f"road classes are A to H (ISO 8608), got {road_class!r}")
+    return G_D[road_class]

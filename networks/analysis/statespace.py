@@ -1,0 +1,235 @@
+"""`StateSpace`: a linear system whose states, inputs and outputs have names and units."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from ...components.base import ModelError, nearest
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
+    from .modes import Mode
+    from .norms import Norm
+    from .operating import OperatingPoint
+
+Array = NDArray[np.float64]
+Complex = NDArray[np.complex128]
+
+
+@dataclass(frozen=True, eq=False)
+class StateSpace:
+    """A linear system x' = A x + B u, y = C x + D u + D_s[0] u' + D_s[1] u'' + ...
+
+    Attributes:
+        A, B, C, D: matrices.
+        D_s: what multiplies the derivatives of the inputs; empty for a proper system.
+        states, inputs, outputs: names; `state_units`, `input_units`, `output_units`: their units.
+        notes: what is to be known: what holds, what was left out, what is free.
+        point: the operating point it was linearised at.
+    """
+
+    A: Array
+    B: Array
+    C: Array
+    D: Array
+    D_s: tuple[Array, ...] = ()
+    name: str = "system"
+    states: tuple[str, ...] = ()
+    inputs: tuple[str, ...] = ()
+    outputs: tuple[str, ...] = ()
+    state_units: tuple[str, ...] = ()
+    input_units: tuple[str, ...] = ()
+    output_units: tuple[str, ...] = ()
+    notes: tuple[str, ...] = ()
+    point: OperatingPoint | None = None
+
+    def __post_init__(self) -> None:
+        n, m, p = len(self.A), self.B.shape[1], len(self.C)
+        if (
+            self.A.shape != (n, n)
+            or self.B.shape != (n, m)
+            or self.C.shape != (p, n)
+            or self.D.shape != (p, m)
+        ):
+            told = ", ".join(f"{k} {getattr(self, k).shape}" for k in "ABCD")
+            raise ModelError(f"'{self.name}': matrices do not fit each other: {told}")
+        for names, stem, count in (("states", "x", n), ("inputs", "u", m), ("outputs", "y", p)):
+            if not getattr(self, names):
+                object.__setattr__(self, names, tuple(f"{stem}{k + 1}" for k in range(count)))
+            units = f"{names[:-1]}_units"
+            if not getattr(self, units):
+                object.__setattr__(self, units, ("1",) * count)
+
+    @property
+    def proper(self) -> bool:
+        """Whether no output contains a derivative of an input."""
+        return not self.D_s
+
+    @property
+    def poles(self) -> Complex:
+        """Poles [rad/s], slowest first."""
+        poles = np.linalg.eigvals(self.A).astype(np.complex128)
+        return poles[np.lexsort((poles.imag, np.abs(poles)))]
+
+    @property
+    def zeros(self) -> Complex:
+        """Transmission zeros [rad/s] of a system with as many inputs as outputs."""
+        from .zeros import transmission_zeros
+
+        return transmission_zeros(self)
+
+    @property
+    def stable(self) -> bool:
+        """Whether every pole lies left of the imaginary axis."""
+        return bool((self.poles.real < 0).all())
+
+    def __call__(self, s: ArrayLike) -> Complex:
+        """Return the transfer matrix at complex frequencies [rad/s], shape (..., outputs, inputs)."""
+        at = np.asarray(s, dtype=np.complex128)
+        eye = np.eye(len(self.A))
+        resolved: Any = np.linalg.solve(
+            at[..., None, None] * eye - self.A, np.broadcast_to(self.B, (*at.shape, *self.B.shape))
+        )
+        value: Any = self.C @ resolved + self.D
+        for order, D in enumerate(self.D_s, start=1):
+            value = value + at[..., None, None] ** order * D
+        return np.asarray(value, dtype=np.complex128)
+
+    def response(self, f: ArrayLike) -> Complex:
+        """Return the frequency response at frequencies [Hz], shape (..., outputs, inputs)."""
+        return self(2j * math.pi * np.asarray(f, dtype=float))
+
+    def __getitem__(self, pair: tuple[str | Sequence[str], str | Sequence[str]]) -> StateSpace:
+        """Return the part from some inputs to some outputs: `system[outputs, inputs]`, by name."""
+        rows = [self._place(name, self.outputs, "output") for name in _listed(pair[0])]
+        columns = [self._place(name, self.inputs, "input") for name in _listed(pair[1])]
+        picked = np.ix_(rows, columns)
+        return replace(
+            self, B=self.B[:, columns], C=self.C[rows], D=self.D[picked],
+            D_s=_trimmed([D[picked] for D in self.D_s]),
+            inputs=tuple(self.inputs[k] for k in columns), outputs=tuple(self.outputs[k] for k in rows),
+            input_units=tuple(self.input_units[k] for k in columns),
+            output_units=tuple(self.output_units[k] for k in rows),
+        )  # fmt: skip
+
+    def _place(self, name: str, known: tuple[str, ...], kind: str) -> int:
+        if name not in known:
+            raise KeyError(f"'{self.name}' has no {kind} '{name}'{nearest(name, known)}")
+        return known.index(name)
+
+    def then(self, after: StateSpace, output: int | str = 0, name: str = "") -> StateSpace:
+        """Return the system with one of its outputs passed through another system of one input and output.
+
+        Args:
+            after: a proper system.
+            output: which one, by number or name.
+            name: what it is called then.
+
+        Raises:
+            ModelError: if one of both is improper.
+        """
+        from .realise import chained
+
+        k = output if isinstance(output, int) else self._place(output, self.outputs, "output")
+        return chained(self, after, k, name or f"{self.outputs[k]} ({after.name})")
+
+    def minimal(self, tolerance: float = 1e-9) -> StateSpace:
+        """Return the part that inputs reach and outputs show; what is left out is told in `notes`.
+
+        Args:
+            tolerance: size, against the largest entry, below which a coupling counts as none.
+        """
+        from .realise import minimal
+
+        return minimal(self, tolerance)
+
+    def h2(self) -> Norm:
+        """Return the H2 norm, exact (Lyapunov equation); infinite with a reason where it does not exist.
+
+            ||G||2^2 = 1/(2 pi) integral tr G(jw)* G(jw) dw
+
+        The rms of the outputs for white inputs of two-sided spectral density 1 per rad/s.
+        """
+        from .norms import h2
+
+        return h2(self)
+
+    def hinf(self, tolerance: float = 1e-10) -> Norm:
+        """Return the H-infinity norm, the greatest gain over all frequencies, and where it is.
+
+        Args:
+            tolerance: relative error.
+
+        Source: Bruinsma & Steinbuch, Systems & Control Letters 14 (1990) 287-293.
+        """
+        from .norms import hinf
+
+        return hinf(self, tolerance)
+
+    def modes(self) -> list[Mode]:
+        """Return the modes: frequency, damping ratio, shape in the outputs; slowest first."""
+        from .modes import modes
+
+        return modes(self)
+
+    def to_ss(self) -> Any:
+        """Return the system as `control.StateSpace` of python-control, names kept.
+
+        Raises:
+            ModelError: for an improper system, or if python-control is not installed.
+        """
+        from .interop import to_control
+
+        return to_control(self)
+
+    def to_scipy(self) -> Any:
+        """Return the system as `scipy.signal.StateSpace`.
+
+        Raises:
+            ModelError: for an improper system.
+        """
+        from .interop import to_scipy
+
+        return to_scipy(self)
+
+    @classmethod
+    def from_ss(cls, system: Any, name: str = "system") -> StateSpace:
+        """Return a system of python-control or SciPy (state space or transfer function) as a `StateSpace`."""
+        from .interop import from_other
+
+        return from_other(system, name)
+
+    def plot_bode(self, f: ArrayLike | None = None) -> Figure:
+        """Draw gain and phase over frequency [Hz], one column an input; return the figure."""
+        from .bode import plot_bode
+
+        return plot_bode(self, f)
+
+    def plot_nyquist(self, f: ArrayLike | None = None) -> Figure:
+        """Draw the frequency response in the complex plane; return the figure."""
+        from .bode import plot_nyquist
+
+        return plot_nyquist(self, f)
+
+    def __repr__(self) -> str:
+        size = f"{len(self.states)} states"
+        improper = "" if self.proper else f", improper of order {len(self.D_s)}"
+        ways = f"{', '.join(self.inputs)} -> {', '.join(self.outputs)}"
+        return f"<StateSpace '{self.name}': {ways}, {size}{improper}>"
+
+
+def _listed(names: str | Sequence[str]) -> list[str]:
+    return [names] if isinstance(names, str) else list(names)
+
+
+def _trimmed(parts: list[Array]) -> tuple[Array, ...]:
+    while parts and not parts[-1].any():
+        parts.pop()
+    return tuple(parts)

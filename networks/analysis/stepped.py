@@ -1,0 +1,162 @@
+"""Stepped sine: frequency responses measured on the simulated network, true friction and stops included."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from ...components import Component, Fixed, Position, rotational, signals
+from ...components.base import ModelError, SimulationError
+from ..network import Network
+from ..result import Result
+from .probing import port
+
+Array = NDArray[np.float64]
+Complex = NDArray[np.complex128]
+POINTS = 256
+DRIVE = "stepped_sine"
+
+
+@dataclass(frozen=True, eq=False)
+class SteppedSine:
+    """Steady vibration at each frequency.
+
+    Attributes:
+        frequency: [Hz], in the order they were stepped through.
+        harmonics: of each output, complex amplitudes against the drive's sine, (frequencies, harmonics).
+        settled: whether the motion repeated itself within the tolerance.
+    """
+
+    frequency: Array
+    harmonics: dict[str, Complex]
+    settled: NDArray[np.bool_]
+    drive: float
+
+    def amplitude(self, output: str, harmonic: int = 1) -> Array:
+        """Return amplitudes of a harmonic of an output."""
+        return np.abs(self.harmonics[output][:, harmonic])
+
+    def response(self, output: str) -> Complex:
+        """Return the first harmonic of an output over the drive: what a linear system calls its response."""
+        value: Complex = self.harmonics[output][:, 1] / self.drive
+        return value
+
+
+def stepped_sine(
+    network: Network,
+    driven: str,
+    amplitude: float,
+    frequencies: ArrayLike,
+    outputs: Sequence[str],
+    *,
+    tolerance: float = 1e-4,
+    most: int = 200,
+    inputs: Mapping[str, Any] | None = None,
+    start: Mapping[str, float] | None = None,
+    **options: Any,
+) -> SteppedSine:
+    """Return the steady response to amplitude sin(2 pi f t), stepped through frequencies by simulation.
+
+    Each frequency starts from the motion of the last, so that up and down part where the curve folds.
+
+    Args:
+        network: any, with or without modes.
+        driven: the input, such as "push.f".
+        amplitude: of its sine, in its unit.
+        frequencies: [Hz], in the order wanted.
+        outputs: what is looked at, by name.
+        tolerance: relative change from one period to the next below which a motion counts as steady.
+        most: periods after which it is taken as it is.
+        inputs: signals of other inputs.
+        start: start values of the first run.
+        options: for `DAE.simulate`: `rtol`, `atol`, `solver`, `parameters`.
+
+    Raises:
+        ModelError: for an unknown input.
+    """
+    net = _with_drive(network, driven, amplitude)
+    dae = net.dae()
+    wanted, found, settled = list(outputs), [], []
+    state = dict(start or {})
+    parameters = dict(options.pop("parameters", None) or {})
+    for f in np.atleast_1d(np.asarray(frequencies, dtype=float)):
+        last: Complex | None = None
+        steady = False
+        for _ in range(max(1, most // 4)):
+            run = dae.simulate(
+                4.0 / f, start=state, inputs=inputs, step=1.0 / f / POINTS, progress=False,
+                parameters=parameters | {f"{DRIVE}.f": float(f)}, **options,
+            )  # fmt: skip
+            state = {name: float(run[name][-1]) for name in dae.state_names}
+            before, now = (_harmonics(run, wanted, f, k) for k in (2, 3))
+            change = np.abs(now - before).max(axis=1) / np.maximum(np.abs(now).max(axis=1), 1e-300)
+            if last is not None:
+                drift = np.abs(now - last).max(axis=1) / np.maximum(np.abs(now).max(axis=1), 1e-300)
+                change = np.maximum(change, drift / 4)
+            last = now
+            if (change < tolerance).all():
+                steady = True
+                break
+        found.append(now)
+        settled.append(steady)
+    lines = np.array(found)
+    return SteppedSine(
+        np.atleast_1d(np.asarray(frequencies, dtype=float)),
+        {name: lines[:, k] for k, name in enumerate(wanted)},
+        np.array(settled),
+        amplitude,
+    )
+
+
+def describing_function(
+    element: Component, amplitude: float, frequency: float = 1.0, **options: Any
+) -> complex:
+    """Return the force of an element over its motion in the first harmonic, F_1/X_1 [N/m or N.m/rad].
+
+    It is driven by amplitude sin(2 pi f t): the real part is a stiffness, the imaginary one w times a
+    damping constant.
+
+    Args:
+        element: with two flanges.
+        amplitude: of its relative motion [m or rad].
+        frequency: [Hz].
+        options: as for `stepped_sine`.
+
+    Source: Gelb & Vander Velde, Multiple-Input Describing Functions (1968), chapter 2.
+    """
+    turning = getattr(type(element).fields.get("flange_a"), "domain", "") == "rotational"
+    drive: Component = rotational.Position() if turning else Position()
+    wall: Component = rotational.Fixed() if turning else Fixed()
+    net = Network("describing function", drive=drive, wall=wall, element=element.clone())
+    net.connect(net.wall.flange, net.element.flange_a).connect(net.element.flange_b, net.drive.flange)
+    driven, force = (
+        ("drive.phi_ref", "element.flange_b.tau") if turning else ("drive.s_ref", "element.flange_b.f")
+    )
+    found = stepped_sine(net, driven, amplitude, [frequency], [force], **options)
+    if not found.settled[0]:
+        raise SimulationError(f"the force of {element!r} does not settle within most= periods")
+    return complex(found.response(force)[0])
+
+
+def _with_drive(network: Network, driven: str, amplitude: float) -> Network:
+    net = network.clone()
+    into = port(net, driven)
+    into.component._values.pop(into.name, None)
+    net.add(**{DRIVE: signals.Sine(f=1.0, amplitude=amplitude)})
+    try:
+        return net.connect(getattr(net, DRIVE).y, into)
+    except ModelError as error:
+        raise ModelError(f"'{network.name}' has no input '{driven}'") from error
+
+
+def _harmonics(run: Result, names: Sequence[str], f: float, period: int, count: int = 10) -> Complex:
+    """Return complex amplitudes against sine over one period, (signals, harmonics)."""
+    times = (period + np.arange(POINTS) / POINTS) / f
+    values = np.array([np.interp(times, run.time, run[name]) for name in names])
+    lines: Complex = 2j * np.fft.rfft(values, axis=1)[:, :count] / POINTS
+    lines[:, 0] /= 2j
+    return lines

@@ -1,0 +1,6 @@
+"""A network as a C program."""
+
+from .program import CProgram as CProgram
+from .program import c_program as c_program
+from .toolchain import ToolchainError as ToolchainError
+from .toolchain import compile_shared as compile_shared

@@ -1,0 +1,299 @@
+/* Numbers by kind, and what is evaluated from them. */
+#include <math.h>
+#include <string.h>
+
+#include "core_state.h"
+
+#define NEWTON 50
+#define CLOSE 1e-12
+
+void core_stale(Core *c) {
+    c->fresh = 0;
+    c->slope_fresh = 0;
+    c->pending = 0;
+}
+
+double *core_modes(Core *c) { return c->q + NP; }
+
+void core_reset(Core *c) {
+    memset(c, 0, sizeof *c);
+    for (int i = 0; i < NY; i++) c->y[i] = model_start[i];
+    for (int i = 0; i < NP; i++) c->q[i] = model_parameter[i];
+    for (int i = 0; i < NG; i++) c->fastest[i] = 1;
+    c->u_time = NAN;
+    c->interval = 1;
+}
+
+double core_time(const Core *c) { return c->t; }
+double core_state(const Core *c, int i) { return c->y[i]; }
+double core_input(const Core *c, int i) { return c->free[i]; }
+double core_parameter(const Core *c, int i) { return c->q[i]; }
+int core_mode(const Core *c, int i) { return (int)c->q[NP + i]; }
+
+static CoreStatus refuse(Core *c, const char *name, const char *what, double value) {
+    core_say(c, name);
+    core_say_more(c, what);
+    core_say_more(c, ", got ");
+    core_say_number(c, value);
+    return CORE_ERROR;
+}
+
+CoreStatus core_set_time(Core *c, double t) {
+    if (!isfinite(t)) return refuse(c, "time", " must be a finite number", t);
+    if (t == c->t) return CORE_OK;
+    c->t = c->free_since = t;
+    core_stale(c);
+    return CORE_OK;
+}
+
+CoreStatus core_set_state(Core *c, int i, double value) {
+    if (!isfinite(value)) return refuse(c, model_unknown_name[i], " must be a finite number", value);
+    if (value == c->y[i]) return CORE_OK;
+    c->y[i] = value;
+    core_stale(c);
+    return CORE_OK;
+}
+
+CoreStatus core_set_states(Core *c, const double x[]) {
+    for (int i = 0; i < NX; i++)
+        if (!isfinite(x[i])) return refuse(c, model_unknown_name[i], " must be a finite number", x[i]);
+    for (int i = 0; i < NX; i++) core_set_state(c, i, x[i]);
+    return CORE_OK;
+}
+
+CoreStatus core_set_input(Core *c, int i, double value) {
+    if (!isfinite(value)) return refuse(c, model_input_name[i], " must be a finite number", value);
+    if (value == c->free[i]) return CORE_OK;
+    c->free[i] = value;
+    c->u_time = NAN;
+    core_stale(c);
+    return CORE_OK;
+}
+
+CoreStatus core_set_slope(Core *c, int i, double value) {
+    if (model_input_rate[i] >= 0) return core_set_input(c, model_input_rate[i], value);
+    if (!isfinite(value)) return refuse(c, model_input_name[i], ": its derivative must be a finite number", value);
+    c->drift[i] = value;
+    c->u_time = NAN;
+    core_stale(c);
+    return CORE_OK;
+}
+
+CoreStatus core_set_parameter(Core *c, int i, double value) {
+    const char *name = model_parameter_name[i];
+    if (!isfinite(value)) return refuse(c, name, " must be a finite number", value);
+    if (model_open[i] ? value <= model_least[i] : value < model_least[i]) {
+        refuse(c, name, " is too small", value);
+        core_say_more(c, model_open[i] ? "; it must be above " : "; it must be at least ");
+        core_say_number(c, model_least[i]);
+    } else if (value > model_most[i]) {
+        refuse(c, name, " is too great", value);
+        core_say_more(c, "; it must be at most ");
+        core_say_number(c, model_most[i]);
+    } else {
+        if (value != c->q[i]) core_stale(c);
+        c->q[i] = value;
+        return CORE_OK;
+    }
+    if (strcmp(model_parameter_unit[i], "1") != 0) {
+        core_say_more(c, " ");
+        core_say_more(c, model_parameter_unit[i]);
+    }
+    return CORE_ERROR;
+}
+
+/* A free input at an instant: a polynomial of it and those that are its derivatives, since they were set. */
+double core_free_at(const Core *c, int i, double t) {
+    double value = 0, power = 1, since = t - c->free_since;
+    for (int order = 1; i >= 0; order++) {
+        int next = model_input_rate[i];
+        value += power * c->free[i];
+        power *= since / order;
+        if (next < 0) value += power * c->drift[i];
+        i = next;
+    }
+    return value;
+}
+
+void core_inputs_at(Core *c, double t) {
+    if (NA == 0 || c->u_time == t) return;
+    const double *arg[ROOM(MODEL_ARGS)] = {&t};
+    double *res[ROOM(MODEL_RESULTS)] = {c->u, c->u_rate};
+    c->u_time = t;
+    if (NU < NA) {
+        model_inputs(arg, res, c->iw, c->w, 0);
+    }
+    for (int i = 0; i < NU; i++) {
+        int at = model_input_at[i], sign = model_input_sign[i], next = model_input_rate[i];
+#ifdef CORE_RECORDS
+        if (c->records[i]) {
+            double value, rate;
+            core_record_at(c->records[i], t, &value, &rate);
+            c->u[at] = sign * value;
+            c->u_rate[at] = sign * rate;
+            continue;
+        }
+#endif
+        c->u[at] = sign * core_free_at(c, i, t);
+        c->u_rate[at] = sign * (next < 0 ? c->drift[i] : core_free_at(c, next, t));
+    }
+}
+
+void core_arguments(Core *c, double t, const double y[], const double *arg[]) {
+    core_inputs_at(c, t);
+    arg[0] = y;
+    arg[1] = y + NX;
+    arg[2] = c->u;
+    arg[3] = c->q;
+}
+
+int core_motion_at(Core *c, double t, const double y[], double rates[]) {
+    const double *arg[ROOM(MODEL_ARGS)] = {0};
+    double *res[ROOM(MODEL_RESULTS)] = {rates}, sum = 0;
+    core_arguments(c, t, y, arg);
+    arg[4] = &t;
+    model_motion(arg, res, c->iw, c->w, 0);
+    for (int i = 0; i < NY; i++) sum += fabs(rates[i]);
+    return isfinite(sum);
+}
+
+void core_slope_at(Core *c, double t, const double y[]) {
+    const double *arg[ROOM(MODEL_ARGS)] = {0};
+    double *res[ROOM(MODEL_RESULTS)] = {c->slope, c->by_time};
+    core_arguments(c, t, y, arg);
+    arg[4] = &t;
+    arg[5] = c->u_rate;
+    model_slope(arg, res, c->iw, c->w, 0);
+    for (int k = 0; k < NSLOPE; k++) /* at a corner there may be no slope: the error control sees to that */
+        if (!isfinite(c->slope[k])) c->slope[k] = 0;
+    for (int i = 0; i < NY; i++)
+        if (!isfinite(c->by_time[i])) c->by_time[i] = 0;
+    c->slope_fresh = 0;
+}
+
+/* Factor the algebraic rows of the slopes, under rows of the identity for the states. */
+int core_algebra_factor(Core *c, double t, const double y[]) {
+    core_slope_at(c, t, y);
+    for (int j = 0; j < NY; j++)
+        for (int k = model_slope_column[j]; k < model_slope_column[j + 1]; k++)
+            if (model_slope_row[k] < NX) c->slope[k] = model_slope_row[k] == j;
+    return core_factor(&c->algebra, c->slope, c->full);
+}
+
+int core_solve_algebra(Core *c, double t, double y[]) {
+    if (NZ == 0) return 1;
+    for (int round = 0; round < NEWTON; round++) {
+        double largest = 0, size = 0;
+        if (!core_motion_at(c, t, y, c->value) || !core_algebra_factor(c, t, y)) return 0;
+        for (int i = 0; i < NX; i++) c->value[i] = 0;
+        core_factor_solve(&c->algebra, c->value, c->full);
+        for (int i = NX; i < NY; i++) {
+            y[i] -= c->value[i];
+            largest = fmax(largest, fabs(c->value[i]));
+            size = fmax(size, fabs(y[i]));
+        }
+        if (!isfinite(size) || !isfinite(largest)) return 0;
+        if (largest <= CLOSE * (1 + size)) return 1;
+    }
+    return 0;
+}
+
+/* Put the rates of algebraic unknowns where motion left residuals. */
+int core_algebra_rates(Core *c, double t, const double y[], double rates[]) {
+    if (NZ == 0) return 1;
+    if (!core_algebra_factor(c, t, y)) return 0;
+    for (int i = NX; i < NY; i++) rates[i] = -c->by_time[i];
+    core_factor_solve(&c->algebra, rates, c->full);
+    return 1;
+}
+
+static CoreStatus impossible(Core *c, const char *what) {
+    core_say(c, what);
+    core_say_more(c, " at t = ");
+    core_say_number(c, c->t);
+    core_say_more(c, " s");
+    return CORE_DISCARD;
+}
+
+static CoreStatus fresh_algebra(Core *c) {
+    if (c->fresh & FRESH_ALGEBRA) return CORE_OK;
+    if (!core_solve_algebra(c, c->t, c->y)) return impossible(c, "the algebraic equations have no solution");
+    c->fresh |= FRESH_ALGEBRA;
+    return CORE_OK;
+}
+
+CoreStatus core_rates(Core *c, const double **rates) {
+    CoreStatus status = fresh_algebra(c);
+    if (status != CORE_OK) return status;
+    if (!(c->fresh & FRESH_RATES)) {
+        if (!core_motion_at(c, c->t, c->y, c->rates)) return impossible(c, "the rates of the states are not finite");
+        c->fresh |= FRESH_RATES;
+    }
+    if (rates) *rates = c->rates;
+    return CORE_OK;
+}
+
+CoreStatus core_variables(Core *c, const double **w) {
+    CoreStatus status = fresh_algebra(c);
+    if (status != CORE_OK) return status;
+    if (!(c->fresh & FRESH_VARIABLES)) {
+        const double *arg[ROOM(MODEL_ARGS)] = {0};
+        double *res[ROOM(MODEL_RESULTS)] = {c->variables}, sum = 0;
+        core_arguments(c, c->t, c->y, arg);
+        arg[4] = &c->t;
+        model_variables(arg, res, c->iw, c->w, 0);
+        for (int i = 0; i < NW; i++) sum += fabs(c->variables[i]);
+        if (!isfinite(sum)) return impossible(c, "variables are not finite");
+        c->fresh |= FRESH_VARIABLES;
+    }
+    *w = c->variables;
+    return CORE_OK;
+}
+
+/* A transition that can fire crosses zero a little late, so that it surely fires when it is settled; one that
+ * cannot keeps below. */
+CoreStatus core_indicators(Core *c, const double **g) {
+    CoreStatus status = core_rates(c, 0);
+    if (status != CORE_OK) return status;
+    if (!(c->fresh & FRESH_INDICATORS)) {
+        if (!core_watch(c, c->t, c->y, c->rates, &c->left)) return impossible(c, "indicators are not finite");
+        for (int i = 0; i < NG; i++)
+            c->indicators[i] = core_leavable(c, i) ? c->left.value[i] - c->raised[i] - 2 * core_near_zero(c, i) : -1;
+        c->fresh |= FRESH_INDICATORS;
+    }
+    *g = c->indicators;
+    return CORE_OK;
+}
+
+CoreStatus core_start(Core *c) {
+    int changed;
+    core_stale(c);
+    c->h = 0;
+    return core_settle(c, &changed);
+}
+
+/* An integrator outside sees only signs at the ends of its steps: what falls now must count as negative,
+ * or a short hop, down and up again within one step, goes unseen. */
+static void raise_falling(Core *c) {
+    for (int i = 0; i < NG; i++)
+        c->raised[i] = core_leavable(c, i) && c->left.rate[i] < 0 ? fmax(0, c->left.value[i]) : 0;
+    c->fresh &= ~FRESH_INDICATORS;
+}
+
+CoreStatus core_settle(Core *c, int *changed) {
+    int happened, forced = c->pending - 1;
+    CoreStatus status = core_fire(c, forced, 0, &happened, changed);
+    if (status == CORE_OK) raise_falling(c);
+    return status;
+}
+
+CoreStatus core_due(Core *c, int *due) {
+    *due = core_any_due(c);
+    return *due < 0 ? impossible(c, "indicators are not finite") : CORE_OK;
+}
+
+CoreStatus core_advance(Core *c, double stop, double rtol, double atol, double fixed_step, int return_early,
+                        CoreStop *reached) {
+    c->interval = stop - c->t;
+    return core_travel(c, stop, rtol, atol, fixed_step, return_early, 0, reached);
+}

@@ -1,0 +1,162 @@
+/* What a Core holds, and what its parts offer each other. */
+#ifndef INERTANCE_CORE_STATE_H
+#define INERTANCE_CORE_STATE_H
+
+#include <stdint.h>
+
+#include "core.h"
+
+#define ROOM(n) ((n) > 0 ? (n) : 1) /* C knows no empty arrays */
+#define NY (NX + NZ)
+#define STAGES 8
+#define RECENT 200
+#define MESSAGE 1024
+
+/* Factors of a matrix with the pattern of the slopes: LU with pivoting, or sparse QR. */
+typedef struct {
+#if MODEL_SPARSE
+    double v[ROOM(NV)], r[ROOM(NR)], beta[ROOM(NY)];
+#else
+    double lu[ROOM(NY * NY)];
+    int pivot[ROOM(NY)];
+#endif
+} Factor;
+
+/* One step of the integrator, from `t` over `h`, and its dense output. */
+typedef struct {
+    double t, h;
+    double begin[ROOM(NY)], end[ROOM(NY)], error[ROOM(NY)];
+    double bend[3][ROOM(NY)];
+} Step;
+
+/* Indicators, and how fast they rise. */
+typedef struct {
+    double value[ROOM(NG)], rate[ROOM(NG)];
+} Watched;
+
+struct Core {
+    double t;
+    double y[ROOM(NY)]; /* states, then algebraic unknowns */
+    double free[ROOM(NU)], free_since; /* free inputs as they were at the instant free_since */
+    double drift[ROOM(NU)]; /* slopes of the highest derivatives among them, over the next advance */
+    double q[ROOM(NQ)]; /* parameters, modes, impulses, completion */
+    double u[ROOM(NA)], u_rate[ROOM(NA)], u_time; /* all inputs at the instant u_time */
+
+#ifdef CORE_RECORDS /* in this process only: such a core cannot be kept beyond its records */
+    struct Record *records[ROOM(NU)];
+#endif
+
+    int fresh; /* which of the following is up to date */
+    double rates[ROOM(NY)], variables[ROOM(NW)], indicators[ROOM(NG)];
+
+    double seen[ROOM(NG)], fastest[ROOM(NG)]; /* sizes of indicators and of their rates */
+    double raised[ROOM(NG)]; /* where indicators stood after the last events, if they were falling */
+    int muted[ROOM(NG)]; /* risen above zero, but not allowed to fire */
+    int adrift, shared[ROOM(NB)]; /* blocks (adrift: one more than its number) that modes leave singular */
+    int pending; /* one more than the indicator on whose crossing the core stands */
+
+    double h, last_error, last_h; /* next step size; of the last accepted step */
+    double interval; /* what time is long or short against: step of communication or of output */
+    double recent[RECENT], mark;
+    int recent_count, mark_count;
+    long long steps, rejected;
+    int slope_fresh, worst; /* unknown with the greatest error in the last step */
+    int limits[ROOM(NY)]; /* steps that each unknown limited */
+
+    char message[MESSAGE];
+
+    /* Scratch: nothing here outlives a call, except as `slope_fresh` says. */
+    double slope[ROOM(NSLOPE)], by_time[ROOM(NY)];
+    int still[ROOM(NY)];
+    double stage[STAGES][ROOM(NY)], trial[ROOM(NY)], value[ROOM(NY)], full[ROOM(NROWS + NY)];
+    Factor factor, algebra;
+    Step step;
+    Watched left, middle, right, last;
+    double end_rates[ROOM(NY)], trial_free[ROOM(NU)];
+    double expressions[ROOM(NE)];
+    double blocks[ROOM(NK)], square[3][ROOM(BLOCK * BLOCK)];
+    double response[ROOM(NRESPONSE)], velocity[ROOM(NVELOCITY)];
+    double others[ROOM(NO)], other[ROOM(NOTHER)];
+    double struck[ROOM(NS) * (ROOM(NX) + 3 * ROOM(NS))];
+    double moved[ROOM(NO) * (ROOM(NX) + ROOM(NO))];
+    double w[ROOM(MODEL_WORK)];
+    int iw[ROOM(MODEL_INTEGERS)];
+    double results[ROOM(NY + NW)], seeds[ROOM(NY + NW)];
+    double of_y[NY + 1], of_u[ROOM(NA)], of_p[ROOM(NP)];
+};
+
+/* Told of what happens on the way. Any function may be absent. */
+typedef struct {
+    void *context;
+    /* A change of mode, or a shock; `stays` for a contact that passes a shock on. */
+    void (*fired)(void *context, const Core *c, int change, int stays, double impulse);
+    /* A step was taken, of which [c->step.t, until] counts. Nonzero asks to stop there. */
+    int (*stepped)(void *context, Core *c, double until);
+    /* The core has landed on an event; called before and after it is fired. */
+    void (*landed)(void *context, Core *c, int after, int switched);
+} Observer;
+
+#ifdef CORE_RECORDS
+/* Free input from data: a polynomial between instants, highest power first, (4, count - 1). */
+typedef struct Record {
+    const double *times, *powers;
+    long long count, found;
+} Record;
+
+/* records.c */
+void core_record_at(Record *r, double t, double *value, double *rate);
+#endif
+
+/* core.c */
+enum { FRESH_ALGEBRA = 1, FRESH_RATES = 2, FRESH_VARIABLES = 4, FRESH_INDICATORS = 8 };
+void core_stale(Core *c);
+void core_inputs_at(Core *c, double t);
+double core_free_at(const Core *c, int i, double t);
+int core_motion_at(Core *c, double t, const double y[], double rates[]);
+void core_slope_at(Core *c, double t, const double y[]);
+int core_solve_algebra(Core *c, double t, double y[]);
+int core_algebra_factor(Core *c, double t, const double y[]);
+int core_algebra_rates(Core *c, double t, const double y[], double rates[]);
+void core_arguments(Core *c, double t, const double y[], const double *arg[]);
+double *core_modes(Core *c);
+
+/* linear.c */
+int core_factor(Factor *f, const double entries[], double full[]);
+void core_factor_solve(const Factor *f, double b[], double full[]);
+void core_factor_solve_transposed(const Factor *f, double b[], double full[]);
+int core_dense_factor(double lu[], int n, int pivot[]);
+void core_jacobi(double columns[], double right[], int length, int count);
+void core_least_norm(double columns[], double right[], int length, int count, int transposed, const double b[], double x[]);
+
+/* events.c */
+int core_watch(Core *c, double t, const double y[], const double rates[], Watched *w);
+double core_near_zero(const Core *c, int i);
+int core_can_fire(const Core *c, int i);
+int core_leavable(const Core *c, int i);
+int core_any_due(Core *c);
+CoreStatus core_fire(Core *c, int forced, const Observer *told, int *happened, int *changed);
+
+/* impacts.c */
+CoreStatus core_complete(Core *c);
+CoreStatus core_strike(Core *c, int shocks[], int stays[], double impulses[], int *count);
+void core_reset_variables(Core *c, const int changes[], int count);
+
+/* rosenbrock.c */
+int core_step_begin(Core *c);
+int core_step_try(Core *c, double h, double rtol, double atol, double *error);
+void core_step_dense(const Step *s, double t, double y[]);
+
+/* locate.c */
+int core_locate(Core *c, double *t, double *end, int *indicator);
+CoreStatus core_land(Core *c, int indicator, double t, double end, int *reached);
+
+/* stepper.c */
+CoreStatus core_travel(Core *c, double stop, double rtol, double atol, double fixed_step, int return_early,
+                   const Observer *told, CoreStop *reached);
+
+/* message.c */
+void core_say(Core *c, const char *text);
+void core_say_more(Core *c, const char *text);
+void core_say_number(Core *c, double value);
+
+#endif

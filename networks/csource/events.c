@@ -1,0 +1,177 @@
+/* Transitions: which fire at an instant, again until none is left. */
+#include <math.h>
+#include <string.h>
+
+#include "core_state.h"
+
+#define FLOOR 1e-12
+#define RELATIVE 1e-12
+#define FLAT 1e-10
+#define ROUNDS 200
+
+int core_leavable(const Core *c, int i) { return core_mode(c, model_change_mode[i]) == model_change_source[i]; }
+
+int core_can_fire(const Core *c, int i) { return core_leavable(c, i) && !c->muted[i]; }
+
+double core_near_zero(const Core *c, int i) { return fmax(FLOOR, RELATIVE * c->seen[i]); }
+
+/* Evaluate indicators and their rates where states have `rates`; remember their size. */
+int core_watch(Core *c, double t, const double y[], const double rates[], Watched *w) {
+    const double *arg[ROOM(MODEL_ARGS)] = {0};
+    double *res[ROOM(MODEL_RESULTS)] = {w->value, w->rate}, sum = 0;
+    if (NG == 0) return 1;
+    memcpy(c->trial, rates, NY * sizeof *rates);
+    if (!core_algebra_rates(c, t, y, c->trial)) return 0;
+    core_arguments(c, t, y, arg);
+    arg[4] = &t;
+    arg[5] = c->trial;
+    arg[6] = c->trial + NX;
+    arg[7] = c->u_rate;
+    model_watch(arg, res, c->iw, c->w, 0);
+    for (int i = 0; i < NG; i++) {
+        sum += fabs(w->value[i]) + fabs(w->rate[i]);
+        c->seen[i] = fmax(c->seen[i], fabs(w->value[i]));
+        c->fastest[i] = fmax(c->fastest[i], fabs(w->rate[i]));
+    }
+    return isfinite(sum);
+}
+
+static void switching(Core *c) {
+    const double *arg[ROOM(MODEL_ARGS)] = {0};
+    double *res[ROOM(MODEL_RESULTS)] = {c->expressions};
+    core_arguments(c, c->t, c->y, arg);
+    arg[4] = &c->t;
+    model_switch(arg, res, c->iw, c->w, 0);
+}
+
+static int is_ready(const Core *c, int i, int forced) {
+    const double *g = c->left.value, *rate = c->left.rate, near = core_near_zero(c, i);
+    int rising = rate[i] > FLAT * c->fastest[i];
+    int ready = g[i] > near || (g[i] > -near && rising);
+    if (g[i] <= 10 * near && rate[i] < 0) ready = 0;
+    if (forced >= 0 && model_change_mode[i] == model_change_mode[forced])
+        ready = ready || (g[i] == g[forced] && rate[i] == rate[forced]);
+    return ready && core_can_fire(c, i);
+}
+
+/* List what fires, the strongest of each mode, by number. Returns how many, or -1. */
+static int firing(Core *c, int forced, int fired[]) {
+    int strongest[ROOM(NM)], count = 0, any = 0;
+    const double *rates;
+    if (core_rates(c, &rates) != CORE_OK || !core_watch(c, c->t, c->y, rates, &c->left)) return -1;
+    for (int i = 0; i < NG && !any; i++) any = is_ready(c, i, forced);
+    if (!any) return 0;
+    switching(c);
+    for (int m = 0; m < NM; m++) strongest[m] = -1;
+    for (int i = 0; i < NG; i++) {
+        int allowed = model_change_allowed[i], *best = strongest + model_change_mode[i];
+        if (!is_ready(c, i, forced) || (allowed >= 0 && c->expressions[allowed] == 0)) continue;
+        if (*best < 0 || c->left.value[i] / core_near_zero(c, i) >= c->left.value[*best] / core_near_zero(c, *best)) *best = i;
+    }
+    for (int i = 0; i < NG; i++)
+        if (strongest[model_change_mode[i]] == i) fired[count++] = i;
+    return count;
+}
+
+/* Tell whether a transition would fire here, -1 if indicators are not finite. */
+int core_any_due(Core *c) {
+    int fired[ROOM(NG)], count = firing(c, -1, fired);
+    return count < 0 ? -1 : count > 0;
+}
+
+static uint64_t mixed(uint64_t hash, const void *bytes, size_t count) {
+    const unsigned char *byte = bytes;
+    for (size_t i = 0; i < count; i++) hash = (hash ^ byte[i]) * UINT64_C(1099511628211);
+    return hash;
+}
+
+static uint64_t situation(Core *c, const int fired[], int count) {
+    uint64_t hash = mixed(UINT64_C(14695981039346656037), core_modes(c), NM * sizeof(double));
+    hash = mixed(hash, c->y, NX * sizeof(double));
+    return mixed(hash, fired, (size_t)count * sizeof *fired);
+}
+
+/* Apply changes: shocks first, then modes, then resets. */
+static CoreStatus apply(Core *c, const int fired[], int count, const Observer *told, int *changed) {
+    int changes[ROOM(NG)], stays[ROOM(NG)] = {0}, kept = 0, shocks[ROOM(NG)], held[ROOM(NG)], shocked = 0;
+    double impulses[ROOM(NG)] = {0}, size[ROOM(NG)];
+    CoreStatus status;
+    for (int k = 0; k < count; k++)
+        if (model_change_impulse[fired[k]] < 0) changes[kept++] = fired[k];
+        else shocks[shocked++] = fired[k];
+    if (shocked) {
+        status = core_strike(c, shocks, held, size, &shocked);
+        if (status != CORE_OK) return status;
+        *changed = 1;
+        switching(c);
+        for (int k = 0; k < shocked; k++, kept++) {
+            changes[kept] = shocks[k];
+            stays[kept] = held[k];
+            impulses[kept] = size[k];
+        }
+    }
+    for (int k = 0; k < kept; k++) {
+        int mode = model_change_mode[changes[k]];
+        core_modes(c)[mode] = model_change_target[changes[k]];
+        for (int i = 0; i < NG; i++)
+            if (model_change_mode[i] == mode) c->muted[i] = 0;
+        if (model_reset_start[changes[k]] < model_reset_start[changes[k] + 1]) *changed = 1;
+    }
+    status = core_complete(c);
+    if (status != CORE_OK) return status;
+    core_reset_variables(c, changes, kept);
+    core_stale(c);
+    for (int k = 0; k < kept; k++)
+        if (told && told->fired) told->fired(told->context, c, changes[k], stays[k], impulses[k]);
+    return core_rates(c, 0);
+}
+
+static CoreStatus check_adrift(Core *c) {
+    if (!c->adrift) return CORE_OK;
+    core_say(c, "at t = ");
+    core_say_number(c, c->t);
+    core_say_more(c, " s nothing with inertia moves with ");
+    core_say_more(c, model_block_label[c->adrift - 1]);
+    core_say_more(c, ", which no longer holds; join a Mass (or an Inertia) where it slides");
+    return CORE_ERROR;
+}
+
+static CoreStatus forever(Core *c, const int fired[], int count) {
+    core_say(c, "no consistent set of modes at t = ");
+    core_say_number(c, c->t);
+    core_say_more(c, " s; these switch for ever: ");
+    for (int k = 0; k < count; k++) {
+        if (k) core_say_more(c, ", ");
+        core_say_more(c, model_component[fired[k]]);
+    }
+    return CORE_ERROR;
+}
+
+CoreStatus core_fire(Core *c, int forced, const Observer *told, int *happened, int *changed) {
+    uint64_t visited[ROUNDS];
+    int fired[ROOM(NG)], count = 0, one_by_one = 0, waited = forced;
+    CoreStatus status = core_complete(c);
+    *happened = *changed = 0;
+    c->pending = 0;
+    if (status != CORE_OK) return status;
+    c->fresh = 0;
+    for (int round = 0; round < ROUNDS; round++) {
+        count = firing(c, forced, fired);
+        forced = -1;
+        if (count < 0) {
+            if (core_rates(c, 0) == CORE_OK) core_say(c, "indicators are not finite");
+            return CORE_DISCARD;
+        }
+        if (count == 0) {
+            if (!*happened && waited >= 0) c->muted[waited] = 1;
+            return check_adrift(c);
+        }
+        visited[round] = situation(c, fired, count);
+        for (int k = 0; k < round; k++) one_by_one |= visited[k] == visited[round];
+        status = apply(c, fired, one_by_one ? 1 : count, told, changed);
+        if (status != CORE_OK) return status;
+        *happened = 1;
+    }
+    status = check_adrift(c);
+    return status == CORE_OK ? forever(c, fired, count) : status;
+}

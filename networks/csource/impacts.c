@@ -1,0 +1,247 @@
+/* What acts at one instant: impulses, new values, and the completion of blocks that modes leave singular. */
+#include <math.h>
+#include <string.h>
+
+#include "core_state.h"
+
+#define REGULAR 1e-6
+#define WEAK 1e-10
+#define LOOSE 1e-6
+
+/* Orthonormal columns for the weak directions that have none yet, by Gram-Schmidt on the unit vectors. */
+static void span_rest(double left[], const int weak[], int n) {
+    for (int k = 0; k < n; k++) {
+        double *column = left + k * n, best = 0;
+        if (!weak[k]) continue;
+        for (int unit = 0; unit < n && best < 0.5 / n; unit++) {
+            double trial = 1;
+            for (int j = 0; j < n; j++)
+                if (j < k || !weak[j]) trial -= left[j * n + unit] * left[j * n + unit];
+            if (trial < 0.5 / n) continue;
+            for (int i = 0; i < n; i++) column[i] = i == unit;
+            for (int again = 0; again < 2; again++)
+                for (int j = 0; j < n; j++) {
+                    double share = 0;
+                    if (!(j < k || !weak[j])) continue;
+                    for (int i = 0; i < n; i++) share += left[j * n + i] * column[i];
+                    for (int i = 0; i < n; i++) column[i] -= share * left[j * n + i];
+                }
+            best = 0;
+            for (int i = 0; i < n; i++) best += column[i] * column[i];
+            for (int i = 0; i < n; i++) column[i] /= sqrt(best);
+        }
+    }
+}
+
+/* Fill in what makes a singular matrix regular such that solutions have least norm. Marks loose unknowns. */
+static int completion(Core *c, const double matrix[], int n, double result[], int loose[]) {
+    double *work = c->square[0], *left = c->square[1], *right = c->square[2], scale[ROOM(BLOCK)] = {0}, most = 1;
+    int pivot[ROOM(BLOCK)], weak[ROOM(BLOCK)], any = 0;
+    for (int i = 0; i < n * n; i++) result[i] = 0;
+    for (int i = 0; i < n; i++) {
+        scale[i] = 0;
+        for (int j = 0; j < n; j++) scale[i] = fmax(scale[i], fabs(matrix[j * n + i]));
+        if (scale[i] == 0) scale[i] = 1;
+    }
+    for (int i = 0; i < n * n; i++) left[i] = work[i] = matrix[i] / scale[i % n];
+    if (core_dense_factor(work, n, pivot)) {
+        double least = 1;
+        for (int i = 0; i < n; i++) least = fmin(least, fabs(work[i * n + i]));
+        if (least > REGULAR) return 0;
+    }
+    core_jacobi(left, right, n, n);
+    for (int k = 0; k < n; k++) {
+        double size = 0;
+        for (int i = 0; i < n; i++) size += left[k * n + i] * left[k * n + i];
+        work[k] = sqrt(size);
+        most = fmax(most, work[k]);
+    }
+    for (int k = 0; k < n; k++) {
+        weak[k] = work[k] <= WEAK * most;
+        any |= weak[k];
+        for (int i = 0; i < n && !weak[k]; i++) left[k * n + i] /= work[k];
+    }
+    if (!any) return 0;
+    span_rest(left, weak, n);
+    most = 0;
+    for (int j = 0; j < n; j++) {
+        work[j] = 0;
+        for (int k = 0; k < n; k++) {
+            if (!weak[k]) continue;
+            work[j] = fmax(work[j], fabs(right[k * n + j]));
+            for (int i = 0; i < n; i++) result[j * n + i] += scale[i] * left[k * n + i] * right[k * n + j];
+        }
+        most = fmax(most, work[j]);
+    }
+    for (int j = 0; j < n; j++) loose[j] = work[j] > LOOSE * most;
+    return 1;
+}
+
+CoreStatus core_complete(Core *c) {
+    const double *arg[ROOM(MODEL_ARGS)] = {0};
+    double *res[ROOM(MODEL_RESULTS)] = {c->blocks}, *q = c->q + NP + NM + NI;
+    int loose[ROOM(BLOCK)], at = 0, first = 0;
+    c->adrift = 0;
+    if (NB == 0) return CORE_OK;
+    core_arguments(c, c->t, c->y, arg);
+    arg[4] = &c->t;
+    model_blocks(arg, res, c->iw, c->w, 0);
+    for (int block = 0; block < NB; block++) {
+        int n = model_block_size[block];
+        for (int i = 0; i < n * n; i++)
+            if (!isfinite(c->blocks[at + i])) {
+                core_say(c, model_block_label[block]);
+                core_say_more(c, ": slopes are not finite");
+                return CORE_DISCARD;
+            }
+        if (completion(c, c->blocks + at, n, q + at, loose)) {
+            int drifts = 0;
+            for (int i = 0; i < n; i++) drifts |= loose[i] && model_block_rate[first + i];
+            if (drifts) c->adrift = block + 1;
+            else c->shared[block] = 1;
+        }
+        at += n * n;
+        first += n;
+    }
+    return CORE_OK;
+}
+
+static int stands_in(int mode, int value) { return model_in_shock[model_in_shock_start[mode] + value]; }
+
+/* Contacts that already hold and pass a shock on; none if a blow rebounds, which strikes one after the other. */
+static int partners(Core *c, int shocks[], int stays[], int count) {
+    int struck[ROOM(NM)] = {0}, total = count;
+    for (int k = 0; k < count; k++) {
+        stays[k] = 0;
+        struck[model_change_mode[shocks[k]]] = 1;
+    }
+    for (int k = 0; k < count; k++)
+        if (stands_in(model_change_mode[shocks[k]], model_change_target[shocks[k]]) < 0) return count;
+    for (int i = 0; i < NG; i++) {
+        int mode = model_change_mode[i], target = model_change_target[i];
+        if (model_change_impulse[i] < 0 || struck[mode] || target != core_mode(c, mode)) continue;
+        if (stands_in(mode, target) < 0) continue;
+        shocks[total] = i;
+        stays[total++] = 1;
+    }
+    return total;
+}
+
+/* What a unit of one impulse does to the states. */
+static void response(Core *c, int impulse, double step[]) {
+    for (int i = 0; i < NY; i++) c->value[i] = 0;
+    for (int k = model_response_column[impulse]; k < model_response_column[impulse + 1]; k++)
+        c->value[model_response_row[k]] = c->response[k];
+    for (int i = 0; i < NX; i++) step[i] = c->value[i];
+    if (NZ == 0) return;
+    for (int i = 0; i < NX; i++) c->value[i] = 0;
+    core_factor_solve(&c->algebra, c->value, c->full);
+    for (int j = NX; j < NY; j++)
+        for (int k = model_slope_column[j]; k < model_slope_column[j + 1]; k++)
+            if (model_slope_row[k] < NX) step[model_slope_row[k]] -= c->slope[k] * c->value[j];
+}
+
+static CoreStatus immovable(Core *c, const int shocks[], const double effect[], int count) {
+    int any = 0;
+    for (int i = 0; i < count; i++) {
+        int moves = 0;
+        for (int j = 0; j < count; j++) moves |= effect[j * count + i] != 0;
+        if (moves) continue;
+        if (any++) core_say_more(c, ", ");
+        else core_say(c, "");
+        core_say_more(c, model_component[shocks[i]]);
+    }
+    if (!any) return CORE_OK;
+    core_say_more(c, ": a shock meets a motion that is prescribed on both sides; let a Mass move freely, or a Spring "
+                "yield, on one of them");
+    return CORE_ERROR;
+}
+
+/* Find the impulses that give the wanted velocities, none of them pulling, and let them act. */
+static CoreStatus collide(Core *c, int shocks[], int stays[], double size[], int *count) {
+    double *steps = c->struck, *effect = steps + ROOM(NS) * ROOM(NX), *right = effect + ROOM(NS) * ROOM(NS);
+    double wanted[ROOM(NS)];
+    for (;;) {
+        int n = *count, weakest = 0;
+        for (int k = 0; k < n; k++) {
+            int i = shocks[k];
+            wanted[k] = c->expressions[model_change_after[i]] - c->expressions[model_change_velocity[i]];
+            response(c, model_change_impulse[i], steps + k * NX);
+        }
+        for (int k = 0; k < n * n; k++) effect[k] = 0;
+        for (int x = 0; x < NX; x++)
+            for (int e = model_velocity_column[x]; e < model_velocity_column[x + 1]; e++)
+                for (int k = 0; k < n; k++) {
+                    if (model_change_shock[shocks[k]] != model_velocity_row[e]) continue;
+                    for (int j = 0; j < n; j++) effect[j * n + k] += c->velocity[e] * steps[j * NX + x];
+                }
+        CoreStatus status = immovable(c, shocks, effect, n);
+        if (status != CORE_OK) return status;
+        core_least_norm(effect, right, n, n, 0, wanted, size);
+        for (int k = 1; k < n; k++)
+            if (size[k] < size[weakest]) weakest = k;
+        if (n == 1 || size[weakest] >= 0) break;
+        memmove(shocks + weakest, shocks + weakest + 1, (size_t)(n - 1 - weakest) * sizeof *shocks);
+        memmove(stays + weakest, stays + weakest + 1, (size_t)(n - 1 - weakest) * sizeof *stays);
+        *count = n - 1;
+    }
+    for (int k = 0; k < *count; k++)
+        for (int x = 0; x < NX; x++) c->y[x] += size[k] * steps[k * NX + x];
+    return CORE_OK;
+}
+
+/* Let shocks act, and the contacts that pass them on, which are added to the list. */
+CoreStatus core_strike(Core *c, int shocks[], int stays[], double impulses[], int *count) {
+    double kept[ROOM(NM + NI + NK)], *modes = core_modes(c);
+    const double *arg[ROOM(MODEL_ARGS)] = {0};
+    double *res[ROOM(MODEL_RESULTS)] = {c->response, c->velocity};
+    *count = partners(c, shocks, stays, *count);
+    memcpy(kept, modes, (NM + NI + NK) * sizeof *kept);
+    for (int m = 0; m < NM; m++)
+        if (stands_in(m, (int)modes[m]) >= 0) modes[m] = stands_in(m, (int)modes[m]);
+    CoreStatus status = core_complete(c);
+    core_arguments(c, c->t, c->y, arg);
+    arg[4] = &c->t;
+    if (status == CORE_OK) model_shock(arg, res, c->iw, c->w, 0);
+    if (status == CORE_OK && NZ > 0) {
+        if (!core_algebra_factor(c, c->t, c->y)) {
+            core_say(c, "a shock leaves the algebraic equations without a solution");
+            status = CORE_DISCARD;
+        }
+        core_slope_at(c, c->t, c->y);
+    }
+    if (status == CORE_OK) status = collide(c, shocks, stays, impulses, count);
+    memcpy(modes, kept, (NM + NI + NK) * sizeof *kept);
+    return status;
+}
+
+/* Give variables new values: states directly, others by the least change of states. */
+void core_reset_variables(Core *c, const int changes[], int count) {
+    double given[ROOM(NO)] = {0}, wanted[ROOM(NO)], step[ROOM(NX)];
+    int row[ROOM(NO)] = {0}, rows = 0;
+    for (int i = 0; i < NO; i++) row[i] = -1;
+    for (int k = 0; k < count; k++)
+        for (int r = model_reset_start[changes[k]]; r < model_reset_start[changes[k] + 1]; r++) {
+            double value = model_reset_sign[r] * c->expressions[model_reset_value[r]];
+            if (model_reset_state[r] >= 0) c->y[model_reset_state[r]] = value;
+            else {
+                int other = model_reset_other[r];
+                if (row[other] < 0) row[other] = rows++;
+                given[other] = value;
+            }
+        }
+    if (!rows) return;
+    const double *arg[ROOM(MODEL_ARGS)] = {0};
+    double *res[ROOM(MODEL_RESULTS)] = {c->others, c->other}, *right = c->moved + ROOM(NO) * ROOM(NX);
+    core_arguments(c, c->t, c->y, arg);
+    arg[4] = &c->t;
+    model_reset(arg, res, c->iw, c->w, 0);
+    for (int i = 0; i < NO; i++)
+        if (row[i] >= 0) wanted[row[i]] = given[i] - c->others[i];
+    for (int i = 0; i < rows * NX; i++) c->moved[i] = 0;
+    for (int x = 0; x < NX; x++)
+        for (int e = model_other_column[x]; e < model_other_column[x + 1]; e++)
+            if (row[model_other_row[e]] >= 0) c->moved[row[model_other_row[e]] * NX + x] = c->other[e];
+    core_least_norm(c->moved, right, NX, rows, 1, wanted, step);
+    for (int x = 0; x < NX; x++) c->y[x] += step[x];
+}

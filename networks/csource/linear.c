@@ -1,0 +1,200 @@
+/* Linear equations: LU with row pivoting, sparse Householder QR on a fixed pattern, and solutions of
+ * least norm by one-sided Jacobi rotations (Golub, Van Loan, Matrix Computations, 5.2, 8.6). */
+#include <float.h>
+#include <math.h>
+#include <string.h>
+
+#include "core_state.h"
+
+#define SWEEPS 60
+#define RANK 1e-10
+
+/* Factor a matrix stored by columns in place. Returns 0 if it is singular or not finite. */
+int core_dense_factor(double lu[], int n, int pivot[]) {
+    for (int k = 0; k < n; k++) {
+        double *column = lu + k * n;
+        int best = k;
+        for (int i = k + 1; i < n; i++)
+            if (fabs(column[i]) > fabs(column[best])) best = i;
+        pivot[k] = best;
+        if (!(fabs(column[best]) > 0) || !(fabs(column[best]) <= DBL_MAX)) return 0;
+        if (best != k)
+            for (int j = 0; j < n; j++) {
+                double kept = lu[j * n + k];
+                lu[j * n + k] = lu[j * n + best];
+                lu[j * n + best] = kept;
+            }
+        for (int i = k + 1; i < n; i++) column[i] /= column[k];
+        for (int j = k + 1; j < n; j++) {
+            double factor_ = lu[j * n + k];
+            if (factor_ != 0)
+                for (int i = k + 1; i < n; i++) lu[j * n + i] -= column[i] * factor_;
+        }
+    }
+    return 1;
+}
+
+#if MODEL_SPARSE
+
+static void reflect(const Factor *f, int column, double x[]) {
+    const int *start = model_v_column + column;
+    double size = 0;
+    for (int k = start[0]; k < start[1]; k++) size += f->v[k] * x[model_v_row[k]];
+    size *= f->beta[column];
+    for (int k = start[0]; k < start[1]; k++) x[model_v_row[k]] -= f->v[k] * size;
+}
+
+int core_factor(Factor *f, const double entries[], double x[]) {
+    memset(x, 0, NROWS * sizeof *x);
+    for (int c = 0; c < NY; c++) {
+        int column = model_order[c], last = model_r_column[c + 1] - 1;
+        for (int k = model_slope_column[column]; k < model_slope_column[column + 1]; k++)
+            x[model_place[model_slope_row[k]]] = entries[k];
+        for (int k = model_r_column[c]; k < last; k++) {
+            reflect(f, model_r_row[k], x);
+            f->r[k] = x[model_r_row[k]];
+            x[model_r_row[k]] = 0;
+        }
+        double rest = 0, head = x[c], size;
+        for (int k = model_v_column[c]; k < model_v_column[c + 1]; k++) {
+            f->v[k] = x[model_v_row[k]];
+            if (model_v_row[k] != c) rest += f->v[k] * f->v[k];
+            x[model_v_row[k]] = 0;
+        }
+        size = sqrt(head * head + rest);
+        if (!(size > 0) || !(size <= DBL_MAX)) return 0;
+        f->beta[c] = 0;
+        f->r[last] = head;
+        if (rest > 0) {
+            double first = head <= 0 ? head - size : -rest / (head + size);
+            for (int k = model_v_column[c]; k < model_v_column[c + 1]; k++)
+                if (model_v_row[k] == c) f->v[k] = first;
+            f->beta[c] = 2 / (first * first + rest);
+            f->r[last] = size;
+        }
+    }
+    return 1;
+}
+
+void core_factor_solve(const Factor *f, double b[], double x[]) {
+    memset(x, 0, NROWS * sizeof *x);
+    for (int i = 0; i < NY; i++) x[model_place[i]] = b[i];
+    for (int c = 0; c < NY; c++) reflect(f, c, x);
+    for (int c = NY - 1; c >= 0; c--) {
+        int last = model_r_column[c + 1] - 1;
+        x[c] /= f->r[last];
+        for (int k = model_r_column[c]; k < last; k++) x[model_r_row[k]] -= f->r[k] * x[c];
+        b[model_order[c]] = x[c];
+    }
+}
+
+void core_factor_solve_transposed(const Factor *f, double b[], double x[]) {
+    memset(x, 0, NROWS * sizeof *x);
+    for (int c = 0; c < NY; c++) {
+        int last = model_r_column[c + 1] - 1;
+        double sum = b[model_order[c]];
+        for (int k = model_r_column[c]; k < last; k++) sum -= f->r[k] * x[model_r_row[k]];
+        x[c] = sum / f->r[last];
+    }
+    for (int c = NY - 1; c >= 0; c--) reflect(f, c, x);
+    for (int i = 0; i < NY; i++) b[i] = x[model_place[i]];
+}
+
+#else
+
+int core_factor(Factor *f, const double entries[], double full[]) {
+    (void)full;
+    memset(f->lu, 0, sizeof f->lu);
+    for (int j = 0; j < NY; j++)
+        for (int k = model_slope_column[j]; k < model_slope_column[j + 1]; k++)
+            f->lu[j * NY + model_slope_row[k]] = entries[k];
+    return core_dense_factor(f->lu, NY, f->pivot);
+}
+
+void core_factor_solve(const Factor *f, double b[], double full[]) {
+    (void)full;
+    for (int k = 0; k < NY; k++) {
+        double kept = b[f->pivot[k]];
+        b[f->pivot[k]] = b[k];
+        b[k] = kept;
+    }
+    for (int k = 0; k < NY; k++)
+        for (int i = k + 1; i < NY; i++) b[i] -= f->lu[k * NY + i] * b[k];
+    for (int k = NY - 1; k >= 0; k--) {
+        b[k] /= f->lu[k * NY + k];
+        for (int i = 0; i < k; i++) b[i] -= f->lu[k * NY + i] * b[k];
+    }
+}
+
+void core_factor_solve_transposed(const Factor *f, double b[], double full[]) {
+    (void)full;
+    for (int k = 0; k < NY; k++) {
+        for (int i = 0; i < k; i++) b[k] -= f->lu[k * NY + i] * b[i];
+        b[k] /= f->lu[k * NY + k];
+    }
+    for (int k = NY - 1; k >= 0; k--) {
+        for (int i = k + 1; i < NY; i++) b[k] -= f->lu[k * NY + i] * b[i];
+    }
+    for (int k = NY - 1; k >= 0; k--) {
+        double kept = b[f->pivot[k]];
+        b[f->pivot[k]] = b[k];
+        b[k] = kept;
+    }
+}
+
+#endif
+
+static double dot(const double a[], const double b[], int n) {
+    double sum = 0;
+    for (int i = 0; i < n; i++) sum += a[i] * b[i];
+    return sum;
+}
+
+static void rotate(double a[], double b[], int n, double cosine, double sine) {
+    for (int i = 0; i < n; i++) {
+        double kept = a[i];
+        a[i] = cosine * kept - sine * b[i];
+        b[i] = sine * kept + cosine * b[i];
+    }
+}
+
+/* Turn `count` columns until they are orthogonal: A right = U S. `right` begins as the identity. */
+void core_jacobi(double columns[], double right[], int length, int count) {
+    for (int i = 0; i < count * count; i++) right[i] = i % (count + 1) == 0;
+    for (int sweep = 0, turned = 1; turned && sweep < SWEEPS; sweep++) {
+        turned = 0;
+        for (int i = 0; i < count; i++)
+            for (int j = i + 1; j < count; j++) {
+                double *a = columns + i * length, *b = columns + j * length;
+                double aa = dot(a, a, length), bb = dot(b, b, length), ab = dot(a, b, length);
+                if (!(fabs(ab) > 1e-15 * sqrt(aa * bb)) || fabs(ab) < DBL_MIN) continue;
+                double lean = (bb - aa) / (2 * ab);
+                double tangent = (lean >= 0 ? 1 : -1) / (fabs(lean) + sqrt(1 + lean * lean));
+                double cosine = 1 / sqrt(1 + tangent * tangent);
+                rotate(a, b, length, cosine, cosine * tangent);
+                rotate(right + i * count, right + j * count, count, cosine, cosine * tangent);
+                turned = 1;
+            }
+    }
+}
+
+/* Solve in the sense of least squares and least norm: columns x = b, or, transposed, columns' x = b. */
+void core_least_norm(double columns[], double right[], int length, int count, int transposed, const double b[],
+                double x[]) {
+    double strongest = 0;
+    core_jacobi(columns, right, length, count);
+    for (int k = 0; k < count; k++) strongest = fmax(strongest, dot(columns + k * length, columns + k * length, length));
+    for (int i = 0; i < (transposed ? length : count); i++) x[i] = 0;
+    for (int k = 0; k < count; k++) {
+        const double *left = columns + k * length, *turn = right + k * count;
+        double strength = dot(left, left, length);
+        if (!(strength > RANK * RANK * strongest)) continue;
+        if (transposed) {
+            double share = dot(turn, b, count) / strength;
+            for (int i = 0; i < length; i++) x[i] += share * left[i];
+        } else {
+            double share = dot(left, b, length) / strength;
+            for (int i = 0; i < count; i++) x[i] += share * turn[i];
+        }
+    }
+}

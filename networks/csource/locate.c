@@ -1,0 +1,176 @@
+/* Where in a step an indicator rises above zero first, and how to land there. */
+#include <math.h>
+#include <string.h>
+
+#include "core_state.h"
+
+#define CREST (4.0 / 27.0)
+#define GOLDEN 0.3819660112501051
+#define UNRESOLVED 1e-3
+#define PIECES 100000
+#define LEAST 1e-9
+#define PER_INTERVAL 4
+#define HOP 1e-6
+
+/* The cubic with values a, b and slopes da, db at the ends of [0, 1]. */
+typedef struct {
+    double a, b, da, db, c2, c3;
+} Cubic;
+
+static Cubic cubic(const Watched *left, const Watched *right, int i, double span) {
+    Cubic p = {left->value[i], right->value[i], left->rate[i] * span, right->rate[i] * span, 0, 0};
+    p.c3 = 2 * p.a - 2 * p.b + p.da + p.db;
+    p.c2 = -3 * p.a + 3 * p.b - 2 * p.da - p.db;
+    return p;
+}
+
+static double cubic_at(const Cubic *p, double x) { return p->a + x * (p->da + x * (p->c2 + x * p->c3)); }
+
+static double bound(const Cubic *p) { return fmax(p->a, p->b) + CREST * (fabs(p->da) + fabs(p->db)); }
+
+static double peak(const Cubic *p) {
+    double lean = 3 * (p->b - p->a) - p->da - p->db;
+    if (!(p->da > 0 && p->db < 0)) return -INFINITY;
+    return cubic_at(p, p->da / (p->da + (sqrt(lean * lean - p->da * p->db) - lean)));
+}
+
+static int rises(const Cubic *p, double near) {
+    if (p->a > near) return p->da < 0 && p->b > near && p->db > 0;
+    return p->b > near || peak(p) > near;
+}
+
+static double root(const Cubic *p, double near) {
+    double turns = sqrt(fmax(p->c2 * p->c2 - 3 * p->c3 * p->da, 0)), low = 0, high = 1;
+    if (p->a >= 0) {
+        if (p->da >= 0) return 0;
+        low = -p->da / (p->c2 + turns);
+    }
+    if (p->b <= near) high = -p->da / (p->c2 - turns);
+    for (int k = 0; k < 60; k++) {
+        double middle = 0.5 * (low + high);
+        if (cubic_at(p, middle) < 0) low = middle;
+        else high = middle;
+    }
+    return high;
+}
+
+/* Whether cubics tell what indicators do between two instants, a third between them being known. */
+static int resolved(const Core *c, double span, double share) {
+    for (int i = 0; i < NG; i++) {
+        if (!core_leavable(c, i)) continue;
+        Cubic p = cubic(&c->left, &c->right, i, span);
+        double seen = c->middle.value[i], error = fabs(seen - cubic_at(&p, share)), near = core_near_zero(c, i);
+        double range = fmax(fmax(p.a, p.b), seen) - fmin(fmin(p.a, p.b), seen);
+        if (error > UNRESOLVED * range + near && fmax(bound(&p), seen) + 10 * error > near) return 0;
+    }
+    return 1;
+}
+
+static int timed(const Core *c) {
+    for (int i = 0; i < NG; i++)
+        if (model_change_timed[i] && core_leavable(c, i)) return 1;
+    return 0;
+}
+
+static int watch_inside(Core *c, double t, Watched *w) {
+    double y[ROOM(NY)];
+    core_step_dense(&c->step, t, y);
+    return core_motion_at(c, t, y, c->value) && core_watch(c, t, y, c->value, w);
+}
+
+static int first(const Core *c, double span, double *share) {
+    int found = -1;
+    for (int i = 0; i < NG; i++) {
+        if (!core_can_fire(c, i)) continue;
+        Cubic p = cubic(&c->left, &c->right, i, span);
+        double near = core_near_zero(c, i), at;
+        if (bound(&p) <= near || !rises(&p, near)) continue;
+        at = root(&p, near);
+        if (found < 0 || at < *share) {
+            found = i;
+            *share = at;
+        }
+    }
+    return found;
+}
+
+/* Look for the first crossing in the last step, `left` and `last` being known at its ends. Returns 1 if there
+ * is one, 0 if not, -1 if indicators are not finite. The piece that holds it ends at `*end`. */
+int core_locate(Core *c, double *t, double *end, int *indicator) {
+    double stop = c->step.t + c->step.h, a = c->step.t;
+    double shortest = fmax(LEAST * c->step.h, 1e-15 * fmax(1, fabs(stop)));
+    double longest = timed(c) ? c->interval / PER_INTERVAL : INFINITY;
+    if (NG == 0) return 0;
+    for (int piece = 0; piece < PIECES && a < stop; piece++) {
+        double b = fmin(stop, a + longest), share = 0;
+        if (b >= stop) {
+            b = stop;
+            c->right = c->last;
+        } else if (!watch_inside(c, b, &c->right)) return -1;
+        while (b - a > shortest) {
+            double middle = a + GOLDEN * (b - a);
+            if (!watch_inside(c, middle, &c->middle)) return -1;
+            if (resolved(c, b - a, GOLDEN)) break;
+            b = middle;
+            c->right = c->middle;
+        }
+        *indicator = first(c, b - a, &share);
+        if (*indicator >= 0) {
+            *t = a + share * (b - a);
+            *end = b;
+            return 1;
+        }
+        a = b;
+        c->left = c->right;
+    }
+    return 0;
+}
+
+/* Move a point that is very near a crossing onto it, along its velocity. */
+static int shift(Core *c, int indicator, double *t) {
+    double *y = c->step.end;
+    for (int again = 0; again < 2; again++) {
+        if (!core_motion_at(c, *t, y, c->end_rates) || !core_watch(c, *t, y, c->end_rates, &c->right)) return 0;
+        if (!(c->right.rate[indicator] > 0)) return 1;
+        double span = -c->right.value[indicator] / c->right.rate[indicator];
+        for (int i = 0; i < NX; i++) y[i] += span * c->end_rates[i];
+        *t += span;
+        if (!core_solve_algebra(c, *t, y)) return 0;
+    }
+    return 1;
+}
+
+/* Step anew onto the crossing of an indicator near t, before `end`. Afterwards the core stands there;
+ * `reached` tells whether zero was: interpolation can make believe in a crossing. */
+CoreStatus core_land(Core *c, int indicator, double t, double end, int *reached) {
+    double low = c->t, high = end, error, whole = c->step.h;
+    *reached = 1;
+    for (;;) {
+        int narrow = high - low < 1e-13 * fmax(1, fabs(t));
+        if (narrow) t = high;
+        if (t <= c->t) {
+            c->step.h = 0;
+            return CORE_OK;
+        }
+        if (!core_step_begin(c) || !core_step_try(c, t - c->t, 1, 1, &error) ||
+            !core_motion_at(c, t, c->step.end, c->end_rates) || !core_watch(c, t, c->step.end, c->end_rates, &c->right)) {
+            core_say(c, "no way onto the event of ");
+            core_say_more(c, model_component[indicator]);
+            return CORE_DISCARD;
+        }
+        double g = c->right.value[indicator], rate = c->right.rate[indicator];
+        double newton = rate > 0 ? t - g / rate : INFINITY;
+        int near = low <= newton && newton <= high && fabs(newton - t) < HOP * whole;
+        if (near || narrow) {
+            *reached = near || g >= 0;
+            if (near && !shift(c, indicator, &t)) return CORE_DISCARD;
+            core_stale(c);
+            c->t = t;
+            memcpy(c->y, c->step.end, sizeof c->y);
+            return CORE_OK;
+        }
+        if (g < 0) low = t;
+        else high = t;
+        t = low < newton && newton < high ? newton : 0.5 * (low + high);
+    }
+}

@@ -1,0 +1,244 @@
+"""Native: solver "compiled", a run in this process by a network's own C program."""
+
+from __future__ import annotations
+
+import ctypes
+import time as clock
+from ctypes import (
+    POINTER,
+    Structure,
+    byref,
+    c_char_p,
+    c_double,
+    c_int,
+    c_longlong,
+    c_size_t,
+    c_void_p,
+    pointer,
+)
+from numbers import Real
+from pathlib import Path
+from shutil import rmtree
+from tempfile import mkdtemp
+from typing import TYPE_CHECKING, Any
+from weakref import WeakKeyDictionary, finalize
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ...components.base import ModelError, Sampled, SimulationError
+from ..dae import DAE
+from ..events import Event, Point
+from ..index import System
+from ..polynomial import Polynomial
+from ..result import Segment
+from ..stepper import IntegratorError
+from .model import Model
+from .program import SOURCES, sources
+from .toolchain import compile_shared
+
+if TYPE_CHECKING:
+    from ..closed import Closed
+    from ..progress import Progress
+    from ..run import Run
+
+ARRIVED, PAUSED, STUCK, FAILED = range(4)
+ROOM, FIRED = 512, 200
+PATIENCE = 0.05
+DOUBLES, INTEGERS = POINTER(c_double), POINTER(c_longlong)
+_LIBRARIES: WeakKeyDictionary[System, dict[tuple[Any, ...], Any]] = WeakKeyDictionary()
+
+
+class _Run(Structure):
+    """`Run` in native.c."""
+
+    _fields_ = (
+        [(name, c_double) for name in ("stop", "interval", "rtol", "atol")]
+        + [(name, DOUBLES) for name in ("outputs", "times", "points", "constants", "event_times", "impulses")]
+        + [(name, INTEGERS) for name in ("segment_rows", "changes", "stays")]
+        + [(name, c_longlong) for name in ("output_count", "next", "row_count", "segment_count")]
+        + [(name, c_longlong) for name in ("event_count", "room", "budget", "steps", "rejected")]
+        + [("last", c_double)]
+    )  # fmt: skip
+
+
+class _Record(Structure):
+    """`Record` in core_state.h."""
+
+    _fields_ = [("times", DOUBLES), ("powers", DOUBLES), ("count", c_longlong), ("found", c_longlong)]
+
+
+class Native:
+    """A compiled network with its input signals; parameters and start values may change from run to run."""
+
+    def __init__(self, closed: Closed) -> None:
+        self.dae = dae = closed.dae
+        functions = {path: s for path, s in closed.signals.items() if not isinstance(s, Sampled | Real)}
+        for path, signal in functions.items():
+            if isinstance(signal, Polynomial):
+                raise ModelError(f"input '{path}': solver 'compiled' takes no Polynomial; use 'auto'")
+        self._library = _library(dae, functions)
+        self.nx, self.nz, self.nq = dae.x.numel(), dae.z.numel(), dae.constants.numel()
+        self._core = ctypes.create_string_buffer(self._library.native_size())
+        free = [declared for declared in dae.inputs if declared.path not in functions]
+        self._tables = [_table(closed.signals[declared.path], declared.order) for declared in free]
+        self._free = np.array([_constant(closed.signals[i.path], i.order) for i in free] or [0.0])
+
+    def _records(self) -> Any:
+        """Return pointers to fresh records; an input without one stays constant."""
+        records = (POINTER(_Record) * max(1, len(self._tables)))()
+        for k, table in enumerate(self._tables):
+            if table is not None:
+                times, powers = table
+                records[k] = pointer(_Record(_pointer(times), _pointer(powers), len(times), 0))
+        return records
+
+    def run(self, run: Run, outputs: NDArray[np.float64], progress: Progress) -> None:
+        """Run to the last output, and record what happens in `run`.
+
+        Raises:
+            IntegratorError: if states cannot be followed further.
+            SimulationError: if events cannot be resolved.
+        """
+        point, settings = run.point, run.settings
+        y = np.concatenate([point.x, point.z])
+        records = self._records()
+        begin = point.t, _pointer(y), _pointer(point.q), _pointer(self._free), records
+        self._library.native_begin(self._core, *begin)
+        store = _Store(self, outputs, (settings.rtol, settings.atol))
+        budget, status = 1000, PAUSED
+        while status == PAUSED:
+            store.shared.budget = budget
+            began = clock.perf_counter()
+            status = self._library.native_run(self._core, byref(store.shared))
+            run.calls += 1
+            store.drain(run)
+            progress.at(run.point.t)
+            if clock.perf_counter() - began < PATIENCE:
+                budget *= 2
+        self._tell(run)
+        if status == ARRIVED:
+            return
+        told = self._library.native_message(self._core).decode(errors="replace")
+        raise SimulationError(told) if status == FAILED else IntegratorError(told)
+
+    def _tell(self, run: Run) -> None:
+        blocks = self.dae.blocks
+        shared = np.zeros(max(1, len(blocks)), dtype=np.int64)
+        limits = np.zeros(max(1, self.nx + self.nz), dtype=np.int64)
+        self._library.native_tell(self._core, _pointer(shared), _pointer(limits))
+        for block, told in zip(blocks, shared, strict=False):
+            if told and run.switcher is not None:
+                run.switcher.tell_shared(block.labels)
+        if self.nx and limits[: self.nx].any():
+            run.limiting = self.dae.system.name(self.dae.states[int(limits[: self.nx].argmax())])
+
+
+class _Store:
+    """Arrays that the C program fills, and what becomes of them."""
+
+    def __init__(self, native: Native, outputs: NDArray[np.float64], tolerance: tuple[float, float]) -> None:
+        self.native, self.outputs = native, np.ascontiguousarray(outputs)
+        changes = len(native.dae.switching.changes)
+        rows, events = len(outputs) + 2 * ROOM + 2, ROOM + FIRED * changes + 1
+        self.times, self.points = np.empty(rows), np.empty((rows, native.nx + native.nz))
+        self.constants, self.starts = np.empty((ROOM + 2, native.nq)), np.empty(ROOM + 2, dtype=np.int64)
+        self.event_times, self.impulses = np.empty(events), np.empty(events)
+        self.changes, self.stays = np.empty(events, dtype=np.int64), np.empty(events, dtype=np.int64)
+        shared = self.shared = _Run()
+        shared.stop, shared.interval = outputs[-1], outputs[1] - outputs[0]
+        shared.rtol, shared.atol = tolerance
+        for name in (
+            "outputs",
+            "times",
+            "points",
+            "constants",
+            "event_times",
+            "impulses",
+            "changes",
+            "stays",
+        ):
+            setattr(shared, name, _pointer(getattr(self, name)))
+        shared.segment_rows = _pointer(self.starts)
+        shared.output_count, shared.next, shared.room = len(outputs), 1, ROOM // 2
+        shared.last = -np.inf
+
+    def drain(self, run: Run) -> None:
+        """Move what was recorded into `run`."""
+        shared, native = self.shared, self.native
+        run.steps, rows = shared.steps, shared.row_count
+        starts = self.starts[: shared.segment_count].tolist()
+        times, points = self.times[:rows].copy(), self.points[:rows].copy()
+        states, algebraic = points[:, : native.nx], points[:, native.nx :]
+        first = starts[0] if starts else rows
+        if first:
+            run.segments[-1].extend(times[:first], states[:first], algebraic[:first])
+        for number, begin in enumerate(starts):
+            end = starts[number + 1] if number + 1 < len(starts) else rows
+            segment = Segment(self.constants[number].copy())
+            segment.extend(times[begin:end], states[begin:end], algebraic[begin:end])
+            run.segments.append(segment)
+        run.events += [self._event(k) for k in range(shared.event_count)]
+        if rows:
+            run.point = Point(float(times[-1]), states[-1], algebraic[-1], run.segments[-1].q)
+        shared.row_count = shared.segment_count = shared.event_count = 0
+
+    def _event(self, k: int) -> Event:
+        switching = self.native.dae.switching
+        change = switching.changes[self.changes[k]]
+        values = switching.mode_values[change.mode]
+        source = change.target if self.stays[k] else change.source
+        impulse = float(self.impulses[k]) if change.impulse is not None else None
+        name = switching.mode_names[change.mode]
+        return Event(
+            float(self.event_times[k]), change.component, name, values[source], values[change.target], impulse
+        )
+
+
+def _pointer(array: NDArray[Any]) -> Any:
+    return array.ctypes.data_as(INTEGERS if array.dtype == np.int64 else DOUBLES)
+
+
+def _constant(signal: Any, order: int) -> float:
+    return float(signal) if isinstance(signal, Real) and not order else 0.0
+
+
+def _table(signal: Any, order: int) -> tuple[NDArray[np.float64], NDArray[np.float64]] | None:
+    """Return the instants and the powers of a record's spline, or of its derivative."""
+    if not isinstance(signal, Sampled):
+        return None
+    from scipy.interpolate import CubicSpline
+
+    powers = CubicSpline(signal.time, signal.values).c
+    for _ in range(order):
+        powers = np.vstack([np.zeros_like(powers[:1]), powers[:3] * [[3.0], [2.0], [1.0]]])
+    return signal.time, np.ascontiguousarray(powers)
+
+
+def _library(dae: DAE, functions: dict[str, Any]) -> Any:
+    """Return the compiled program of a network with some inputs built in, made once."""
+    known = _LIBRARIES.setdefault(dae.system, {})
+    key = tuple(functions.items())
+    if key not in known:
+        folder = Path(mkdtemp(prefix="inertance-"))
+        finalize(dae.system, rmtree, folder, ignore_errors=True)
+        model = Model(dae, functions, (), products=False)
+        files = model.texts() | sources((*SOURCES, "records.c", "native.c"))
+        for name, text in files.items():
+            (folder / name).write_text(text)
+        listed = [folder / name for name in files if name.endswith(".c")]
+        known[key] = _loaded(compile_shared(listed, folder / "network.so", flags=["-DCORE_RECORDS"]))
+    return known[key]
+
+
+def _loaded(path: Path) -> Any:
+    library = ctypes.CDLL(str(path))
+    library.native_size.restype = c_size_t
+    library.native_message.restype, library.native_message.argtypes = c_char_p, [c_void_p]
+    library.native_begin.argtypes, library.native_begin.restype = (
+        [c_void_p, c_double, *[DOUBLES] * 3, c_void_p],
+        None,
+    )
+    library.native_tell.argtypes, library.native_tell.restype = [c_void_p, INTEGERS, INTEGERS], None
+    library.native_run.argtypes, library.native_run.restype = [c_void_p, POINTER(_Run)], c_int
+    return library

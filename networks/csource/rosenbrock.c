@@ -1,0 +1,140 @@
+/* One step of Rodas5P: a Rosenbrock method of order 5(4) in 8 stages, stiffly accurate and L-stable, for
+ * semi-explicit equations of index 1, with dense output of order 4.
+ * Coefficients: G. Steinebach, Construction of Rosenbrock-Wanner method Rodas5P and numerical benchmarks within
+ * the Julia Differential Equations package, BIT Numer. Math. 63, 27 (2023). Form: E. Hairer, G. Wanner, Solving
+ * Ordinary Differential Equations II, IV.7 and VI.4. */
+#include <math.h>
+#include <string.h>
+
+#include "core_state.h"
+
+#define GAMMA 0.21193756319429014
+
+static const double A[6][5] = {
+    {0},
+    {3.0},
+    {2.849394379747939, 0.45842242204463923},
+    {-6.954028509809101, 2.489845061869568, -10.358996098473584},
+    {2.8029986275628964, 0.5072464736228206, -0.3988312541770524, -0.04721187230404641},
+    {-7.502846399306121, 2.561846144803919, -11.627539656261098, -0.18268767659942256, 0.030198172008377946}};
+
+static const double C[STAGES][STAGES - 1] = {
+    {0},
+    {-14.155112264123755},
+    {-17.97296035885952, -2.859693295451294},
+    {147.12150275711716, -1.41221402718213, 71.68940251302358},
+    {165.43517024871676, -0.4592823456491126, 42.90938336958603, -5.961986721573306},
+    {24.854864614690072, -3.0009227002832186, 47.4931110020768, 5.5814197821558125, -0.6610691825249471},
+    {30.91273214028599, -3.1208243349937974, 77.79954646070892, 34.28646028294783, -19.097331116725623,
+     -28.087943162872662},
+    {37.80277123390563, -3.2571969029072276, 112.26918849496327, 66.9347231244047, -40.06618937091002,
+     -54.66780262877968, -9.48861652309627}};
+
+static const double AT[STAGES] = {
+    0, 0.6358126895828704, 0.4095798393397535, 0.9769306725060716, 0.4288403609558664, 1, 1, 1};
+
+static const double BY_TIME[STAGES] = {
+    0.21193756319429014, -0.42387512638858027, -0.3384627126235924, 1.8046452872882734, 2.325825639765069, 0, 0, 0};
+
+static const double BEND[3][STAGES] = {
+    {25.948786856663858, -2.5579724845846235, 10.433815404888879, -2.3679251022685204, 0.524948541321073,
+     1.1241088310450404, 0.4272876194431874, -0.17202221070155493},
+    {-9.91568850695171, -0.9689944594115154, 3.0438037242978453, -24.495224566215796, 20.176138334709044,
+     15.98066361424651, -6.789040303419874, -6.710236069923372},
+    {11.419903575922262, 2.8879645146136994, 72.92137995996029, 80.12511834622643, -52.072871366152654,
+     -59.78993625266729, -0.15582684282751913, 4.883087185713722}};
+
+/* Evaluate rates and slopes where the core stands. */
+int core_step_begin(Core *c) {
+    if (core_rates(c, 0) != CORE_OK) return 0;
+    if (c->slope_fresh) return 1;
+    core_slope_at(c, c->t, c->y);
+    c->slope_fresh = 1;
+    for (int i = 0; i < NY; i++) c->still[i] = i < NX && c->by_time[i] == 0;
+    for (int k = 0; k < NSLOPE; k++)
+        if (c->slope[k] != 0) c->still[model_slope_row[k]] = 0;
+    return 1;
+}
+
+static int factored(Core *c, double h) {
+    double entries[ROOM(NSLOPE)];
+    for (int j = 0; j < NY; j++)
+        for (int k = model_slope_column[j]; k < model_slope_column[j + 1]; k++)
+            entries[k] = (j < NX && model_slope_row[k] == j) / (h * GAMMA) - c->slope[k];
+    return core_factor(&c->factor, entries, c->full);
+}
+
+/* Solve for one stage. An unknown on whose rate nothing acts moves by just that: what is held stays held. */
+static void solve_stage(Core *c, double h, double increment[]) {
+    memcpy(c->value, increment, sizeof c->value);
+    core_factor_solve(&c->factor, increment, c->full);
+    for (int i = 0; i < NX; i++)
+        if (c->still[i]) increment[i] = h * GAMMA * c->value[i];
+}
+
+static int stages(Core *c, double h) {
+    Step *s = &c->step;
+    for (int k = 0; k < STAGES; k++) {
+        double *increment = c->stage[k];
+        if (k == 0) memcpy(increment, c->rates, sizeof c->rates);
+        else {
+            int explicit_ = k < 6 ? k : 0;
+            if (explicit_) memcpy(s->end, s->begin, sizeof s->end);
+            for (int j = 0; j < explicit_; j++)
+                for (int i = 0; i < NY; i++) s->end[i] += A[k][j] * c->stage[j][i];
+            if (k >= 6)
+                for (int i = 0; i < NY; i++) s->end[i] += c->stage[k - 1][i];
+            if (!core_motion_at(c, AT[k] == 1 ? s->t + h : s->t + AT[k] * h, s->end, increment)) return 0;
+        }
+        for (int j = 0; j < k; j++) {
+            double share = C[k][j] / h;
+            for (int i = 0; i < NX; i++) increment[i] += share * c->stage[j][i];
+        }
+        if (BY_TIME[k] != 0)
+            for (int i = 0; i < NY; i++) increment[i] += h * BY_TIME[k] * c->by_time[i];
+        solve_stage(c, h, increment);
+    }
+    for (int i = 0; i < NY; i++) s->end[i] += c->stage[STAGES - 1][i];
+    return 1;
+}
+
+static double measure(Core *c, double rtol, double atol) {
+    const Step *s = &c->step;
+    double sum = 0, most = -1;
+    for (int i = 0; i < NY; i++) {
+        double size = fmax(fabs(s->begin[i]), fabs(s->end[i]));
+        double share = c->stage[STAGES - 1][i] / (rtol * size + atol * model_nominal[i]);
+        sum += share * share;
+        if (share * share > most) {
+            most = share * share;
+            c->worst = i;
+        }
+    }
+    return sqrt(sum / ROOM(NY));
+}
+
+/* Step over h. Returns 0 if that left the finite numbers; `error` is 1 at the tolerance. */
+int core_step_try(Core *c, double h, double rtol, double atol, double *error) {
+    Step *s = &c->step;
+    s->t = c->t;
+    s->h = h;
+    memcpy(s->begin, c->y, sizeof s->begin);
+    memcpy(s->end, c->y, sizeof s->end);
+    *error = 0;
+    if (NY == 0) return 1;
+    if (!factored(c, h) || !stages(c, h)) return 0;
+    for (int b = 0; b < 3; b++)
+        for (int i = 0; i < NY; i++) {
+            s->bend[b][i] = 0;
+            for (int k = 0; k < STAGES; k++) s->bend[b][i] += BEND[b][k] * c->stage[k][i];
+        }
+    *error = measure(c, rtol, atol);
+    return isfinite(*error);
+}
+
+/* Interpolate inside a step. */
+void core_step_dense(const Step *s, double t, double y[]) {
+    double x = (t - s->t) / s->h, rest = 1 - x;
+    for (int i = 0; i < NY; i++)
+        y[i] = rest * s->begin[i] + x * (s->end[i] + rest * (s->bend[0][i] + x * (s->bend[1][i] + x * s->bend[2][i])));
+}

@@ -1,0 +1,93 @@
+"""Toolchain: compile C for this machine, or, with zig, for another."""
+
+from __future__ import annotations
+
+import importlib.util
+import os
+import shlex
+import shutil
+import subprocess
+import sys
+from collections.abc import Iterable
+from pathlib import Path
+
+from ...components.base import ModelError, nearest
+
+PLATFORMS = {
+    "x86_64-linux": "x86_64-linux-gnu.2.17",
+    "aarch64-linux": "aarch64-linux-gnu.2.17",
+    "x86_64-windows": "x86_64-windows-gnu",
+    "x86_64-darwin": "x86_64-macos",
+    "aarch64-darwin": "aarch64-macos",
+}
+FLAGS = ("-std=c99", "-O2", "-fvisibility=hidden", "-shared")
+REMEDY = "install a C compiler (gcc or clang), or `pip install ziglang`"
+
+
+class ToolchainError(ModelError):
+    """There is no C compiler, or it refused."""
+
+
+def compile_shared(
+    sources: Iterable[str | Path],
+    out: str | Path,
+    platform: str | None = None,
+    include: Iterable[str | Path] = (),
+    flags: Iterable[str] = (),
+) -> Path:
+    """Compile C sources into one shared library and return its path.
+
+    Args:
+        sources: C files.
+        out: the library to write.
+        platform: "x86_64-linux", "aarch64-linux" (glibc 2.17), "x86_64-windows", "x86_64-darwin" or
+            "aarch64-darwin", built by zig; this machine if not given.
+        include: folders of headers.
+        flags: further options for the compiler.
+
+    Raises:
+        ToolchainError: if there is no compiler, with the remedies, or if it fails, with what it says.
+    """
+    command = [*compiler(platform), *FLAGS, *flags]
+    if not (platform or sys.platform).endswith(("windows", "win32")):
+        command.append("-fPIC")
+    command += [f"-I{folder}" for folder in include]
+    command += [*map(str, sources), "-o", str(out)]
+    if not (platform or sys.platform).endswith(("windows", "win32")):
+        command.append("-lm")
+    done = subprocess.run(command, capture_output=True, text=True, check=False)
+    if done.returncode:
+        told = "\n".join(done.stderr.strip().splitlines()[:20])
+        raise ToolchainError(f"'{command[0]}' could not compile the network:\n{told}")
+    return Path(out)
+
+
+def compiler(platform: str | None = None) -> list[str]:
+    """Return the command of a C compiler: CC, cc, gcc, clang, else zig; zig alone for a `platform`.
+
+    Raises:
+        ToolchainError: if there is none, with the remedies; or for an unknown platform.
+    """
+    if platform is not None:
+        if platform not in PLATFORMS:
+            raise ToolchainError(
+                f"there is no platform '{platform}'{nearest(platform, PLATFORMS)}, only "
+                f"{', '.join(PLATFORMS)}"
+            )
+        return [*_zig(f"to build for {platform}"), "-target", PLATFORMS[platform]]
+    given = shlex.split(os.environ.get("CC", ""))
+    if given and shutil.which(given[0]):
+        return given
+    for name in ("cc", "gcc", "clang"):
+        found = shutil.which(name)
+        if found:
+            return [found]
+    return _zig("")
+
+
+def _zig(purpose: str) -> list[str]:
+    if importlib.util.find_spec("ziglang") is None:
+        if purpose:
+            raise ToolchainError(f"{purpose}, zig is needed: `pip install ziglang`")
+        raise ToolchainError(f"no C compiler was found; {REMEDY}")
+    return [sys.executable, "-m", "ziglang", "cc"]

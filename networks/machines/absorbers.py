@@ -1,0 +1,78 @@
+"""Absorbers: tuned masses and inerters that take a structure's motion."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from typing import Any
+
+from ...components import (
+    Component,
+    Damper,
+    Inerter,
+    Mass,
+    Spring,
+    SpringDamper,
+    TwoFlanges,
+    parameter,
+    variable,
+)
+from ..algebra import parallel, series
+
+
+class TMDI(TwoFlanges):
+    """Tuned mass damper inerter: a mass on spring and damper at flange_b, and an inerter from it to flange_a.
+
+    Args:
+        m: mass [kg]; k: stiffness [N/m]; d: damping constant [N.s/m]; b: inertance [kg].
+        inerter: instead of the ideal one.
+
+    Source: Marian & Giaralis, Probabilistic Engineering Mechanics 38 (2014) 156-164.
+    """
+
+    m = parameter("kg", "mass", above=0)
+    k = parameter("N/m", "stiffness", min=0)
+    d = parameter("N.s/m", "damping constant", min=0)
+    b = parameter("kg", "inertance", min=0, default=0.0)
+    f = variable("N", "force on the structure")
+
+    mass = Mass(m=m)
+    link = SpringDamper(k=k, d=d)
+    inerter: Component = Inerter(b=b)
+
+    def equations(self) -> Iterable[Any]:
+        yield self.f == self.flange_b.f
+
+    def connections(self) -> Iterable[Any]:
+        yield self.flange_b, self.link.flange_a
+        yield self.link.flange_b, self.mass.flange, self.inerter.flange_b
+        yield self.inerter.flange_a, self.flange_a
+
+
+def tid(k: float, d: float, b: float | Component) -> Any:
+    """Return a tuned inerter damper: `link` of spring and damper in series with `inerter`.
+
+    Args:
+        k: stiffness [N/m].
+        d: damping constant [N.s/m].
+        b: inertance [kg], or an inerter of your own, such as `ge_wang.planetary_inerter()`.
+
+    Source: Lazar, Neild & Wagg, Earthquake Eng. Struct. Dyn. 43 (2014) 1129-1147.
+    """
+    return series(link=SpringDamper(k=k, d=d), inerter=_inerter(b))
+
+
+def tvmd(k: float, d: float, b: float | Component) -> Any:
+    """Return a tuned viscous mass damper: `spring` in series with `inerter` and `damper` in parallel.
+
+    Args:
+        k: stiffness [N/m].
+        d: damping constant [N.s/m].
+        b: inertance [kg], or an inerter of your own.
+
+    Source: Ikago, Saito & Inoue, Earthquake Eng. Struct. Dyn. 41 (2012) 453-474.
+    """
+    return series(spring=Spring(k=k), pair=parallel(inerter=_inerter(b), damper=Damper(d=d)))
+
+
+def _inerter(b: float | Component) -> Component:
+    return b if isinstance(b, Component) else Inerter(b=b)

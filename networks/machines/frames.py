@@ -1,0 +1,109 @@
+"""Structures that shake: n-storey shear frames, a taut cable, a machine on mounts."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+
+from ...components import Component, Fixed, Force, Mass, ModelError, Position, Spring, SpringDamper
+from ..network import Network
+
+
+def shear_frame(
+    m: Sequence[float],
+    k: Sequence[float],
+    d: Sequence[float] | None = None,
+    absorbers: Mapping[tuple[int, int], Component] | None = None,
+) -> Network:
+    """Return a frame of floors on columns: `ground`, `storey1`, `floor1`, ..., `absorber1`, ..., `wind`.
+
+    `wind.f` acts on the top floor, `ground.s_ref` moves the base.
+
+    Args:
+        m: masses of the floors from below [kg]; one makes a structure of one degree of freedom.
+        k: stiffnesses of the storeys from below [N/m].
+        d: their damping constants [N.s/m]; none if None.
+        absorbers: two-terminal absorbers by the floors (lower, upper) they join; 0 is the ground.
+
+    Raises:
+        ModelError: for lengths that differ, or an absorber at a floor that is not there.
+
+    Example:
+        >>> from inertance import shear_frame, tid
+        >>> frame = shear_frame([1e3] * 3, [1.5e6] * 3, absorbers={(0, 1): tid(k=3e4, d=300.0, b=200.0)})
+    """
+    damping = d or [0.0] * len(m)
+    if not len(m) == len(k) == len(damping):
+        raise ModelError(f"a frame needs as many m, k and d, got {len(m)}, {len(k)} and {len(damping)}")
+    frame = Network("shear frame", ground=Position(s_ref=0.0))
+    flanges = [frame.ground.flange]
+    for n, (mass, stiffness, loss) in enumerate(zip(m, k, damping, strict=True), start=1):
+        column = SpringDamper(k=stiffness, d=loss) if loss else Spring(k=stiffness)
+        frame.add(**{f"storey{n}": column, f"floor{n}": Mass(m=mass)})
+        flanges.append(getattr(frame, f"floor{n}").flange)
+        frame.connect(flanges[n - 1], getattr(frame, f"storey{n}").flange_a)
+        frame.connect(getattr(frame, f"storey{n}").flange_b, flanges[n])
+    for number, ((lower, upper), absorber) in enumerate((absorbers or {}).items(), start=1):
+        if not {lower, upper} <= set(range(len(flanges))):
+            raise ModelError(f"absorber {number} joins floors {lower} and {upper}; there are 0 to {len(m)}")
+        frame.add(**{f"absorber{number}": absorber})
+        frame.connect(absorber.flange_a, flanges[lower]).connect(absorber.flange_b, flanges[upper])
+    frame.add(wind=Force(f=0.0))
+    return frame.connect(frame.wind.flange, flanges[-1])
+
+
+def taut_cable(
+    L: float, T: float, m: float, parts: int = 20, damper: Component | None = None, at: int = 1
+) -> Network:
+    """Return a cable as beads on a taut string, moving sideways: `left`, `bead1`, ..., `right`, `wind`.
+
+    Args:
+        L: length [m].
+        T: tension [N].
+        m: mass per length [kg/m].
+        parts: segments; there is one bead less.
+        damper: two-terminal damper from the ground, such as `tvmd(...)`.
+        at: the bead it holds.
+
+    Raises:
+        ModelError: for a bead that is not there.
+
+    Limits: the frequency of mode n is low by about (n pi/parts)^2/24.
+    """
+    if not 1 <= at < parts:
+        raise ModelError(f"the cable has beads 1 to {parts - 1}, got {at}")
+    step = L / parts
+    cable = Network("taut cable", left=Fixed(), right=Fixed(), wind=Force(f=0.0))
+    before = cable.left.flange
+    for n in range(1, parts + 1):
+        cable.add(**{f"segment{n}": Spring(k=T / step)})
+        segment = getattr(cable, f"segment{n}")
+        cable.connect(before, segment.flange_a)
+        if n < parts:
+            cable.add(**{f"bead{n}": Mass(m=m * step)})
+            before = getattr(cable, f"bead{n}").flange
+            cable.connect(segment.flange_b, before)
+        else:
+            cable.connect(segment.flange_b, cable.right.flange)
+    cable.connect(cable.wind.flange, getattr(cable, f"bead{parts // 2}").flange)
+    if damper is not None:
+        cable.add(damper=damper)
+        cable.connect(damper.flange_a, cable.left.flange)
+        cable.connect(damper.flange_b, getattr(cable, f"bead{at}").flange)
+    return cable
+
+
+def isolated_machine(mount: Component, *, m: float = 100.0) -> Network:
+    """Return a machine on mounts: `floor`, `mount`, `machine`, `push`.
+
+    `machine.s` over `floor.s_ref` is the transmissibility of motion, `floor.flange.f` over `push.f` that of
+    force, up to its sign.
+
+    Args:
+        mount: with two flanges, such as `parallel(SpringDamper(...), Inerter(...))`.
+        m: mass of the machine [kg].
+    """
+    net = Network(
+        "isolated machine", floor=Position(s_ref=0.0), mount=mount, machine=Mass(m=m), push=Force(f=0.0)
+    )
+    net.connect(net.floor.flange, net.mount.flange_a)
+    return net.connect(net.mount.flange_b, net.machine.flange, net.push.flange)

@@ -1,0 +1,142 @@
+"""Real polynomials in many digits: lists of coefficients, lowest power first."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from contextlib import contextmanager
+from decimal import Decimal, localcontext
+
+Polynomial = list[Decimal]
+DIGITS = 80
+ZERO, ONE = Decimal(0), Decimal(1)
+NEWTON_STEPS = 400
+VANISHING = Decimal("1e-60")
+
+
+@contextmanager
+def many_digits() -> Iterator[None]:
+    """Reckon with `DIGITS` digits."""
+    with localcontext() as context:
+        context.prec = DIGITS
+        yield
+
+
+def trimmed(p: Polynomial) -> Polynomial:
+    """Drop leading zeros."""
+    while p and p[-1] == 0:
+        p = p[:-1]
+    return p
+
+
+def plus(p: Polynomial, q: Polynomial, factor: Decimal = ONE) -> Polynomial:
+    """Return p + factor q; where both cancel but for the last digits, nothing is left."""
+    length = max(len(p), len(q))
+    padded = (r + [ZERO] * (length - len(r)) for r in (p, q))
+    return trimmed([_sum(a, factor * b) for a, b in zip(*padded, strict=True)])
+
+
+def _sum(a: Decimal, b: Decimal) -> Decimal:
+    total = a + b
+    return total if abs(total) > VANISHING * abs(a) else ZERO
+
+
+def scaled(p: Polynomial, factor: Decimal) -> Polynomial:
+    """Return factor p."""
+    return [factor * a for a in p]
+
+
+def times(p: Polynomial, q: Polynomial) -> Polynomial:
+    """Return p q."""
+    product = [ZERO] * max(len(p) + len(q) - 1, 0)
+    for i, a in enumerate(p):
+        for j, b in enumerate(q):
+            product[i + j] += a * b
+    return product
+
+
+def by_s(p: Polynomial) -> Polynomial:
+    """Return s p."""
+    return [ZERO, *p] if p else []
+
+
+def divided(p: Polynomial, q: Polynomial) -> tuple[Polynomial, Polynomial]:
+    """Return quotient and rest of p / q."""
+    rest, quotient = list(p), [ZERO] * max(len(p) - len(q) + 1, 0)
+    for k in reversed(range(len(quotient))):
+        quotient[k] = factor = rest[k + len(q) - 1] / q[-1]
+        for j, b in enumerate(q):
+            rest[k + j] -= factor * b
+    return quotient, rest[: len(q) - 1]
+
+
+def derivative(p: Polynomial) -> Polynomial:
+    """Return dp/ds."""
+    return [k * a for k, a in enumerate(p)][1:]
+
+
+def value(p: Polynomial, x: Decimal) -> Decimal:
+    """Return p(x)."""
+    total = ZERO
+    for a in reversed(p):
+        total = total * x + a
+    return total
+
+
+def size(p: Polynomial, x: Decimal) -> Decimal:
+    """Return the sum of the sizes of the terms of p(x), x >= 0: what rounding is measured by."""
+    return value([abs(a) for a in p], x)
+
+
+def even(p: Polynomial) -> Polynomial:
+    """Return E(x), x = w^2, of p(jw) = E(w^2) + jw O(w^2)."""
+    return [a if k % 2 == 0 else -a for k, a in enumerate(p[::2])]
+
+
+def odd(p: Polynomial) -> Polynomial:
+    """Return O(x), x = w^2, of p(jw) = E(w^2) + jw O(w^2)."""
+    return even(p[1:])
+
+
+def positive_roots(p: Polynomial) -> list[Decimal]:
+    """Return the roots x > 0 of a polynomial, each once, in order.
+
+    Between the roots of its derivative a polynomial runs one way, so each stretch holds one root or none.
+    """
+    p = trimmed(p)
+    while p and p[0] == 0:
+        p = p[1:]
+    if len(p) < 2:
+        return []
+    far = 1 + max(abs(a / p[-1]) for a in p[:-1])
+    corners = [ZERO, *positive_roots(derivative(p)), far]
+    roots: list[Decimal] = []
+    for left, right in zip(corners[:-1], corners[1:], strict=True):
+        if _vanishes(p, left):
+            roots.append(left)
+        elif not _vanishes(p, right) and (value(p, left) < 0) != (value(p, right) < 0):
+            roots.append(_root_between(p, left, right))
+    return roots
+
+
+def _vanishes(p: Polynomial, x: Decimal) -> bool:
+    return abs(value(p, x)) <= VANISHING * size(p, x)
+
+
+def _root_between(p: Polynomial, left: Decimal, right: Decimal) -> Decimal:
+    """Return the root in a stretch, by Newton's steps, halving where they leave it."""
+    slope, rising = derivative(p), value(p, right) > 0
+    x = (left + right) / 2
+    for _ in range(NEWTON_STEPS):
+        here, steep = value(p, x), value(slope, x)
+        if abs(here) <= VANISHING * VANISHING.sqrt() * size(p, x):
+            break
+        left, right = (left, x) if (here > 0) == rising else (x, right)
+        if right - left <= VANISHING * right:
+            break
+        newton = x - here / steep if steep else left
+        x = newton if left < newton < right and _quick(here, p, newton) else (left + right) / 2
+    return x
+
+
+def _quick(before: Decimal, p: Polynomial, x: Decimal) -> bool:
+    return 2 * abs(value(p, x)) < abs(before)

@@ -1,0 +1,97 @@
+"""Effects: where they can be, and that each can be put in and taken for what it is."""
+
+from dataclasses import replace
+
+import inertance as ia
+import numpy as np
+import pytest
+from inertance import ge_wang
+from inertance.diagnosis.edits import edited
+from inertance.diagnosis.effects import EFFECTS, Effect, Motion, effect_of, register
+from inertance.diagnosis.sites import GROUND, Site, sites_of
+
+
+def rig() -> ia.Network:
+    return ia.inerter_rig(ge_wang.planetary_inerter(regularised=0.1), ia.Sinusoid(0.01, 3.0))
+
+
+def cart() -> ia.Network:
+    net = ia.Network(
+        "carts", wall=ia.Fixed(), k1=ia.Spring(k=1e3), d1=ia.Damper(d=1.0), one=ia.Mass(m=1.0),
+        k2=ia.Spring(k=1e3), two=ia.Mass(m=2.0), push=ia.Force(f=lambda t: 10 * np.sin(20 * t)),
+    )  # fmt: skip
+    net.connect(net.wall.flange, net.k1.flange_a, net.d1.flange_a)
+    net.connect(net.k1.flange_b, net.d1.flange_b, net.one.flange, net.k2.flange_a, net.push.flange)
+    return net.connect(net.k2.flange_b, net.two.flange)
+
+
+def test_sites_of_carts() -> None:
+    found = {site.path: site for site in sites_of(cart())}
+    assert set(found) == {"d1", "one", "k2", "two"}
+    assert found["d1"].same == ("k1", "one")
+    assert found["one"].places == {"node"}
+    assert found["two"].places == {"node", "across"}
+    assert found["two"].fixed == GROUND
+
+
+def test_sites_of_an_inerter_are_named_by_the_deepest_part() -> None:
+    found = {site.path: site for site in sites_of(rig())}
+    assert "inerter" in found["inerter.screw"].same
+    assert found["inerter.screw.friction"].domain == "rotational"
+    assert not any("actuator" in path or "frame" in path for path in found)
+
+
+@pytest.mark.parametrize("kind", [k for k, effect in EFFECTS.items() if effect.place != "channel"])
+def test_every_effect_fits_every_site_and_runs(kind: str) -> None:
+    effect, net = effect_of(kind), cart()
+    for site in sites_of(net):
+        if effect.place not in site.places:
+            continue
+        scaled = replace(site, force=20.0, travel=0.02, speed=0.4)
+        values = {q.name: 0.01 for q in effect.quantities[site.domain]}
+        assert effect.edits is not None
+        edits = effect.edits(scaled, "extra", values)
+        run = edited(net, edits).simulate(0.05)
+        assert np.isfinite(run["one.s"]).all()
+        scope = {"net": net.clone(), **vars(ia)}
+        exec("\n".join(map(str, edits)), scope)
+        again = scope["net"].simulate(0.05)
+        assert again["one.s"] == pytest.approx(run["one.s"], abs=1e-12)
+
+
+@pytest.mark.parametrize("kind", [k for k, effect in EFFECTS.items() if effect.basis and effect.place == "across"])
+def test_the_basis_is_the_force_of_the_component(kind: str) -> None:
+    """Between the ground and a prescribed motion the component's force is its basis times its sizes."""
+    effect = effect_of(kind)
+    net = ia.Network("probe", wall=ia.Fixed(), probe=ia.Damper(d=0.0), drive=ia.Position(s_ref=np.sin))
+    net.connect(net.wall.flange, net.probe.flange_a).connect(net.probe.flange_b, net.drive.flange)
+    site = Site(
+        "probe", "translational", "probe.flange_b", "probe.flange_a", frozenset({"across"}), speed=0.7
+    )
+    t = np.linspace(0, 6, 2001)
+    motion = Motion(t, np.sin(t), np.cos(t), np.zeros_like(t), -np.sin(t))
+    values = {q.name: 0.3 + 0.2 * i for i, q in enumerate(effect.quantities["translational"])}
+    shape = {q.name: values[q.name] for q in effect.quantities["translational"] if q.shape}
+    assert effect.basis is not None
+    assert effect.edits is not None
+    columns = effect.basis(motion, shape)
+    expected = sum(values[q.name] * c for q, c in zip(effect.sizes("translational"), columns, strict=True))
+    run = edited(net, effect.edits(site, "extra", values)).simulate(6.0, step=3e-3)
+    force = np.interp(t, run.time, run["drive.flange.f"])
+    slow = np.abs(motion.v) < 0.05
+    if kind == "load_dependent_friction":
+        assert force == pytest.approx(0, abs=1e-9)  # the probe carries no load
+    else:
+        assert force[~slow] == pytest.approx(-expected[~slow], abs=0.02) or force[~slow] == pytest.approx(
+            expected[~slow], abs=0.02
+        )
+
+
+def test_an_effect_of_ones_own_and_unknown_ones() -> None:
+    with pytest.raises(ia.ModelError, match="there is an effect 'backlash' already"):
+        register(replace(effect_of("backlash")))
+    with pytest.raises(ia.ModelError, match="no effect 'backlas'; did you mean 'backlash'"):
+        effect_of("backlas")
+    mine = register(Effect("my_own", "node", {}))
+    assert effect_of("my_own") is mine
+    del EFFECTS["my_own"]

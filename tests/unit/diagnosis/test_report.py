@@ -1,0 +1,317 @@
+"""The report: one file, every section, nothing from outside, no error in a browser; and where a gap lies."""
+
+import json
+import re
+import shutil
+import subprocess
+import sys
+from base64 import b64decode
+from dataclasses import replace
+from html.parser import HTMLParser
+from pathlib import Path
+from typing import Any
+
+import inertance as ia
+import numpy as np
+import pytest
+from inertance.diagnosis.drawing import drawings, marks_of
+from inertance.diagnosis.effects import effect_of
+from inertance.diagnosis.evidence import Evidence
+from inertance.diagnosis.placed import Placed
+from inertance.diagnosis.refit import Refit, refit
+from inertance.diagnosis.screening import screen
+from inertance.diagnosis.telling import advice, code, ruled_out, screened_out
+from inertance.diagnosis.verdict import Gap, Ranked, Verdict
+from inertance.diagnosis.where import located, shares
+from inertance.identification import Campaign, Record
+
+RATE, NOISE, SECONDS = 200.0, 2e-4, 4.0
+SECTIONS = [
+    "verdict", "where", "gap", "signals", "residual", "ranking", "ruled-out", "correction", "next",
+    "parameters", "notes",
+]  # fmt: skip
+CHROMIUM = next(filter(None, map(shutil.which, ("chromium", "chromium-browser", "google-chrome"))), None)
+PROBE = """
+<script>
+const place = document.getElementById("figure-record-0");
+const spacing = () => { const x = place.data[0].x; return x.length + " points from " + x[0].toFixed(2); };
+(async () => {
+  const told = [places.filter((p) => p.querySelector(".main-svg")).length, spacing()];
+  await Plotly.relayout(place, {"xaxis.range": [1, 1.5]});
+  told.push(spacing());
+  const select = document.querySelector("select");
+  select.value = "record-1";
+  select.dispatchEvent(new Event("change"));
+  told.push(spacing());
+  const wide = document.documentElement.scrollWidth <= window.innerWidth;
+  told.push(wide ? "fits" : "too wide");
+  told.push(performance.getEntriesByType("resource").map((entry) => entry.name));
+  const probe = document.createElement("pre");
+  probe.id = "probe";
+  probe.textContent = JSON.stringify(told);
+  document.body.append(probe);
+})();
+</script>
+"""
+
+
+def build(friction: float = 0.0) -> ia.Network:
+    net = ia.Network(
+        "oscillator",
+        wall=ia.Fixed(),
+        spring=ia.Spring(k=400.0),
+        damper=ia.Damper(d=2.0),
+        mass=ia.Mass(m=1.0),
+        push=ia.Force(),
+    )
+    net.connect(net.wall.flange, net.spring.flange_a, net.damper.flange_a)
+    net.connect(net.spring.flange_b, net.damper.flange_b, net.mass.flange, net.push.flange)
+    if friction:
+        net.add(rub=ia.CoulombFriction(f_c=friction))
+        net.connect(net.wall.flange, net.rub.flange_a)
+        net.connect(net.rub.flange_b, net.mass.flange)
+    return net
+
+
+def campaign(friction: float, k: float = 430.0, jam: float = 0.0) -> Campaign:
+    """Return four runs of an oscillator that has friction, or whose sensor jumps about for a moment."""
+    truth, rng = build(friction).dae(), np.random.default_rng(1)
+    t = np.arange(int(SECONDS * RATE) + 1) / RATE
+    records = []
+    for number in range(4):
+        f = np.arange(0.5, 8, 0.25)
+        phases = rng.uniform(0, 2 * np.pi, len(f))
+        force = np.sum(np.cos(2 * np.pi * np.outer(t, f) + phases) - np.cos(phases), axis=1)
+        inputs = {"push.f": ia.Sampled(t, force)}
+        run = truth.simulate(
+            SECONDS, inputs=inputs, parameters={"spring.k": k}, step=1 / RATE, progress=False
+        )
+        x = np.interp(t, run.time, run["mass.s"]) + NOISE * rng.standard_normal(len(t))
+        x += jam * np.exp(-(((t - 2.1) / 0.08) ** 2)) * np.sin(2 * np.pi * 11 * t)
+        records.append(
+            {"record": Record(f"multisine <{number}>", t, {"F": force, "x": x}), "initial": "rest"}
+        )
+    return Campaign(
+        build(),
+        channels={"F": {"input": "push.f", "unit": "N"}, "x": {"output": "mass.s", "unit": "m"}},
+        parameters={"spring.k": {"rel": 0.1}, "damper.d": {"rel": 0.1}},
+        train=records[:2],
+        test=records[2:],
+        noise={"x": NOISE},
+    )
+
+
+def verdict_of(word: str, evidence: Evidence, effects: tuple[Placed, ...] = (), **more: Any) -> Verdict:
+    def size(fitted: Refit) -> float:
+        return float(np.sqrt(np.mean(np.concatenate([r["x"] for r in fitted.test]) ** 2)) * NOISE / 0.05)
+
+    stages = (evidence.nominal, evidence.refit, evidence.after)
+    return Verdict(
+        verdict=word,
+        effects=effects,
+        confidence=(0.97,) * len(effects),
+        next_experiment=None,
+        where=shares(evidence.screened),
+        gap={"x": Gap(*map(size, stages), NOISE / 0.05, "m, NRMSE of the test runs")},
+        closed=0.99,
+        parameters=evidence.after.parameters,
+        network=evidence.campaign.network,
+        evidence=evidence,
+        **{"equivalent": (), "windows": {}, "ranking": (), **more},
+    )
+
+
+@pytest.fixture(scope="module")
+def verdict() -> Verdict:
+    """Return the verdict on friction that is missing."""
+    rubbing = campaign(friction=1.0)
+    start = refit(rubbing, rubbing.network, rubbing.start, rounds=1)
+    base = refit(rubbing, rubbing.network, rubbing.start)
+    candidates = screen(rubbing, rubbing.network, base.parameters)
+    best = next(c for c in candidates if c.effect.kind == "coulomb_friction")
+    placed = Placed(best.effect, best.site, "coulomb_friction_1", best.values)
+    after = refit(rubbing, rubbing.network, base.parameters, [placed])
+    ranking = (
+        Ranked("coulomb_friction", "damper", 0.99, 1e-5, after.effects[0].values),
+        Ranked("friction_drift", "damper", 0.989, 1e-5),
+        Ranked("position_ripple", "damper", 0.02, 0.4),
+        Ranked("backlash", "damper", -0.1, 0.9),
+    )
+    evidence = Evidence(rubbing, start, base, after, tuple(candidates))
+    return verdict_of("effect", evidence, after.effects, ranking=ranking)
+
+
+@pytest.fixture(scope="module")
+def jammed() -> Verdict:
+    """Return the verdict on a sensor that jumps about for a moment."""
+    jumping = campaign(friction=0.0, k=400.0, jam=0.01)
+    base = refit(jumping, jumping.network, jumping.start)
+    candidates = tuple(screen(jumping, jumping.network, base.parameters))
+    found = located(jumping, base, candidates)
+    return verdict_of("unknown", Evidence(jumping, base, base, base, candidates), windows=found)
+
+
+@pytest.fixture(scope="module")
+def page(verdict: Verdict, tmp_path_factory: pytest.TempPathFactory) -> Path:
+    return verdict.report(tmp_path_factory.mktemp("report") / "gap.html")
+
+
+class Sections(HTMLParser):
+    """Collects sections in order, and every address and script."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.found: list[str | None] = []
+        self.addresses: list[str | None] = []
+
+    def handle_starttag(self, tag: str, attrs: list[tuple[str, str | None]]) -> None:
+        given = dict(attrs)
+        if tag == "section":
+            self.found.append(given.get("id"))
+        self.addresses += [given[key] for key in ("src", "href", "action") if key in given]
+
+
+def test_one_file_with_every_section_in_order(page: Path) -> None:
+    text = page.read_text(encoding="utf-8")
+    read = Sections()
+    read.feed(text)
+    assert read.found == SECTIONS
+    assert read.addresses == ["data:,"]
+    assert "default-src 'none'" in text
+    assert page.stat().st_size < 8e6
+
+
+def test_numbers_are_those_of_the_verdict(page: Path, verdict: Verdict) -> None:
+    text = page.read_text(encoding="utf-8")
+    assert verdict.sentence in text
+    assert f"{verdict.gap['x'].refit:.3%}" in text
+    assert "multisine &lt;2&gt;" in text
+    assert "multisine <2>" not in text
+    for name, value in verdict.parameters.items():
+        assert f"<td>{name}</td>" in text
+        assert f"{value:.4g}</td>" in text
+
+
+def test_samples_hold_what_was_measured(page: Path, verdict: Verdict) -> None:
+    found = re.search(r'id="figures">(.*?)</script>', page.read_text(encoding="utf-8"), re.DOTALL)
+    assert found is not None
+    trace = json.loads(found[1])["record-0"]["data"][0]["samples"]
+    whole = np.frombuffer(b64decode(trace["u2"]), "<u2")
+    shown = trace["low"] + trace["size"] * whole / 65535
+    record = verdict.evidence.campaign.testing[0].record
+    assert np.abs(shown - record.values["x"]).max() < 1e-5 * np.ptp(record.values["x"])
+
+
+def test_lines_make_the_corrected_network(verdict: Verdict) -> None:
+    net = build()
+    space: dict[str, Any] = {"net": net}
+    exec("\n".join(code(verdict)), space)
+    assert space["parameters"] == pytest.approx(verdict.parameters, rel=1e-5)
+    assert net.dae().state_names == verdict.corrected().dae().state_names
+    assert net.dae().parameter_values["coulomb_friction_1.f_c"] == pytest.approx(1.0, rel=0.03)
+
+
+def test_what_was_ruled_out_is_told_with_a_reason(verdict: Verdict) -> None:
+    told = {kind: why for kind, _, _, _, why in ruled_out(verdict)}
+    assert told == {
+        "friction_drift": "no better than the verdict, which is simpler or as simple",
+        "position_ripple": "no more than chance would do",
+        "backlash": "makes the test runs worse",
+    }
+    screened = {kind: why for kind, _, _, why in screened_out(verdict)}
+    assert "coulomb_friction" not in screened
+    assert "mimic" in screened["viscous_damping"]
+
+
+def test_guilty_site_and_what_was_added_are_marked(verdict: Verdict) -> None:
+    assert marks_of(verdict) == {"damper": "coulomb friction", "coulomb_friction_1": "added"}
+    drawn = "".join(drawings(verdict))
+    assert drawn.count('stroke-width="3"') == 2
+
+
+def test_what_is_inserted_within_a_part_is_drawn() -> None:
+    inner = build().with_values(mass=ia.Mass(m=2.0))
+    net = ia.Network("nested", rig=inner)
+    net.insert(net.rig._parts["spring"].flange_b, play=ia.Backlash(k=1e6, d=100.0, eps=1e-3))
+    assert net._repr_html_().count("<path") == 1
+    alone = build()
+    plain = alone._repr_html_().count("<path")
+    alone.insert(alone.spring.flange_b, play=ia.Backlash(k=1e6, d=100.0, eps=1e-3))
+    assert alone._repr_html_().count("<path") == plain + 1
+
+
+def test_windows_and_band_of_a_moment(jammed: Verdict) -> None:
+    found = jammed.windows
+    assert {w["record"] for w in found["windows"]} == {e.name for e in jammed.evidence.campaign.experiments}
+    for window in found["windows"]:
+        assert 1.75 <= window["from"] < 2.1 < window["to"] <= 2.5
+    assert sum(w["share"] for w in found["windows"]) > 0.8
+    assert found["band"][0] < 11 < found["band"][1]
+    assert found["regime"] == "any"
+    assert "from" in advice(jammed)
+
+
+def test_steady_gap_has_no_windows_of_its_own(verdict: Verdict) -> None:
+    evidence = verdict.evidence
+    found = located(evidence.campaign, evidence.refit, evidence.screened)
+    assert [(w["from"], w["to"]) for w in found["windows"]] == [(0.0, SECONDS)] * 4
+    assert found["band"][1] < 10
+
+
+def test_gap_at_reversals_is_told_as_such(verdict: Verdict) -> None:
+    evidence = verdict.evidence
+    at = [np.abs(np.gradient(e.record.values["x"], 1 / RATE)) < 0.05 for e in evidence.campaign.experiments]
+    missed = [{"x": 5.0 * slow} for slow in at]
+    shaped = replace(evidence.refit, train=missed[:2], test=missed[2:])
+    assert located(evidence.campaign, shaped, evidence.screened)["regime"] == "reversals"
+
+
+@pytest.mark.parametrize("word", ["none", "parameters", "unknown"])
+def test_every_verdict_has_a_report(word: str, jammed: Verdict, tmp_path: Path) -> None:
+    text = replace(jammed, verdict=word).report(tmp_path / "gap.html").read_text(encoding="utf-8")
+    read = Sections()
+    read.feed(text)
+    assert read.found == SECTIONS
+    assert f'class="verdict {word}"' in text
+
+
+def test_effect_on_a_channel_has_a_report(verdict: Verdict, tmp_path: Path) -> None:
+    delay = next(c for c in verdict.evidence.screened if c.effect.kind == "sensor_delay")
+    placed = Placed(effect_of("sensor_delay"), delay.site, "sensor_delay_1", {"delay": 0.004})
+    text = replace(verdict, effects=(placed,)).report(tmp_path / "gap.html").read_text(encoding="utf-8")
+    assert "# sensor_delay on channel x: delay = 0.004" in text
+    assert "x: sensor delay" in text
+
+
+def test_without_plotly_the_extra_is_named(
+    verdict: Verdict, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setitem(sys.modules, "plotly.offline", None)
+    with pytest.raises(ia.ModelError, match=r'pip install "inertance\[report\]"'):
+        verdict.report(tmp_path / "gap.html")
+
+
+@pytest.mark.skipif(CHROMIUM is None, reason="no Chromium to open the report in")
+def test_browser_draws_it_without_error_or_network(page: Path, tmp_path: Path) -> None:
+    probed = tmp_path / "gap.html"
+    probed.write_text(
+        page.read_text(encoding="utf-8").replace("</body>", f"{PROBE}</body>"), encoding="utf-8"
+    )
+    done = subprocess.run(
+        [
+            str(CHROMIUM), "--headless", "--no-sandbox", "--disable-gpu", "--disable-background-networking",
+            "--disable-component-update", "--window-size=500,900", f"--user-data-dir={tmp_path / 'profile'}",
+            "--enable-logging=stderr", "--host-resolver-rules=MAP * ~NOTFOUND", "--virtual-time-budget=5000",
+            "--dump-dom", probed.as_uri(),
+        ],
+        capture_output=True, text=True, check=True, timeout=120,
+    )  # fmt: skip
+    assert [line for line in done.stderr.splitlines() if "CONSOLE" in line] == []
+    found = re.search(r'<pre id="probe">(.*?)</pre>', done.stdout, re.DOTALL)
+    assert found is not None, "the page's scripts failed"
+    plots, whole, near, other, width, requests = json.loads(found[1])
+    assert [address for address in requests if not address.startswith("data:")] == []
+    assert plots == 6
+    assert whole == other == "801 points from 0.00"
+    assert near == "105 points from 0.99"
+    assert width == "fits"

@@ -1,0 +1,50 @@
+"""Isolated FMUs: what they do to themselves, they do not do to us."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Protocol
+
+import numpy as np
+import pytest
+from inertance import FMU, FMUError
+
+
+class Make(Protocol):
+    def __call__(self, model: str, *defines: str) -> Path: ...
+
+
+def test_the_same_numbers(make_fmu: Make) -> None:
+    path = make_fmu("ball")
+    here, there = (FMU(path, isolated=isolated).simulate(1.0, step=0.02) for isolated in (False, True))
+    assert np.array_equal(here["h"], there["h"])
+    assert here.events == there.events
+
+
+@pytest.mark.parametrize(
+    ("kind", "fault", "told"),
+    [
+        ("ME", 1, "'derivatives': its process was killed by SIGSEGV"),
+        ("CS", 2, "'step': its process was killed by SIGABRT"),
+        ("ME", 3, "'derivatives': its process ended itself with exit code 7"),
+    ],
+)
+def test_crashes(
+    make_fmu: Make, kind: str, fault: int, told: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr("tempfile.tempdir", str(tmp_path))
+    fmu = FMU(make_fmu("body"), isolated=True)
+    with pytest.raises(FMUError, match=f"'body' crashed in {told}"):
+        fmu.simulate(1.0, kind=kind, parameters={"fault": fault, "when": 0.1}, step=0.05)
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_a_call_that_never_returns(make_fmu: Make) -> None:
+    fmu = FMU(make_fmu("body"), isolated=True, timeout=1.0)
+    with pytest.raises(FMUError, match="did not return from 'derivatives' within 1 s and was ended"):
+        fmu.simulate(1.0, parameters={"fault": 4, "when": 0.1}, step=0.05)
+
+
+def test_errors_of_the_fmu_pass(make_fmu: Make) -> None:
+    with pytest.raises(FMUError, match="binary lacks FMI functions: fmi2GetStringStatus"):
+        FMU(make_fmu("body", "INCOMPLETE"), isolated=True).simulate(1.0, kind="CS")

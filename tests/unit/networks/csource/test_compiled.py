@@ -1,0 +1,269 @@
+"""Solver "compiled" against the event loop in Python, feature by feature."""
+
+from typing import Any
+
+import casadi as ca
+import inertance as ia
+import numpy as np
+import pytest
+from inertance import rotational
+from inertance.networks.csource.toolchain import ToolchainError, compiler
+
+try:
+    compiler()
+except ToolchainError as missing:
+    pytest.skip(str(missing), allow_module_level=True)
+
+TIGHT = {"rtol": 1e-9, "atol": 1e-11}
+
+
+def grounded(name: str, **parts: Any) -> ia.Network:
+    return ia.Network(name, wall=ia.Fixed(), mass=ia.Mass(m=1.0), **parts)
+
+
+def pfi() -> ia.Network:
+    return ia.inerter_rig(ia.ge_wang.planetary_inerter(), ia.Sinusoid(0.01, 3.0))
+
+
+def bouncing_ball() -> ia.Network:
+    net = ia.Network(
+        "ball",
+        floor=ia.Fixed(),
+        stop=ia.HardStop(e=0.7, v_rest=3e-3),
+        ball=ia.Mass(m=0.5, s=1.0),
+        weight=ia.ConstantForce(f_constant=-4.905),
+    )
+    return net.connect(net.floor.flange, net.stop.flange_a).connect(
+        net.stop.flange_b, net.ball.flange, net.weight.flange
+    )
+
+
+def two_stops() -> ia.Network:
+    net = bouncing_ball()
+    net.add(other=ia.HardStop(e=0.7, v_rest=3e-3)).connect(net.floor.flange, net.other.flange_a)
+    return net.connect(net.other.flange_b, net.ball.flange)
+
+
+def rubbing(*elements: ia.Component, push: Any) -> ia.Network:
+    net = grounded("rubbing", push=ia.Force(f=push))
+    net.connect(net.push.flange, net.mass.flange)
+    for k, element in enumerate(elements):
+        net.add(**{f"rub{k}": element})
+        net.connect(net.wall.flange, element.flange_a).connect(element.flange_b, net.mass.flange)  # type: ignore[attr-defined]
+    return net
+
+
+def stick_slip() -> ia.Network:
+    return rubbing(ia.StribeckFriction(f_c=8.0, f_s=10.0, v_s=0.1, d=1.0), push=lambda t: 14 * ca.sin(3 * t))
+
+
+def sampled() -> ia.Network:
+    t = np.linspace(0, 3, 301)
+    return rubbing(ia.CoulombFriction(f_c=8.0), push=ia.Sampled(t, 14 * np.sin(3 * t)))
+
+
+def two_brakes() -> ia.Network:
+    return rubbing(ia.CoulombFriction(f_c=3.0), ia.CoulombFriction(f_c=5.0), push=lambda t: 4 * t)
+
+
+def backlash() -> ia.Network:
+    return rubbing(ia.Backlash(k=1e4, d=10.0, eps=1e-3), push=lambda t: 20 * ca.sin(9 * t))
+
+
+def clutch() -> ia.Network:
+    net = ia.Network(
+        "clutch",
+        a=rotational.Inertia(J=1.0, w=10.0),
+        b=rotational.Inertia(J=2.0),
+        clutch=rotational.Clutch(fn_max=20.0, f_normalized=lambda t: ca.if_else(t < 1, t, 0.0)),
+        push=rotational.Torque(tau=lambda t: 3 * ca.sin(5 * t)),
+    )
+    return net.connect(net.a.flange, net.clutch.flange_a, net.push.flange).connect(
+        net.clutch.flange_b, net.b.flange
+    )
+
+
+def lossy_gear() -> ia.Network:
+    gear = rotational.LossyGear(ratio=2.0, lossTable=((0.0, 0.9, 0.8, 0.5, 0.5),))
+    net = ia.Network(
+        "gear",
+        a=rotational.Inertia(J=1.0),
+        gear=gear,
+        b=rotational.Inertia(J=1.5),
+        push=rotational.Torque(tau=lambda t: 10 * ca.sin(6 * t)),
+    )
+    return (
+        net.connect(net.push.flange, net.a.flange)
+        .connect(net.a.flange, net.gear.flange_a)
+        .connect(net.gear.flange_b, net.b.flange)
+    )
+
+
+def guided() -> ia.Network:
+    body = ia.MassWithStopAndFriction(m=1.0, s_min=-0.3, s_max=0.3, f_c=1.0, f_s=2.0, d=1.0, v_s=0.1)
+    net = ia.Network("guided", body=body, push=ia.Force(f=lambda t: 20 * ca.sin(5 * t)))
+    return net.connect(net.body.flange, net.push.flange)
+
+
+def brake() -> ia.Network:
+    net = ia.Network(
+        "braked",
+        shaft=rotational.Inertia(J=1.0, w=5.0),
+        brake=rotational.Brake(fn_max=10.0, f_normalized=lambda t: ca.if_else(t > 0.5, 1.0, 0.0)),
+    )
+    return net.connect(net.shaft.flange, net.brake.flange)
+
+
+def algebraic_loop() -> ia.Network:
+    """Two springs in series, one of them cubic: where they meet, nothing has inertia."""
+    chain = ia.series(soft=ia.Spring(k=100.0), hard=ia.CubicSpring(k=50.0, k3=4e4))
+    net = grounded(
+        "loop", chain=chain, rub=ia.CoulombFriction(f_c=1.0), push=ia.Force(f=lambda t: 10 * ca.sin(4 * t))
+    )
+    net.connect(net.wall.flange, net.chain.flange_a, net.rub.flange_a)
+    return net.connect(net.chain.flange_b, net.mass.flange, net.push.flange, net.rub.flange_b)
+
+
+def prescribed() -> ia.Network:
+    net = ia.Network(
+        "driven",
+        drive=ia.Position(s_ref=lambda t: 0.1 * ca.sin(t)),
+        rub=ia.CoulombFriction(f_c=3.0),
+        wall=ia.Fixed(),
+    )
+    return net.connect(net.wall.flange, net.rub.flange_a).connect(net.rub.flange_b, net.drive.flange)
+
+
+MACHINES = {
+    pfi: ("inerter.flange_a.f", 0.5),
+    stick_slip: ("mass.s", 4.0),
+    sampled: ("mass.s", 3.0),
+    backlash: ("mass.s", 2.0),
+    two_brakes: ("mass.s", 4.0),
+    bouncing_ball: ("ball.s", 2.9),
+    two_stops: ("ball.s", 2.9),
+    clutch: ("b.w", 2.0),
+    lossy_gear: ("b.w", 2.0),
+    guided: ("body.s", 3.0),
+    brake: ("shaft.w", 2.0),
+    algebraic_loop: ("chain.hard.f", 3.0),
+    prescribed: ("rub.f", 7.0),
+}
+
+
+@pytest.mark.parametrize("machine", MACHINES, ids=lambda machine: machine.__name__)
+def test_agrees_with_the_event_loop(machine: Any) -> None:
+    name, stop = MACHINES[machine]
+    dae = machine().dae()
+    ours, native = (dae.simulate(stop, solver=solver, **TIGHT) for solver in ("compiled", "auto"))
+    told = [[(e.component, e.mode, e.source, e.target) for e in run.events] for run in (ours, native)]
+    assert told[0] == told[1]
+    assert [e.time for e in ours.events] == pytest.approx([e.time for e in native.events], abs=1e-6)
+    shocks = [[e.impulse for e in run.events if e.impulse is not None] for run in (ours, native)]
+    assert shocks[0] == pytest.approx(shocks[1], rel=1e-6, abs=1e-6 * max(shocks[1], default=0.0))
+    grid = np.linspace(0, stop, 200)[1:-1]
+    away = np.array(
+        [t for t in grid if all(abs(t - e.time) > 0.02 * stop for e in native.events)] or [0.9999 * stop]
+    )
+    values = [np.interp(away, run.time, run[name]) for run in (ours, native)]
+    assert values[0] == pytest.approx(values[1], abs=1e-5 * np.ptp(native[name]))
+    assert len(ours.time) == len(native.time)
+    assert ours.notes == native.notes
+    assert ours.stats["solver"] == "compiled"
+
+
+def test_stuck_is_stuck() -> None:
+    run = stick_slip().simulate(4.0, solver="compiled")
+    stuck = run["rub0.mode"] == 0
+    assert stuck.any()
+    assert not stuck.all()
+    assert (run["mass.v"][stuck] == 0.0).all()
+
+
+def test_the_ball_comes_to_rest() -> None:
+    run = bouncing_ball().simulate(5.0, solver="compiled", **TIGHT)
+    assert run.events[-1].target == "contact"
+    assert run["ball.v"][-1] == 0.0
+    assert run["ball.s"].min() >= -1e-12
+
+
+def test_parameters_and_starts_change_without_compiling_again() -> None:
+    net = grounded("oscillator", spring=ia.Spring(k=100.0))
+    dae = (
+        net.connect(net.wall.flange, net.spring.flange_a).connect(net.spring.flange_b, net.mass.flange).dae()
+    )
+    closed = dae.closed({})
+    for k, s in ((100.0, 0.1), (25.0, 0.2)):
+        run = dae.simulate(2.0, solver="compiled", parameters={"spring.k": k}, start={"mass.s": s}, **TIGHT)
+        assert run["mass.s"] == pytest.approx(s * np.cos(np.sqrt(k) * run.time), abs=1e-7)
+    assert dae.closed({}) is closed
+
+
+def test_a_new_record_needs_no_new_compilation(monkeypatch: pytest.MonkeyPatch) -> None:
+    net = ia.Network("shaker", table=ia.Position(), mount=ia.SpringDamper(k=1e3, d=10.0), box=ia.Mass(m=2.0))
+    dae = net.connect(net.table.flange, net.mount.flange_a).connect(net.mount.flange_b, net.box.flange).dae()
+    dae.simulate(0.1, inputs={"table.s_ref": 0.0}, solver="compiled")
+    monkeypatch.setattr(
+        "inertance.networks.csource.native.compile_shared", lambda *_, **__: pytest.fail("compiled")
+    )
+    t = np.linspace(0, 2, 501)
+    for w in (5.0, 20.0):
+        record = ia.Sampled(t, 0.01 * np.sin(w * t))
+        ours, native = (
+            dae.simulate(2.0, inputs={"table.s_ref": record}, solver=s, **TIGHT) for s in ("compiled", "auto")
+        )
+        assert ours["box.a"] == pytest.approx(native["box.a"], abs=1e-6 * np.ptp(native["box.a"]))
+    held = dae.simulate(5.0, inputs={"table.s_ref": 0.01}, solver="compiled")
+    assert held["box.s"][-1] == pytest.approx(0.01, abs=1e-6)
+
+
+def test_many_masses() -> None:
+    """60 of them take the sparse factorisation."""
+    net = ia.Network("chain", wall=ia.Fixed())
+    last: Any = net.wall.flange
+    for i in range(60):
+        net.add(
+            **{f"s{i}": ia.SpringDamper(k=1e4, d=1.0), f"m{i}": ia.Mass(m=1.0, v=1.0 if i == 59 else 0.0)}
+        )
+        net.connect(last, getattr(net, f"s{i}").flange_a).connect(
+            getattr(net, f"s{i}").flange_b, getattr(net, f"m{i}").flange
+        )
+        last = getattr(net, f"m{i}").flange
+    dae = net.dae()
+    ours, native = (dae.simulate(0.5, solver=solver, **TIGHT) for solver in ("compiled", "auto"))
+    assert ours["m40.s"] == pytest.approx(native["m40.s"], abs=1e-7)
+
+
+def test_failures_are_told_and_keep_what_was_computed() -> None:
+    class Explosion(ia.Component):
+        y = ia.variable("1", "grows without bound", start=1.0)
+
+        def equations(self) -> Any:
+            yield ia.der(self.y) == self.y**2
+
+    with pytest.raises(
+        ia.SimulationError, match=r"integration failed at t = (0\.99|1).*element\.y"
+    ) as caught:
+        ia.Network("bang", element=Explosion()).simulate(2.0, solver="compiled")
+    kept = caught.value.result
+    assert isinstance(kept, ia.Result)
+    assert kept["element.y"][-1] > 100
+
+
+def test_sensitivities_are_refused() -> None:
+    with pytest.raises(ia.ModelError, match="use 'auto'"):
+        bouncing_ball().simulate(1.0, solver="compiled", sensitivities=["ball.m"])
+
+
+def test_without_a_compiler_the_remedy_is_named(monkeypatch: pytest.MonkeyPatch) -> None:
+    from inertance.networks.csource import toolchain
+
+    monkeypatch.delenv("CC", raising=False)
+    monkeypatch.setattr(toolchain.shutil, "which", lambda name: None)
+    monkeypatch.setattr(toolchain.importlib.util, "find_spec", lambda name: None)
+    with pytest.raises(
+        ia.ModelError, match=r"install a C compiler \(gcc or clang\), or `pip install ziglang`"
+    ):
+        compiler()
+    with pytest.raises(ia.ModelError, match="no platform 'x86_64-linx'; did you mean 'x86_64-linux'"):
+        compiler("x86_64-linx")

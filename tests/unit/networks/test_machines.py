@@ -1,0 +1,150 @@
+"""Ready machines: what goes in as power is stored or lost, in each of them."""
+
+from collections.abc import Callable, Iterator
+from typing import Any
+
+import inertance as ia
+import numpy as np
+import pytest
+from numpy.typing import NDArray
+
+Array = NDArray[np.float64]
+STRUT = ia.suspension("S8", 20e3, 1200.0, 80.0, k_b=1e5, k_1=2e3, k_2=1e3)
+STOPPED = ia.parallel(
+    spring=ia.Spring(k=15e3),
+    damper=ia.BilinearDamper(d_c=600.0, d_r=1800.0),
+    stop=ia.BumpStop(k=50e3, k3=1e9, s_min=-0.01, s_max=0.02),
+    inerter=ia.Inerter(b=30.0),
+)
+DIGRESSIVE = ia.parallel(ia.Spring(k=15e3), ia.DigressiveDamper(d=3e3, d_h=400.0, v_k=0.1))
+ABSORBERS: dict[tuple[int, int], ia.Component] = {
+    (0, 1): ia.tid(3e4, 300.0, 200.0),
+    (1, 2): ia.tvmd(3e4, 300.0, 100.0),
+    (1, 3): ia.TMDI(m=50.0, k=5e3, d=100.0, b=80.0),
+}
+MACHINES: dict[str, Callable[[], ia.Network]] = {
+    **{
+        f"quarter car {layout}": lambda layout=layout: ia.quarter_car(  # type: ignore[misc]
+            ia.suspension(layout, 60e3, 2600.0, 100.0, k_b=2e5, k_1=5e3, k_2=2e3)
+        )
+        for layout in (f"S{n}" for n in range(1, 9))
+    },
+    "half car": lambda: ia.half_car(STRUT.clone(), DIGRESSIVE.clone()),
+    "full car": lambda: ia.full_car(STRUT.clone(), STOPPED.clone()),
+    "seat": lambda: ia.seat_in_cab(STOPPED.clone(), STRUT.clone()),
+    "frame": lambda: ia.shear_frame(
+        [1e3] * 3, [1.5e6] * 3, [2e3] * 3, {at: a.clone() for at, a in ABSORBERS.items()}
+    ),
+    "cable": lambda: ia.taut_cable(50.0, 1e6, 20.0, 8, ia.tvmd(1e5, 1e3, 50.0)),
+    "isolated machine": lambda: ia.isolated_machine(STRUT.clone()),
+}
+DRIVEN = {"cable": "wind.f", "half car": "front_road.s_ref", "full car": "front_left_road.s_ref"}
+
+
+def leaves(component: ia.Component, path: str) -> Iterator[tuple[str, Any]]:
+    if component._parts:
+        for name, part in component._parts.items():
+            yield from leaves(part, f"{path}.{name}" if path else name)
+    else:
+        yield path, component
+
+
+def stored(run: ia.Result, path: str, part: Any) -> Any:
+    """Energy that an element stores [J]."""
+    if isinstance(part, ia.Mass):
+        return 0.5 * run.dae.parameter_values.get(f"{path}.m", part.m) * run[f"{path}.v"] ** 2
+    if isinstance(part, ia.Spring):
+        return 0.5 * _number(run, path, part, "k") * run[f"{path}.s_rel"] ** 2
+    if isinstance(part, ia.SpringDamper):
+        return 0.5 * _number(run, path, part, "k") * run[f"{path}.s_rel"] ** 2
+    if isinstance(part, ia.Inerter):
+        return 0.5 * _number(run, path, part, "b") * run[f"{path}.v_rel"] ** 2
+    if isinstance(part, ia.PitchingBody):
+        return 0.5 * part.m * run[f"{path}.v"] ** 2 + 0.5 * part.J * run[f"{path}.q"] ** 2
+    if isinstance(part, ia.RigidBody):
+        turning = part.J_x * run[f"{path}.p"] ** 2 + part.J_y * run[f"{path}.q"] ** 2
+        return 0.5 * (part.m * run[f"{path}.v"] ** 2 + turning)
+    if isinstance(part, ia.BumpStop):
+        e = np.maximum(run[f"{path}.s_rel"] - part.s_max, 0) + np.minimum(
+            run[f"{path}.s_rel"] - part.s_min, 0
+        )
+        return 0.5 * part.k * e**2 + 0.25 * part.k3 * e**4
+    return 0.0
+
+
+def _number(run: ia.Result, path: str, part: Any, name: str) -> float:
+    return float(run[f"{path}.{name}"][0])
+
+
+def lost(run: ia.Result, path: str, part: Any) -> Any:
+    """Power that an element loses [W]."""
+    if isinstance(part, ia.SpringDamper):
+        return _number(run, path, part, "d") * run[f"{path}.v_rel"] ** 2
+    if isinstance(part, ia.Damper | ia.BilinearDamper | ia.DigressiveDamper):
+        return run[f"{path}.f"] * run[f"{path}.v_rel"]
+    return 0.0
+
+
+def given(run: ia.Result, driven: str, size: float) -> Array:
+    """Power that the source gives [W]: a road that moves, or wind on the fourth bead of the cable."""
+    source = driven.rpartition(".")[0]
+    if driven == "wind.f":
+        return run["wind.f"] * run["bead4.v"]
+    return -run[f"{source}.flange.f"] * size * 9 * np.sin(18 * run.time)
+
+
+@pytest.mark.parametrize("name", MACHINES)
+def test_energy_is_kept(name: str) -> None:
+    net = MACHINES[name]()
+    size = 1e3 if name == "cable" else 0.02
+    driven = DRIVEN.get(name) or next(i for i in net.dae().input_names if i.endswith("s_ref"))
+    run = net.simulate(
+        0.6, inputs={driven: lambda t: size * np.sin(9 * t) ** 2}, step=2e-4, rtol=1e-9, atol=1e-11
+    )
+    parts = list(leaves(net, ""))
+    energy: Any = sum(stored(run, *part) for part in parts)
+    power: Any = given(run, driven, size) - sum(lost(run, *part) for part in parts)
+    balance = np.concatenate([[0.0], np.cumsum(np.diff(run.time) * (power[1:] + power[:-1]) / 2)])
+    assert max(abs(energy)) > 0.01
+    assert energy - energy[0] == pytest.approx(balance, abs=2e-4 * max(abs(energy)))
+    assert all(np.min(lost(run, *part)) >= -1e-9 for part in parts)
+
+
+@pytest.mark.parametrize("layout", ["S3", "S4", "S7"])
+def test_a_real_inerter_stands_where_an_ideal_one_does(layout: str) -> None:
+    ideal = ia.ge_wang.ideal_inerter()
+    cars = [
+        ia.quarter_car(ia.suspension(layout, 60e3, 2600.0, b, k_1=5e3, k_2=2e3))
+        for b in (ia.ge_wang.B, ideal)
+    ]
+    assert ia.ride_j1(cars[1]) == pytest.approx(ia.ride_j1(cars[0]), rel=1e-9)
+
+
+def test_a_rough_planetary_inerter_sticks_at_rest() -> None:
+    car = ia.quarter_car(ia.suspension("S4", 60e3, 3200.0, ia.ge_wang.planetary_inerter()))
+    system = ia.linearise(car, ["road.s_ref"], ["body.v"])
+    assert any("'stuck'" in note for note in system.notes)
+
+
+def test_layouts_and_floors_that_are_wrong_are_told() -> None:
+    with pytest.raises(ia.ModelError, match="S1, S2"):
+        ia.suspension("S9", 1.0, 1.0)
+    with pytest.raises(ia.ModelError, match="there are 0 to 1"):
+        ia.shear_frame([1.0], [1.0], absorbers={(0, 2): ia.tid(1.0, 1.0, 1.0)})
+    with pytest.raises(ia.ModelError, match="beads 1 to 19"):
+        ia.taut_cable(1.0, 1.0, 1.0, at=20)
+
+
+def test_full_car_heaves_pitches_and_rolls() -> None:
+    strut = ia.SpringDamper(k=20e3, d=1500.0)
+    car = ia.full_car(strut, strut.clone())
+    assert len(ia.linearise(car).states) == 14
+    left = {f"{axle}_left_road.s_ref": 0.01 for axle in ("front", "rear")}
+    rolled = ia.operating_point(
+        car.dae(), inputs=left | {f"{a}_right_road.s_ref": 0.0 for a in ("front", "rear")}
+    )
+    assert rolled.values["body.s"] == pytest.approx(0.005, rel=1e-9)
+    assert rolled.values["body.phi"] == pytest.approx(0.01 / 1.4, rel=1e-9)
+    front = {f"front_{side}_road.s_ref": 0.01 for side in ("left", "right")}
+    pitched = ia.operating_point(car.dae(), inputs=front)
+    assert pitched.values["body.theta"] == pytest.approx(-0.01 / 2.5, rel=1e-9)
