@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 from concurrent.futures import ProcessPoolExecutor
+from importlib.util import find_spec
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
@@ -41,6 +42,8 @@ def diagnose(
     for path in (json, report):
         if path is not None and not path.resolve().parent.is_dir():
             raise typer.BadParameter(f"there is no folder '{path.resolve().parent}'; make it first")
+    if report is not None and find_spec("plotly") is None:
+        raise typer.BadParameter('--report needs plotly: pip install "inertance[report]"')
     if jobs < 0:
         raise typer.BadParameter(f"--jobs must be at least 0, got {jobs}")
     with failing(WRONG_USE, ModelError):

@@ -3,7 +3,9 @@
 from . import across as across
 from . import channels as channels
 from . import series as series
+from .edits import between as between
 from .effects import Effect as Effect
+from .effects import Quantity as Quantity
 from .effects import register as register
 from .search import diagnose as diagnose
 from .verdict import Gap as Gap

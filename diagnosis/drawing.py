@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from html import escape
 
 from ..components import Component
-from ..networks import sketch
+from ..networks import svg_sketch
 from .edits import part_at
 from .verdict import Verdict
 
@@ -31,7 +31,7 @@ def drawings(verdict: Verdict) -> Iterator[str]:
         composite = part_at(network, owner) if owner else network
         here = _within(marks, owner)
         title = f"Inside {owner}" if owner else network.name
-        drawn = sketch(composite, here) or _listed(here, composite)
+        drawn = svg_sketch(composite, here) or _listed(here, composite)
         yield f'<figure class="wide"><figcaption class="faint">{escape(title)}</figcaption>{drawn}</figure>'
 
 

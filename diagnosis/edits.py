@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable
 from dataclasses import dataclass
 
@@ -92,7 +93,13 @@ def port_at(network: Network, path: str) -> PortRef:
 
 
 def _code(component: Component) -> str:
-    module = type(component).__module__
+    """Return the call that makes a component; those of families go by their prefix, joined ones as well."""
     families = {"rotational.": rotational.__name__, "signals.": signals.__name__}
-    prefix = next((prefix for prefix, family in families.items() if module.startswith(family)), "")
-    return f"{prefix}{component!r}"
+    told = repr(component)
+    for part in (component, *component._parts.values()):
+        kind = type(part)
+        prefix = next(
+            (prefix for prefix, family in families.items() if kind.__module__.startswith(family)), ""
+        )
+        told = re.sub(rf"(?<![\w.]){kind.__name__}\(", f"{prefix}{kind.__name__}(", told)
+    return told

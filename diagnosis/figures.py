@@ -9,10 +9,12 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from ..identification import Experiment
 from ..networks import pretty_unit
 from .effects import Motion
 from .refit import Refit
 from .verdict import Verdict
+from .where import spectrum
 
 Array = NDArray[np.float64]
 Figure = dict[str, Any]
@@ -58,16 +60,19 @@ def bars(verdict: Verdict, stages: Stages) -> Figure:
     return {"data": data, "layout": layout}
 
 
-def over_time(verdict: Verdict, stages: Stages) -> dict[str, Figure]:
-    """Return measured and simulated channels of each test record, by the record's name."""
+def over_time(verdict: Verdict, stages: Stages) -> list[tuple[str, Figure]]:
+    """Return name, and measured and simulated channels, of each test record."""
     campaign = verdict.evidence.campaign
     experiments = campaign.testing or campaign.training
     curves = len(campaign.outputs) * (len(stages) + 3)
     shown = experiments[: max(1, SAMPLES // (FEWEST * curves))]
     most = max(FEWEST, SAMPLES // (curves * len(shown)))
-    return {
-        experiment.name: _record(verdict, stages, number, most) for number, experiment in enumerate(shown)
-    }
+    return [(_title(e), _record(verdict, stages, number, most)) for number, e in enumerate(shown)]
+
+
+def _title(experiment: Experiment) -> str:
+    begin, end = experiment.window or (0.0, 0.0)
+    return f"{experiment.name}, {begin:g} to {end:g} s" if experiment.window else experiment.name
 
 
 def _record(verdict: Verdict, stages: Stages, number: int, most: int) -> Figure:
@@ -117,7 +122,7 @@ def _record(verdict: Verdict, stages: Stages, number: int, most: int) -> Figure:
             }
         )  # fmt: skip
     layout["xaxis"] = {**AXIS, "title": {"text": "time [s]"}, "anchor": f"y{2 * len(outputs)}"}
-    layout["height"] = 90 + 320 * len(outputs)
+    layout["height"] = 90 + 270 * len(outputs)
     return {"data": data, "layout": layout}
 
 
@@ -203,17 +208,15 @@ def _means(x: Array, y: Array) -> tuple[Array, Array]:
 
 def spectra(verdict: Verdict, stages: Stages, channel: str) -> Figure:
     """Return the power spectral density of a channel's residual, by Welch's method, and of noise."""
-    from scipy.signal import welch
-
     campaign = verdict.evidence.campaign
     sigma, unit = campaign.floors[channel].sigma, pretty_unit(campaign.measured[channel].si)
     experiments = campaign.testing or campaign.training
     rate = experiments[0].record.rate
-    segment = max(64, min(len(e.record.time) for e in experiments) // 4)
+    segment = max(64, min(len(e.record.time) for e in experiments) // 8)
     data = []
     for (stage, fitted), colour in list(zip(stages.items(), COLOURS, strict=False))[-2:]:
         found = [
-            welch(sigma * record[channel], e.record.rate, nperseg=segment, detrend=False)
+            spectrum(sigma * record[channel], e.record.rate, segment)
             for record, e in zip(fitted.test or fitted.train, experiments, strict=True)
         ]
         density = np.mean([np.interp(found[0][0], f, d) for f, d in found], axis=0)

@@ -15,7 +15,7 @@ from .placed import Placed, driven, sensed, with_effects
 
 Array = NDArray[np.float64]
 WORST = 1e6  # residual, in units of noise, that stands for a run which fails
-ROUNDS = 12
+ROUNDS = 10
 
 
 @dataclass(frozen=True, eq=False)
@@ -96,15 +96,16 @@ class Joint:
         for placed in effects:
             given |= placed.network_parameters
         stand = self._driven(experiment, effects)
-        start = None if experiment.initial == "rest" else stand.rest(given, accuracy)
-        found = stand.run(given, start, accuracy, slopes)
-        values = {name: sensed(found.time, name, found.values[name], effects) for name in found.values}
-        record = experiment.record
-        residuals = {n: (record.values[n] - values[n]) / self.sigma[n] for n in values}
-        if not slopes:
-            return residuals, np.zeros((0, 0))
-        columns = self._slopes(vector, found, effects, experiment, given, accuracy)
         free = experiment.initial == "fit"
+        start = stand.rest(given, accuracy) if free else None
+        found = stand.run(given, start, accuracy, slopes or free)
+        values = {name: sensed(found.time, name, found.values[name], effects) for name in found.values}
+        record = experiment.record.thinned(experiment.every)
+        residuals = {n: (record.values[n] - values[n]) / self.sigma[n] for n in values}
+        count = sum(len(r) for r in residuals.values())
+        columns = np.zeros((count, 0))
+        if slopes:
+            columns = self._slopes(vector, found, effects, experiment, given, accuracy)
         to_start = np.concatenate([found.start_slopes[n] / self.sigma[n] for n in values]) if free else None
         return _freed(residuals, columns, to_start)
 
@@ -217,12 +218,12 @@ def refit(
         jac=slopes,
         bounds=(low, high),
         max_nfev=rounds,
-        ftol=1e-5,
-        xtol=1e-5,
+        ftol=1e-4,
+        xtol=1e-4,
     )
     fitted, placed = joint.unpacked(found.x)
-    train = [joint.linearise(found.x, e, accuracy, True)[0] for e in campaign.training]
-    test = [joint.linearise(found.x, e, accuracy, True)[0] for e in campaign.testing]
+    train = [joint.linearise(found.x, e, accuracy, False)[0] for e in campaign.training]
+    test = [joint.linearise(found.x, e, accuracy, False)[0] for e in campaign.testing]
     return Refit(fitted, placed, train, test, 2 * float(found.cost))
 
 
@@ -235,7 +236,8 @@ def _stacked(joint: Joint, vector: Array, accuracy: Accuracy) -> tuple[Array, Ar
             residuals += list(found.values())
             slopes.append(-columns)
     except SimulationError:
-        count = sum(len(e.record.time) * len(joint.sigma) for e in joint.campaign.training)
+        count = sum(len(s.record.time) for s in (joint.stands[id(e)] for e in joint.campaign.training))
+        count *= len(joint.sigma)
         residuals, slopes = [np.full(count, WORST)], [np.zeros((count, len(vector)))]
     count = len(joint.names)
     residuals.append(joint.pull * vector[:count])

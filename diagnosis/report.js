@@ -79,8 +79,16 @@ for (const button of document.querySelectorAll("button[data-copies]")) {
 
 // Paper has its own width.
 window.addEventListener("beforeprint", () => {
-  for (const place of places) Plotly.relayout(place, { width: place.parentElement.className === "grid" ? 330 : 680 });
+  for (const place of places) {
+    const width = place.parentElement.className === "grid" ? 330 : Math.min(680, place.clientWidth);
+    Plotly.relayout(place, { width, height: Math.min(800, figures[place.dataset.figure].layout.height) });
+    place.style.height = "auto";
+  }
 });
 window.addEventListener("afterprint", () => {
-  for (const place of places) Plotly.relayout(place, { width: null, autosize: true });
+  for (const place of places) {
+    const height = figures[place.dataset.figure].layout.height;
+    place.style.height = `${height}px`;
+    Plotly.relayout(place, { width: null, height, autosize: true });
+  }
 });

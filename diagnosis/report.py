@@ -5,7 +5,6 @@ from __future__ import annotations
 import json
 from collections.abc import Iterator, Sequence
 from html import escape
-from importlib.resources import files
 from pathlib import Path
 from string import Template
 from typing import Any
@@ -18,6 +17,7 @@ from .telling import advice, chance, code, conclusion, methods, number, ruled_ou
 from .verdict import Verdict
 from .where import moved
 
+HERE = Path(__file__).parent
 UNITS = {"translational": ("m", "m/s", "m/s2"), "rotational": ("rad", "rad/s", "rad/s2")}
 
 
@@ -35,13 +35,12 @@ def write_report(verdict: Verdict, path: str | Path) -> Path:
         ) from error
     path, figures = Path(path), dict[str, Figure]()
     body = "\n".join(_sections(verdict, figures))
-    own = files(__package__)
-    page = Template((own / "report.html").read_text(encoding="utf-8"))
+    page = Template((HERE / "report.html").read_text(encoding="utf-8"))
     path.write_text(
         page.substitute(
             title=escape(f"Sim-to-real gap of {verdict.network.name}"),
-            css=(own / "report.css").read_text(encoding="utf-8"),
-            js=(own / "report.js").read_text(encoding="utf-8"),
+            css=(HERE / "report.css").read_text(encoding="utf-8"),
+            js=(HERE / "report.js").read_text(encoding="utf-8"),
             plotly=get_plotlyjs(),
             body=body,
             figures=json.dumps(figures, separators=(",", ":")).replace("</", "<\\/"),
@@ -98,22 +97,18 @@ def _gap(verdict: Verdict, stages: Stages, figures: dict[str, Figure]) -> Iterat
         rows.append([escape(name), *cells])
     yield _table(["channel", *stages, "noise"], rows, numbers=range(1, len(stages) + 2))
     yield '<p class="faint">First line: share of the root mean square of the measured signal (NRMSE). '
-    yield f"Second line: in the unit of the channel. Closed: {verdict.closed:.1%} of what lies between the "
-    yield "refitted model and the noise.</p>"
+    closed = f" Closed: {verdict.closed:.1%} of what lies between refit and noise." if verdict.effects else ""
+    yield f"Second line: in the unit of the channel.{closed}</p>"
 
 
 def _signals(verdict: Verdict, stages: Stages, figures: dict[str, Figure]) -> Iterator[str]:
-    records = over_time(verdict, stages)
-    keys = [f"record-{n}" for n in range(len(records))]
-    yield "<p>Drag over a stretch to look closer; a double click shows all again. The grey band is twice the "
-    yield "noise.</p>"
-    if len(records) > 1:
-        options = "".join(
-            f'<option value="{k}">{escape(n)}</option>' for k, n in zip(keys, records, strict=True)
-        )
-        yield f'<p><label>Record <select data-shows="figure-record-0">{options}</select></label></p>'
-    figures |= zip(keys, records.values(), strict=True)
-    yield _figure(keys[0], figures[keys[0]], figures)
+    keys = {f"record-{n}": record for n, record in enumerate(over_time(verdict, stages))}
+    figures |= {key: figure for key, (_, figure) in keys.items()}
+    yield "<p>Drag over a stretch to look closer (on a touch screen, choose the magnifier first); a double "
+    yield "click shows all again. The grey band is twice the noise.</p>"
+    options = "".join(f'<option value="{key}">{escape(name)}</option>' for key, (name, _) in keys.items())
+    yield f'<p><label>Record <select data-shows="figure-record-0">{options}</select></label></p>'
+    yield _figure("record-0", figures["record-0"], figures)
 
 
 def _residual(verdict: Verdict, stages: Stages, figures: dict[str, Figure]) -> Iterator[str]:

@@ -40,9 +40,10 @@ class Sight:
     ) -> None:
         self.outputs = {name: c.path for name, c in channels.items() if not c.driven}
         self.inputs = {name: c.path for name, c in channels.items() if c.driven}
-        self.sigma, self.record = sigma, experiment.record
+        self.sigma = sigma
         variations = Variations(dae, [*self.outputs.values(), *dae.state_names], names)
         stand = Stand(dae, driven(experiment, effects), channels, variations)
+        self.record = experiment.record.thinned(experiment.every)
         start = None if experiment.initial == "rest" else stand.rest(parameters, accuracy)
         found = stand.run(parameters, start, accuracy)
         self.run = found.run

@@ -8,6 +8,7 @@ from collections.abc import Iterator, Sequence
 import numpy as np
 
 from ..identification import Experiment
+from ..networks import pretty_unit
 from .effects import EFFECTS
 from .placed import Placed
 from .verdict import Verdict
@@ -67,9 +68,9 @@ def _reason(gain: float, p: float, best: float | None) -> str:
         return "no more than chance would do"
     if best is None:
         return "takes too little off"
-    if gain > best - 0.01:
-        return "no better than the verdict, which is simpler or as simple"
-    return f"takes {best - gain:.1%} less off than the verdict"
+    if gain >= best:
+        return "better than the verdict by no more than the scatter of the test runs"
+    return f"takes {best - gain:.2%} less off than the verdict"
 
 
 def screened_out(verdict: Verdict) -> Iterator[tuple[str, str, str, str]]:
@@ -86,7 +87,7 @@ def screened_out(verdict: Verdict) -> Iterator[tuple[str, str, str, str]]:
     for kind, (gain, share, site) in sorted(best.items(), key=lambda entry: -entry[1][0]):
         if kind in fitted:
             continue
-        why = "explains less than those fitted" if gain < least else "no fit: it could not be simulated"
+        why = "explains less than those fitted" if gain < least else "not fitted, or its fit failed"
         if share < UNSEEN:
             why = f"the parameters mimic it: {share:.1%} of its signature is its own"
         elif gain / total < 1e-3:
@@ -134,7 +135,8 @@ def methods(verdict: Verdict) -> Iterator[str]:
     """Yield how the figures came about."""
     campaign = verdict.evidence.campaign
     for name, floor in campaign.floors.items():
-        yield f"Noise of {name}: {number(floor.sigma)} {campaign.measured[name].si}, {_source(floor.source)}."
+        unit = pretty_unit(campaign.measured[name].si)
+        yield f"Noise of {name}: {number(floor.sigma)} {unit}, {_source(floor.source)}."
     yield "Test runs are never fitted, except for start values where these are unknown."
     if not campaign.testing:
         yield "There are no test runs: all figures are those of the training runs and favour richer effects."

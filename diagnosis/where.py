@@ -111,19 +111,25 @@ def _merged(
 
 def band(experiments: Sequence[Experiment], missed: Sequence[Mapping[str, Array]]) -> list[float]:
     """Return the frequencies [Hz] between which most of the power of the gap above noise lies."""
-    from scipy.signal import welch
-
     rate = min(e.record.rate for e in experiments)
     common = np.linspace(0, rate / 2, 1000)
     above = np.zeros(len(common))
     for experiment, residuals in zip(experiments, missed, strict=True):
         for residual in residuals.values():
             segment = min(len(residual), 4096)
-            f, density = welch(residual, experiment.record.rate, nperseg=segment, detrend=False)
+            f, density = spectrum(residual, experiment.record.rate, segment)
             above += np.interp(common, f, density - 2 / experiment.record.rate) * len(residual)
     power = np.cumsum(np.maximum(above, 0.0))
     power /= max(float(power[-1]), 1e-300)
     return [round(float(common[np.searchsorted(power, share)]), 3) for share in BAND]
+
+
+def spectrum(values: Array, rate: float, segment: int) -> tuple[Array, Array]:
+    """Return frequencies [Hz] and the power spectral density by Welch's method; the mean stays in."""
+    from scipy.signal import welch
+
+    f, density = welch(values, rate, nperseg=segment, detrend=False)  # pyright: ignore[reportArgumentType]
+    return f, density
 
 
 def regimes(motions: Sequence[Motion], missed: Sequence[Mapping[str, Array]]) -> dict[str, float]:

@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ..components import ModelError, Sampled
+from ..components import ModelError
 from ..networks import DAE, Network, Result, Variations
 from .entries import Experiment
 from .records import Channel
@@ -58,11 +58,10 @@ class Stand:
         self, dae: DAE, experiment: Experiment, channels: Mapping[str, Channel], variations: Variations | None
     ) -> None:
         self.dae = replace(dae, _closed={})
-        self.experiment, self.record = experiment, experiment.record
+        self.experiment, self.record = experiment, experiment.record.thinned(experiment.every)
+        whole = experiment.record
         self.outputs = {name: c.path for name, c in channels.items() if not c.driven}
-        self.inputs: dict[str, Any] = {
-            c.path: Sampled(self.record.time, self.record.values[n]) for n, c in channels.items() if c.driven
-        }
+        self.inputs: dict[str, Any] = {c.path: whole.sampled(n) for n, c in channels.items() if c.driven}
         self.variations = variations
 
     def rest(self, parameters: Mapping[str, float], accuracy: Accuracy, at: float | None = None) -> Array:

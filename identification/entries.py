@@ -60,6 +60,7 @@ class Experiment:
         repeat_of: the file that this one repeats.
         offset: outputs whose zero is unknown.
         shooting: length of the pieces of multiple shooting [s]; None for one run.
+        every: outputs are compared at every so many samples; inputs keep all of theirs.
     """
 
     record: Record
@@ -69,6 +70,7 @@ class Experiment:
     repeat_of: str | None = None
     offset: tuple[str, ...] = ()
     shooting: float | None = None
+    every: int = 1
 
     @property
     def name(self) -> str:

@@ -54,6 +54,7 @@ class Record:
     values: dict[str, Array]
     notes: tuple[str, ...] = ()
     temperature: Array | None = field(default=None, repr=False)
+    _signals: dict[str, Sampled] = field(default_factory=dict, init=False, repr=False)
 
     @property
     def rate(self) -> float:
@@ -62,7 +63,9 @@ class Record:
 
     def sampled(self, channel: str) -> Sampled:
         """Return a channel as an input signal."""
-        return Sampled(self.time, self.values[channel])
+        if channel not in self._signals:
+            self._signals[channel] = Sampled(self.time, self.values[channel])
+        return self._signals[channel]
 
     def window(self, begin: float, end: float) -> Self:
         """Return the part between two instants [s].
@@ -79,6 +82,14 @@ class Record:
         values = {name: v[inside] for name, v in self.values.items()}
         temperature = None if self.temperature is None else self.temperature[inside]
         return replace(self, time=self.time[inside], values=values, temperature=temperature)
+
+    def thinned(self, every: int) -> Self:
+        """Return every so many samples as they are, noise and all."""
+        if every == 1:
+            return self
+        values = {name: v[::every] for name, v in self.values.items()}
+        temperature = None if self.temperature is None else self.temperature[::every]
+        return replace(self, time=self.time[::every], values=values, temperature=temperature)
 
     def resampled(self, rate: float) -> Self:
         """Return the record at a lower rate [Hz], aliases removed without phase."""

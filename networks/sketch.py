@@ -43,7 +43,7 @@ class _Line:
     signal: bool
 
 
-def sketch(component: Component, marks: Mapping[str, str] | None = None) -> str:
+def svg_sketch(component: Component, marks: Mapping[str, str] | None = None) -> str:
     """Return the parts of a composite and how they are joined, as SVG; empty if too many.
 
     Args:
@@ -54,7 +54,7 @@ def sketch(component: Component, marks: Mapping[str, str] | None = None) -> str:
     if not boxes or len(boxes) > MOST_BOXES:
         return ""
     _lay_out(boxes)
-    width = max(box.x + box.width / 2 for box in boxes) + 10
+    width = max(box.x + box.width / 2 for box in boxes) + GAP / 2
     height = max(box.y for box in boxes) + BOX / 2 + 10
     drawn = [_drawn_line(line) for line in lines] + [_drawn_box(box) for box in boxes]
     return (

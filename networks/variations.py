@@ -81,6 +81,7 @@ class Variations:
         roots = sorted({reset[0] for change in dae.switching.changes for reset in change.resets})
         self._rows = {root: row for row, root in enumerate(roots)}
         self._reset = _Slopes(dae, pick(dae.variables, roots), columns)
+        self._line: _Line | None = None
 
     def along(self, result: Result, start: Array | None = None) -> Array:
         """Return d(signals)/d(parameters, states at the start), (points, signals, directions).
@@ -91,11 +92,10 @@ class Variations:
         """
         nx, count = self.dae.x.numel(), len(self.parameters)
         moved = np.hstack([np.zeros((nx, count)) if start is None else start, np.eye(nx)])
-        points = _points(result._segments)
-        to_x, to_p, _ = self._slopes(result._closed, points)
-        steps = self._steps(result._closed, points, to_x[:, :nx], to_p[:, :nx])
-        slopes = to_x[:, nx:] @ self._carried(result, moved, steps)
-        slopes[:, :, :count] += to_p[:, nx:]
+        line = self._linearised(result)
+        steps = self._steps(line, line.to_p[:, :nx])
+        slopes = line.to_x[:, nx:] @ self._carried(line, moved, steps)
+        slopes[:, :, :count] += line.to_p[:, nx:]
         return slopes
 
     def pushed(self, result: Result, changes: Mapping[str, Array]) -> Array:
@@ -113,39 +113,53 @@ class Variations:
         told = [f"there is no input '{name}'{nearest(name, known)}" for name in changes if name not in known]
         if told:
             raise ModelError("their changes cannot be followed:", told)
-        points = _points(result._segments)
         push = _Push(self.dae, result, changes)
-        to_x, _, to_u = self._slopes(result._closed, points)
-        by_u = to_u[:, :, push.rows]
-        steps = self._forced(result._closed, points, to_x[:, :nx], by_u[:, :nx] @ push.weights)
-        states = self._carried(result, np.zeros((nx, push.weights.shape[2])), steps, push)
-        answer: Array = to_x[:, nx:] @ states + by_u[:, nx:] @ push.weights
+        line = self._linearised(result)
+        by_u = line.to_u[:, :, push.rows]
+        states = self._carried(
+            line, np.zeros((nx, push.weights.shape[2])), self._forced(line, by_u[:, :nx] @ push.weights), push
+        )
+        answer: Array = line.to_x[:, nx:] @ states + by_u[:, nx:] @ push.weights
         return answer
 
-    def _carried(self, result: Result, moved: Array, steps: _Steps, push: _Push | None = None) -> Array:
+    def _linearised(self, result: Result) -> _Line:
+        """Return the slopes along a run; those of the last run are kept."""
+        if self._line is None or self._line.result is not result:
+            points = _points(result._segments)
+            to_x, to_p, to_u = self._slopes(result._closed, points)
+            passed = list(passages(result))
+            ends = _Points(*(np.array([p.before[k] for p in passed]) for k in (3, 0, 1, 2)))
+            at_events = [s(result._closed, ends) if passed else () for s in (self._switching, self._reset)]
+            self._line = _Line(result, points, to_x, to_p, to_u, passed, at_events[0], at_events[1])
+        return self._line
+
+    def _carried(self, line: _Line, moved: Array, steps: _Steps, push: _Push | None = None) -> Array:
         """Return the changes of the states at all points, (points, states, columns)."""
-        segments = result._segments
+        segments = line.result._segments
         moved = self._held(segments[0], moved)
         lengths = [sum(map(len, segment.times)) for segment in segments]
         states = np.empty((sum(lengths), *moved.shape))
         begin = 0
-        for passage, length in zip([None, *passages(result)], lengths, strict=True):
-            if passage is not None and passage.changes:
-                moved = self._passed(result._closed, passage, moved, push and push.at(begin - 1))
+        for number, length in enumerate(lengths):
+            if number and line.passages[number - 1].changes:
+                moved = self._passed(line, number - 1, moved, push.at(begin - 1) if push else None)
             steps.carry(moved, states[begin : begin + length], begin)
             begin += length
             moved = states[begin - 1]
         return states
 
-    def _forced(self, closed: Closed, points: _Points, A: Array, b: Array) -> _Steps:
+    def _forced(self, line: _Line, b: Array) -> _Steps:
         """Return what carries changes from point to point under a forcing."""
         if self._slopes.still:
-            return self._steps(closed, points, A, b)
+            return self._steps(line, b)
+        A = line.to_x[:, : self.dae.x.numel()]
         whole = np.broadcast_to(np.diag(_balance(A).ravel()), A.shape)
-        return self._steps(closed, points, A, whole).forced(b)
+        return self._steps(line, whole).forced(b)
 
-    def _steps(self, closed: Closed, points: _Points, A: Array, B: Array) -> _Steps:
+    def _steps(self, line: _Line, B: Array) -> _Steps:
         """Return what carries slopes from point to point; in small steps where A jumps, as at a clearance."""
+        points, closed = line.points, line.result._closed
+        A = line.to_x[:, : self.dae.x.numel()]
         scale = _balance(A)
         if self._slopes.still:
             return _Steps(scale, _repeated(points, A, scale)).forced(B)
@@ -156,7 +170,7 @@ class Variations:
             to_x, to_p, _ = self._slopes(closed, finer)
             nx, count = len(scale), len(uneven)
             whole = np.broadcast_to(B[0], (len(finer.t), *B.shape[1:]))
-            of_p = to_p if B.shape[2] == to_p.shape[2] else whole
+            of_p = to_p if B is line.to_p or B.base is line.to_p else whole
             A, B = (m[:, :nx].reshape(count, PARTS + 1, nx, m.shape[2]) for m in (to_x, of_p))
             t = finer.t.reshape(count, PARTS + 1)
             steps.matrices[uneven] = _chained(t, A, B, scale)
@@ -194,13 +208,11 @@ class Variations:
                 moved[[row for row in rows if segment.states[0][0][row] == 0.0]] = 0.0
         return moved
 
-    def _passed(
-        self, closed: Closed, passage: Passage, moved: Array, push: tuple[list[int], Array] | None
-    ) -> Array:
+    def _passed(self, line: _Line, number: int, moved: Array, push: tuple[list[int], Array] | None) -> Array:
         """Carry slopes of the states over an instant at which modes switch."""
-        functions = closed.switch_functions
+        passage, functions = line.passages[number], line.result._closed.switch_functions
         values, rates = functions.watch(*passage.before)
-        switching = self._once(self._switching, closed, passage)
+        switching = tuple(m[number] for m in line.switching)
         fired = [min(alike, key=lambda n: abs(values[n])) for alike in passage.changes]
         changes = [self.dae.switching.changes[n] for n in fired]
         g = _total(switching, moved, push)[changes[0].indicator]
@@ -211,14 +223,10 @@ class Variations:
         if resets:
             everything = _total(switching, moved, push)
             rows = [self._rows[root] for root in resets]
-            own = tuple(m[rows] for m in self._once(self._reset, closed, passage))
+            own = tuple(m[number][rows] for m in line.reset)
             new = np.array([sign * everything[place] for _, sign, place in resets.values()])
             moved = moved + np.linalg.lstsq(own[0], new - _total(own, moved, push), rcond=1e-10)[0]
         return moved - np.outer(functions.motion(*passage.after)[0], later)
-
-    def _once(self, slopes: _Slopes, closed: Closed, passage: Passage) -> tuple[Array, ...]:
-        x, z, q, t = passage.before
-        return tuple(m[0] for m in slopes(closed, _Points(np.array([t]), x[None], z[None], q[None])))
 
 
 @dataclass(frozen=True, eq=False)
@@ -254,6 +262,20 @@ def _points(segments: Sequence[Segment]) -> _Points:
     z = np.concatenate([part for segment in segments for part in segment.algebraic])
     lengths = [sum(map(len, segment.times)) for segment in segments]
     return _Points(t, x, z, np.repeat([segment.q for segment in segments], lengths, axis=0))
+
+
+@dataclass(frozen=True, eq=False)
+class _Line:
+    """A run with the slopes along it, and where modes switch those of switching expressions and resets."""
+
+    result: Result
+    points: _Points
+    to_x: Array
+    to_p: Array
+    to_u: Array
+    passages: list[Passage]
+    switching: tuple[Array, ...]
+    reset: tuple[Array, ...]
 
 
 class _Slopes:

@@ -1,6 +1,7 @@
 """Sampled signals: measured data as a smooth function of time."""
 
 from dataclasses import dataclass
+from functools import lru_cache
 from typing import Any
 
 import numpy as np
@@ -59,9 +60,7 @@ class Sampled:
 
     def interpolant(self, name: str) -> Any:
         """Return the signal as a CasADi function of time (cubic B-spline, C2)."""
-        import casadi as ca
-
-        return ca.interpolant(name, "bspline", [self.time], self.values)
+        return _spline(self, name)
 
     def curvature(self, name: str) -> Any:
         """Return the second derivative of the signal as a CasADi function of time.
@@ -69,10 +68,22 @@ class Sampled:
         It is linear between instants. CasADi 3.8.2 writes beyond its memory when the spline itself is
         differentiated three times; this function can be differentiated once more.
         """
-        import casadi as ca
+        return _curvature(self, name)
 
-        t = ca.MX.sym("t")
-        rate = ca.jacobian(self.interpolant(name)(t), t)
-        second = ca.Function(name, [t], [ca.jacobian(rate, t)])
-        values = second.map(len(self.time))(self.time[None, :]).full().ravel()
-        return ca.interpolant(name, "linear", [self.time], values)
+
+@lru_cache(maxsize=16)
+def _spline(signal: Sampled, name: str) -> Any:
+    import casadi as ca
+
+    return ca.interpolant(name, "bspline", [signal.time], signal.values)
+
+
+@lru_cache(maxsize=16)
+def _curvature(signal: Sampled, name: str) -> Any:
+    import casadi as ca
+
+    t = ca.MX.sym("t")
+    rate = ca.jacobian(_spline(signal, name)(t), t)
+    second = ca.Function(name, [t], [ca.jacobian(rate, t)])
+    values = second.map(len(signal.time))(signal.time[None, :]).full().ravel()
+    return ca.interpolant(name, "linear", [signal.time], values)

@@ -4,3 +4,4 @@ from .program import CProgram as CProgram
 from .program import c_program as c_program
 from .toolchain import ToolchainError as ToolchainError
 from .toolchain import compile_shared as compile_shared
+from .toolchain import compiler as compiler

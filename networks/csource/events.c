@@ -48,7 +48,7 @@ static int is_ready(const Core *c, int i, int forced) {
     const double *g = c->left.value, *rate = c->left.rate, near = core_near_zero(c, i);
     int rising = rate[i] > FLAT * c->fastest[i];
     int ready = g[i] > near || (g[i] > -near && rising);
-    if (g[i] <= 10 * near && rate[i] < 0) ready = 0;
+    if (g[i] <= 10 * near && rate[i] < -FLAT * c->fastest[i]) ready = 0;
     if (forced >= 0 && model_change_mode[i] == model_change_mode[forced])
         ready = ready || (g[i] == g[forced] && rate[i] == rate[forced]);
     return ready && core_can_fire(c, i);

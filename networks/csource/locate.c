@@ -35,7 +35,7 @@ static double peak(const Cubic *p) {
 }
 
 static int rises(const Cubic *p, double near) {
-    if (p->a > near) return p->da < 0 && p->b > near && p->db > 0;
+    if (p->a > near) return p->da <= 0 && p->b > near && p->db > 0;
     return p->b > near || peak(p) > near;
 }
 
@@ -95,8 +95,8 @@ static int first(const Core *c, double span, double *share) {
 }
 
 /* Look for the first crossing in the last step, `left` and `last` being known at its ends. Returns 1 if there
- * is one, 0 if not, -1 if indicators are not finite. The piece that holds it ends at `*end`. */
-int core_locate(Core *c, double *t, double *end, int *indicator) {
+ * is one, 0 if not, -1 if indicators are not finite. The piece that holds it goes from `*begin` to `*end`. */
+int core_locate(Core *c, double *t, double *begin, double *end, int *indicator) {
     double stop = c->step.t + c->step.h, a = c->step.t;
     double shortest = fmax(LEAST * c->step.h, 1e-15 * fmax(1, fabs(stop)));
     double longest = timed(c) ? c->interval / PER_INTERVAL : INFINITY;
@@ -117,6 +117,7 @@ int core_locate(Core *c, double *t, double *end, int *indicator) {
         *indicator = first(c, b - a, &share);
         if (*indicator >= 0) {
             *t = a + share * (b - a);
+            *begin = a;
             *end = b;
             return 1;
         }
@@ -126,24 +127,33 @@ int core_locate(Core *c, double *t, double *end, int *indicator) {
     return 0;
 }
 
-/* Move a point that is very near a crossing onto it, along its velocity. */
+/* Move a point that is very near a crossing onto it, along its velocity; tell whether it is there. */
 static int shift(Core *c, int indicator, double *t) {
     double *y = c->step.end;
     for (int again = 0; again < 2; again++) {
         if (!core_motion_at(c, *t, y, c->end_rates) || !core_watch(c, *t, y, c->end_rates, &c->right)) return 0;
-        if (!(c->right.rate[indicator] > 0)) return 1;
+        if (!(c->right.rate[indicator] > 0)) return 0;
         double span = -c->right.value[indicator] / c->right.rate[indicator];
         for (int i = 0; i < NX; i++) y[i] += span * c->end_rates[i];
         *t += span;
         if (!core_solve_algebra(c, *t, y)) return 0;
     }
-    return 1;
+    if (!core_motion_at(c, *t, y, c->end_rates) || !core_watch(c, *t, y, c->end_rates, &c->right)) return 0;
+    return fabs(c->right.value[indicator]) <= core_near_zero(c, indicator);
 }
 
-/* Step anew onto the crossing of an indicator near t, before `end`. Afterwards the core stands there;
- * `reached` tells whether zero was: interpolation can make believe in a crossing. */
-CoreStatus core_land(Core *c, int indicator, double t, double end, int *reached) {
-    double low = c->t, high = end, error, whole = c->step.h;
+static CoreStatus stand(Core *c, double t) {
+    core_stale(c);
+    c->t = t;
+    memcpy(c->y, c->step.end, sizeof c->y);
+    return CORE_OK;
+}
+
+/* Step anew onto the crossing of an indicator near t, in the piece from `begin` (`left`) to `end`. Afterwards the
+ * core stands there; `reached` tells whether zero was: interpolation can make believe in a crossing. */
+CoreStatus core_land(Core *c, int indicator, double t, double begin, double end, int *reached) {
+    double low = begin, high = end, error, whole = c->step.h, kept[ROOM(NY)];
+    int beyond = c->left.value[indicator] > core_near_zero(c, indicator);
     *reached = 1;
     for (;;) {
         int narrow = high - low < 1e-13 * fmax(1, fabs(t));
@@ -158,18 +168,19 @@ CoreStatus core_land(Core *c, int indicator, double t, double end, int *reached)
             core_say_more(c, model_component[indicator]);
             return CORE_DISCARD;
         }
-        double g = c->right.value[indicator], rate = c->right.rate[indicator];
-        double newton = rate > 0 ? t - g / rate : INFINITY;
+        double g = c->right.value[indicator], rate = c->right.rate[indicator], at = t;
+        double newton = rate > 0 && !beyond ? t - g / rate : INFINITY;
         int near = low <= newton && newton <= high && fabs(newton - t) < HOP * whole;
-        if (near || narrow) {
-            *reached = near || g >= 0;
-            if (near && !shift(c, indicator, &t)) return CORE_DISCARD;
-            core_stale(c);
-            c->t = t;
-            memcpy(c->y, c->step.end, sizeof c->y);
-            return CORE_OK;
+        if (near || (narrow && c->t < newton && newton < end)) {
+            memcpy(kept, c->step.end, sizeof kept);
+            if (shift(c, indicator, &at)) return stand(c, at);
+            memcpy(c->step.end, kept, sizeof kept);
         }
-        if (g < 0) low = t;
+        if (narrow) {
+            *reached = g >= 0;
+            return stand(c, t);
+        }
+        if (beyond ? rate < 0 : g < 0) low = t;
         else high = t;
         t = low < newton && newton < high ? newton : 0.5 * (low + high);
     }

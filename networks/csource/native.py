@@ -227,7 +227,7 @@ def _library(dae: DAE, functions: dict[str, Any]) -> Any:
         for name, text in files.items():
             (folder / name).write_text(text)
         listed = [folder / name for name in files if name.endswith(".c")]
-        known[key] = _loaded(compile_shared(listed, folder / "network.so", flags=["-DCORE_RECORDS"]))
+        known[key] = _loaded(compile_shared(listed, folder / "network.so", flags=["-DCORE_RECORDS", "-O1"]))
     return known[key]
 
 

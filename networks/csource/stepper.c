@@ -126,7 +126,7 @@ static CoreStatus fire(Core *c, const Wanted *wanted, int forced) {
 
 /* Take one step, not beyond `stop`, up to the first event. Nonzero `halt` ends the advance. */
 static CoreStatus stride(Core *c, const Wanted *wanted, double stop, double *most, CoreStop *reached, int *halt) {
-    double left = stop - c->t, h = fmin(c->h, *most), kept, error, t, end;
+    double left = stop - c->t, h = fmin(c->h, *most), kept, error, t, begin, end;
     int indicator, hit;
     if (wanted->fixed > 0) h = left / ceil(left / wanted->fixed - 1e-9);
     if (h >= left * (1 - 1e-10)) h = left;
@@ -138,13 +138,16 @@ static CoreStatus stride(Core *c, const Wanted *wanted, double stop, double *mos
     if (h == tried && h < kept) c->h = fmax(c->h, kept);
     t = h == left ? stop : c->t + h;
     c->step.h = t - c->t;
+    double seen[ROOM(NG)], fastest[ROOM(NG)];
+    memcpy(seen, c->seen, sizeof seen);
+    memcpy(fastest, c->fastest, sizeof fastest);
     if (!core_watch(c, t, c->step.end, c->end_rates, &c->last)) return failed(c, "indicators are not finite");
     for (int i = 0; i < NG; i++) c->muted[i] = c->muted[i] && c->last.value[i] > -core_near_zero(c, i);
     Watched *start = &c->left;
     double begin_rate[ROOM(NG)];
     memcpy(begin_rate, start->rate, sizeof begin_rate);
     double event = t;
-    int found = core_locate(c, &event, &end, &indicator);
+    int found = core_locate(c, &event, &begin, &end, &indicator);
     if (found < 0) return failed(c, "indicators are not finite");
     if (!found) {
         commit(c, t);
@@ -153,12 +156,14 @@ static CoreStatus stride(Core *c, const Wanted *wanted, double stop, double *mos
         if (wanted->told && wanted->told->stepped) *halt = wanted->told->stepped(wanted->told->context, c, t);
         return CORE_OK;
     }
+    memcpy(c->seen, seen, sizeof seen); /* what lies beyond an event is never reached, and has no size */
+    memcpy(c->fastest, fastest, sizeof fastest);
     if (event <= c->t && begin_rate[indicator] <= FLAT * c->fastest[indicator] && h > 1e-9 * c->interval) {
         *most = h / 8; /* it rests on zero: see whether it really leaves */
         return core_rates(c, 0) == CORE_OK && core_watch(c, c->t, c->y, c->rates, &c->left) ? CORE_OK : CORE_DISCARD;
     }
     *most = INFINITY;
-    status = core_land(c, indicator, event, end, &hit);
+    status = core_land(c, indicator, event, begin, end, &hit);
     if (status != CORE_OK) return status;
     if (c->step.h > 0 && wanted->told && wanted->told->stepped)
         *halt = wanted->told->stepped(wanted->told->context, c, c->t);

@@ -43,12 +43,12 @@ def compile_shared(
         platform: "x86_64-linux", "aarch64-linux" (glibc 2.17), "x86_64-windows", "x86_64-darwin" or
             "aarch64-darwin", built by zig; this machine if not given.
         include: folders of headers.
-        flags: further options for the compiler.
+        flags: further options for the compiler, before those of the environment variable CFLAGS.
 
     Raises:
         ToolchainError: if there is no compiler, with the remedies, or if it fails, with what it says.
     """
-    command = [*compiler(platform), *FLAGS, *flags]
+    command = [*compiler(platform), *FLAGS, *flags, *shlex.split(os.environ.get("CFLAGS", ""))]
     if not (platform or sys.platform).endswith(("windows", "win32")):
         command.append("-fPIC")
     command += [f"-I{folder}" for folder in include]
