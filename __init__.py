@@ -78,19 +78,23 @@ from inertance.networks import TMDI as TMDI
 from inertance.networks import BallScrewInerter as BallScrewInerter
 from inertance.networks import BilinearDamper as BilinearDamper
 from inertance.networks import BumpStop as BumpStop
+from inertance.networks import Design as Design
 from inertance.networks import DigressiveDamper as DigressiveDamper
 from inertance.networks import Event as Event
 from inertance.networks import Mode as Mode
 from inertance.networks import Network as Network
 from inertance.networks import Norm as Norm
+from inertance.networks import NotPositiveRealError as NotPositiveRealError
 from inertance.networks import OperatingPoint as OperatingPoint
 from inertance.networks import Orbit as Orbit
 from inertance.networks import PitchingBody as PitchingBody
 from inertance.networks import PlanetaryFlywheelInerter as PlanetaryFlywheelInerter
 from inertance.networks import PlanetaryGeometry as PlanetaryGeometry
 from inertance.networks import Polynomial as Polynomial
+from inertance.networks import PositiveReal as PositiveReal
 from inertance.networks import RackPinionInerter as RackPinionInerter
 from inertance.networks import RandomDisplacement as RandomDisplacement
+from inertance.networks import RationalFunction as RationalFunction
 from inertance.networks import ResponseCurve as ResponseCurve
 from inertance.networks import Result as Result
 from inertance.networks import RigidBody as RigidBody
@@ -99,6 +103,8 @@ from inertance.networks import Sinusoid as Sinusoid
 from inertance.networks import StateSpace as StateSpace
 from inertance.networks import SteppedSine as SteppedSine
 from inertance.networks import Stepwise as Stepwise
+from inertance.networks import Sweep as Sweep
+from inertance.networks import SweepInterruptedError as SweepInterruptedError
 from inertance.networks import Tuned as Tuned
 from inertance.networks import Tuning as Tuning
 from inertance.networks import TwoTerminal as TwoTerminal
@@ -115,21 +121,26 @@ from inertance.networks import disk_mass as disk_mass
 from inertance.networks import drift as drift
 from inertance.networks import equilibria as equilibria
 from inertance.networks import equivalent_inertia as equivalent_inertia
+from inertance.networks import foster as foster
 from inertance.networks import front as front
 from inertance.networks import full_car as full_car
 from inertance.networks import ge_wang as ge_wang
+from inertance.networks import grid as grid
 from inertance.networks import half_car as half_car
 from inertance.networks import harmonic_orbit as harmonic_orbit
 from inertance.networks import harmonic_response as harmonic_response
 from inertance.networks import impedance as impedance
 from inertance.networks import inerter_rig as inerter_rig
 from inertance.networks import isolated_machine as isolated_machine
+from inertance.networks import latin_hypercube as latin_hypercube
 from inertance.networks import linearise as linearise
 from inertance.networks import load_j5 as load_j5
 from inertance.networks import load_table as load_table
+from inertance.networks import monte_carlo as monte_carlo
 from inertance.networks import operating_point as operating_point
 from inertance.networks import parallel as parallel
 from inertance.networks import plot_modes as plot_modes
+from inertance.networks import positive_real as positive_real
 from inertance.networks import quarter_car as quarter_car
 from inertance.networks import quarter_car_damping as quarter_car_damping
 from inertance.networks import quarter_car_j1 as quarter_car_j1
@@ -143,14 +154,19 @@ from inertance.networks import road_profile as road_profile
 from inertance.networks import road_spectrum as road_spectrum
 from inertance.networks import roughness as roughness
 from inertance.networks import run_on_rig as run_on_rig
+from inertance.networks import saltelli as saltelli
 from inertance.networks import scatter as scatter
 from inertance.networks import screw_inertance as screw_inertance
 from inertance.networks import seat_in_cab as seat_in_cab
 from inertance.networks import series as series
 from inertance.networks import shear_frame as shear_frame
+from inertance.networks import sobol_indices as sobol_indices
+from inertance.networks import sobol_sequence as sobol_sequence
 from inertance.networks import stepped_sine as stepped_sine
 from inertance.networks import suspension as suspension
 from inertance.networks import suspension_travel as suspension_travel
+from inertance.networks import sweep as sweep
+from inertance.networks import synthesise as synthesise
 from inertance.networks import taut_cable as taut_cable
 from inertance.networks import tid as tid
 from inertance.networks import tmdi_white_base as tmdi_white_base
@@ -162,8 +178,13 @@ from inertance.networks import weighted as weighted
 from inertance.networks import weighted_rms as weighted_rms
 
 if TYPE_CHECKING:
+    from inertance.diagnosis import Verdict as Verdict
+    from inertance.diagnosis import diagnose as diagnose
     from inertance.fmu import FMU as FMU
+    from inertance.fmu import CheckReport as CheckReport
+    from inertance.fmu import Connection as Connection
     from inertance.fmu import CoupledRun as CoupledRun
+    from inertance.fmu import Finding as Finding
     from inertance.fmu import FMUBlock as FMUBlock
     from inertance.fmu import FMUError as FMUError
     from inertance.fmu import FMUForce as FMUForce
@@ -172,8 +193,14 @@ if TYPE_CHECKING:
     from inertance.fmu import FMUTorque as FMUTorque
     from inertance.fmu import ForeignEvent as ForeignEvent
     from inertance.fmu import ForeignRun as ForeignRun
+    from inertance.fmu import Split as Split
+    from inertance.fmu import SystemRun as SystemRun
+    from inertance.fmu import SystemStructure as SystemStructure
+    from inertance.fmu import check_fmu as check_fmu
     from inertance.fmu import cosimulate as cosimulate
     from inertance.fmu import export_fmu as export_fmu
+    from inertance.fmu import read_ssp as read_ssp
+    from inertance.fmu import split as split
     from inertance.identification import Bench as Bench
     from inertance.identification import Campaign as Campaign
     from inertance.identification import Channel as Channel
@@ -193,17 +220,28 @@ if TYPE_CHECKING:
 _LATER = ("fmu", "identification", "diagnosis")
 
 
+def _public(room: str) -> dict[str, Any]:
+    """Return what a room shows, by name."""
+    from importlib import import_module
+    from types import ModuleType
+
+    face = vars(import_module(f"inertance.{room}"))
+    return {name: item for name, item in face.items() if name[0] != "_" and not isinstance(item, ModuleType)}
+
+
 def __getattr__(name: str) -> Any:
     """Import the rooms that simulation does without when one of their names is first asked for."""
-    from importlib import import_module
-
     if name == "__version__":
         from importlib.metadata import version
 
         return version("inertance")
     if not name.startswith("_") and name not in _LATER:
         for room in _LATER:
-            face = import_module(f"inertance.{room}")
-            if hasattr(face, name):
-                return getattr(face, name)
+            shown = _public(room)
+            if name in shown:
+                return shown[name]
     raise AttributeError(f"module 'inertance' has no attribute '{name}'")
+
+
+def __dir__() -> list[str]:
+    return sorted({*globals(), *(name for room in _LATER for name in _public(room))})

@@ -6,7 +6,7 @@ from typing import Annotated
 
 import typer
 
-from . import components, demo, diagnose, fit, run
+from . import components, demo, diagnose, fit, fmu, run
 from .failure import clean
 
 EXAMPLES = """\b
@@ -15,6 +15,8 @@ Examples:
   inertance components                     what there is to build with
   inertance components Spring              its equation, ports, parameters, an example
   inertance run model.py:build --stop 5    run the network that build() returns
+  inertance fmu export model.py:build a.fmu  the network for other tools
+  inertance fmu check model.py:build       is the FMU what the network is?
   inertance run --help                     data in, results and plots out
 
 \b
@@ -34,6 +36,7 @@ app.command(epilog=components.EXAMPLES)(clean(components.components))
 app.command(epilog=run.EXAMPLES)(clean(run.run))
 app.command(epilog=fit.EXAMPLES)(clean(fit.fit))
 app.command(epilog=diagnose.EXAMPLES)(clean(diagnose.diagnose))
+app.add_typer(fmu.app, name="fmu", help="FMUs: export, check, look into, run.")
 
 
 def _print_version(wanted: bool) -> None:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 from concurrent.futures import ProcessPoolExecutor
 from importlib.util import find_spec
+from multiprocessing import get_context
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
@@ -52,7 +53,7 @@ def diagnose(
     console = Console(stderr=True)
     with failing(FAILED, InertanceError), console.status("reading") as status:
         if count > 1:
-            with ProcessPoolExecutor(count) as pool:
+            with ProcessPoolExecutor(count, mp_context=get_context("spawn")) as pool:
                 verdict = run_diagnosis(loaded, executor=pool, solver=solver, report=status.update)
         else:
             verdict = run_diagnosis(loaded, solver=solver, report=status.update)

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
 from pathlib import Path
 from typing import Annotated, Any
 
@@ -13,6 +12,7 @@ from ..networks import DAE, Result, check_table_path, chosen_signals
 from .data import read_inputs, unbound_inputs
 from .failure import FAILED, WRONG_USE, fail, failing
 from .model import load_network
+from .values import pairs
 
 DEFAULT_STOP = 10.0
 EXAMPLES = """\b
@@ -56,7 +56,7 @@ def run(
     """Run the network that a function of a Python file returns."""
     _check_positive("--step", step)
     _check_positive("--rtol", rtol)
-    parameters, starts = _pairs("--set", values), _pairs("--start", start)
+    parameters, starts = pairs("--set", values), pairs("--start", start)
     if out is not None:
         with failing(WRONG_USE, ValueError, ImportError):
             check_table_path(out)
@@ -88,18 +88,6 @@ def _simulated(dae: DAE, arguments: dict[str, Any]) -> tuple[Result, str]:
 def _check_positive(name: str, value: float | None) -> None:
     if value is not None and not value > 0:
         fail(f"{name} must be above 0, got {value:g}", WRONG_USE)
-
-
-def _pairs(option: str, texts: Iterable[str] | None) -> dict[str, float]:
-    """Return the numbers of `name=value` texts by name."""
-    pairs = {}
-    for text in texts or ():
-        name, _, value = text.partition("=")
-        try:
-            pairs[name.strip()] = float(value)
-        except ValueError:
-            fail(f"{option} takes NAME=VALUE with a number, got '{text}'", WRONG_USE)
-    return pairs
 
 
 def _signals(dae: DAE, names: str | None) -> list[str]:

@@ -60,10 +60,20 @@ def read_description(path: Path) -> bytes:
     Raises:
         FMUError: if the archive is broken, unsafe, or has none.
     """
+    return read_entry(path, DESCRIPTION, "FMU", MOST_DESCRIPTION)
+
+
+def read_entry(path: Path, name: str, kind: str, most: int = MOST_BYTES) -> bytes:
+    """Return an entry that an archive of this kind must have.
+
+    Raises:
+        FMUError: if the archive is broken, unsafe, or has none.
+    """
     with _opened(path) as archive:
-        if DESCRIPTION not in archive.namelist():
-            raise FMUError(f"'{path}' has no {DESCRIPTION}: it is no FMU")
-        return b"".join(_chunks(path, archive, DESCRIPTION, MOST_DESCRIPTION))
+        if name not in archive.namelist():
+            raise FMUError(f"'{path}' has no {name}: it is no {kind}")
+        most = min(most, max(UNSUSPECTED, MOST_RATIO * path.stat().st_size))
+        return b"".join(_chunks(path, archive, name, most))
 
 
 def unpack(path: Path, folder: Path, binaries: str) -> None:

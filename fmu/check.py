@@ -11,7 +11,7 @@ from ..networks import DAE, Network
 from .check_isolated import isolated_findings
 from .check_network import network_findings
 from .check_probe import Subject
-from .check_report import Finding, Report
+from .check_report import CheckReport, Finding
 from .check_runs import Experiment
 from .check_sections import SECTIONS, Plan
 from .export import VERSIONS
@@ -35,7 +35,7 @@ def check(
     isolated: bool = True,
     timeout: float = 300.0,
     found: Callable[[Finding], object] | None = None,
-) -> Report:
+) -> CheckReport:
     """Check that FMUs do what they should.
 
     A network is exported, FMI 2.0 and 3.0, and each run as Model Exchange and as Co-Simulation through FMPy,
@@ -55,7 +55,8 @@ def check(
         inputs: constant values of inputs, 0 if not given.
         outputs: of a network, as for `export_fmu`.
         versions: which of FMI "2.0" and "3.0" a network is exported as.
-        limit: how far variables may differ, as a share of their size; 10 tolerances for a network, 0.01 for a file.
+        limit: how far variables may differ, as a share of their size; 10 tolerances for a network, 0.01
+            for a file.
         isolated: run the binary of a file in a process of its own, so that a crash is a finding.
         timeout: longest time of each of the four sections of a check of a file, if isolated [s].
         found: called with every finding as soon as it is made.
@@ -65,25 +66,27 @@ def check(
         FMUError: for a file that is no FMU.
 
     Example:
-        >>> from inertance import Fixed, Mass, Network, Spring, check
+        >>> from inertance import Fixed, Mass, Network, Spring, check_fmu
         >>> net = Network("oscillator", wall=Fixed(), spring=Spring(k=100.0), mass=Mass(m=1.0, s=0.1))
         >>> net = net.connect(net.wall.flange, net.spring.flange_a)
         >>> net = net.connect(net.spring.flange_b, net.mass.flange)
-        >>> check(net, 1.0, versions=["3.0"]).passed  # doctest: +SKIP
+        >>> check_fmu(net, 1.0, versions=["3.0"]).passed  # doctest: +SKIP
         True
     """
     _check_numbers(stop, step, tolerance, limit)
     if isinstance(model, str | Path):
-        name, findings = _file(Path(model), Plan(stop, step, tolerance * INTEGRATED, limit or APART, dict(inputs or {})),
-                               timeout if isolated else None)  # fmt: skip
+        plan = Plan(stop, step, tolerance * INTEGRATED, limit or APART, dict(inputs or {}))
+        name, findings = _file(Path(model), plan, timeout if isolated else None)
     else:
         dae = model.dae() if isinstance(model, Network) else model
         end = 1.0 if stop is None else stop
-        experiment = Experiment(0.0, end, step or end / 500, tolerance * INTEGRATED, _inputs(dae, inputs or {}))
+        experiment = Experiment(
+            0.0, end, step or end / 500, tolerance * INTEGRATED, _inputs(dae, inputs or {})
+        )
         chosen = _versions(versions)
         name = dae.name
         findings = network_findings(dae, experiment, start or {}, outputs, chosen, limit or 10 * tolerance)
-    report = Report(name)
+    report = CheckReport(name)
     for finding in findings:
         report.findings.append(finding)
         if found is not None:

@@ -14,7 +14,7 @@ from .check_runs import Course, Experiment
 
 Array = NDArray[np.float64]
 EVENTS = 1e-6
-SETTLED = 1e-9
+LONELY = 10 * EVENTS
 SEEN = 0.05
 MOST_BISECTED = 20
 
@@ -37,19 +37,50 @@ def outputs_finding(subject: str, course: Course, reference: Reference, limit: f
 
     Points closer to an event than the tolerance of its instant are left out.
     """
-    time, wanted = reference.course.time, reference.course.values
-    apart = np.ones(len(time), dtype=bool)
-    for events in (reference.course.events, course.events):
-        if events is not None and len(events):
-            apart &= np.abs(time[:, None] - events[None, :]).min(axis=1) > EVENTS
-    shares = np.abs(course.values - wanted) / reference.sizes
-    shares[~apart] = 0
+    shares = _shares(course, reference)
     if not shares.size:
         return Finding(subject, "outputs", None, told="there is nothing to compare")
-    shares[~np.isfinite(shares)] = np.inf
     row, column = np.unravel_index(np.argmax(shares), shares.shape)
-    told = f"of size, {course.names[column]} at {time[row]:.6g} s; {shares.shape[1]} variables"
-    return measured(subject, "outputs", shares.max(), limit, told)
+    where = f"{course.names[int(column)]} at {course.time[row]:.6g} s"
+    return measured(subject, "outputs", shares.max(), limit, f"of size, {where}; {shares.shape[1]} variables")
+
+
+def modes_finding(
+    subject: str, modes: tuple[Course, Course], course: Course, reference: Reference, limit: float
+) -> Finding:
+    """Return at how many points modes differ.
+
+    A mode may differ where states and rates agree: a body that creeps to rest under friction is "sliding"
+    or "stuck" as the last digit has it, and moves the same.
+    """
+    found, wanted = modes
+    apart = _apart(course, reference)
+    differ: NDArray[np.bool_] = np.not_equal(found.values, wanted.values) & apart[:, None]
+    told = f"{len(found.names)} modes"
+    agree: NDArray[np.bool_] = np.all(_shares(course, reference) <= limit, axis=1)
+    if differ.any():
+        points, columns = np.nonzero(differ)
+        first, last = (float(course.time[k]) for k in (points[0], points[-1]))
+        among = "where states and rates agree" if agree[points].all() else "and not only in name"
+        told = f"{found.names[columns[0]]} differs between {first:.6g} and {last:.6g} s, {among}"
+    return measured(subject, "modes", float((differ.any(axis=1) & ~agree).sum()), 0, told)
+
+
+def _apart(course: Course, reference: Reference) -> NDArray[np.bool_]:
+    """Return which points lie apart from events."""
+    apart = np.ones(len(course.time), dtype=bool)
+    for events in (reference.course.events, course.events):
+        if events is not None and len(events):
+            apart &= np.abs(course.time[:, None] - events[None, :]).min(axis=1) > EVENTS
+    return apart
+
+
+def _shares(course: Course, reference: Reference) -> Array:
+    """Return differences as shares of the sizes of variables."""
+    shares: Array = np.abs(course.values - reference.course.values) / reference.sizes
+    shares[~_apart(course, reference)] = 0
+    shares[~np.isfinite(shares)] = np.inf
+    return shares
 
 
 def events_finding(subject: str, found: Array, wanted: Array) -> Finding:
@@ -76,23 +107,27 @@ def bisected_finding(
         experiment: what is run.
         before: their values right before each event.
         after: and right after.
-        events: where the events should be; those that lie alone are looked for.
+        events: where the events should be; those apart from others are looked for.
     """
     label = subject.label("CS")
-    width = 0.2 * experiment.step
-    lonely = _lonely(events, width, experiment)
+    widths = _widths(events, experiment)
     sizes = np.maximum(np.abs(before).max(axis=0, initial=0), np.abs(after).max(axis=0, initial=0)) + 1e-300
     jumps = np.abs(after - before) / sizes
-    chosen = [k for k in lonely if jumps[k].max(initial=0) > SEEN]
-    picked = sorted({chosen[i] for i in np.linspace(0, len(chosen) - 1, MOST_BISECTED).astype(int)} if chosen else ())
-    if not picked:
+    chosen = np.flatnonzero((widths > LONELY) & (jumps.max(axis=1, initial=0) > SEEN))
+    picked = (
+        np.unique(chosen[np.linspace(0, len(chosen) - 1, MOST_BISECTED).astype(int)])
+        if len(chosen)
+        else chosen
+    )
+    if not len(picked):
         return Finding(label, "events", None, told=f"none of {len(events)} events can be told apart by steps")
+    picked = np.unique(chosen[np.linspace(0, len(chosen) - 1, MOST_BISECTED).astype(int)]).tolist()
     worst, place, t = -1.0, 0, experiment.begin
     with subject.probe("CS") as probe:
         probe.begin(experiment.begin, experiment.stop, experiment.rtol, experiment.inputs)
         for k in picked:
             column = int(np.argmax(jumps[k]))
-            start = float(events[k] - width)
+            start = float(events[k] - widths[k])
             for target in experiment.grid:
                 if t < target < start:
                     probe.advance(t, float(target))
@@ -100,17 +135,18 @@ def bisected_finding(
             probe.advance(t, start)
             t = start
             sides = before[k, column], after[k, column]
-            found = _bisected(probe, names[column], t, t + 2 * width, sides)
+            found = _bisected(probe, names[column], t, t + 2 * widths[k], sides)
             if abs(found - events[k]) > worst:
                 worst, place = abs(found - events[k]), k
     told = f"s, of {len(picked)} events the one at {events[place]:.9g} s"
     return measured(label, "events", worst, EVENTS, told)
 
 
-def _lonely(events: Array, width: float, experiment: Experiment) -> list[int]:
-    edges = np.concatenate([[experiment.begin], events, [experiment.stop]])
-    gaps = np.diff(edges)
-    return [k for k in range(len(events)) if min(gaps[k], gaps[k + 1]) > 2.5 * width]
+def _widths(events: Array, experiment: Experiment) -> Array:
+    """Return how far around each event it is looked for: not as far as its neighbours."""
+    gaps = np.diff(np.concatenate([[experiment.begin], events, [experiment.stop]]))
+    nearest: Array = np.minimum(np.minimum(gaps[1:], gaps[:-1]), experiment.step)
+    return 0.2 * nearest
 
 
 def _bisected(probe: Probe, name: str, t: float, high: float, sides: tuple[float, float]) -> float:

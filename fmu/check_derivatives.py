@@ -14,11 +14,12 @@ from .errors import FMUError
 
 Array = NDArray[np.float64]
 LIMIT = 1e-6
-STRIDES = (1e-1, 1e-2, 1e-3, 1e-4, 1e-5, 1e-6)
+STRIDES = 10.0 ** -np.arange(1, 11)
 ROUNDING = 64 * np.finfo(float).eps
+RESOLVED = 0.1 * LIMIT
+LEAST_STRIDDEN = 1e-3
 MOST_KNOWNS = 60
 MOST_MODES = 8
-CAPABILITIES = ("providesDirectionalDerivative", "providesDirectionalDerivatives")
 
 
 @dataclass(eq=False)
@@ -38,22 +39,26 @@ class Derivatives:
     def __post_init__(self) -> None:
         fmu = self.subject.fmu
         self.discrete = self.subject.discrete()
-        self.able = self.subject.capable("ME", *CAPABILITIES)
-        self.backward = self.subject.capable("ME", "providesAdjointDerivatives")
+        self.able = fmu.capable("ME", "providesDirectionalDerivative")
+        self.backward = fmu.capable("ME", "providesAdjointDerivatives")
         variables = fmu.variables
         rates = [u.variable.name for u in fmu.description.derivatives]
-        outputs = [n for n, v in fmu.outputs.items() if v.real and v.size == 1 and v.variability == "continuous"]
+        outputs = [
+            n for n, v in fmu.outputs.items() if v.real and v.size == 1 and v.variability == "continuous"
+        ]
         self.unknowns = list(dict.fromkeys([*rates, *outputs]))
-        inputs = [n for n, v in fmu.inputs.items() if v.real and v.size == 1 and v.variability == "continuous"]
+        inputs = [
+            n for n, v in fmu.inputs.items() if v.real and v.size == 1 and v.variability == "continuous"
+        ]
         self.knowns = [*fmu.states, *inputs]
         self.states = len(fmu.states)
-        self.nominals = [_nominal(fmu.description, n) for n in self.knowns]
+        self.nominals = np.maximum(self.subject.nominals(self.knowns), LEAST_STRIDDEN)
         self._rows = [variables[n].reference for n in self.unknowns]
         self._columns = [variables[n].reference for n in self.knowns]
 
     def __call__(self, probe: Probe, t: float) -> None:
         """Look, if the mode is one not seen before and the run has stayed in it since the last call."""
-        if not self.able or len(self.modes) >= MOST_MODES:
+        if not self.able or not self.unknowns or len(self.modes) >= MOST_MODES:
             return
         mode = (*probe.values(self.discrete), *np.sign(probe.watched()))
         stays, self._last = mode == self._last, mode
@@ -74,28 +79,33 @@ class Derivatives:
             if error > self.forward[0]:
                 told = f"{self.unknowns[row]} by {self.knowns[place]} at {t:.6g} s"
                 self.forward = (error, told)
-        if self.backward and self._rows and self._columns:
+        if self.backward and self.knowns:
             self._reversed(probe, t)
         self._set(probe, t, base)
 
     def _compared(
         self, probe: Probe, t: float, base: Array, seed: Array, exact: Array, scale: float
     ) -> tuple[float, int]:
-        """Return the least error over strides of the difference, each unknown at its best."""
-        best = np.full(len(self.unknowns), np.inf)
-        for stride in STRIDES:
-            h = stride * scale
+        """Return the least error over the strides that resolve it, of the unknown where that is greatest.
+
+        A stride resolves a derivative if rounding errors of the difference are a tenth of the limit at most;
+        where none does, because nothing depends on the known, rounding errors are forgiven.
+        """
+        best = np.full((2, len(self.unknowns)), np.inf)
+        for h in STRIDES * scale:
             try:
                 ahead, behind = (self._moved(probe, t, base + side * h * seed) for side in (1, -1))
             except FMUError:
                 continue
             difference = (ahead - behind) / (2 * h)
-            rounding = ROUNDING * np.maximum(np.abs(ahead), np.abs(behind)) / h
             size = np.maximum(np.maximum(np.abs(exact), np.abs(difference)), 1e-300)
-            error = np.maximum(np.abs(exact - difference) - rounding, 0) / size
-            best = np.fmin(best, error)
-        worst = int(np.argmax(best)) if len(best) else 0
-        return (float(best[worst]), worst) if len(best) else (0.0, 0)
+            rounding = ROUNDING * np.maximum(np.abs(ahead), np.abs(behind)) / h / size
+            error = np.abs(exact - difference) / size
+            best[0] = np.where(rounding <= RESOLVED, np.fmin(best[0], error), best[0])
+            best[1] = np.fmin(best[1], np.maximum(error - rounding, 0))
+        least = np.where(np.isfinite(best[0]), best[0], best[1])
+        worst = int(np.argmax(least))
+        return float(least[worst]), worst
 
     def _moved(self, probe: Probe, t: float, point: Array) -> Array:
         self._set(probe, t, point)
@@ -116,7 +126,9 @@ class Derivatives:
             w = numbers.normal(size=len(self._rows)) / np.maximum(np.abs(forward), 1e-300)
             w[forward == 0] = 0
             found = probe.adjoint(self._rows, self._columns, w) * v
-            error = abs(found.sum() - w @ forward) / max(np.abs(found).sum(), np.abs(w * forward).sum(), 1e-300)
+            error = abs(found.sum() - w @ forward) / max(
+                np.abs(found).sum(), np.abs(w * forward).sum(), 1e-300
+            )
             if error > self.adjoint[0]:
                 self.adjoint = (float(error), f"at {t:.6g} s")
 
@@ -139,8 +151,3 @@ class Derivatives:
 def _spread(count: int) -> Sequence[int]:
     """Return which knowns are looked at: all, or some from first to last."""
     return sorted({int(k) for k in np.linspace(0, count - 1, min(count, MOST_KNOWNS))}) if count else []
-
-
-def _nominal(description: object, name: str) -> float:
-    variable = next(v for v in description.modelVariables if v.name == name)  # type: ignore[attr-defined]
-    return abs(float(variable.nominal or 1.0)) or 1.0

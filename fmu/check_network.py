@@ -10,11 +10,18 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..networks import DAE, Result
-from .check_agreement import Reference, bisected_finding, events_finding, outputs_finding
+from .check_agreement import (
+    EVENTS,
+    Reference,
+    bisected_finding,
+    events_finding,
+    modes_finding,
+    outputs_finding,
+)
 from .check_derivatives import Derivatives
 from .check_probe import Subject
 from .check_report import Finding
-from .check_runs import Course, Experiment, communicate, exchange
+from .check_runs import DENSE, Course, Experiment, communicate, exchange
 from .check_sections import sizes
 from .check_states import state_findings
 from .check_xml import xml_findings
@@ -22,7 +29,7 @@ from .errors import FMUError
 from .export import export
 
 Array = NDArray[np.float64]
-SAME_INSTANT = 1e-9
+SAME_INSTANT = 0.1 * EVENTS
 
 
 def network_findings(
@@ -40,7 +47,8 @@ def network_findings(
         with TemporaryDirectory(prefix="inertance-") as folder:
             path = export(
                 dae, Path(folder) / "checked.fmu", fmi_version=version, outputs=chosen, start=start,
-                stop=experiment.stop, step=experiment.step, tolerance=experiment.rtol, sources=version == "3.0",
+                stop=experiment.stop, step=experiment.step, tolerance=experiment.rtol,
+                sources=version == "3.0",
             )  # fmt: skip
             yield from xml_findings(f"FMI {version}", path)
             with Subject(path) as subject:
@@ -60,13 +68,16 @@ class _Native:
             inputs=dict(experiment.inputs), rtol=experiment.rtol, atol=1e-2 * experiment.rtol, progress=False,
         )  # fmt: skip
 
-    def reference(self, names: list[str]) -> Reference:
+    def reference(self, names: list[str], nominals: Array) -> Reference:
+        """Return the values of variables on the grid of output, and how large they get."""
+        largest = sizes(np.column_stack([self.run[name] for name in names]), nominals)
+        return Reference(self.course(names), largest)
+
+    def course(self, names: list[str]) -> Course:
         """Return the values of variables on the grid of output."""
         grid = self.experiment.grid
         near = np.searchsorted(self.run.time, grid + 1e-9 * self.experiment.step, side="right") - 1
-        columns = [self.run[name] for name in names]
-        course = Course(names, grid, np.column_stack([column[near] for column in columns]), self.events)
-        return Reference(course, sizes(np.column_stack(columns)))
+        return Course(names, grid, np.column_stack([self.run[name][near] for name in names]), self.events)
 
     @property
     def events(self) -> Array:
@@ -85,34 +96,57 @@ class _Native:
 
 
 def _names(subject: Subject) -> list[str]:
-    """Return what is compared: outputs, states and modes."""
-    return list(dict.fromkeys([*subject.shown(), *subject.discrete()]))
+    """Return what is compared by size: outputs and states."""
+    modes = set(subject.discrete())
+    return [name for name in subject.shown() if name not in modes]
+
+
+def _rates(subject: Subject) -> list[str]:
+    """Return the rates of states, unless there are very many."""
+    states = subject.fmu.states
+    return [f"der({name})" for name in states] if subject.discrete() and len(states) <= DENSE else []
+
+
+def _all(subject: Subject) -> list[str]:
+    return [*_names(subject), *_rates(subject), *subject.discrete()]
 
 
 def _exchanged(subject: Subject, native: _Native, limit: float) -> Iterator[Finding]:
-    label, names = subject.label("ME"), _names(subject)
+    label = subject.label("ME")
     derivatives = Derivatives(subject)
     try:
-        course = exchange(subject, names, native.experiment, derivatives)
+        course = exchange(subject, _all(subject), native.experiment, derivatives)
     except FMUError as error:
         yield Finding(label, "run", False, told=str(error))
         return
-    yield outputs_finding(label, course, native.reference(names), limit)
-    if course.events is not None:
-        yield events_finding(label, course.events, native.events)
+    yield from _compared(label, subject, course, native, limit)
     yield from derivatives.findings()
 
 
 def _communicated(subject: Subject, native: _Native, limit: float) -> Iterator[Finding]:
-    label, names = subject.label("CS"), _names(subject)
+    label, names = subject.label("CS"), _all(subject)
     able = subject.fmu.capable("CS", "hasEventMode")
     try:
         course = communicate(subject, names, native.experiment, able)
-        yield outputs_finding(label, course, native.reference(names), limit)
-        if course.events is not None:
-            yield events_finding(label, course.events, native.events)
-        elif len(native.events):
+        yield from _compared(label, subject, course, native, limit)
+        if course.events is None and len(native.events):
             before, after = native.sides(names)
             yield bisected_finding(subject, names, native.experiment, before, after, native.events)
     except FMUError as error:
         yield Finding(label, "run", False, told=str(error))
+
+
+def _compared(
+    label: str, subject: Subject, course: Course, native: _Native, limit: float
+) -> Iterator[Finding]:
+    yield outputs_finding(label, *_against(subject, course, native, _names(subject)), limit)
+    modes = subject.discrete()
+    if modes:
+        whole = _against(subject, course, native, [*_names(subject), *_rates(subject)])
+        yield modes_finding(label, (course.of(modes), native.course(modes)), *whole, limit)
+    if course.events is not None:
+        yield events_finding(label, course.events, native.events)
+
+
+def _against(subject: Subject, course: Course, native: _Native, names: list[str]) -> tuple[Course, Reference]:
+    return course.of(names), native.reference(names, subject.nominals(names))

@@ -23,6 +23,7 @@ NUMBERS = (
     "Real", "Float64", "Float32", "Integer", "Boolean", "Enumeration",
     *(f"{sign}Int{bits}" for sign in ("", "U") for bits in (8, 16, 32, 64)),
 )  # fmt: skip
+LEAST = 1e-8
 
 
 class Probe(LocalInstance):
@@ -89,11 +90,13 @@ class Probe(LocalInstance):
         """Set time and continuous states."""
         self._at(t, x.tolist(), [])
 
-    def directional(self, unknowns: Sequence[int], knowns: Sequence[int], seed: Sequence[float]) -> Array:
+    def directional(
+        self, unknowns: Sequence[int], knowns: Sequence[int], seed: Sequence[float] | Array
+    ) -> Array:
         """Return how unknowns change in a direction of knowns."""
         return np.array(self._call("getDirectionalDerivative", list(unknowns), list(knowns), list(seed)))
 
-    def adjoint(self, unknowns: Sequence[int], knowns: Sequence[int], seed: Sequence[float]) -> Array:
+    def adjoint(self, unknowns: Sequence[int], knowns: Sequence[int], seed: Sequence[float] | Array) -> Array:
         """Return how a weighted sum of unknowns changes with each of the knowns (FMI 3)."""
         arguments = (list(unknowns), list(knowns), list(seed), len(knowns))
         return np.array(self._call("getAdjointDerivative", *arguments))
@@ -107,7 +110,9 @@ class Subject:
         wanted = platform_folder(self.fmu.version)
         if wanted not in self.fmu.platforms:
             there = ", ".join(self.fmu.platforms) or "none"
-            raise FMUError(f"FMU '{self.fmu.name}' has no binary for this machine ({wanted}), only for {there}")
+            raise FMUError(
+                f"FMU '{self.fmu.name}' has no binary for this machine ({wanted}), only for {there}"
+            )
         self.files = Unpacked(path)
         self._groups: dict[tuple[str, ...], Any] = {}
 
@@ -124,15 +129,16 @@ class Subject:
         """Return the name of a kind in reports."""
         return f"FMI {self.fmu.version} {kind}"
 
-    def capable(self, kind: str, *capabilities: str) -> bool:
-        """Tell whether a kind declares a capability, under any of its names in FMI 2 and FMI 3."""
-        return any(self.fmu.capable(kind, capability) for capability in capabilities)
-
     def groups(self, names: tuple[str, ...]) -> Any:
         """Return names as groups to get."""
         if names not in self._groups:
             self._groups[names] = groups(self.fmu.variables[name] for name in names)
         return self._groups[names]
+
+    def nominals(self, names: Iterable[str]) -> Array:
+        """Return the nominal sizes of variables that declare one, else next to nothing."""
+        declared = {v.name: v.nominal for v in self.fmu.description.modelVariables}
+        return np.array([abs(float(declared[name] or 0.0)) or LEAST for name in names])
 
     def shown(self) -> list[str]:
         """Return outputs and states that are numbers."""

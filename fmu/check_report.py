@@ -41,7 +41,7 @@ def measured(subject: str, check: str, error: float, limit: float, told: str = "
 
 
 @dataclass(eq=False)
-class Report:
+class CheckReport:
     """What a check found; printed, a table.
 
     Attributes:
@@ -90,7 +90,9 @@ class Report:
         looked = sum(f.passed is not None for f in self.findings)
         if self.failures:
             return "\n".join([*lines, f"{len(self.failures)} of {looked} checks failed"])
-        return "\n".join([*lines, f"{looked} checks, all good" if self.passed else "nothing could be checked"])
+        return "\n".join(
+            [*lines, f"{looked} checks, all good" if self.passed else "nothing could be checked"]
+        )
 
 
 def _row(finding: Finding) -> tuple[str, ...]:

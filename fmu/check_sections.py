@@ -6,6 +6,7 @@ from collections.abc import Callable, Iterator
 from dataclasses import dataclass, replace
 
 import numpy as np
+from numpy.typing import NDArray
 
 from .check_agreement import Reference, outputs_finding
 from .check_derivatives import Derivatives
@@ -16,6 +17,8 @@ from .check_states import state_findings
 from .check_xml import xml_findings
 from .errors import FMUError
 from .imported import FMU
+
+Array = NDArray[np.float64]
 
 
 @dataclass(frozen=True)
@@ -63,7 +66,7 @@ def runs(subject: Subject, plan: Plan) -> Iterator[Finding]:
             continue
         yield _finite(label, courses[kind])
     if len(courses) == 2:
-        reference = Reference(courses["ME"], sizes(courses["ME"].values))
+        reference = Reference(courses["ME"], sizes(courses["ME"].values, subject.nominals(names)))
         found = outputs_finding(subject.label("CS"), courses["CS"], reference, plan.limit)
         yield replace(found, check="outputs against ME")
     if derivatives is not None:
@@ -98,7 +101,7 @@ SECTIONS: dict[str, Section] = {
 }
 
 
-def sizes(values: np.ndarray) -> np.ndarray:
-    """Return how large each variable gets, never quite zero."""
-    largest: np.ndarray = np.abs(values).max(axis=0, initial=0.0) if len(values) else np.zeros(0)
-    return np.maximum(largest, 1e-12)
+def sizes(values: Array, nominals: Array) -> Array:
+    """Return how large each variable gets, at least a ten-thousandth of what is nominal."""
+    found: Array = np.maximum(np.abs(values).max(axis=0, initial=0.0), 1e-4 * nominals)
+    return found

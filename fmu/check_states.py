@@ -65,10 +65,9 @@ def state_findings(subject: Subject, kind: str, experiment: Experiment) -> Itera
     """Yield what is found about states and instances of one kind."""
     walk, label = Walk(subject, kind, experiment), subject.label(kind)
     saves, serialises = (
-        subject.capable(kind, f"{able}FMUstate", f"{able}FMUState")
-        for able in ("canGetAndSet", "canSerialize")
+        subject.fmu.capable(kind, name) for name in ("canGetAndSetFMUstate", "canSerializeFMUstate")
     )
-    alone = subject.capable(kind, "canBeInstantiatedOnlyOncePerProcess")
+    alone = subject.fmu.capable(kind, "canBeInstantiatedOnlyOncePerProcess")
     looks: list[tuple[str, bool, Callable[[Walk], bool]]] = [
         ("reset equals fresh", True, _reset),
         ("save and restore", saves, _restored),
@@ -123,7 +122,12 @@ def _elsewhere(walk: Walk) -> bool:
         first = walk.steps(probe, walk.half, STEPS)
         probe.forget(state)
         e = walk.experiment
-        told = [str(walk.subject.fmu.path), walk.kind, [e.begin, e.stop, e.step, e.rtol, dict(e.inputs)], str(data)]
+        told = [
+            str(walk.subject.fmu.path),
+            walk.kind,
+            [e.begin, e.stop, e.step, e.rtol, dict(e.inputs)],
+            str(data),
+        ]
         command = [sys.executable, "-c", f"from {__name__} import answer; answer()", json.dumps(told)]
         done = subprocess.run(
             command, capture_output=True, text=True, env=environment(), timeout=ELSEWHERE, check=False

@@ -15,8 +15,9 @@ from .errors import FMUError
 from .foreign import Values
 from .import_blocks import ForeignComponent
 from .import_coupling import Coupled, CoupledRun
-from .import_participants import Course, participant
+from .import_participants import participant
 from .import_start import unchanged
+from .master import advance_together
 
 Array = NDArray[np.float64]
 NEXT_TO_NOTHING = 1e-9
@@ -212,7 +213,8 @@ class _Master:
         """Advance all to `target` or the first event before it."""
         t = self.network.time
         courses = [one.course(self._observed(one), t) for one in self.all]
-        reached = self._advanced(target, courses)
+        fmus = {one.path: one.fmu for one in self.all}
+        reached = advance_together(fmus, target, dict(zip(fmus, courses, strict=True)))
         self.steps += 1
         if reached - t > NEXT_TO_NOTHING * self.step:
             given: dict[str, Sequence[float]] = {}
@@ -222,28 +224,6 @@ class _Master:
             self.network.advance(reached)
         self._settle(reached)
         return reached
-
-    def _advanced(self, target: float, courses: list[Course]) -> float:
-        several = len(self.all) > 1
-        for one in self.all:
-            if several and one.fmu.reversible:
-                one.fmu.keep()
-        reached = target
-        for one, course in zip(self.all, courses, strict=True):
-            reached = min(reached, one.fmu.advance(reached, course))
-        for one, course in zip(self.all, courses, strict=True):
-            if one.fmu.t > reached + 1e-12 * abs(reached):
-                self._go_back(one, reached, course)
-        return reached
-
-    def _go_back(self, one: Coupled, t: float, course: Course) -> None:
-        if not one.fmu.reversible:
-            raise FMUError(
-                f"FMU '{one.fmu.fmu.name}' ({one.path}) stands at {one.fmu.t:g} s and cannot go back to the "
-                f"event of another at {t:g} s: it does not save its state; couple it in a run of its own"
-            )
-        one.fmu.go_back()
-        one.fmu.advance(t, course)
 
     def _settle(self, t: float) -> None:
         """Iterate events of FMUs; read what they give with what the network now has."""

@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
-from .import_description import KINDS, ForeignVariable
+from .import_description import ForeignVariable
 from .imported import FMU
 
 CAPABILITIES = {
     "canGetAndSetFMUstate": "saves and restores its state",
     "canSerializeFMUstate": "serialises its state",
     "providesDirectionalDerivative": "directional derivatives",
-    "providesDirectionalDerivatives": "directional derivatives",
     "providesAdjointDerivatives": "adjoint derivatives",
     "canHandleVariableCommunicationStepSize": "variable communication step",
     "canInterpolateInputs": "interpolates inputs",
@@ -28,8 +27,7 @@ def info(fmu: FMU) -> str:
     lines.append(f"  made by     {fmu.tool}")
     lines.append(f"  binaries    {', '.join(fmu.platforms) or 'none'}")
     for kind in fmu.kinds:
-        face = getattr(fmu.description, KINDS[kind])
-        able = [text for name, text in CAPABILITIES.items() if getattr(face, name, False)]
+        able = [text for name, text in CAPABILITIES.items() if fmu.capable(kind, name)]
         lines.append(f"  {kind:<11} {', '.join(able) or 'nothing optional'}")
     if fmu.defaults:
         lines.append("  suggested   " + ", ".join(f"{k} {v:g}" for k, v in fmu.defaults.items()))

@@ -46,6 +46,7 @@ class Participant:
         self._wanted: list[Group] = groups(recorded)
         self.reversible = fmu.capable(kind, "canGetAndSetFMUstate")
         self._chatter = Chatter(fmu.name, span[1] - span[0], [])
+        self._followed = _followed(inputs)
         self.instance: Instance = fmu.instantiate(kind)
         references = [fmu.variables[name].reference for name in inputs]
         try:
@@ -170,7 +171,8 @@ class ExchangeParticipant(Participant):
 class SlaveParticipant(Participant):
     """A Co-Simulation FMU, which holds its inputs over a step unless it can interpolate them.
 
-    What is held is the mean of the course over the step.
+    What is held is the mean of the course over the step. An input x whose derivative der(x) is an input,
+    too, is given where the step begins: it follows der(x).
     """
 
     def _first(self, inputs: Values) -> None:
@@ -193,6 +195,8 @@ class SlaveParticipant(Participant):
             inputs, rates = first, (last - first) / duration
         else:
             inputs, rates = (first + 4 * middle + last) / 6, 0 * first
+        for place, rate in self._followed.items():
+            inputs[place], rates[place] = first[place], inputs[rate]
         stepped = self.instance.step(self.t, duration, inputs.tolist(), rates.tolist())
         if stepped.reached <= self.t and not stepped.event:
             raise FMUError(f"FMU '{self.fmu.name}' does not advance beyond t = {self.t:.9g} s")
@@ -219,6 +223,17 @@ class SlaveParticipant(Participant):
     def go_back(self) -> None:
         super().go_back()
         self.t = self._kept
+
+
+def _followed(inputs: list[str]) -> dict[int, int]:
+    """Return the places of inputs whose derivative is an input, too, and of that: x and der(x), der(x,2)."""
+    found = {}
+    for place, name in enumerate(inputs):
+        inner, _, order = name.removeprefix("der(").removesuffix(")").partition(",")
+        rate = f"der({name})" if inner == name else f"der({inner},{int(order or 1) + 1})"
+        if rate in inputs:
+            found[place] = inputs.index(rate)
+    return found
 
 
 def participant(kind: str, *arguments: Any) -> Participant:

@@ -6,9 +6,10 @@ from collections.abc import Iterable, Mapping
 from functools import cached_property
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
+from xml.etree import ElementTree
 
 from ..components import nearest
-from .archive import platform_folder, platforms
+from .archive import platform_folder, platforms, read_description
 from .errors import FMUError
 from .import_description import KINDS, ForeignVariable, described, foreign_variable
 from .import_units import Unit, declared_units, parsed
@@ -92,9 +93,21 @@ class FMU:
         values = {k: getattr(suggested, name, None) for k, name in names.items()}
         return {k: float(v) for k, v in values.items() if v is not None}
 
+    @cached_property
+    def _faces(self) -> dict[str, dict[str, str]]:
+        """What each kind declares of itself; the names of FMI 2 and 3 differ by a capital or an s."""
+        root = ElementTree.fromstring(read_description(self.path))
+        tags = {"ME": "ModelExchange", "CS": "CoSimulation"}
+        found = {kind: root.find(tag) for kind, tag in tags.items()}
+        return {
+            kind: {name.lower().rstrip("s"): value for name, value in face.attrib.items()}
+            for kind, face in found.items()
+            if face is not None
+        }
+
     def capable(self, kind: str, capability: str) -> bool:
         """Tell whether a kind declares a capability, by its FMI name such as `canGetAndSetFMUstate`."""
-        return bool(getattr(getattr(self.description, KINDS[self.kind(kind)]), capability, False))
+        return self._faces[self.kind(kind)].get(capability.lower().rstrip("s")) in ("true", "1")
 
     def kind(self, wanted: str | None = None) -> str:
         """Return the kind to use: the one wanted, else Model Exchange before Co-Simulation.

@@ -2,11 +2,12 @@
 
 A flange that is asked for as `force-in` takes a force and shows its motion, one as `motion-in` takes
 a motion and shows the force it answers with; two FMUs are coupled by joining the one to the other.
+One as `motion-out` only shows its motion.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Collection, Iterable, Mapping
 from dataclasses import dataclass
 from typing import Any
 from xml.etree import ElementTree as ET
@@ -26,7 +27,7 @@ from ..components.base import Port, PortRef, nearest
 from ..networks import Network
 from .description import text
 
-CAUSALITIES = ("force-in", "motion-in")
+CAUSALITIES = ("force-in", "motion-in", "motion-out")
 
 
 @dataclass(frozen=True)
@@ -51,11 +52,12 @@ def publish(network: Network, flanges: Mapping[str, str]) -> tuple[Network, list
 
     Args:
         network: stays as it is.
-        flanges: `"force-in"` or `"motion-in"` by path of a flange, such as `"body.flange"`.
+        flanges: `"force-in"`, `"motion-in"` or `"motion-out"` by path of a flange, such as `"body.flange"`.
 
     A source and sensors are joined to each flange, as a part named after it (`body_flange`). Force-in:
     input f [N], outputs s [m], v [m/s], a [m/s2]; motion-in: input s (with v and a where the network
-    needs them), output f, the force that the network puts on what moves it. Rotational: tau; phi, w, a.
+    needs them), output f, the force that the network puts on what moves it; motion-out: outputs s, v, a.
+    Rotational: tau; phi, w, a.
 
     Raises:
         ModelError: for unknown flanges and causalities.
@@ -102,9 +104,9 @@ def _flange(network: Network, path: str) -> tuple[PortRef, str]:
     return PortRef(owner, last), flanges[last].domain
 
 
-def _moved(force: Any, position: Any, speed: Any, acceleration: Any) -> tuple[Network, list[PortRef]]:
-    part = Network("terminal", force=force, position=position, speed=speed, acceleration=acceleration)
-    return part, [part.force.flange, part.position.flange, part.speed.flange, part.acceleration.flange]
+def _moved(**parts: Any) -> tuple[Network, list[PortRef]]:
+    part = Network("terminal", **parts)
+    return part, [PortRef(one, "flange") for one in parts.values()]
 
 
 def _moving(sensor: Any, position: Any) -> tuple[Network, list[PortRef]]:
@@ -113,29 +115,37 @@ def _moving(sensor: Any, position: Any) -> tuple[Network, list[PortRef]]:
     return part, [part.sensor.flange_a]
 
 
+def _seen() -> dict[str, Any]:
+    return {"position": PositionSensor(), "speed": SpeedSensor(), "acceleration": AccelerationSensor()}
+
+
+def _seen_turning() -> dict[str, Any]:
+    return {
+        "position": rotational.AngleSensor(),
+        "speed": rotational.SpeedSensor(),
+        "acceleration": rotational.AccelerationSensor(),
+    }
+
+
 _PARTS = {
-    ("translational", "force-in"): lambda: _moved(
-        Force(), PositionSensor(), SpeedSensor(), AccelerationSensor()
-    ),
+    ("translational", "force-in"): lambda: _moved(force=Force(), **_seen()),
     ("translational", "motion-in"): lambda: _moving(ForceSensor(), Position()),
-    ("rotational", "force-in"): lambda: _moved(
-        rotational.Torque(),
-        rotational.AngleSensor(),
-        rotational.SpeedSensor(),
-        rotational.AccelerationSensor(),
-    ),
+    ("translational", "motion-out"): lambda: _moved(**_seen()),
+    ("rotational", "force-in"): lambda: _moved(force=rotational.Torque(), **_seen_turning()),
     ("rotational", "motion-in"): lambda: _moving(rotational.TorqueSensor(), rotational.Position()),
+    ("rotational", "motion-out"): lambda: _moved(**_seen_turning()),
+}
+_MOTION = {
+    "translational": {"s": "position.s", "v": "speed.v", "a": "acceleration.a"},
+    "rotational": {"phi": "position.phi", "w": "speed.w", "a": "acceleration.a"},
 }
 _MEMBERS = {
-    ("translational", "force-in"): {"f": "force.f", "s": "position.s", "v": "speed.v", "a": "acceleration.a"},
+    ("translational", "force-in"): {"f": "force.f", **_MOTION["translational"]},
     ("translational", "motion-in"): {"f": "sensor.f", "s": "motion.s_ref"},
-    ("rotational", "force-in"): {
-        "tau": "force.tau",
-        "phi": "position.phi",
-        "w": "speed.w",
-        "a": "acceleration.a",
-    },
+    ("translational", "motion-out"): _MOTION["translational"],
+    ("rotational", "force-in"): {"tau": "force.tau", **_MOTION["rotational"]},
     ("rotational", "motion-in"): {"tau": "sensor.tau", "phi": "motion.phi_ref"},
+    ("rotational", "motion-out"): _MOTION["rotational"],
 }
 
 
@@ -149,17 +159,18 @@ def terminals_xml(terminals: Iterable[Terminal], names: Iterable[str]) -> bytes:
         entry = ET.SubElement(
             listed, "Terminal", name=terminal.flange, matchingRule="plug", terminalKind=kind
         )
-        for member, name in _members(terminal, known).items():
+        for member, name in members(terminal, known).items():
             ET.SubElement(
                 entry, "TerminalMemberVariable", variableName=name, memberName=member, variableKind="signal"
             )
     return text(root)
 
 
-def _members(terminal: Terminal, known: set[str]) -> dict[str, str]:
-    members = dict(terminal.members)
+def members(terminal: Terminal, known: Collection[str]) -> dict[str, str]:
+    """Return the members of a terminal among known variables; a prescribed motion may come with its rates."""
+    told = dict(terminal.members)
     if terminal.causality == "motion-in":
         across, rate = ("s", "v") if terminal.domain == "translational" else ("phi", "w")
-        motion = members[across]
-        members |= {rate: f"der({motion})", "a": f"der({motion},2)"}
-    return {member: name for member, name in members.items() if name in known}
+        motion = told[across]
+        told |= {rate: f"der({motion})", "a": f"der({motion},2)"}
+    return {member: name for member, name in told.items() if name in known}

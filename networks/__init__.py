@@ -99,9 +99,6 @@ from .starting import starting_point as starting_point
 from .stepwise import Stepwise as Stepwise
 from .storage import check_table_path as check_table_path
 from .storage import load_table as load_table
-from .sweep import Sweep as Sweep
-from .sweep import SweepInterruptedError as SweepInterruptedError
-from .sweep import sweep as sweep
 from .sweep_design import Design as Design
 from .sweep_design import grid as grid
 from .sweep_design import latin_hypercube as latin_hypercube
@@ -109,6 +106,9 @@ from .sweep_design import monte_carlo as monte_carlo
 from .sweep_design import saltelli as saltelli
 from .sweep_design import sobol_sequence as sobol_sequence
 from .sweep_indices import sobol_indices as sobol_indices
+from .sweeps import Sweep as Sweep
+from .sweeps import SweepInterruptedError as SweepInterruptedError
+from .sweeps import sweep as sweep
 from .synthesis import NotPositiveRealError as NotPositiveRealError
 from .synthesis import PositiveReal as PositiveReal
 from .synthesis import RationalFunction as RationalFunction

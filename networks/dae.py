@@ -180,7 +180,6 @@ class DAE:
         from .run import Settings
         from .simulate import simulate
 
-        step = abs(stop - begin) / 500 or 1.0 if step is None else step
         settings = Settings(begin, stop, step, rtol, atol, solver, progress)
         wanted = (sensitivities,) if isinstance(sensitivities, str) else tuple(sensitivities)
         return simulate(

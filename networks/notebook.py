@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 from ..components.base import MISSING, Component, Field, Option, Parameter, RealInput, Variable
 from .chart import line_chart
 from .plotting import pretty_unit
-from .sketch import sketch
+from .sketch import svg_sketch
 from .summary import EVENT_HEADERS, STATE_HEADERS, event_rows, state_rows
 
 if TYPE_CHECKING:
@@ -49,7 +49,7 @@ def network_html(network: Network) -> str:
     return _page(
         network.name,
         f"{len(parts)} components",
-        f'<div style="overflow-x:auto">{sketch(network) or too_many}</div>',
+        f'<div style="overflow-x:auto">{svg_sketch(network) or too_many}</div>',
         _components(network),
     )
 

@@ -11,8 +11,10 @@ from typing import Any
 class Progress:
     """A bar on the terminal that appears once a run has lasted a second."""
 
-    def __init__(self, name: str, begin: float, stop: float, wanted: bool | None) -> None:
-        self.name, self.begin, self.stop = name, begin, stop
+    def __init__(
+        self, name: str, begin: float, stop: float, wanted: bool | None, unit: str = "s simulated"
+    ) -> None:
+        self.name, self.begin, self.stop, self.unit = name, begin, stop, unit
         self.wanted = sys.stderr.isatty() if wanted is None else wanted
         self.started = time.perf_counter()
         self._bar: Any = None
@@ -35,7 +37,7 @@ class Progress:
 
         columns = (
             TextColumn("{task.description}"), BarColumn(),
-            TextColumn("{task.completed:.3g}/{task.total:.3g} s simulated"),
+            TextColumn(f"{{task.completed:.6g}}/{{task.total:.6g}} {self.unit}"),
             TimeElapsedColumn(), TextColumn("left"), TimeRemainingColumn(),
         )  # fmt: skip
         self._bar = Bar(*columns, console=Console(stderr=True), transient=True)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, field
+from numbers import Real
 from typing import Any
 
 import numpy as np
@@ -22,23 +23,29 @@ class Settings:
 
     begin: float
     stop: float
-    step: float
+    step: float | None
     rtol: float
     atol: float
     solver: str
     progress: bool | None
 
     def __post_init__(self) -> None:
-        problems = []
-        if not all(np.isfinite([self.begin, self.stop, self.step, self.rtol, self.atol])):
+        named = {name: getattr(self, name) for name in ("begin", "stop", "step", "rtol", "atol")}
+        if self.step is None:
+            del named["step"]
+        problems = [
+            f"{name} must be a number, got {value!r}"
+            for name, value in named.items()
+            if not isinstance(value, Real)
+        ]
+        if problems:
+            raise ModelError("this run cannot be done:", problems)
+        if not all(np.isfinite([*named.values()])):
             problems.append("begin, stop, step, rtol and atol must be finite numbers")
         elif not self.stop > self.begin:
             problems.append(f"stop must be after begin ({self.begin:g} s), got {self.stop:g} s")
-        for name, value, unit in (
-            ("step", self.step, " s"),
-            ("rtol", self.rtol, ""),
-            ("atol", self.atol, ""),
-        ):
+        for name, unit in (("step", " s"), ("rtol", ""), ("atol", "")):
+            value = named.get(name, 1.0)
             if value <= 0:
                 problems.append(f"{name} must be above 0{unit}, got {value:g}{unit}")
         if problems:
@@ -51,8 +58,8 @@ class Settings:
 
     @property
     def outputs(self) -> NDArray[np.float64]:
-        """Output instants; the step is adjusted to divide the run."""
-        count = max(1, round((self.stop - self.begin) / self.step))
+        """Output instants, 501 if there is no step; a step is adjusted to divide the run."""
+        count = 500 if self.step is None else max(1, round((self.stop - self.begin) / self.step))
         return np.linspace(self.begin, self.stop, count + 1)
 
 
@@ -163,8 +170,8 @@ def failure(run: Run, error: Exception) -> str:
     if wrong:
         return (
             f"'{dae.name}': at t = {point.t:.9g} s the rate of {', '.join(wrong[:5])} is not a finite "
-            "number; an input, a division by zero, or a root of a negative number there makes it so. Results up to "
-            "there are kept in the error's `result`"
+            "number; an input, a division by zero, or a root of a negative number there makes it so. "
+            "Results up to there are kept in the error's `result`"
         )
     weight = bend / (settings.rtol * np.abs(point.x) + settings.atol)
     worst = int(np.argmax(np.where(np.isfinite(weight), weight, np.inf))) if len(rate) else 0

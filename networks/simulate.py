@@ -33,12 +33,13 @@ def simulate(
 ) -> Result:
     """Run a DAE; see `DAE.simulate`."""
     began = clock.perf_counter()
+    _check_mappings(start=start, guess=guess, inputs=inputs, parameters=parameters)
     closed = dae.closed(inputs)
     numbers = dae.system.flat.table.values(dict(parameters))
     others = closed.q.numel() - len(numbers)
     q = np.concatenate([numbers, np.zeros(others)])
     wanted = wishes(dae, start, guess)
-    run = _started(closed, settings, q, wanted)
+    run = started(closed, settings, q, wanted)
     outputs = settings.outputs
     compiled = settings.solver == "compiled"
     if compiled and sensitivities:
@@ -49,9 +50,19 @@ def simulate(
         try:
             go(progress)
         except (IntegratorError, SimulationError) as error:
-            partial = _result(run, solver, began, follow)
+            partial = collected(run, solver, began, follow)
             raise SimulationError(failure(run, error), partial) from error
-    return _result(run, solver, began, follow)
+    return collected(run, solver, began, follow)
+
+
+def _check_mappings(**given: Any) -> None:
+    problems = [
+        f"{name} maps names to values, such as {name}={{'mass.s': 0.1}}; got {value!r}"
+        for name, value in given.items()
+        if not isinstance(value, Mapping)
+    ]
+    if problems:
+        raise ModelError("this run cannot be done:", problems)
 
 
 def _compiled(run: Run, outputs: Array) -> tuple[str, Callable[[Progress], None]]:
@@ -71,7 +82,7 @@ def _interpreted(
     return stepper.solver, lambda progress: run_hybrid(run, switcher, stepper, outputs, progress)
 
 
-def _started(closed: Closed, settings: Settings, q: Array, wanted: Wishes) -> Run:
+def started(closed: Closed, settings: Settings, q: Array, wanted: Wishes) -> Run:
     """Find start values and the modes they imply, again until both agree."""
     t = settings.begin
     switcher = Switcher(closed) if closed.dae.hybrid or closed.dae.blocks else None
@@ -123,7 +134,8 @@ def _settled(switcher: Switcher, point: Point) -> list[Event]:
         raise SimulationError(f"'{switcher.closed.dae.name}': {error}") from error
 
 
-def _result(run: Run, solver: str, began: float, follow: Sensitivities | None) -> Result:
+def collected(run: Run, solver: str, began: float, follow: Sensitivities | None) -> Result:
+    """Return what a run has recorded, with figures on how it went."""
     by_component: dict[str, int] = {}
     for event in run.events:
         by_component[event.component] = by_component.get(event.component, 0) + 1

@@ -11,7 +11,7 @@ import numpy as np
 from .dae import DAE
 from .initial import wishes
 from .run import Settings
-from .simulate import _started
+from .simulate import started
 from .stepper import Array, nominal_sizes
 
 
@@ -34,5 +34,5 @@ def starting_point(dae: DAE, inputs: Mapping[str, Any], start: Mapping[str, floa
     numbers = dae.system.flat.table.values({})
     q = np.concatenate([numbers, np.zeros(closed.q.numel() - len(numbers))])
     settings = Settings(0.0, 1.0, 1.0, 1e-6, 1e-8, "auto", False)
-    point = _started(closed, settings, q, wishes(dae, start, {})).point
+    point = started(closed, settings, q, wishes(dae, start, {})).point
     return Start(point.x, point.z, nominal_sizes(dae, dae.states))

@@ -14,7 +14,7 @@ from .initial import wishes
 from .progress import Progress
 from .result import Result
 from .run import Settings, failure, integrate
-from .simulate import _result, _started
+from .simulate import collected, started
 from .smooth import smooth_pieces
 from .stepper import Array, IntegratorError
 
@@ -51,7 +51,7 @@ class Stepwise:
         numbers = dae.system.flat.table.values(dict(parameters or {}))
         q = np.concatenate([numbers, np.zeros(self.closed.q.numel() - len(numbers))])
         self._write(q, settings.begin, courses)
-        self.run = _started(self.closed, settings, q, wishes(dae, start or {}, guess or {}))
+        self.run = started(self.closed, settings, q, wishes(dae, start or {}, guess or {}))
         pieces = (NODES, MOST_STEPS) if self.run.switcher else smooth_pieces(1)
         self._stepper = self.closed.stepper(settings.solver, settings.tolerance, *pieces)
         self.run.open_segment()
@@ -122,7 +122,7 @@ class Stepwise:
 
     def result(self) -> Result:
         """Return what was computed so far."""
-        return _result(self.run, self._stepper.solver, self._began, None)
+        return collected(self.run, self._stepper.solver, self._began, None)
 
 
 def _drop_first(segment: Any) -> None:

@@ -43,9 +43,10 @@ class Parameter(Field):
         min: float | None = None,
         above: float | None = None,
         max: float | None = None,
+        nonzero: bool = False,
     ) -> None:
         super().__init__(unit, doc)
-        self.default, self.min, self.above, self.max = default, min, above, max
+        self.default, self.min, self.above, self.max, self.nonzero = default, min, above, max, nonzero
 
     def problem(self, value: float) -> str:
         """Say what is wrong with a value, or return an empty string."""
@@ -58,7 +59,7 @@ class Parameter(Field):
             return f"{self.name} must be above {self.above:g}{unit}, got {value}"
         if self.max is not None and value > self.max:
             return f"{self.name} must be at most {self.max:g}{unit}, got {value}"
-        return ""
+        return f"{self.name} must not be 0{unit}" if self.nonzero and value == 0 else ""
 
 
 class Option(Field):
@@ -173,6 +174,7 @@ def parameter(
     min: float | None = None,
     above: float | None = None,
     max: float | None = None,
+    nonzero: bool = False,
 ) -> Any:
     """Declare a parameter.
 
@@ -184,8 +186,9 @@ def parameter(
         min: the least value allowed.
         above: a value it must exceed.
         max: the largest value allowed.
+        nonzero: whether 0 is refused, where either sign is meant.
     """
-    return Parameter(unit, doc, default, min, above, max)
+    return Parameter(unit, doc, default, min, above, max, nonzero)
 
 
 def option(

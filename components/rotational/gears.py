@@ -20,7 +20,7 @@ class IdealGear(Component):
     flange_a = RotationalFlange("left shaft")
     flange_b = RotationalFlange("right shaft")
     support = RotationalFlange("housing", optional=True)
-    ratio = parameter("1", "turns of flange_a for one of flange_b")
+    ratio = parameter("1", "turns of flange_a for one of flange_b", nonzero=True)
 
     def equations(self) -> Iterable[Any]:
         a, b, housing = self.flange_a, self.flange_b, self.support

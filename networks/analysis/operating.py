@@ -18,7 +18,7 @@ from ..events import Point, Switcher
 from ..initial import wishes
 from ..result import Result
 from ..run import Settings
-from ..simulate import _started
+from ..simulate import started
 
 Array = NDArray[np.float64]
 TINY = 1e-9
@@ -88,7 +88,7 @@ def operating_point(
     numbers = dae.system.flat.table.values(dict(parameters or {}))
     q = np.concatenate([numbers, np.zeros(closed.q.numel() - len(numbers))])
     settings = Settings(time, time + 1.0, 1.0, 1e-6, 1e-8, "auto", False)
-    run = _started(closed, settings, q, wishes(dae, start or {}, {}))
+    run = started(closed, settings, q, wishes(dae, start or {}, {}))
     notes = list(run.switcher.notes) if run.switcher else []
     if at == "equilibrium":
         notes += _settle(closed, run.point, run.switcher)

@@ -79,7 +79,7 @@ class PlanetaryGeometry:
         return self.beta * self.r
 
     @property
-    def l(self) -> Any:
+    def l(self) -> Any:  # noqa: E743
         """Thickness of the planets [m]."""
         return self.tau * self.L
 

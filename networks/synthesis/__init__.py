@@ -1,5 +1,6 @@
 """From an admittance to a network of springs, dampers and inerters."""
 
+from .foster import foster as foster
 from .positive import NotPositiveRealError as NotPositiveRealError
 from .positive import PositiveReal as PositiveReal
 from .positive import positive_real as positive_real

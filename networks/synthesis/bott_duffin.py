@@ -37,9 +37,7 @@ class Side:
         if pole.x == 0:
             return self.term(-1, pole.residue)
         other = self.other
-        return joined(
-            other.beside, [other.term(1, 1 / pole.residue), other.term(-1, pole.x / pole.residue)]
-        )
+        return joined(other.beside, [other.term(1, 1 / pole.residue), other.term(-1, pole.x / pole.residue)])
 
 
 def realise(function: Ratio, side: Side) -> Tree:
@@ -58,7 +56,10 @@ def _without_poles(function: Ratio, side: Side) -> Tree:
     poles, _ = function.inverse.axis_poles()
     if poles:
         return realise(function.inverse, side.other)
-    ways = [(function, side, function.least_real()), (function.inverse, side.other, function.inverse.least_real())]
+    ways = [
+        (function, side, function.least_real()),
+        (function.inverse, side.other, function.inverse.least_real()),
+    ]
     regular = [way for way in ways if way[2][1] in (0, INFINITY)]
     networks = [_without_resistance(*way) for way in regular or ways]
     return min(networks, key=lambda network: len(network.elements))

@@ -5,12 +5,14 @@ from __future__ import annotations
 from collections.abc import Iterator
 from contextlib import contextmanager
 from decimal import Decimal, localcontext
+from itertools import pairwise
 
 Polynomial = list[Decimal]
 DIGITS = 80
 ZERO, ONE = Decimal(0), Decimal(1)
 NEWTON_STEPS = 400
 VANISHING = Decimal("1e-60")
+LAST_DIGITS = Decimal("1e-74")
 
 
 @contextmanager
@@ -110,7 +112,7 @@ def positive_roots(p: Polynomial) -> list[Decimal]:
     far = 1 + max(abs(a / p[-1]) for a in p[:-1])
     corners = [ZERO, *positive_roots(derivative(p)), far]
     roots: list[Decimal] = []
-    for left, right in zip(corners[:-1], corners[1:], strict=True):
+    for left, right in pairwise(corners):
         if _vanishes(p, left):
             roots.append(left)
         elif not _vanishes(p, right) and (value(p, left) < 0) != (value(p, right) < 0):
@@ -123,20 +125,21 @@ def _vanishes(p: Polynomial, x: Decimal) -> bool:
 
 
 def _root_between(p: Polynomial, left: Decimal, right: Decimal) -> Decimal:
-    """Return the root in a stretch, by Newton's steps, halving where they leave it."""
+    """Return the root in a stretch, by Newton's steps, parting the stretch where they do not help."""
     slope, rising = derivative(p), value(p, right) > 0
-    x = (left + right) / 2
+    x = _middle(left, right)
     for _ in range(NEWTON_STEPS):
         here, steep = value(p, x), value(slope, x)
-        if abs(here) <= VANISHING * VANISHING.sqrt() * size(p, x):
+        if abs(here) <= LAST_DIGITS * size(p, x) or right - left <= VANISHING * right:
             break
         left, right = (left, x) if (here > 0) == rising else (x, right)
-        if right - left <= VANISHING * right:
-            break
         newton = x - here / steep if steep else left
-        x = newton if left < newton < right and _quick(here, p, newton) else (left + right) / 2
+        helps = left < newton < right and 2 * abs(value(p, newton)) < abs(here)
+        x = newton if helps else _middle(left, right)
     return x
 
 
-def _quick(before: Decimal, p: Polynomial, x: Decimal) -> bool:
-    return 2 * abs(value(p, x)) < abs(before)
+def _middle(left: Decimal, right: Decimal) -> Decimal:
+    """Return the geometric mean of far ends, the arithmetic one of near ones."""
+    low = max(left, right / 10**6)
+    return (low * right).sqrt() if right > 4 * low else (left + right) / 2

@@ -11,8 +11,8 @@ import numpy as np
 
 from ...components.base import ModelError
 from .polynomials import many_digits
-from .rational import RationalFunction
 from .ratio import AxisPole, Ratio, Scale, hertz, right_half_plane_roots
+from .rational import RationalFunction
 
 SKEW = Decimal("1e-7")
 
@@ -48,8 +48,8 @@ class PositiveReal:
 def positive_real(admittance: Any) -> PositiveReal:
     """Return whether a function is positive-real, and the frequency that shows it if not.
 
-    F is positive-real if it has no pole with Re s > 0, if its poles on the imaginary axis, at infinity too, are
-    simple with positive residues, and Re F(jw) >= 0 at all other frequencies. The last is decided at the
+    F is positive-real if it has no pole with Re s > 0, if its poles on the imaginary axis, at infinity too,
+    are simple with positive residues, and Re F(jw) >= 0 at all other frequencies. The last is decided at the
     stationary points of Re F(jw), the roots of a polynomial in w^2, in 80 digits.
 
     Args:
@@ -61,8 +61,10 @@ def positive_real(admittance: Any) -> PositiveReal:
 
     Example:
         >>> from inertance import positive_real
-        >>> bool(positive_real(([1.0, 1.0, 1.0], [1.0, 1.0, 4.0])))
-        False
+        >>> bool(positive_real(([1.0, 1.0, 1.0], [1.0, 1.0, 4.0])))  # Re F(jw) = 0 at w^2 = 2
+        True
+        >>> positive_real(([1.0, 1.0, 1.0], [1.0, 1.0, 9.0])).reason
+        'its real part is -0.6 N.s/m at 0.389848 Hz'
     """
     function = RationalFunction.of(admittance)
     with many_digits():
@@ -94,7 +96,7 @@ def _tested(ratio: Ratio, scale: Scale) -> PositiveReal:
     poles, rest = ratio.axis_poles()
     for pole in poles:
         refused = _wrong_residue(pole, scale)
-        if refused:
+        if refused is not None:
             return refused
     if right_half_plane_roots(rest.den):
         return _unstable(rest, scale)
@@ -108,7 +110,7 @@ def _tested(ratio: Ratio, scale: Scale) -> PositiveReal:
 def _wrong_residue(pole: AxisPole, scale: Scale) -> PositiveReal | None:
     frequency = hertz(pole.x, scale)
     if pole.residue <= 0:
-        return _refused(frequency, f"the residue of its pole at {frequency:.6g} Hz is not positive")
+        return _refused(frequency, f"its pole at {frequency:.6g} Hz is not simple with a positive residue")
     if abs(pole.skew) > SKEW * pole.residue:
         return _refused(frequency, f"the residue of its pole at {frequency:.6g} Hz is not real")
     return None
@@ -123,5 +125,3 @@ def _unstable(rest: Ratio, scale: Scale) -> PositiveReal:
 
 def _refused(frequency: float, reason: str, least: float = math.nan) -> PositiveReal:
     return PositiveReal(False, frequency, least, reason)
-
-

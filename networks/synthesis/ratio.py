@@ -35,7 +35,8 @@ SAME = Decimal("1e-10")
 class AxisPole:
     """A pole at s = 0 (residue/s), at infinity (residue s), or a pair (residue s/(s^2 + x)), x = w^2.
 
-    `skew` is what a pair's residue has of the phase that none of a positive-real function has.
+    A multiple pole has residue 0 here. `skew` is the part of a pair's residue that a positive-real function
+    does not have.
     """
 
     x: Decimal
@@ -67,15 +68,17 @@ class Ratio:
     def normalised(cls, function: RationalFunction) -> tuple[Ratio, Scale]:
         """Return a function at middling frequencies and gains, without common factors."""
         num, den = ([Decimal(c) for c in reversed(p)] for p in (function.num, function.den))
-        rate = _middle(num, den)
+        rate = _power_of_two(_middle(num, den))
         num, den = ([c * rate**k for k, c in enumerate(p)] for p in (num, den))
-        gain = max(map(abs, num), default=ONE) / max(map(abs, den))
+        gain = _power_of_two(max(map(abs, num), default=ONE) / max(map(abs, den)))
         sign = -1 if den[-1] < 0 else 1
         num, den = scaled(num, sign / gain), scaled(den, Decimal(sign))
         return cls(num, den, Decimal(function.accuracy)).reduced(), Scale(float(rate), float(gain))
 
     def reduced(self) -> Ratio:
         """Return the function without the factors common to numerator and denominator."""
+        if self.num and self.num[0] == 0 == self.den[0]:
+            return Ratio(self.num[1:], self.den[1:], self.tolerance).reduced()
         for root in np.roots([float(c) for c in reversed(self.den)]):
             factor = _factor(complex(root))
             rests = [(p, divided(p, factor)) for p in (self.num, self.den)]
@@ -194,6 +197,11 @@ def _middle(num: Polynomial, den: Polynomial) -> Decimal:
     return (sum((log for log, _ in logs), ZERO) / sum(s for _, s in logs)).exp() if logs else ONE
 
 
+def _power_of_two(near: Decimal) -> Decimal:
+    """Return the power of two near a number, by which floating-point numbers are multiplied exactly."""
+    return Decimal(2) ** round(near.ln() / Decimal(2).ln())
+
+
 def _parts(num: Polynomial, den: Polynomial) -> tuple[Polynomial, Polynomial, Polynomial]:
     """Return a, b, c with F(jw) = (a(x) + jw b(x))/c(x), x = w^2."""
     e, o, e_den, o_den = even(num), odd(num), even(den), odd(den)
@@ -213,6 +221,8 @@ def _without_pair(num: Polynomial, den: Polynomial, x: Decimal) -> tuple[AxisPol
     pair = [x, ZERO, ONE]
     den = divided(den, pair)[0]
     real, imaginary, below = (value(p, x) for p in _parts(num, den))
+    if below <= SAME**2 * size(den, x.sqrt()) ** 2:
+        return AxisPole(x, ZERO), num, den
     residue = imaginary / below
     rest = trimmed(divided(plus(num, by_s(den), -residue), pair)[0])
     return AxisPole(x, residue, real / below / x.sqrt()), rest, den

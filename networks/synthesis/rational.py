@@ -32,7 +32,7 @@ class RationalFunction:
     Example:
         >>> from inertance import RationalFunction
         >>> Y = RationalFunction([1.0, 0.0], [1.0, 2.0])
-        >>> round(abs(Y(2j)), 6)
+        >>> round(float(abs(Y(2j))), 6)
         0.707107
     """
 
@@ -54,7 +54,9 @@ class RationalFunction:
 
     def __call__(self, s: ArrayLike) -> Any:
         """Return the value at complex frequencies [rad/s]."""
-        return np.polyval(self.num or (0.0,), s) / np.polyval(self.den, s)
+        at = np.asarray(s, dtype=np.complex128)
+        value = np.polyval(np.array(self.num or (0.0,)), at) / np.polyval(np.array(self.den), at)
+        return value[()]
 
     @property
     def degree(self) -> int:
@@ -122,7 +124,8 @@ def _of_state_space(system: StateSpace) -> RationalFunction:
     num = (np.real(np.poly(A - B @ C / gain)) - den) * gain if len(A) else np.zeros(1)
     reached = abs(num) + float(np.abs(small.D).max(initial=0.0)) * abs(den)
     for order, D in enumerate((small.D, *small.D_s)):
-        num = np.polyadd(num, np.r_[float(D.item()) * rate**order * den, np.zeros(order)])
+        num = np.r_[np.zeros(order + len(den) - len(num)), num]
+        num += np.r_[float(D.item()) * rate**order * den, np.zeros(order)]
     num[np.abs(num) <= COMPUTED * np.abs(np.r_[num, reached]).max()] = 0.0
     den[np.abs(den) <= COMPUTED * np.abs(den).max()] = 0.0
     return RationalFunction(_at_rate(num, rate), _at_rate(den, rate), COMPUTED)

@@ -11,8 +11,8 @@ from ..algebra import TwoTerminal, parallel
 from .bott_duffin import Side, realise
 from .polynomials import many_digits
 from .positive import required_positive_real
-from .rational import RationalFunction
 from .ratio import Ratio
+from .rational import RationalFunction
 from .tree import Tree
 
 ACCURACY, LOSS = 1e-9, 1e4
@@ -31,8 +31,8 @@ def synthesise(admittance: Any) -> TwoTerminal:
         NotPositiveRealError: if it is not positive-real, with the frequency [Hz] that shows it.
         ModelError: if it is zero, or coefficients are too close to degenerate to be realised.
 
-    Source: R. Bott, R. J. Duffin, J. Appl. Phys. 20 (1949) 816; J. Z. Jiang, M. C. Smith, IEEE Trans. Automat.
-    Contr. 56 (2011) 1275-1290 (regular biquadratics).
+    Source: R. Bott, R. J. Duffin, J. Appl. Phys. 20 (1949) 816; J. Z. Jiang, M. C. Smith, IEEE Trans.
+    Automat. Contr. 56 (2011) 1275-1290 (regular biquadratics).
 
     Example:
         >>> from inertance import admittance, synthesise
@@ -43,10 +43,7 @@ def synthesise(admittance: Any) -> TwoTerminal:
     function = RationalFunction.of(admittance)
     if not function.num:
         raise ModelError("this admittance is zero: nothing between the flanges has it")
-    tree = network_tree(function)
-    _check(tree, function)
-    component = tree.component()
-    return component if isinstance(component, TwoTerminal) else parallel(component)  # type: ignore[return-value]
+    return checked(network_tree(function), function)
 
 
 def network_tree(function: RationalFunction) -> Tree:
@@ -57,8 +54,12 @@ def network_tree(function: RationalFunction) -> Tree:
         return realise(ratio, Side(beside=True)).at(scale)
 
 
-def _check(tree: Tree, function: RationalFunction) -> None:
-    """Compare the admittance of a network with the one wanted, around all poles and zeros, off the axis."""
+def checked(tree: Tree, function: RationalFunction) -> TwoTerminal:
+    """Return a network as a component, once its admittance is seen to be the one wanted.
+
+    Raises:
+        ModelError: if it is not, at points around all poles and zeros, off the axis.
+    """
     corners = np.abs(np.r_[function.poles, function.zeros])
     corners = corners[corners > 0] if (corners > 0).any() else np.ones(1)
     s = np.geomspace(corners.min() / 10, corners.max() * 10, 60) * np.exp(0.45j * np.pi)
@@ -70,3 +71,7 @@ def _check(tree: Tree, function: RationalFunction) -> None:
             f"the network found has the admittance {got[worst]:.9g} N.s/m, not {wanted[worst]:.9g} N.s/m, at "
             f"s = {s[worst]:.6g} rad/s: its coefficients are too close to degenerate; round or cancel them"
         )
+    component = tree.component()
+    joined: Any = component if isinstance(component, TwoTerminal) else parallel(component)
+    found: TwoTerminal = joined
+    return found

@@ -21,7 +21,7 @@ from matplotlib import pyplot
 ROOT = Path(__file__).parents[2]
 PAGES = [ROOT / "README.md", *sorted((ROOT / "docs").glob("*.md"))]
 FENCE = re.compile(r"^```(\w+)\n(.*?)^```$", re.MULTILINE | re.DOTALL)
-ROOMS = ("components", "networks", "cli")
+ROOMS = ("components", "networks", "fmu", "identification", "diagnosis", "cli")
 FILE = re.compile(r"^<!-- (\S+\.\w+) -->\n```\w+\n(.*?)^```$", re.MULTILINE | re.DOTALL)
 COMMAND = re.compile(r"^inertance .*$", re.MULTILINE)
 CLI = (ROOT / "docs" / "cli.md").read_text(encoding="utf-8")
@@ -43,7 +43,8 @@ def blocks(page: Path) -> Iterator[tuple[str, str | None]]:
 def public(kind: type) -> dict[str, Any]:
     """Return the public objects of a kind by the name a user writes: `Mass`, `rotational.Spring`."""
     found: dict[str, Any] = {}
-    for name, value in vars(inertance).items():
+    for name in dir(inertance):
+        value = getattr(inertance, name)
         if isinstance(value, ModuleType) and name not in ROOMS:
             found |= {f"{name}.{inner}": item for inner, item in vars(value).items() if _own(item, value)}
         else:

@@ -91,7 +91,7 @@ def test_periodic_source_catches_up_in_a_run_that_begins_late(begin: float) -> N
 
 
 def test_falling_times_of_a_table_are_refused() -> None:
-    with pytest.raises(ia.ModelError, match="'source': table takes rows .* times not decreasing"):
+    with pytest.raises(ia.ModelError, match=r"'source': table takes rows .* times not decreasing"):
         run_source(signals.TimeTable(table=((0.0, 0.0), (1.0, 1.0), (0.5, 0.0))))
 
 

@@ -12,6 +12,9 @@
 #include <string.h>
 #include "fmi2Functions.h"
 
+#ifndef FAULT
+#define FAULT 0 /* what it begins with */
+#endif
 #define N 8
 typedef struct { double v[N], t, next; int pending; } M;
 /* v: 0, 1 states; 2 input; 3 parameter; 4 output; 5 fault; 6 when; 7 second input */
@@ -59,6 +62,7 @@ EXPORT const char *fmi2GetTypesPlatform(void) { return "default"; }
 EXPORT const char *fmi2GetVersion(void) { return "2.0"; }
 EXPORT fmi2Component fmi2Instantiate(fmi2String n, fmi2Type k, fmi2String g, fmi2String r, const fmi2CallbackFunctions *f, fmi2Boolean v, fmi2Boolean l) {
     M *m = calloc(1, sizeof(M));
+    m->v[5] = FAULT;
     m->v[3] = MODEL == 1 ? 2 : MODEL == 5 ? 100 : 1; m->v[0] = MODEL == 2; m->next = 0.25;
     return m;
 }

@@ -16,7 +16,7 @@ import inertance as ia
 import numpy as np
 import pytest
 from fmpy.fmi1 import FMICallException
-from fmpy.fmi2 import FMU2Model, FMU2Slave
+from fmpy.fmi2 import FMU2Model, FMU2Slave, fmi2CallbackFunctions, fmi2CallbackLoggerTYPE
 from fmpy.fmi3 import FMU3Model, FMU3Slave
 
 pytestmark = pytest.mark.skipif(
@@ -69,6 +69,8 @@ class Box:
             modelIdentifier=self.description.coSimulation.modelIdentifier,
             instanceName="it",
         )
+        if not self.new:  # those of FMPy share one logger, which `simulate_fmu` frees
+            options["callbacks"] = fmi2CallbackFunctions(logger=fmi2CallbackLoggerTYPE(lambda *told: None))
         made.instantiate(**options)
         if running:
             self.begin(made)

@@ -342,3 +342,31 @@ def test_a_signal_that_is_no_number_is_told_as_such() -> None:
     assert isinstance(caught.value.result, ia.Result)
     with pytest.raises(ia.SimulationError, match=r"'oscillator': .* t = 0\.[45]\d*"):
         net.simulate(1.0)
+
+
+@pytest.mark.parametrize(
+    ("wrong", "told"),
+    [
+        (
+            {"rtol": "tight", "step": "fine"},
+            ["step must be a number, got 'fine'", "rtol must be a number, got 'tight'"],
+        ),
+        ({"start": [0.1]}, ["start maps names to values, such as start={'mass.s': 0.1}; got [0.1]"]),
+        ({"inputs": ["push"]}, ["inputs maps names to values, such as inputs={'mass.s': 0.1}; got ['push']"]),
+    ],
+)
+def test_settings_of_another_kind(wrong: Any, told: list[str]) -> None:
+    assert refused(oscillator(), **wrong) == told
+
+
+def test_a_stop_that_is_no_number() -> None:
+    stop: Any = "3 s"
+    with pytest.raises(ia.ModelError, match="stop must be a number, got '3 s'"):
+        oscillator().simulate(stop)
+
+
+@pytest.mark.parametrize("gear", [rotational.IdealGear(ratio=0.0), rotational.LossyGear(ratio=0.0)])
+def test_a_ratio_of_zero(gear: Any) -> None:
+    net = ia.Network("train", a=rotational.Inertia(J=1.0), gear=gear, b=rotational.Inertia(J=1.0))
+    net.connect(net.a.flange, net.gear.flange_a).connect(net.gear.flange_b, net.b.flange)
+    assert refused(net) == [f"{type(gear).__name__} 'gear': ratio must not be 0"]

@@ -162,9 +162,10 @@ def fading(h: float) -> ia.Component:
         (1e-12, "chattering: 200 events"),
     ],
 )
-def test_switching_without_end_is_told(h: float, told: str) -> None:
+@pytest.mark.parametrize("solver", ["auto", "compiled"])
+def test_switching_without_end_is_told(h: float, told: str, solver: str) -> None:
     with pytest.raises(ia.SimulationError, match=told) as caught:
-        oscillator(fading(h), v=1.0).simulate(3.0)
+        oscillator(fading(h), v=1.0).simulate(3.0, solver=solver)
     kept = caught.value.result
     assert isinstance(kept, ia.Result)
     assert kept.time[-1] == pytest.approx(1.0, abs=1e-3)

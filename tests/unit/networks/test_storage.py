@@ -48,7 +48,7 @@ def test_instants_before_and_after_an_event_are_both_kept(tmp_path: Path) -> Non
     net.connect(net.stop.flange_b, net.ball.flange)
     run = net.simulate(2.0)
     table = ia.load_table(run.save(tmp_path / "run.parquet", "ball.v", "stop.mode"))
-    assert table.loc[run.events[0].time, "ball.v"].tolist() == pytest.approx([-1.0, 0.5])
+    assert table["ball.v"].loc[run.events[0].time].tolist() == pytest.approx([-1.0, 0.5])
     assert table.attrs["units"]["stop.mode"] == ""
 
 

@@ -14,7 +14,7 @@ try:
 except ToolchainError as missing:
     pytest.skip(str(missing), allow_module_level=True)
 
-TIGHT = {"rtol": 1e-9, "atol": 1e-11}
+TIGHT: dict[str, Any] = {"rtol": 1e-9, "atol": 1e-11}
 
 
 def grounded(name: str, **parts: Any) -> ia.Network:
@@ -49,7 +49,7 @@ def rubbing(*elements: ia.Component, push: Any) -> ia.Network:
     net.connect(net.push.flange, net.mass.flange)
     for k, element in enumerate(elements):
         net.add(**{f"rub{k}": element})
-        net.connect(net.wall.flange, element.flange_a).connect(element.flange_b, net.mass.flange)  # type: ignore[attr-defined]
+        net.connect(net.wall.flange, element.flange_a).connect(element.flange_b, net.mass.flange)
     return net
 
 
@@ -256,11 +256,9 @@ def test_sensitivities_are_refused() -> None:
 
 
 def test_without_a_compiler_the_remedy_is_named(monkeypatch: pytest.MonkeyPatch) -> None:
-    from inertance.networks.csource import toolchain
-
     monkeypatch.delenv("CC", raising=False)
-    monkeypatch.setattr(toolchain.shutil, "which", lambda name: None)
-    monkeypatch.setattr(toolchain.importlib.util, "find_spec", lambda name: None)
+    monkeypatch.setattr("shutil.which", lambda name: None)
+    monkeypatch.setattr("importlib.util.find_spec", lambda name: None)
     with pytest.raises(
         ia.ModelError, match=r"install a C compiler \(gcc or clang\), or `pip install ziglang`"
     ):

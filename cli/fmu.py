@@ -1,0 +1,175 @@
+"""`inertance fmu`: networks as FMUs, FMUs checked and looked into."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Iterable
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated, Any
+
+import typer
+
+from ..components import ModelError
+from .failure import FAILED, WRONG_USE, clean, fail, failing
+from .model import load_network
+from .values import pairs
+
+if TYPE_CHECKING:
+    from ..fmu import Finding
+
+EXAMPLES = """\b
+Examples:
+  inertance fmu export car.py:build car.fmu --fmi 3.0
+  inertance fmu export car.py:build car.fmu --platform x86_64-windows --platform native
+  inertance fmu check car.py:build --stop 2
+  inertance fmu check pump.fmu
+  inertance fmu info pump.fmu
+  inertance fmu import-test pump.fmu --stop 5 --input speed=150 --out pump.csv
+
+MODEL is path/to/file.py:function that returns a Network. Values are in SI units."""
+
+app = typer.Typer(
+    no_args_is_help=True,
+    rich_markup_mode=None,
+    epilog=EXAMPLES,
+    context_settings={"help_option_names": ["-h", "--help"]},
+)
+File = Annotated[Path, typer.Argument(metavar="FILE", help="An .fmu file.")]
+Model = Annotated[
+    str, typer.Argument(metavar="MODEL", help="path/to/file.py:function that returns a Network.")
+]
+Timeout = Annotated[float, typer.Option(help="Longest time [s] that the FMU may take for a call or section.")]
+
+
+def export(
+    model: Model,
+    out: Annotated[Path, typer.Argument(metavar="FILE", help="The .fmu file to write.")],
+    fmi: Annotated[str, typer.Option(help="FMI version: 2.0 or 3.0.")] = "2.0",
+    output: Annotated[
+        list[str] | None, typer.Option(metavar="NAME", help="An output; * stands for any part of a name.")
+    ] = None,
+    start: Annotated[list[str] | None, typer.Option(metavar="NAME=VALUE", help="Fix a start value.")] = None,
+    terminal: Annotated[
+        list[str] | None,
+        typer.Option(metavar="FLANGE=CAUSALITY", help="Publish a flange: force-in or motion-in."),
+    ] = None,
+    platform: Annotated[
+        list[str] | None,
+        typer.Option(metavar="NAME", help="native, x86_64-linux, aarch64-linux, x86_64-windows, ..."),
+    ] = None,
+    tolerance: Annotated[float, typer.Option(help="Of Co-Simulation, where the tool gives none.")] = 1e-6,
+    fixed_step: Annotated[float | None, typer.Option(help="Own step of Co-Simulation [s].")] = None,
+    sources: Annotated[bool, typer.Option(help="Whether the C sources go along.")] = True,
+) -> None:
+    """Write the network that a function of a Python file returns as an FMU."""
+    from ..fmu import export as write
+
+    network = load_network(model)
+    with failing(WRONG_USE, ModelError):
+        write(
+            network, out, fmi_version=fmi, outputs=output or None, start=pairs("--start", start),
+            terminals=dict(_texts("--terminal", terminal)), platforms=platform or ["native"], sources=sources,
+            tolerance=tolerance, fixed_step=fixed_step,
+        )  # fmt: skip
+    typer.echo(f"wrote {out} ({out.stat().st_size / 1e3:.0f} kB)")
+
+
+def check(
+    subject: Annotated[
+        str, typer.Argument(metavar="MODEL|FILE", help="path/to/file.py:function, or an .fmu file.")
+    ],
+    stop: Annotated[float | None, typer.Option(help="End time [s]; 1 s, or what the FMU suggests.")] = None,
+    step: Annotated[float | None, typer.Option(help="Output and communication step [s].")] = None,
+    tolerance: Annotated[float, typer.Option(help="Relative tolerance asked for.")] = 1e-6,
+    limit: Annotated[
+        float | None,
+        typer.Option(help="How far variables may differ, as a share of their size."),
+    ] = None,
+    start: Annotated[list[str] | None, typer.Option(metavar="NAME=VALUE", help="Fix a start value.")] = None,
+    data: Annotated[
+        list[str] | None, typer.Option("--input", metavar="NAME=VALUE", help="A constant input.")
+    ] = None,
+    fmi: Annotated[list[str] | None, typer.Option(help="Versions to check a network as; both.")] = None,
+    isolated: Annotated[bool, typer.Option(help="Run the binary of a file in a process of its own.")] = True,
+    timeout: Timeout = 300.0,
+    report: Annotated[Path | None, typer.Option("--json", help="Write the findings as JSON.")] = None,
+) -> None:
+    """Check a network against its FMUs, or any FMU against itself; the exit code tells."""
+    from ..fmu import VERSIONS
+    from ..fmu import check as look
+
+    options: dict[str, Any] = {
+        "step": step, "tolerance": tolerance, "limit": limit, "start": pairs("--start", start),
+        "inputs": pairs("--input", data), "versions": fmi or VERSIONS, "isolated": isolated,
+        "timeout": timeout, "found": _tell,
+    }  # fmt: skip
+    model = Path(subject) if subject.endswith(".fmu") else load_network(subject)
+    with failing(WRONG_USE, ModelError):
+        result = look(model, stop, **options)
+    typer.echo(result)
+    if report is not None:
+        report.write_text(json.dumps(result.to_dict(), indent=1), encoding="utf-8")
+    if not result.passed:
+        raise typer.Exit(FAILED)
+
+
+def _tell(finding: Finding) -> None:
+    typer.echo(f"{finding.word:<7} {finding.subject} {finding.check}", err=True)
+
+
+def info(file: File) -> None:
+    """Tell what an FMU says of itself; nothing of it is run."""
+    from ..fmu import FMU
+
+    typer.echo(FMU(file, validate=False).info())
+
+
+def import_test(
+    file: File,
+    stop: Annotated[float | None, typer.Option(help="End time [s]; what the FMU suggests.")] = None,
+    step: Annotated[float | None, typer.Option(help="Output and communication step [s].")] = None,
+    kind: Annotated[str | None, typer.Option(help="ME or CS; ME first if it has both.")] = None,
+    data: Annotated[
+        list[str] | None, typer.Option("--input", metavar="NAME=VALUE", help="A constant input.")
+    ] = None,
+    values: Annotated[
+        list[str] | None, typer.Option("--set", metavar="NAME=VALUE", help="Set a parameter.")
+    ] = None,
+    isolated: Annotated[bool, typer.Option(help="Run the binary in a process of its own.")] = True,
+    timeout: Timeout = 60.0,
+    out: Annotated[Path | None, typer.Option(help="Write outputs and states to a .csv file.")] = None,
+) -> None:
+    """Run an FMU alone, as it would run within a network, and tell what came of it."""
+    from ..fmu import FMU
+
+    if out is not None and out.suffix != ".csv":
+        fail(f"--out writes a .csv file, got '{out}'", WRONG_USE)
+    fmu = FMU(file, isolated=isolated, timeout=timeout)
+    run = fmu.simulate(
+        stop, step=step, kind=kind, inputs=pairs("--input", data), parameters=pairs("--set", values)
+    )
+    typer.echo(f"{fmu!r}: to {run.time[-1]:g} s in {run.stats['seconds']:.2g} s, {len(run.events)} events")
+    names = [name for name in run.names() if name != "time"]
+    for name in names:
+        least, last, most = run[name].min(), run[name][-1], run[name].max()
+        unit = run.unit(name)
+        typer.echo(f"  {name}: {least:.6g} to {most:.6g}, at the end {last:.6g}{unit and f' {unit}'}")
+    for note in run.notes:
+        typer.echo(f"  note: {note}")
+    if out is not None:
+        run.to_dataframe().to_csv(out)
+        typer.echo(f"wrote {out}")
+
+
+def _texts(option: str, texts: Iterable[str] | None) -> Iterable[tuple[str, str]]:
+    for text in texts or ():
+        name, equals, value = text.partition("=")
+        if not equals:
+            fail(f"{option} takes FLANGE=CAUSALITY, got '{text}'", WRONG_USE)
+        yield name.strip(), value.strip()
+
+
+app.command("export")(clean(export))
+app.command("check")(clean(check))
+app.command("info")(clean(info))
+app.command("import-test")(clean(import_test))

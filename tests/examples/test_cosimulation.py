@@ -1,0 +1,51 @@
+"""examples/cosimulation.py, with two steps and one of its cuts."""
+
+import importlib.util
+import shutil
+import sys
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+EXAMPLE = Path(__file__).parents[2] / "examples" / "cosimulation.py"
+needs_compiler = pytest.mark.skipif(
+    not any(shutil.which(name) for name in ("cc", "gcc", "clang")), reason="there is no C compiler"
+)
+
+
+@pytest.fixture(scope="module")
+def example() -> Any:
+    spec = importlib.util.spec_from_file_location("cosimulation", EXAMPLE)
+    assert spec
+    assert spec.loader
+    module = sys.modules["cosimulation"] = importlib.util.module_from_spec(spec)
+    spec.loader.exec_module(module)
+    return module
+
+
+def test_cuts(example: Any) -> None:
+    found = {name: cut.terminals for name, cut in example.cuts(example.quarter_car()).items()}
+    assert found["at the wheel"] == {
+        "wheel": {"tyre.flange_b": "force-in"},
+        "body": {"strut.flange_a": "motion-in"},
+    }
+    assert [sorted(t.values()) for t in found["through the strut"].values()] == [
+        ["motion-in", "motion-out"]
+    ] * 2
+
+
+@needs_compiler
+def test_errors_and_slopes(
+    example: Any, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    cut = {"at the wheel": example.cuts(example.quarter_car())["at the wheel"]}
+    monkeypatch.setattr(example, "cuts", lambda car: cut)
+    studies = example.study(tmp_path, steps=(5e-3, 2.5e-3), versions=["2.0"])
+    found = {one.way: (one.errors[-1], one.slopes[-1]) for one in studies}
+    assert found["FMI 2.0, held"] == pytest.approx((4.3e-3, 0.97), rel=0.05)
+    assert found["FMI 2.0, line"] == pytest.approx((1.0e-4, 1.93), rel=0.05)
+    assert found["FMPy, held"] == pytest.approx((3.5e-3, 0.93), rel=0.05)
+    example.print_table(studies)
+    assert "at the wheel      FMI 2.0, line" in capsys.readouterr().out
+    example.picture(studies).savefig(tmp_path / "cosimulation.png")
