@@ -22,7 +22,7 @@ from typing import Any
 
 import numpy as np
 from assembly import Rig
-from effects import Effect, Sized, assembled, draw, first_guess, places, sensed, typical_of
+from effects import Effect, Sized, assembled, channel, draw, first_guess, places, sensed, typical_of
 from rigs import OF_INPUTS, OF_OUTPUTS, RIGS
 from scipy.interpolate import make_interp_spline
 from severity import PRIOR
@@ -60,7 +60,8 @@ class Case:
             for effect, size in effects:
                 if effect.kind in OF_OUTPUTS:
                     column = self.rig.outputs.index(effect.place)
-                    y[:, column] = sensed(effect, size, y[:, column], 1e-3)
+                    usual = self.typical[channel(effect.place)]
+                    y[:, column] = sensed(effect, size, y[:, column], usual, 1e-3)
             outputs.append(y)
         return self.scaled(outputs)
 

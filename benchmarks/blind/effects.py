@@ -117,21 +117,28 @@ def signals(
     for effect, size in effects:
         if effect.kind in OF_OUTPUTS:
             column = 1 + rig.outputs.index(effect.place)
-            seen[:, column] = sensed(effect, size, seen[:, column], step)
+            seen[:, column] = sensed(effect, size, seen[:, column], typical[channel(effect.place)], step)
     return seen
 
 
 def typical_of(rig: Rig, drive: Drive, step: float = STEP) -> dict[str, Typical]:
-    """Return how every motion of a rig usually goes, from its nominal under one excitation."""
-    assembly, _ = rig.assemble(rig.parameters, "", {})
+    """Return how every motion and output of a rig usually goes, from its nominal under one excitation."""
+    assembly, outputs = rig.assemble(rig.parameters, "", {})
     rows = [row for motion in rig.motions.values() for row in (motion.travel(), motion.speed())]
     loads = [rig.bonds[rig.loads[m]].force(rig.parameters) if m in rig.loads else Row() for m in rig.motions]
-    y = np.std(simulate(assembly.system(), drive, rows + loads, step), axis=0)
+    y = np.std(simulate(assembly.system(), drive, rows + loads + outputs, step), axis=0)
     count = len(rig.motions)
-    return {
+    motions = {
         name: Typical(y[2 * i], y[2 * i + 1], rig.scale, y[2 * count + i] or 1.0)
         for i, name in enumerate(rig.motions)
     }
+    seen = zip(rig.outputs, y[3 * count :], strict=True)
+    return motions | {channel(name): Typical(size, 1.0, 1.0, 1.0) for name, size in seen}
+
+
+def channel(name: str) -> str:
+    """Return the name under which the usual size of an output is kept."""
+    return f"channel {name}"
 
 
 def first_guess(effect: Effect, rig: Rig, drive: Drive, step: float = STEP) -> float:
@@ -271,9 +278,9 @@ def _lagged(signal: Array, lag: float, step: float) -> Array:
     return np.asarray(lfilter([1 - mean, mean - decay], [1, -decay], signal))
 
 
-def sensed(effect: Effect, size: float, signal: Array, step: float) -> Array:
-    """Return what a sensor makes of its signal."""
-    scale = float(np.sqrt(np.mean(signal**2)))
+def sensed(effect: Effect, size: float, signal: Array, usual: Typical, step: float) -> Array:
+    """Return what a sensor makes of its signal; its bias and drift are the same in every record."""
+    scale = usual.travel
     t = np.arange(len(signal)) * step
     sign = effect.shape.get("sign", 1.0)
     if effect.kind == "sensor_delay":
