@@ -111,9 +111,7 @@ def _thinned(campaign: Campaign) -> Campaign:
     """Return a campaign whose outputs are compared often enough for what machines do, and no more often."""
     thin = copy(campaign)
     for name in ("training", "testing"):
-        experiments = [
-            replace(e, every=max(1, int(e.record.rate / ENOUGH))) for e in getattr(campaign, name)
-        ]
+        experiments = [replace(e, every=max(1, int(e.record.rate / ENOUGH))) for e in getattr(campaign, name)]
         setattr(thin, name, experiments)
     return thin
 

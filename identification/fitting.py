@@ -148,7 +148,7 @@ def _drawn(campaign: Campaign, count: int, seed: int) -> list[dict[str, float]]:
     from scipy.stats import qmc
 
     own = campaign.start
-    sobol = qmc.Sobol(len(own), seed=seed).random(1 << (count - 1).bit_length())[: count - 1]
+    sobol = qmc.Sobol(len(own), rng=seed).random(1 << (count - 1).bit_length())[: count - 1]
     drawn = [own]
     for point in sobol:
         values = {}

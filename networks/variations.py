@@ -218,7 +218,7 @@ class Variations:
         g = _total(switching, moved, push)[changes[0].indicator]
         rate = float(rates[fired[0]])
         later = -g / rate if abs(rate) > GRAZING else np.zeros_like(g)
-        moved = moved + np.outer(functions.motion(*passage.before)[0], later)
+        moved = moved + functions.motion(*passage.before)[0][:, None] * later
         resets = {reset[0]: reset for change in changes for reset in change.resets}
         if resets:
             everything = _total(switching, moved, push)
@@ -226,7 +226,8 @@ class Variations:
             own = tuple(m[number][rows] for m in line.reset)
             new = np.array([sign * everything[place] for _, sign, place in resets.values()])
             moved = moved + np.linalg.lstsq(own[0], new - _total(own, moved, push), rcond=1e-10)[0]
-        return moved - np.outer(functions.motion(*passage.after)[0], later)
+        answer: Array = moved - functions.motion(*passage.after)[0][:, None] * later
+        return answer
 
 
 @dataclass(frozen=True, eq=False)
@@ -445,7 +446,7 @@ def _single(lengths: Array, A: Array, B: Array, scale: Array) -> Array:
     Z3 = Z2 @ Z
     left = one - 0.6 * Z + 0.15 * Z2 - Z3 / 60
     right = np.concatenate([one + 0.4 * Z + 0.05 * Z2, (one - 0.1 * Z + Z2 / 60) @ b], axis=2)
-    return np.linalg.solve(left, right)
+    return np.asarray(np.linalg.solve(left, right), dtype=float)
 
 
 def _chained(t: Array, A: Array, B: Array, scale: Array) -> Array:

@@ -57,7 +57,7 @@ class Mode:
 
 def modes(system: StateSpace) -> list[Mode]:
     """Return a system's modes; see `StateSpace.modes`."""
-    poles, vectors = np.linalg.eig(system.A)
+    poles, vectors = (np.asarray(part, dtype=complex) for part in np.linalg.eig(system.A))
     order = [k for k in np.lexsort((poles.imag, np.abs(poles))) if poles[k].imag >= 0]
     found = []
     for k in order:

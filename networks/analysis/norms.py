@@ -109,4 +109,4 @@ def _crossings(system: StateSpace, level: float) -> Array:
     eigenvalues = np.linalg.eigvals(hamiltonian)
     on_axis = np.abs(eigenvalues.real) <= 1e-8 * (1e-3 + np.abs(eigenvalues))
     w = np.sort(eigenvalues.imag[on_axis & (eigenvalues.imag >= 0)]) * rate
-    return w
+    return np.asarray(w, dtype=float)

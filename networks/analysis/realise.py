@@ -68,7 +68,7 @@ def drop_held(A: Array, B: Array, rows: Array) -> tuple[list[int], Array] | None
                     held = grown
     if not len(held):
         return None
-    _, _, pivots = scipy.linalg.qr(held, pivoting=True, mode="economic")
+    pivots = scipy.linalg.qr(held, pivoting=True, mode="economic")[-1]
     gone = sorted(int(k) for k in pivots[: len(held)])
     keep = [k for k in range(n) if k not in gone]
     restore = np.zeros((n, len(keep)))

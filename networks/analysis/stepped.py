@@ -84,7 +84,7 @@ def stepped_sine(
     state = dict(start or {})
     parameters = dict(options.pop("parameters", None) or {})
     for f in np.atleast_1d(np.asarray(frequencies, dtype=float)):
-        last: Complex | None = None
+        last: Complex = np.empty(0, dtype=complex)
         steady = False
         for _ in range(max(1, most // 4)):
             run = dae.simulate(
@@ -94,14 +94,14 @@ def stepped_sine(
             state = {name: float(run[name][-1]) for name in dae.state_names}
             before, now = (_harmonics(run, wanted, f, k) for k in (2, 3))
             change = np.abs(now - before).max(axis=1) / np.maximum(np.abs(now).max(axis=1), 1e-300)
-            if last is not None:
+            if last.size:
                 drift = np.abs(now - last).max(axis=1) / np.maximum(np.abs(now).max(axis=1), 1e-300)
                 change = np.maximum(change, drift / 4)
             last = now
             if (change < tolerance).all():
                 steady = True
                 break
-        found.append(now)
+        found.append(last)
         settled.append(steady)
     lines = np.array(found)
     return SteppedSine(

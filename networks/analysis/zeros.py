@@ -29,7 +29,7 @@ def transmission_zeros(system: StateSpace) -> NDArray[np.complex128]:
         )
     pencil = np.block([[system.A, system.B], [system.C, system.D]])
     weight = scipy.linalg.block_diag(np.eye(n), np.zeros((m, m)))
-    alpha, beta = scipy.linalg.eigvals(pencil, weight, homogeneous_eigvals=True)
+    alpha, beta = np.asarray(scipy.linalg.eigvals(pencil, weight, homogeneous_eigvals=True), dtype=complex)
     finite = np.abs(beta) > 1e-10 * np.abs(alpha)
     found = alpha[finite] / beta[finite]
     scale = max(np.abs(np.linalg.eigvals(system.A)).max(initial=1.0), 1.0)

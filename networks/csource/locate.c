@@ -142,6 +142,15 @@ static int shift(Core *c, int indicator, double *t) {
     return fabs(c->right.value[indicator]) <= core_near_zero(c, indicator);
 }
 
+/* Whether an indicator is above zero where the piece begins, or falls from zero less than noise would hide: what is
+ * sought then is where it begins to rise. */
+static int begins_beyond(const Core *c, int indicator, double span) {
+    Cubic p = cubic(&c->left, &c->right, indicator, span);
+    double near = core_near_zero(c, indicator), turns = sqrt(fmax(p.c2 * p.c2 - 3 * p.c3 * p.da, 0));
+    if (p.a > near || p.a < 0 || p.da >= 0) return p.a > near;
+    return cubic_at(&p, -p.da / (p.c2 + turns)) > -near;
+}
+
 static CoreStatus stand(Core *c, double t) {
     core_stale(c);
     c->t = t;
@@ -153,7 +162,7 @@ static CoreStatus stand(Core *c, double t) {
  * core stands there; `reached` tells whether zero was: interpolation can make believe in a crossing. */
 CoreStatus core_land(Core *c, int indicator, double t, double begin, double end, int *reached) {
     double low = begin, high = end, error, whole = c->step.h, kept[ROOM(NY)];
-    int beyond = c->left.value[indicator] > core_near_zero(c, indicator);
+    int beyond = begins_beyond(c, indicator, end - begin);
     *reached = 1;
     for (;;) {
         int narrow = high - low < 1e-13 * fmax(1, fabs(t));
