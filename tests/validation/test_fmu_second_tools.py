@@ -135,5 +135,5 @@ def test_pathsim_agrees(dae: ia.DAE, version: str, kind: str, tmp_path: Path) ->
     seen = run(PATHSIM, "pathsim_fmi", dae, version, tmp_path, kind)
     # PathSim takes a first step of Co-Simulation at its start, and is a communication step ahead from then on
     ahead = STEP if kind == "CS" else 0.0
-    wanted = native(dae, seen["times"] + ahead)
+    wanted = native(dae, np.asarray(seen["times"], dtype=float) + ahead)
     assert seen["found"] == pytest.approx(wanted, abs=1e-5)

@@ -91,10 +91,10 @@ def test_a_state_that_is_not_restored_is_found(exported: Path, monkeypatch: pyte
 
 def test_another_network_is_found(monkeypatch: pytest.MonkeyPatch) -> None:
     heavier = ball().with_values(weight=ia.ConstantForce(f_constant=-4.906))
-    from inertance.fmu import check_network
-
-    write = check_network.export
-    monkeypatch.setattr(check_network, "export", lambda dae, *a, **k: write(heavier.dae(), *a, **k))
+    write = ia.export_fmu
+    monkeypatch.setattr(
+        "inertance.fmu.check_network.export", lambda dae, *a, **k: write(heavier.dae(), *a, **k)
+    )
     report = ia.check_fmu(ball(), 0.6, step=0.01, versions=["2.0"])
     assert not report.passed
     assert {f.check for f in report.failures if f.subject == "FMI 2.0 ME"} == {"outputs", "events"}
@@ -105,7 +105,10 @@ def test_another_network_is_found(monkeypatch: pytest.MonkeyPatch) -> None:
 def course(values: list[list[float]], events: list[float]) -> Course:
     table = np.array(values, dtype=float)
     return Course(
-        [f"y{k}" for k in range(table.shape[1])], np.arange(len(table)) * 1.0, table, np.array(events)
+        [f"y{k}" for k in range(table.shape[1])],
+        np.arange(len(table), dtype=np.float64),
+        table,
+        np.array(events),
     )
 
 
@@ -114,7 +117,8 @@ def test_points_at_events_are_left_out_of_outputs() -> None:
     reference = Reference(wanted, np.array([4.0, 1e-12]))
     found = course([[1, 0], [9, 0], [3.004, 0]], [1.0 + 1e-8])
     finding = outputs_finding("it", found, reference, 1e-2)
-    assert (finding.passed, finding.error) == (True, pytest.approx(1e-3))
+    assert finding.passed
+    assert finding.error == pytest.approx(1e-3)
     assert "y0 at 2 s" in finding.told
     assert outputs_finding("it", found, reference, 1e-4).passed is False
     bad = dataclasses.replace(found, values=np.array([[1, 0], [2, 0], [np.nan, 0]]))
