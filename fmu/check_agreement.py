@@ -135,9 +135,10 @@ def bisected_finding(
             probe.advance(t, start)
             t = start
             sides = before[k, column], after[k, column]
-            found = _bisected(probe, names[column], t, t + 2 * widths[k], sides)
-            if abs(found - events[k]) > worst:
-                worst, place = abs(found - events[k]), k
+            found = _bisected(probe, names[column], t, t + 2 * float(widths[k]), sides)
+            missed = abs(found - float(events[k]))
+            if missed > worst:
+                worst, place = missed, k
     told = f"s, of {len(picked)} events the one at {events[place]:.9g} s"
     return measured(label, "events", worst, EVENTS, told)
 

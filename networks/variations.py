@@ -411,8 +411,8 @@ def _balance(A: Array) -> Array:
 
     if not A.shape[1]:
         return np.ones((0, 1))
-    sizes: Array = matrix_balance(np.abs(A).mean(axis=0), permute=False, separate=True)[1][0]
-    return sizes[:, None]
+    scaling = matrix_balance(np.abs(A).mean(axis=0), permute=False, separate=True)[1][0]
+    return np.asarray(scaling, dtype=np.float64)[:, None]
 
 
 def _jumps(A: Array, scale: Array, lengths: Array) -> Any:

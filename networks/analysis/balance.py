@@ -173,7 +173,7 @@ class Balance:
         return Orbit(
             self.dae,
             w / (2 * np.pi),
-            np.vstack([Y[:1] + 0j, half]),
+            np.vstack([Y[:1] + 0j, half]).astype(np.complex128),
             outputs,
             self._multipliers(motion, w),
             float(tail),

@@ -57,11 +57,14 @@ class Mode:
 
 def modes(system: StateSpace) -> list[Mode]:
     """Return a system's modes; see `StateSpace.modes`."""
-    poles, vectors = (np.asarray(part, dtype=complex) for part in np.linalg.eig(system.A))
+    eigenvalues, eigenvectors = np.linalg.eig(system.A)
+    poles: Complex = np.asarray(eigenvalues, dtype=np.complex128)
+    vectors: Complex = np.asarray(eigenvectors, dtype=np.complex128)
     order = [k for k in np.lexsort((poles.imag, np.abs(poles))) if poles[k].imag >= 0]
     found = []
     for k in order:
-        shape, state = system.C @ vectors[:, k], vectors[:, k]
+        state: Complex = vectors[:, k]
+        shape: Complex = np.asarray(system.C @ state, dtype=np.complex128)
         found.append(
             Mode(complex(poles[k]), _named(system.outputs, shape), _named(system.states, state))
         )  # fmt: skip

@@ -120,8 +120,9 @@ def _of_state_space(system: StateSpace) -> RationalFunction:
     rate = float(np.abs(small.poles).max(initial=0.0)) or 1.0
     A, B, C = small.A / rate, small.B / rate, small.C
     gain = float(np.linalg.norm(B) * np.linalg.norm(C)) or 1.0
-    den = np.real(np.poly(A)) if len(A) else np.ones(1)
-    num = (np.real(np.poly(A - B @ C / gain)) - den) * gain if len(A) else np.zeros(1)
+    den: Array = np.asarray(np.real(np.poly(A)) if len(A) else np.ones(1), dtype=np.float64)
+    zeros = np.real(np.poly(A - B @ C / gain)) if len(A) else den
+    num: Array = np.asarray((zeros - den) * gain, dtype=np.float64)
     reached = abs(num) + float(np.abs(small.D).max(initial=0.0)) * abs(den)
     for order, D in enumerate((small.D, *small.D_s)):
         num = np.r_[np.zeros(order + len(den) - len(num)), num]

@@ -52,7 +52,7 @@ def leaves(component: ia.Component, path: str) -> Iterator[tuple[str, Any]]:
 def stored(run: ia.Result, path: str, part: Any) -> Any:
     """Energy that an element stores [J]."""
     if isinstance(part, ia.Mass):
-        return 0.5 * run.dae.parameter_values.get(f"{path}.m", part.m) * run[f"{path}.v"] ** 2
+        return 0.5 * run[f"{path}.m"] * run[f"{path}.v"] ** 2
     if isinstance(part, ia.Spring):
         return 0.5 * _number(run, path, part, "k") * run[f"{path}.s_rel"] ** 2
     if isinstance(part, ia.SpringDamper):
