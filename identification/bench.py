@@ -75,7 +75,7 @@ class Stand:
             begin + step, begin=begin, step=step, guess=guess, inputs=self.inputs, parameters=parameters,
             progress=False, **options,
         )  # fmt: skip
-        return np.array([decision.value for decision in run.initial])
+        return run.initial.values.copy()
 
     def _measured_start(self, begin: float) -> dict[str, float]:
         first = int(np.searchsorted(self.record.time, begin - 0.5 / self.record.rate))

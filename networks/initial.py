@@ -7,10 +7,10 @@ friction element, a stop) has no guess of its own worth keeping where the motion
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from numbers import Real
-from typing import Any
+from typing import Any, overload
 
 import numpy as np
 from numpy.typing import NDArray
@@ -36,6 +36,33 @@ class Decision:
 
     def __str__(self) -> str:
         return f"{self.name} = {self.value:.6g} {self.unit}: {self.reason}"
+
+
+@dataclass(frozen=True, eq=False)
+class Decisions(Sequence[Decision]):
+    """How every start value came about, named when asked for."""
+
+    dae: DAE
+    values: Array
+    reasons: NDArray[np.str_]
+    wanted: Wishes
+
+    def __len__(self) -> int:
+        return len(self.values)
+
+    @overload
+    def __getitem__(self, i: int) -> Decision: ...
+    @overload
+    def __getitem__(self, i: slice) -> list[Decision]: ...
+    def __getitem__(self, i: int | slice) -> Decision | list[Decision]:
+        if isinstance(i, slice):
+            return [self[k] for k in range(*i.indices(len(self)))]
+        variable, reason = self.dae.states[i], str(self.reasons[i])
+        name, unit = self.dae.system.name(variable), self.dae.system.names.unit(variable)
+        if variable in self.wanted.fixed:
+            given = self.wanted.fixed[variable][0]
+            reason = "fixed" if given == name else f"fixed through {given}"
+        return Decision(name, float(self.values[i]), unit, reason)
 
 
 @dataclass(eq=False)
@@ -93,7 +120,7 @@ def _root(dae: DAE, name: str) -> tuple[int, int]:
         raise ModelError(f"start value: {error.args[0]}") from None
 
 
-def initial_values(closed: Closed, q: Array, t: float, wanted: Wishes) -> tuple[Array, Array, list[Decision]]:
+def initial_values(closed: Closed, q: Array, t: float, wanted: Wishes) -> tuple[Array, Array, Decisions]:
     """Return states, algebraic unknowns and how they were decided.
 
     Raises:
@@ -115,8 +142,7 @@ def initial_values(closed: Closed, q: Array, t: float, wanted: Wishes) -> tuple[
         if others or len(z):
             x, z = _solve(closed, q, t, (x, z), free, hard, wanted)
         moved |= x != before
-    reasons = np.select([moved, related], [SOLVED, RELATED], KEPT)
-    return x, z, [_decided(dae, i, float(x[i]), str(reasons[i]), wanted) for i in range(len(x))]
+    return x, z, Decisions(dae, x.copy(), np.select([moved, related], [SOLVED, RELATED], KEPT), wanted)
 
 
 def _leading(dae: DAE, wanted: Wishes) -> Iterator[tuple[dict[int, float], list[int]]]:
@@ -224,13 +250,3 @@ def _contradiction(dae: DAE, others: list[int], wrong: Any, wanted: Wishes) -> s
         f"'{dae.name}': {', '.join(told[name] for name in failed)} cannot be reached {given}; give some "
         "as guess= instead of start="
     )
-
-
-def _decided(dae: DAE, i: int, value: float, reason: str, wanted: Wishes) -> Decision:
-    variable = dae.states[i]
-    name = dae.system.name(variable)
-    unit = dae.system.names.unit(variable)
-    if variable in wanted.fixed:
-        given = wanted.fixed[variable][0]
-        reason = "fixed" if given == name else f"fixed through {given}"
-    return Decision(name, value, unit, reason)

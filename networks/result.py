@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 from .closed import Closed
 from .compiled import dense
 from .events import Event
-from .initial import Decision
+from .initial import Decisions
 
 if TYPE_CHECKING:
     import pandas as pd
@@ -72,7 +72,7 @@ class Result:
         segments: list[Segment],
         events: list[Event],
         stats: dict[str, Any],
-        initial: list[Decision],
+        initial: Decisions,
         notes: list[str],
         sensitivities: dict[str, Array],
     ) -> None:

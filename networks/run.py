@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from ..components.base import ModelError, SimulationError
 from .closed import Closed
 from .events import Event, Point, Switcher
-from .initial import Decision
+from .initial import Decisions
 from .result import Segment
 from .stepper import Array, IntegratorError, Stepper, Stretch, Tolerance
 
@@ -71,7 +71,7 @@ class Run:
     settings: Settings
     point: Point
     switcher: Switcher | None
-    initial: list[Decision]
+    initial: Decisions
     segments: list[Segment] = field(default_factory=list)
     events: list[Event] = field(default_factory=list)
     calls: int = 0

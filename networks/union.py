@@ -27,6 +27,9 @@ class SignedUnion:
 
     def find(self, i: int) -> tuple[int, int]:
         """Return the root of a variable and the sign against it."""
+        above = self.parent[i]
+        if self.parent[above] == above:
+            return above, self.sign[i] if above != i else 1
         path = []
         while self.parent[i] != i:
             path.append(i)
