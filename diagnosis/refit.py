@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -212,7 +213,8 @@ def refit(
     def slopes(vector: Array) -> Array:
         return evaluate(vector)[1]
 
-    found = least_squares(
+    minimise: Any = least_squares
+    found = minimise(
         residual,
         start,
         jac=slopes,

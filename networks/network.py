@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+import gc
+from collections.abc import Iterable, Iterator, Mapping
+from contextlib import contextmanager
 from typing import TYPE_CHECKING, Any, Self
 
 from ..components.base import Component, ModelError, PortRef, nearest
@@ -143,7 +145,8 @@ class Network(Component):
         from .flatten import flatten
         from .reduce import reduce
 
-        return reduce(flatten(self))
+        with _uncollected():
+            return reduce(flatten(self))
 
     def simulate(
         self,
@@ -168,6 +171,18 @@ class Network(Component):
         from .notebook import network_html
 
         return network_html(self)
+
+
+@contextmanager
+def _uncollected() -> Iterator[None]:
+    """Let Python not look for cycles of references meanwhile: many objects are made, and no cycles."""
+    wanted = gc.isenabled()
+    gc.disable()
+    try:
+        yield
+    finally:
+        if wanted:
+            gc.enable()
 
 
 def _pairs(original: Component, copy: Component) -> Iterable[tuple[Component, Component]]:

@@ -47,7 +47,7 @@ class Sweep:
     @property
     def failed(self) -> pd.DataFrame:
         """The rows with an error."""
-        return self.table[self.table["error"] != ""]
+        return self.table.query("error != ''")
 
     def __repr__(self) -> str:
         failed = len(self.failed)

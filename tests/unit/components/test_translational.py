@@ -82,12 +82,12 @@ def test_bouc_wen_loses_energy_round_every_loop() -> None:
     losses = [np.trapezoid(power[(t >= i) & (t <= i + 1)], t[(t >= i) & (t <= i + 1)]) for i in (1, 2, 3)]
     assert losses[1] == pytest.approx(losses[2], rel=1e-6)
     # On the way up from -a: first z rises linearly to zero, then to z_top = (1 - exp(-2 beta x)) / (2 beta).
-    from scipy.optimize import brentq
+    from scipy.optimize import root_scalar
 
     def top(z_low: float) -> float:
         return float((1 - np.exp(-2 * beta * (2 * amplitude - z_low))) / (2 * beta) - z_low)
 
-    z = brentq(top, 0.0, amplitude)
+    z = float(root_scalar(top, bracket=(0.0, amplitude)).root)
     x = 2 * amplitude - z
     risen = (x - (1 - np.exp(-2 * beta * x)) / (2 * beta)) / (2 * beta)
     assert losses[2] == pytest.approx(2 * k * (risen - z**2 / 2), rel=1e-5)
