@@ -109,6 +109,7 @@ from inertance.networks import Tuned as Tuned
 from inertance.networks import Tuning as Tuning
 from inertance.networks import TwoTerminal as TwoTerminal
 from inertance.networks import Variations as Variations
+from inertance.networks import Varied as Varied
 from inertance.networks import admittance as admittance
 from inertance.networks import animate_modes as animate_modes
 from inertance.networks import base_shear as base_shear

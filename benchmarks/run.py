@@ -1,6 +1,6 @@
 """Run benchmarks and print what the library costs over its peers.
 
-python benchmarks/run.py [--rounds N] [--peers-python PYTHON] [smooth_pfi hybrid_pfi chain cold_start pypi]
+python benchmarks/run.py [--rounds N] [--peers-python PYTHON] [name ...]; the names are told if one is wrong
 """
 
 from __future__ import annotations
@@ -11,14 +11,20 @@ import sys
 import chain
 import cold_start
 import hybrid_pfi
+import layouts
 import pypi
 import smooth_pfi
+import sweep
+import tmdi
 
 BENCHMARKS = {
     "smooth_pfi": smooth_pfi.main,
     "hybrid_pfi": hybrid_pfi.main,
     "chain": chain.main,
     "cold_start": cold_start.main,
+    "tmdi": tmdi.main,
+    "layouts": layouts.main,
+    "sweep": sweep.main,
 }
 
 

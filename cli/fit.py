@@ -40,7 +40,8 @@ def fit(
         read = Campaign.load(campaign)
     if channel is not None and channel not in read.outputs:
         fail(f"there is no output channel '{channel}'; there are {', '.join(read.outputs)}", WRONG_USE)
-    found = _fitted(read, starts, workers, solver)
+    with failing(WRONG_USE, ModelError):
+        found = _fitted(read, starts, workers, solver)
     typer.echo(found.table())
     if json is not None:
         typer.echo(f"wrote {found.to_json(json)}")

@@ -80,7 +80,7 @@ def check(
     ],
     stop: Annotated[float | None, typer.Option(help="End time [s]; 1 s, or what the FMU suggests.")] = None,
     step: Annotated[float | None, typer.Option(help="Output and communication step [s].")] = None,
-    tolerance: Annotated[float, typer.Option(help="Relative tolerance asked for.")] = 1e-6,
+    tolerance: Annotated[float, typer.Option(help="Relative tolerance of Co-Simulation.")] = 1e-6,
     limit: Annotated[
         float | None,
         typer.Option(help="How far variables may differ, as a share of their size."),

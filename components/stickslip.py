@@ -9,7 +9,8 @@ import casadi as ca
 
 from .base import Component, mode, option, parameter, smoothing
 
-SLOW = 1e-6
+SLOW = 1e-9
+HOLD = 1e-10
 
 
 class StickSlip(Component):
@@ -77,8 +78,11 @@ class StickSlip(Component):
 
 
 def breakaways(mode: Any, resistance: Any, limits: tuple[Any, Any], allowed: Any = None) -> Iterable[Any]:
-    """Yield the ways out of sticking: a resistance beyond its limit forward or backward."""
-    forward, backward = limits
+    """Yield the ways out of sticking: a resistance beyond its limit forward or backward.
+
+    A hair beyond: then what breaks away also accelerates, for all rounding in its load.
+    """
+    forward, backward = ((1 + HOLD) * limit for limit in limits)
     yield mode.goes("stuck", "forward", when=resistance > forward, allowed=allowed)
     yield mode.goes("stuck", "backward", when=-resistance > backward, allowed=allowed)
 

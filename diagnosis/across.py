@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from itertools import pairwise
 from math import inf, pi
 from typing import Any
 
@@ -58,10 +59,19 @@ def _ripple(motion: Motion, shape: Values) -> list[Array]:
 
 
 def _hysteresis(motion: Motion, shape: Values) -> list[Array]:
-    """Return the hysteretic displacement of a Bouc-Wen element that yields at s_y."""
-    s_y, z = _shape(shape), np.zeros(len(motion.t))
-    for i, step in enumerate(np.diff(motion.s)):
-        z[i + 1] = z[i] + step * (1 - (step * z[i] > 0) * min(abs(z[i]) / s_y, 1.0) ** 2)
+    """Return the hysteretic displacement of a Bouc-Wen element (n = 2) that yields at s_y, stroke by stroke.
+
+    Along a stroke z falls to zero as far as s moves, and rises from zero as s_y tanh(s/s_y).
+    """
+    s_y, s, z = _shape(shape), motion.s, np.zeros(len(motion.s))
+    turns = np.flatnonzero(np.diff(np.sign(np.diff(s))) != 0) + 1
+    for begin, end in pairwise([0, *turns.tolist(), len(s) - 1]):
+        stroke = s[begin + 1 : end + 1] - s[begin]
+        way = np.sign(stroke[-1]) if len(stroke) else 0.0
+        first = way * z[begin] / s_y
+        rising = np.arctanh(min(first, 1 - 1e-12)) if first > 0 else first
+        moved = rising + np.abs(stroke) / s_y
+        z[begin + 1 : end + 1] = way * s_y * np.where(moved > 0, np.tanh(moved), moved)
     return [z]
 
 

@@ -4,19 +4,16 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from ..components import SimulationError
 from ..identification import Accuracy, Campaign, Experiment, Prediction, Stand
 from ..networks import DAE, Network, Variations
+from .descent import descend
 from .placed import Placed, driven, sensed, with_effects
 
 Array = NDArray[np.float64]
-WORST = 1e6  # residual, in units of noise, that stands for a run which fails
-ROUNDS = 10
 
 
 @dataclass(frozen=True, eq=False)
@@ -46,15 +43,21 @@ class Joint:
     """Parameters and effects as one vector, in units of what they may be expected to be."""
 
     def __init__(
-        self, campaign: Campaign, network: Network, parameters: Mapping[str, float], effects: Sequence[Placed]
+        self,
+        campaign: Campaign,
+        network: Network,
+        parameters: Mapping[str, float],
+        effects: Sequence[Placed],
+        accuracy: Accuracy,
     ) -> None:
-        self.campaign, self.effects = campaign, tuple(effects)
+        self.campaign, self.effects, self.accuracy = campaign, tuple(effects), accuracy
         self.dae: DAE = with_effects(network, effects).dae()
         self.names = list(parameters)
         self.sigma = {name: floor.sigma for name, floor in campaign.floors.items()}
         priors = [campaign.priors[name] for name in self.names]
         self.center = np.array([prior.center for prior in priors])
         self.scale = np.array([prior.scale for prior in priors])
+        self.limits = np.array([prior.min for prior in priors]), np.array([prior.max for prior in priors])
         self.pull = np.array([1.0 if np.isfinite(prior.sd) else 0.0 for prior in priors])
         self.sizes = [_scales(placed) for placed in self.effects]
         self.start = np.concatenate(
@@ -66,8 +69,7 @@ class Joint:
                 ],
             ]
         )
-        low = [(prior.min - prior.center) / prior.scale for prior in priors]
-        high = [(prior.max - prior.center) / prior.scale for prior in priors]
+        low, high = ((limit - self.center) / self.scale for limit in self.limits)
         lows = [1e-3 if q.shape else q.low for p in self.effects for q in p.quantities]
         self.bounds = np.array([*low, *lows]), np.array([*high, *[np.inf] * len(lows)])
         paths = [path for placed in self.effects for path in placed.network_parameters]
@@ -81,17 +83,46 @@ class Joint:
     def unpacked(self, vector: Array) -> tuple[dict[str, float], tuple[Placed, ...]]:
         """Return parameters and effects of a vector."""
         count = len(self.names)
-        values = self.center + vector[:count] * self.scale
+        values = np.clip(self.center + vector[:count] * self.scale, *self.limits)
         placed, at = [], count
         for effect, size in zip(self.effects, self.sizes, strict=True):
             placed.append(effect.with_values(vector[at : at + len(size)] * size))
             at += len(size)
         return dict(zip(self.names, values.tolist(), strict=True)), tuple(placed)
 
+    def fitted(self) -> Refit:
+        """Return the model fitted to the training records."""
+        return self.seen(descend(self.stacked, self.start, self.bounds))
+
+    def seen(self, vector: Array) -> Refit:
+        """Return the model with the values of a vector, held against all records."""
+        fitted, placed = self.unpacked(vector)
+        train = [self.linearise(vector, e, False)[0] for e in self.campaign.training]
+        test = [self.linearise(vector, e, False)[0] for e in self.campaign.testing]
+        cost = sum(float(r @ r) for record in train for r in record.values())
+        prior = self.pull * vector[: len(self.names)]
+        return Refit(fitted, placed, train, test, cost + float(prior @ prior))
+
+    def stacked(self, vector: Array, slopes: bool) -> tuple[Array, Array | None]:
+        """Return residuals of all training records and of the priors, and their slopes if wanted.
+
+        Raises:
+            SimulationError: if the model cannot be run with these values.
+        """
+        found = [self.linearise(vector, e, slopes) for e in self.campaign.training]
+        count = len(self.names)
+        residuals = [r for record, _ in found for r in record.values()]
+        stacked = np.concatenate([*residuals, self.pull * vector[:count]])
+        if not slopes:
+            return stacked, None
+        prior = np.eye(count, len(vector)) * self.pull[:, None]
+        return stacked, np.concatenate([*(-columns for _, columns in found), prior])
+
     def linearise(
-        self, vector: Array, experiment: Experiment, accuracy: Accuracy, slopes: bool
+        self, vector: Array, experiment: Experiment, slopes: bool
     ) -> tuple[dict[str, Array], Array]:
         """Return the weighted residual of a record by channel, and its slopes in the vector."""
+        accuracy = self.accuracy
         parameters, effects = self.unpacked(vector)
         given = {**parameters}
         for placed in effects:
@@ -179,7 +210,6 @@ def refit(
     parameters: Mapping[str, float],
     effects: Sequence[Placed] = (),
     accuracy: Accuracy | None = None,
-    rounds: int = ROUNDS,
 ) -> Refit:
     """Fit parameters and effects to the training records and hold them against the test records.
 
@@ -189,62 +219,11 @@ def refit(
         parameters: values of the uncertain parameters to start from.
         effects: effects to insert, with values to start from.
         accuracy: solver and tolerances.
-        rounds: most evaluations.
+
+    Raises:
+        SimulationError: if the model cannot be run with the values to start from.
     """
-    from scipy.optimize import least_squares
-
-    accuracy = accuracy or Accuracy()
-    joint = Joint(campaign, network, parameters, effects)
-    known: dict[bytes, tuple[Array, Array]] = {}
-
-    def evaluate(vector: Array) -> tuple[Array, Array]:
-        key = vector.tobytes()
-        if key not in known:
-            known.clear()
-            known[key] = _stacked(joint, vector, accuracy)
-        return known[key]
-
-    low, high = joint.bounds
-    start = np.clip(joint.start, low + 1e-9, high - 1e-9)
-
-    def residual(vector: Array) -> Array:
-        return evaluate(vector)[0]
-
-    def slopes(vector: Array) -> Array:
-        return evaluate(vector)[1]
-
-    minimise: Any = least_squares
-    found = minimise(
-        residual,
-        start,
-        jac=slopes,
-        bounds=(low, high),
-        max_nfev=rounds,
-        ftol=1e-4,
-        xtol=1e-4,
-    )
-    fitted, placed = joint.unpacked(found.x)
-    train = [joint.linearise(found.x, e, accuracy, False)[0] for e in campaign.training]
-    test = [joint.linearise(found.x, e, accuracy, False)[0] for e in campaign.testing]
-    return Refit(fitted, placed, train, test, 2 * float(found.cost))
-
-
-def _stacked(joint: Joint, vector: Array, accuracy: Accuracy) -> tuple[Array, Array]:
-    """Return residuals of all training records and of the priors, and their slopes."""
-    residuals, slopes = [], []
-    try:
-        for experiment in joint.campaign.training:
-            found, columns = joint.linearise(vector, experiment, accuracy, True)
-            residuals += list(found.values())
-            slopes.append(-columns)
-    except SimulationError:
-        count = sum(len(s.record.time) for s in (joint.stands[id(e)] for e in joint.campaign.training))
-        count *= len(joint.sigma)
-        residuals, slopes = [np.full(count, WORST)], [np.zeros((count, len(vector)))]
-    count = len(joint.names)
-    residuals.append(joint.pull * vector[:count])
-    slopes.append(np.eye(count, len(vector)) * joint.pull[:, None])
-    return np.concatenate(residuals), np.concatenate(slopes)
+    return Joint(campaign, network, parameters, effects, accuracy or Accuracy()).fitted()
 
 
 def _sensed_slopes(found: Prediction, name: str, effects: Sequence[Placed]) -> Array:
@@ -270,7 +249,9 @@ def _freed(
 
 
 def _scales(placed: Placed) -> Array:
-    """Return what each quantity may be expected to be: its value, or a trifle where it is zero."""
-    values = np.array([placed.values[q.name] for q in placed.quantities], dtype=float)
-    largest = float(np.abs(values).max()) or 1.0
-    return np.where(np.abs(values) > 1e-3 * largest, np.abs(values), 1e-1 * largest)
+    """Return what each quantity may be expected to be: its value, at least a tenth of its like."""
+    sizes = []
+    for quantity in placed.quantities:
+        alike = [abs(placed.values[q.name]) for q in placed.quantities if q.unit == quantity.unit]
+        sizes.append(max(abs(placed.values[quantity.name]), 0.1 * max(alike)) or 1.0)
+    return np.array(sizes)

@@ -123,25 +123,28 @@ def _add(
     sums.slopes += slopes.T @ slopes
     sums.residual += slopes.T @ residual
 
-    def count(effect: Effect, site: Site, shape: dict[str, float], own: Array) -> None:
-        key = effect.kind, site.path, tuple(shape.values())
-        parts = own.T @ own, own.T @ slopes, own.T @ residual
-        empty = (np.zeros_like(part) for part in parts)
-        tally = sums.tallies.setdefault(key, _Tally(effect, site, shape, *empty))
-        tally.own += parts[0]
-        tally.crossed += parts[1]
-        tally.seen += parts[2]
+    def count(site: Site, found: Sequence[tuple[Effect, dict[str, float], int]], columns: Array) -> None:
+        products = columns.T @ np.column_stack([slopes, residual, columns])
+        begin, first = 0, slopes.shape[1] + 1
+        for effect, shape, width in found:
+            own = products[begin : begin + width]
+            parts = own[:, first + begin : first + begin + width], own[:, : first - 1], own[:, first - 1]
+            key = effect.kind, site.path, tuple(shape.values())
+            empty = (np.zeros_like(part) for part in parts)
+            tally = sums.tallies.setdefault(key, _Tally(effect, site, shape, *empty))
+            tally.own += parts[0]
+            tally.crossed += parts[1]
+            tally.seen += parts[2]
+            begin += width
 
     for number, site in enumerate(sites):
         for probe in ("push", "stretch"):
             found = list(_forces(site, moved[number], motions[number], probe))
             if found:
                 columns = sight.to_inputs({f"{probe}_{number}.u": np.hstack([c for _, _, c in found])})
-                ends = np.cumsum([c.shape[1] for _, _, c in found])[:-1]
-                for (effect, shape, _), own in zip(found, np.split(columns, ends, axis=1), strict=True):
-                    count(effect, site, shape, own)
+                count(site, [(effect, shape, c.shape[1]) for effect, shape, c in found], columns)
     for effect, site, own in _channel_changes(sight):
-        count(effect, site, {}, own)
+        count(site, [(effect, {}, own.shape[1])], own)
 
 
 def _forces(

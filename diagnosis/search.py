@@ -11,19 +11,22 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..components import InertanceError
-from ..identification import Accuracy, Campaign
+from ..identification import Accuracy, Campaign, Experiment, Filter
 from ..networks import ToolchainError, compiler
 from .evidence import Evidence
 from .placed import Placed
-from .refit import Refit, refit
+from .refit import Joint, Refit, refit
 from .screening import Candidate, screen
+from .separating import separating
 from .verdict import Gap, Ranked, Verdict
 from .where import located, shares
 
 Array = NDArray[np.float64]
 Report = Callable[[str], None]
 
-CONTENDERS = 6  # effects fitted in each round
+CONTENDERS = 8  # effects fitted in each round
+BATCH = 3  # fitted before those are left out that promise much less than was found
+HOPELESS = 0.4  # share of the best drop of chi squared below which a promise is much less
 MOST_EFFECTS = 2
 LEAST_GAIN = 40.0  # drop of chi squared below which no effect is worth a fit
 ENOUGH = 250.0  # Hz, at which outputs are compared
@@ -79,8 +82,9 @@ def diagnose(
     campaign = _thinned(campaign)
     accuracy = Accuracy(_fastest() if solver == "auto" else solver, rtol, 1e-2 * rtol)
     tell("refitting the parameters")
-    start = refit(campaign, campaign.network, campaign.start, rounds=1, accuracy=accuracy)
-    base = refit(campaign, campaign.network, campaign.start, accuracy=accuracy)
+    nominal = Joint(campaign, campaign.network, campaign.start, (), accuracy)
+    start = nominal.seen(nominal.start)
+    base = nominal.fitted()
     rounds: list[Round] = []
     notes: list[str] = []
     best = base
@@ -91,11 +95,11 @@ def diagnose(
             chosen = _chosen(done, campaign)
             if chosen is None:
                 break
-            best = chosen
+            best = _pruned(chosen, campaign, accuracy)
     except KeyboardInterrupt:
         notes.append("interrupted; this is what was known until then")
         tell(notes[-1])
-    return _verdict(campaign, start, base, best, rounds, notes)
+    return _verdict(campaign, accuracy, start, base, best, rounds, notes)
 
 
 def _fastest() -> str:
@@ -108,12 +112,25 @@ def _fastest() -> str:
 
 
 def _thinned(campaign: Campaign) -> Campaign:
-    """Return a campaign whose outputs are compared often enough for what machines do, and no more often."""
+    """Return a campaign whose outputs are compared as often as machines need, and no more often.
+
+    Inputs lose what is too fast to be compared: there it is noise, and their second derivatives feel it.
+    """
     thin = copy(campaign)
+    driven = [name for name, channel in campaign.measured.items() if channel.driven]
     for name in ("training", "testing"):
-        experiments = [replace(e, every=max(1, int(e.record.rate / ENOUGH))) for e in getattr(campaign, name)]
-        setattr(thin, name, experiments)
+        setattr(thin, name, [_slowed(experiment, driven) for experiment in getattr(campaign, name)])
     return thin
+
+
+def _slowed(experiment: Experiment, driven: Sequence[str]) -> Experiment:
+    record = experiment.record
+    every = max(1, int(record.rate / ENOUGH))
+    if every > 1:
+        smooth = Filter(cutoff=0.5 * record.rate / every)
+        slow = {name: smooth.apply(record.values[name], record.rate) for name in driven}
+        record = replace(record, values={**record.values, **slow})
+    return replace(experiment, record=record, every=every)
 
 
 def _round(
@@ -122,15 +139,26 @@ def _round(
     told = " on top of what was found" if base.effects else ""
     tell(f"screening effects{told}")
     candidates = screen(campaign, campaign.network, base.parameters, base.effects, accuracy)
-    leading = _leading(candidates)
-    fitted: list[Refit] = []
-    jobs = [(campaign, base, candidate, accuracy) for candidate in leading]
-    results = executor.map(_fit, jobs) if executor is not None else map(_fit, jobs)
-    for number, (candidate, found) in enumerate(zip(leading, results, strict=True), start=1):
-        tell(f"fitted {number} of {len(leading)}: {candidate.label}")
-        if found is not None:
-            fitted.append(found)
+    waiting = _leading(candidates)
+    count, fitted = len(waiting), list[Refit]()
+    while waiting:
+        batch, waiting = waiting[:BATCH], waiting[BATCH:]
+        jobs = [(campaign, base, candidate, accuracy) for candidate in batch]
+        results = executor.map(_fit, jobs) if executor is not None else map(_fit, jobs)
+        for candidate, found in zip(batch, results, strict=True):
+            tell(f"fitted {candidate.label}, at most {count - 1} to go")
+            count -= 1
+            if found is not None:
+                fitted.append(found)
+        waiting = _promising(waiting, base, fitted)
+        count = len(waiting)
     return Round(base, candidates, fitted)
+
+
+def _promising(waiting: Sequence[Candidate], base: Refit, fitted: Sequence[Refit]) -> list[Candidate]:
+    """Return those that may still be best; of effects in series screening says too little."""
+    best = max((base.cost - found.cost for found in fitted), default=0.0)
+    return [c for c in waiting if c.effect.place == "series" or c.gain > HOPELESS * best]
 
 
 def _fit(job: tuple[Campaign, Refit, Candidate, Accuracy]) -> Refit | None:
@@ -198,8 +226,22 @@ def _is_simpler(one: Refit, other: Refit) -> bool:
     return kind in GENERALISES.get(richer.effect.kind, ()) and site == richer.site.path
 
 
+def _pruned(best: Refit, campaign: Campaign, accuracy: Accuracy) -> Refit:
+    """Return the model without those effects that a later one has made needless."""
+    for placed in best.effects[:-1]:
+        others = [p for p in best.effects if p is not placed]
+        try:
+            less = refit(campaign, campaign.network, best.parameters, others, accuracy)
+        except InertanceError:
+            continue
+        if clearness(less, best, campaign) < CLEAR:
+            best = less
+    return best
+
+
 def _verdict(
     campaign: Campaign,
+    accuracy: Accuracy,
     start: Refit,
     base: Refit,
     best: Refit,
@@ -211,9 +253,12 @@ def _verdict(
     closed = _closed(*misfits[1:])
     word = _word(campaign, best, misfits, closed)
     first = rounds[0] if rounds else Round(base, [], [])
-    equivalent = _equivalent(first, best, campaign) if best.effects else ()
-    kinds = {kind for kind, _ in equivalent} - {p.effect.kind for p in best.effects}
-    if word == "effect" and kinds:
+    named = {placed.label for placed in best.effects[:1]}
+    own = next((f for f in first.fitted if f.effects[-1].label in named), None)
+    alike = _alike(first, own, campaign) if own is not None else []
+    if word == "effect" and {f.effects[-1].effect.kind for f in alike} - {
+        p.effect.kind for p in best.effects
+    }:
         word = "ambiguous"
     ranking = [_ranked(f, first.base, campaign) for f in first.fitted]
     confidence = [_confidence(done, p, campaign) for done, p in zip(rounds, best.effects, strict=False)]
@@ -221,8 +266,10 @@ def _verdict(
         verdict=word,
         effects=best.effects if word in ("effect", "ambiguous") else (),
         confidence=tuple(confidence) if word in ("effect", "ambiguous") else (),
-        equivalent=equivalent,
-        next_experiment=None,
+        equivalent=tuple((f.effects[-1].effect.kind, f.effects[-1].site.path) for f in alike),
+        next_experiment=separating(campaign, own, alike[0], accuracy)
+        if own and word == "ambiguous"
+        else None,
         where=shares(first.candidates),
         windows=located(campaign, base, first.candidates) if word == "unknown" else {},
         ranking=tuple(sorted(ranking, key=lambda r: -r.test_gain)),
@@ -274,20 +321,15 @@ def _gaps(campaign: Campaign, start: Refit, base: Refit, best: Refit) -> dict[st
     return gaps
 
 
-def _equivalent(first: Round, best: Refit, campaign: Campaign) -> tuple[tuple[str, str], ...]:
-    """Return what the data cannot tell from the first effect."""
-    chosen = best.effects[0]
-    members: list[tuple[str, str]] = []
-    own = next((f for f in first.fitted if f.effects[-1].label == chosen.label), None)
-    if own is None:
-        return ()
+def _alike(first: Round, own: Refit, campaign: Campaign) -> list[Refit]:
+    """Return the fitted effects that the data cannot tell from one, the likest first."""
+    chosen, apart = own.effects[-1], []
     for other in first.fitted:
         placed = other.effects[-1]
         if placed.label == chosen.label or chosen.effect.kind in GENERALISES.get(placed.effect.kind, ()):
             continue
-        if abs(clearness(other, own, campaign)) < ALIKE:
-            members.append((placed.effect.kind, placed.site.path))
-    return tuple(members)
+        apart.append((abs(clearness(other, own, campaign)), other))
+    return [other for distance, other in sorted(apart, key=lambda pair: pair[0]) if distance < ALIKE]
 
 
 def _ranked(fitted: Refit, base: Refit, campaign: Campaign) -> Ranked:

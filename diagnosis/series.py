@@ -12,22 +12,19 @@ from .effects import Array, Effect, Motion, Values, both, register
 from .sites import Site
 
 STIFF = 1e-3  # travel of a site over the deflection of a stop under its largest force
-FAST = 1e-4  # s, in which a stop or a compliance settles
+FAST = 1e-4  # s, in which a compliance settles
 TINY = 1e-15  # least compliance
 SHARP = 0.02  # force at which play is taken up, over the largest
-LEAK = 1e-3  # damping inside a clearance over damping of its stops
+LEAK = 1e-4  # force of the oil in a clearance at the usual speed, over the largest force
 
 
 def _play(site: Site, name: str, values: Values) -> list[Edit]:
-    stiffness = site.force / (STIFF * site.travel)
-    damping = FAST * stiffness
+    stiffness, oil = site.force / (STIFF * site.travel), LEAK * site.force / site.speed
     if site.domain == "rotational":
-        gap = rotational.ElastoBacklash(c=stiffness, d=damping, b=2 * values["eps"])
-        element = parallel(gap=gap, oil=rotational.Damper(d=LEAK * damping))
-    else:
-        stops = ia.Backlash(k=stiffness, d=damping, eps=values["eps"])
-        element = parallel(gap=stops, oil=ia.Damper(d=LEAK * damping))
-    return [Insert(site.moving, name, element)]
+        turn = rotational.ElastoBacklash(c=stiffness, d=0.0, b=2 * values["eps"])
+        return [Insert(site.moving, name, parallel(gap=turn, oil=rotational.Damper(d=oil)))]
+    gap = ia.Backlash(k=stiffness, d=0.0, eps=values["eps"])
+    return [Insert(site.moving, name, parallel(gap=gap, oil=ia.Damper(d=oil)))]
 
 
 def _yielding(site: Site, name: str, values: Values) -> list[Edit]:

@@ -69,12 +69,15 @@ def sites_of(network: Network) -> list[Site]:
 
 
 def _merged(group: list[Site]) -> Iterator[Site]:
-    """Yield one site for what acts between two nodes, and one for each inertia there."""
+    """Yield one site for what acts between two nodes, one in series with each part, one for each inertia."""
     acting = [site for site in group if "series" in site.places]
     inert = [site for site in group if "node" in site.places]
     if acting:
         chosen = max(acting, key=lambda site: (site.path.count("."), site.rank))
         yield replace(chosen, same=tuple(site.path for site in group if site is not chosen))
+        for site in acting:
+            if not f"{chosen.path}.".startswith(f"{site.path}."):
+                yield replace(site, places=frozenset({"series"}))
     for number, site in enumerate(inert):
         yield site if number == 0 and not acting else replace(site, places=site.places - {"across"})
 

@@ -163,15 +163,15 @@ def moved(
     Of a channel, its value and its rates.
     """
     if site.domain == "channel":
-        return [_signal(experiment.record, site.path) for experiment in experiments]
+        return [_signal(e.record.thinned(e.every), site.path) for e in experiments]
     dae = probed(campaign.network, [site]).dae()
     accuracy = Accuracy(rtol=1e-5, atol=1e-7)
     motions = []
     for experiment in experiments:
-        stand = Stand(dae, experiment, campaign.measured, None)
+        stand = Stand(dae, experiment, campaign.measured)
         start = None if experiment.initial == "rest" else stand.rest(parameters, accuracy)
         motion = motion_at(stand.run(parameters, start, accuracy, slopes=False).run, 0, site)
-        t = experiment.record.time
+        t = experiment.record.thinned(experiment.every).time
         signals = (np.interp(t, motion.t, x) for x in (motion.s, motion.v, motion.f, motion.a))
         motions.append(Motion(t, *signals))
     return motions

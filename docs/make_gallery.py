@@ -11,8 +11,8 @@ from matplotlib import pyplot
 from numpy.typing import NDArray
 
 IMAGES = Path(__file__).parent / "images"
-RANGES = {"d": (50.0, 30e3), "b": (0.5, 3000.0), "k": (10.0, 1e8)}
-STIFFNESS = np.geomspace(10e3, 120e3, 5)
+RANGES = {"d": (50.0, 30e3), "b": (0.1, 3000.0), "k": (10.0, 1e8)}
+STIFFNESS = np.linspace(10e3, 120e3, 12)
 
 
 def best(layout: str, k: float, measure: Any, starts: list[dict[str, float]]) -> ia.Tuned:
@@ -22,10 +22,11 @@ def best(layout: str, k: float, measure: Any, starts: list[dict[str, float]]) ->
         n: RANGES[n[-1]] for n in car.parameter_values if n[-1] in RANGES and n.startswith("strut.rest")
     }
     tried = []
-    for start in [{}, *starts]:
+    for number, start in enumerate([{}, *starts]):
         given = {_last(n): value for n, value in start.items()}
         begin = {n: start.get(n, given.get(_last(n), car.parameter_values[n])) for n in bounds}
-        tried.append(ia.tune(car, measure, bounds, start=begin, starts=1))
+        if np.isfinite(measure(car, parameters=begin)):
+            tried.append(ia.tune(car, measure, bounds, start=begin, starts=1 if number else 4))
     return min(tried, key=lambda tuned: tuned.value)
 
 
@@ -34,13 +35,18 @@ def _last(name: str) -> str:
 
 
 def tuned_over_stiffness(measure: Any) -> dict[str, list[float]]:
-    """Return the least measure of each layout over static stiffness; richer ones start from simpler ones."""
+    """Return the least measure of each layout over static stiffness.
+
+    Searches start in the middle, at random, where simpler layouts are best, and where they ended before.
+    """
     values: dict[str, list[float]] = {f"S{number}": [] for number in range(1, 9)}
+    last: dict[str, list[dict[str, float]]] = {layout: [] for layout in values}
     for k in STIFFNESS:
         simpler: list[dict[str, float]] = []
         for layout, found in values.items():
-            tuned = best(layout, float(k), measure, simpler)
+            tuned = best(layout, float(k), measure, simpler + last[layout])
             found.append(tuned.value)
+            last[layout] = [tuned.parameters]
             print(measure.__name__, layout, round(k), tuned.value, flush=True)
             if layout in ("S2", "S4", "S6"):
                 simpler.append(tuned.parameters)

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -42,7 +41,8 @@ def outputs_finding(subject: str, course: Course, reference: Reference, limit: f
         return Finding(subject, "outputs", None, told="there is nothing to compare")
     row, column = np.unravel_index(np.argmax(shares), shares.shape)
     where = f"{course.names[int(column)]} at {course.time[row]:.6g} s"
-    return measured(subject, "outputs", shares.max(), limit, f"of size, {where}; {shares.shape[1]} variables")
+    told = f"of size, {where}; {shares.shape[1]} variables{course.solver and f'; {course.solver}'}"
+    return measured(subject, "outputs", shares.max(), limit, told)
 
 
 def modes_finding(
@@ -97,29 +97,23 @@ def events_finding(subject: str, found: Array, wanted: Array) -> Finding:
 
 
 def bisected_finding(
-    subject: Subject, names: Sequence[str], experiment: Experiment, before: Array, after: Array, events: Array
+    subject: Subject, experiment: Experiment, reference: Reference, before: Array, after: Array
 ) -> Finding:
     """Find the instants of events in Co-Simulation without event mode, by steps from a saved state.
 
     Args:
         subject: the FMU.
-        names: variables to tell by whether an event has happened.
         experiment: what is run.
+        reference: where the events should be, those apart from others being looked for; and variables to
+            tell by whether one has happened.
         before: their values right before each event.
         after: and right after.
-        events: where the events should be; those apart from others are looked for.
     """
-    label = subject.label("CS")
+    label, names, events = subject.label("CS"), reference.course.names, reference.events
     widths = _widths(events, experiment)
-    sizes = np.maximum(np.abs(before).max(axis=0, initial=0), np.abs(after).max(axis=0, initial=0)) + 1e-300
-    jumps = np.abs(after - before) / sizes
+    jumps = np.abs(after - before) / reference.sizes
     chosen = np.flatnonzero((widths > LONELY) & (jumps.max(axis=1, initial=0) > SEEN))
-    picked = (
-        np.unique(chosen[np.linspace(0, len(chosen) - 1, MOST_BISECTED).astype(int)])
-        if len(chosen)
-        else chosen
-    )
-    if not len(picked):
+    if not len(chosen):
         return Finding(label, "events", None, told=f"none of {len(events)} events can be told apart by steps")
     picked = np.unique(chosen[np.linspace(0, len(chosen) - 1, MOST_BISECTED).astype(int)]).tolist()
     worst, place, t = -1.0, 0, experiment.begin

@@ -17,6 +17,7 @@ LIMIT = 1e-6
 STRIDES = 10.0 ** -np.arange(1, 11)
 ROUNDING = 64 * np.finfo(float).eps
 RESOLVED = 0.1 * LIMIT
+STILL = 1e-6
 LEAST_STRIDDEN = 1e-3
 MOST_KNOWNS = 60
 MOST_MODES = 8
@@ -88,8 +89,9 @@ class Derivatives:
     ) -> tuple[float, int]:
         """Return the least error over the strides that resolve it, of the unknown where that is greatest.
 
-        A stride resolves a derivative if rounding errors of the difference are a tenth of the limit at most;
-        where none does, because nothing depends on the known, rounding errors are forgiven.
+        A stride resolves a derivative if rounding errors of the difference are a tenth of the limit at most,
+        or if nothing at all changes over a millionth of the known's size; where none does, because nothing
+        depends on the known, rounding errors are forgiven.
         """
         best = np.full((2, len(self.unknowns)), np.inf)
         for h in STRIDES * scale:
@@ -101,7 +103,8 @@ class Derivatives:
             size = np.maximum(np.maximum(np.abs(exact), np.abs(difference)), 1e-300)
             rounding = ROUNDING * np.maximum(np.abs(ahead), np.abs(behind)) / h / size
             error = np.abs(exact - difference) / size
-            best[0] = np.where(rounding <= RESOLVED, np.fmin(best[0], error), best[0])
+            resolved = (rounding <= RESOLVED) | ((error == 0) & (h >= STILL * scale))
+            best[0] = np.where(resolved, np.fmin(best[0], error), best[0])
             best[1] = np.fmin(best[1], np.maximum(error - rounding, 0))
         least = np.where(np.isfinite(best[0]), best[0], best[1])
         worst = int(np.argmax(least))

@@ -43,6 +43,7 @@ def network_findings(
     """Yield what is found of a network's FMUs, version by version."""
     chosen = None if outputs is None else list(outputs)
     native = _Native(dae, experiment, start)
+    asked: _Native | None = _Native(dae, experiment, start, experiment.rtol)
     for version in versions:
         with TemporaryDirectory(prefix="inertance-") as folder:
             path = export(
@@ -52,6 +53,9 @@ def network_findings(
             )  # fmt: skip
             yield from xml_findings(f"FMI {version}", path)
             with Subject(path) as subject:
+                if asked is not None:
+                    yield _told(asked, native, subject)
+                    asked = None
                 yield from _exchanged(subject, native, limit)
                 yield from _communicated(subject, native, limit)
                 for kind in ("ME", "CS"):
@@ -61,11 +65,13 @@ def network_findings(
 class _Native:
     """The native run, which all kinds are compared with."""
 
-    def __init__(self, dae: DAE, experiment: Experiment, start: Mapping[str, float]) -> None:
-        self.experiment = experiment
+    def __init__(
+        self, dae: DAE, experiment: Experiment, start: Mapping[str, float], rtol: float | None = None
+    ) -> None:
+        self.experiment, self.rtol = experiment, experiment.accurate if rtol is None else rtol
         self.run: Result = dae.simulate(
             experiment.stop, begin=experiment.begin, step=experiment.step, start=start,
-            inputs=dict(experiment.inputs), rtol=experiment.rtol, atol=1e-2 * experiment.rtol, progress=False,
+            inputs=dict(experiment.inputs), rtol=self.rtol, atol=1e-2 * self.rtol, progress=False,
         )  # fmt: skip
 
     def reference(self, names: list[str], nominals: Array) -> Reference:
@@ -93,6 +99,15 @@ class _Native:
         first, last = places.argmax(axis=1), len(time) - 1 - places[:, ::-1].argmax(axis=1)
         table = np.column_stack([self.run[name] for name in names])
         return table[first], table[last]
+
+
+def _told(asked: _Native, native: _Native, subject: Subject) -> Finding:
+    """Tell how far the native run at the tolerance asked for is from the one that FMUs are compared with."""
+    names = _names(subject)
+    reference = native.reference(names, subject.nominals(names))
+    found = outputs_finding("native", asked.course(names), reference, np.inf)
+    told = f"{found.told}; not judged, FMUs are compared with rtol {native.rtol:.0e}"
+    return Finding("native", f"rtol {asked.rtol:.0e}", None, found.error, told=told)
 
 
 def _names(subject: Subject) -> list[str]:
@@ -130,8 +145,8 @@ def _communicated(subject: Subject, native: _Native, limit: float) -> Iterator[F
         course = communicate(subject, names, native.experiment, able)
         yield from _compared(label, subject, course, native, limit)
         if course.events is None and len(native.events):
-            before, after = native.sides(names)
-            yield bisected_finding(subject, names, native.experiment, before, after, native.events)
+            reference = native.reference(names, subject.nominals(names))
+            yield bisected_finding(subject, native.experiment, reference, *native.sides(names))
     except FMUError as error:
         yield Finding(label, "run", False, told=str(error))
 

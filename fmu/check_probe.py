@@ -16,7 +16,8 @@ from .foreign import Stepped, Values
 from .import_description import ForeignVariable
 from .import_inputs import groups
 from .imported import FMU
-from .local import LocalInstance, Unpacked
+from .local import LocalInstance
+from .unpacked import Unpacked
 
 Array = NDArray[np.float64]
 NUMBERS = (

@@ -12,7 +12,7 @@ from pathlib import Path
 from tempfile import TemporaryDirectory
 
 from ..components.base import ModelError, nearest
-from ..networks import DAE, CProgram, Network, c_program, compile_shared, starting_point
+from ..networks import DAE, CProgram, Network, c_program, compile_shared, corners_as_modes, starting_point
 from .description import Model, model_description
 from .documentation import licences, page
 from .interface import Interface, interface
@@ -181,6 +181,7 @@ def _program(
     variables = [name for name in shown if name not in known]
     variables += locals_of(dae, [*states, *variables])
     start = starting_point(dae, {dae.inputs[k].path: _resting(dae.inputs[k].signal) for k in free}, fixed)
+    dae = corners_as_modes(dae)
     program = c_program(dae, inputs=dict.fromkeys(asked), variables=variables)
     return program, interface(dae, start, free, states, variables, shown)
 

@@ -5,6 +5,8 @@
 #include <string.h>
 
 #define ABSOLUTE 1e-2 /* of the relative tolerance, times the nominal value of each state */
+#define LOCAL 1e-2 /* error of one step, of the tolerance asked for: what many steps add up to stays within that */
+#define FINEST 1e-12
 #define NEAR 1e-9 /* communication points closer than this, against their size, are one */
 
 static const double starts[ROOM(NX)] = FMU_STARTS;
@@ -268,13 +270,13 @@ static double slack(double point)
 
 FaceStatus face_step(Instance *c, const char *function, double point, double size, CoreStop *reached)
 {
-    double stop = point + size;
+    double stop = point + size, asked = c->now.tolerance, rtol = fmax(LOCAL * asked, fmin(asked, FINEST));
     if (!isfinite(point) || fabs(point - core_time(&c->now.core)) > slack(point))
         return face_refuse(c, function, "the communication point is not where the last step ended");
     if (!(size > 0) || !isfinite(stop)) return face_refuse(c, function, "the step must be positive and finite");
     if (stop > c->now.stop + slack(c->now.stop))
         return face_refuse(c, function, "the step leads beyond the stop time");
     return face_outcome(c, function,
-                        core_advance(&c->now.core, stop, c->now.tolerance, ABSOLUTE * c->now.tolerance,
-                                     FMU_FIXED_STEP, c->event_mode_used && c->may_return_early, reached));
+                        core_advance(&c->now.core, stop, rtol, ABSOLUTE * rtol, FMU_FIXED_STEP,
+                                     c->event_mode_used && c->may_return_early, reached));
 }

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field
 
-from ..networks import DAE, Input, Start
+from ..networks import DAE, Input, Start, is_corner
 from .dependencies import Dependencies, dependencies
 
 
@@ -85,13 +85,17 @@ def interface(
         for k, (name, value) in enumerate(dae.parameter_values.items())
     ]
     scalars += [_other(dae, name, first[4] + k, shown) for k, name in enumerate(variables)]
-    scalars += [_mode(dae, k, first[5] + k, shown) for k in range(dae.modes.numel())]
+    scalars += [
+        _mode(dae, k, first[5] + k, shown)
+        for k, name in enumerate(dae.switching.mode_names)
+        if not is_corner(name)
+    ]
     scalars += [_indicator(dae, k, first[6] + k) for k in range(len(dae.switching.changes))]
     return Interface(
         scalars,
         range(first[0], first[1]),
         range(first[1], first[2]),
-        range(first[6], len(scalars)),
+        range(first[6], first[6] + len(dae.switching.changes)),
         any(c.resets or c.impulse is not None for c in dae.switching.changes),
         dependencies(dae, free, variables, first),
     )

@@ -6,33 +6,15 @@ import ctypes
 from collections.abc import Callable, Sequence
 from contextlib import suppress
 from pathlib import Path
-from tempfile import TemporaryDirectory
 from typing import Any, Self
 
-from .archive import library_name, platform_folder, unpack
+from .archive import library_name
 from .errors import FMUError
 from .foreign import Group, Stepped, Update, Values
-from .import_description import KINDS, described
+from .import_description import KINDS
+from .unpacked import Unpacked
 
 KEPT_MESSAGES = 5
-
-
-class Unpacked:
-    """The files of an FMU in a temporary folder (in `parent`), for any number of instances."""
-
-    def __init__(self, path: Path, parent: Path | None = None) -> None:
-        self.description, _ = described(path, validate=False)
-        self._folder = TemporaryDirectory(prefix="inertance-fmu-", dir=parent, ignore_cleanup_errors=True)
-        self.folder, self.binaries = Path(self._folder.name), platform_folder(self.description.fmiVersion)
-        try:
-            unpack(path, self.folder, self.binaries)
-        except BaseException:
-            self.remove()
-            raise
-
-    def remove(self) -> None:
-        """Remove the files."""
-        self._folder.cleanup()
 
 
 class LocalInstance:

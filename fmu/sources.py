@@ -7,9 +7,10 @@ from pathlib import Path
 from .interface import Interface
 
 HERE = Path(__file__).parent
+COMMON = ("face.h", "face.c", "derivatives.c", "saved.c")
 OWN = {
-    "2.0": ("face.h", "face.c", "derivatives.c", "saved.c", "fmi2.c"),
-    "3.0": ("face.h", "face.c", "derivatives.c", "saved.c", "fmi3_face.h", "fmi3.c", "fmi3_absent.c"),
+    "2.0": (*COMMON, "fmi2_face.h", "fmi2.c", "fmi2_run.c"),
+    "3.0": (*COMMON, "fmi3_face.h", "fmi3.c", "fmi3_run.c", "fmi3_absent.c"),
 }
 HEADERS = {
     "2.0": ("fmi2Functions.h", "fmi2FunctionTypes.h", "fmi2TypesPlatform.h"),

@@ -11,8 +11,8 @@ from numpy.typing import NDArray
 
 from ..components import ModelError
 from ..networks import DAE, Network, Result, Variations
-from .entries import Experiment
-from .records import Channel
+from .channels import Channel
+from .experiments import Experiment
 
 Array = NDArray[np.float64]
 DIFFERENCE = 1e-4
@@ -55,14 +55,18 @@ class Stand:
     """A network on one record: its own equations with the record's inputs, compiled once."""
 
     def __init__(
-        self, dae: DAE, experiment: Experiment, channels: Mapping[str, Channel], variations: Variations | None
+        self,
+        dae: DAE,
+        experiment: Experiment,
+        channels: Mapping[str, Channel],
+        variations: Variations | None = None,
     ) -> None:
         self.dae = replace(dae, _closed={})
         self.experiment, self.record = experiment, experiment.record.thinned(experiment.every)
         whole = experiment.record
         self.outputs = {name: c.path for name, c in channels.items() if not c.driven}
         self.inputs: dict[str, Any] = {c.path: whole.sampled(n) for n, c in channels.items() if c.driven}
-        self.variations = variations
+        self.variations = variations or Variations(dae, list(self.outputs.values()), ())
 
     def rest(self, parameters: Mapping[str, float], accuracy: Accuracy, at: float | None = None) -> Array:
         """Return the model's start values; motions that are measured start where they were measured."""
@@ -126,19 +130,20 @@ class Stand:
         )  # fmt: skip
         # An event at a sample ends a hair's breadth after it: what holds from there on is taken.
         at = np.searchsorted(run.time, time + 1e-3 * step, side="right") - 1
-        values = {name: run[path][at] for name, path in self.outputs.items()}
-        states = np.array([run[name][[0, -1]] for name in names]).reshape(len(names), 2)
+        seen = self.variations.values(run)[at]
+        values = {name: seen[:, n] for n, name in enumerate(self.outputs)}
+        first_point, last_point = run._segments[0].states[0][0], run._segments[-1].states[-1][-1]
         by_p: dict[str, Array] = {}
         by_x: dict[str, Array] = {}
         end = np.zeros((len(names), 0))
-        if slopes and self.variations is not None:
+        if slopes:
             began = self.variations.start_slopes(run, {}) if start is None else None
             moved = self.variations.along(run, began)
             count = len(self.variations.parameters)
             for n, name in enumerate(self.outputs):
                 by_p[name], by_x[name] = moved[at, n, :count], moved[at, n, count:]
             end = moved[-1, len(self.outputs) :]
-        return Prediction(time, values, by_p, by_x, states[:, 0], states[:, 1], end, run)
+        return Prediction(time, values, by_p, by_x, first_point, last_point, end, run)
 
 
 class Bench:

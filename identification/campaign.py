@@ -8,24 +8,29 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any, Self
 
-from ..components import ModelError
+import numpy as np
+
+from ..components import ModelError, nearest
 from ..networks import DAE, Network
-from .entries import (
-    Experiment,
-    Prior,
-    Problems,
-    Stage,
-    read_channels,
-    read_experiments,
-    read_noise,
-    read_parameters,
-    read_stages,
-)
+from .channels import Channel, outputs_of, read_channels, read_noise
+from .experiments import Experiment, read_experiments, repeat_problems
 from .model import load_model
 from .noise import Floor, repeated_floor, spectral_floor
-from .records import Channel
+from .priors import Prior, read_priors
+from .problems import TEXT, Kind, Problems
+from .stages import Stage, read_stages
+from .units import factor
 
-KEYS = ("model", "channels", "parameters", "train", "test", "noise", "stage")
+NEEDED = ("model", "channels", "parameters", "train")
+KINDS = {
+    "model": TEXT,
+    "channels": Kind("a table [channels]", lambda v: isinstance(v, dict)),
+    "parameters": Kind("a table [parameters]", lambda v: isinstance(v, dict)),
+    "train": Kind("tables [[train]]", lambda v: isinstance(v, list)),
+    "test": Kind("tables [[test]]", lambda v: isinstance(v, list)),
+    "noise": Kind("a table [noise]", lambda v: isinstance(v, dict)),
+    "stage": Kind("tables [[stage]]", lambda v: isinstance(v, list)),
+}
 
 
 @dataclass(eq=False)
@@ -96,13 +101,16 @@ class Campaign:
             self.dae = self.network.dae()
         problems.stop()
         self.measured = read_channels(self.channels, self.dae, problems)
-        self.priors = read_parameters(self.parameters, self.dae, problems)
+        self.priors = read_priors(self.parameters, self.dae, problems)
         channels = self.measured
         self.training = read_experiments("train", self.train, channels, self.base, problems)
         self.testing = read_experiments("test", self.test, channels, self.base, problems)
         self._check_apart(problems)
-        stated = read_noise(self.noise, channels, problems)
-        self.stages = read_stages(self.stage, self, problems)
+        problems.found += repeat_problems(self.experiments, channels)
+        stated = read_noise(self.noise, channels, self.channels, problems)
+        self._check_noise(stated, problems)
+        if self.training and len(self.training) == len(self.train):
+            self.stages = read_stages(self.stage, list(self.priors), self.outputs, self.training, problems)
         problems.stop()
         self.notes = [f"{e.name}: {note}" for e in self.experiments for note in e.record.notes]
         self._note_rates()
@@ -121,17 +129,15 @@ class Campaign:
         """
         path = Path(path)
         if not path.is_file():
-            raise ModelError(f"there is no file '{path}'")
+            others = [p.name for p in path.parent.glob("*.toml")]
+            raise ModelError(f"there is no file '{path}'{nearest(path.name, others)}")
         try:
             entries = tomllib.loads(path.read_text(encoding="utf-8"))
         except (tomllib.TOMLDecodeError, UnicodeDecodeError) as error:
             raise ModelError(f"{path}: this is not TOML ({error})") from error
         problems = Problems(str(path))
-        problems.unknown("", entries, KEYS)
-        for key, kind in (("model", str), ("channels", dict), ("parameters", dict), ("train", list)):
-            if not isinstance(entries.get(key), kind):
-                wanted = {str: "a text", dict: f"a table [{key}]", list: f"tables [[{key}]]"}[kind]
-                problems.add(f"{key}: {wanted} must be given")
+        problems.sound("", entries, KINDS)
+        problems.found += [f"{key}: {KINDS[key].told} must be given" for key in NEEDED if key not in entries]
         problems.stop()
         return cls(**entries, base=path.parent, source=str(path))
 
@@ -143,7 +149,7 @@ class Campaign:
     @property
     def outputs(self) -> list[str]:
         """Channels that the network predicts."""
-        return [name for name, channel in self.measured.items() if not channel.driven]
+        return outputs_of(self.measured)
 
     @property
     def experiments(self) -> list[Experiment]:
@@ -157,13 +163,23 @@ class Campaign:
         return {name: values[name] for name in self.priors}
 
     def _check_apart(self, problems: Problems) -> None:
-        known = {(e.source, e.window): n for n, e in enumerate(self.training, start=1)}
         for number, experiment in enumerate(self.testing, start=1):
-            if (experiment.source, experiment.window) in known:
-                twin = known[experiment.source, experiment.window]
+            twins = [n for n, e in enumerate(self.training, start=1) if experiment.overlaps(e)]
+            if twins:
                 problems.add(
-                    f"[[test]] {number}: '{experiment.name}' is also [[train]] {twin}; what was "
+                    f"[[test]] {number}: '{experiment.name}' is also [[train]] {twins[0]}; what was "
                     "fitted tests nothing: give a record of another excitation, or another window"
+                )
+
+    def _check_noise(self, stated: Mapping[str, float], problems: Problems) -> None:
+        for name, sigma in stated.items():
+            moved = [float(np.std(e.record.values[name])) for e in self.training]
+            if moved and sigma > max(moved):
+                channel = self.measured[name]
+                size = factor(channel.unit or "1", channel.si)
+                problems.add(
+                    f"noise.{name}: {sigma / size:g} {channel.unit} is more than all that was measured "
+                    f"({max(moved) / size:.3g} {channel.unit}, standard deviation); correct it or its unit"
                 )
 
     def _note_rates(self) -> None:

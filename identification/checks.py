@@ -15,6 +15,7 @@ JITTER = 0.25
 GAP = 1.75
 RUN = 5
 STEEP = 1.0
+HUGE = 1e12
 
 
 def time_problems(table: Table, name: str, time: Array) -> Iterator[str]:
@@ -53,8 +54,8 @@ def time_problems(table: Table, name: str, time: Array) -> Iterator[str]:
         yield f"{where.format(table.place(row))}: {told}"
 
 
-def value_problems(table: Table, name: str, values: Array, driven: bool) -> Iterator[str]:
-    """Yield what keeps a column from being a channel; `driven` tells that it is an input."""
+def number_problems(table: Table, name: str, values: Array) -> Iterator[str]:
+    """Yield where a column holds no number that a machine could have."""
     where = f"{table.path}, {{}}, column '{name}'"
     wrong = np.flatnonzero(~np.isfinite(values))
     if len(wrong):
@@ -62,6 +63,18 @@ def value_problems(table: Table, name: str, values: Array, driven: bool) -> Iter
             f"{values[wrong[0]]} is no usable number ({len(wrong)} such in this column); fill or cut it out"
         )
         yield f"{where.format(table.place(int(wrong[0])))}: {told}"
+    elif np.abs(values).max() > HUGE:
+        row = int(np.abs(values).argmax())
+        told = f"{values[row]:g} is beyond any machine; correct it, or the unit of the column"
+        yield f"{where.format(table.place(row))}: {told}"
+
+
+def value_problems(table: Table, name: str, values: Array, driven: bool) -> Iterator[str]:
+    """Yield what keeps a column from being a channel; `driven` tells that it is an input."""
+    where = f"{table.path}, {{}}, column '{name}'"
+    unusable = list(number_problems(table, name, values))
+    if unusable:
+        yield from unusable
     elif np.ptp(values) == 0:
         remedy = "it excites nothing; give it in the model instead" if driven else "is the sensor connected?"
         yield f"{table.path}, column '{name}': the value is {values[0]:g} throughout; {remedy}"

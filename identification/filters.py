@@ -71,13 +71,17 @@ class Filter:
         _, response = sosfreqz(self._sections(rate), worN=1 << 16)
         return float(np.mean(np.abs(response) ** 4))
 
+    def check(self, rate: float) -> None:
+        """Raise if the filter cannot be made for a sampling rate [Hz]."""
+        if np.max(self.cutoff) >= rate / 2:
+            raise ModelError(
+                f"filter: cutoff {np.max(self.cutoff):g} Hz is not below half the sampling rate, {rate:g} Hz"
+            )
+
     def _sections(self, rate: float) -> Any:
         from scipy.signal import butter
 
-        if np.max(self.cutoff) >= rate / 2:
-            raise ModelError(
-                f"cutoff {np.max(self.cutoff):g} Hz is not below half the sampling rate of {rate:g} Hz"
-            )
+        self.check(rate)
         design: Any = butter
         return design(self.order, self.cutoff, btype=self.kind, fs=rate, output="sos")
 

@@ -12,16 +12,18 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..components import InertanceError, ModelError
+from ..networks import ToolchainError, compiler
 from .bench import Accuracy, Bench
 from .block import Block
 from .campaign import Campaign
-from .entries import Stage
 from .outcome import Fit, FittedStage, compared
 from .refine import Iteration, Optimum, Problem
+from .stages import Stage
 from .uncertainty import uncertainty
 
 Array = NDArray[np.float64]
 Report = Callable[[str], None]
+MANY_SAMPLES = 2000
 
 
 @dataclass(frozen=True)
@@ -41,7 +43,7 @@ def fit(
     executor: Executor | None = None,
     seed: int = 0,
     solver: str = "auto",
-    rtol: float = 1e-6,
+    rtol: float = 1e-7,
     report: Report | None = None,
 ) -> Fit:
     """Fit the parameters of a campaign to its training records: maximum a posteriori.
@@ -56,7 +58,7 @@ def fit(
         starts: number of starts; further ones are drawn from the priors (bounds) by a Sobol sequence.
         executor: runs the starts; the campaign goes to its workers by pickle.
         seed: of the draw.
-        solver: as for `DAE.simulate`.
+        solver: as for `DAE.simulate`; "auto" compiles models of long records where there is a C compiler.
         rtol: relative tolerance of the runs.
         report: called with a line of progress.
 
@@ -64,9 +66,15 @@ def fit(
         The fit; after Ctrl-C, the best found until then, which says so.
 
     Raises:
+        ModelError: if the campaign has no uncertain parameters, or the network cannot be fitted.
         SimulationError: if the model cannot be run with its own parameters.
     """
-    accuracy = Accuracy(solver, rtol)
+    if not campaign.priors:
+        raise ModelError(
+            f"{campaign.source}: no parameter is uncertain, so there is nothing to fit; name some under "
+            '[parameters], such as "spring.k" = { rel = 0.1 }'
+        )
+    accuracy = Accuracy(_fastest(campaign) if solver == "auto" else solver, rtol, 1e-2 * rtol)
     tell = report or (lambda line: None)
     values = dict(campaign.start)
     tried: list[Start] = []
@@ -76,6 +84,17 @@ def fit(
         if good:
             values |= min(good, key=lambda one: one.cost).fitted
     return _staged(campaign, values, accuracy, tell, tried)
+
+
+def _fastest(campaign: Campaign) -> str:
+    """Return the solver for many runs: the compiled one, if compiling pays and there is a compiler."""
+    if sum(len(experiment.record.time) for experiment in campaign.training) < MANY_SAMPLES:
+        return "auto"
+    try:
+        compiler()
+    except ToolchainError:
+        return "auto"
+    return "compiled"
 
 
 def _staged(

@@ -38,7 +38,7 @@ def load_model(model: str, base: Path) -> Network:
         network = function()
     except ModelError:
         raise
-    except Exception as error:
+    except (Exception, SystemExit) as error:
         raise ModelError(f"model: {_place(path, error)}: {type(error).__name__}: {error}") from error
     if not isinstance(network, Network):
         raise ModelError(f"model: {model} returned {type(network).__name__}, but a Network is needed")
@@ -58,7 +58,7 @@ def _module(path: Path) -> ModuleType:
     return module
 
 
-def _place(path: Path, error: Exception) -> str:
+def _place(path: Path, error: BaseException) -> str:
     """Return file and line of the deepest frame in the user's file."""
     if isinstance(error, SyntaxError):
         return f"{error.filename}, line {error.lineno}"

@@ -16,8 +16,9 @@ from ..networks import Network
 from .bench import Accuracy, Bench
 from .block import Block
 from .campaign import Campaign
-from .entries import Experiment, Stage
+from .experiments import Experiment
 from .refine import Optimum, Problem
+from .stages import Stage
 from .uncertainty import Uncertainty
 
 if TYPE_CHECKING:

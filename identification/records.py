@@ -11,30 +11,15 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..components import ModelError, Sampled
-from .checks import LEAST, time_problems, value_problems
+from .channels import Channel
+from .checks import LEAST, number_problems, time_problems, value_problems
 from .filters import decimated
 from .tables import Table, read_table
 from .units import converted, factor
 
 Array = NDArray[np.float64]
 EVEN = 1e-4
-
-
-@dataclass(frozen=True)
-class Channel:
-    """A column of the data and the quantity of the network that it measures.
-
-    Args:
-        path: full name of the quantity.
-        driven: whether it is an input of the network; an output otherwise.
-        unit: of the column.
-        si: unit of the quantity in the network.
-    """
-
-    path: str
-    driven: bool
-    unit: str
-    si: str
+ROUNDED = 1e-2
 
 
 @dataclass(frozen=True, eq=False)
@@ -129,12 +114,12 @@ def read_record(
     rows = _rows(time, window)
     if np.count_nonzero(rows) < LEAST:
         of = f" in the window {window[0]:g} to {window[1]:g} s" if window else ""
-        raise ModelError(
-            f"{path}: {np.count_nonzero(rows)} samples{of}, from {time[0]:g} to {time[-1]:g} s; at least "
-            f"{LEAST} are needed"
-        )
+        there = f", from {time[0]:g} to {time[-1]:g} s" if len(time) else ""
+        raise ModelError(f"{path}: {np.count_nonzero(rows)} samples{of}{there}; at least {LEAST} are needed")
     for name, channel in channels.items():
         problems += value_problems(_part(table, rows), name, columns[name][rows], channel.driven)
+    if temperature is not None:
+        problems += number_problems(_part(table, rows), temperature, columns[temperature][rows])
     problems += [] if window is None else list(time_problems(_part(table, rows), table.time_name, time[rows]))
     if problems:
         raise ModelError(f"record {path.name} cannot be used:", problems)
@@ -145,7 +130,10 @@ def read_record(
 
 def _time(table: Table, window: tuple[float, float] | None, problems: list[str]) -> Array:
     name = table.time_name
-    time = table.columns[name] * factor(table.units.get(name) or "s", "s")
+    try:
+        time = table.columns[name] * factor(table.units.get(name) or "s", "s")
+    except ModelError as error:
+        raise ModelError(f"{table.path}, column '{name}': {error}") from error
     told = list(time_problems(table, name, time))
     if window is None or not np.isfinite(time).all() or (np.diff(time) <= 0).any():
         problems += told
@@ -201,7 +189,7 @@ def _even(name: str, time: Array, values: dict[str, Array], temperature: Array |
     if worst <= EVEN * step:
         return Record(name, even, values, (), temperature)
     uneven = float(np.abs(np.diff(time) - step).max())
-    if uneven <= 1e-3 * step:
+    if worst <= ROUNDED * step:
         return Record(name, even, values, (f"instants rounded to steps of {step:g} s",), temperature)
     note = f"instants jitter by up to {uneven / step:.0%} of {step:g} s; values interpolated onto even steps"
     values = {key: make_interp_spline(time, v, k=3)(even) for key, v in values.items()}

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from ..components import InertanceError, SimulationError
 from .bench import Accuracy
 from .block import Block, Linearised
-from .entries import Prior
+from .priors import Prior
 
 Array = NDArray[np.float64]
 MOST_ITERATIONS = 40

@@ -67,14 +67,14 @@ def read_table(path: Path) -> Table:
         raise ModelError(f"'{path}' ends in '{path.suffix}'; measurements end in {', '.join(READERS)}")
     if not path.is_file():
         folder = path.parent
-        others = [p.name for p in folder.iterdir()] if folder.is_dir() else []
+        others = [p.name for p in folder.iterdir() if p.is_file()] if folder.is_dir() else []
         raise ModelError(f"there is no file '{path}'{nearest(path.name, others)}")
     try:
         return READERS[path.suffix.lower()](path)
-    except (OSError, ValueError, TypeError, KeyError) as error:
-        if isinstance(error, ModelError):
-            raise
-        raise ModelError(f"{path}: cannot be read ({error})") from error
+    except ModelError:
+        raise
+    except Exception as error:  # every library that reads a format has errors of its own
+        raise ModelError(f"{path}: cannot be read as a {path.suffix} file ({error})") from error
 
 
 def _headed(header: str) -> tuple[str, str]:

@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from .block import Block, Linearised
-from .entries import Prior
+from .priors import Prior
 from .refine import Optimum
 
 Array = NDArray[np.float64]

@@ -59,8 +59,8 @@ def factor(unit: str, wanted: str) -> float:
     """
     known = known_unit(unit)
     si, size = UNITS[known]
-    if wanted in ("", "1") and si not in ("", "1"):
-        return 1.0
+    if wanted in ("", "1"):
+        return size if si == "1" else 1.0
     if si != wanted:
         fitting = ", ".join(name for name, (of, _) in UNITS.items() if of == wanted) or wanted
         raise ModelError(

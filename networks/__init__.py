@@ -14,6 +14,7 @@ from .analysis import StateSpace as StateSpace
 from .analysis import SteppedSine as SteppedSine
 from .analysis import Tuned as Tuned
 from .analysis import Tuning as Tuning
+from .analysis import Varied as Varied
 from .analysis import admittance as admittance
 from .analysis import animate_modes as animate_modes
 from .analysis import base_shear as base_shear
@@ -56,6 +57,8 @@ from .csource import ToolchainError as ToolchainError
 from .csource import c_program as c_program
 from .csource import compile_shared as compile_shared
 from .csource import compiler as compiler
+from .csource import corners_as_modes as corners_as_modes
+from .csource import is_corner as is_corner
 from .dae import DAE as DAE
 from .dae import Input as Input
 from .events import Event as Event

@@ -82,20 +82,25 @@ class Closed:
         return self.function("evaluate", self.close(joined))
 
     def signal(self, name: str) -> Any:
-        """Return a function of (x, z, q, t) of a signal by its full name, made once."""
+        """Return a function of (x, z, u, q, t) of a signal by its full name, made once."""
         if name not in self._evaluators:
-            self._evaluators[name] = self.evaluator(self.dae.expression(name))
+            self._evaluators[name] = ca.Function("signal", self.dae.arguments(), [self.dae.expression(name)])
         return self._evaluators[name]
 
-    def input_values(self, times: Any) -> Any:
-        """Return the inputs and their derivatives at instants, (inputs, instants)."""
+    def input_values(self, q: Any, times: Any) -> Any:
+        """Return the inputs and their derivatives at instants, (instants, inputs).
+
+        Args:
+            q: what is constant within a segment, at the instants, (instants, constants).
+            times: the instants.
+        """
         if not self.dae.inputs:
-            return np.zeros((0, np.size(times)))
-        return self._input_values(times).full()
+            return np.zeros((len(times), 0))
+        return self._input_values(q.T, times[None]).full().T
 
     @cached_property
     def _input_values(self) -> Any:
-        return ca.Function("inputs", [self.t], [self.u])
+        return ca.Function("inputs", [self.q, self.t], [self.u])
 
     def tangent(self, variables: tuple[int, ...], algebraic: bool) -> Any:
         """Return a function of joined variables (and algebraic residuals) and their slopes in x and z."""

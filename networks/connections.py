@@ -9,6 +9,7 @@ from typing import Any
 
 from ..components.base import Port, PortRef, RealInput, RealOutput
 from .flat import Flat, Instance
+from .problems import Illegible
 
 _Key = tuple[int, str, int]
 
@@ -20,8 +21,12 @@ class Node:
     ports: list[tuple[Instance, str, int]] = field(default_factory=list)
 
 
-def connect_ports(flat: Flat, problems: list[str]) -> tuple[list[Node], list[int]]:
-    """Join what connections join; return the nodes and the across variables that are grounded."""
+def connect_ports(flat: Flat, problems: list[str]) -> tuple[list[Node], list[int], list[tuple[int, int]]]:
+    """Join what connections join.
+
+    Return the nodes, the across variables that are grounded, and the across and through variables of
+    flanges that hang loose.
+    """
     by_component = {id(i.component): i for i in flat.instances.values()}
     node_of: dict[_Key, Node] = {}
     insertions = [(o, *ports) for o in flat.instances.values() for ports in o.component.insertions()]
@@ -34,16 +39,17 @@ def connect_ports(flat: Flat, problems: list[str]) -> tuple[list[Node], list[int
                     members = [_moved(member, moved, by_component) for member in members]
                 _merge(members, node_of)
         except AttributeError as error:
-            problems.append(f"{owner}: its connections cannot be made: {error}")
+            problems.append(Illegible(f"{owner}: its connections cannot be made: {error}"))
     for owner, port, far, _ in insertions:
         _merge(_members(owner, (port, far), by_component, problems), node_of)
     outside = {(instance, name) for instance, name, sign in node_of if sign > 0}
     nodes = list({id(node): node for node in node_of.values()}.values())
     for node in nodes:
         _check_node(node, problems)
-    if not problems:
+    if not any(isinstance(p, Illegible) for p in problems):
         _join_nodes(flat, nodes)
-    return nodes, list(_unconnected(flat, outside, problems))
+    loose: list[tuple[int, int]] = []
+    return nodes, list(_unconnected(flat, outside, problems, loose)), loose
 
 
 def _members(
@@ -56,10 +62,11 @@ def _members(
     for port in ports:
         instance = by_component.get(id(port.component))
         if instance is None or not _belongs(instance, owner):
-            problems.append(
+            told = (
                 f"{port!r} is connected in {owner if owner.path else 'the network'} but belongs to no "
                 "component of it; add the component, or connect it where it lives"
             )
+            problems.append(Illegible(told))
             continue
         members.append((instance, port.name, -1 if instance is owner else 1))
     return members
@@ -73,7 +80,9 @@ def _moved(
     """Return the flange of what is inserted at a port, if anything is, in the port's stead."""
     instance, name, sign = member
     near = moved.get((id(instance.component), name)) if sign > 0 else None
-    return (by_component[id(near.component)], near.name, 1) if near is not None else member
+    if near is None:
+        return member
+    return _moved((by_component[id(near.component)], near.name, 1), moved, by_component)
 
 
 def _belongs(instance: Instance | None, owner: Instance) -> bool:
@@ -116,12 +125,14 @@ def _check_node(node: Node, problems: list[str]) -> None:
             drivers.append(where)
     if len(kinds) > 1:
         told = "; ".join(f"{kind}: {', '.join(where)}" for kind, where in kinds.items())
-        problems.append(f"one node joins ports of different kinds ({told}); connect like with like")
+        wrong = f"one node joins ports of different kinds ({told}); connect like with like"
+        problems.append(Illegible(wrong))
     elif "signal" in kinds and len(drivers) > 1:
-        problems.append(f"one signal has several sources: {', '.join(drivers)}; keep one")
+        problems.append(Illegible(f"one signal has several sources: {', '.join(drivers)}; keep one"))
     for instance, name, sign in node.ports if drivers else ():
         if sign > 0 and instance.component._values.get(name) is not None:
-            problems.append(f"{instance}: {name} has a signal of its own and that of {drivers[0]}; keep one")
+            wrong = f"{instance}: {name} has a signal of its own and that of {drivers[0]}; keep one"
+            problems.append(Illegible(wrong))
 
 
 def _join_nodes(flat: Flat, nodes: list[Node]) -> None:
@@ -139,7 +150,9 @@ def suffix(node: Node, kind: str) -> str:
     return f".{getattr(declared, kind)}" if isinstance(declared, Port) else ""
 
 
-def _unconnected(flat: Flat, outside: set[tuple[int, str]], problems: list[str]) -> Iterator[int]:
+def _unconnected(
+    flat: Flat, outside: set[tuple[int, str]], problems: list[str], loose: list[tuple[int, int]]
+) -> Iterator[int]:
     for instance in flat.instances.values():
         if instance.parent is None:
             continue
@@ -152,6 +165,8 @@ def _unconnected(flat: Flat, outside: set[tuple[int, str]], problems: list[str])
                 problems.append(
                     f"{instance}: {declared.name} is not connected; connect it (to a Fixed if it is held)"
                 )
+                across, through = (f"{declared.name}.{n}" for n in (declared.across, declared.through))
+                loose.append((instance.index(across), instance.index(through)))
 
 
 def find_inputs(flat: Flat, nodes: list[Node]) -> None:

@@ -79,3 +79,9 @@ def zero_family(flat: Flat, variables: list[int], label: str) -> None:
     """State that variables are zero."""
     if variables:
         flat.families.append(sum_family([[v] for v in variables], [[1] for _ in variables], label))
+
+
+def open_family(flat: Flat, loose: list[tuple[int, int]]) -> None:
+    """Let loose flanges meet something that neither holds nor drives them, to look for more faults."""
+    if loose:
+        flat.families.append(sum_family(loose, [[1, 1] for _ in loose], "loose flange"))

@@ -1,27 +1,24 @@
-"""Events: watch indicators, locate crossings, find the modes that are consistent afterwards."""
+"""Events: which transitions fire at an instant, and the modes that are consistent afterwards."""
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
-from functools import lru_cache
+from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
 
 from ..components.base import SimulationError
 from .closed import Closed
-from .crossing import Crossing
+from .completion import Completion
 from .impacts import partners, solve_impact
-from .stepper import Tolerance
+from .indicators import Indicators
+from .point import Point as Point
+from .point import solve_algebraic
 from .switching import Change
 
 Array = NDArray[np.float64]
-FLOOR = 1e-12
-RELATIVE = 1e-12
-FLAT = 1e-10
-UNRESOLVED = 1e-3
-REGULAR = 1e-6
 INSIDE = 1e-9
+ROUNDS = 1000
 
 
 @dataclass(frozen=True)
@@ -37,162 +34,58 @@ class Event:
 
 
 @dataclass(eq=False)
-class Point:
-    """Where a run stands: time, states, algebraic unknowns and what is constant in the segment."""
-
-    t: float
-    x: Array
-    z: Array
-    q: Array
-
-
-@dataclass(eq=False)
 class Switcher:
     """Knows the transitions of a DAE and applies them."""
 
     closed: Closed
-    notes: list[str] = field(default_factory=list)
 
     def __post_init__(self) -> None:
-        dae = self.closed.dae
-        self.switching, self.functions = dae.switching, self.closed.switch_functions
-        self.muted = np.zeros(len(dae.switching.changes), dtype=bool)
-        self.seen = np.zeros(len(dae.switching.changes))
-        self.fastest = np.ones(len(dae.switching.changes))
-        self._adrift: list[str] = []
-        self.modes_at = dae.p.numel()
-        self.impulses_at = self.modes_at + dae.modes.numel()
-        self.completion_at = self.impulses_at + dae.impulses.numel()
+        self.switching, self.functions = self.closed.dae.switching, self.closed.switch_functions
+        self.indicators, self.completion = Indicators(self.closed), Completion(self.closed)
 
-    def modes(self, q: Array) -> Array:
-        """Return the view of the modes in q."""
-        return q[self.modes_at : self.impulses_at]
-
-    def active(self, q: Array) -> NDArray[np.bool_]:
-        """Tell which transitions can fire in the present modes."""
-        return self._leavable(q) & ~self.muted
-
-    def _leavable(self, q: Array) -> NDArray[np.bool_]:
-        present: NDArray[np.bool_] = self.modes(q)[self.functions.mode_of] == self.functions.sources
-        return present
-
-    def soonest(self, point: Point) -> tuple[float, int]:
-        """Return how soon an indicator will cross at its present rate, and which."""
-        values, rates = self.watch(point)
-        ahead = self.active(point.q) & (rates > 0) & (values < -self.tolerance())
-        if not ahead.any():
-            return np.inf, -1
-        delays = np.where(ahead, -values / np.where(ahead, rates, 1.0), np.inf)
-        first = int(delays.argmin())
-        return float(delays[first]), first
-
-    def hopped(self, point: Point, duration: float, indicator: int, tolerance: Tolerance) -> Point | None:
-        """Return the crossing a very short time later (or earlier), or None if it is too far for one step.
-
-        One step of the trapezoidal rule, corrected twice; the second correction bounds its error.
-        """
-        later = Point(point.t, point.x, point.z, point.q)
-        self.move(later, duration)
-        before, change = self._motion(point), np.zeros(0)
-        for _ in range(2):
-            corrected = point.x + 0.5 * duration * (before + self._motion(later))
-            change, later.x = np.abs(corrected - later.x), corrected
-            self._solve_algebraic(later)
-        allowed = 0.1 * (tolerance.rtol * np.abs(point.x) + tolerance.atol)
-        if (change > allowed).any():
-            return None
-        return later if self._shift(later, indicator) else None
-
-    def _shift(self, point: Point, indicator: int) -> bool:
-        """Move a point that is very near a crossing onto it, along its velocity; tell whether it is there."""
-        for _ in range(2):
-            values, rates = self.watch(point)
-            if rates[indicator] <= 0:
-                return False
-            self.move(point, -float(values[indicator] / rates[indicator]))
-        return bool(abs(self.watch(point)[0][indicator]) <= self.tolerance()[indicator])
-
-    def move(self, point: Point, duration: float) -> None:
-        """Move a point by a very short time, along its velocity."""
-        point.x = point.x + duration * self._motion(point)
-        point.t += duration
-        self._solve_algebraic(point)
-
-    def _motion(self, point: Point) -> Array:
-        return self.functions.motion(point.x, point.z, point.q, point.t)[0]
-
-    def watch(self, point: Point) -> tuple[Array, Array]:
-        """Return indicators and their rates at a point; remember their size."""
-        values, rates = self.functions.watch(point.x, point.z, point.q, point.t)
-        np.maximum(self.seen, np.abs(values), out=self.seen)
-        np.maximum(self.fastest, np.abs(rates), out=self.fastest)
-        return values, rates
-
-    def watch_nodes(self, t: Array, x: Array, z: Array, q: Array) -> tuple[Array, Array]:
-        """Return indicators and their rates at the nodes of a stretch, (indicators, nodes)."""
-        values, rates = self.functions.watch_nodes(x, z, q, t[:, None])
-        np.maximum(self.seen, np.abs(values).max(axis=0, initial=0.0), out=self.seen)
-        np.maximum(self.fastest, np.abs(rates).max(axis=0, initial=0.0), out=self.fastest)
-        return values.T, rates.T
-
-    def resolved(self, point: Point, times: Array) -> bool:
-        """Tell whether nodes are close enough for what time itself does to the indicators.
-
-        No state need move for a force to come and go, so the integrator's steps do not tell.
-        """
-        watched = self.functions.timed & self._leavable(point.q)
-        if not watched.any():
-            return True
-        halfway = times + 0.5 * (times[1] - times[0])
-        at, between = (
-            self.functions.watch_nodes(point.x, point.z, point.q, t[:, None])[0] for t in (times, halfway)
-        )
-        cubic = (9 * (at[1:-2] + at[2:-1]) - at[:-3] - at[3:]) / 16
-        error = np.abs(between[1:-2] - cubic).max(axis=0)
-        allowed = UNRESOLVED * np.ptp(at, axis=0) + self.tolerance()
-        return bool((error <= allowed)[watched].all())
-
-    def flat_at(self, point: Point, crossing: Crossing) -> bool:
-        """Tell whether a crossing is where the stretch began, though the indicator does not rise there."""
-        _, indicator, t = crossing
-        return t <= point.t and self.watch(point)[1][indicator] <= FLAT * self.fastest[indicator]
-
-    def tolerance(self) -> Array:
-        """Return the size below which each indicator counts as zero."""
-        return np.maximum(FLOOR, RELATIVE * self.seen)
+    @property
+    def notes(self) -> list[str]:
+        """What there is to know about the modes of a run."""
+        return self.completion.notes
 
     def settle(self, point: Point, forced: int | None = None) -> list[Event]:
         """Fire transitions at an instant until none is left, changing `point` in place."""
         happened: list[Event] = []
         visited: set[tuple[float, ...]] = set()
+        adrift: list[str] = []
         one_by_one = False
-        self.complete(point)
-        for _ in range(200):
+        self.completion.update(point)
+        for _ in range(ROUNDS):
             fired = self._fired(point, forced)
             forced = None
             if not fired:
-                self._check_adrift(point.t)
+                self.completion.check_adrift(point.t)
                 return happened
-            key = (*self.modes(point.q), *point.x, *(float(i) for i in fired))
-            one_by_one = one_by_one or key in visited
+            key = (*self.indicators.modes(point.q), *point.x, *(float(i) for i in fired))
+            if key in visited:
+                if one_by_one:
+                    break
+                one_by_one, visited = True, set()
             visited.add(key)
             happened += self._apply(point, fired[:1] if one_by_one else fired)
-        self._check_adrift(point.t)
+            adrift = self.completion.adrift or adrift
+        self.completion.adrift = adrift
+        self.completion.check_adrift(point.t)
         names = sorted({event.component for event in happened[-20:]})
         raise SimulationError(
             f"no consistent set of modes at t = {point.t:.9g} s; these switch for ever: {', '.join(names)}"
         )
 
     def _fired(self, point: Point, forced: int | None) -> list[int]:
-        (g, rate), near = self.watch(point), self.tolerance()
-        rising = rate > FLAT * self.fastest
-        ready = self.active(point.q) & ((g > near) | ((g > -near) & rising))
-        leaving = (g <= 10 * near) & (rate < -FLAT * self.fastest)
+        indicators = self.indicators
+        (g, rate), near = indicators.watch(point), indicators.tolerance()
+        ready = indicators.active(point.q) & ((g > near) | ((g > -near) & indicators.rising(rate)))
+        leaving = (g <= 10 * near) & indicators.falling(rate)
         ready &= ~leaving
         if forced is not None:
             same_mode = self.functions.mode_of == self.functions.mode_of[forced]
             twins = same_mode & (g == g[forced]) & (rate == rate[forced])
-            ready |= self.active(point.q) & twins
+            ready |= indicators.active(point.q) & twins
         candidates = np.flatnonzero(ready)
         if not len(candidates):
             return []
@@ -206,23 +99,22 @@ class Switcher:
 
     def _apply(self, point: Point, fired: list[int]) -> list[Event]:
         changes = [self.switching.changes[i] for i in fired]
-        everything = self._everything(point)
         shocks = [c for c in changes if c.impulse is not None]
         impulses: dict[int, float] = {}
         if shocks:
-            shocks += partners(self.switching, self.modes(point.q), shocks)
-            impulses = self._strike(point, shocks, everything)
-            everything = self._everything(point)
+            shocks += partners(self.switching, self.indicators.modes(point.q), shocks)
+            impulses = self._strike(point, shocks)
             others = [c for c in changes if c.impulse is None]
             changes = [*others, *(c for c in shocks if c.impulse in impulses)]
+        everything = self._everything(point)
         for change in changes:
-            self.modes(point.q)[change.mode] = change.target
-            self.muted[self.functions.mode_of == change.mode] = False
-        self.complete(point)
+            self.indicators.modes(point.q)[change.mode] = change.target
+            self.indicators.muted[self.functions.mode_of == change.mode] = False
+        self.completion.update(point)
         resets = {r[0]: r[1] * everything[r[2]] for c in changes for r in c.resets}
         if resets:
             self._reset(point, resets)
-        self._solve_algebraic(point)
+        solve_algebraic(self.closed, point)
         return [self._event(point.t, c, impulses) for c in changes]
 
     def _everything(self, point: Point) -> Array:
@@ -234,14 +126,15 @@ class Switcher:
         name = self.switching.mode_names[change.mode]
         return Event(t, change.component, name, values[change.source], values[change.target], impulse)
 
-    def _strike(self, point: Point, shocks: list[Change], everything: Array) -> dict[int, float]:
+    def _strike(self, point: Point, shocks: list[Change]) -> dict[int, float]:
         """Find the impulses that give the velocities wanted, and let them act."""
+        everything = self._everything(point)
         q = point.q.copy()
-        modes = self.modes(q)
+        modes = self.indicators.modes(q)
         for number, table in enumerate(self.switching.in_shock):
             modes[number] = table.get(int(modes[number]), modes[number])
         during = Point(point.t, point.x, point.z, q)
-        self.complete(during)
+        self.completion.update(during)
         assert self.functions.shock is not None
         shock = self.functions.shock(point.x, point.z, q, point.t)
         response = shock[0].reshape(len(self.switching.impulse_names), len(point.x)).T
@@ -253,6 +146,7 @@ class Switcher:
     def _reset(self, point: Point, resets: dict[int, float]) -> None:
         """Give variables new values: states directly, others by the least change of states."""
         others = [v for v in resets if v not in self.functions.state_of]
+        point.x = point.x.copy()
         for variable in resets.keys() - others:
             point.x[self.functions.state_of[variable]] = resets[variable]
         if others:
@@ -262,32 +156,11 @@ class Switcher:
             slope = slope.reshape(len(point.x), len(value)).T[rows]
             point.x = point.x + np.linalg.lstsq(slope, missing, rcond=1e-10)[0]
 
-    def complete(self, point: Point) -> None:
-        """Set the completion of blocks that the present modes leave singular."""
-        if not self.closed.dae.blocks:
-            return
-        slopes = self.functions.slopes(point.x, point.z, point.q, point.t)[0]
-        self._adrift = []
-        start = 0
-        for block in self.closed.dae.blocks:
-            size = len(block.torn)
-            part = slice(start, start + size**2)
-            completion, singular = _completion(slopes[part].tobytes(), size)
-            point.q[self.completion_at :][part] = completion
-            start = part.stop
-            if singular:
-                freed = np.abs(completion.reshape(size, size, order="F")).max(axis=0)
-                loose = freed > 1e-6 * freed.max()
-                if self.functions.is_rate[block.torn][loose].any():
-                    self._adrift += block.labels
-                else:
-                    self.tell_shared(block.labels)
-
     def tell_inside(self, point: Point) -> None:
         """Note what begins beyond the point at which it strikes."""
-        self.complete(point)
-        values = self.watch(point)[0]
-        for i in np.flatnonzero(self._leavable(point.q) & (values > INSIDE)):
+        self.completion.update(point)
+        values = self.indicators.watch(point)[0]
+        for i in np.flatnonzero(self.indicators.leavable(point.q) & (values > INSIDE)):
             change = self.switching.changes[i]
             note = (
                 f"{change.component} begins {values[i]:.4g} beyond where it strikes, and holds or rebounds "
@@ -296,50 +169,6 @@ class Switcher:
             if change.impulse is not None and note not in self.notes:
                 self.notes.append(note)
 
-    def _check_adrift(self, t: float) -> None:
-        """Raise if nothing determines an acceleration in the present modes."""
-        if self._adrift:
-            raise SimulationError(
-                f"at t = {t:.9g} s nothing with inertia moves with {', '.join(self._adrift)}, which no "
-                "longer holds; join a Mass (or an Inertia) where it slides"
-            )
-
-    def tell_shared(self, labels: list[str]) -> None:
-        """Note that components share a load in a way no equation tells."""
-        note = (
-            f"{', '.join(labels)}: in some mode these hold a motion that is already held; their forces "
-            "are then not unique and the ones of least norm are taken"
-        )
-        if note not in self.notes:
-            self.notes.append(note)
-
-    def _solve_algebraic(self, point: Point) -> None:
-        if not self.closed.dae.z.numel():
-            return
-        for _ in range(50):
-            value, slope = self.functions.algebraic(point.x, point.z, point.q, point.t)
-            slope = slope.reshape(len(value), -1).T
-            step = np.linalg.lstsq(slope, -value, rcond=1e-12)[0]
-            point.z = point.z + step
-            if np.abs(step).max() <= 1e-12 * (1 + np.abs(point.z).max()):
-                return
-
 
 def _allowed(change: Change, everything: Array) -> bool:
     return change.allowed is None or bool(everything[change.allowed])
-
-
-@lru_cache(maxsize=256)
-def _completion(entries: bytes, size: int) -> tuple[Array, bool]:
-    """Return what makes a singular matrix regular such that solutions have least norm, by columns."""
-    matrix = np.frombuffer(entries).reshape(size, size, order="F")
-    scale = np.abs(matrix).max(axis=1, initial=0.0)
-    scale[scale == 0] = 1.0
-    if abs(np.linalg.det(matrix / scale[:, None])) > REGULAR:
-        return np.zeros(size**2), False
-    left, strength, right = np.linalg.svd(matrix / scale[:, None])
-    weak = strength <= 1e-10 * max(strength.max(initial=0.0), 1.0)
-    if not weak.any():
-        return np.zeros(size**2), False
-    completion = scale[:, None] * (left[:, weak] @ right[weak])
-    return completion.ravel(order="F"), True

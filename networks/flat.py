@@ -42,6 +42,7 @@ class Flat:
     groups: list[list[Instance]]
     joined: SignedUnion
     table: ParameterTable
+    problems: list[str] = field(default_factory=list)
     families: list[Family] = field(default_factory=list)
     modes: list[tuple[Instance, Mode]] = field(default_factory=list)
     impulses: list[tuple[Instance, str]] = field(default_factory=list)
@@ -60,7 +61,8 @@ class Flat:
             if instance is not None and local in instance.template.variables:
                 index = instance.index(local)
                 return index if inner is path else self.derivative_of(path, index)
-        raise KeyError(f"'{self.name}' has no variable '{path}'{nearest(path, self.names())}")
+        known = [*self.names(), *self.table.index]
+        raise KeyError(f"'{self.name}' has no variable '{path}'{nearest(path, known)}")
 
     def derivative_of(self, path: str, index: int) -> int:
         """Return the number of a variable's derivative, for a name like der(mass.v)."""

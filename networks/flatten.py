@@ -15,35 +15,42 @@ import casadi as ca
 
 from ..components.base import Component, ModelError, Template, declared_template, template_of
 from .connections import connect_ports, find_inputs
-from .equations import component_families, node_families, zero_family
+from .equations import component_families, node_families, open_family, zero_family
 from .flat import Flat, Instance
 from .parameters import ParameterTable
+from .problems import Illegible
 from .union import SignedUnion
 
 
 def flatten(network: Component) -> Flat:
     """Return the network's variables and equations, equal variables joined.
 
+    `Flat.problems` lists what is wrong with values and connections by component path.
+
     Raises:
-        ModelError: listing every problem of values and connections by component path.
+        ModelError: with these problems, if they leave no structure to look at.
     """
     name = getattr(network, "name", type(network).__name__)
     problems: list[str] = []
     instances = {i.path: i for i in _walk(network, "", None, problems, {})}
     if len(instances) == 1 and not instances[""].template.variables:
-        problems.append("it has no components; give some to Network(...) or add()")
+        problems.append(Illegible("it has no components; give some to Network(...) or add()"))
     groups = _grouped(instances)
     size = sum(len(group) * len(group[0].template.variables) for group in groups)
     flat = Flat(name, instances, groups, SignedUnion(size), ParameterTable(instances, problems))
     _collect_modes(flat)
-    nodes, grounded = connect_ports(flat, problems)
-    if problems:
+    flat.problems = problems
+    nodes, grounded, loose = connect_ports(flat, problems)
+    if any(isinstance(p, Illegible) for p in problems) or any(
+        i.component._shapeless for i in instances.values()
+    ):
         raise ModelError(f"'{name}' cannot be assembled:", problems)
     _join_aliases(flat)
     find_inputs(flat, nodes)
     component_families(flat)
     node_families(flat, nodes)
     zero_family(flat, grounded, "grounded support")
+    open_family(flat, loose)
     zero_family(flat, flat.joined.contradictions, "contradiction")
     return flat
 
@@ -57,8 +64,10 @@ def _walk(
 ) -> Iterator[Instance]:
     if id(component) in seen:
         problems.append(
-            f"{type(component).__name__} '{path}' is the same object as '{seen[id(component)]}'; "
-            "give each place its own (`.clone()`)"
+            Illegible(
+                f"{type(component).__name__} '{path}' is the same object as '{seen[id(component)]}'; "
+                "give each place its own (`.clone()`)"
+            )
         )
         return
     seen[id(component)] = path
@@ -75,14 +84,21 @@ def _template(component: Component, path: str, problems: list[str]) -> Template:
     try:
         return template_of(component)
     except ModelError as error:
-        problems.append(f"{type(component).__name__} '{path}': {error}")
+        problems.append(Illegible(f"{type(component).__name__} '{path}': {error}"))
     except Exception as error:
-        place = traceback.extract_tb(error.__traceback__)[-1]
-        problems.append(
-            f"{type(component).__name__} '{path}': its equations cannot be read: {type(error).__name__}: "
-            f"{error} ({place.name}(), line {place.lineno} of {Path(place.filename).name})"
-        )
+        told = f"{type(component).__name__} '{path}': its equations cannot be read: {_told(error)}"
+        problems.append(Illegible(told))
     return declared_template(component)
+
+
+def _told(error: Exception) -> str:
+    """Say what went wrong in a component's own lines, and where."""
+    frames = traceback.extract_tb(error.__traceback__)
+    place = next((f for f in reversed(frames) if Path(f.filename).name != "casadi.py"), frames[-1])
+    what = f"{type(error).__name__}: {error}"
+    if "truth value" in what:
+        what = "Python decides here by a symbol; write ca.if_else, ca.logic_and, ca.fmin or ca.fmax"
+    return f"{what} ({place.name}(), line {place.lineno} of {Path(place.filename).name})"
 
 
 def _grouped(instances: dict[str, Instance]) -> list[list[Instance]]:

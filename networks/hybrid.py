@@ -8,8 +8,10 @@ import numpy as np
 
 from ..components.base import SimulationError
 from .crossing import Crossing, first_crossing, followed
-from .events import Point, Switcher
+from .events import Switcher
+from .hops import hopped
 from .pace import FINE, LEAST, Pace
+from .point import Point
 from .progress import Progress
 from .run import Run, attempt, integrate
 from .stepper import Array, IntegratorError, Stepper, Stretch
@@ -27,7 +29,7 @@ def run_hybrid(run: Run, switcher: Switcher, stepper: Stepper, outputs: Array, p
     recent: deque[float] = deque(maxlen=max(CHATTER))
     while pace.next < len(outputs):
         point = run.point
-        delay, indicator = switcher.soonest(point)
+        delay, indicator = switcher.indicators.soonest(point)
         if _hop(run, switcher, delay, indicator, pace):
             pace.limit = np.inf
             _watch_chatter(run, recent, pace.interval)
@@ -59,7 +61,7 @@ def _hop(run: Run, switcher: Switcher, delay: float, indicator: int, pace: Pace)
     """Go to a crossing that is too near to integrate to; tell whether that was possible."""
     if delay >= HOP * pace.interval:
         return False
-    later = switcher.hopped(run.point, delay, indicator, run.settings.tolerance)
+    later = hopped(switcher.indicators, run.point, delay, indicator, run.settings.tolerance)
     if later is None or later.t >= pace.outputs[pace.next]:
         return False
     _arrive(run, switcher, later, indicator)
@@ -87,9 +89,9 @@ def _record_here(run: Run) -> None:
 
 def _plain(switcher: Switcher, point: Point, times: Array, crossing: Crossing | None, pace: Pace) -> bool:
     """Tell whether a stretch is short enough for its nodes to show what happens in it."""
-    if crossing is not None and switcher.flat_at(point, crossing):
+    if crossing is not None and switcher.indicators.flat_at(point, crossing):
         return False
-    return pace.exponent <= FINE or switcher.resolved(point, times)
+    return pace.exponent <= FINE or switcher.indicators.resolved(point, times)
 
 
 def _crossing(run: Run, switcher: Switcher, times: Array, stretch: Stretch) -> tuple[Crossing | None, bool]:
@@ -97,10 +99,10 @@ def _crossing(run: Run, switcher: Switcher, times: Array, stretch: Stretch) -> t
     point = run.point
     x = np.vstack([point.x, stretch.states])
     z = np.vstack([point.z, stretch.algebraic])
-    values, rates = switcher.watch_nodes(times, x, z, point.q)
-    near = switcher.tolerance()
-    switcher.muted &= values[:, -1] > -near
-    watched = times, values, rates, switcher.active(point.q), near
+    values, rates = switcher.indicators.watch_nodes(times, x, z, point.q)
+    near = switcher.indicators.tolerance()
+    switcher.indicators.muted &= values[:, -1] > -near
+    watched = times, values, rates, switcher.indicators.active(point.q), near
     return first_crossing(*watched), followed(*watched)
 
 
@@ -132,9 +134,12 @@ def _land(
     if node:
         x, z = stretch.states[node - 1], stretch.algebraic[node - 1]
     start = Point(float(times[node]), x.copy(), z.copy(), point.q)
-    end = float(times[node + 1])
-    landed, reached = _approach_crossing(run, switcher, stepper, start, end, t, indicator)
-    _arrive(run, switcher, landed, indicator if reached else None)
+    sought, end, earliest = indicator, float(times[node + 1]), np.inf
+    landed, reached = _approach_crossing(run, switcher, stepper, start, end, t, sought)
+    while (passed := switcher.indicators.passed(start, landed)) not in (None, sought) and landed.t < earliest:
+        sought, earliest = passed, landed.t
+        landed, reached = _approach_crossing(run, switcher, stepper, start, earliest, earliest, sought)
+    _arrive(run, switcher, landed, sought if reached else None)
 
 
 def _arrive(run: Run, switcher: Switcher, landed: Point, indicator: int | None) -> None:
@@ -146,7 +151,7 @@ def _arrive(run: Run, switcher: Switcher, landed: Point, indicator: int | None) 
     if happened:
         run.open_segment()
     elif indicator is not None:
-        switcher.muted[indicator] = True
+        switcher.indicators.muted[indicator] = True
 
 
 def _approach_crossing(
@@ -163,8 +168,8 @@ def _approach_crossing(
     Return where this ends, and whether zero was reached: nodes can make believe in a crossing.
     """
     low, high = start.t, end
-    g, rate = (float(m[indicator]) for m in switcher.watch(start))
-    beyond = g > switcher.tolerance()[indicator] or (g >= 0 and rate < 0)
+    g, rate = (float(m[indicator]) for m in switcher.indicators.watch(start))
+    beyond = g > switcher.indicators.tolerance()[indicator] or (g >= 0 and rate < 0)
     while True:
         narrow = high - low < 1e-13 * max(1.0, abs(t))
         t = high if narrow else t
@@ -172,12 +177,12 @@ def _approach_crossing(
             return start, True
         stretch = integrate(run, stepper, start, t - start.t)
         landed = Point(t, stretch.states[-1].copy(), stretch.algebraic[-1].copy(), start.q)
-        values, rates = switcher.watch(landed)
+        values, rates = switcher.indicators.watch(landed)
         g, rate = float(values[indicator]), float(rates[indicator])
         newton = t - g / rate if rate > 0 and not beyond else np.inf
         close = abs(newton - t) < HOP * (end - start.t) and low <= newton <= high
         if close or (narrow and start.t < newton < end):
-            hit = switcher.hopped(landed, newton - t, indicator, run.settings.tolerance)
+            hit = hopped(switcher.indicators, landed, newton - t, indicator, run.settings.tolerance)
             if hit is not None:
                 return hit, True
         if narrow:

@@ -80,20 +80,21 @@ def wishes(dae: DAE, start: Mapping[str, float], guess: Mapping[str, float]) -> 
         ModelError: for unknown names.
         InitialConditionError: for two different fixed values of one variable.
     """
+    _check_names(dae, {**start, **guess})
     given: dict[str, float] = {}
     for instance in dae.system.flat.instances.values():
         for name, value in instance.component._values.items():
             if isinstance(type(instance.component).fields.get(name), Variable):
                 given[f"{instance.path}.{name}".lstrip(".")] = float(value)
-    run = {_root(dae, name)[0] for name in start}
-    given = {name: v for name, v in given.items() if _root(dae, name)[0] not in run}
+    run = {dae.root(name)[0] for name in start}
+    given = {name: v for name, v in given.items() if dae.root(name)[0] not in run}
     fixed: dict[int, tuple[str, float]] = {}
     clashes = []
     for name, value in {**given, **start}.items():
-        root, sign = _root(dae, name)
-        known, wanted = fixed.setdefault(root, (name, sign * _number(name, value)))
+        root, sign = dae.root(name)
+        known, wanted = fixed.setdefault(root, (name, sign * float(value)))
         if not np.isclose(wanted, sign * float(value), rtol=1e-12, atol=1e-12):
-            other = _root(dae, known)[1]
+            other = dae.root(known)[1]
             clashes.append(
                 f"'{known}' and '{name}' are {'one variable' if sign == other else 'opposite'}, fixed at two "
                 f"values, {other * wanted:g} and {value:g} {dae.unit(name)}; fix one"
@@ -102,22 +103,23 @@ def wishes(dae: DAE, start: Mapping[str, float], guess: Mapping[str, float]) -> 
         raise InitialConditionError("start values contradict each other: " + "; ".join(clashes))
     guesses = {}
     for name, value in guess.items():
-        root, sign = _root(dae, name)
-        guesses[root] = sign * _number(name, value)
+        root, sign = dae.root(name)
+        guesses[root] = sign * float(value)
     return Wishes(fixed, guesses)
 
 
-def _number(name: str, value: Any) -> float:
-    if not isinstance(value, Real) or not np.isfinite(float(value)):
-        raise ModelError(f"start value of '{name}' must be a finite number, got {value!r}")
-    return float(value)
-
-
-def _root(dae: DAE, name: str) -> tuple[int, int]:
-    try:
-        return dae.root(name)
-    except KeyError as error:
-        raise ModelError(f"start value: {error.args[0]}") from None
+def _check_names(dae: DAE, given: Mapping[str, Any]) -> None:
+    """Raise for names of no variable, and for values that are no numbers."""
+    problems = []
+    for name, value in given.items():
+        try:
+            dae.root(name)
+        except KeyError as error:
+            problems.append(error.args[0])
+        if not isinstance(value, Real) or not np.isfinite(float(value)):
+            problems.append(f"start value of '{name}' must be a finite number, got {value!r}")
+    if problems:
+        raise ModelError("these start values cannot be set:", problems)
 
 
 def initial_values(closed: Closed, q: Array, t: float, wanted: Wishes) -> tuple[Array, Array, Decisions]:
@@ -239,7 +241,7 @@ def _missed(
 def _contradiction(dae: DAE, others: list[int], wrong: Any, wanted: Wishes) -> str:
     failed = {wanted.fixed[others[i]][0] for i in wrong if i < len(others)}
     told = {
-        name: f"'{name}' = {_root(dae, name)[1] * value:g} {dae.unit(name)}"
+        name: f"'{name}' = {dae.root(name)[1] * value:g} {dae.unit(name)}"
         for name, value in wanted.fixed.values()
     }
     if not failed:

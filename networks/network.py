@@ -69,14 +69,14 @@ class Network(Component):
         """Put a two-terminal element between a port and all it is connected to; return the network.
 
         The port may belong to a part at any depth. The element's flange_a goes to the port, its flange_b to
-        what the port was connected to.
+        what the port was connected to; what was inserted there before stays between the port and it.
 
         Args:
             port: a flange, such as `net.inerter.screw.flange_t`.
             element: one element by name, with flange_a and flange_b.
 
         Raises:
-            ModelError: if the port or the element is none, or something is inserted there already.
+            ModelError: if the port or the element is none.
 
         Example:
             >>> from inertance import Backlash, Fixed, Mass, Network, Spring
@@ -92,13 +92,16 @@ class Network(Component):
             not {"flange_a", "flange_b"} <= type(e).fields.keys() for e in element.values()
         ):
             raise ModelError(f"{told}, got {', '.join(repr(e) for e in element.values()) or 'none'}")
-        if any(p.component is port.component and p.name == port.name for p, _ in self._inserted):
-            raise ModelError(
-                f"Network '{self.name}': at {port!r} something is inserted already; join both by series()"
-            )
         self.add(**element)
-        self._inserted.append((port, next(iter(element))))
+        self._inserted.append((self._end_of(port), next(iter(element))))
         return self
+
+    def _end_of(self, port: PortRef) -> PortRef:
+        """Return the far flange of what is inserted at a port; the port itself if nothing is."""
+        for at, _, far in self.insertions():
+            if at.component is port.component and at.name == port.name:
+                return self._end_of(far)
+        return port
 
     def connections(self) -> Iterable[tuple[PortRef, ...]]:
         """Return the nodes made by `connect`."""

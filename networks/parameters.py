@@ -19,6 +19,7 @@ from ..components.base import (
     nearest,
     numpy_on_symbols,
 )
+from .problems import Illegible
 from .vectors import column
 
 if TYPE_CHECKING:
@@ -133,10 +134,11 @@ class ParameterTable:
             try:
                 expressions.append(self.at(path))
             except ModelError as error:
-                problems.append(str(error))
+                problems.append(Illegible(error))
             except RecursionError:
                 owner, _, name = path.rpartition(".")
-                problems.append(f"{self.instances[owner]}: {name} depends on itself; give it a number")
+                told = f"{self.instances[owner]}: {name} depends on itself; give it a number"
+                problems.append(Illegible(told))
         return ca.Function("dependent", [self.symbols], [column(expressions)])
 
     def _out_of_range(self, numbers: Any) -> Iterator[str]:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import casadi as ca
 
+from ..components.base import ModelError
 from .causalise import Solution, causalise
 from .dae import DAE, Input
 from .flat import Flat
@@ -19,17 +20,32 @@ def reduce(flat: Flat) -> DAE:
     """Return the network's equations in the form everything else reads.
 
     Raises:
-        ModelError: if the network is structurally singular, naming the components concerned.
+        ModelError: if values or connections are wrong or the network is structurally singular, naming the
+            components concerned.
     """
-    system = joined_system(flat)
-    close_loops(system)
-    check_structure(system)
+    system = _checked(flat)
     reduce_index(system)
     symbols = ca.SX.sym("v", system.size)
     switch = switching(system, symbols)
     solution = causalise(system, select_states(system), symbols, switch.expressions)
     switch.expressions = solution.also
     return _dae(system, solution, switch)
+
+
+def _checked(flat: Flat) -> System:
+    """Return the joined equations of a network in which nothing is wrong."""
+    told = f"'{flat.name}' cannot be assembled:"
+    try:
+        system = joined_system(flat)
+        close_loops(system)
+        check_structure(system)
+    except ModelError as error:
+        if not flat.problems:
+            raise
+        raise ModelError(told, [*flat.problems, *error.problems]) from None
+    if flat.problems:
+        raise ModelError(told, flat.problems)
+    return system
 
 
 def _dae(system: System, solution: Solution, switch: Switching) -> DAE:

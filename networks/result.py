@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, field
+from functools import cached_property
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -109,13 +110,20 @@ class Result:
 
     def _evaluate(self, name: str) -> Array:
         function = self._closed.signal(name)
-        pieces = []
-        for segment in self._segments:
-            times = np.concatenate(segment.times)
-            states, algebraic = np.vstack(segment.states), np.vstack(segment.algebraic)
-            values = function(states.T, algebraic.T, segment.q, times[None, :]).full().ravel()
-            pieces.append(np.broadcast_to(values, times.shape))
-        return np.concatenate(pieces)
+        values = function(*(column.T for column in self._columns), self.time[None, :]).full().ravel()
+        return np.broadcast_to(values, self.time.shape).copy()
+
+    @cached_property
+    def _columns(self) -> tuple[Array, Array, Array, Array]:
+        """States, algebraic unknowns, inputs and what is constant in a segment, at all points."""
+        states, algebraic = (
+            np.concatenate([part for s in self._segments for part in getattr(s, kind)])
+            for kind in ("states", "algebraic")
+        )
+        lengths = [sum(map(len, s.times)) for s in self._segments]
+        q = np.repeat([s.q for s in self._segments], lengths, axis=0)
+        inputs = self._closed.input_values(q, self.time)
+        return states, algebraic, inputs, q[:, : self.dae.constants.numel()]
 
     def __contains__(self, name: str) -> bool:
         try:

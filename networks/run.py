@@ -11,8 +11,9 @@ from numpy.typing import NDArray
 
 from ..components.base import ModelError, SimulationError
 from .closed import Closed
-from .events import Event, Point, Switcher
+from .events import Event, Switcher
 from .initial import Decisions
+from .point import Point
 from .result import Segment
 from .stepper import Array, IntegratorError, Stepper, Stretch, Tolerance
 

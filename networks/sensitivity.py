@@ -12,8 +12,8 @@ from ..components.base import ModelError, nearest
 
 if TYPE_CHECKING:
     from .closed import Closed
-    from .events import Point
     from .initial import Wishes
+    from .point import Point
     from .stepper import Stepper
 
 Array = NDArray[np.float64]

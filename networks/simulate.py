@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import time as clock
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from typing import Any
 
 import numpy as np
@@ -11,9 +11,10 @@ import numpy as np
 from ..components.base import InitialConditionError, ModelError, SimulationError
 from .closed import Closed
 from .dae import DAE
-from .events import Event, Point, Switcher
+from .events import Event, Switcher
 from .hybrid import MOST_STEPS, NODES, run_hybrid
 from .initial import Wishes, initial_values, wishes
+from .point import Point
 from .progress import Progress
 from .result import Result
 from .run import Run, Settings, failure, limiting_state
@@ -83,20 +84,30 @@ def _interpreted(
 
 
 def started(closed: Closed, settings: Settings, q: Array, wanted: Wishes) -> Run:
-    """Find start values and the modes they imply, again until both agree."""
+    """Find start values and the modes they imply.
+
+    Raises:
+        InitialConditionError: if they do not agree in the modes at rest, nor in those that motion or
+            what breaks away implies.
+    """
+    refusals = []
+    for modes in _first_modes(closed, q, settings.begin, wanted):
+        try:
+            return _agreed(closed, settings, modes, wanted)
+        except InitialConditionError as error:
+            refusals.append(error)
+    raise refusals[min(1, len(refusals) - 1)]
+
+
+def _agreed(closed: Closed, settings: Settings, q: Array, wanted: Wishes) -> Run:
+    """Find start values in given modes, then modes, again until both agree."""
     t = settings.begin
     switcher = Switcher(closed) if closed.dae.hybrid or closed.dae.blocks else None
-    for attempt in range(10):
+    for _ in range(10):
         if switcher is not None:
             guess = Point(t, np.zeros(closed.dae.x.numel()), np.zeros(closed.dae.z.numel()), q)
-            switcher.complete(guess)
-        try:
-            x, z, decisions = initial_values(closed, q, t, wanted)
-        except InitialConditionError:
-            if attempt or switcher is None:
-                raise
-            q = _modes_of_motions(closed, switcher, q, t, wanted)
-            continue
+            switcher.completion.update(guess)
+        x, z, decisions = initial_values(closed, q, t, wanted)
         point = Point(t, x, z, q)
         run = Run(closed, settings, point, switcher, decisions)
         if switcher is None:
@@ -117,13 +128,25 @@ def started(closed: Closed, settings: Settings, q: Array, wanted: Wishes) -> Run
     )
 
 
-def _modes_of_motions(closed: Closed, switcher: Switcher, q: Array, t: float, wanted: Wishes) -> Array:
-    """Return the modes that positions and speeds alone imply; at rest not every start can be reached."""
+def _first_modes(closed: Closed, q: Array, t: float, wanted: Wishes) -> Iterator[Array]:
+    """Yield modes to try: at rest, those that positions and speeds imply, and each way out of holding."""
+    yield q.copy()
+    if not closed.dae.hybrid:
+        return
     fixed = {v: value for v, value in wanted.fixed.items() if v in closed.dae.system.derivative}
     x, z, _ = initial_values(closed, q, t, Wishes(fixed, wanted.guesses))
-    point = Point(t, x, z, q)
+    point = Point(t, x, z, q.copy())
+    switcher = Switcher(closed)
     _settled(switcher, point)
-    return point.q
+    yield point.q.copy()
+    switching, modes = closed.dae.switching, switcher.indicators.modes
+    held = [k for k, stands in enumerate(switching.in_shock) if int(modes(point.q)[k]) in stands]
+    for chosen in [held, *([k] for k in held if len(held) > 1)]:
+        for value in range(max((len(switching.mode_values[k]) for k in held), default=0)):
+            moving = point.q.copy()
+            for k in chosen:
+                modes(moving)[k] = min(value, len(switching.mode_values[k]) - 1)
+            yield moving
 
 
 def _settled(switcher: Switcher, point: Point) -> list[Event]:

@@ -120,10 +120,16 @@ def _joined(component: Component) -> Iterator[tuple[PortRef, ...]]:
         yield port, near
         if key in joined:
             far_of[key] = far
+            joined.add((id(far.component), far.name))
         else:
             yield port, far
+
+    def end_of(port: PortRef) -> PortRef:
+        far = far_of.get((id(port.component), port.name))
+        return port if far is None else end_of(far)
+
     for ports in component.connections():
-        yield tuple(far_of.get((id(port.component), port.name), port) for port in ports)
+        yield tuple(end_of(port) for port in ports)
 
 
 def _colour(component: Component) -> str:

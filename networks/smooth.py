@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from .events import Point
+from .point import Point
 from .progress import Progress
 from .run import Run, integrate
 from .sensitivity import Sensitivities

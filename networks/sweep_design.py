@@ -33,8 +33,8 @@ class Design:
         for number, point in enumerate(self.points):
             if len(point) != len(self.names):
                 raise ModelError(f"point {number} has {len(point)} values for {len(self.names)} parameters")
-        if not self.points:
-            raise ModelError("a design needs at least one point")
+        if not (self.names and self.points):
+            raise ModelError("a design needs at least one parameter and one point")
 
     def __len__(self) -> int:
         return len(self.points)
@@ -48,6 +48,9 @@ def grid(values: Mapping[str, Iterable[Any]]) -> Design:
         >>> len(grid({"strut.damper.d": [1e3, 2e3, 3e3], "strut.inerter.b": [50.0, 100.0]}))
         6
     """
+    for name, given in values.items():
+        if isinstance(given, str) or not isinstance(given, Iterable):
+            raise ModelError(f"'{name}': a grid takes a list of values, got {given!r}; write [{given!r}]")
     return Design(tuple(values), tuple(product(*map(_plain, values.values()))))
 
 
@@ -59,6 +62,7 @@ def monte_carlo(ranges: Ranges, count: int, *, seed: int = 0) -> Design:
         count: how many points.
         seed: of the random numbers.
     """
+    _check_count(count)
     return _drawn(ranges, np.random.default_rng(seed).random((count, len(ranges))))
 
 
@@ -69,6 +73,7 @@ def latin_hypercube(ranges: Ranges, count: int, *, seed: int = 0) -> Design:
     """
     from scipy.stats import qmc
 
+    _check_count(count)
     return _drawn(ranges, qmc.LatinHypercube(len(ranges), rng=seed).random(count))
 
 
@@ -81,9 +86,7 @@ def sobol_sequence(ranges: Ranges, count: int, *, seed: int = 0) -> Design:
     """
     from scipy.stats import qmc
 
-    if count < 1 or count & (count - 1):
-        near = 1 << max(count, 1).bit_length()
-        raise ModelError(f"a Sobol sequence is balanced for powers of 2: take {near}, not {count}")
+    _check_power_of_two(count)
     return _drawn(ranges, qmc.Sobol(len(ranges), rng=seed).random(count))
 
 
@@ -97,15 +100,27 @@ def saltelli(ranges: Ranges, count: int, *, second_order: bool = False, seed: in
         seed: of the random numbers.
 
     Raises:
-        ModuleNotFoundError: without SALib: `pip install SALib`.
+        ModuleNotFoundError: without SALib: `pip install "inertance[sensitivity]"`.
 
     Source: A. Saltelli, Comput. Phys. Commun. 145 (2002) 280-297.
     """
+    _check_power_of_two(count)
     sample, _ = salib()
     problem = unit_problem(ranges)
     return _drawn(
         ranges, sample.sample(problem, count, calc_second_order=second_order, seed=seed), second_order
     )
+
+
+def _check_count(count: int) -> None:
+    if count < 1:
+        raise ModelError(f"a design needs at least one point, got count={count}")
+
+
+def _check_power_of_two(count: int) -> None:
+    if count < 1 or count & (count - 1):
+        near = 1 << max(count, 1).bit_length()
+        raise ModelError(f"a Sobol sequence is balanced for powers of 2: take {near}, not {count}")
 
 
 def unit_problem(names: Iterable[str]) -> dict[str, Any]:
@@ -119,7 +134,8 @@ def salib() -> tuple[Any, Any]:
     try:
         return import_module("SALib.sample.sobol"), import_module("SALib.analyze.sobol")
     except ImportError as error:
-        raise ModuleNotFoundError("Sobol indices need SALib: run `pip install SALib`") from error
+        told = 'Sobol indices need SALib: pip install "inertance[sensitivity]"'
+        raise ModuleNotFoundError(told) from error
 
 
 def _drawn(ranges: Ranges, unit: Array, second_order: bool | None = None) -> Design:

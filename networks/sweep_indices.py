@@ -29,7 +29,7 @@ def sobol_indices(done: Sweep, measure: str = "value", *, seed: int = 0) -> pd.D
 
     Raises:
         ModelError: for another design, an unknown measure, or points that failed.
-        ModuleNotFoundError: without SALib: `pip install SALib`.
+        ModuleNotFoundError: without SALib: `pip install "inertance[sensitivity]"`.
 
     Source: A. Saltelli et al., Comput. Phys. Commun. 181 (2010) 259-270; computed by SALib.
     """

@@ -15,6 +15,7 @@ from concurrent.futures import (
     ProcessPoolExecutor,
     wait,
 )
+from functools import cache
 from typing import Any
 
 from ..components.base import ModelError
@@ -60,6 +61,7 @@ class Pool:
         while left or self.pending or self.suspects:
             while left and not self.suspects and len(self.pending) < self.width:
                 self._submit([left.pop() for _ in range(min(self.size, len(left)))])
+            _load_tables()
             if self.suspects and not self.pending:
                 yield from self._alone(*self.suspects.popleft())
             elif self.pending:
@@ -135,6 +137,12 @@ def _rows(future: Future[list[Row]]) -> list[Row] | None:
         if type(error).__name__ in LOST:
             return None
         raise
+
+
+@cache
+def _load_tables() -> None:
+    """Load what the results' table needs while processes are at work."""
+    import pandas  # noqa: F401
 
 
 def _processes(workers: int) -> ProcessPoolExecutor:

@@ -15,7 +15,7 @@ from .dae import DAE
 from .progress import Progress
 from .sweep_design import Design, grid
 from .sweep_store import Store
-from .sweep_work import Model, Row, Work, equations, packed
+from .sweep_work import Model, Row, Work, bequeath, equations, packed
 
 if TYPE_CHECKING:
     import pandas as pd
@@ -102,6 +102,10 @@ def sweep(
         >>> [round(value, 2) for value in done.table["value"]]
         [0.93, 0.86, 0.76]
     """
+    if workers is not None and workers < 0:
+        raise ModelError(f"workers must be at least 0, got {workers}")
+    if not callable(measure):
+        raise ModelError(f"a measure is a function of the equations and the values, got {measure!r}")
     design = parameters if isinstance(parameters, Design) else grid(parameters)
     dae = equations(model)
     _check_names(dae, design)
@@ -153,7 +157,10 @@ def _rows(
         return
     from .sweep_pool import Pool
 
-    pool = Pool(executor, workers, packed(model, measure))
+    blob = packed(model, measure)
+    if executor is None:
+        bequeath(blob, measure, dae)
+    pool = Pool(executor, workers, blob)
     finish = False
     try:
         yield from pool.rows(points.items())

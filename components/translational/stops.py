@@ -13,13 +13,15 @@ from .friction import StribeckFriction
 from .masses import Mass
 
 STILL = 1e-12
+LOWEST = 1e-12
 
 
 class HardStop(Compliant):
     """Two flanges that cannot come closer than s_rel = s_min.
 
     A shock reverses the relative velocity, v_rel+ = -e v_rel-, by the impulse J that this takes.
-    Slower than `v_rest` afterwards, they stay in contact until they are pulled apart.
+    Slower than `v_rest` afterwards, or too slow for a rebound of 1e-12 m against what presses them
+    together, they stay in contact until they are pulled apart.
 
     Source: I. Newton's law of restitution.
     """
@@ -44,11 +46,16 @@ class HardStop(Compliant):
         bounce = Shock(self.J, self.v_rel, rebound)
         settle = Shock(self.J, self.v_rel, 0.0)
         pressed = ca.logic_or(self.v_rel < 0, ca.logic_and(self.v_rel < STILL, self.a_rel < 0))
-        rests = ca.logic_and(pressed, rebound <= self.v_rest)
-        yield self.mode.goes("free", "free", when=closing, allowed=rebound > self.v_rest, shock=bounce)
+        low = ca.logic_and(self.a_rel < 0, rebound**2 < -2 * LOWEST * self.a_rel)
+        leaves = ca.logic_and(rebound > self.v_rest, ca.logic_not(low))
+        rests = ca.logic_and(pressed, ca.logic_not(leaves))
+        yield self.mode.goes("free", "free", when=closing, allowed=leaves, shock=bounce)
         yield self.mode.goes(
             "free", "contact", when=closing, allowed=rests, shock=settle, reset={"v_rel": 0.0}
         )
+        touching = ca.logic_and(self.s_rel <= self.s_min + LOWEST, ca.fabs(self.v_rel) < STILL)
+        load = ca.if_else(touching, -self.a_rel, -1.0)
+        yield self.mode.goes("free", "contact", when=load > 0, reset={"v_rel": 0.0})
         yield self.mode.goes("contact", "free", when=self.f > 0)
         yield self.mode.goes("contact", "free", when=self.v_rel > 0)
         yield self.mode.goes("contact", "free", when=self.v_rel < 0)

@@ -48,3 +48,4 @@ from .tuning import Tuned as Tuned
 from .tuning import front as front
 from .tuning import scatter as scatter
 from .tuning import tune as tune
+from .varied import Varied as Varied

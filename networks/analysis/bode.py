@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from ...components.base import ModelError
 from ..plotting import pretty_unit
 
 if TYPE_CHECKING:
@@ -30,6 +31,7 @@ def plot_bode(system: StateSpace, f: ArrayLike | None = None) -> Figure:
     """Draw gain and phase over frequency, one column an input; see `StateSpace.plot_bode`."""
     from matplotlib import pyplot
 
+    _check_inputs(system)
     at = frequencies(system) if f is None else np.asarray(f, dtype=float)
     response = system.response(at)
     figure, axes = pyplot.subplots(
@@ -58,6 +60,7 @@ def plot_nyquist(system: StateSpace, f: ArrayLike | None = None) -> Figure:
     """Draw the frequency response in the complex plane; see `StateSpace.plot_nyquist`."""
     from matplotlib import pyplot
 
+    _check_inputs(system)
     at = frequencies(system, 2000) if f is None else np.asarray(f, dtype=float)
     response = system.response(at)
     figure, ax = pyplot.subplots(figsize=(6.0, 5.5), layout="constrained")
@@ -74,6 +77,11 @@ def plot_nyquist(system: StateSpace, f: ArrayLike | None = None) -> Figure:
     ax.set_title(system.name)
     ax.legend(fontsize="small", frameon=False)
     return figure
+
+
+def _check_inputs(system: StateSpace) -> None:
+    if not system.inputs:
+        raise ModelError(f"'{system.name}' has no inputs to draw a response to; give linearise() some")
 
 
 def _ratio(output: str, given: str) -> str:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from functools import cache
 from math import pi, sqrt
 
 import numpy as np
@@ -22,6 +23,7 @@ TRANSITION = {
 STEP = {"Wk": (2.37, 0.91, 3.35, 0.91), "Wj": (3.75, 0.91, 5.32, 0.91)}
 
 
+@cache
 def comfort_filter(weighting: str = "Wk") -> StateSpace:
     """Return a weighting of ISO 2631-1 as a system from acceleration to weighted acceleration [m/s2].
 
@@ -76,11 +78,16 @@ def weighted_rms(time: ArrayLike, acceleration: ArrayLike, weighting: str = "Wk"
         weighting: as for `comfort_filter`.
 
     Raises:
-        ModelError: for steps that are not equal.
+        ModelError: for steps that are not equal, lengths that differ, or values that are not finite.
     """
     from scipy.signal import lsim
 
     t, a = np.asarray(time, dtype=float), np.asarray(acceleration, dtype=float)
+    if t.shape != a.shape or t.size < 2 or not (np.isfinite(t).all() and np.isfinite(a).all()):
+        raise ModelError(
+            f"weighted_rms() takes as many finite instants as accelerations, at least 2; got {t.size} and "
+            f"{a.size} with {np.count_nonzero(~np.isfinite(a))} not finite"
+        )
     if not np.allclose(np.diff(t), t[1] - t[0], rtol=1e-6, atol=0):
         raise ModelError("weighted_rms() takes instants at equal steps; interpolate the record first")
     _, felt, _ = lsim(comfort_filter(weighting).to_scipy(), a, t - t[0])

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ...components.base import SimulationError
+from ...components.base import ModelError, SimulationError
 from ..dae import DAE
 from ..network import Network
 from .balance import Balance
@@ -131,6 +131,8 @@ def harmonic_orbit(
         signals: constant values of other inputs.
         parameters: changed parameters.
     """
+    if not frequency > 0:
+        raise ModelError(f"a periodic motion needs frequency > 0 Hz, got {frequency:g}")
     dae = network.dae() if isinstance(network, Network) else network
     balance = Balance(dae, driven, amplitude, outputs, harmonics, signals or {}, parameters or {})
     w = 2 * np.pi * frequency

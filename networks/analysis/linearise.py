@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
+from dataclasses import replace
 from functools import cached_property
 from typing import Any
 from weakref import WeakKeyDictionary
@@ -18,15 +19,17 @@ from ..result import Result
 from .operating import HOLDING, OperatingPoint, operating_point
 from .realise import Channel, drop_held, realised
 from .statespace import StateSpace
+from .varied import Varied
 
 Array = NDArray[np.float64]
+STEP = 1e-100
 _KNOWN: WeakKeyDictionary[DAE, dict[tuple[tuple[str, ...], ...], Linearisation]] = WeakKeyDictionary()
 
 
 def linearise(
     network: Network | DAE,
-    inputs: Iterable[str] | None = None,
-    outputs: Iterable[str] | None = None,
+    inputs: str | Iterable[str] | None = None,
+    outputs: str | Iterable[str] | None = None,
     *,
     at: str | Result = "equilibrium",
     time: float = 0.0,
@@ -65,12 +68,16 @@ def linearise(
         0.01
     """
     dae = network.dae() if isinstance(network, Network) else network
-    point = operating_point(dae, at, time=time, start=start, inputs=signals, parameters=parameters)
-    wanted = (
-        (dae.input_names if inputs is None else inputs),
-        (dae.state_names if outputs is None else outputs),
+    driven, seen = (
+        (names,) if isinstance(names, str) else tuple(every if names is None else names)
+        for names, every in ((inputs, dae.input_names), (outputs, dae.state_names))
     )
-    return _compiled(dae, tuple(wanted[0]), tuple(wanted[1])).at(point)
+    compiled = _compiled(dae, driven, seen)
+    by = parameters.by if isinstance(parameters, Varied) and at == "equilibrium" else ()
+    if by and compiled.linear:
+        return compiled.anywhere(dae.system.flat.table.values(dict(parameters or {})), by)
+    point = operating_point(dae, at, time=time, start=start, inputs=signals, parameters=parameters)
+    return compiled.at(point, by)
 
 
 def _compiled(dae: DAE, inputs: tuple[str, ...], outputs: tuple[str, ...]) -> Linearisation:
@@ -115,29 +122,90 @@ class Linearisation:
             found[mode] = ca.Function("motions", dae.arguments(), slopes)
         return found
 
-    def at(self, point: OperatingPoint) -> StateSpace:
-        """Return the linear system about a point."""
+    @cached_property
+    def linear(self) -> bool:
+        """Whether the slopes are the same at all points, so that none need be looked for."""
+        dae = self.dae
+        if dae.switching.mode_names or any(c.parameter is not None for c in self.inputs):
+            return False
+        all_ = ca.vertcat(dae.ode, dae.alg, self._h)
+        slopes = ca.vertcat(*[ca.vec(ca.jacobian(all_, s)) for s in (dae.x, dae.z, dae.u)])
+        return not ca.depends_on(slopes, ca.vertcat(dae.x, dae.z, dae.u, dae.time))
+
+    @cached_property
+    def _tangents(self) -> Any:
+        """How the slopes change along a direction of states, algebraic unknowns and parameters."""
+        dae = self.dae
+        all_ = ca.vertcat(dae.ode, dae.alg, self._h)
+        moved = ca.vertcat(dae.x, dae.z, dae.p)
+        along = ca.SX.sym("along", moved.numel())
+        slopes = [ca.densify(ca.jacobian(all_, s)) for s in (dae.x, dae.z, dae.u, dae.p)]
+        changes = [ca.reshape(ca.densify(ca.jtimes(ca.vec(s), moved, along)), s.shape) for s in slopes]
+        return ca.Function("tangents", [*dae.arguments(), along], changes)
+
+    def at(self, point: OperatingPoint, by: Iterable[str] = ()) -> StateSpace:
+        """Return the linear system about a point, with slopes in parameters `by` unless something holds."""
         place = (point.x, point.z, point.u, point.q, point.t)
-        of_x, of_z, of_u, of_p = (m.full() for m in self._slopes(*place))
-        n, m = len(point.x), len(point.z)
+        matrices = [m.full() for m in self._slopes(*place)]
+        held = self._held_rows(point)
+        system = self._system(matrices, list(point.notes), held, point)
+        return system if len(held) else replace(system, slopes=self._varied(place, matrices, by))
+
+    def anywhere(self, numbers: Array, by: Iterable[str]) -> StateSpace:
+        """Return the system of linear equations for some parameters, with slopes in those of `by`."""
+        dae = self.dae
+        constants = np.concatenate([numbers, np.zeros(dae.constants.numel() - len(numbers))])
+        place = (0.0, 0.0, 0.0, constants, 0.0)
+        matrices = [m.full() for m in self._slopes(*place)]
+        system = self._system(matrices, [], np.zeros((0, dae.x.numel())), None)
+        return replace(system, slopes=self._varied(place, matrices, by))
+
+    def _varied(
+        self, place: tuple[Any, ...], matrices: list[Array], by: Iterable[str]
+    ) -> dict[str, StateSpace]:
+        """Return the derivatives of the system in parameters, by complex steps of its matrices.
+
+        The point moves along: for an equilibrium 0 = f(y, p), dy/dp = -(df/dy)^-1 df/dp.
+        """
+        dae, found = self.dae, {}
+        rows = slice(0, dae.x.numel() + dae.z.numel())
+        rest = np.hstack([m[rows] for m in matrices[:2]])
+        for name in by:
+            _check_parameter(dae, name)
+            k = dae.system.flat.table.index[name]
+            along = np.zeros(dae.p.numel())
+            along[k] = 1.0
+            moved: Any = np.zeros(rest.shape[1])
+            if not self.linear:
+                moved = np.linalg.lstsq(rest, -matrices[3][rows, k], rcond=1e-12)[0]
+            changes = self._tangents(*place, np.concatenate([moved, along]))
+            stepped = [m + 1j * STEP * change.full() for m, change in zip(matrices, changes, strict=True)]
+            system = self._system(stepped, [], np.zeros((0, dae.x.numel())), None)
+            parts: Any = {n: getattr(system, n).imag / STEP for n in "ABCD"}
+            found[name] = replace(system, **parts, D_s=tuple(D.imag / STEP for D in system.D_s))
+        return found
+
+    def _system(
+        self, matrices: list[Any], notes: list[str], held: Array, point: OperatingPoint | None
+    ) -> StateSpace:
+        """Return the linear system of slopes in states, algebraic unknowns, inputs and parameters."""
+        of_x, of_z, of_u, of_p = matrices
+        n, m = of_x.shape[1], of_z.shape[1]
         states, algebraic, outputs = np.split(np.arange(len(of_x)), [n, n + m])
-        notes = list(point.notes)
-        follow = _following(of_z[algebraic], np.hstack([of_x, of_u, of_p])[algebraic], notes)
         whole = np.hstack([of_x, of_u, of_p])
+        follow = _following(of_z[algebraic], whole[algebraic], notes)
         whole[np.r_[states, outputs]] += of_z[np.r_[states, outputs]] @ follow
         of_x, of_u, of_p = np.split(whole, [n, n + of_u.shape[1]], axis=1)
         A, C = of_x[states], of_x[outputs]
         names, units = self.dae.state_names, [self.dae.unit(name) for name in self.dae.state_names]
-        kept = drop_held(A, of_u[states], self._held_rows(point))
+        keep: Any = states
+        kept = drop_held(A, of_u[states], held) if len(held) else None
         if kept is not None:
             keep, restore = kept
             notes.append(f"held, and therefore no states: {', '.join(np.delete(names, keep))}")
-            A, C, of_u, of_p = (
-                A[keep] @ restore,
-                C @ restore,
-                *(np.vstack([part[keep], part[outputs]]) for part in (of_u, of_p)),
-            )
+            A, C = A[keep] @ restore, C @ restore
             names, units = [names[k] for k in keep], [units[k] for k in keep]
+        of_u, of_p = (part[np.r_[keep, outputs]] for part in (of_u, of_p))
         channels = [self._columns(c, of_u, of_p) for c in self.inputs]
         inputs = [c.name for c in self.inputs], [c.unit for c in self.inputs]
         told = [self.dae.unit(name) for name in self.outputs]
@@ -166,19 +234,25 @@ class Linearisation:
         return np.vstack(rows)
 
 
-def _following(of_z: Array, of_others: Array, notes: list[str]) -> Array:
-    """Return how algebraic unknowns follow all others."""
+def _following(of_z: Any, of_others: Any, notes: list[str]) -> Any:
+    """Return how algebraic unknowns follow all others, of complex matrices up to the first order of steps."""
     if not len(of_z):
         return np.zeros((0, of_others.shape[1]))
-    scale = np.abs(of_z).max(axis=1)
+    scale = np.abs(of_z.real).max(axis=1)
     scale[scale == 0] = 1.0
-    follow, _, rank, _ = np.linalg.lstsq(of_z / scale[:, None], -of_others / scale[:, None], rcond=1e-13)
+    follow, _, rank, _ = np.linalg.lstsq(
+        of_z.real / scale[:, None], -of_others.real / scale[:, None], rcond=1e-13
+    )
+    if np.iscomplexobj(of_z):
+        rest = of_others.imag + of_z.imag @ follow
+        follow = (
+            follow - 1j * np.linalg.lstsq(of_z.real / scale[:, None], rest / scale[:, None], rcond=1e-13)[0]
+        )
     if rank < len(of_z):
         notes.append(
             f"{len(of_z) - rank} algebraic unknowns are not determined here; the least ones are taken"
         )
-    result: Array = follow
-    return result
+    return follow
 
 
 def _channel(dae: DAE, name: str) -> Channel:
@@ -193,6 +267,12 @@ def _channel(dae: DAE, name: str) -> Channel:
         return Channel(name, path, 0, dae.unit(path), table.index[path])
     known = [*dae.input_names, *table.index]
     raise ModelError(f"'{dae.name}' has no input '{path}'{nearest(path, known)}")
+
+
+def _check_parameter(dae: DAE, name: str) -> None:
+    known = dae.parameter_values
+    if name not in known:
+        raise ModelError(f"'{dae.name}' has no parameter '{name}' to be varied{nearest(name, known)}")
 
 
 def _expression(dae: DAE, name: str) -> Any:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from math import pi, sqrt
 
+from ...components.base import ModelError
 from ..dae import DAE
 from ..network import Network
 from .comfort import weighted
@@ -35,7 +36,7 @@ def ride_j1(
 
     Source: Smith & Wang, Vehicle System Dynamics 42 (2004) 235-257, eq. (4).
     """
-    return _scaled(linearise(car, [f"{road}.s_ref"], [f"{body}.v"], parameters=parameters).h2(), V, kappa)
+    return _on_road(car, f"{road}.s_ref", f"{body}.v", V, kappa, parameters)
 
 
 def tyre_j3(
@@ -59,9 +60,7 @@ def tyre_j3(
 
     Source: Smith & Wang, Vehicle System Dynamics 42 (2004) 235-257, eq. (5).
     """
-    return _scaled(
-        linearise(car, [f"der({road}.s_ref)"], [f"{tyre}.f"], parameters=parameters).h2(), V, kappa
-    )
+    return _on_road(car, f"der({road}.s_ref)", f"{tyre}.f", V, kappa, parameters)
 
 
 def load_j5(
@@ -81,7 +80,7 @@ def load_j5(
 
     Source: Smith & Wang, Vehicle System Dynamics 42 (2004) 235-257.
     """
-    return linearise(car, [f"{load}.f"], [f"{body}.s"], parameters=parameters).hinf()
+    return _at_worst(car, f"{load}.f", f"{body}.s", parameters)
 
 
 def suspension_travel(
@@ -94,9 +93,7 @@ def suspension_travel(
     parameters: Mapping[str, float] | None = None,
 ) -> Norm:
     """Return the rms travel of a suspension on a random road [m]."""
-    return _scaled(
-        linearise(car, [f"der({road}.s_ref)"], [f"{strut}.s_rel"], parameters=parameters).h2(), V, kappa
-    )
+    return _on_road(car, f"der({road}.s_ref)", f"{strut}.s_rel", V, kappa, parameters)
 
 
 def ride_comfort(
@@ -110,8 +107,7 @@ def ride_comfort(
     parameters: Mapping[str, float] | None = None,
 ) -> Norm:
     """Return the rms acceleration of the body on a random road, weighted after ISO 2631-1 [m/s2]."""
-    system = linearise(car, [f"der({road}.s_ref)"], [f"{body}.a"], parameters=parameters)
-    return _scaled(weighted(system, weighting).h2(), V, kappa)
+    return _on_road(car, f"der({road}.s_ref)", f"{body}.a", V, kappa, parameters, weighting)
 
 
 def base_shear(
@@ -122,7 +118,7 @@ def base_shear(
     parameters: Mapping[str, float] | None = None,
 ) -> Norm:
     """Return the greatest force in the first storey for a unit harmonic ground acceleration [N.s2/m]."""
-    return linearise(frame, [f"der(der({ground}.s_ref))"], [f"{storey}.f"], parameters=parameters).hinf()
+    return _at_worst(frame, f"der(der({ground}.s_ref))", f"{storey}.f", parameters)
 
 
 def drift(
@@ -133,8 +129,26 @@ def drift(
     parameters: Mapping[str, float] | None = None,
 ) -> Norm:
     """Return the greatest drift of a storey for a unit harmonic ground acceleration [s2]."""
-    return linearise(frame, [f"der(der({ground}.s_ref))"], [f"{storey}.s_rel"], parameters=parameters).hinf()
+    return _at_worst(frame, f"der(der({ground}.s_ref))", f"{storey}.s_rel", parameters)
 
 
-def _scaled(norm: Norm, V: float, kappa: float) -> Norm:
-    return Norm(2 * pi * sqrt(V * kappa) * norm, norm.frequency, norm.reason)
+def _on_road(
+    car: Network | DAE,
+    road: str,
+    output: str,
+    V: float,
+    kappa: float,
+    parameters: Mapping[str, float] | None,
+    weighting: str = "",
+) -> Norm:
+    if not (V > 0 and kappa >= 0):
+        raise ModelError(f"a road is driven at V > 0 m/s, with kappa >= 0 m3/cycle, got {V:g} and {kappa:g}")
+    system = linearise(car, [road], [output], parameters=parameters)
+    felt = weighted(system.minimal(), weighting) if weighting else system
+    return felt.h2().scaled(2 * pi * sqrt(V * kappa))
+
+
+def _at_worst(
+    network: Network | DAE, given: str, output: str, parameters: Mapping[str, float] | None
+) -> Norm:
+    return linearise(network, [given], [output], parameters=parameters).hinf()

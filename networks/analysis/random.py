@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from ...components.base import ModelError
+from .norms import stable_part
 
 if TYPE_CHECKING:
     from .statespace import StateSpace
@@ -26,6 +27,8 @@ def response_psd(system: StateSpace, f: ArrayLike, input_psd: Spectrum = 1.0) ->
         input_psd: one-sided spectrum of the input, a number or a function of f, in its unit squared per Hz.
     """
     at = np.asarray(f, dtype=float)
+    if not (at >= 0).all():
+        raise ModelError(f"one-sided spectra are for frequencies from 0 Hz, got {at.min():g}")
     given = np.asarray(input_psd(at) if callable(input_psd) else np.full(at.shape, input_psd), dtype=float)
     spectrum: Array = (np.abs(system.response(at)) ** 2).sum(axis=-1) * given[:, None]
     return spectrum
@@ -46,12 +49,15 @@ def response_rms(
         points: at which the spectrum is taken, spaced geometrically.
 
     Raises:
-        ModelError: for an empty band.
+        ModelError: for an empty band, or an unstable system, whose motion grows without end.
     """
     from scipy.integrate import simpson
 
     if not 0 < low < high:
         raise ModelError(f"a band goes from low > 0 to a higher frequency, got {low:g} to {high:g} Hz")
+    reason = stable_part(system)[1]
+    if reason.startswith("unstable"):
+        raise ModelError(f"'{system.name}' has no steady random response: {reason}")
     f = np.geomspace(low, high, points)
     power = simpson(response_psd(system, f, input_psd) * f[:, None], x=np.log(f), axis=0)
     return dict(zip(system.outputs, map(float, np.sqrt(power)), strict=True))

@@ -1,4 +1,4 @@
-"""Realise: derivatives of inputs, held motions and redundant states, brought into the form A, B, C, D."""
+"""Realise: derivatives of inputs and held motions, brought into the form A, B, C, D."""
 
 from __future__ import annotations
 
@@ -85,7 +85,7 @@ def realised(
     inputs: Named,
     outputs: Named,
     notes: list[str],
-    point: OperatingPoint,
+    point: OperatingPoint | None,
 ) -> StateSpace:
     """Return x' = A x + sum B_k u^(k), y = C x + sum D_k u^(k) without derivatives in the first equation.
 
@@ -125,7 +125,7 @@ def _integrators(
     """Append the integrals of a channel as states; earlier channels do not touch them."""
     size, more = len(A), len(lower)
     block = np.stack(lower, axis=1)
-    grown = np.zeros((size + more, size + more))
+    grown = np.zeros((size + more, size + more), block.dtype)
     grown[:size, :size], grown[:size, size:] = A, block[:size]
     for k in range(more - 1):
         grown[size + k, size + k + 1] = 1.0
@@ -142,8 +142,8 @@ def _integrators(
 def _without_derivatives(system: StateSpace, left: list[dict[int, Array]]) -> StateSpace:
     A, C, n = system.A, system.C, len(system.A)
     highest = max((order for columns in left for order in columns), default=0)
-    B = np.zeros((highest + 1, n, len(left)))
-    D = np.zeros((highest + 1, len(C), len(left)))
+    B = np.zeros((highest + 1, n, len(left)), A.dtype)
+    D = np.zeros((highest + 1, len(C), len(left)), A.dtype)
     for k, columns in enumerate(left):
         for order, column in columns.items():
             B[order, :, k], D[order, :, k] = column[:n], column[n:]
@@ -174,6 +174,8 @@ def chained(system: StateSpace, after: StateSpace, row: int, name: str) -> State
     C, D = np.hstack([system.C, np.zeros((len(system.C), added))]), system.D.copy()
     C[row] = np.hstack([after.D @ system.C[[row]], after.C])
     D[row] = after.D @ system.D[[row]]
+    still = replace(after, A=np.zeros_like(after.A), C=np.zeros_like(after.C))
+    slopes = {by: chained(slope, still, row, name) for by, slope in system.slopes.items()}
     outputs, units = list(system.outputs), list(system.output_units)
     outputs[row], units[row] = (
         name,
@@ -182,60 +184,5 @@ def chained(system: StateSpace, after: StateSpace, row: int, name: str) -> State
     return replace(
         system, A=A, B=B, C=C, D=D, outputs=tuple(outputs), output_units=tuple(units),
         states=(*system.states, *(f"{name}.{state}" for state in after.states)),
-        state_units=(*system.state_units, *after.state_units),
+        state_units=(*system.state_units, *after.state_units), slopes=slopes,
     )  # fmt: skip
-
-
-def controllable_part(A: Array, B: Array, tolerance: float) -> Array:
-    """Return an orthonormal basis of what the inputs reach, block by block.
-
-    Source: H. Rosenbrock, State-space and Multivariable Theory (1970); the staircase by singular values.
-    """
-    n = len(A)
-    basis = np.zeros((n, 0))
-    block = B
-    while basis.shape[1] < n and block.size:
-        block = block - basis @ (basis.T @ block)
-        block = block - basis @ (basis.T @ block)
-        left, strength, _ = np.linalg.svd(block, full_matrices=False)
-        new = left[:, strength > tolerance]
-        if not new.shape[1]:
-            break
-        basis = np.hstack([basis, new])
-        block = A @ new
-    return basis
-
-
-def balanced(system: StateSpace) -> tuple[Array, Array, Array]:
-    """Return A, B, C with states scaled so that rows and columns of A are of like size."""
-    import scipy.linalg
-
-    if not len(system.A):
-        return system.A, system.B, system.C
-    A, (scale, _) = scipy.linalg.matrix_balance(system.A, permute=False, separate=True)
-    return np.asarray(A, dtype=float), system.B / scale[:, None], system.C * scale
-
-
-def minimal(system: StateSpace, tolerance: float = 1e-9) -> StateSpace:
-    """Return the part of a system that its inputs reach and its outputs show; see `StateSpace.minimal`."""
-    A, B, C = balanced(system)
-    rate = float(np.abs(A).max(initial=1e-300))
-    gains = _norms(B, 0), _norms(C, 1)
-    A, B, C = A / rate, B / gains[0], C / gains[1][:, None]
-    reach = controllable_part(A, B, tolerance)
-    A, B, C = reach.T @ A @ reach, reach.T @ B, C @ reach
-    show = controllable_part(A.T, C.T, tolerance)
-    A, B, C = show.T @ A @ show, show.T @ B, C @ show
-    lost = len(system.A) - len(A)
-    if not lost:
-        return system
-    return replace(
-        system, A=A * rate, B=B * gains[0], C=C * gains[1][:, None],
-        states=tuple(f"x{k + 1}" for k in range(len(A))), state_units=("1",) * len(A),
-        notes=(*system.notes, f"{lost} states that no input reaches or no output shows are left out"),
-    )  # fmt: skip
-
-
-def _norms(matrix: Array, axis: int) -> Array:
-    sizes: Array = np.linalg.norm(matrix, axis=axis)
-    return np.where(sizes > 0, sizes, 1.0)

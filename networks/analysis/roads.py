@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import csv
+import math
 from collections.abc import Callable, Iterator
+from itertools import pairwise
 from math import pi
 from pathlib import Path
 from typing import Any
@@ -29,7 +31,10 @@ def road_spectrum(road_class: str, n: ArrayLike) -> Array:
 
     Source: ISO 8608:2016, geometric means of the classes.
     """
-    spectrum: Array = _class(road_class) * (np.asarray(n, dtype=float) / N_0) ** -2.0
+    waves = np.asarray(n, dtype=float)
+    if not (waves > 0).all():
+        raise ModelError(f"a road's spectrum is for spatial frequencies above 0 cycle/m, got {waves.min():g}")
+    spectrum: Array = _class(road_class) * (waves / N_0) ** -2.0
     return spectrum
 
 
@@ -62,6 +67,10 @@ def road_profile(
     Raises:
         ModelError: for an unknown class, or a road shorter than its longest wave.
     """
+    if not (speed > 0 and 0 < low < high):
+        raise ModelError(
+            f"a road needs speed > 0 m/s and 0 < low < high, got speed={speed:g}, low={low:g}, high={high:g}"
+        )
     length = speed * duration
     if not length * low >= 1.0:
         raise ModelError(
@@ -85,7 +94,12 @@ def bump(height: float, length: float, speed: float, begin: float = 0.0) -> Call
         length: [m].
         speed: of the vehicle [m/s].
         begin: when the wheel meets it [s].
+
+    Raises:
+        ModelError: for a length or speed that is not above 0.
     """
+    if not (length > 0 and speed > 0):
+        raise ModelError(f"a bump needs length > 0 m and speed > 0 m/s, got {length:g} and {speed:g}")
 
     def profile(t: Any) -> Any:
         x = speed * (t - begin)
@@ -105,7 +119,7 @@ def record(path: str | Path, column: str | None = None, *, time: str = "time", s
         scale: factor to SI units.
 
     Raises:
-        ModelError: for a missing file or column, or what is no number, with its line.
+        ModelError: for a missing file or column, or what is no finite number or out of order, with its line.
     """
     file = Path(path)
     if not file.is_file():
@@ -120,16 +134,24 @@ def record(path: str | Path, column: str | None = None, *, time: str = "time", s
             if name not in heads:
                 raise ModelError(f"{file} has no column '{name}'{nearest(name, heads)}")
         places = heads.index(time), heads.index(wanted)
-        pairs = [_numbers(file, number, row, places) for number, row in enumerate(rows, start=2) if row]
-    instants, values = np.array(pairs, dtype=float).reshape(-1, 2).T
+        lines = [(n, _numbers(file, n, row, places)) for n, row in enumerate(rows, start=2) if row]
+    for (_, before), (line, after) in pairwise(lines):
+        if not after[0] > before[0]:
+            raise ModelError(
+                f"{file}, line {line}: {time} goes from {before[0]:g} to {after[0]:g} s; sort it"
+            )
+    instants, values = np.array([pair for _, pair in lines], dtype=float).reshape(-1, 2).T
     return Sampled(instants, scale * values)
 
 
-def _numbers(file: Path, line: int, row: list[str], places: tuple[int, int]) -> list[float]:
+def _numbers(file: Path, line: int, row: list[str], places: tuple[int, ...]) -> list[float]:
     try:
-        return [float(row[k]) for k in places]
+        numbers = [float(row[k]) for k in places]
     except (ValueError, IndexError):
-        raise ModelError(f"{file}, line {line}: two numbers are needed, got {','.join(row)!r}") from None
+        numbers = [math.nan]
+    if not all(map(math.isfinite, numbers)):
+        raise ModelError(f"{file}, line {line}: finite numbers are needed, got {','.join(row)!r}")
+    return numbers
 
 
 def _peer(file: Path, scale: float) -> Sampled:
@@ -137,7 +159,11 @@ def _peer(file: Path, scale: float) -> Sampled:
     facts = dict(_facts(lines[3])) if len(lines) > 4 else {}
     if "DT" not in facts:
         raise ModelError(f"{file}, line 4: no 'DT=' as the PEER format has it")
-    values = np.array(" ".join(lines[4:]).split(), dtype=float) * GRAVITY * scale
+    words = [(n, word) for n, line in enumerate(lines[4:], start=5) for word in line.split()]
+    values = np.array([_numbers(file, n, [word], (0,))[0] for n, word in words])
+    if len(values) != facts.get("NPTS", len(values)):
+        raise ModelError(f"{file}: line 4 says {facts['NPTS']:g} values, there are {len(values)}")
+    values *= GRAVITY * scale
     return Sampled(facts["DT"] * np.arange(len(values)), values)
 
 

@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field, replace
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -33,6 +33,7 @@ class StateSpace:
         states, inputs, outputs: names; `state_units`, `input_units`, `output_units`: their units.
         notes: what is to be known: what holds, what was left out, what is free.
         point: the operating point it was linearised at.
+        slopes: for each parameter that was `Varied`, the derivatives of A, B, C, D in it.
     """
 
     A: Array
@@ -49,6 +50,7 @@ class StateSpace:
     output_units: tuple[str, ...] = ()
     notes: tuple[str, ...] = ()
     point: OperatingPoint | None = None
+    slopes: Mapping[str, StateSpace] = field(default_factory=dict)
 
     def __post_init__(self) -> None:
         n, m, p = len(self.A), self.B.shape[1], len(self.C)
@@ -117,6 +119,7 @@ class StateSpace:
             inputs=tuple(self.inputs[k] for k in columns), outputs=tuple(self.outputs[k] for k in rows),
             input_units=tuple(self.input_units[k] for k in columns),
             output_units=tuple(self.output_units[k] for k in rows),
+            slopes={by: slope[pair] for by, slope in self.slopes.items()},
         )  # fmt: skip
 
     def _place(self, name: str, known: tuple[str, ...], kind: str) -> int:
@@ -146,7 +149,7 @@ class StateSpace:
         Args:
             tolerance: size, against the largest entry, below which a coupling counts as none.
         """
-        from .realise import minimal
+        from .minimal import minimal
 
         return minimal(self, tolerance)
 

@@ -83,7 +83,12 @@ def stepped_sine(
     wanted, found, settled = list(outputs), [], []
     state = dict(start or {})
     parameters = dict(options.pop("parameters", None) or {})
-    for f in np.atleast_1d(np.asarray(frequencies, dtype=float)):
+    steps = np.atleast_1d(np.asarray(frequencies, dtype=float))
+    if not (amplitude > 0 and (steps > 0).all()):
+        raise ModelError(
+            f"a stepped sine needs amplitude > 0 and frequencies > 0 Hz, got {amplitude:g}, {steps}"
+        )
+    for f in steps:
         last: Complex = np.empty(0, dtype=complex)
         steady = False
         for _ in range(max(1, most // 4)):

@@ -1,5 +1,7 @@
 """A network as a C program."""
 
+from .corners import corners_as_modes as corners_as_modes
+from .corners import is_corner as is_corner
 from .program import CProgram as CProgram
 from .program import c_program as c_program
 from .toolchain import ToolchainError as ToolchainError

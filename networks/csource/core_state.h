@@ -148,7 +148,7 @@ void core_step_dense(const Step *s, double t, double y[]);
 
 /* locate.c */
 int core_locate(Core *c, double *t, double *begin, double *end, int *indicator);
-CoreStatus core_land(Core *c, int indicator, double t, double begin, double end, int *reached);
+CoreStatus core_land(Core *c, int *indicator, double t, double begin, double end, int *reached);
 
 /* stepper.c */
 CoreStatus core_travel(Core *c, double stop, double rtol, double atol, double fixed_step, int return_early,

@@ -7,7 +7,7 @@
 #define FLOOR 1e-12
 #define RELATIVE 1e-12
 #define FLAT 1e-10
-#define ROUNDS 200
+#define ROUNDS 1000
 
 int core_leavable(const Core *c, int i) { return core_mode(c, model_change_mode[i]) == model_change_source[i]; }
 
@@ -149,7 +149,7 @@ static CoreStatus forever(Core *c, const int fired[], int count) {
 
 CoreStatus core_fire(Core *c, int forced, const Observer *told, int *happened, int *changed) {
     uint64_t visited[ROUNDS];
-    int fired[ROOM(NG)], count = 0, one_by_one = 0, waited = forced;
+    int fired[ROOM(NG)], count = 0, one_by_one = 0, since = 0, adrift = 0, waited = forced;
     CoreStatus status = core_complete(c);
     *happened = *changed = 0;
     c->pending = 0;
@@ -167,11 +167,19 @@ CoreStatus core_fire(Core *c, int forced, const Observer *told, int *happened, i
             return check_adrift(c);
         }
         visited[round] = situation(c, fired, count);
-        for (int k = 0; k < round; k++) one_by_one |= visited[k] == visited[round];
+        int again = 0;
+        for (int k = since; k < round; k++) again |= visited[k] == visited[round];
+        if (again && one_by_one) break;
+        if (again) {
+            one_by_one = 1;
+            since = round;
+        }
         status = apply(c, fired, one_by_one ? 1 : count, told, changed);
         if (status != CORE_OK) return status;
+        if (c->adrift) adrift = c->adrift;
         *happened = 1;
     }
+    c->adrift = adrift;
     status = check_adrift(c);
     return status == CORE_OK ? forever(c, fired, count) : status;
 }

@@ -6,11 +6,16 @@
 
 #define CREST (4.0 / 27.0)
 #define GOLDEN 0.3819660112501051
+#define CHECKS 3
 #define UNRESOLVED 1e-3
 #define PIECES 100000
 #define LEAST 1e-9
 #define PER_INTERVAL 4
 #define HOP 1e-6
+#define SIMULTANEOUS 1e-12
+#define FLOOR 1e-12
+
+static const double SHARES[CHECKS] = {GOLDEN, 0.5, 1 - GOLDEN};
 
 /* The cubic with values a, b and slopes da, db at the ends of [0, 1]. */
 typedef struct {
@@ -99,7 +104,8 @@ static int first(const Core *c, double span, double *share) {
 int core_locate(Core *c, double *t, double *begin, double *end, int *indicator) {
     double stop = c->step.t + c->step.h, a = c->step.t;
     double shortest = fmax(LEAST * c->step.h, 1e-15 * fmax(1, fabs(stop)));
-    double longest = timed(c) ? c->interval / PER_INTERVAL : INFINITY;
+    int checks = timed(c) ? CHECKS : 1; /* what time does, no step follows; one check may pass by chance */
+    double longest = checks > 1 ? c->interval / PER_INTERVAL : INFINITY;
     if (NG == 0) return 0;
     for (int piece = 0; piece < PIECES && a < stop; piece++) {
         double b = fmin(stop, a + longest), share = 0;
@@ -107,10 +113,14 @@ int core_locate(Core *c, double *t, double *begin, double *end, int *indicator) 
             b = stop;
             c->right = c->last;
         } else if (!watch_inside(c, b, &c->right)) return -1;
-        while (b - a > shortest) {
-            double middle = a + GOLDEN * (b - a);
+        for (int k = 0; k < checks && b - a > shortest;) {
+            double middle = a + SHARES[k] * (b - a);
             if (!watch_inside(c, middle, &c->middle)) return -1;
-            if (resolved(c, b - a, GOLDEN)) break;
+            if (resolved(c, b - a, SHARES[k])) {
+                k++;
+                continue;
+            }
+            k = 0;
             b = middle;
             c->right = c->middle;
         }
@@ -151,46 +161,78 @@ static int begins_beyond(const Core *c, int indicator, double span) {
     return cubic_at(&p, -p.da / (p.c2 + turns)) > -near;
 }
 
-static CoreStatus stand(Core *c, double t) {
-    core_stale(c);
-    c->t = t;
-    memcpy(c->y, c->step.end, sizeof c->y);
-    return CORE_OK;
+static int look(Core *c, double t) {
+    return core_motion_at(c, t, c->step.end, c->end_rates) && core_watch(c, t, c->step.end, c->end_rates, &c->right);
 }
 
-/* Step anew onto the crossing of an indicator near t, in the piece from `begin` (`left`) to `end`. Afterwards the
- * core stands there; `reached` tells whether zero was: interpolation can make believe in a crossing. */
-CoreStatus core_land(Core *c, int indicator, double t, double begin, double end, int *reached) {
+/* Step anew onto the crossing of an indicator near *t, in the piece from `begin` (`left`) to `end`. `reached` tells
+ * whether zero was: interpolation can make believe in a crossing. */
+static CoreStatus approach(Core *c, int indicator, double *t, double begin, double end, int *reached) {
     double low = begin, high = end, error, whole = c->step.h, kept[ROOM(NY)];
     int beyond = begins_beyond(c, indicator, end - begin);
     *reached = 1;
     for (;;) {
-        int narrow = high - low < 1e-13 * fmax(1, fabs(t));
-        if (narrow) t = high;
-        if (t <= c->t) {
-            c->step.h = 0;
-            return CORE_OK;
-        }
-        if (!core_step_begin(c) || !core_step_try(c, t - c->t, 1, 1, &error) ||
-            !core_motion_at(c, t, c->step.end, c->end_rates) || !core_watch(c, t, c->step.end, c->end_rates, &c->right)) {
+        int narrow = high - low < 1e-13 * fmax(1, fabs(*t));
+        if (narrow) *t = high;
+        if (*t <= c->t) return CORE_OK;
+        if (!core_step_begin(c) || !core_step_try(c, *t - c->t, 1, 1, &error) || !look(c, *t)) {
             core_say(c, "no way onto the event of ");
             core_say_more(c, model_component[indicator]);
             return CORE_DISCARD;
         }
-        double g = c->right.value[indicator], rate = c->right.rate[indicator], at = t;
-        double newton = rate > 0 && !beyond ? t - g / rate : INFINITY;
-        int near = low <= newton && newton <= high && fabs(newton - t) < HOP * whole;
+        double g = c->right.value[indicator], rate = c->right.rate[indicator], at = *t;
+        double newton = rate > 0 && !beyond ? *t - g / rate : INFINITY;
+        int near = low <= newton && newton <= high && fabs(newton - *t) < HOP * whole;
         if (near || (narrow && c->t < newton && newton < end)) {
             memcpy(kept, c->step.end, sizeof kept);
-            if (shift(c, indicator, &at)) return stand(c, at);
+            if (shift(c, indicator, &at)) {
+                *t = at;
+                return CORE_OK;
+            }
             memcpy(c->step.end, kept, sizeof kept);
+            if (!look(c, *t)) return CORE_DISCARD;
         }
         if (narrow) {
             *reached = g >= 0;
-            return stand(c, t);
+            return CORE_OK;
         }
-        if (beyond ? rate < 0 : g < 0) low = t;
-        else high = t;
-        t = low < newton && newton < high ? newton : 0.5 * (low + high);
+        if (beyond ? rate < 0 : g < 0) low = *t;
+        else high = *t;
+        *t = low < newton && newton < high ? newton : 0.5 * (low + high);
     }
+}
+
+/* The indicator whose crossing in a piece that ends at t (`right`) lies farthest behind it, or -1. */
+static int passed(const Core *c, double t) {
+    double longest = SIMULTANEOUS * fmax(1, fabs(t));
+    int found = -1;
+    for (int i = 0; i < NG; i++) {
+        double near = core_near_zero(c, i), since = (c->right.value[i] - near) / fmax(fabs(c->right.rate[i]), FLOOR);
+        if (!core_can_fire(c, i) || c->left.value[i] > near || since <= longest) continue;
+        found = i;
+        longest = since;
+    }
+    return found;
+}
+
+/* Approach a crossing, or that of another indicator which is passed on the way, and let the core stand there. */
+CoreStatus core_land(Core *c, int *indicator, double t, double begin, double end, int *reached) {
+    double earliest = INFINITY;
+    CoreStatus status = approach(c, *indicator, &t, begin, end, reached);
+    while (status == CORE_OK && c->t < t && t < earliest) {
+        int other = passed(c, t);
+        if (other < 0 || other == *indicator) break;
+        *indicator = other;
+        earliest = t;
+        status = approach(c, other, &t, begin, earliest, reached);
+    }
+    if (status != CORE_OK) return status;
+    if (t <= c->t) {
+        c->step.h = 0;
+        return CORE_OK;
+    }
+    core_stale(c);
+    c->t = t;
+    memcpy(c->y, c->step.end, sizeof c->y);
+    return CORE_OK;
 }

@@ -104,14 +104,17 @@ class Model:
         return moved
 
     def _products(self, motion: Any, published: Any) -> list[Any]:
-        """Return forward and reverse derivatives of motion and variables in x, z, u and p."""
+        """Return forward and reverse derivatives of motion and variables in x, z, u and p.
+
+        Where a law has no slope in a parameter, as a power of zero in its exponent, directions in which
+        parameters stay have one all the same.
+        """
         dae = self.dae
         results = ca.vertcat(motion, published)
         of = [*self._moving(), dae.p]
         seeds = [ca.SX.sym(f"seed{k}", s.numel()) for k, s in enumerate(of)]
-        forward = sum(
-            (ca.jtimes(results, s, d) for s, d in zip(of, seeds, strict=True)), ca.SX(results.numel(), 1)
-        )
+        *moved, by_parameters = (ca.densify(ca.jtimes(results, s, d)) for s, d in zip(of, seeds, strict=True))
+        forward = sum(moved, ca.if_else(ca.sumsqr(seeds[-1]) != 0, by_parameters, 0))
         weights = ca.SX.sym("weights", results.numel())
         reverse = [ca.densify(ca.jtimes(results, s, weights, True)) for s in of]
         return [

@@ -28,8 +28,9 @@ from numpy.typing import NDArray
 
 from ...components.base import ModelError, Sampled, SimulationError
 from ..dae import DAE
-from ..events import Event, Point
+from ..events import Event
 from ..index import System
+from ..point import Point
 from ..polynomial import Polynomial
 from ..result import Segment
 from ..stepper import IntegratorError
@@ -43,7 +44,7 @@ if TYPE_CHECKING:
     from ..run import Run
 
 ARRIVED, PAUSED, STUCK, FAILED = range(4)
-ROOM, FIRED = 512, 200
+ROOM, ROUNDS = 512, 1000
 PATIENCE = 0.05
 DOUBLES, INTEGERS = POINTER(c_double), POINTER(c_longlong)
 _LIBRARIES: WeakKeyDictionary[System, dict[tuple[Any, ...], Any]] = WeakKeyDictionary()
@@ -129,7 +130,7 @@ class Native:
         self._library.native_tell(self._core, _pointer(shared), _pointer(limits))
         for block, told in zip(blocks, shared, strict=False):
             if told and run.switcher is not None:
-                run.switcher.tell_shared(block.labels)
+                run.switcher.completion.tell_shared(block.labels)
         if self.nx and limits[: self.nx].any():
             run.limiting = self.dae.system.name(self.dae.states[int(limits[: self.nx].argmax())])
 
@@ -139,8 +140,8 @@ class _Store:
 
     def __init__(self, native: Native, outputs: NDArray[np.float64], tolerance: tuple[float, float]) -> None:
         self.native, self.outputs = native, np.ascontiguousarray(outputs)
-        changes = len(native.dae.switching.changes)
-        rows, events = len(outputs) + 2 * ROOM + 2, ROOM + FIRED * changes + 1
+        modes = len(native.dae.switching.mode_names)
+        rows, events = len(outputs) + 2 * ROOM + 2, ROOM + ROUNDS * modes + 1
         self.times, self.points = np.empty(rows), np.empty((rows, native.nx + native.nz))
         self.constants, self.starts = np.empty((ROOM + 2, native.nq)), np.empty(ROOM + 2, dtype=np.int64)
         self.event_times, self.impulses = np.empty(events), np.empty(events)

@@ -163,7 +163,7 @@ static CoreStatus stride(Core *c, const Wanted *wanted, double stop, double *mos
         return core_rates(c, 0) == CORE_OK && core_watch(c, c->t, c->y, c->rates, &c->left) ? CORE_OK : CORE_DISCARD;
     }
     *most = INFINITY;
-    status = core_land(c, indicator, event, begin, end, &hit);
+    status = core_land(c, &indicator, event, begin, end, &hit);
     if (status != CORE_OK) return status;
     if (c->step.h > 0 && wanted->told && wanted->told->stepped)
         *halt = wanted->told->stepped(wanted->told->context, c, c->t);

@@ -22,6 +22,12 @@ PRELUDE = """\
 #endif
 
 """
+QUICK = """\
+#if defined(__GNUC__) && !defined(__clang__)
+#pragma GCC optimize ("O1")
+#endif
+
+"""
 BESIDE = re.compile(
     r"^CASADI_SYMBOL_EXPORT [^\n]*?_(?:alloc_mem|init_mem|free_mem|checkout|release|incref|decref|n_in|n_out"
     r"|default_in|name_in|name_out|sparsity_in|sparsity_out|work|work_bytes)\([^\n]*\) ?\{.*?^\}\n+",
@@ -38,7 +44,7 @@ def generated(functions: Sequence[Any]) -> str:
 
     No argument or result is ever left out, so none is asked for. Where functions are large, values
     stand in the work array and statements are dealt out to functions of their own, since compilers take
-    more than their share of time for long ones.
+    more than their share of time for long ones; more optimization would take time and gain nothing.
     """
     large = is_large(functions)
     with TemporaryDirectory() as folder:
@@ -49,7 +55,7 @@ def generated(functions: Sequence[Any]) -> str:
         path = generator.generate(f"{folder}/")
         text = Path(path).read_text()
     text = WRITE.sub("res", READ.sub(r"arg[\1][\2];", BESIDE.sub("", text)))
-    return PRELUDE + (_dealt_out(text) if large else text)
+    return PRELUDE + (QUICK + _dealt_out(text) if large else text)
 
 
 def is_large(functions: Sequence[Any]) -> bool:

@@ -32,6 +32,8 @@ def shear_frame(
         >>> frame = shear_frame([1e3] * 3, [1.5e6] * 3, absorbers={(0, 1): tid(k=3e4, d=300.0, b=200.0)})
     """
     damping = d or [0.0] * len(m)
+    if not len(m):
+        raise ModelError("a frame needs at least one floor")
     if not len(m) == len(k) == len(damping):
         raise ModelError(f"a frame needs as many m, k and d, got {len(m)}, {len(k)} and {len(damping)}")
     frame = Network("shear frame", ground=Position(s_ref=0.0))

@@ -1,7 +1,8 @@
 """The suspension layouts S1 to S8: a spring, and beside it what damper, inerter and further springs make.
 
-Source: Smith & Wang, Performance benefits in passive vehicle suspensions employing inerters,
-Vehicle System Dynamics 42 (2004) 235-257, figure 4.
+Source of the layouts: Smith & Wang, Performance benefits in passive vehicle suspensions employing inerters,
+Vehicle System Dynamics 42 (2004) 235-257. The numbers S2 to S8 are this library's: they were not compared
+with the paper's figure, so compare by what a layout is made of.
 """
 
 from __future__ import annotations

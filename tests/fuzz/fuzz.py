@@ -28,7 +28,10 @@ KINDS = {"ME": "me", "CS": "cs"}
 
 
 def machine() -> ia.Network:
-    """A ball above a stop, a block on a belt, and two cubic springs in line: events, shocks and a loop."""
+    """A ball above a stop, a block on a belt within a clearance, and two cubic springs in line.
+
+    So there are events, shocks, corners and a loop.
+    """
     net = ia.Network(
         "machine",
         floor=ia.Fixed(),
@@ -39,14 +42,15 @@ def machine() -> ia.Network:
         belt=ia.Speed(v_ref=0.1),
         rub=ia.StribeckFriction(f_c=5.0, f_s=8.0, v_s=0.05),
         block=ia.Mass(m=1.0),
+        play=ia.Backlash(k=1e4, d=10.0, eps=0.01),
         inner=ia.CubicSpring(k=100.0, k3=1e4),
         outer=ia.CubicSpring(k=50.0, k3=3e4),
     )
-    net.connect(net.floor.flange, net.stop.flange_a, net.inner.flange_a)
+    net.connect(net.floor.flange, net.stop.flange_a, net.inner.flange_a, net.play.flange_a)
     net.connect(net.stop.flange_b, net.ball.flange, net.weight.flange, net.push.flange)
     net.connect(net.belt.flange, net.rub.flange_a)
     net.connect(net.inner.flange_b, net.outer.flange_a)
-    return net.connect(net.rub.flange_b, net.block.flange, net.outer.flange_b)
+    return net.connect(net.rub.flange_b, net.block.flange, net.outer.flange_b, net.play.flange_b)
 
 
 def compiler() -> str | None:

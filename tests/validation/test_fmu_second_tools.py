@@ -17,6 +17,7 @@ import numpy as np
 import pytest
 
 STEP, COUNT = 0.01, 200
+MACHINES = Path(__file__).parents[2] / "examples" / "fmu_models.py"
 START = {"rub.v_rel": 0.0}
 ECOS = """
 import sys
@@ -63,17 +64,13 @@ times, found = list(times), list(found)
 
 @pytest.fixture(scope="module")
 def dae() -> ia.DAE:
-    net = ia.Network(
-        "stick-slip",
-        belt=ia.Speed(v_ref=0.1),
-        rub=ia.StribeckFriction(f_c=5.0, f_s=8.0, v_s=0.05),
-        block=ia.Mass(m=1.0),
-        spring=ia.Spring(k=100.0),
-        wall=ia.Fixed(),
-    )
-    net.connect(net.belt.flange, net.rub.flange_a)
-    net.connect(net.rub.flange_b, net.block.flange, net.spring.flange_b)
-    return net.connect(net.wall.flange, net.spring.flange_a).dae()
+    spec = importlib.util.spec_from_file_location("fmu_models", MACHINES)
+    assert spec
+    assert spec.loader
+    module = sys.modules["fmu_models"] = importlib.util.module_from_spec(spec)
+    spec.loader.exec_module(module)
+    found: ia.DAE = module.stick_slip().dae()
+    return found
 
 
 def run(
@@ -137,3 +134,17 @@ def test_pathsim_agrees(dae: ia.DAE, version: str, kind: str, tmp_path: Path) ->
     ahead = STEP if kind == "CS" else 0.0
     wanted = native(dae, np.asarray(seen["times"], dtype=float) + ahead)
     assert seen["found"] == pytest.approx(wanted, abs=1e-5)
+
+
+@pytest.mark.parametrize("version", ["2.0", "3.0"])
+def test_fmu_manipulation_toolbox_finds_nothing_wrong(dae: ia.DAE, version: str, tmp_path: Path) -> None:
+    if importlib.util.find_spec("fmu_manipulation_toolbox") is None:
+        pytest.skip("fmu-manipulation-toolbox is not installed")
+    path = ia.export_fmu(dae, tmp_path / "it.fmu", fmi_version=version, start=START, platforms=[])
+    command = "from fmu_manipulation_toolbox.cli.fmutool import fmutool; fmutool()"
+    words = [sys.executable, "-c", command, "-input", str(path), "-check"]
+    done = subprocess.run(words, capture_output=True, text=True, check=False)
+    told = done.stdout + done.stderr
+    assert done.returncode == 0, told
+    assert f"compliant with FMI-{version}" in told
+    assert f"No semantic error against the FMI-{version[0]} standard" in told

@@ -27,8 +27,9 @@ def cart() -> ia.Network:
 
 def test_sites_of_carts() -> None:
     found = {site.path: site for site in sites_of(cart())}
-    assert set(found) == {"d1", "one", "k2", "two"}
+    assert set(found) == {"d1", "k1", "one", "k2", "two"}
     assert found["d1"].same == ("k1", "one")
+    assert found["k1"].places == {"series"}
     assert found["one"].places == {"node"}
     assert found["two"].places == {"node", "across"}
     assert found["two"].fixed == GROUND

@@ -19,13 +19,13 @@ from inertance.diagnosis.edits import Insert
 from inertance.diagnosis.effects import EFFECTS, effect_of
 from inertance.diagnosis.evidence import Evidence
 from inertance.diagnosis.placed import Placed
-from inertance.diagnosis.refit import Refit, refit
+from inertance.diagnosis.refit import Joint, Refit, refit
 from inertance.diagnosis.screening import screen
 from inertance.diagnosis.sites import sites_of
 from inertance.diagnosis.telling import advice, code, ruled_out, screened_out
 from inertance.diagnosis.verdict import Gap, Ranked, Verdict
 from inertance.diagnosis.where import located, shares
-from inertance.identification import Campaign, Record
+from inertance.identification import Accuracy, Campaign, Record
 
 RATE, NOISE, SECONDS = 200.0, 2e-4, 4.0
 SECTIONS = [
@@ -127,8 +127,8 @@ def verdict_of(word: str, evidence: Evidence, effects: tuple[Placed, ...] = (), 
 def verdict() -> Verdict:
     """Return the verdict on friction that is missing."""
     rubbing = campaign(friction=1.0)
-    start = refit(rubbing, rubbing.network, rubbing.start, rounds=1)
-    base = refit(rubbing, rubbing.network, rubbing.start)
+    nominal = Joint(rubbing, rubbing.network, rubbing.start, (), Accuracy())
+    start, base = nominal.seen(nominal.start), nominal.fitted()
     candidates = screen(rubbing, rubbing.network, base.parameters)
     best = next(c for c in candidates if c.effect.kind == "coulomb_friction")
     placed = Placed(best.effect, best.site, "coulomb_friction_1", best.values)

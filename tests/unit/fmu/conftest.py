@@ -2,11 +2,14 @@
 
 from __future__ import annotations
 
+import importlib.util
 import shutil
 import subprocess
+import sys
 import zipfile
 from collections.abc import Callable
 from pathlib import Path
+from typing import Any
 
 import fmpy
 import pytest
@@ -86,6 +89,18 @@ def _variable(
 
 
 MakeFMU = Callable[..., Path]
+MACHINES = Path(__file__).parents[3] / "examples" / "fmu_models.py"
+
+
+@pytest.fixture(scope="session")
+def machines() -> Any:
+    """The machines of examples/fmu_models.py."""
+    spec = importlib.util.spec_from_file_location("fmu_models", MACHINES)
+    assert spec
+    assert spec.loader
+    module = sys.modules["fmu_models"] = importlib.util.module_from_spec(spec)
+    spec.loader.exec_module(module)
+    return module
 
 
 @pytest.fixture(scope="session")

@@ -1,5 +1,6 @@
 """What is wrong with values, equations and connections: by component path, all at once, with a remedy."""
 
+import re
 from collections.abc import Callable
 from typing import Any
 
@@ -309,6 +310,42 @@ def test_an_equation_that_raises_is_told_by_path_and_line() -> None:
     assert "line " in told[0]
     assert "test_errors.py" in told[0]
     assert len(told) == 2
+
+
+def test_an_equation_that_decides_by_a_symbol_is_told_what_to_write() -> None:
+    (told,) = refused(oscillator(spring=law(lambda self: self.f == max(self.k, self.s_rel))))
+    assert "write ca.if_else" in told
+    assert told.endswith("of test_errors.py)")
+
+
+def test_bad_values_loose_flanges_and_bad_structure_are_told_together() -> None:
+    net = oscillator(mass=ia.Mass(m=-1.0))
+    net.add(
+        other=ia.Fixed(s0=1.0), push=ia.Force(), drive=ia.Position(), turn=ia.Speed(), lump=ia.Mass(m=1.0)
+    )
+    net.connect(net.wall.flange, net.other.flange)
+    net.connect(net.drive.flange, net.turn.flange, net.lump.flange)
+    net.add(idle=ia.Spring(k=1.0), lazy=ia.Damper(d=1.0)).connect(net.idle.flange_a, net.lazy.flange_a)
+    told = refused(net.connect(net.idle.flange_b, net.lazy.flange_b))
+    expected = (
+        r"Mass 'mass': m must be above 0 kg",
+        r"Force 'push': flange is not connected",
+        r"Fixed 'other' .*, Fixed 'wall' .* at different positions",
+        r"Position 'drive', Speed 'turn' each prescribe the motion",
+        r"nothing determines where the node of idle.flange_a",
+    )
+    assert len(told) == len(expected)
+    for pattern, problem in zip(expected, told, strict=True):
+        assert re.search(pattern, problem), problem
+
+
+def test_bad_start_values_are_told_all_at_once() -> None:
+    told = refused(oscillator(), start={"mass.x": 1.0, "mass.s": np.inf}, guess={"wal.s": 0.0})
+    assert told == [
+        "'oscillator' has no variable 'mass.x'; did you mean 'mass.v'?",
+        "start value of 'mass.s' must be a finite number, got inf",
+        "'oscillator' has no variable 'wal.s'; did you mean 'wall.s0'?",
+    ]
 
 
 def test_bad_inputs_are_told_by_their_names() -> None:

@@ -257,6 +257,37 @@ def test_a_start_inside_a_stop_is_told(v: float, end: float) -> None:
     assert note.startswith("HardStop 'stop' begins 0.1 beyond where it strikes")
 
 
+def test_what_lies_on_a_stop_is_in_contact_from_the_first_instant() -> None:
+    run = ball(ia.HardStop(e=0.5), height=0.0).simulate(1.0)
+    assert switches(run) == [(0.0, "contact")]
+    assert (run["mass.s"] == 0).all()
+
+
+@pytest.mark.parametrize(("e", "height", "g"), [(0.9, 1.0, G), (0.7, 100.0, G), (0.7, 1e-3, 1e6)])
+def test_bounces_without_a_resting_speed_end_where_their_series_does(
+    e: float, height: float, g: float
+) -> None:
+    net = ball(ia.HardStop(e=e, v_rest=0.0), height=height).with_values(
+        weight=ia.ConstantForce(f_constant=-2 * g)
+    )
+    end = (2 * height / g) ** 0.5 * (1 + e) / (1 - e)
+    run = net.simulate(1.2 * end, rtol=1e-10, atol=1e-14)
+    assert run.events[-1].target == "contact"
+    assert run.events[-1].time == pytest.approx(end, rel=1e-4)
+    assert run["mass.v"][-1] == 0.0
+
+
+def test_a_point_before_an_event_stays_as_it_was() -> None:
+    """What a transition resets afterwards must not reach back."""
+    net = row([1.0, 1.0], [0.5], 0.0, v1=-1.0)
+    net.add(rub=ia.CoulombFriction(f_c=0.1))
+    run = net.connect(net.m0.flange, net.rub.flange_a).connect(net.rub.flange_b, net.m1.flange).simulate(1.0)
+    struck = next(event.time for event in run.events if event.impulse is not None)
+    before, *_, after = run["rub.v_rel"][run.time == struck]
+    assert before == pytest.approx(-((1 - 4 * 0.1 * 0.5) ** 0.5), rel=1e-5)
+    assert after == 0.0
+
+
 def test_without_a_resting_speed_a_ball_comes_to_rest_all_the_same_and_not_below() -> None:
     run = ball(ia.HardStop(e=0.3, v_rest=0.0)).simulate(2.0, rtol=1e-10, atol=1e-12)
     assert run.events[-1].target == "contact"

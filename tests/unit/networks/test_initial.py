@@ -142,6 +142,24 @@ def test_fixed_values_under_friction_meet_the_modes_they_imply() -> None:
     assert run["mass.s"][0] == pytest.approx(-(2.0 * 4.0 + 3.0) / 100.0)
 
 
+@pytest.mark.parametrize(("a", "mode"), [(1.0, 1), (-3.0, 2)])
+def test_a_fixed_acceleration_of_what_sticks_at_rest_breaks_it_away(a: float, mode: int) -> None:
+    """k s = -(m a + f_c sgn a): the spring is as taut as it takes to slide with this acceleration."""
+    net = ia.Network(
+        "block",
+        wall=ia.Fixed(),
+        spring=ia.Spring(k=100.0),
+        mass=ia.Mass(m=2.0),
+        rub=ia.SupportFriction(friction=ia.CoulombFriction(f_c=5.0)),
+    )
+    net.connect(net.wall.flange, net.spring.flange_a)
+    run = net.connect(net.spring.flange_b, net.mass.flange, net.rub.flange).simulate(0.1, start={"mass.a": a})
+    assert run["mass.a"][0] == pytest.approx(a, abs=1e-12)
+    assert run["mass.s"][0] == pytest.approx(-(2 * a + np.copysign(5.0, a)) / 100, abs=1e-12)
+    assert run["rub.friction.mode"][0] == mode
+    assert run["mass.v"][0] == 0.0
+
+
 def test_algebraic_unknowns_are_solved_for_at_the_start() -> None:
     strut = ia.series(ia.CubicSpring(k=10.0, k3=5.0), ia.CubicSpring(k=3.0, k3=50.0))
     net = ia.Network("implicit", wall=ia.Fixed(), strut=strut, mass=ia.Mass(m=1.0))

@@ -17,6 +17,7 @@ STOPPED = ia.parallel(
     inerter=ia.Inerter(b=30.0),
 )
 DIGRESSIVE = ia.parallel(ia.Spring(k=15e3), ia.DigressiveDamper(d=3e3, d_h=400.0, v_k=0.1))
+DISK = ia.DiskFlywheel(m=0.5, R=0.05)
 ABSORBERS: dict[tuple[int, int], ia.Component] = {
     (0, 1): ia.tid(3e4, 300.0, 200.0),
     (1, 2): ia.tvmd(3e4, 300.0, 100.0),
@@ -37,6 +38,19 @@ MACHINES: dict[str, Callable[[], ia.Network]] = {
     ),
     "cable": lambda: ia.taut_cable(50.0, 1e6, 20.0, 8, ia.tvmd(1e5, 1e3, 50.0)),
     "isolated machine": lambda: ia.isolated_machine(STRUT.clone()),
+    "ball screw": lambda: ia.isolated_machine(
+        ia.parallel(
+            ia.SpringDamper(k=1e4, d=200.0), ia.BallScrewInerter(screw=ia.NutScrew(lead=0.02), flywheel=DISK)
+        )
+    ),
+    "rack and pinion": lambda: ia.isolated_machine(
+        ia.parallel(
+            ia.SpringDamper(k=1e4, d=200.0), ia.RackPinionInerter(pinion=ia.RackPinion(R=0.01), flywheel=DISK)
+        )
+    ),
+    "planetary": lambda: ia.isolated_machine(
+        ia.parallel(ia.SpringDamper(k=1e4, d=200.0), ia.ge_wang.ideal_inerter())
+    ),
 }
 DRIVEN = {"cable": "wind.f", "half car": "front_road.s_ref", "full car": "front_left_road.s_ref"}
 
@@ -59,6 +73,10 @@ def stored(run: ia.Result, path: str, part: Any) -> Any:
         return 0.5 * _number(run, path, part, "k") * run[f"{path}.s_rel"] ** 2
     if isinstance(part, ia.Inerter):
         return 0.5 * _number(run, path, part, "b") * run[f"{path}.v_rel"] ** 2
+    if isinstance(part, ia.DiskFlywheel):
+        return 0.25 * part.m * part.R**2 * run[f"{path}.w"] ** 2
+    if isinstance(part, ia.IdealPlanetaryFlywheel):
+        return 0.5 * ia.ge_wang.J_E * run[f"{path}.w"] ** 2
     if isinstance(part, ia.PitchingBody):
         return 0.5 * part.m * run[f"{path}.v"] ** 2 + 0.5 * part.J * run[f"{path}.q"] ** 2
     if isinstance(part, ia.RigidBody):

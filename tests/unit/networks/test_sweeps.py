@@ -1,5 +1,6 @@
 """Sweeps: every point once, whatever happens on the way."""
 
+import multiprocessing
 import os
 import signal
 import subprocess
@@ -7,6 +8,7 @@ import sys
 import textwrap
 import time
 from concurrent.futures import ThreadPoolExecutor
+from functools import partial
 from pathlib import Path
 from typing import Any
 
@@ -138,6 +140,22 @@ def test_an_error_is_a_row() -> None:
     assert done.table["error"].tolist() == ["", "", "ValueError: three is too much", ""]
     assert done.failed.index.tolist() == [2]
     assert np.isnan(done.table["value"][2])
+
+
+def noted_swing(mark: Path) -> ia.Network:
+    with mark.open("a") as file:
+        file.write("assembled\n")
+    return swing()
+
+
+def test_forked_processes_take_over_the_equations(tmp_path: Path) -> None:
+    if multiprocessing.get_start_method() != "fork":
+        pytest.skip("processes are started anew here")
+    mark = tmp_path / "mark"
+    design = ia.grid({"strut.spring.k": np.linspace(1, 9, 30), "strut.damper.d": [0.1]})
+    done = ia.sweep(partial(noted_swing, mark), design, static, workers=2)
+    assert not len(done.failed)
+    assert mark.read_text().splitlines() == ["assembled"]
 
 
 def test_unknown_parameters_are_told_at_once() -> None:

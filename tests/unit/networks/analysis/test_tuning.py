@@ -3,6 +3,7 @@
 from collections.abc import Mapping
 from math import sqrt
 from pathlib import Path
+from typing import Any
 
 import inertance as ia
 import numpy as np
@@ -106,3 +107,141 @@ def test_white_noise_by_the_spectrum_and_by_lyapunov() -> None:
     rms = ia.response_rms(system, 2.0, 1e-3, 1e4)["body.v"]
     assert rms == pytest.approx(system.h2(), rel=1e-4)  # one-sided 2 is two-sided 1
     assert np.isscalar(rms)
+
+
+STRUTS: dict[str, ia.Component] = {
+    layout: ia.suspension(layout, 60e3, 3e3, b=100.0, k_b=1e5, k_1=1e3, k_2=2e3)
+    for layout in ("S1", "S2", "S4", "S5", "S7", "S8")
+} | {"hardening": ia.parallel(ia.CubicSpring(k=60e3, k3=1e7), ia.Damper(d=3e3))}
+
+
+@pytest.mark.parametrize("strut", STRUTS)
+@pytest.mark.parametrize(
+    "measure",
+    [ia.ride_j1, ia.tyre_j3, ia.load_j5, ia.suspension_travel, ia.ride_comfort],
+    ids=lambda m: m.__name__,
+)
+def test_gradients_of_measures_are_exact(strut: str, measure: Any) -> None:
+    """Against central differences, whose error is what the tolerance allows."""
+    dae = ia.quarter_car(STRUTS[strut].clone(), m_s=240.0).dae()
+    names = [n for n in dae.parameter_values if n.startswith("strut.") and not n.endswith("s_rel0")]
+    given = {name: dae.parameter_values[name] for name in names}
+    norm = measure(dae, parameters=ia.Varied(given))
+    assert isinstance(norm, ia.Norm)
+    if np.isinf(norm):
+        assert norm.reason
+        return
+    assert set(norm.gradient) == set(names)
+    for name in names:
+        step = given[name] * 1e-4
+        ahead, behind = (measure(dae, parameters=given | {name: given[name] + e}) for e in (step, -step))
+        tolerance = (1e-9 if measure is ia.ride_comfort else 1e-11) * norm / step  # rounding, by the filter's
+        assert norm.gradient[name] == pytest.approx((ahead - behind) / (2 * step), rel=1e-4, abs=tolerance)
+
+
+def test_gradient_follows_the_operating_point() -> None:
+    """A weight on a hardening spring: its slope, and what it has of it, depend on where it hangs."""
+    net = ia.Network(
+        "hanging", wall=ia.Fixed(), spring=ia.CubicSpring(k=100.0, k3=1e5), damper=ia.Damper(d=2.0),
+        mass=ia.Mass(m=1.0), weight=ia.ConstantForce(f_constant=9.81), push=ia.Force(),
+    )  # fmt: skip
+    net.connect(net.wall.flange, net.spring.flange_a, net.damper.flange_a)
+    net.connect(net.spring.flange_b, net.damper.flange_b)
+    net.connect(net.mass.flange, net.spring.flange_b, net.weight.flange, net.push.flange)
+    dae, given = net.dae(), {"weight.f_constant": 9.81, "spring.k3": 1e5, "spring.k": 100.0}
+
+    def sway(parameters: Mapping[str, float]) -> ia.Norm:
+        return ia.linearise(dae, ["push.f"], ["mass.s"], parameters=parameters).h2()
+
+    norm = sway(ia.Varied(given))
+    x = sway(given)
+    assert norm == pytest.approx(x, rel=1e-12)
+    for name, value in given.items():
+        expected = (
+            sway(given | {name: value * (1 + 1e-5)}) - sway(given | {name: value * (1 - 1e-5)})
+        ) / 2e-5
+        assert norm.gradient[name] * value == pytest.approx(expected, rel=1e-6)
+
+
+def test_peak_of_several_inputs_has_its_gradient() -> None:
+    frame = ia.shear_frame([1.0, 1.2], [1.0, 0.8], [0.02, 0.03]).dae()
+    given = {"storey1.k": 1.0, "storey2.d": 0.03, "floor2.m": 1.2}
+
+    def worst(parameters: Mapping[str, float]) -> ia.Norm:
+        inputs = ["wind.f", "der(der(ground.s_ref))"]
+        return ia.linearise(frame, inputs, ["storey1.s_rel", "storey2.s_rel"], parameters=parameters).hinf()
+
+    norm = worst(ia.Varied(given))
+    assert len(norm.peaks) >= 2
+    for name, value in given.items():
+        ahead, behind = (worst(given | {name: value * factor}) for factor in (1 + 1e-4, 1 - 1e-4))
+        assert norm.gradient[name] * value == pytest.approx((ahead - behind) / 2e-4, rel=1e-5)
+
+
+def test_an_absorber_is_tuned_to_two_equal_peaks_in_few_steps() -> None:
+    mu = 0.05
+    frame = ia.shear_frame([1.0], [1.0], absorbers={(0, 1): ia.tid(0.8 * mu, 0.05 * mu, mu)})
+
+    def peak(dae: ia.DAE, /, *, parameters: Mapping[str, float]) -> ia.Norm:
+        return ia.linearise(dae, ["wind.f"], ["floor1.s"], parameters=parameters).hinf()
+
+    bounds = {"absorber1.link.k": (0.5 * mu, mu), "absorber1.link.d": (0.01 * mu, mu)}
+    tuned = ia.tune(frame, peak, bounds, starts=1)
+    assert tuned.exact
+    assert tuned.value == pytest.approx(6.40792, abs=1e-5)
+    assert tuned.evaluations < 40
+    first, second = peak(frame.dae(), parameters=ia.Varied(tuned.parameters)).peaks[:2]
+    assert first == pytest.approx(second, rel=1e-7)
+
+
+def test_a_measure_whose_derivatives_are_not_its_own_is_tuned_by_differences() -> None:
+    dae = car()
+
+    def cheap(dae: ia.DAE, /, *, parameters: Mapping[str, float]) -> float:
+        norm = ia.ride_j1(dae, parameters=parameters)
+        return ia.Norm(norm + parameters[D] * 1e-3, gradient=norm.gradient)
+
+    def squared(dae: ia.DAE, /, *, parameters: Mapping[str, float]) -> float:
+        return ia.ride_j1(dae, parameters=parameters) ** 2
+
+    tuned = ia.tune(dae, cheap, BOUNDS, starts=1)
+    assert not tuned.exact
+    assert tuned.parameters[D] < 2000.0
+    tuned = ia.tune(dae, squared, BOUNDS, starts=1)
+    assert not tuned.exact
+    assert tuned.parameters[D] == pytest.approx(2615.34, rel=1e-4)
+
+
+def test_peaks_that_merge_on_the_way_do_not_stop_the_search() -> None:
+    """A TMDI of 2 % mass and 10 % inertance from a start with one peak twice the other."""
+    absorber = ia.TMDI(m=0.02, k=0.08, d=0.02, b=0.1)
+    dae = ia.shear_frame([1.0], [1.0], [0.02], {(0, 1): absorber}).dae()
+
+    def peak(dae: ia.DAE, /, *, parameters: Mapping[str, float]) -> float:
+        return ia.linearise(dae, ["wind.f"], ["floor1.s"], parameters=parameters).hinf()
+
+    bounds = {"absorber1.k": (0.02, 0.4), "absorber1.d": (1e-3, 0.2)}
+    start = {"absorber1.k": 0.08, "absorber1.d": 0.02}
+    tuned = ia.tune(dae, peak, bounds, start=start, starts=1)
+    assert tuned.value == pytest.approx(3.94323135, abs=1e-8)  # by Nelder-Mead on the transfer function
+    assert tuned.evaluations < 100
+
+
+def test_gradient_goes_through_algebraic_unknowns() -> None:
+    """A hardening spring in series with another, under a load: the force between them is not solved for."""
+    strut = ia.series(hard=ia.CubicSpring(k=100.0, k3=1e4), soft=ia.Spring(k=50.0))
+    net = ia.Network(
+        "series", wall=ia.Fixed(), strut=strut, damper=ia.Damper(d=1.0), mass=ia.Mass(m=1.0), push=ia.Force()
+    )
+    net.connect(net.wall.flange, net.strut.flange_a, net.damper.flange_a)
+    net.connect(net.strut.flange_b, net.damper.flange_b, net.mass.flange, net.push.flange)
+    dae, given = net.dae(), {"strut.hard.k": 100.0, "strut.hard.k3": 1e4, "strut.soft.k": 50.0}
+    assert dae.z.numel() == 1
+
+    def sway(parameters: Mapping[str, float]) -> ia.Norm:
+        return ia.linearise(dae, "push.f", "mass.s", signals={"push.f": 3.0}, parameters=parameters).h2()
+
+    norm = sway(ia.Varied(given))
+    for name, value in given.items():
+        ahead, behind = (sway(given | {name: value * factor}) for factor in (1 + 1e-5, 1 - 1e-5))
+        assert norm.gradient[name] * value == pytest.approx((ahead - behind) / 2e-5, rel=1e-6)

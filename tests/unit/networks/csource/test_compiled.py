@@ -187,6 +187,53 @@ def test_the_ball_comes_to_rest() -> None:
     assert run["ball.s"].min() >= -1e-12
 
 
+def test_bounces_without_a_resting_speed_end_and_at_the_same_instants() -> None:
+    dae = bouncing_ball().dae()
+    runs = [
+        dae.simulate(3.0, parameters={"stop.v_rest": 0.0}, rtol=1e-10, atol=1e-14, solver=solver)
+        for solver in ("auto", "compiled")
+    ]
+    times = [[event.time for event in run.events] for run in runs]
+    assert times[1] == pytest.approx(times[0], abs=1e-6)
+    end = (2 / 9.81) ** 0.5 * 1.7 / 0.3  # of the series, had it no last bounce
+    for run in runs:
+        assert run.events[-1].target == "contact"
+        assert run.events[-1].time == pytest.approx(end, abs=1e-5)
+        assert run["ball.v"][-1] == 0.0
+
+
+def test_every_slip_is_seen_however_seldom_outputs_are() -> None:
+    dae = rubbing(ia.CoulombFriction(f_c=10.0), push=lambda t: 10.01 * ca.sin(50 * t)).dae()
+    for step in (0.02, 2.0, 8.0):
+        run = dae.simulate(8.0, step=step, solver="compiled")
+        begins = [event.time for event in run.events if event.source == "stuck"]
+        slips = np.arcsin(10 / 10.01) / 50 + np.pi / 50 * np.arange(127)
+        assert begins == pytest.approx(slips, abs=1e-6)
+
+
+def test_an_event_passed_on_the_way_to_another_is_not_lost() -> None:
+    """Pairs come to rest while others, touching, are about to strike: momentum tells."""
+    masses, speeds, rubbing_ = [1.0, 1.0, 1.375, 1.125], [0.0, 0.0, -1.0, -1.0], [2.0, 0.0, 2.0]
+    net = ia.Network("row")
+    for i, (m, v) in enumerate(zip(masses, speeds, strict=True)):
+        net.add(**{f"m{i}": ia.Mass(m=m, s=[0.0, 1.05, 2.05, 3.1][i], v=v)})
+    for i, f_c in enumerate(rubbing_):
+        net.add(**{f"c{i}": ia.HardStop(e=0.5, s_min=1.0), f"r{i}": ia.CoulombFriction(f_c=f_c)})
+        left, right, stop, rub = (getattr(net, name) for name in (f"m{i}", f"m{i + 1}", f"c{i}", f"r{i}"))
+        net.connect(left.flange, stop.flange_a, rub.flange_a)
+        net.connect(right.flange, stop.flange_b, rub.flange_b)
+    dae = net.dae()
+    runs = [dae.simulate(1.0, rtol=1e-10, atol=1e-13, solver=solver) for solver in ("auto", "compiled")]
+    for run in runs:
+        momentum = sum(m * run[f"m{i}.v"] for i, m in enumerate(masses))
+        assert momentum == pytest.approx(-2.5, abs=1e-10)
+    first, second = ([(event.component, event.target) for event in run.events] for run in runs)
+    assert first == second
+    # later they touch at 1e-5 m/s, and when they do depends on the last digit of their distance
+    times = [[event.time for event in run.events if event.time < 0.27] for run in runs]
+    assert times[1] == pytest.approx(times[0], abs=1e-6)
+
+
 def test_parameters_and_starts_change_without_compiling_again() -> None:
     net = grounded("oscillator", spring=ia.Spring(k=100.0))
     dae = (

@@ -1,0 +1,96 @@
+"""Descent: least squares by damped Gauss-Newton steps that learn their slopes on the way."""
+
+from __future__ import annotations
+
+from typing import Protocol
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..components import SimulationError
+
+Array = NDArray[np.float64]
+MOST_STEPS = 20
+LEAST_DROP = 1e-4  # of the sum of squares, that a step must promise
+GOOD = 0.5  # share of what was promised that a step must keep for its slopes to be believed
+POOR = 0.05  # share below which a step is not taken
+DAMPED = 10.0
+LEAST_DAMPING = 1e-6
+
+
+class Residual(Protocol):
+    """Residuals at a vector, with slopes or without, which costs less."""
+
+    def __call__(self, vector: Array, slopes: bool) -> tuple[Array, Array | None]:
+        """Return both; `SimulationError` tells that there are none."""
+
+
+def descend(residual: Residual, start: Array, bounds: tuple[Array, Array]) -> Array:
+    """Return the vector near `start`, within bounds, that has the least sum of squares.
+
+    Slopes are computed at the start, corrected by what each step really did (Broyden), and computed again
+    when steps no longer keep what they promise.
+
+    Raises:
+        SimulationError: if there are no residuals at the start.
+
+    Source: J. E. Dennis, R. B. Schnabel, Numerical Methods for Unconstrained Optimization and Nonlinear
+    Equations, SIAM 1996, sections 8.1 and 10.3.
+    """
+    x = np.clip(start, *bounds)
+    rest, slopes = _known(residual, x)
+    damping, exact = LEAST_DAMPING, True
+    for _ in range(MOST_STEPS):
+        step, promised = _step(slopes, rest, x, bounds, damping)
+        cost, kept = float(rest @ rest), 0.0
+        if promised > LEAST_DROP * cost + 1.0:
+            found = _tried(residual, x + step)
+            if found is not None:
+                kept = (cost - float(found @ found)) / promised
+            if found is not None and kept > POOR:
+                slopes = slopes + np.outer(found - rest - slopes @ step, step) / float(step @ step)
+                x, rest, exact = x + step, found, False
+            elif exact:
+                damping *= DAMPED
+                continue
+        elif exact:
+            break
+        if kept > GOOD:
+            damping = max(damping / DAMPED, LEAST_DAMPING)
+        else:
+            rest, slopes = _known(residual, x)
+            exact = True
+    return x
+
+
+def _known(residual: Residual, x: Array) -> tuple[Array, Array]:
+    rest, slopes = residual(x, True)
+    assert slopes is not None
+    return rest, slopes
+
+
+def _tried(residual: Residual, x: Array) -> Array | None:
+    try:
+        rest = residual(x, False)[0]
+    except SimulationError:
+        return None
+    return rest if np.isfinite(rest).all() else None
+
+
+def _step(
+    slopes: Array, rest: Array, x: Array, bounds: tuple[Array, Array], damping: float
+) -> tuple[Array, float]:
+    """Return the step within bounds that promises the largest drop of the sum of squares, and that drop."""
+    from scipy.optimize import lsq_linear
+
+    small: Array = np.asarray(np.linalg.qr(np.column_stack([slopes, rest]), mode="r"), dtype=np.float64)
+    matrix, aim = small[:, :-1], -small[:, -1]
+    size = np.sqrt((matrix**2).sum(axis=0))
+    size[size == 0] = 1.0
+    tall = np.vstack([matrix / size, np.sqrt(damping) * np.eye(len(size))])
+    low = np.minimum((bounds[0] - x) * size, -1e-12)
+    high = np.maximum((bounds[1] - x) * size, 1e-12)
+    found = lsq_linear(tall, np.concatenate([aim, np.zeros(len(size))]), (low, high), method="bvls").x
+    after = matrix @ (found / size) - aim
+    step: Array = np.clip(x + found / size, *bounds) - x
+    return step, float(aim @ aim - after @ after)

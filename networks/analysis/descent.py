@@ -1,0 +1,238 @@
+"""The search for the least of a measure in the unit cube, by exact derivatives where it has them."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from typing import Any, Protocol
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ...components.base import InertanceError, ModelError, nearest
+from ..dae import DAE
+from .norms import Norm
+from .varied import Varied
+
+Array = NDArray[np.float64]
+Bounds = Mapping[str, tuple[float, float]]
+BAD, WIDE = 1e30, 100.0
+PEAKS, ROUNDS = 4, 8
+DIFFERENCE, AGREEMENT = 1e-6, 1e-2
+
+
+class Measure(Protocol):
+    """What is to be small: a function of the equations and of changed parameters, such as `ride_j1`."""
+
+    def __call__(self, dae: DAE, /, *, parameters: Mapping[str, float]) -> float:
+        """Return the measure for some parameters."""
+        ...
+
+
+def check_names(dae: DAE, names: Mapping[str, Any]) -> None:
+    """Raise a `ModelError` for names that are no parameters."""
+    known = dae.parameter_values
+    problems = [f"there is no parameter '{n}'{nearest(n, known)}" for n in names if n not in known]
+    if problems:
+        raise ModelError(f"'{dae.name}' cannot be tuned:", problems)
+
+
+class Problem:
+    """A measure and its limits as functions of a point in the unit cube.
+
+    Attributes:
+        exact: whether all of them have exact derivatives.
+    """
+
+    def __init__(
+        self, dae: DAE, measure: Measure, bounds: Bounds, limits: Sequence[tuple[Measure, float]]
+    ) -> None:
+        check_names(dae, bounds)
+        wrong = [
+            f"{n}: bounds go from a lower to a higher number, got {b}"
+            for n, b in bounds.items()
+            if not (np.shape(b) == (2,) and b[0] < b[1] and np.isfinite(b).all())
+        ]
+        if wrong or not bounds:
+            raise ModelError(f"'{dae.name}' cannot be tuned:", wrong or ["there are no parameters to tune"])
+        low_limits = [limit for _, limit in limits if not limit > 0]
+        if low_limits:
+            raise ModelError(f"'{dae.name}': a limit must be above 0, got {low_limits[0]:g}")
+        self.dae, self.measure, self.names, self.limits = dae, measure, list(bounds), limits
+        low, high = (np.array([b[k] for b in bounds.values()], dtype=float) for k in (0, 1))
+        self.logarithmic = (low > 0) & (high > WIDE * low)
+        self.low, self.high = self._scaled(low), self._scaled(high)
+        self.count = 0
+        self.exact = True
+        self._at: tuple[bytes, dict[int, float]] = (b"", {})
+
+    def _scaled(self, values: Array) -> Array:
+        return np.where(self.logarithmic, np.log(np.where(self.logarithmic, values, 1.0)), values)
+
+    def parameters(self, x: Array) -> dict[str, float]:
+        """Return the parameters at a point."""
+        values = self.low + np.clip(x, 0.0, 1.0) * (self.high - self.low)
+        values = np.where(self.logarithmic, np.exp(np.where(self.logarithmic, values, 0.0)), values)
+        return dict(zip(self.names, map(float, values), strict=True))
+
+    def starts(self, start: Mapping[str, float] | None, count: int, seed: int) -> list[Array]:
+        """Return the first guess and others in the cube."""
+        from scipy.stats import qmc
+
+        given = start or {}
+        check_names(self.dae, given)
+        middle = self.parameters(np.full(len(self.names), 0.5))
+        wanted = self._scaled(np.array([given.get(n, middle[n]) for n in self.names]))
+        first = np.clip((wanted - self.low) / (self.high - self.low), 0.0, 1.0)
+        if count <= 1:
+            return [first]
+        return [first, *qmc.LatinHypercube(len(first), rng=np.random.default_rng(seed)).random(count - 1)]
+
+    def of(self, measure: Measure, x: Array) -> float:
+        """Return a measure at a point, a large number where it has none."""
+        x = np.clip(x, 0.0, 1.0)
+        if self._at[0] != x.tobytes():
+            self._at = (x.tobytes(), {})
+        known = self._at[1]
+        if id(measure) not in known:
+            self.count += 1
+            given = self.parameters(x)
+            try:
+                found = measure(self.dae, parameters=Varied(given) if self.exact else given)
+            except (InertanceError, np.linalg.LinAlgError):
+                found = BAD
+            known[id(measure)] = found if np.isfinite(found) else BAD
+        return known[id(measure)]
+
+    def value(self, x: Array) -> float:
+        """Return the measure that is to be small."""
+        return float(self.of(self.measure, x))
+
+    def allowed(self, x: Array) -> bool:
+        """Return whether a point meets the limits."""
+        return all(self.of(m, x) <= limit * (1 + 1e-6) for m, limit in self.limits)
+
+    def search(self, x: Array) -> tuple[float, Array]:
+        """Return the least value near a point that SLSQP finds, and where."""
+        self.exact = self.exact and all(
+            self._true(m, x) for m in (self.measure, *[m for m, _ in self.limits])
+        )
+        peaks = getattr(self.of(self.measure, x), "peaks", ())
+        best = self._below_peaks(x) if self.exact and peaks else self._smooth(x)
+        return self.value(best), best
+
+    def _smooth(self, x: Array) -> Array:
+        scale = max(abs(self.value(x)), 1e-300)
+        slope = (lambda x: self.gradient(self.measure, x) / scale) if self.exact else None
+        return self._minimum(lambda x: self.value(x) / scale, slope, x, self._constraints(len(x)))
+
+    def _below_peaks(self, x: Array) -> Array:
+        """Minimise a bound t on the local peaks, and on the gains where peaks have been that merged since."""
+        watched: list[float] = []
+        for _ in range(ROUNDS):
+            before = self.value(x)
+            known = [p.frequency for p in self._peaks(x) if p and p.frequency and np.isfinite(p.frequency)]
+            watched = [*watched, *known][-2 * PEAKS :]
+            tried = self._below(x, watched)
+            if not self.value(tried) < before * (1 - 1e-10) and self.allowed(x):
+                break
+            x = tried
+        return x
+
+    def _below(self, x: Array, watched: Sequence[float]) -> Array:
+        scale, n = max(abs(self.value(x)), 1e-300), len(x)
+
+        def gains(y: Array) -> list[Norm]:
+            gains_at = getattr(self.of(self.measure, y[:-1]), "gains", lambda f: [Norm(0.0)] * len(f))
+            return [*self._peaks(y[:-1]), *gains_at(watched)]
+
+        def room(y: Array) -> Array:
+            above: Array = y[-1] - np.array([float(gain) for gain in gains(y)]) / scale
+            return above
+
+        def slopes(y: Array) -> Array:
+            rows = [-self._in_cube(gain, y[:-1]) / scale for gain in gains(y)]
+            return np.hstack([np.array(rows), np.ones((len(rows), 1))])
+
+        constraints = [{"type": "ineq", "fun": room, "jac": slopes}, *self._constraints(n)]
+        top = np.r_[np.zeros(n), 1.0]
+        return self._minimum(lambda y: y[-1], lambda _: top, np.r_[x, 1.0], constraints)[:n]
+
+    def _peaks(self, x: Array) -> list[Norm]:
+        found = self.of(self.measure, x)
+        peaks = list(getattr(found, "peaks", ())) or [Norm(found)]
+        return (peaks + [Norm(0.0)] * PEAKS)[:PEAKS]
+
+    def _constraints(self, n: int) -> list[dict[str, Any]]:
+        """Return the limits as SLSQP takes them; what follows the first n coordinates is not theirs."""
+
+        def one(measure: Measure, limit: float) -> dict[str, Any]:
+            def room(y: Array) -> float:
+                return 1.0 - float(self.of(measure, y[:n])) / limit
+
+            def slope(y: Array) -> Array:
+                slopes: Array = np.r_[-self.gradient(measure, y[:n]) / limit, np.zeros(len(y) - n)]
+                return slopes
+
+            return {"type": "ineq", "fun": room} | ({"jac": slope} if self.exact else {})
+
+        return [one(measure, limit) for measure, limit in self.limits]
+
+    def _minimum(self, function: Any, slope: Any, y: Array, constraints: list[dict[str, Any]]) -> Array:
+        from scipy.optimize import minimize
+
+        bounds: Any = [(0.0, 1.0)] * len(self.names) + [(None, None)] * (len(y) - len(self.names))
+        differences = {"maxiter": 60, "ftol": 1e-11, "eps": 1e-7}
+        options: Any = {"maxiter": 100, "ftol": 1e-12} if self.exact else differences
+        limits: Any = constraints
+        found: Any = minimize(
+            function, y, jac=slope, method="SLSQP", bounds=bounds, constraints=limits, options=options
+        )
+        best: Array = np.r_[np.clip(found.x[: len(self.names)], 0.0, 1.0), found.x[len(self.names) :]]
+        return best
+
+    def gradient(self, measure: Measure, x: Array) -> Array:
+        """Return the exact derivatives of a measure in the cube."""
+        return self._in_cube(self.of(measure, x), x)
+
+    def _in_cube(self, norm: float, x: Array) -> Array:
+        slopes = getattr(norm, "gradient", {})
+        values = self.parameters(x)
+        per = (self.high - self.low) * np.where(self.logarithmic, list(values.values()), 1.0)
+        found: Array = np.array([slopes.get(name, 0.0) for name in self.names]) * per
+        return found
+
+    def _true(self, measure: Measure, x: Array) -> bool:
+        """Return whether a measure's derivatives are there, and are those of what it returns."""
+        found = self.of(measure, x)
+        if found >= BAD:
+            return True
+        if not set(self.names) <= set(getattr(found, "gradient", ())):
+            return False
+        slope = self.gradient(measure, x)
+        along = np.where(x < 0.5, DIFFERENCE, -DIFFERENCE)
+        ahead = self.of(measure, x + along) - found
+        expected = float(slope @ along)
+        return bool(
+            abs(ahead - expected) <= AGREEMENT * float(np.abs(slope) @ np.abs(along)) + 1e-9 * abs(found)
+        )
+
+    def refine(self, x: Array) -> tuple[float, Array]:
+        """Return a point as good or better, found without derivatives."""
+        from scipy.optimize import minimize
+
+        options: Any = {
+            "xatol": 1e-9,
+            "fatol": 1e-13 * abs(self.value(x)),
+            "maxiter": 120 * len(x),
+            "initial_simplex": _simplex(x),
+        }
+        bounds = [(0.0, 1.0)] * len(x)
+        found: Any = minimize(self.value, x, method="Nelder-Mead", bounds=bounds, options=options)
+        return float(found.fun), np.clip(found.x, 0.0, 1.0)
+
+
+def _simplex(x: Array) -> Array:
+    points = np.tile(x, (len(x) + 1, 1))
+    for k in range(len(x)):
+        points[k + 1, k] += 1e-3 if x[k] < 0.5 else -1e-3
+    return points

@@ -1,0 +1,136 @@
+"""Corners: where the greater or the lesser of two expressions changes hands, as modes.
+
+Where an integrator steps over a corner, Newton's method goes to and fro between its two sides. With modes
+each side is smooth, and the corner is an event.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import replace
+from typing import Any
+
+import casadi as ca
+
+from ..dae import DAE
+from ..switching import Change
+from ..vectors import column
+
+VALUES = ("below", "above")
+NAME = "corner"
+CORNERS = (ca.OP_FMAX, ca.OP_FMIN)
+LIMITED = (
+    ca.OP_POW, ca.OP_CONSTPOW, ca.OP_SQRT, ca.OP_LOG, ca.OP_LOG1P, ca.OP_INV, ca.OP_ASIN, ca.OP_ACOS,
+    ca.OP_ACOSH, ca.OP_ATANH,
+)  # fmt: skip
+
+
+def corners_as_modes(dae: DAE) -> DAE:
+    """Return a DAE in which max(a, b) and min(a, b) are chosen by a mode that says whether a is above b.
+
+    A step may lead a little beyond a corner before it is noticed. So what goes into powers, roots, logarithms
+    and denominators, which may know no beyond, stays as it is; so do bounds of parameters alone. The new
+    modes follow the others.
+    """
+    matrices = [block.matrix for block in dae.blocks]
+    parts = [dae.ode, dae.alg, dae.variables, dae.switching.expressions, *matrices]
+    known = ca.Function("known", dae.arguments(), parts, {"cse": True, "allow_free": True})
+    chosen = _without_limits(known)
+    if not chosen:
+        return dae
+    corners = _Corners(dae, known, chosen)
+    ode, alg, variables, expressions, *matrices = corners.results
+    first = expressions.numel()
+    count, modes = len(corners.modes), len(dae.switching.mode_names)
+    switching = replace(
+        dae.switching,
+        changes=[*dae.switching.changes, *_changes(count, modes, first)],
+        expressions=column([expressions, *corners.differences]),
+        mode_names=[*dae.switching.mode_names, *(f"{NAME}[{k + 1}]" for k in range(count))],
+        mode_values=[*dae.switching.mode_values, *[VALUES] * count],
+        in_shock=[*dae.switching.in_shock, *({} for _ in range(count))],
+    )
+    return replace(
+        dae,
+        modes=ca.vertcat(dae.modes, *corners.modes),
+        ode=ode,
+        alg=alg,
+        variables=variables,
+        switching=switching,
+        blocks=[replace(block, matrix=m) for block, m in zip(dae.blocks, matrices, strict=True)],
+        _closed={},
+    )
+
+
+def is_corner(mode: str) -> bool:
+    """Tell whether a mode is one that `corners_as_modes` made."""
+    return mode.startswith(f"{NAME}[")
+
+
+def _changes(count: int, modes: int, first: int) -> Iterator[Change]:
+    for k in range(count):
+        for source, row in ((0, 2 * k), (1, 2 * k + 1)):
+            yield Change(f"{NAME}[{k + 1}]", modes + k, source, 1 - source, first + row)
+
+
+def _without_limits(known: Any) -> set[int]:
+    """Return the places of max and min whose values go into nothing that ends at a corner."""
+    behind: dict[int, frozenset[int]] = {}
+    found: set[int] = set()
+    for k in range(known.n_instructions()):
+        operation, into, of = known.instruction_id(k), known.instruction_output(k), known.instruction_input(k)
+        if operation in (ca.OP_INPUT, ca.OP_CONST, ca.OP_PARAMETER):
+            behind[into[0]] = frozenset()
+        elif operation != ca.OP_OUTPUT:
+            passed: frozenset[int] = frozenset().union(*(behind[place] for place in of))
+            if operation in LIMITED:
+                found -= passed
+            elif operation == ca.OP_DIV:
+                found -= behind[of[1]]
+            elif operation in CORNERS:
+                found.add(k)
+                passed |= {k}
+            behind[into[0]] = passed
+    return found
+
+
+class _Corners:
+    """Writes a function anew, operation by operation."""
+
+    def __init__(self, dae: DAE, known: Any, chosen: set[int]) -> None:
+        self.modes: list[Any] = []
+        self.differences: list[Any] = []
+        self._moving = ca.vertcat(dae.x, dae.z, dae.u, dae.time)
+        arguments = [argument.nz[:] for argument in dae.arguments()]
+        self.results = [ca.SX.zeros(known.sparsity_out(k)) for k in range(known.n_out())]
+        free = iter(known.free_sx())
+        work: dict[int, Any] = {}
+        for k in range(known.n_instructions()):
+            operation, into, of = (
+                known.instruction_id(k),
+                known.instruction_output(k),
+                known.instruction_input(k),
+            )
+            if operation == ca.OP_OUTPUT:
+                self.results[into[0]].nz[into[1]] = work[of[0]]
+            elif operation == ca.OP_INPUT:
+                work[into[0]] = arguments[of[0]][of[1]]
+            elif operation == ca.OP_CONST:
+                work[into[0]] = ca.SX(known.instruction_constant(k))
+            elif operation == ca.OP_PARAMETER:
+                work[into[0]] = next(free)
+            elif k in chosen:
+                work[into[0]] = self._chosen(operation, work[of[0]], work[of[1]])
+            elif len(of) == 1:
+                work[into[0]] = ca.SX.unary(operation, work[of[0]])
+            else:
+                work[into[0]] = ca.SX.binary(operation, work[of[0]], work[of[1]])
+
+    def _chosen(self, operation: int, a: Any, b: Any) -> Any:
+        if not ca.depends_on(a - b, self._moving):
+            return ca.SX.binary(operation, a, b)
+        above = ca.SX.sym(NAME)
+        self.modes.append(above)
+        self.differences += [a - b, b - a]
+        greater, lesser = (a, b) if operation == ca.OP_FMAX else (b, a)
+        return ca.if_else(above, greater, lesser)

@@ -1,0 +1,131 @@
+"""What analysis and sweeps cannot do is told, with the value and what to give instead."""
+
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import inertance as ia
+import numpy as np
+import pytest
+
+D = "strut.rest.damper.d"
+
+
+def car() -> ia.Network:
+    return ia.quarter_car(ia.suspension("S4", 60e3, 3e3, 300.0))
+
+
+def closed() -> ia.Network:
+    """A mass on a spring, without inputs."""
+    net = ia.Network("closed", wall=ia.Fixed(), spring=ia.Spring(k=1.0), mass=ia.Mass(m=1.0))
+    net.connect(net.wall.flange, net.spring.flange_a)
+    return net.connect(net.spring.flange_b, net.mass.flange)
+
+
+class Tipping(ia.Compliant):
+    """A spring that pushes away."""
+
+    k = ia.parameter("N/m", "stiffness")
+
+    def equations(self) -> Any:
+        yield self.f == -self.k * self.s_rel
+
+
+def tipping() -> ia.Network:
+    net = ia.Network("tipping", wall=ia.Fixed(), spring=Tipping(k=1.0), mass=ia.Mass(m=1.0), push=ia.Force())
+    net.connect(net.wall.flange, net.spring.flange_a)
+    return net.connect(net.spring.flange_b, net.mass.flange, net.push.flange)
+
+
+def sway(dae: ia.DAE, /, *, parameters: Any) -> float:
+    return ia.linearise(dae, "push.f", "mass.s", parameters=parameters).h2()
+
+
+def one(values: dict[str, Any]) -> float:
+    return 1.0
+
+
+def test_an_unstable_network_has_no_norms() -> None:
+    system = ia.linearise(tipping(), "push.f", "mass.s")
+    for norm in (system.h2(), system.hinf()):
+        assert norm == np.inf
+        assert norm.reason == "unstable: pole at 1+0j rad/s"
+    with pytest.raises(ia.ModelError, match="no steady random response: unstable"):
+        ia.response_rms(system, 1.0, 0.1, 10.0)
+    with pytest.raises(ia.ModelError, match="finite measure"):
+        ia.tune(tipping(), sway, {"spring.k": (1.0, 2.0)})
+
+
+@pytest.mark.parametrize(
+    ("text", "told"),
+    [
+        ("time,z\n0,0\n0.1,nan\n0.2,0\n0.3,1\n", "line 3: finite numbers are needed, got '0.1,nan'"),
+        ("time,z\n0,0\n0.1,1\n0.2,inf\n0.3,1\n", "line 4: finite"),
+        ("time,z\n0,0\n0.1,1\n\n0.05,0\n0.3,1\n", "line 5: time goes from 0.1 to 0.05 s; sort it"),
+        ("time,z\n0,0\n0.1\n", "line 3: finite numbers are needed, got '0.1'"),
+        ("time;z\n0;0\n", "no column 'time'"),
+        ("", "no column 'time'"),
+        ("time,z\n", "at least 4 samples"),
+    ],
+)
+def test_a_bad_road_file_is_refused_at_its_line(text: str, told: str, tmp_path: Path) -> None:
+    file = tmp_path / "road.csv"
+    file.write_text(text, encoding="utf-8")
+    with pytest.raises(ia.ModelError, match=told):
+        ia.record(file)
+
+
+@pytest.mark.parametrize(
+    ("values", "told"),
+    [
+        ("NPTS= 3, DT= .01\n1 2 x", "line 5: finite"),
+        ("NPTS= 9, DT= .01\n1 2 3 4", "says 9 values, there are 4"),
+    ],
+)
+def test_a_bad_ground_motion_is_refused(values: str, told: str, tmp_path: Path) -> None:
+    file = tmp_path / "quake.at2"
+    file.write_text(f"PEER\nsomewhere\nin g\n{values}\n", encoding="utf-8")
+    with pytest.raises(ia.ModelError, match=told):
+        ia.record(file)
+
+
+@pytest.mark.parametrize(
+    ("go", "told"),
+    [
+        (lambda: ia.linearise(closed()).h2(), "has no inputs"),
+        (lambda: ia.linearise(closed()).hinf(), "has no inputs"),
+        (lambda: ia.linearise(closed()).plot_bode(), "no inputs to draw"),
+        (lambda: ia.linearise(car(), "road.s_re"), r"did you mean 'road\.s_ref'"),
+        (lambda: ia.ride_j1(car(), body="bdoy"), r"did you mean 'body\.v'"),
+        (lambda: ia.ride_j1(car(), V=-25.0), "V > 0 m/s"),
+        (lambda: ia.ride_j1(car(), parameters=ia.Varied({}, by=[f"{D}d"])), f"did you mean '{D}'"),
+        (lambda: ia.tune(car(), ia.ride_j1, {D: (1e3, 2e3)}, start={f"{D}d": 1.0}), f"did you mean '{D}'"),
+        (lambda: ia.tune(car(), ia.ride_j1, {D: (1.0, 2.0, 3.0)}), "lower to a higher"),  # type: ignore[dict-item]
+        (lambda: ia.tune(car(), ia.ride_j1, {D: (1.0, np.inf)}), "lower to a higher"),
+        (lambda: ia.tune(car(), ia.ride_j1, {D: (1e3, 2e3)}, limits=[(ia.tyre_j3, 0.0)]), "limit must be"),
+        (lambda: ia.front(car(), ia.ride_j1, ia.tyre_j3, {D: (1e3, 2e3)}, points=1), "two ends"),
+        (lambda: ia.scatter(car(), ia.ride_j1, {D: 0.1}, samples=0), "at least 2 samples"),
+        (lambda: ia.road_profile("A", -10.0, 10.0), "speed > 0"),
+        (lambda: ia.road_profile("A", 10.0, 100.0, low=3.0, high=1.0), "low < high"),
+        (lambda: ia.road_spectrum("A", 0.0), "above 0 cycle/m"),
+        (lambda: ia.bump(0.1, 0.0, 10.0), "length > 0 m"),
+        (lambda: ia.weighted_rms([0.0], [1.0]), "at least 2"),
+        (lambda: ia.weighted_rms([0.0, 1.0, 2.0], [1.0, np.nan, 2.0]), "1 not finite"),
+        (lambda: ia.response_psd(ia.linearise(car(), "road.s_ref", "body.v"), [-1.0]), "from 0 Hz"),
+        (lambda: ia.harmonic_orbit(closed(), "push.f", 1.0, 0.0, ["mass.s"]), "frequency > 0 Hz"),
+        (lambda: ia.describing_function(ia.Spring(k=1.0), 0.0), "amplitude > 0"),
+        (lambda: ia.shear_frame([], []), "at least one floor"),
+        (lambda: ia.sweep(None, {"x": []}, one), "one parameter and one point"),
+        (lambda: ia.sweep(None, {}, one), "one parameter and one point"),
+        (lambda: ia.sweep(None, {"x": "abc"}, one), "takes a list of values"),
+        (lambda: ia.sweep(None, {"x": 3.0}, one), "takes a list of values"),  # type: ignore[dict-item]
+        (lambda: ia.sweep(None, {"x": [1.0]}, one, workers=-1), "at least 0"),
+        (lambda: ia.sweep(None, {"x": [1.0]}, None), "a measure is a function"),  # type: ignore[arg-type]
+        (lambda: ia.latin_hypercube({"x": (0.0, 1.0)}, 0), "at least one point"),
+        (lambda: ia.monte_carlo({"x": (0.0, 1.0)}, -1), "at least one point"),
+        (lambda: ia.saltelli({"x": (0.0, 1.0)}, 100), "take 128, not 100"),
+    ],
+)  # fmt: skip
+def test_what_makes_no_sense_is_told(go: Callable[[], object], told: str) -> None:
+    with pytest.raises(ia.ModelError, match=told):
+        go()

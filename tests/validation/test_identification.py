@@ -1,0 +1,175 @@
+"""Fits where they are hard: chaos, local minima, a closed loop, foreign vibration; honest standard errors."""
+
+from collections.abc import Callable
+from concurrent.futures import ThreadPoolExecutor
+from typing import Any
+
+import inertance as ia
+import numpy as np
+import pytest
+from scipy.signal import welch
+
+
+def recorded(
+    net: ia.Network,
+    truth: dict[str, float],
+    drive: ia.Sampled,
+    driven: str,
+    seen: dict[str, tuple[str, float]],
+) -> ia.Record:
+    """Return what a network with other parameters shows: channel -> (path, noise)."""
+    step = float(drive.time[1])
+    run = net.simulate(
+        float(drive.time[-1]), step=step, inputs={driven: drive}, parameters=truth, rtol=1e-9, atol=1e-11
+    )
+    at = np.searchsorted(run.time, drive.time + 1e-3 * step, side="right") - 1
+    rng = np.random.default_rng(0)
+    values = {name: run[path][at] + rng.normal(0, noise, len(at)) for name, (path, noise) in seen.items()}
+    return ia.Record("run", drive.time, {"u": drive.values, **values})
+
+
+def duffing() -> ia.Network:
+    """Return Ueda's oscillator, x'' + d x' + k3 x^3 = f, chaotic for f = 7.5 cos t."""
+    net = ia.Network("ueda", wall=ia.Fixed(), mass=ia.Mass(m=1.0), push=ia.Force())
+    net.add(spring=ia.CubicSpring(k=0.0, k3=1.0), damper=ia.Damper(d=0.05))
+    net.connect(net.wall.flange, net.spring.flange_a, net.damper.flange_a)
+    return net.connect(net.spring.flange_b, net.damper.flange_b, net.mass.flange, net.push.flange)
+
+
+TRUE_DUFFING = {"spring.k3": 1.08, "damper.d": 0.06}
+
+
+@pytest.fixture(scope="module")
+def chaos() -> Callable[..., ia.Fit]:
+    drive = ia.sampled(ia.Sinusoid(7.5, 1 / (2 * np.pi)), stop=45.0, rate=10.0)
+    record = recorded(duffing(), TRUE_DUFFING, drive, "push.f", {"x": ("mass.s", 0.02)})
+
+    def fitted(**entry: Any) -> ia.Fit:
+        campaign = ia.Campaign(
+            duffing(),
+            channels={"u": {"input": "push.f", "unit": "N"}, "x": {"output": "mass.s", "unit": "m"}},
+            parameters={"spring.k3": {"rel": 0.2}, "damper.d": {"rel": 0.5}},
+            train=[{"record": record, **entry}],
+            noise={"x": 0.02},
+        )
+        return ia.fit(campaign)
+
+    return fitted
+
+
+def test_multiple_shooting_follows_chaos_that_a_free_run_loses(chaos: Callable[..., ia.Fit]) -> None:
+    lost, found = chaos(), chaos(shooting=3.0)
+    assert abs(lost.values["spring.k3"] - 1.08) > 0.02
+    for name, true in TRUE_DUFFING.items():
+        assert abs(found.values[name] - true) < 4 * found.errors[name]
+        assert found.errors[name] < 0.03 * true
+
+
+def resonator(k: float = 400.0) -> ia.Network:
+    net = ia.Network("resonator", wall=ia.Fixed(), mass=ia.Mass(m=1.0), push=ia.Force())
+    net.add(spring=ia.SpringDamper(k=k, d=0.4))
+    net.connect(net.wall.flange, net.spring.flange_a)
+    return net.connect(net.spring.flange_b, net.mass.flange, net.push.flange)
+
+
+def test_a_multi_start_leaves_a_local_minimum() -> None:
+    drive = ia.sampled(ia.Chirp(1.0, 1.0, 8.0, 3.0), stop=3.0, rate=100.0)
+    record = recorded(resonator(), {"spring.k": 1300.0}, drive, "push.f", {"x": ("mass.s", 1e-5)})
+    campaign = ia.Campaign(
+        resonator(),
+        channels={"u": {"input": "push.f", "unit": "N"}, "x": {"output": "mass.s", "unit": "m"}},
+        parameters={"spring.k": {"min": 100.0, "max": 2500.0}},
+        train=[{"record": record, "initial": "rest"}],
+        noise={"x": 1e-5},
+    )
+    assert abs(ia.fit(campaign).values["spring.k"] - 1300.0) > 100.0
+    with ThreadPoolExecutor(1) as executor:
+        found = ia.fit(campaign, starts=8, executor=executor)
+    assert len(found.starts) == 8
+    assert abs(found.values["spring.k"] - 1300.0) < 4 * found.errors["spring.k"]
+
+
+def servo() -> ia.Network:
+    """Return a mass that a PD loop holds to a reference: force = kp (reference - s) - kd v."""
+    net = ia.Network("servo", bed=ia.Fixed(), mass=ia.Mass(m=2.0), motor=ia.Force(), viscous=ia.Damper(d=5.0))
+    net.add(position=ia.PositionSensor(), speed=ia.SpeedSensor())
+    net.add(error=ia.signals.Add(k1=900.0, k2=-900.0), law=ia.signals.Add(k2=-40.0))
+    net.connect(net.bed.flange, net.viscous.flange_a)
+    net.connect(
+        net.viscous.flange_b, net.mass.flange, net.motor.flange, net.position.flange, net.speed.flange
+    )
+    net.connect(net.position.s, net.error.u2).connect(net.error.y, net.law.u1).connect(
+        net.speed.v, net.law.u2
+    )
+    return net.connect(net.law.y, net.motor.f)
+
+
+def test_a_machine_in_a_closed_loop_is_fitted_with_its_controller() -> None:
+    truth = {"mass.m": 2.3, "viscous.d": 8.0}
+    drive = ia.sampled(ia.Multisine(rms=0.01, low=0.5, high=8.0, period=3.0), stop=3.0, rate=200.0, fade=0.5)
+    record = recorded(servo(), truth, drive, "error.u1", {"x": ("mass.s", 1e-5), "F": ("law.y", 0.02)})
+    campaign = ia.Campaign(
+        servo(),
+        channels={"u": {"input": "error.u1"}, "x": {"output": "mass.s"}, "F": {"output": "law.y"}},
+        parameters={"mass.m": {"rel": 0.3}, "viscous.d": {"rel": 0.6}},
+        train=[{"record": record, "initial": "rest"}],
+        noise={"x": 1e-5, "F": 0.02},
+    )
+    found = ia.fit(campaign)
+    for name, true in truth.items():
+        assert abs(found.values[name] - true) < 4 * found.errors[name]
+        assert found.errors[name] < 0.01 * true
+
+
+def test_a_filter_on_both_sides_keeps_out_what_the_model_does_not_hold() -> None:
+    drive = ia.sampled(ia.Multisine(rms=2.0, low=0.5, high=6.0, period=4.0), stop=4.0, rate=200.0, fade=0.5)
+    record = recorded(resonator(), {"spring.k": 430.0}, drive, "push.f", {"x": ("mass.s", 1e-5)})
+    record.values["x"] += 2e-3 * np.sin(2 * np.pi * 50.0 * drive.time)
+    entries: dict[str, Any] = {
+        "channels": {"u": {"input": "push.f"}, "x": {"output": "mass.s"}},
+        "parameters": {"spring.k": {"rel": 0.2}, "spring.d": {"rel": 0.5}},
+        "train": [{"record": record, "initial": "rest"}],
+        "noise": {"x": 1e-5},
+    }
+    raw = ia.fit(ia.Campaign(resonator(), **entries))
+    clean = ia.fit(ia.Campaign(resonator(), **entries, stage=[{"filter": {"cutoff": 10.0, "order": 6}}]))
+    assert clean.errors["spring.k"] < 0.1 * raw.errors["spring.k"]
+    assert clean.values["spring.k"] == pytest.approx(430.0, rel=1e-3)
+
+
+def test_standard_errors_are_as_large_as_the_scatter() -> None:
+    truth = {"spring.k": 430.0, "spring.d": 0.5}
+    drive = ia.sampled(ia.Multisine(rms=2.0, low=0.5, high=6.0, period=4.0), stop=4.0, rate=100.0, fade=0.5)
+    exact = recorded(resonator(), truth, drive, "push.f", {"x": ("mass.s", 0.0)})
+    scores = []
+    for seed in range(12):
+        noise = np.random.default_rng(seed).normal(0, 2e-4, len(drive.time))
+        record = ia.Record("run", drive.time, {"u": drive.values, "x": exact.values["x"] + noise})
+        campaign = ia.Campaign(
+            resonator(),
+            channels={"u": {"input": "push.f"}, "x": {"output": "mass.s"}},
+            parameters={"spring.k": {"rel": 1.0}, "spring.d": {"rel": 3.0}},
+            train=[{"record": record, "initial": "rest"}],
+            noise={"x": 2e-4},
+        )
+        found = ia.fit(campaign)
+        scores.append([(found.values[name] - true) / found.errors[name] for name, true in truth.items()])
+    spread = np.sqrt(np.mean(np.square(scores), axis=0))
+    assert (spread > 0.6).all()
+    assert (spread < 1.5).all()
+
+
+def test_the_random_displacement_has_the_spectrum_of_the_source() -> None:
+    drive = ia.sampled(ia.RandomDisplacement(seed=3, period=40.0), stop=40.0, rate=200.0)
+    f, density = (np.asarray(v, dtype=float) for v in welch(drive.values[:-1], 200.0, nperseg=1600))
+    inside = (f > 0.8) & (f < 14.5)
+    assert np.mean(density[inside] * f[inside] ** 2) == pytest.approx(6.4e-6, rel=0.15)
+    assert (density[f > 17] * f[f > 17] ** 2).max() < 1e-3 * 6.4e-6
+
+
+def test_a_chirp_sweeps_evenly_from_low_to_high() -> None:
+    values = ia.sampled(ia.Chirp(2.0, 1.0, 9.0, 8.0), stop=8.0, rate=1000.0).values
+    rises = np.flatnonzero((values[:-1] < 0) & (values[1:] >= 0)) / 1000.0
+    middles, rates = 0.5 * (rises[1:] + rises[:-1]), 1 / np.diff(rises)
+    assert rates == pytest.approx(1.0 + middles, rel=0.03)
+    assert np.abs(values).max() == pytest.approx(2.0, rel=1e-3)
