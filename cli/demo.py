@@ -88,7 +88,8 @@ class Responses:
 def demo(
     out: Annotated[Path, typer.Option(help="Directory for the pictures.")] = Path("inertance-demo"),
 ) -> None:
-    """Test a planetary flywheel inerter against a disk inerter, in a table and pictures."""
+    """Test a planetary flywheel inerter against a disk inerter, and say what the model of a rig lacks."""
+    from .demo_diagnosis import diagnose_withheld
     from .demo_pictures import draw_cycles, draw_design_map, draw_responses
 
     console = Console()
@@ -106,6 +107,7 @@ def demo(
         draw_design_map(out / "design_map.png", ge_wang.GEOMETRY),
     ):
         console.print(f"wrote {picture}")
+    diagnose_withheld(console, out)
 
 
 def last_cycle(make: Callable[[], Component], test: Sinusoid) -> Cycle:

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import os
 from concurrent.futures import ProcessPoolExecutor
-from importlib.util import find_spec
 from multiprocessing import get_context
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
@@ -43,8 +42,6 @@ def diagnose(
     for path in (json, report):
         if path is not None and not path.resolve().parent.is_dir():
             raise typer.BadParameter(f"there is no folder '{path.resolve().parent}'; make it first")
-    if report is not None and find_spec("plotly") is None:
-        raise typer.BadParameter('--report needs plotly: pip install "inertance[report]"')
     if jobs < 0:
         raise typer.BadParameter(f"--jobs must be at least 0, got {jobs}")
     with failing(WRONG_USE, ModelError):
@@ -53,6 +50,7 @@ def diagnose(
     console = Console(stderr=True)
     with failing(FAILED, InertanceError), console.status("reading") as status:
         if count > 1:
+            os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")  # with a process a core, threads only queue
             with ProcessPoolExecutor(count, mp_context=get_context("spawn")) as pool:
                 verdict = run_diagnosis(loaded, executor=pool, solver=solver, report=status.update)
         else:

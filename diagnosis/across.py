@@ -209,7 +209,7 @@ def _drifting(site: Site, name: str, values: Values) -> list[Edit]:
 LOADED = register(
     Effect(
         "load_dependent_friction",
-        "across",
+        "loaded",
         both(mu=(("mu", "1"), ("mu", "1"))),
         _loaded,
         lambda motion, _: [np.abs(motion.f) * motion.direction],

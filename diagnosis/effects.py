@@ -65,7 +65,7 @@ class Effect:
 
     Attributes:
         kind: its name, in code, JSON and report.
-        place: "across", "series", "node" or "channel".
+        place: "across", "loaded", "series", "node" (as of `Site`), or "channel".
         quantities: its parameters, by domain ("translational", "rotational") or for a "channel".
         edits: what inserts it: (site, name, values) -> edits of the network.
         basis: (motion, shape) -> what each size adds for its unit: a force across, a stretch in series.

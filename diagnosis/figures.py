@@ -77,7 +77,7 @@ def _title(experiment: Experiment) -> str:
 
 def _record(verdict: Verdict, stages: Stages, number: int, most: int) -> Figure:
     campaign = verdict.evidence.campaign
-    record = (campaign.testing or campaign.training)[number].record
+    record = (campaign.testing or campaign.training)[number].compared
     data: list[dict[str, Any]] = []
     layout: dict[str, Any] = {"shapes": [], "hovermode": "x"}
     outputs = campaign.outputs
@@ -211,12 +211,12 @@ def spectra(verdict: Verdict, stages: Stages, channel: str) -> Figure:
     campaign = verdict.evidence.campaign
     sigma, unit = campaign.floors[channel].sigma, pretty_unit(campaign.measured[channel].si)
     experiments = campaign.testing or campaign.training
-    rate = experiments[0].record.rate
-    segment = max(64, min(len(e.record.time) for e in experiments) // 8)
+    rate = experiments[0].compared.rate
+    segment = max(64, min(len(e.compared.time) for e in experiments) // 8)
     data = []
     for (stage, fitted), colour in list(zip(stages.items(), COLOURS, strict=False))[-2:]:
         found = [
-            spectrum(sigma * record[channel], e.record.rate, segment)
+            spectrum(sigma * record[channel], e.compared.rate, segment)
             for record, e in zip(fitted.test or fitted.train, experiments, strict=True)
         ]
         density = np.mean([np.interp(found[0][0], f, d) for f, d in found], axis=0)

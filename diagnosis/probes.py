@@ -74,7 +74,7 @@ def probed(network: Network, sites: Sequence[Site]) -> Network:
             edits.append(Insert(site.moving, f"stretch_{number}", Turn(u=0.0) if turning else Stretch(u=0.0)))
     for number, site in enumerate(sites):
         turning = site.domain == "rotational"
-        far = site.fixed if "across" in site.places else GROUND
+        far = GROUND if site.places <= {"series", "node"} else site.fixed
         edits += between(f"push_{number}", Twist(u=0.0) if turning else Push(u=0.0), far, site.moving)
     return edited(network, edits)
 

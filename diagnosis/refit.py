@@ -74,7 +74,7 @@ class Joint:
         self.bounds = np.array([*low, *lows]), np.array([*high, *[np.inf] * len(lows)])
         paths = [path for placed in self.effects for path in placed.network_parameters]
         outputs = [c.path for c in campaign.measured.values() if not c.driven]
-        self.variations = Variations(self.dae, [*outputs, *self.dae.state_names], [*self.names, *paths])
+        self.variations = Variations(self.dae, outputs, [*self.names, *paths])
         self.stands = {id(e): self._stand(e) for e in campaign.experiments}
 
     def _stand(self, experiment: Experiment) -> Stand:
@@ -132,7 +132,7 @@ class Joint:
         start = stand.rest(given, accuracy) if free else None
         found = stand.run(given, start, accuracy, slopes or free)
         values = {name: sensed(found.time, name, found.values[name], effects) for name in found.values}
-        record = experiment.record.thinned(experiment.every)
+        record = experiment.compared
         residuals = {n: (record.values[n] - values[n]) / self.sigma[n] for n in values}
         count = sum(len(r) for r in residuals.values())
         columns = np.zeros((count, 0))

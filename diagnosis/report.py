@@ -9,7 +9,6 @@ from pathlib import Path
 from string import Template
 from typing import Any
 
-from ..components import ModelError
 from ..networks import pretty_unit
 from .drawing import drawings
 from .figures import COLOURS, MEASURED, Figure, Stages, bars, clouds, over_time, spectra
@@ -22,17 +21,9 @@ UNITS = {"translational": ("m", "m/s", "m/s2"), "rotational": ("rad", "rad/s", "
 
 
 def write_report(verdict: Verdict, path: str | Path) -> Path:
-    """Write the report of a verdict and return its path.
+    """Write the report of a verdict and return its path."""
+    from plotly.offline import get_plotlyjs
 
-    Raises:
-        ModelError: without plotly, saying how to install it.
-    """
-    try:
-        from plotly.offline import get_plotlyjs
-    except ImportError as error:
-        raise ModelError(
-            'the report needs plotly, which is not installed; pip install "inertance[report]"'
-        ) from error
     path, figures = Path(path), dict[str, Figure]()
     body = "\n".join(_sections(verdict, figures))
     page = Template((HERE / "report.html").read_text(encoding="utf-8"))

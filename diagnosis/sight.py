@@ -41,9 +41,9 @@ class Sight:
         self.outputs = {name: c.path for name, c in channels.items() if not c.driven}
         self.inputs = {name: c.path for name, c in channels.items() if c.driven}
         self.sigma = sigma
-        variations = Variations(dae, [*self.outputs.values(), *dae.state_names], names)
+        variations = Variations(dae, list(self.outputs.values()), names)
         stand = Stand(dae, driven(experiment, effects), channels, variations)
-        self.record = experiment.record.thinned(experiment.every)
+        self.record = experiment.compared
         start = None if experiment.initial == "rest" else stand.rest(parameters, accuracy)
         found = stand.run(parameters, start, accuracy)
         self.run = found.run

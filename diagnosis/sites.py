@@ -18,6 +18,7 @@ _PAIRS = (
 )
 _NO_SITES = ("Sensor", "Position", "Speed", "Accelerate", "Force", "Torque", "Fixed", "Rod")
 GROUND = "ground"
+BETWEEN = frozenset({"across", "loaded", "series"})
 
 
 @dataclass(frozen=True)
@@ -29,7 +30,7 @@ class Site:
         domain: "translational" or "rotational".
         moving: path of the flange to which an effect in series, or an inertia, is joined.
         fixed: path of the flange that faces it, "ground" if there is none.
-        places: what may be put here: "across", "series", "node".
+        places: what may be put here: "across", "loaded" (across, by the force through it), "series", "node".
         rank: 2 if the component dissipates, 1 if it lies between two flanges; such a name says most.
         same: paths of other components between the same two nodes.
         rest: distance at the start of the nominal model's run.
@@ -77,7 +78,7 @@ def _merged(group: list[Site]) -> Iterator[Site]:
         yield replace(chosen, same=tuple(site.path for site in group if site is not chosen))
         for site in acting:
             if not f"{chosen.path}.".startswith(f"{site.path}."):
-                yield replace(site, places=frozenset({"series"}))
+                yield replace(site, places=frozenset({"series", "loaded"}))
     for number, site in enumerate(inert):
         yield site if number == 0 and not acting else replace(site, places=site.places - {"across"})
 
@@ -96,7 +97,9 @@ def _site(path: str, component: Component, node_of: dict[str, int]) -> Site | No
         if type(facing) is type(port):
             far = f"{path}.{fixed}" if f"{path}.{fixed}" in node_of else GROUND
             rank = 2 if "d" in fields else int("s_rel" in fields or "phi_rel" in fields)
-            return Site(path, port.domain, f"{path}.{moving}", far, frozenset({"across", "series"}), rank)
+            return Site(
+                path, port.domain, f"{path}.{moving}", far, frozenset({"across", "loaded", "series"}), rank
+            )
     return None
 
 

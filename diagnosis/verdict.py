@@ -140,11 +140,7 @@ class Verdict:
         return with_effects(self.network, self.effects)
 
     def report(self, path: str | Path) -> Path:
-        """Write the report: one HTML file that needs nothing else.
-
-        Raises:
-            ModelError: without plotly, saying how to install it.
-        """
+        """Write the report: one HTML file that needs nothing else."""
         from .report import write_report
 
         return write_report(self, path)

@@ -53,7 +53,7 @@ def located(campaign: Campaign, fitted: Refit, candidates: Sequence[Candidate]) 
         ratios = regimes(motions, missed)
         regime = max(ratios, key=lambda name: ratios[name])
         lasting = sum(float(w["to"]) - float(w["from"]) for w in spans)
-        brief = lasting < BRIEF * sum(float(np.ptp(e.record.time)) for e in records)
+        brief = lasting < BRIEF * sum(float(np.ptp(e.compared.time)) for e in records)
         found["regime"] = "any" if brief or ratios[regime] < MARKED else regime
         found["regimes"] = ratios
     return found
@@ -74,7 +74,7 @@ def windows(
     """
     stretches: list[tuple[Record, int, int, float]] = []
     for experiment, residuals in zip(experiments, missed, strict=True):
-        record = experiment.record
+        record = experiment.compared
         above = excess(residuals)
         count = max(1, round(len(above) / (record.rate * STRETCH)))
         ends = np.linspace(0, len(above), count + 1).astype(int)
@@ -111,14 +111,14 @@ def _merged(
 
 def band(experiments: Sequence[Experiment], missed: Sequence[Mapping[str, Array]]) -> list[float]:
     """Return the frequencies [Hz] between which most of the power of the gap above noise lies."""
-    rate = min(e.record.rate for e in experiments)
+    rate = min(e.compared.rate for e in experiments)
     common = np.linspace(0, rate / 2, 1000)
     above = np.zeros(len(common))
     for experiment, residuals in zip(experiments, missed, strict=True):
         for residual in residuals.values():
             segment = min(len(residual), 4096)
-            f, density = spectrum(residual, experiment.record.rate, segment)
-            above += np.interp(common, f, density - 2 / experiment.record.rate) * len(residual)
+            f, density = spectrum(residual, experiment.compared.rate, segment)
+            above += np.interp(common, f, density - 2 / experiment.compared.rate) * len(residual)
     power = np.cumsum(np.maximum(above, 0.0))
     power /= max(float(power[-1]), 1e-300)
     return [round(float(common[np.searchsorted(power, share)]), 3) for share in BAND]
@@ -163,7 +163,7 @@ def moved(
     Of a channel, its value and its rates.
     """
     if site.domain == "channel":
-        return [_signal(e.record.thinned(e.every), site.path) for e in experiments]
+        return [_signal(e.compared, site.path) for e in experiments]
     dae = probed(campaign.network, [site]).dae()
     accuracy = Accuracy(rtol=1e-5, atol=1e-7)
     motions = []
@@ -171,7 +171,7 @@ def moved(
         stand = Stand(dae, experiment, campaign.measured)
         start = None if experiment.initial == "rest" else stand.rest(parameters, accuracy)
         motion = motion_at(stand.run(parameters, start, accuracy, slopes=False).run, 0, site)
-        t = experiment.record.thinned(experiment.every).time
+        t = experiment.compared.time
         signals = (np.interp(t, motion.t, x) for x in (motion.s, motion.v, motion.f, motion.a))
         motions.append(Motion(t, *signals))
     return motions

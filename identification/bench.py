@@ -37,7 +37,7 @@ class Prediction:
         slopes: d(channel)/d(parameters), (instants, parameters), if asked for.
         start_slopes: d(channel)/d(states at the start), (instants, states), if asked for.
         start, end: the states at the first and the last instant.
-        end_slopes: d(states at the end)/d(parameters, states at the start).
+        end_slopes: d(states at the end)/d(parameters, states at the start), if they are followed.
         run: the whole run, with its events and every other signal.
     """
 
@@ -62,7 +62,7 @@ class Stand:
         variations: Variations | None = None,
     ) -> None:
         self.dae = replace(dae, _closed={})
-        self.experiment, self.record = experiment, experiment.record.thinned(experiment.every)
+        self.experiment, self.record = experiment, experiment.compared
         whole = experiment.record
         self.outputs = {name: c.path for name, c in channels.items() if not c.driven}
         self.inputs: dict[str, Any] = {c.path: whole.sampled(n) for n, c in channels.items() if c.driven}

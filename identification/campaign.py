@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import pickle
 import tomllib
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
@@ -119,6 +120,20 @@ class Campaign:
     def __reduce__(self) -> tuple[Any, ...]:
         entries = (self.channels, self.parameters, self.train, self.test, self.noise, self.stage)
         return Campaign, (self.model, *entries, self.base, self.source)
+
+    def pickled(self) -> bytes:
+        """Return what other processes make the same campaign of.
+
+        Raises:
+            ModelError: for a model that lives in this process only.
+        """
+        try:
+            return pickle.dumps(self)
+        except (pickle.PicklingError, TypeError, AttributeError) as error:
+            raise ModelError(
+                f"{self.source}: the model cannot be sent to other processes ({error}); give it as "
+                "model = 'path/to/file.py:function'"
+            ) from error
 
     @classmethod
     def load(cls, path: str | Path) -> Self:

@@ -58,6 +58,11 @@ class Experiment:
         """What it is called in reports."""
         return self.record.name
 
+    @property
+    def compared(self) -> Record:
+        """The record at the instants at which outputs are compared."""
+        return self.record.thinned(self.every)
+
     def overlaps(self, other: Experiment) -> bool:
         """Return whether both hold the same measurement, or parts of it that overlap."""
         if self.source != other.source:

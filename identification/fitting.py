@@ -150,7 +150,7 @@ def _multistart(
                 done.append(_from(campaign, values, accuracy))
                 tell(f"start {len(done)} of {starts}, misfit {done[-1].cost:.5g}")
             return done
-        payload = _pickled(campaign)
+        payload = campaign.pickled()
         jobs = [executor.submit(_job, payload, values, accuracy) for values in drawn]
         for job in as_completed(jobs):
             done.append(job.result())
@@ -193,16 +193,6 @@ def _from(campaign: Campaign, values: dict[str, float], accuracy: Accuracy) -> S
     except InertanceError as error:
         return Start(values, fitted, np.inf, str(error))
     return Start(values, fitted, cost)
-
-
-def _pickled(campaign: Campaign) -> bytes:
-    try:
-        return pickle.dumps(campaign)
-    except (pickle.PicklingError, TypeError, AttributeError) as error:
-        raise ModelError(
-            f"{campaign.source}: the model cannot be sent to other processes ({error}); give it as "
-            "model = 'path/to/file.py:function'"
-        ) from error
 
 
 def _job(payload: bytes, values: dict[str, float], accuracy: Accuracy) -> Start:

@@ -110,12 +110,12 @@ class Result:
 
     def _evaluate(self, name: str) -> Array:
         function = self._closed.signal(name)
-        values = function(*(column.T for column in self._columns), self.time[None, :]).full().ravel()
+        values = function(*self._columns).full().ravel()
         return np.broadcast_to(values, self.time.shape).copy()
 
     @cached_property
-    def _columns(self) -> tuple[Array, Array, Array, Array]:
-        """States, algebraic unknowns, inputs and what is constant in a segment, at all points."""
+    def _columns(self) -> list[Any]:
+        """States, algebraic unknowns, inputs, what is constant in a segment, and time, at all points."""
         states, algebraic = (
             np.concatenate([part for s in self._segments for part in getattr(s, kind)])
             for kind in ("states", "algebraic")
@@ -123,7 +123,8 @@ class Result:
         lengths = [sum(map(len, s.times)) for s in self._segments]
         q = np.repeat([s.q for s in self._segments], lengths, axis=0)
         inputs = self._closed.input_values(q, self.time)
-        return states, algebraic, inputs, q[:, : self.dae.constants.numel()]
+        columns = states, algebraic, inputs, q[:, : self.dae.constants.numel()], self.time[:, None]
+        return [ca.DM(column.T) for column in columns]
 
     def __contains__(self, name: str) -> bool:
         try:

@@ -170,7 +170,7 @@ CAR = Rig(
         "damper": Bond(STRUT, 0.0, "damper.d", ("damper",)),
     },
     nodes={"wheel": ("wheel",), "body": ("body",)},
-    loads={"strut": "link", "inerter": "link"},
+    loads={"inerter": "link"},
     kinds={
         "strut": (*SMOOTH, *DRY),
         "inerter": (*SMOOTH, *DRY, "viscous_damping", "linear_stiffness"),

@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import argparse
 import json
+import os
 import subprocess
 import sys
 import time
@@ -27,10 +28,14 @@ def diagnose(case: Path) -> str:
     verdict, note = case / "verdict.json", case / "verdict.run.json"
     if note.exists():
         return case.name
-    command = [sys.executable, "-m", "inertance", "diagnose", "campaign.toml", "--json", verdict.name]
+    command = [sys.executable, "-m", "inertance", "diagnose", "campaign.toml", "--jobs", "1"]
+    command += ["--json", verdict.name]
+    alone = {**os.environ, "OPENBLAS_NUM_THREADS": "1"}
     begin = time.perf_counter()
     try:
-        done = subprocess.run(command, cwd=case, capture_output=True, text=True, timeout=LIMIT, check=False)
+        done = subprocess.run(
+            command, cwd=case, capture_output=True, text=True, timeout=LIMIT, env=alone, check=False
+        )
         told, code = (done.stderr or done.stdout)[-2000:], done.returncode
     except subprocess.TimeoutExpired:
         told, code = f"no verdict within {LIMIT:g} s", -1

@@ -29,7 +29,7 @@ def test_sites_of_carts() -> None:
     found = {site.path: site for site in sites_of(cart())}
     assert set(found) == {"d1", "k1", "one", "k2", "two"}
     assert found["d1"].same == ("k1", "one")
-    assert found["k1"].places == {"series"}
+    assert found["k1"].places == {"series", "loaded"}
     assert found["one"].places == {"node"}
     assert found["two"].places == {"node", "across"}
     assert found["two"].fixed == GROUND
@@ -60,7 +60,7 @@ def test_every_effect_fits_every_site_and_runs(kind: str) -> None:
         assert again["one.s"] == pytest.approx(run["one.s"], abs=1e-12)
 
 
-ACROSS = [kind for kind, effect in EFFECTS.items() if effect.basis and effect.place == "across"]
+ACROSS = [kind for kind, effect in EFFECTS.items() if effect.basis and effect.place in ("across", "loaded")]
 
 
 @pytest.mark.parametrize("kind", ACROSS)
@@ -70,7 +70,12 @@ def test_the_basis_is_the_force_of_the_component(kind: str) -> None:
     net = ia.Network("probe", wall=ia.Fixed(), probe=ia.Damper(d=0.0), drive=ia.Position(s_ref=np.sin))
     net.connect(net.wall.flange, net.probe.flange_a).connect(net.probe.flange_b, net.drive.flange)
     site = Site(
-        "probe", "translational", "probe.flange_b", "probe.flange_a", frozenset({"across"}), speed=0.7
+        "probe",
+        "translational",
+        "probe.flange_b",
+        "probe.flange_a",
+        frozenset({"across", "loaded"}),
+        speed=0.7,
     )
     t = np.linspace(0, 6, 2001)
     motion = Motion(t, np.sin(t), np.cos(t), np.zeros_like(t), -np.sin(t))

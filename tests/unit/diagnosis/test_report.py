@@ -4,7 +4,6 @@ import json
 import re
 import shutil
 import subprocess
-import sys
 from base64 import b64decode
 from dataclasses import replace
 from html.parser import HTMLParser
@@ -313,14 +312,6 @@ def test_docs_list_every_effect_with_its_parameters() -> None:
     for kind, effect in EFFECTS.items():
         names = {q.name for quantities in effect.quantities.values() for q in quantities}
         assert {name for name in names if f"`{name}`" not in rows.get(kind, page)} == set(), kind
-
-
-def test_without_plotly_the_extra_is_named(
-    verdict: Verdict, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    monkeypatch.setitem(sys.modules, "plotly.offline", None)
-    with pytest.raises(ia.ModelError, match=r'pip install "inertance\[report\]"'):
-        verdict.report(tmp_path / "gap.html")
 
 
 @pytest.mark.skipif(CHROMIUM is None, reason="no Chromium to open the report in")

@@ -1,0 +1,51 @@
+"""Fitted models compared by their residuals on the test records."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..identification import Campaign
+from .refit import Refit
+
+Array = NDArray[np.float64]
+BLOCK = 1.0  # s, stretches by which test residuals are compared
+GENERALISES = {
+    "stribeck_friction": ("coulomb_friction",),
+    "asymmetric_friction": ("coulomb_friction",),
+    "friction_drift": ("coulomb_friction",),
+    "bilinear_stiffness": ("linear_stiffness",),
+}
+
+
+def blocks(fitted: Refit, campaign: Campaign) -> Array:
+    """Return the squared test residual by stretches of a second."""
+    sums = []
+    experiments = campaign.testing or campaign.training
+    for residuals, experiment in zip(fitted.test or fitted.train, experiments, strict=True):
+        time = experiment.compared.time
+        count = max(2, round(float(time[-1] - time[0]) / BLOCK))
+        squares = np.sum([r**2 for r in residuals.values()], axis=0)
+        sums += [float(part.sum()) for part in np.array_split(squares, count)]
+    return np.array(sums)
+
+
+def clearness(worse: Refit, better: Refit, campaign: Campaign) -> float:
+    """Return by how many standard errors a model's test residual is below another's, in logarithms."""
+    drop = np.log(blocks(worse, campaign) / blocks(better, campaign))
+    spread = float(drop.std(ddof=1) / np.sqrt(len(drop)))
+    return float(drop.mean()) / spread if spread > 0 else 0.0
+
+
+def misfit(fitted: Refit) -> float:
+    """Return the root mean square of the test residual, in units of noise."""
+    parts = [r for record in fitted.test or fitted.train for r in record.values()]
+    return float(np.sqrt(np.mean(np.concatenate(parts) ** 2)))
+
+
+def is_simpler(one: Refit, other: Refit) -> bool:
+    """Tell whether the last effect of a model is a special case of the last one of another."""
+    plain, richer = one.effects[-1], other.effects[-1]
+    return (
+        plain.effect.kind in GENERALISES.get(richer.effect.kind, ()) and plain.site.path == richer.site.path
+    )

@@ -1,0 +1,139 @@
+"""From fitted models to the verdict."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+
+from ..identification import Accuracy, Campaign
+from .comparing import GENERALISES, blocks, clearness, is_simpler, misfit
+from .contest import Round
+from .evidence import Evidence
+from .placed import Placed
+from .refit import Refit
+from .separating import separating
+from .verdict import Gap, Ranked, Verdict
+from .where import located, shares
+
+ALIKE = 2.0  # standard errors within which two effects cannot be told apart
+EXPLAINED = 0.93  # share of the gap below which the effects found are not all that is missing
+COLOURED = 1.1  # misfit over noise above which something is left
+
+
+def decided(
+    campaign: Campaign,
+    accuracy: Accuracy,
+    start: Refit,
+    base: Refit,
+    best: Refit,
+    rounds: Sequence[Round],
+    notes: list[str],
+) -> Verdict:
+    """Return the verdict.
+
+    Args:
+        campaign: records, channels, priors and model.
+        accuracy: solver and tolerances.
+        start: the nominal model.
+        base: its parameters refitted.
+        best: with the effects that were chosen.
+        rounds: what was screened and fitted.
+        notes: what limits the verdict.
+    """
+    gap = _gaps(campaign, start, base, best)
+    misfits = [misfit(fitted) for fitted in (start, base, best)]
+    closed = _closed(*misfits[1:])
+    word = _word(campaign, best, misfits, closed)
+    first = rounds[0] if rounds else Round(base, [], [])
+    named = {placed.label for placed in best.effects[:1]}
+    own = next((f for f in first.fitted if f.effects[-1].label in named), None)
+    alike = _alike(first, own, best.effects, campaign) if own is not None else []
+    others = {f.effects[-1].effect.kind for f in alike} - {p.effect.kind for p in best.effects}
+    further = None
+    if word == "effect" and own is not None and others:
+        word, further = "ambiguous", separating(campaign, own, alike[0], accuracy)
+    ranking = [_ranked(f, first.base, campaign) for f in first.fitted]
+    confidence = [_confidence(done, p, campaign) for done, p in zip(rounds, best.effects, strict=False)]
+    return Verdict(
+        verdict=word,
+        effects=best.effects if word in ("effect", "ambiguous") else (),
+        confidence=tuple(confidence) if word in ("effect", "ambiguous") else (),
+        equivalent=tuple((f.effects[-1].effect.kind, f.effects[-1].site.path) for f in alike),
+        next_experiment=further,
+        where=shares(first.candidates),
+        windows=located(campaign, base, first.candidates) if word == "unknown" else {},
+        ranking=tuple(sorted(ranking, key=lambda r: -r.test_gain)),
+        gap=gap,
+        closed=closed,
+        parameters=best.parameters,
+        network=campaign.network,
+        evidence=Evidence(campaign, start, base, best, tuple(first.candidates)),
+        notes=tuple(notes),
+    )
+
+
+def _word(campaign: Campaign, best: Refit, misfits: Sequence[float], closed: float) -> str:
+    nominal, refitted, after = misfits
+    if best.effects:
+        return "effect" if closed >= EXPLAINED or after < COLOURED else "unknown"
+    if refitted > COLOURED:
+        return "unknown"
+    moved = any(
+        abs(value - campaign.priors[name].center) > 3 * campaign.priors[name].sd
+        for name, value in best.parameters.items()
+    )
+    return "parameters" if moved or nominal > COLOURED * refitted else "none"
+
+
+def _closed(refitted: float, after: float) -> float:
+    return float(np.clip((refitted - after) / max(refitted - 1.0, 1e-9), 0.0, 1.0))
+
+
+def _gaps(campaign: Campaign, start: Refit, base: Refit, best: Refit) -> dict[str, Gap]:
+    experiments = campaign.testing or campaign.training
+    gaps = {}
+    for name in campaign.outputs:
+        measured = np.concatenate([e.record.values[name] for e in experiments])
+        size = float(np.sqrt(np.mean(measured**2))) or 1.0
+        sigma = campaign.floors[name].sigma
+        nominal, refitted, after = (
+            sigma * float(np.sqrt(np.mean(np.concatenate([r[name] for r in f.test or f.train]) ** 2))) / size
+            for f in (start, base, best)
+        )
+        unit = f"{campaign.measured[name].si}, NRMSE of the test runs"
+        gaps[name] = Gap(nominal, refitted, after, sigma / size, unit)
+    return gaps
+
+
+def _alike(first: Round, own: Refit, effects: Sequence[Placed], campaign: Campaign) -> list[Refit]:
+    """Return the fitted effects that the data cannot tell from the first of those found, the likest first."""
+    chosen, apart = own.effects[-1], []
+    found = {placed.label for placed in effects}
+    for other in first.fitted:
+        placed = other.effects[-1]
+        if placed.label in found or chosen.effect.kind in GENERALISES.get(placed.effect.kind, ()):
+            continue
+        apart.append((abs(clearness(other, own, campaign)), other))
+    return [other for distance, other in sorted(apart, key=lambda pair: pair[0]) if distance < ALIKE]
+
+
+def _ranked(fitted: Refit, base: Refit, campaign: Campaign) -> Ranked:
+    from scipy.stats import norm
+
+    placed = fitted.effects[-1]
+    before, after = blocks(base, campaign).sum(), blocks(fitted, campaign).sum()
+    p = float(norm.sf(clearness(base, fitted, campaign)))
+    return Ranked(placed.effect.kind, placed.site.path, float((before - after) / before), p, placed.values)
+
+
+def _confidence(done: Round, placed: Placed, campaign: Campaign) -> float:
+    """Return the chance that no other fitted effect is better on further data."""
+    from scipy.stats import norm
+
+    own = next((f for f in done.fitted if f.effects[-1].label == placed.label), None)
+    if own is None:
+        return 0.5
+    others = [f for f in done.fitted if f is not own and not is_simpler(own, f)]
+    margins = [clearness(f, own, campaign) for f in (done.base, *others)]
+    return float(norm.cdf(min(margins)))
