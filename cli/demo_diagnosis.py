@@ -4,10 +4,12 @@ from __future__ import annotations
 
 from pathlib import Path
 
+import numpy as np
 from rich.console import Console
 
 from ..diagnosis import Verdict, diagnose
-from ..identification import Campaign
+from ..identification import Campaign, Record
+from ..networks import Network
 from .diagnose import show
 
 CAMPAIGN = Path(__file__).with_name("withheld") / "campaign.toml"
@@ -23,6 +25,23 @@ def diagnose_withheld(console: Console, out: Path) -> Verdict:
     with console.status("reading") as status:
         verdict = diagnose(campaign, report=status.update)
     show(verdict)
+    record = campaign.testing[0].record
+    errors = [_error(net, record, verdict) for net in (verdict.network, verdict.corrected())]
+    console.print(
+        f"The network run on the test record misses the force by {errors[0]:.1f} N, with what was found "
+        f"added by {errors[1]:.1f} N; the noise is {campaign.floors['F'].sigma:.1f} N."
+    )
     console.print(f"wrote {verdict.save(out / 'withheld.json')}")
     console.print(f"wrote {verdict.report(out / 'withheld.html')}")
     return verdict
+
+
+def _error(network: Network, record: Record, verdict: Verdict) -> float:
+    """Return by how much a network with the fitted parameters misses the force, root mean square [N]."""
+    inputs = {"actuator.s_ref": record.sampled("x")}
+    run = network.simulate(
+        float(record.time[-1]), step=1 / record.rate, inputs=inputs, parameters=verdict.parameters,
+        progress=False,
+    )  # fmt: skip
+    missed = record.values["F"] - np.interp(record.time, run.time, run["load_cell.f"])
+    return float(np.sqrt(np.mean(missed**2)))

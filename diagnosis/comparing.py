@@ -9,7 +9,8 @@ from ..identification import Campaign
 from .refit import Refit
 
 Array = NDArray[np.float64]
-BLOCK = 1.0  # s, stretches by which test residuals are compared
+STRETCH = 0.2, 1.0  # s, shortest and longest by which test residuals are compared
+STRETCHES = 40  # wanted at least
 GENERALISES = {
     "stribeck_friction": ("coulomb_friction",),
     "asymmetric_friction": ("coulomb_friction",),
@@ -19,12 +20,13 @@ GENERALISES = {
 
 
 def blocks(fitted: Refit, campaign: Campaign) -> Array:
-    """Return the squared test residual by stretches of a second."""
+    """Return the squared test residual by stretches."""
     sums = []
     experiments = campaign.testing or campaign.training
+    total = sum(float(np.ptp(experiment.compared.time)) for experiment in experiments)
+    length = float(np.clip(total / STRETCHES, *STRETCH))
     for residuals, experiment in zip(fitted.test or fitted.train, experiments, strict=True):
-        time = experiment.compared.time
-        count = max(2, round(float(time[-1] - time[0]) / BLOCK))
+        count = max(2, round(float(np.ptp(experiment.compared.time)) / length))
         squares = np.sum([r**2 for r in residuals.values()], axis=0)
         sums += [float(part.sum()) for part in np.array_split(squares, count)]
     return np.array(sums)

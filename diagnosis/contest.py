@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import pickle
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Collection, Sequence
 from concurrent.futures import Executor
 from dataclasses import dataclass
 from functools import lru_cache
@@ -39,7 +39,7 @@ def held(
     told = " on top of what was found" if base.effects else ""
     tell(f"screening effects{told}")
     candidates = screen(campaign, campaign.network, base.parameters, base.effects, accuracy)
-    waiting = _leading(candidates)
+    waiting = _leading(candidates, {placed.effect.kind for placed in base.effects})
     count, fitted = len(waiting), list[Refit]()
     payload = campaign.pickled() if executor is not None else b""
     while waiting:
@@ -84,12 +84,17 @@ def _received(payload: bytes) -> Campaign:
     return thinned(pickle.loads(payload))
 
 
-def _leading(candidates: Sequence[Candidate]) -> list[Candidate]:
-    """Return the candidates worth a fit, one of those that are one effect on one motion."""
+def _leading(candidates: Sequence[Candidate], found: Collection[str]) -> list[Candidate]:
+    """Return the candidates worth a fit, one of those that are one effect on one motion.
+
+    A kind that was found is not looked for again: it would but mend the shape of the first.
+    """
     chosen: list[Candidate] = []
     for candidate in candidates:
         if candidate.gain < LEAST_GAIN or len(chosen) >= CONTENDERS:
             break
+        if candidate.effect.kind in found:
+            continue
         if not any(same_motion(candidate, other) for other in chosen):
             chosen.append(candidate)
     return chosen

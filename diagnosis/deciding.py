@@ -19,6 +19,10 @@ from .where import located, shares
 ALIKE = 2.0  # standard errors within which two effects cannot be told apart
 EXPLAINED = 0.93  # share of the gap below which the effects found are not all that is missing
 COLOURED = 1.1  # misfit over noise above which something is left
+NOT_BY_SINES = (
+    "No sine within what was measured parts them by more than twice the noise; measure another quantity, or "
+    "excite another input."
+)
 
 
 def decided(
@@ -52,13 +56,13 @@ def decided(
     others = {f.effects[-1].effect.kind for f in alike} - {p.effect.kind for p in best.effects}
     further = None
     if word == "effect" and own is not None and others:
-        word, further = "ambiguous", separating(campaign, own, alike[0], accuracy)
+        word, further = "ambiguous", separating(campaign, own, alike[0], accuracy) or NOT_BY_SINES
     ranking = [_ranked(f, first.base, campaign) for f in first.fitted]
     confidence = [_confidence(done, p, campaign) for done, p in zip(rounds, best.effects, strict=False)]
     return Verdict(
         verdict=word,
-        effects=best.effects if word in ("effect", "ambiguous") else (),
-        confidence=tuple(confidence) if word in ("effect", "ambiguous") else (),
+        effects=best.effects,
+        confidence=tuple(confidence),
         equivalent=tuple((f.effects[-1].effect.kind, f.effects[-1].site.path) for f in alike),
         next_experiment=further,
         where=shares(first.candidates),

@@ -176,6 +176,8 @@ def _channel_changes(sight: Sight) -> Iterator[tuple[Effect, Site, Array]]:
         quantity = effect.quantities["channel"][0]
         for name, path in (sight.inputs if driven else sight.outputs).items():
             signal = sight.record.values[name] if driven else sight.predicted[name]
+            if not np.ptp(signal):
+                continue
             small = {"s": 1 / sight.record.rate, "unit": 0.01 * float(np.ptp(signal))}.get(quantity.unit, 1.0)
             change = (effect.change(time, signal, {quantity.name: small}) - signal) / small
             site = Site(name, "channel", path, "", frozenset({"channel"}))

@@ -17,6 +17,7 @@ from .verdict import Verdict
 MOST_EFFECTS = 2
 CLEAR = 3.0  # standard errors by which an effect must beat the model without it
 LEAST_DROP = 0.01  # share of the squared test residual that an effect must take away
+LEAST_FURTHER = 0.05  # the same for a second effect: less but mends the shape of the first
 NOISE = 1.03  # misfit over noise at which there is nothing left to find
 
 
@@ -58,7 +59,7 @@ def diagnose(
         while len(best.effects) < MOST_EFFECTS and misfit(best) > (COLOURED if rounds else NOISE):
             done = held(campaign, best, accuracy, executor, tell)
             rounds.append(done)
-            chosen = _chosen(done, campaign)
+            chosen = _chosen(done, base, campaign)
             if chosen is None:
                 break
             best = _pruned(chosen, campaign, accuracy)
@@ -77,17 +78,20 @@ def _fastest() -> str:
     return "compiled"
 
 
-def _chosen(done: Round, campaign: Campaign) -> Refit | None:
-    """Return the best model of a round, the simplest of equals, if it is clearly better than the first."""
+def _chosen(done: Round, base: Refit, campaign: Campaign) -> Refit | None:
+    """Return the best model of a round, the simplest of equals, if it is clearly better than the first.
+
+    How much it must take away is counted in what the model without effects misses.
+    """
     if not done.fitted:
         return None
-    before = blocks(done.base, campaign).sum()
     best = min(done.fitted, key=lambda f: blocks(f, campaign).sum())
     for other in done.fitted:
         if is_simpler(other, best) and clearness(other, best, campaign) < CLEAR:
             best = other
-    drop = (before - blocks(best, campaign).sum()) / before
-    clear = clearness(done.base, best, campaign) > CLEAR and drop > LEAST_DROP
+    drop = blocks(done.base, campaign).sum() - blocks(best, campaign).sum()
+    least = LEAST_FURTHER if done.base.effects else LEAST_DROP
+    clear = clearness(done.base, best, campaign) > CLEAR and drop > least * blocks(base, campaign).sum()
     return best if clear else None
 
 

@@ -6,15 +6,20 @@ from collections.abc import Sequence
 from copy import copy
 from dataclasses import replace
 
+import numpy as np
+from numpy.typing import NDArray
+
 from ..identification import Campaign, Experiment, Filter
 
+Array = NDArray[np.float64]
 ENOUGH = 250.0  # Hz, at which outputs are compared
+LARGEST = 6.0  # standard deviations that noise does not exceed, as what belongs to steps does
 
 
 def thinned(campaign: Campaign) -> Campaign:
     """Return a campaign whose outputs are compared as often as machines need, and no more often.
 
-    Inputs lose what is too fast to be compared: there it is noise, and their second derivatives feel it.
+    Inputs lose what is too fast to be compared where that is noise, which their second derivatives feel.
     """
     thin = copy(campaign)
     driven = [name for name, channel in campaign.measured.items() if channel.driven]
@@ -28,6 +33,13 @@ def _slowed(experiment: Experiment, driven: Sequence[str]) -> Experiment:
     every = max(1, int(record.rate / ENOUGH))
     if every > 1:
         smooth = Filter(cutoff=0.5 * record.rate / every)
-        slow = {name: smooth.apply(record.values[name], record.rate) for name in driven}
+        slow = {name: _quiet(record.values[name], smooth, record.rate) for name in driven}
         record = replace(record, values={**record.values, **slow})
     return replace(experiment, record=record, every=every)
+
+
+def _quiet(values: Array, smooth: Filter, rate: float) -> Array:
+    """Return a signal without its fast noise; as it is, if it has steps."""
+    slow = smooth.apply(values, rate)
+    fast = values - slow
+    return slow if float(np.abs(fast).max()) < LARGEST * float(fast.std()) else values

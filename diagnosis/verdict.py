@@ -47,7 +47,7 @@ class Verdict:
 
     Attributes:
         verdict: "effect", "parameters", "none", "ambiguous" or "unknown".
-        effects: what is missing, with its parameters.
+        effects: what is missing, with its parameters; for "unknown", what explains a part of the gap.
         confidence: of each effect.
         equivalent: (kind, site) of what these data cannot tell from it.
         next_experiment: the excitation that would tell them apart, in words.
@@ -80,9 +80,14 @@ class Verdict:
     @property
     def sentence(self) -> str:
         """The verdict in a sentence."""
+        named = " and ".join(f"{p.effect.kind.replace('_', ' ')} at {p.site.path}" for p in self.effects)
+        if self.verdict == "unknown" and named:
+            return (
+                f"Part of what is missing is {named}, which closes {self.closed:.0%} of the gap; the rest is "
+                "none of the known effects."
+            )
         if self.verdict in WORDS:
             return WORDS[self.verdict]
-        named = " and ".join(f"{p.effect.kind.replace('_', ' ')} at {p.site.path}" for p in self.effects)
         told = f"What is missing is {named}; adding it closes {self.closed:.0%} of the gap."
         if self.verdict == "ambiguous":
             others = ", ".join(f"{kind.replace('_', ' ')} at {site}" for kind, site in self.equivalent)

@@ -11,6 +11,8 @@ import casadi as ca
 from ..base import der, parameter, variable
 from .bases import Compliant, CompliantWithSpeed
 
+REST = 1e-300  # rad
+
 
 class Spring(Compliant):
     """Linear spring: tau = c (phi_rel - phi_rel0).
@@ -108,7 +110,7 @@ class BoucWen(CompliantWithSpeed):
 
     def equations(self) -> Iterable[Any]:
         w, z = self.w_rel, self.z
-        size = ca.fabs(z)
+        size = ca.fmax(ca.fabs(z), REST)  # above 0, where x^n has a slope in n
         yield self.tau == self.alpha * self.c * self.phi_rel + (1 - self.alpha) * self.c * z
         yield der(z) == (
             self.A * w - self.beta * ca.fabs(w) * size ** (self.n - 1) * z - self.gamma * w * size**self.n

@@ -11,6 +11,8 @@ import casadi as ca
 from ..base import der, parameter, variable
 from .bases import Compliant, CompliantWithSpeed
 
+REST = 1e-300  # m
+
 
 class Spring(Compliant):
     """Linear spring: f = k (s_rel - s_rel0).
@@ -137,7 +139,7 @@ class BoucWen(CompliantWithSpeed):
 
     def equations(self) -> Iterable[Any]:
         v, z = self.v_rel, self.z
-        size = ca.fabs(z)
+        size = ca.fmax(ca.fabs(z), REST)  # above 0, where x^n has a slope in n
         yield self.f == self.alpha * self.k * self.s_rel + (1 - self.alpha) * self.k * z
         yield der(z) == (
             self.A * v - self.beta * ca.fabs(v) * size ** (self.n - 1) * z - self.gamma * v * size**self.n

@@ -11,6 +11,8 @@ from ..base import parameter
 from ..clearance import past_clearance
 from .bases import CompliantWithSpeed
 
+TOUCH = 1e-300  # m
+
 
 class ElastoGap(CompliantWithSpeed):
     """Spring and damper that touch only while s_rel < s_rel0.
@@ -27,7 +29,8 @@ class ElastoGap(CompliantWithSpeed):
     n = parameter("1", "exponent of the spring", min=1, default=1.0)
 
     def equations(self) -> Iterable[Any]:
-        spring = -self.k * ca.fmax(self.s_rel0 - self.s_rel, 0.0) ** self.n
+        pressed = ca.fmax(self.s_rel0 - self.s_rel, TOUCH)  # above 0, where x^n has a slope in n
+        spring = -self.k * (pressed**self.n - TOUCH**self.n)
         damping = ca.fmin(ca.fmax(self.d * self.v_rel, spring), -spring)
         yield self.f == spring + damping
 
