@@ -37,11 +37,11 @@ def _speeds(motion: Motion) -> list[dict[str, float]]:
 
 
 def _periods(motion: Motion) -> list[dict[str, float]]:
-    return [{"period": 2 * motion.travel / count} for count in np.geomspace(1.5, 60, 24)]
+    return [{"period": 2 * motion.travel / count} for count in np.geomspace(2, 60, 24)]
 
 
 def _yields(motion: Motion) -> list[dict[str, float]]:
-    return [{"s_y": share * motion.travel} for share in (0.03, 0.15, 0.6)]
+    return [{"s_y": share * motion.travel} for share in (0.04, 0.15, 0.6, 2.0)]
 
 
 def _shape(values: Values) -> float:

@@ -20,6 +20,7 @@ Report = Callable[[str], None]
 CONTENDERS = 8  # effects fitted in each round
 BATCH = 3  # fitted before those are left out that promise much less than was found
 HOPELESS = 0.4  # share of the best drop of chi squared below which a promise is much less
+SIZES = (0.1, 0.3, 1.0, 3.0)  # of an effect in series, of which small ones tell little, to start from
 LEAST_GAIN = 40.0  # drop of chi squared below which no effect is worth a fit
 
 
@@ -68,8 +69,9 @@ def _promising(waiting: Sequence[Candidate], base: Refit, fitted: Sequence[Refit
 def _fit(campaign: Campaign, base: Refit, candidate: Candidate, accuracy: Accuracy) -> Refit | None:
     name = f"{candidate.effect.kind}_{len(base.effects) + 1}"
     placed = Placed(candidate.effect, candidate.site, name, candidate.values)
+    sizes = SIZES if candidate.effect.place == "series" else (1.0,)
     try:
-        return refit(campaign, campaign.network, base.parameters, [*base.effects, placed], accuracy)
+        return refit(campaign, campaign.network, base.parameters, [*base.effects, placed], accuracy, sizes)
     except InertanceError:
         return None
 

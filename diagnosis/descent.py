@@ -1,4 +1,4 @@
-"""Descent: least squares by damped Gauss-Newton steps that learn their slopes on the way."""
+"""Descent: least squares by Gauss-Newton steps in a box, whose slopes are learnt on the way."""
 
 from __future__ import annotations
 
@@ -10,12 +10,12 @@ from numpy.typing import NDArray
 from ..components import SimulationError
 
 Array = NDArray[np.float64]
-MOST_STEPS = 20
+MOST_STEPS = 40
 LEAST_DROP = 1e-4  # of the sum of squares, that a step must promise
 GOOD = 0.5  # share of what was promised that a step must keep for its slopes to be believed
 POOR = 0.05  # share below which a step is not taken
-DAMPED = 10.0
-LEAST_DAMPING = 1e-6
+WIDEST = 8.0  # largest step, in units of what quantities may be expected to be
+RIDGE = 1e-3
 
 
 class Residual(Protocol):
@@ -29,19 +29,21 @@ def descend(residual: Residual, start: Array, bounds: tuple[Array, Array]) -> Ar
     """Return the vector near `start`, within bounds, that has the least sum of squares.
 
     Slopes are computed at the start, corrected by what each step really did (Broyden), and computed again
-    when steps no longer keep what they promise.
+    when steps no longer keep what they promise. Steps go no further than what quantities may be expected to
+    be, unit by unit, and further or less as they keep their promise.
 
     Raises:
         SimulationError: if there are no residuals at the start.
 
     Source: J. E. Dennis, R. B. Schnabel, Numerical Methods for Unconstrained Optimization and Nonlinear
-    Equations, SIAM 1996, sections 8.1 and 10.3.
+    Equations, SIAM 1996, sections 6.4, 8.1 and 10.3.
     """
     x = np.clip(start, *bounds)
     rest, slopes = _known(residual, x)
-    damping, exact = LEAST_DAMPING, True
+    radius, exact = 1.0, True
     for _ in range(MOST_STEPS):
-        step, promised = _step(slopes, rest, x, bounds, damping)
+        within = np.maximum(bounds[0] - x, -radius), np.minimum(bounds[1] - x, radius)
+        step, promised = _step(slopes, rest, within)
         cost, kept = float(rest @ rest), 0.0
         if promised > LEAST_DROP * cost + 1.0:
             found = _tried(residual, x + step)
@@ -49,14 +51,14 @@ def descend(residual: Residual, start: Array, bounds: tuple[Array, Array]) -> Ar
                 kept = (cost - float(found @ found)) / promised
             if found is not None and kept > POOR:
                 slopes = slopes + np.outer(found - rest - slopes @ step, step) / float(step @ step)
-                x, rest, exact = x + step, found, False
+                x, rest, exact = np.clip(x + step, *bounds), found, False
             elif exact:
-                damping *= DAMPED
+                radius = 0.25 * float(np.abs(step).max())
                 continue
         elif exact:
             break
         if kept > GOOD:
-            damping = max(damping / DAMPED, LEAST_DAMPING)
+            radius = min(2 * radius, WIDEST)
         else:
             rest, slopes = _known(residual, x)
             exact = True
@@ -77,20 +79,17 @@ def _tried(residual: Residual, x: Array) -> Array | None:
     return rest if np.isfinite(rest).all() else None
 
 
-def _step(
-    slopes: Array, rest: Array, x: Array, bounds: tuple[Array, Array], damping: float
-) -> tuple[Array, float]:
-    """Return the step within bounds that promises the largest drop of the sum of squares, and that drop."""
+def _step(slopes: Array, rest: Array, within: tuple[Array, Array]) -> tuple[Array, float]:
+    """Return the step within a box that promises the largest drop of the sum of squares, and that drop."""
     from scipy.optimize import lsq_linear
 
     small: Array = np.asarray(np.linalg.qr(np.column_stack([slopes, rest]), mode="r"), dtype=np.float64)
     matrix, aim = small[:, :-1], -small[:, -1]
     size = np.sqrt((matrix**2).sum(axis=0))
     size[size == 0] = 1.0
-    tall = np.vstack([matrix / size, np.sqrt(damping) * np.eye(len(size))])
-    low = np.minimum((bounds[0] - x) * size, -1e-12)
-    high = np.maximum((bounds[1] - x) * size, 1e-12)
-    found = lsq_linear(tall, np.concatenate([aim, np.zeros(len(size))]), (low, high), method="bvls").x
+    tall = np.vstack([matrix / size, RIDGE * np.eye(len(size))])
+    box = np.minimum(within[0] * size, -1e-12), np.maximum(within[1] * size, 1e-12)
+    found = lsq_linear(tall, np.concatenate([aim, np.zeros(len(size))]), box, method="bvls").x
     after = matrix @ (found / size) - aim
-    step: Array = np.clip(x + found / size, *bounds) - x
+    step: Array = np.clip(found / size, *within)
     return step, float(aim @ aim - after @ after)

@@ -8,12 +8,14 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from ..components import SimulationError
 from ..identification import Accuracy, Campaign, Experiment, Prediction, Stand
 from ..networks import DAE, Network, Variations
 from .descent import descend
 from .placed import Placed, driven, sensed, with_effects
 
 Array = NDArray[np.float64]
+RESHAPED = 2.0  # by which factor a shape may still change: its grid is not coarser
 
 
 @dataclass(frozen=True, eq=False)
@@ -70,8 +72,10 @@ class Joint:
             ]
         )
         low, high = ((limit - self.center) / self.scale for limit in self.limits)
-        lows = [1e-3 if q.shape else q.low for p in self.effects for q in p.quantities]
-        self.bounds = np.array([*low, *lows]), np.array([*high, *[np.inf] * len(lows)])
+        quantities = [q for p in self.effects for q in p.quantities]
+        lows = [1 / RESHAPED if q.shape else q.low for q in quantities]
+        highs = [RESHAPED if q.shape else np.inf for q in quantities]
+        self.bounds = np.array([*low, *lows]), np.array([*high, *highs])
         paths = [path for placed in self.effects for path in placed.network_parameters]
         outputs = [c.path for c in campaign.measured.values() if not c.driven]
         self.variations = Variations(self.dae, outputs, [*self.names, *paths])
@@ -90,9 +94,28 @@ class Joint:
             at += len(size)
         return dict(zip(self.names, values.tolist(), strict=True)), tuple(placed)
 
-    def fitted(self) -> Refit:
-        """Return the model fitted to the training records."""
-        return self.seen(descend(self.stacked, self.start, self.bounds))
+    def fitted(self, sizes: Sequence[float] = (1.0,)) -> Refit:
+        """Return the model fitted to the training records.
+
+        Args:
+            sizes: of the last effect to start from, of which the best is taken, in units of its values.
+        """
+        return self.seen(descend(self.stacked, self._best_start(sizes), self.bounds))
+
+    def _best_start(self, sizes: Sequence[float]) -> Array:
+        if len(sizes) == 1:
+            return self.start
+        starts, costs = [], []
+        for size in sizes:
+            start = self.start.copy()
+            start[len(start) - len(self.sizes[-1]) :] *= size
+            starts.append(start)
+            try:
+                rest = self.stacked(start, False)[0]
+                costs.append(float(rest @ rest))
+            except SimulationError:
+                costs.append(np.inf)
+        return starts[int(np.argmin(costs))]
 
     def seen(self, vector: Array) -> Refit:
         """Return the model with the values of a vector, held against all records."""
@@ -210,6 +233,7 @@ def refit(
     parameters: Mapping[str, float],
     effects: Sequence[Placed] = (),
     accuracy: Accuracy | None = None,
+    sizes: Sequence[float] = (1.0,),
 ) -> Refit:
     """Fit parameters and effects to the training records and hold them against the test records.
 
@@ -219,11 +243,12 @@ def refit(
         parameters: values of the uncertain parameters to start from.
         effects: effects to insert, with values to start from.
         accuracy: solver and tolerances.
+        sizes: of the last effect to start from, of which the best is taken, in units of its values.
 
     Raises:
         SimulationError: if the model cannot be run with the values to start from.
     """
-    return Joint(campaign, network, parameters, effects, accuracy or Accuracy()).fitted()
+    return Joint(campaign, network, parameters, effects, accuracy or Accuracy()).fitted(sizes)
 
 
 def _sensed_slopes(found: Prediction, name: str, effects: Sequence[Placed]) -> Array:

@@ -210,7 +210,8 @@ def _least(matrix: Array, seen: Array, low: Array) -> tuple[Array, float]:
     """Return sizes a that minimise a'Ma - 2 a'c above their lower bounds, and the drop."""
     from scipy.optimize import lsq_linear
 
-    scale = np.sqrt(np.maximum(np.diag(matrix), 1e-300))
+    sizes = np.diag(matrix)
+    scale = np.sqrt(np.where(sizes > 0, sizes, 1.0))
     strength, vectors = np.linalg.eigh(matrix / np.outer(scale, scale))
     kept = strength > 1e-9
     root = np.sqrt(strength[kept])[:, None] * vectors[:, kept].T

@@ -4,8 +4,9 @@ from __future__ import annotations
 
 import ctypes
 from collections.abc import Callable, Sequence
-from contextlib import suppress
+from contextlib import chdir, suppress
 from pathlib import Path
+from threading import Lock
 from typing import Any, Self
 
 from .archive import library_name
@@ -15,6 +16,7 @@ from .import_description import KINDS
 from .unpacked import Unpacked
 
 KEPT_MESSAGES = 5
+_LOADING = Lock()
 
 
 class LocalInstance:
@@ -63,10 +65,11 @@ class LocalInstance:
         _check_symbols(self.name, library, self.major, self.kind)
         kind = {"ME": "ModelExchange", "CS": "CoSimulation"}[self.kind]
         try:
-            self._slave = instantiate_fmu(
-                str(folder), self.description, kind, logger=self._log,
-                early_return_allowed=self.event_mode, event_mode_used=self.event_mode,
-            )  # fmt: skip
+            with _LOADING, chdir("."):  # FMPy goes into the folder of the library meanwhile
+                self._slave = instantiate_fmu(
+                    str(folder), self.description, kind, logger=self._log,
+                    early_return_allowed=self.event_mode, event_mode_used=self.event_mode,
+                )  # fmt: skip
         except Exception as error:
             raise FMUError(f"FMU '{self.name}' could not be instantiated: {error}{self._said()}") from error
 

@@ -2,6 +2,8 @@
 
 import json
 from collections.abc import Callable
+from concurrent.futures import ProcessPoolExecutor
+from multiprocessing import get_context
 from pathlib import Path
 from typing import Any
 
@@ -81,6 +83,40 @@ def test_missing_friction_is_named_and_corrected(tmp_path: Path) -> None:
     saved = json.loads(found.save(tmp_path / "gap.json").read_text())
     assert saved["effects"][0]["kind"] == "coulomb_friction"
     assert {"verdict", "equivalent", "next_experiment", "where", "ranking", "gap", "closed"} <= saved.keys()
+
+
+MODEL = """
+import inertance as ia
+
+def build():
+    net = ia.Network("rig", wall=ia.Fixed(), spring=ia.Spring(k=800.0), guide=ia.Damper(d=6.0),
+                     carriage=ia.Mass(m=2.0), push=ia.Force())
+    net.connect(net.wall.flange, net.spring.flange_a, net.guide.flange_a)
+    return net.connect(net.carriage.flange, net.spring.flange_b, net.guide.flange_b, net.push.flange)
+"""
+CAMPAIGN = """
+model = "rig.py:build"
+channels = { F = { input = "push.f", unit = "N" }, s = { output = "carriage.s", unit = "m" } }
+parameters = { "spring.k" = { rel = 0.1 }, "guide.d" = { rel = 0.1 } }
+train = [{ file = "run_1.npz", initial = "rest" }]
+test = [{ file = "run_2.npz", initial = "rest" }]
+noise = { s = 2e-5 }
+"""
+
+
+def test_other_processes_see_the_same_records(tmp_path: Path) -> None:
+    for seed in (1, 2):
+        record = measured(rubbing(), seed)
+        time = np.arange(4 * len(record.time) - 3) / (4 * RATE)
+        values = {name: np.interp(time, record.time, column) for name, column in record.values.items()}
+        np.savez(tmp_path / f"run_{seed}.npz", time=time, **values)
+    (tmp_path / "rig.py").write_text(MODEL)
+    (tmp_path / "campaign.toml").write_text(CAMPAIGN)
+    alone = diagnose(Campaign.load(tmp_path / "campaign.toml"))
+    with ProcessPoolExecutor(2, mp_context=get_context("spawn")) as pool:
+        together = diagnose(Campaign.load(tmp_path / "campaign.toml"), executor=pool)
+    assert together.gap["s"].after == pytest.approx(alone.gap["s"].after)
+    assert [r.test_gain for r in together.ranking] == pytest.approx([r.test_gain for r in alone.ranking])
 
 
 def test_wrong_parameters_are_no_effect() -> None:
