@@ -23,6 +23,7 @@ class Residual(Protocol):
 
     def __call__(self, vector: Array, slopes: bool) -> tuple[Array, Array | None]:
         """Return both; `SimulationError` tells that there are none."""
+        ...
 
 
 def descend(residual: Residual, start: Array, bounds: tuple[Array, Array]) -> Array:

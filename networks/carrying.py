@@ -35,9 +35,11 @@ class Steps:
 
     def carry(self, moved: Array, added: Array) -> Array:
         """Return the changes at all points, (points, states, columns), that begin as `moved`."""
-        states = np.empty((len(self.map) + 1, *moved.shape))
+        states: Array = np.empty((len(self.map) + 1, *moved.shape))
         states[0] = moved
-        rows, maps, more = list(states), list(self.map), list(added)
+        maps: list[Array] = list(self.map)
+        rows: list[Array] = list(states)
+        more: list[Array] = list(added)
         for number, step in enumerate(maps):
             following = rows[number + 1]
             np.matmul(step, rows[number], out=following)

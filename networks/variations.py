@@ -196,7 +196,7 @@ class _Line:
     to_p: Array
     to_u: Array
     steps: Steps
-    edges: Array
+    edges: NDArray[np.intp]
     crossed_by_u: Array
 
 

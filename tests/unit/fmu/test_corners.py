@@ -44,10 +44,11 @@ def test_a_corner_is_a_mode_and_changes_nothing_else() -> None:
     )
     p, rest = list(dae.parameter_values.values()), [0.0] * (dae.impulses.numel() + dae.completion.numel())
     for s, v in ((-1e-6, 0.1), (-1e-6, -0.1), (1e-3, 0.1), (-1e-6, 1.0)):
-        modes = np.zeros(added)
+        modes, ode = np.zeros(added), None
         for _ in range(added + 1):  # a corner may stand behind another
             ode, found = chosen([s, v], [], [0.0], [*p, *modes, *rest], 0.0)
             modes = (found.full().ravel()[::2] > 0).astype(float)
+        assert ode is not None
         assert ode.full() == pytest.approx(plain([s, v], [], [0.0], [*p, *rest], 0.0).full(), rel=1e-14)
 
 

@@ -109,7 +109,7 @@ def test_white_noise_by_the_spectrum_and_by_lyapunov() -> None:
     assert np.isscalar(rms)
 
 
-STRUTS: dict[str, ia.Component] = {
+STRUTS: Mapping[str, ia.Component] = {
     layout: ia.suspension(layout, 60e3, 3e3, b=100.0, k_b=1e5, k_1=1e3, k_2=2e3)
     for layout in ("S1", "S2", "S4", "S5", "S7", "S8")
 } | {"hardening": ia.parallel(ia.CubicSpring(k=60e3, k3=1e7), ia.Damper(d=3e3))}
