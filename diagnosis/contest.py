@@ -41,7 +41,7 @@ def held(
     tell(f"screening effects{told}")
     candidates = screen(campaign, campaign.network, base.parameters, base.effects, accuracy)
     waiting = _leading(candidates, {placed.effect.kind for placed in base.effects})
-    count, fitted = len(waiting), list[Refit]()
+    fitted = list[Refit]()
     payload = campaign.pickled() if executor is not None else b""
     while waiting:
         batch, waiting = waiting[:BATCH], waiting[BATCH:]
@@ -50,13 +50,11 @@ def held(
         else:
             jobs = [executor.submit(_job, payload, base, candidate, accuracy) for candidate in batch]
             results = (job.result() for job in jobs)
-        for candidate, found in zip(batch, results, strict=True):
-            tell(f"fitted {candidate.label}, at most {count - 1} to go")
-            count -= 1
+        for left, candidate, found in zip(reversed(range(len(batch))), batch, results, strict=True):
+            tell(f"fitted {candidate.label}, at most {left + len(waiting)} to go")
             if found is not None:
                 fitted.append(found)
         waiting = _promising(waiting, base, fitted)
-        count = len(waiting)
     return Round(base, candidates, fitted)
 
 

@@ -35,11 +35,6 @@ class Refit:
     test: list[dict[str, Array]]
     cost: float
 
-    @property
-    def test_cost(self) -> float:
-        """Sum of squares of the test residuals."""
-        return float(sum(r @ r for record in self.test for r in record.values()))
-
 
 class Joint:
     """Parameters and effects as one vector, in units of what they may be expected to be."""
@@ -55,7 +50,7 @@ class Joint:
         self.campaign, self.effects, self.accuracy = campaign, tuple(effects), accuracy
         self.dae: DAE = with_effects(network, effects).dae()
         self.names = list(parameters)
-        self.sigma = {name: floor.sigma for name, floor in campaign.floors.items()}
+        self.sigma = campaign.sigma
         priors = [campaign.priors[name] for name in self.names]
         self.center = np.array([prior.center for prior in priors])
         self.scale = np.array([prior.scale for prior in priors])

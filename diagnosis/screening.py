@@ -94,7 +94,7 @@ def screen(
     dae = probed(with_effects(network, effects), sites).dae()
     found = {name: value for placed in effects for name, value in placed.network_parameters.items()}
     names = [*parameters, *found]
-    sigma = {name: floor.sigma for name, floor in campaign.floors.items()}
+    sigma = campaign.sigma
     given, accuracy = {**parameters, **found}, accuracy or Accuracy()
     sights = [
         Sight(dae, e, campaign.measured, sigma, given, names, effects, accuracy) for e in campaign.training

@@ -54,8 +54,7 @@ class Sight:
         self.residual = self.off(np.concatenate(missed))
         self.slopes = self.off(np.concatenate([found.slopes[n] / sigma[n] for n in self.outputs]))
         self._variations = variations
-        time, step = self.record.time, 1 / self.record.rate
-        self._at = np.searchsorted(self.run.time, time + 1e-3 * step, side="right") - 1
+        self._at = found.at
 
     def off(self, columns: Array) -> Array:
         """Take off what the start values can explain."""

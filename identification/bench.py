@@ -15,7 +15,6 @@ from .channels import Channel
 from .experiments import Experiment
 
 Array = NDArray[np.float64]
-DIFFERENCE = 1e-4
 
 
 @dataclass(frozen=True)
@@ -33,6 +32,7 @@ class Prediction:
 
     Attributes:
         time: instants of the record [s].
+        at: the points of the run at these instants.
         values: output channels at these instants, SI units.
         slopes: d(channel)/d(parameters), (instants, parameters), if asked for.
         start_slopes: d(channel)/d(states at the start), (instants, states), if asked for.
@@ -42,6 +42,7 @@ class Prediction:
     """
 
     time: Array
+    at: NDArray[np.intp]
     values: dict[str, Array]
     slopes: dict[str, Array]
     start_slopes: dict[str, Array]
@@ -143,7 +144,7 @@ class Stand:
             for n, name in enumerate(self.outputs):
                 by_p[name], by_x[name] = moved[at, n, :count], moved[at, n, count:]
             end = moved[-1, len(self.outputs) :]
-        return Prediction(time, values, by_p, by_x, first_point, last_point, end, run)
+        return Prediction(time, at, values, by_p, by_x, first_point, last_point, end, run)
 
 
 class Bench:

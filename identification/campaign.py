@@ -167,6 +167,11 @@ class Campaign:
         return outputs_of(self.measured)
 
     @property
+    def sigma(self) -> dict[str, float]:
+        """Noise of each output, standard deviation in SI units."""
+        return {name: floor.sigma for name, floor in self.floors.items()}
+
+    @property
     def experiments(self) -> list[Experiment]:
         """All records, those to fit first."""
         return [*self.training, *self.testing]

@@ -127,7 +127,7 @@ def fit_stage(
 ) -> FittedStage:
     """Fit some parameters to some channels of some records, starting from `values`."""
     accuracy = accuracy or Accuracy()
-    sigma = {name: floor.sigma for name, floor in campaign.floors.items()}
+    sigma = campaign.sigma
     blocks = [Block(bench.stands[n], stage.channels, sigma, stage.filter) for n in stage.train]
     for block in blocks:
         block.prepare(values, accuracy)

@@ -188,7 +188,7 @@ def compared(
         for block, nuisances in zip(done.blocks, done.optimum.nuisances, strict=True)
     }
     testing = Bench(campaign.dae, campaign.measured, campaign.testing)
-    sigma = {name: floor.sigma for name, floor in campaign.floors.items()}
+    sigma = campaign.sigma
     found = []
     for number, stand in enumerate([*bench.stands, *testing.stands]):
         block = Block(stand, campaign.outputs, sigma, None)

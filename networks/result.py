@@ -15,6 +15,7 @@ from .closed import Closed
 from .compiled import dense
 from .events import Event
 from .initial import Decisions
+from .slopes import Points
 
 if TYPE_CHECKING:
     import pandas as pd
@@ -36,6 +37,9 @@ class Segment:
         self.times.append(times)
         self.states.append(states)
         self.algebraic.append(algebraic)
+
+    def __len__(self) -> int:
+        return sum(map(len, self.times))
 
     def state(self, number: int) -> tuple[Array, Array]:
         """Return states and algebraic unknowns of one point."""
@@ -115,16 +119,13 @@ class Result:
 
     @cached_property
     def _columns(self) -> list[Any]:
-        """States, algebraic unknowns, inputs, what is constant in a segment, and time, at all points."""
-        states, algebraic = (
-            np.concatenate([part for s in self._segments for part in getattr(s, kind)])
-            for kind in ("states", "algebraic")
-        )
-        lengths = [sum(map(len, s.times)) for s in self._segments]
-        q = np.repeat([s.q for s in self._segments], lengths, axis=0)
-        inputs = self._closed.input_values(q, self.time)
-        columns = states, algebraic, inputs, q[:, : self.dae.constants.numel()], self.time[:, None]
-        return [ca.DM(column.T) for column in columns]
+        """What every signal depends on, at all points."""
+        return [ca.DM(column.T) for column in self.points.arguments]
+
+    @cached_property
+    def points(self) -> Points:
+        """All points of the run, events included."""
+        return Points.of(self._closed, self._segments)
 
     def __contains__(self, name: str) -> bool:
         try:

@@ -39,14 +39,20 @@ class Points:
             np.concatenate([part for segment in segments for part in getattr(segment, name)])
             for name in ("times", "states", "algebraic")
         )
-        lengths = [sum(map(len, segment.times)) for segment in segments]
-        return Points(closed, t, x, z, np.repeat([segment.q for segment in segments], lengths, axis=0))
+        q = np.repeat([segment.q for segment in segments], [len(segment) for segment in segments], axis=0)
+        return Points(closed, t, x, z, q)
 
     @cached_property
     def u(self) -> Array:
         """Inputs and their derivatives."""
         values: Array = self.closed.input_values(self.q, self.t)
         return values
+
+    @property
+    def arguments(self) -> tuple[Array, Array, Array, Array, Array]:
+        """What every expression of the `DAE` depends on, (points, entries) each: x, z, u, constants, time."""
+        constants = self.q[:, : self.closed.dae.constants.numel()]
+        return self.x, self.z, self.u, constants, self.t[:, None]
 
     def only(self, which: Any) -> Points:
         """Return some of the points."""
@@ -121,10 +127,8 @@ class Batch:
 
     def __call__(self, points: Points) -> list[Array]:
         """Return one array a result, (points, rows, columns)."""
-        constants = points.q[:, : points.closed.dae.constants.numel()]
-        given = points.x, points.z, points.u, constants, points.t[:, None]
         pieces = [
-            self._chunk([values[begin : begin + CHUNK] for values in given])
+            self._chunk([values[begin : begin + CHUNK] for values in points.arguments])
             for begin in range(0, len(points.t), CHUNK)
         ]
         if not pieces:

@@ -20,7 +20,7 @@ from .initial import wishes
 from .passages import passages
 from .result import Result, Segment
 from .sensitivity import start_slopes
-from .slopes import Batch, Points, Slopes
+from .slopes import Batch, Slopes
 from .vectors import pick
 
 Array = NDArray[np.float64]
@@ -77,12 +77,11 @@ class Variations:
         self._values = Batch(ca.Function("values", dae.arguments(), dense(ca.vertcat(*wanted))))
         self._slopes = Slopes(dae, ca.vertcat(dae.ode, *wanted), columns)
         self._crossings = Crossings(dae, columns)
-        self._last: tuple[Result, Points] | None = None
         self._line: _Line | None = None
 
     def values(self, result: Result) -> Array:
         """Return the signals themselves, (points, signals)."""
-        found: Array = self._values(self._points(result))[0][:, :, 0]
+        found: Array = self._values(result.points)[0][:, :, 0]
         return found
 
     def along(self, result: Result, start: Array | None = None) -> Array:
@@ -117,7 +116,7 @@ class Variations:
         if told:
             raise ModelError("their changes cannot be followed:", told)
         line = self._linearised(result)
-        rows, weights = self._pushes(result, changes)
+        rows, weights = self._pushes(line, changes)
         by_u = line.to_u[:, :, rows]
         forcing = by_u[:, :nx] @ weights
         added = line.steps.weight @ (0.5 * (forcing[1:] + forcing[:-1]))
@@ -143,12 +142,11 @@ class Variations:
     def _linearised(self, result: Result) -> _Line:
         """Return the slopes along a run; those of the last run are kept."""
         if self._line is None or self._line.result is not result:
-            points = self._points(result)
+            points = result.points
             to_x, to_p, to_u = self._slopes(points)
             steps = steps_along(points, self._slopes, to_x, to_p)
             passed = list(passages(result))
-            lengths = [sum(map(len, segment.times)) for segment in result._segments]
-            edges = np.cumsum(lengths)[:-1] - 1
+            edges = np.cumsum([len(segment) for segment in result._segments])[:-1] - 1
             by_u = np.zeros((0, 0, 0))
             if passed:
                 parts = np.cumsum([to_x.shape[2], to_p.shape[2]])
@@ -156,12 +154,6 @@ class Variations:
                 steps.map[edges], steps.own[edges], steps.weight[edges] = by_x, by_p, 0.0
             self._line = _Line(result, to_x, to_p, to_u, steps, edges, by_u)
         return self._line
-
-    def _points(self, result: Result) -> Points:
-        """Return the points of a run; those of the last run are kept."""
-        if self._last is None or self._last[0] is not result:
-            self._last = result, Points.of(result._closed, result._segments)
-        return self._last[1]
 
     def _held(self, segment: Segment, moved: Array) -> Array:
         """Take out changes of what the modes hold at the start, such as the speed of what sticks."""
@@ -173,16 +165,15 @@ class Variations:
                 moved[[row for row in rows if segment.states[0][0][row] == 0.0]] = 0.0
         return moved
 
-    def _pushes(self, result: Result, changes: Mapping[str, Array]) -> tuple[list[int], Array]:
+    def _pushes(self, line: _Line, changes: Mapping[str, Array]) -> tuple[list[int], Array]:
         """Return the rows of u that changes of inputs change, and by how much, (points, rows, columns)."""
         rows = [i for i, declared in enumerate(self.dae.inputs) if declared.path in changes]
-        edges = np.cumsum([sum(map(len, segment.times)) for segment in result._segments])[:-1]
         columns = []
         for i in rows:
             declared = self.dae.inputs[i]
             change = np.asarray(changes[declared.path], dtype=float)
             for _ in range(declared.order):
-                change = _differentiated(change, result.time, edges)
+                change = _differentiated(change, line.result.time, line.edges + 1)
             columns.append(declared.sign * change)
         return rows, np.stack(columns, axis=1)
 

@@ -1,27 +1,15 @@
 """examples/cosimulation.py, with two steps and one of its cuts."""
 
-import importlib.util
 import shutil
-import sys
 from pathlib import Path
 from typing import Any
 
 import pytest
 
-EXAMPLE = Path(__file__).parents[2] / "examples" / "cosimulation.py"
+EXAMPLE = "cosimulation"
 needs_compiler = pytest.mark.skipif(
     not any(shutil.which(name) for name in ("cc", "gcc", "clang")), reason="there is no C compiler"
 )
-
-
-@pytest.fixture(scope="module")
-def example() -> Any:
-    spec = importlib.util.spec_from_file_location("cosimulation", EXAMPLE)
-    assert spec
-    assert spec.loader
-    module = sys.modules["cosimulation"] = importlib.util.module_from_spec(spec)
-    spec.loader.exec_module(module)
-    return module
 
 
 def test_cuts(example: Any) -> None:

@@ -1,28 +1,15 @@
 """examples/fmu_models.py: at the tolerance asked for by default, FMUs agree within ten tolerances."""
 
-import importlib.util
 import shutil
-import sys
-from pathlib import Path
 from typing import Any
 
 import pytest
 from inertance.fmu import check_states
 
-EXAMPLE = Path(__file__).parents[2] / "examples" / "fmu_models.py"
+EXAMPLE = "fmu_models"
 pytestmark = pytest.mark.skipif(
     not any(shutil.which(name) for name in ("cc", "gcc", "clang")), reason="there is no C compiler"
 )
-
-
-@pytest.fixture(scope="module")
-def example() -> Any:
-    spec = importlib.util.spec_from_file_location("fmu_models", EXAMPLE)
-    assert spec
-    assert spec.loader
-    module = sys.modules["fmu_models"] = importlib.util.module_from_spec(spec)
-    spec.loader.exec_module(module)
-    return module
 
 
 def test_sticking_and_slipping(example: Any, monkeypatch: pytest.MonkeyPatch) -> None:

@@ -1,30 +1,15 @@
 """examples/staged_identification.py: the paper's three stages find the machine that made the records."""
 
-import importlib.util
-import sys
-from pathlib import Path
 from typing import Any
 
 import pytest
 
-EXAMPLE = Path(__file__).parents[2] / "examples" / "staged_identification.py"
-
-
-def load_example() -> Any:
-    spec = importlib.util.spec_from_file_location("staged_identification", EXAMPLE)
-    assert spec
-    assert spec.loader
-    module = sys.modules["staged_identification"] = importlib.util.module_from_spec(spec)
-    spec.loader.exec_module(module)
-    return module
-
-
-staged = load_example()
+EXAMPLE = "staged_identification"
 
 
 @pytest.fixture(scope="module")
-def found() -> Any:
-    return staged.study()
+def found(example: Any) -> Any:
+    return example.study()
 
 
 @pytest.mark.parametrize(
@@ -38,19 +23,19 @@ def found() -> Any:
         (2, "inerter.flywheel.T_pv"),
     ],
 )
-def test_a_stage_finds_what_it_is_for(found: Any, stage: int, name: str) -> None:
-    group, key = staged.EXPERIMENTS[stage].fitted[name]
-    true, start = staged.TRUTH[group][key], staged.MODEL[group][key]
+def test_a_stage_finds_what_it_is_for(example: Any, found: Any, stage: int, name: str) -> None:
+    group, key = example.EXPERIMENTS[stage].fitted[name]
+    true, start = example.TRUTH[group][key], example.MODEL[group][key]
     value, error = found[stage].values[name], found[stage].errors[name]
     assert abs(value - true) < 3.5 * error
     assert abs(value - true) < 0.15 * abs(start - true)
 
 
 @pytest.mark.parametrize("stage", [1, 2])
-def test_the_force_is_met_down_to_its_noise(found: Any, stage: int) -> None:
+def test_the_force_is_met_down_to_its_noise(example: Any, found: Any, stage: int) -> None:
     record = found[stage].comparisons[0]
-    assert record.rms("F", record.before) > 20 * staged.NOISE
-    assert record.rms("F", record.after) == pytest.approx(staged.NOISE, rel=0.03)
+    assert record.rms("F", record.before) > 20 * example.NOISE
+    assert record.rms("F", record.after) == pytest.approx(example.NOISE, rel=0.03)
 
 
 @pytest.mark.parametrize(("stage", "name"), [(0, "screw.friction.tau_c"), (2, "flywheel.k_r")])
