@@ -8,6 +8,8 @@ import numpy as np
 
 from .effects import Array, Effect, Quantity, Values, register
 
+SMALL = 1e-3  # change of a size by which its effect is judged
+
 
 def _delayed(t: Array, y: Array, p: Values) -> Array:
     return np.interp(t - p["delay"], t, y)
@@ -34,7 +36,7 @@ def _dead_zone(t: Array, y: Array, p: Values) -> Array:
 
 def _sensor(kind: str, name: str, unit: str, low: float, change: object) -> Effect:
     quantities = {"channel": (Quantity(name, unit, low),)}
-    return register(Effect(kind, "channel", quantities, change=change))  # type: ignore[arg-type]
+    return register(Effect(kind, "channel", quantities, change=change, step=SMALL))  # type: ignore[arg-type]
 
 
 DELAY = _sensor("sensor_delay", "delay", "s", 0.0, _delayed)

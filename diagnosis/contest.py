@@ -20,7 +20,7 @@ Report = Callable[[str], None]
 CONTENDERS = 8  # effects fitted in each round
 BATCH = 3  # fitted before those are left out that promise much less than was found
 HOPELESS = 0.4  # share of the best drop of chi squared below which a promise is much less
-SIZES = (0.1, 0.3, 1.0, 3.0)  # of an effect in series, of which small ones tell little, to start from
+SIZES = (0.3, 1.0, 3.0)  # of an effect in series, of which small ones tell little, to start from
 LEAST_GAIN = 40.0  # drop of chi squared below which no effect is worth a fit
 
 
@@ -85,7 +85,7 @@ def _received(payload: bytes) -> Campaign:
 
 
 def _leading(candidates: Sequence[Candidate], found: Collection[str]) -> list[Candidate]:
-    """Return the candidates worth a fit, one of those that are one effect on one motion.
+    """Return the candidates worth a fit, one for each motion and kind, whose site is the same for all kinds.
 
     A kind that was found is not looked for again: it would but mend the shape of the first.
     """
@@ -95,8 +95,11 @@ def _leading(candidates: Sequence[Candidate], found: Collection[str]) -> list[Ca
             break
         if candidate.effect.kind in found:
             continue
-        if not any(same_motion(candidate, other) for other in chosen):
+        alike = next((n for n, other in enumerate(chosen) if same_motion(candidate, other)), None)
+        if alike is None:
             chosen.append(candidate)
+        else:
+            chosen[alike] = max(chosen[alike], candidate, key=lambda c: (c.site.rank, c.site.path))
     return chosen
 
 

@@ -15,6 +15,7 @@ LEAST_DROP = 1e-4  # of the sum of squares, that a step must promise
 GOOD = 0.5  # share of what was promised that a step must keep for its slopes to be believed
 POOR = 0.05  # share below which a step is not taken
 WIDEST = 8.0  # largest step, in units of what quantities may be expected to be
+NARROWEST = 1e-3  # largest step, in the same units, below which nothing but roughness is seen
 RIDGE = 1e-3
 
 
@@ -55,6 +56,8 @@ def descend(residual: Residual, start: Array, bounds: tuple[Array, Array]) -> Ar
                 x, rest, exact = np.clip(x + step, *bounds), found, False
             elif exact:
                 radius = 0.25 * float(np.abs(step).max())
+                if radius < NARROWEST:
+                    break
                 continue
         elif exact:
             break

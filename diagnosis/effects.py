@@ -72,6 +72,8 @@ class Effect:
         shapes: (motion) -> values of the shape parameters worth trying.
         change: channel only: (time, signal, values) -> the signal as the channel passes it on.
         parameters: (name, values) -> the network's parameters, if they are not `name.quantity`.
+        step: share of a quantity over which its slopes are differences; 0 for slopes along the run, which
+            channels do not have, and which say little of where impacts end up.
     """
 
     kind: str
@@ -82,6 +84,7 @@ class Effect:
     shapes: Callable[[Motion], list[dict[str, float]]] = field(default=lambda motion: [dict[str, float]()])
     change: Callable[[Array, Array, Values], Array] | None = None
     parameters: Callable[[Site, str, Values], dict[str, float]] | None = None
+    step: float = 0.0
 
     def sizes(self, domain: str) -> list[Quantity]:
         """Return the parameters that vanish with the effect."""

@@ -155,7 +155,7 @@ class Joint:
         count = sum(len(r) for r in residuals.values())
         columns = np.zeros((count, 0))
         if slopes:
-            columns = self._slopes(vector, found, effects, experiment, given, accuracy)
+            columns = self._slopes(found, effects, experiment, given, start, accuracy)
         to_start = np.concatenate([found.start_slopes[n] / self.sigma[n] for n in values]) if free else None
         return _freed(residuals, columns, to_start)
 
@@ -167,59 +167,56 @@ class Joint:
 
     def _slopes(
         self,
-        vector: Array,
         found: Prediction,
         effects: Sequence[Placed],
         experiment: Experiment,
         given: Mapping[str, float],
+        start: Array | None,
         accuracy: Accuracy,
     ) -> Array:
         """Return d(weighted prediction)/d(vector), channels one below the other."""
         rows = {name: _sensed_slopes(found, name, effects) for name in found.values}
-        count = len(self.names)
-        blocks = []
-        for name, row in rows.items():
-            parts = [row[:, :count] * self.scale]
-            at = count
-            for placed, size in zip(effects, self.sizes, strict=True):
-                paths = len(placed.network_parameters)
-                if paths:
-                    parts.append(row[:, at : at + paths] @ (placed.slopes(size) * size))
-                else:
-                    parts.append(
-                        self._channel_slopes(found, name, placed, effects, size, experiment, given, accuracy)
-                    )
-                at += paths
-            blocks.append(np.hstack(parts) / self.sigma[name])
-        return np.concatenate(blocks)
+        at = len(self.names)
+        parts = {name: [row[:, :at] * self.scale] for name, row in rows.items()}
+        for placed, size in zip(effects, self.sizes, strict=True):
+            paths = len(placed.network_parameters)
+            if placed.effect.step:
+                moved = self._differences(placed, size, found, effects, experiment, given, start, accuracy)
+            else:
+                inner = placed.slopes(size) * size
+                moved = {name: row[:, at : at + paths] @ inner for name, row in rows.items()}
+            for name, columns in moved.items():
+                parts[name].append(columns)
+            at += paths
+        return np.concatenate([np.hstack(parts[name]) / self.sigma[name] for name in rows])
 
-    def _channel_slopes(
+    def _differences(
         self,
-        found: Prediction,
-        name: str,
         placed: Placed,
-        effects: Sequence[Placed],
         size: Array,
+        found: Prediction,
+        effects: Sequence[Placed],
         experiment: Experiment,
         given: Mapping[str, float],
+        start: Array | None,
         accuracy: Accuracy,
-    ) -> Array:
-        """Return how a channel's prediction changes with an effect on a channel, by differences."""
-        base = sensed(found.time, name, found.values[name], effects)
+    ) -> dict[str, Array]:
+        """Return how each channel changes with an effect, per unit of its sizes, by differences."""
+        base = {name: sensed(found.time, name, values, effects) for name, values in found.values.items()}
         values = np.array([placed.values[q.name] for q in placed.quantities])
-        columns = []
+        columns: dict[str, list[Array]] = {name: [] for name in base}
         for i, scale in enumerate(size):
-            step = 1e-3 * scale
-            moved = values.copy()
-            moved[i] += step
-            changed = [placed.with_values(moved) if p is placed else p for p in effects]
-            if placed.effect.kind.startswith("actuator"):
-                again = self._driven(experiment, changed).run(given, None, accuracy, False)
-                other = sensed(found.time, name, again.values[name], changed)
-            else:
-                other = sensed(found.time, name, found.values[name], changed)
-            columns.append((other - base) / step * scale)
-        return np.column_stack(columns)
+            step = placed.effect.step * max(abs(values[i]), scale)
+            other = placed.with_values(values + step * np.eye(len(values))[i])
+            changed = [other if p is placed else p for p in effects]
+            again = found
+            if not placed.effect.kind.startswith("sensor"):
+                stand = self._driven(experiment, changed)
+                again = stand.run({**given, **other.network_parameters}, start, accuracy, False)
+            for name in base:
+                now = sensed(again.time, name, again.values[name], changed)
+                columns[name].append((now - base[name]) / step * scale)
+        return {name: np.column_stack(found) for name, found in columns.items()}
 
 
 def refit(

@@ -157,7 +157,7 @@ def _forces(
         stretched = effect.place == "series"
         if effect.basis is None or effect.place not in site.places or stretched != (probe == "stretch"):
             continue
-        if not motion.travel:
+        if not motion.travel or (stretched and not motion.f.any()):
             continue
         names = [q.name for q in effect.quantities[site.domain] if q.shape]
         about = motion if effect.kind == "position_ripple" else at_rest

@@ -15,6 +15,9 @@ STIFF = 1e-3  # travel of a site over the deflection of a stop under its largest
 FAST = 1e-4  # s, in which a compliance settles
 TINY = 1e-15  # least compliance
 SHARP = 0.02  # force at which play is taken up, over the largest
+WIDE = (
+    0.1  # change of a clearance by which its effect is judged: runs with impacts are rough on a smaller scale
+)
 LEAK = 1e-4  # force of the oil in a clearance at the usual speed, over the largest force
 
 
@@ -68,6 +71,7 @@ BACKLASH = register(
         _play,
         _taken_up,
         parameters=_play_parameters,
+        step=WIDE,
     )
 )
 COMPLIANCE = register(

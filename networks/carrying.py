@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from .slopes import Points, Slopes
 
 Array = NDArray[np.float64]
-PARTS = 32
+MOST_PARTS = 32
 UNEVEN = 0.01
 
 
@@ -65,17 +65,34 @@ def steps_along(points: Points, slopes: Slopes, to_x: Array, to_p: Array) -> Ste
         matrices = _repeated(points, A, B, scale)
     else:
         matrices = _single(lengths, _middle(A), _middle(B), scale)
-        uneven = np.flatnonzero(_jumps(A, scale, lengths) & (lengths > 0))
-        if len(uneven):
-            finer = points.within(uneven, PARTS)
-            fine_x, fine_p, _ = slopes(finer)
-            whole = np.broadcast_to(np.eye(n), (len(finer.t), n, n))
-            shape = len(uneven), PARTS + 1, n
-            fine_B = np.concatenate([fine_p[:, :n], whole], axis=2).reshape(*shape, -1)
-            t = finer.t.reshape(shape[:2])
-            matrices[uneven] = _chained(t, fine_x[:, :n].reshape(*shape, n), fine_B, scale)
+        changing = np.flatnonzero(_size(np.diff(A, axis=0), scale) * lengths > UNEVEN)
+        matrices[changing], bent = _in_parts(points, changing, 2, slopes, scale)
+        parts = _powers_of_2(2 * bent / UNEVEN)
+        for count in np.unique(parts[parts > 2]):
+            some = changing[parts == count]
+            matrices[some], _ = _in_parts(points, some, count, slopes, scale)
     ends = np.cumsum([n, to_p.shape[2]])
     return Steps(*np.split(matrices, ends, axis=2))
+
+
+def _in_parts(
+    points: Points, intervals: Any, count: int, slopes: Slopes, scale: Array
+) -> tuple[Array, Array]:
+    """Return the matrices of intervals cut into parts, and how far slopes in their middle are off a line."""
+    n = len(scale)
+    finer = points.within(intervals, count)
+    to_x, to_p, _ = slopes(finer)
+    shape = len(intervals), count + 1, n
+    A = to_x[:, :n].reshape(*shape, n)
+    whole = np.broadcast_to(np.eye(n), (len(finer.t), n, n))
+    B = np.concatenate([to_p[:, :n], whole], axis=2).reshape(*shape, -1)
+    t = finer.t.reshape(shape[:2])
+    bent = _size(A[:, count // 2] - 0.5 * (A[:, 0] + A[:, -1]), scale) * (t[:, -1] - t[:, 0])
+    return _chained(t, A, B, scale), bent
+
+
+def _powers_of_2(least: Array) -> Any:
+    return np.minimum(2 ** np.ceil(np.log2(np.maximum(least, 1.0))), MOST_PARTS).astype(int)
 
 
 def _middle(values: Array) -> Array:
@@ -92,10 +109,10 @@ def _balance(A: Array) -> Array:
     return np.asarray(scaling, dtype=np.float64)[:, None]
 
 
-def _jumps(A: Array, scale: Array, lengths: Array) -> Any:
-    """Tell over which intervals slopes change by more than a little, for the length of the interval."""
-    change = np.abs(np.diff(A * scale.T / scale, axis=0)).max(axis=(1, 2), initial=0.0)
-    return change * lengths > UNEVEN
+def _size(A: Array, scale: Array) -> Array:
+    """Return the largest entry of each matrix, balanced."""
+    largest: Array = np.abs(A * scale.T / scale).max(axis=(1, 2), initial=0.0)
+    return largest
 
 
 def _single(lengths: Array, A: Array, B: Array, scale: Array) -> Array:
