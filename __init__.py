@@ -74,109 +74,47 @@ from inertance.components import rotational as rotational
 from inertance.components import signals as signals
 from inertance.components import variable as variable
 from inertance.networks import DAE as DAE
+from inertance.networks import TMD as TMD
 from inertance.networks import TMDI as TMDI
 from inertance.networks import BallScrewInerter as BallScrewInerter
 from inertance.networks import BilinearDamper as BilinearDamper
 from inertance.networks import BumpStop as BumpStop
-from inertance.networks import Design as Design
 from inertance.networks import DigressiveDamper as DigressiveDamper
 from inertance.networks import Event as Event
-from inertance.networks import Mode as Mode
 from inertance.networks import Network as Network
-from inertance.networks import Norm as Norm
-from inertance.networks import NotPositiveRealError as NotPositiveRealError
-from inertance.networks import OperatingPoint as OperatingPoint
-from inertance.networks import Orbit as Orbit
 from inertance.networks import PitchingBody as PitchingBody
 from inertance.networks import PlanetaryFlywheelInerter as PlanetaryFlywheelInerter
 from inertance.networks import PlanetaryGeometry as PlanetaryGeometry
 from inertance.networks import Polynomial as Polynomial
-from inertance.networks import PositiveReal as PositiveReal
 from inertance.networks import RackPinionInerter as RackPinionInerter
 from inertance.networks import RandomDisplacement as RandomDisplacement
-from inertance.networks import RationalFunction as RationalFunction
-from inertance.networks import ResponseCurve as ResponseCurve
 from inertance.networks import Result as Result
 from inertance.networks import RigidBody as RigidBody
-from inertance.networks import Scatter as Scatter
 from inertance.networks import Sinusoid as Sinusoid
-from inertance.networks import StateSpace as StateSpace
-from inertance.networks import SteppedSine as SteppedSine
 from inertance.networks import Stepwise as Stepwise
-from inertance.networks import Sweep as Sweep
-from inertance.networks import SweepInterruptedError as SweepInterruptedError
-from inertance.networks import Tuned as Tuned
-from inertance.networks import Tuning as Tuning
 from inertance.networks import TwoTerminal as TwoTerminal
 from inertance.networks import Variations as Variations
-from inertance.networks import Varied as Varied
-from inertance.networks import admittance as admittance
-from inertance.networks import animate_modes as animate_modes
-from inertance.networks import base_shear as base_shear
-from inertance.networks import body_positions as body_positions
-from inertance.networks import bump as bump
-from inertance.networks import comfort_filter as comfort_filter
-from inertance.networks import den_hartog as den_hartog
-from inertance.networks import describing_function as describing_function
+from inertance.networks import bridge as bridge
 from inertance.networks import disk_mass as disk_mass
-from inertance.networks import drift as drift
-from inertance.networks import equilibria as equilibria
 from inertance.networks import equivalent_inertia as equivalent_inertia
-from inertance.networks import foster as foster
-from inertance.networks import front as front
 from inertance.networks import full_car as full_car
 from inertance.networks import ge_wang as ge_wang
-from inertance.networks import grid as grid
 from inertance.networks import half_car as half_car
-from inertance.networks import harmonic_orbit as harmonic_orbit
-from inertance.networks import harmonic_response as harmonic_response
-from inertance.networks import impedance as impedance
 from inertance.networks import inerter_rig as inerter_rig
 from inertance.networks import isolated_machine as isolated_machine
-from inertance.networks import latin_hypercube as latin_hypercube
-from inertance.networks import linearise as linearise
-from inertance.networks import load_j5 as load_j5
 from inertance.networks import load_table as load_table
-from inertance.networks import monte_carlo as monte_carlo
-from inertance.networks import operating_point as operating_point
 from inertance.networks import parallel as parallel
-from inertance.networks import plot_modes as plot_modes
-from inertance.networks import positive_real as positive_real
 from inertance.networks import quarter_car as quarter_car
-from inertance.networks import quarter_car_damping as quarter_car_damping
-from inertance.networks import quarter_car_j1 as quarter_car_j1
-from inertance.networks import record as record
-from inertance.networks import response_psd as response_psd
-from inertance.networks import response_rms as response_rms
-from inertance.networks import ride_comfort as ride_comfort
-from inertance.networks import ride_j1 as ride_j1
 from inertance.networks import rig_response as rig_response
-from inertance.networks import road_profile as road_profile
-from inertance.networks import road_spectrum as road_spectrum
-from inertance.networks import roughness as roughness
 from inertance.networks import run_on_rig as run_on_rig
-from inertance.networks import saltelli as saltelli
-from inertance.networks import scatter as scatter
 from inertance.networks import screw_inertance as screw_inertance
 from inertance.networks import seat_in_cab as seat_in_cab
 from inertance.networks import series as series
 from inertance.networks import shear_frame as shear_frame
-from inertance.networks import sobol_indices as sobol_indices
-from inertance.networks import sobol_sequence as sobol_sequence
-from inertance.networks import stepped_sine as stepped_sine
 from inertance.networks import suspension as suspension
-from inertance.networks import suspension_travel as suspension_travel
-from inertance.networks import sweep as sweep
-from inertance.networks import synthesise as synthesise
 from inertance.networks import taut_cable as taut_cable
 from inertance.networks import tid as tid
-from inertance.networks import tmdi_white_base as tmdi_white_base
-from inertance.networks import tune as tune
 from inertance.networks import tvmd as tvmd
-from inertance.networks import tvmd_fixed_points as tvmd_fixed_points
-from inertance.networks import tyre_j3 as tyre_j3
-from inertance.networks import weighted as weighted
-from inertance.networks import weighted_rms as weighted_rms
 
 if TYPE_CHECKING:
     from inertance.diagnosis import Verdict as Verdict
@@ -217,21 +155,98 @@ if TYPE_CHECKING:
     from inertance.identification import fit as fit
     from inertance.identification import read_record as read_record
     from inertance.identification import sampled as sampled
+    from inertance.networks import Design as Design
+    from inertance.networks import Mode as Mode
+    from inertance.networks import Norm as Norm
+    from inertance.networks import NotPositiveRealError as NotPositiveRealError
+    from inertance.networks import OperatingPoint as OperatingPoint
+    from inertance.networks import Orbit as Orbit
+    from inertance.networks import PositiveReal as PositiveReal
+    from inertance.networks import RationalFunction as RationalFunction
+    from inertance.networks import ResponseCurve as ResponseCurve
+    from inertance.networks import Scatter as Scatter
+    from inertance.networks import StateSpace as StateSpace
+    from inertance.networks import SteppedSine as SteppedSine
+    from inertance.networks import Sweep as Sweep
+    from inertance.networks import SweepInterruptedError as SweepInterruptedError
+    from inertance.networks import Tuned as Tuned
+    from inertance.networks import Tuning as Tuning
+    from inertance.networks import Varied as Varied
+    from inertance.networks import admittance as admittance
+    from inertance.networks import animate_modes as animate_modes
+    from inertance.networks import base_shear as base_shear
+    from inertance.networks import body_positions as body_positions
+    from inertance.networks import bump as bump
+    from inertance.networks import comfort_filter as comfort_filter
+    from inertance.networks import den_hartog as den_hartog
+    from inertance.networks import describing_function as describing_function
+    from inertance.networks import drift as drift
+    from inertance.networks import equilibria as equilibria
+    from inertance.networks import foster as foster
+    from inertance.networks import front as front
+    from inertance.networks import grid as grid
+    from inertance.networks import harmonic_orbit as harmonic_orbit
+    from inertance.networks import harmonic_response as harmonic_response
+    from inertance.networks import impedance as impedance
+    from inertance.networks import latin_hypercube as latin_hypercube
+    from inertance.networks import linearise as linearise
+    from inertance.networks import load_j5 as load_j5
+    from inertance.networks import monte_carlo as monte_carlo
+    from inertance.networks import operating_point as operating_point
+    from inertance.networks import plot_modes as plot_modes
+    from inertance.networks import positive_real as positive_real
+    from inertance.networks import quarter_car_damping as quarter_car_damping
+    from inertance.networks import quarter_car_j1 as quarter_car_j1
+    from inertance.networks import record as record
+    from inertance.networks import response_psd as response_psd
+    from inertance.networks import response_rms as response_rms
+    from inertance.networks import ride_comfort as ride_comfort
+    from inertance.networks import ride_j1 as ride_j1
+    from inertance.networks import road_profile as road_profile
+    from inertance.networks import road_spectrum as road_spectrum
+    from inertance.networks import roughness as roughness
+    from inertance.networks import saltelli as saltelli
+    from inertance.networks import scatter as scatter
+    from inertance.networks import sobol_indices as sobol_indices
+    from inertance.networks import sobol_sequence as sobol_sequence
+    from inertance.networks import stepped_sine as stepped_sine
+    from inertance.networks import suspension_travel as suspension_travel
+    from inertance.networks import sweep as sweep
+    from inertance.networks import synthesise as synthesise
+    from inertance.networks import tmdi_white_base as tmdi_white_base
+    from inertance.networks import tune as tune
+    from inertance.networks import tvmd_fixed_points as tvmd_fixed_points
+    from inertance.networks import tyre_j3 as tyre_j3
+    from inertance.networks import weighted as weighted
+    from inertance.networks import weighted_rms as weighted_rms
 
-_LATER = ("fmu", "identification", "diagnosis")
+_LATER = (
+    "networks.analysis",
+    "networks.synthesis",
+    "networks.sweep_design",
+    "networks.sweep_indices",
+    "networks.sweeps",
+    "fmu",
+    "diagnosis",
+    "identification",
+)
 
 
 def _public(room: str) -> dict[str, Any]:
     """Return what a room shows, by name."""
     from importlib import import_module
-    from types import ModuleType
 
-    face = vars(import_module(f"inertance.{room}"))
-    return {name: item for name, item in face.items() if name[0] != "_" and not isinstance(item, ModuleType)}
+    path = f"inertance.{room}"
+    face = vars(import_module(path))
+    return {
+        name: item
+        for name, item in face.items()
+        if name[0] != "_" and getattr(item, "__module__", "").startswith(path)
+    }
 
 
 def __getattr__(name: str) -> Any:
-    """Import the rooms that simulation does without when one of their names is first asked for."""
+    """Import what simulation does without when one of its names is first asked for."""
     if name == "__version__":
         from importlib.metadata import version
 

@@ -1,7 +1,9 @@
 """Where measured data and a model part, and which missing effect parts them."""
 
 from . import across as across
+from . import blackbox as blackbox
 from . import channels as channels
+from . import joined as joined
 from . import series as series
 from .edits import between as between
 from .effects import Effect as Effect

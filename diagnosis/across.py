@@ -12,8 +12,10 @@ import numpy as np
 from .. import components as ia
 from ..components import Component, rotational
 from .edits import Add, Connect, Edit, Insert, between
-from .effects import Array, Effect, Motion, Quantity, Values, both, register
+from .effects import Array, Effect, Extent, Motion, Quantity, Values, both, register
 from .sites import Site
+
+SLOW = 0.01  # speed within which friction that cannot stick changes sides, over the usual one
 
 Maker = Callable[[Values, Site], Component]
 
@@ -32,15 +34,15 @@ def _across(
     return register(Effect(kind, "across", quantities, edits, basis, **more))
 
 
-def _speeds(motion: Motion) -> list[dict[str, float]]:
+def _speeds(motion: Extent) -> list[dict[str, float]]:
     return [{"v_s": share * motion.speed} for share in (0.05, 0.3, 1.0)]
 
 
-def _periods(motion: Motion) -> list[dict[str, float]]:
+def _periods(motion: Extent) -> list[dict[str, float]]:
     return [{"period": 2 * motion.travel / count} for count in np.geomspace(2, 60, 24)]
 
 
-def _yields(motion: Motion) -> list[dict[str, float]]:
+def _yields(motion: Extent) -> list[dict[str, float]]:
     return [{"s_y": share * motion.travel} for share in (0.04, 0.15, 0.6, 2.0)]
 
 
@@ -103,6 +105,7 @@ STRIBECK = _across(
     (lambda p, _: ia.StribeckFriction(**p), lambda p, _: rotational.StribeckFriction(**p)),
     _stribeck,
     shapes=_speeds,
+    plain=("coulomb_friction", (1.0, 1.0)),
 )
 ASYMMETRIC = _across(
     "asymmetric_friction",
@@ -112,6 +115,7 @@ ASYMMETRIC = _across(
     ),
     (lambda p, _: ia.AsymmetricFriction(**p), lambda p, _: rotational.AsymmetricFriction(**p)),
     lambda motion, _: [np.maximum(motion.direction, 0), np.minimum(motion.direction, 0)],
+    plain=("coulomb_friction", (1.0, 1.0)),
 )
 RIPPLE = _across(
     "position_ripple",
@@ -150,6 +154,7 @@ BILINEAR = _across(
         lambda p, at: rotational.BilinearSpring(phi_rel0=at.rest, **p),
     ),
     lambda motion, _: [np.maximum(motion.s, 0), np.minimum(motion.s, 0)],
+    plain=("linear_stiffness", (1.0, 1.0)),
 )
 
 
@@ -176,24 +181,31 @@ HYSTERESIS = _across(
     _hysteresis,
     shapes=_yields,
     parameters=_bouc_wen_parameters,
+    memory=True,
 )
 
 
 def _loaded(site: Site, name: str, values: Values) -> list[Edit]:
+    """Return friction by the force that arrives at a site, not by what friction leaves of it."""
     turning = site.domain == "rotational"
     sensor = rotational.TorqueSensor() if turning else ia.ForceSensor()
-    friction = rotational.LoadedFriction(**values) if turning else ia.LoadedFriction(**values)
+    slow = SLOW * site.speed
+    friction = (
+        rotational.LoadedFriction(regularised=slow, **values)
+        if turning
+        else ia.LoadedFriction(regularised=slow, **values)
+    )
     signal = f"{name}_load.{'tau' if turning else 'f'}"
     return [
         Insert(site.moving, f"{name}_load", sensor),
-        *between(name, friction, site.fixed, site.moving),
+        *between(name, friction, site.fixed, f"{name}_load.flange_a"),
         Connect((signal, f"{name}.load")),
     ]
 
 
 def _drifting(site: Site, name: str, values: Values) -> list[Edit]:
     turning = site.domain == "rotational"
-    slow = 0.01 * site.speed
+    slow = SLOW * site.speed
     friction = (
         rotational.DriftingFriction(regularised=slow, **values)
         if turning
@@ -225,5 +237,6 @@ DRIFT = register(
         ),
         _drifting,
         lambda motion, _: [motion.direction, motion.t * motion.direction],
+        plain=("coulomb_friction", (1.0, 0.0)),
     )
 )

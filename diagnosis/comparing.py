@@ -11,12 +11,6 @@ from .refit import Refit
 Array = NDArray[np.float64]
 STRETCH = 0.2, 1.0  # s, shortest and longest by which test residuals are compared
 STRETCHES = 40  # wanted at least
-GENERALISES = {
-    "stribeck_friction": ("coulomb_friction",),
-    "asymmetric_friction": ("coulomb_friction",),
-    "friction_drift": ("coulomb_friction",),
-    "bilinear_stiffness": ("linear_stiffness",),
-}
 
 
 def blocks(fitted: Refit, campaign: Campaign) -> Array:
@@ -48,6 +42,4 @@ def misfit(fitted: Refit) -> float:
 def is_simpler(one: Refit, other: Refit) -> bool:
     """Tell whether the last effect of a model is a special case of the last one of another."""
     plain, richer = one.effects[-1], other.effects[-1]
-    return (
-        plain.effect.kind in GENERALISES.get(richer.effect.kind, ()) and plain.site.path == richer.site.path
-    )
+    return richer.effect.generalises(plain.effect.kind) and plain.site.path == richer.site.path

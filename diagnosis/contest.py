@@ -11,7 +11,7 @@ from functools import lru_cache
 from ..components import InertanceError
 from ..identification import Accuracy, Campaign
 from .placed import Placed
-from .refit import Refit, refit
+from .refit import Refit, Start, refit
 from .screening import Candidate, screen
 from .thinning import thinned
 
@@ -44,11 +44,11 @@ def held(
     fitted = list[Refit]()
     payload = campaign.pickled() if executor is not None else b""
     while waiting:
-        batch, waiting = waiting[:BATCH], waiting[BATCH:]
+        batch, waiting = _next(waiting)
         if executor is None:
-            results = (_fit(campaign, base, candidate, accuracy) for candidate in batch)
+            results = (_fit(campaign, base, candidate, fitted, accuracy) for candidate in batch)
         else:
-            jobs = [executor.submit(_job, payload, base, candidate, accuracy) for candidate in batch]
+            jobs = [executor.submit(_job, payload, base, candidate, fitted, accuracy) for candidate in batch]
             results = (job.result() for job in jobs)
         for left, candidate, found in zip(reversed(range(len(batch))), batch, results, strict=True):
             tell(f"fitted {candidate.label}, at most {left + len(waiting)} to go")
@@ -64,18 +64,52 @@ def _promising(waiting: Sequence[Candidate], base: Refit, fitted: Sequence[Refit
     return [c for c in waiting if c.effect.place == "series" or c.gain > HOPELESS * best]
 
 
-def _fit(campaign: Campaign, base: Refit, candidate: Candidate, accuracy: Accuracy) -> Refit | None:
+def _next(waiting: Sequence[Candidate]) -> tuple[Sequence[Candidate], Sequence[Candidate]]:
+    """Return the candidates to be fitted next, none of which starts from what another one will give."""
+    for number, candidate in enumerate(waiting[:BATCH]):
+        if any(_starts_from(candidate, other) for other in waiting[:number]):
+            return waiting[:number], waiting[number:]
+    return waiting[:BATCH], waiting[BATCH:]
+
+
+def _starts_from(candidate: Candidate, plain: Candidate | Placed) -> bool:
+    return candidate.effect.generalises(plain.effect.kind) and candidate.site.path == plain.site.path
+
+
+def _fit(
+    campaign: Campaign, base: Refit, candidate: Candidate, fitted: Sequence[Refit], accuracy: Accuracy
+) -> Refit | None:
     name = f"{candidate.effect.kind}_{len(base.effects) + 1}"
     placed = Placed(candidate.effect, candidate.site, name, candidate.values)
-    sizes = SIZES if candidate.effect.place == "series" else (1.0,)
+    starts = _starts(candidate, base, fitted)
     try:
-        return refit(campaign, campaign.network, base.parameters, [*base.effects, placed], accuracy, sizes)
+        return refit(campaign, campaign.network, base.parameters, [*base.effects, placed], accuracy, starts)
     except InertanceError:
         return None
 
 
-def _job(payload: bytes, base: Refit, candidate: Candidate, accuracy: Accuracy) -> Refit | None:
-    return _fit(_received(payload), base, candidate, accuracy)
+def _starts(candidate: Candidate, base: Refit, fitted: Sequence[Refit]) -> list[Start]:
+    """Return parameters and values to fit a candidate from: as screened, or as its special case."""
+    if candidate.effect.place == "series":
+        return [(base.parameters, {k: size * v for k, v in candidate.values.items()}) for size in SIZES]
+    starts: list[Start] = [(base.parameters, candidate.values)]
+    effect, site = candidate.effect, candidate.site
+    quantities = effect.quantities[site.domain]
+    for plain in fitted:
+        last = plain.effects[-1]
+        if effect.plain and _starts_from(candidate, last):
+            size = next(iter(last.values.values()))
+            values = dict(zip([q.name for q in effect.sizes(site.domain)], effect.plain[1], strict=True))
+            for shape in effect.shapes(site):
+                shapes = dict(zip([q.name for q in quantities if q.shape], shape.values(), strict=True))
+                starts.append((plain.parameters, {k: v * size for k, v in values.items()} | shapes))
+    return starts
+
+
+def _job(
+    payload: bytes, base: Refit, candidate: Candidate, fitted: Sequence[Refit], accuracy: Accuracy
+) -> Refit | None:
+    return _fit(_received(payload), base, candidate, fitted, accuracy)
 
 
 @lru_cache(maxsize=1)
@@ -87,7 +121,8 @@ def _received(payload: bytes) -> Campaign:
 def _leading(candidates: Sequence[Candidate], found: Collection[str]) -> list[Candidate]:
     """Return the candidates worth a fit, one for each motion and kind, whose site is the same for all kinds.
 
-    A kind that was found is not looked for again: it would but mend the shape of the first.
+    A kind that was found is not looked for again: it would but mend the shape of the first. Special cases go
+    before what generalises them.
     """
     chosen: list[Candidate] = []
     for candidate in candidates:
@@ -100,7 +135,9 @@ def _leading(candidates: Sequence[Candidate], found: Collection[str]) -> list[Ca
             chosen.append(candidate)
         else:
             chosen[alike] = max(chosen[alike], candidate, key=lambda c: (c.site.rank, c.site.path))
-    return chosen
+    special = [c for c in candidates if c.effect.kind not in found]
+    ordered = [one for c in chosen for one in (*(p for p in special if _starts_from(c, p)), c)]
+    return list(dict.fromkeys(ordered))
 
 
 def same_motion(one: Candidate, other: Candidate) -> bool:

@@ -7,7 +7,7 @@ from collections.abc import Sequence
 import numpy as np
 
 from ..identification import Accuracy, Campaign
-from .comparing import GENERALISES, blocks, clearness, is_simpler, misfit
+from .comparing import blocks, clearness, is_simpler, misfit
 from .contest import Round
 from .evidence import Evidence
 from .placed import Placed
@@ -116,7 +116,7 @@ def _alike(first: Round, own: Refit, effects: Sequence[Placed], campaign: Campai
     found = {placed.label for placed in effects}
     for other in first.fitted:
         placed = other.effects[-1]
-        if placed.label in found or chosen.effect.kind in GENERALISES.get(placed.effect.kind, ()):
+        if placed.label in found or placed.effect.generalises(chosen.effect.kind):
             continue
         apart.append((abs(clearness(other, own, campaign)), other))
     return [other for distance, other in sorted(apart, key=lambda pair: pair[0]) if distance < ALIKE]

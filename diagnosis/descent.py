@@ -14,7 +14,7 @@ MOST_STEPS = 40
 LEAST_DROP = 1e-4  # of the sum of squares, that a step must promise
 GOOD = 0.5  # share of what was promised that a step must keep for its slopes to be believed
 POOR = 0.05  # share below which a step is not taken
-WIDEST = 8.0  # largest step, in units of what quantities may be expected to be
+WIDEST = 2.0  # largest step, in units of what quantities may be expected to be
 NARROWEST = 1e-3  # largest step, in the same units, below which nothing but roughness is seen
 RIDGE = 1e-3
 
@@ -27,7 +27,7 @@ class Residual(Protocol):
         ...
 
 
-def descend(residual: Residual, start: Array, bounds: tuple[Array, Array]) -> Array:
+def descend(residual: Residual, start: Array, bounds: tuple[Array, Array], steps: int = MOST_STEPS) -> Array:
     """Return the vector near `start`, within bounds, that has the least sum of squares.
 
     Slopes are computed at the start, corrected by what each step really did (Broyden), and computed again
@@ -43,7 +43,7 @@ def descend(residual: Residual, start: Array, bounds: tuple[Array, Array]) -> Ar
     x = np.clip(start, *bounds)
     rest, slopes = _known(residual, x)
     radius, exact = 1.0, True
-    for _ in range(MOST_STEPS):
+    for _ in range(steps):
         within = np.maximum(bounds[0] - x, -radius), np.minimum(bounds[1] - x, radius)
         step, promised = _step(slopes, rest, within)
         cost, kept = float(rest @ rest), 0.0

@@ -8,6 +8,7 @@ from html import escape
 from ..components import Component
 from ..networks import svg_sketch
 from .edits import part_at
+from .predicting import part_of
 from .verdict import Verdict
 
 MARKED = 2.0  # prior deviations by which a parameter must have moved to be marked
@@ -37,12 +38,13 @@ def drawings(verdict: Verdict) -> Iterator[str]:
 
 def marks_of(verdict: Verdict) -> dict[str, str]:
     """Return path of a component -> what it is marked with."""
-    channels = verdict.evidence.campaign.measured
+    campaign = verdict.evidence.campaign
+    channels = campaign.measured
     marks: dict[str, str] = {}
 
     def mark(path: str, told: str) -> None:
         if path in channels:
-            path, told = channels[path].path.rpartition(".")[0], f"{path}: {told}"
+            path, told = part_of(campaign, channels[path].path), f"{path}: {told}"
         if path:
             marks[path] = f"{marks[path]}, {told}" if path in marks else told
 
@@ -56,10 +58,10 @@ def marks_of(verdict: Verdict) -> dict[str, str]:
         mark(next(iter(verdict.where)), "most of the gap")
     if verdict.verdict == "parameters":
         for name, value in verdict.parameters.items():
-            prior = verdict.evidence.campaign.priors[name]
+            prior = campaign.priors[name]
             if abs(value - prior.center) > MARKED * prior.scale:
-                path, _, parameter = name.rpartition(".")
-                mark(path, parameter)
+                path = part_of(campaign, name)
+                mark(path, name.removeprefix(f"{path}."))
     return marks
 
 

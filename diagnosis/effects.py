@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
-from typing import Any
+from typing import Any, Protocol
 
 import numpy as np
 from numpy.typing import NDArray
@@ -15,6 +15,20 @@ from .sites import Site
 
 Array = NDArray[np.float64]
 Values = Mapping[str, float]
+
+
+class Extent(Protocol):
+    """How far and how fast a site moves."""
+
+    @property
+    def travel(self) -> float:
+        """Half of the range of the distance."""
+        ...
+
+    @property
+    def speed(self) -> float:
+        """Root mean square of the speed."""
+        ...
 
 
 @dataclass(frozen=True)
@@ -69,11 +83,13 @@ class Effect:
         quantities: its parameters, by domain ("translational", "rotational") or for a "channel".
         edits: what inserts it: (site, name, values) -> edits of the network.
         basis: (motion, shape) -> what each size adds for its unit: a force across, a stretch in series.
-        shapes: (motion) -> values of the shape parameters worth trying.
+        shapes: (motion or site) -> values of the shape parameters worth trying.
         change: channel only: (time, signal, values) -> the signal as the channel passes it on.
         parameters: (name, values) -> the network's parameters, if they are not `name.quantity`.
         step: share of a quantity over which its slopes are differences; 0 for slopes along the run, which
             channels do not have, and which say little of where impacts end up.
+        memory: whether its force depends on how the site moved before.
+        plain: a special case of one size: its kind, and what each size is then, over that one.
     """
 
     kind: str
@@ -81,10 +97,16 @@ class Effect:
     quantities: Mapping[str, tuple[Quantity, ...]]
     edits: Callable[[Site, str, Values], list[Edit]] | None = None
     basis: Callable[[Motion, Values], list[Array]] | None = None
-    shapes: Callable[[Motion], list[dict[str, float]]] = field(default=lambda motion: [dict[str, float]()])
+    shapes: Callable[[Extent], list[dict[str, float]]] = field(default=lambda motion: [dict[str, float]()])
     change: Callable[[Array, Array, Values], Array] | None = None
     parameters: Callable[[Site, str, Values], dict[str, float]] | None = None
     step: float = 0.0
+    memory: bool = False
+    plain: tuple[str, tuple[float, ...]] | None = None
+
+    def generalises(self, kind: str) -> bool:
+        """Tell whether a kind is a special case of this one."""
+        return self.plain is not None and self.plain[0] == kind
 
     def sizes(self, domain: str) -> list[Quantity]:
         """Return the parameters that vanish with the effect."""

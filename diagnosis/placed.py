@@ -50,6 +50,15 @@ class Placed:
             return {}
         return self.effect.network_parameters(self.site, self.name, self.values)
 
+    @property
+    def scales(self) -> Array:
+        """What each quantity may be expected to be: its value, at least a tenth of its like."""
+        sizes = []
+        for quantity in self.quantities:
+            alike = [abs(self.values[q.name]) for q in self.quantities if q.unit == quantity.unit]
+            sizes.append(max(abs(self.values[quantity.name]), 0.1 * max(alike)) or 1.0)
+        return np.array(sizes)
+
     def with_values(self, values: Array) -> Placed:
         """Return it with other values, in the order of its quantities."""
         names = [quantity.name for quantity in self.quantities]

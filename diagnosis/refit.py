@@ -4,17 +4,20 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+from math import inf
 
 import numpy as np
 from numpy.typing import NDArray
 
 from ..components import SimulationError
-from ..identification import Accuracy, Campaign, Experiment, Prediction, Stand
-from ..networks import DAE, Network, Variations
+from ..identification import Accuracy, Campaign, Experiment
+from ..networks import Network
 from .descent import descend
-from .placed import Placed, driven, sensed, with_effects
+from .placed import Placed, driven, sensed
+from .predicting import Predicted, Standing, predictor
 
 Array = NDArray[np.float64]
+Start = tuple[Mapping[str, float], Mapping[str, float]]
 RESHAPED = 2.0  # by which factor a shape may still change: its grid is not coarser
 
 
@@ -48,7 +51,6 @@ class Joint:
         accuracy: Accuracy,
     ) -> None:
         self.campaign, self.effects, self.accuracy = campaign, tuple(effects), accuracy
-        self.dae: DAE = with_effects(network, effects).dae()
         self.names = list(parameters)
         self.sigma = campaign.sigma
         priors = [campaign.priors[name] for name in self.names]
@@ -56,28 +58,27 @@ class Joint:
         self.scale = np.array([prior.scale for prior in priors])
         self.limits = np.array([prior.min for prior in priors]), np.array([prior.max for prior in priors])
         self.pull = np.array([1.0 if np.isfinite(prior.sd) else 0.0 for prior in priors])
-        self.sizes = [_scales(placed) for placed in self.effects]
-        self.start = np.concatenate(
-            [
-                (np.array([parameters[n] for n in self.names]) - self.center) / self.scale,
-                *[
-                    np.array([p.values[q.name] for q in p.quantities]) / s
-                    for p, s in zip(self.effects, self.sizes, strict=True)
-                ],
-            ]
-        )
+        self.sizes = [placed.scales for placed in self.effects]
         low, high = ((limit - self.center) / self.scale for limit in self.limits)
         quantities = [q for p in self.effects for q in p.quantities]
-        lows = [1 / RESHAPED if q.shape else q.low for q in quantities]
-        highs = [RESHAPED if q.shape else np.inf for q in quantities]
-        self.bounds = np.array([*low, *lows]), np.array([*high, *highs])
+        self._shapes = np.array([False] * len(low) + [q.shape for q in quantities])
+        self._bounds = (
+            np.array([*low, *[q.low for q in quantities]]),
+            np.array([*high, *[inf] * len(quantities)]),
+        )
+        self.start = self.vector(parameters, [placed.values for placed in self.effects])
         paths = [path for placed in self.effects for path in placed.network_parameters]
-        outputs = [c.path for c in campaign.measured.values() if not c.driven]
-        self.variations = Variations(self.dae, outputs, [*self.names, *paths])
-        self.stands = {id(e): self._stand(e) for e in campaign.experiments}
+        self.predictor = predictor(campaign, network, effects, [*self.names, *paths])
+        self.stands = {id(e): self.predictor.stand(e) for e in campaign.experiments}
 
-    def _stand(self, experiment: Experiment) -> Stand:
-        return Stand(self.dae, experiment, self.campaign.measured, self.variations)
+    def vector(self, parameters: Mapping[str, float], values: Sequence[Mapping[str, float]]) -> Array:
+        """Return parameters and values of the effects as a vector."""
+        own = (np.array([parameters[name] for name in self.names]) - self.center) / self.scale
+        sizes = [
+            np.array([v[q.name] for q in p.quantities]) / s
+            for p, s, v in zip(self.effects, self.sizes, values, strict=True)
+        ]
+        return np.concatenate([own, *sizes])
 
     def unpacked(self, vector: Array) -> tuple[dict[str, float], tuple[Placed, ...]]:
         """Return parameters and effects of a vector."""
@@ -89,28 +90,38 @@ class Joint:
             at += len(size)
         return dict(zip(self.names, values.tolist(), strict=True)), tuple(placed)
 
-    def fitted(self, sizes: Sequence[float] = (1.0,)) -> Refit:
+    def fitted(self, starts: Sequence[Start] = ()) -> Refit:
         """Return the model fitted to the training records.
 
         Args:
-            sizes: of the last effect to start from, of which the best is taken, in units of its values.
-        """
-        return self.seen(descend(self.stacked, self._best_start(sizes), self.bounds))
+            starts: parameters, and values of the last effect, to start from; a step is taken from each, and
+                the one that comes out best is followed. The values that were given if there are none.
 
-    def _best_start(self, sizes: Sequence[float]) -> Array:
-        if len(sizes) == 1:
-            return self.start
-        starts, costs = [], []
-        for size in sizes:
-            start = self.start.copy()
-            start[len(start) - len(self.sizes[-1]) :] *= size
-            starts.append(start)
-            try:
-                rest = self.stacked(start, False)[0]
-                costs.append(float(rest @ rest))
-            except SimulationError:
-                costs.append(np.inf)
-        return starts[int(np.argmin(costs))]
+        Raises:
+            SimulationError: if the model cannot be run with any of them.
+        """
+        earlier = [placed.values for placed in self.effects[:-1]]
+        vectors = [self.vector(parameters, [*earlier, values]) for parameters, values in starts]
+        if len(vectors) < 2:
+            start = vectors[0] if vectors else self.start
+            return self.seen(descend(self.stacked, start, self._bounds_at(start)))
+        vector, bounds = min((self._begun(vector) for vector in vectors), key=lambda begun: begun[0])[1:]
+        return self.seen(descend(self.stacked, vector, bounds))
+
+    def _begun(self, start: Array) -> tuple[float, Array, tuple[Array, Array]]:
+        """Return the sum of squares after a step from a start, where that leads, and the bounds."""
+        bounds = self._bounds_at(start)
+        try:
+            vector = descend(self.stacked, start, bounds, steps=1)
+            rest = self.stacked(vector, False)[0]
+        except SimulationError:
+            return inf, start, bounds
+        return float(rest @ rest), vector, bounds
+
+    def _bounds_at(self, start: Array) -> tuple[Array, Array]:
+        """Return least and largest values; a shape keeps near its start."""
+        low, high = self._bounds
+        return np.where(self._shapes, start / RESHAPED, low), np.where(self._shapes, start * RESHAPED, high)
 
     def seen(self, vector: Array) -> Refit:
         """Return the model with the values of a vector, held against all records."""
@@ -159,15 +170,15 @@ class Joint:
         to_start = np.concatenate([found.start_slopes[n] / self.sigma[n] for n in values]) if free else None
         return _freed(residuals, columns, to_start)
 
-    def _driven(self, experiment: Experiment, effects: Sequence[Placed]) -> Stand:
+    def _driven(self, experiment: Experiment, effects: Sequence[Placed]) -> Standing:
         """Return the stand of a record, its inputs as the actuators pass them on."""
         if any(placed.effect.kind.startswith("actuator") for placed in effects):
-            return self._stand(driven(experiment, effects))
+            return self.predictor.stand(driven(experiment, effects))
         return self.stands[id(experiment)]
 
     def _slopes(
         self,
-        found: Prediction,
+        found: Predicted,
         effects: Sequence[Placed],
         experiment: Experiment,
         given: Mapping[str, float],
@@ -194,7 +205,7 @@ class Joint:
         self,
         placed: Placed,
         size: Array,
-        found: Prediction,
+        found: Predicted,
         effects: Sequence[Placed],
         experiment: Experiment,
         given: Mapping[str, float],
@@ -225,7 +236,7 @@ def refit(
     parameters: Mapping[str, float],
     effects: Sequence[Placed] = (),
     accuracy: Accuracy | None = None,
-    sizes: Sequence[float] = (1.0,),
+    starts: Sequence[Start] = (),
 ) -> Refit:
     """Fit parameters and effects to the training records and hold them against the test records.
 
@@ -235,15 +246,15 @@ def refit(
         parameters: values of the uncertain parameters to start from.
         effects: effects to insert, with values to start from.
         accuracy: solver and tolerances.
-        sizes: of the last effect to start from, of which the best is taken, in units of its values.
+        starts: parameters, and values of the last effect, of which the most promising is taken instead.
 
     Raises:
         SimulationError: if the model cannot be run with the values to start from.
     """
-    return Joint(campaign, network, parameters, effects, accuracy or Accuracy()).fitted(sizes)
+    return Joint(campaign, network, parameters, effects, accuracy or Accuracy()).fitted(starts)
 
 
-def _sensed_slopes(found: Prediction, name: str, effects: Sequence[Placed]) -> Array:
+def _sensed_slopes(found: Predicted, name: str, effects: Sequence[Placed]) -> Array:
     """Return slopes of a channel as its sensor passes them on; sensors are linear but for a constant."""
     slopes = found.slopes[name]
     nothing = sensed(found.time, name, np.zeros(len(found.time)), effects)
@@ -263,12 +274,3 @@ def _freed(
     left = both - to_start @ np.linalg.lstsq(to_start, both, rcond=1e-8)[0]
     parts = np.split(left[:, 0], np.cumsum([len(r) for r in residuals.values()])[:-1])
     return dict(zip(residuals, parts, strict=True)), left[:, 1:]
-
-
-def _scales(placed: Placed) -> Array:
-    """Return what each quantity may be expected to be: its value, at least a tenth of its like."""
-    sizes = []
-    for quantity in placed.quantities:
-        alike = [abs(placed.values[q.name]) for q in placed.quantities if q.unit == quantity.unit]
-        sizes.append(max(abs(placed.values[quantity.name]), 0.1 * max(alike)) or 1.0)
-    return np.array(sizes)

@@ -180,7 +180,7 @@ def _parameters(verdict: Verdict) -> Iterator[str]:
     campaign = verdict.evidence.campaign
     rows = []
     for name, after in verdict.parameters.items():
-        prior, unit = campaign.priors[name], pretty_unit(campaign.dae.unit(name))
+        prior, unit = campaign.priors[name], pretty_unit(campaign.machine.unit(name))
         before, fitted = campaign.start[name], verdict.evidence.refit.parameters[name]
         change = f"{after / before - 1:+.2%}" if before else ""
         deviations = f"{(after - prior.center) / prior.sd:+.2f}" if prior.sd < float("inf") else "bounds only"

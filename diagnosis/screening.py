@@ -19,16 +19,17 @@ from numpy.typing import NDArray
 from ..identification import Accuracy, Campaign
 from ..networks import Network
 from .effects import EFFECTS, Effect, Motion
-from .placed import Placed, with_effects
-from .probes import motion_at, probed, scaled
+from .placed import Placed
+from .predicting import predictor, screened, sites_in
+from .probes import scaled
 from .sight import Sight
-from .sites import Site, sites_of
+from .sites import Site
 
 Array = NDArray[np.float64]
 FREE = 10.0  # how far, in its own size, an effect that was found may still change
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Candidate:
     """An effect at a site (or on a channel) with the values that explain most.
 
@@ -90,16 +91,14 @@ def screen(
         effects: what has been found already.
         accuracy: solver and tolerances.
     """
-    sites = sites_of(network)
-    dae = probed(with_effects(network, effects), sites).dae()
+    sites = sites_in(campaign, network)
     found = {name: value for placed in effects for name, value in placed.network_parameters.items()}
     names = [*parameters, *found]
-    sigma = campaign.sigma
+    experiments, sigma = screened(campaign)
     given, accuracy = {**parameters, **found}, accuracy or Accuracy()
-    sights = [
-        Sight(dae, e, campaign.measured, sigma, given, names, effects, accuracy) for e in campaign.training
-    ]
-    motions = [[motion_at(sight.run, number, site) for sight in sights] for number, site in enumerate(sites)]
+    model = predictor(campaign, network, effects, names, sites)
+    sights = [Sight(model, e, campaign.measured, sigma, given, effects, accuracy) for e in experiments]
+    motions = [[sight.motion(number, site) for sight in sights] for number, site in enumerate(sites)]
     sites = [scaled(site, moved) for site, moved in zip(sites, motions, strict=True)]
     deviations = [campaign.priors[name].scale for name in parameters]
     deviations += [FREE * (abs(value) or 1.0) for value in found.values()]
@@ -157,6 +156,8 @@ def _forces(
         stretched = effect.place == "series"
         if effect.basis is None or effect.place not in site.places or stretched != (probe == "stretch"):
             continue
+        if effect.memory and site.instant:
+            continue
         if not motion.travel or (stretched and not motion.f.any()):
             continue
         names = [q.name for q in effect.quantities[site.domain] if q.shape]
@@ -182,7 +183,7 @@ def _channel_changes(sight: Sight) -> Iterator[tuple[Effect, Site, Array]]:
             change = (effect.change(time, signal, {quantity.name: small}) - signal) / small
             site = Site(name, "channel", path, "", frozenset({"channel"}))
             if driven:
-                given = np.interp(sight.run.time, time, change)[:, None]
+                given = np.interp(sight.time, time, change)[:, None]
                 yield effect, site, sight.to_inputs({path: given})
             else:
                 yield effect, site, sight.to_output(name, change)

@@ -10,6 +10,7 @@ from ..networks import ToolchainError, compiler
 from .comparing import blocks, clearness, is_simpler, misfit
 from .contest import Report, Round, held
 from .deciding import COLOURED, decided
+from .predicting import limits
 from .refit import Joint, Refit, refit
 from .thinning import thinned
 from .verdict import Verdict
@@ -18,6 +19,7 @@ MOST_EFFECTS = 2
 CLEAR = 3.0  # standard errors by which an effect must beat the model without it
 LEAST_DROP = 0.01  # share of the squared test residual that an effect must take away
 LEAST_FURTHER = 0.05  # the same for a second effect: less but mends the shape of the first
+STEPS = 50  # granted to a run for each sample; a model that needs more is none to be fitted
 NOISE = 1.03  # misfit over noise at which there is nothing left to find
 
 
@@ -47,13 +49,13 @@ def diagnose(
     """
     tell = report or (lambda line: None)
     campaign = thinned(campaign)
-    accuracy = Accuracy(_fastest() if solver == "auto" else solver, rtol, 1e-2 * rtol)
+    accuracy = Accuracy(_fastest() if solver == "auto" else solver, rtol, 1e-2 * rtol, STEPS)
     tell("refitting the parameters")
     nominal = Joint(campaign, campaign.network, campaign.start, (), accuracy)
     start = nominal.seen(nominal.start)
     base = nominal.fitted()
     rounds: list[Round] = []
-    notes: list[str] = []
+    notes = limits(campaign)
     best = base
     try:
         while len(best.effects) < MOST_EFFECTS and misfit(best) > (COLOURED if rounds else NOISE):

@@ -7,9 +7,11 @@ from collections.abc import Mapping, Sequence
 import numpy as np
 from numpy.typing import NDArray
 
-from ..identification import Accuracy, Channel, Experiment, Stand
-from ..networks import DAE, Variations
+from ..identification import Accuracy, Channel, Experiment
+from .effects import Motion
 from .placed import Placed, driven, sensed
+from .predicting import Predictor
+from .sites import Site
 
 Array = NDArray[np.float64]
 
@@ -18,43 +20,49 @@ class Sight:
     """One record beside a prediction, in units of noise, with what its start can explain taken off.
 
     Args:
-        dae: the model, which may have probes.
+        predictor: the model, with probes at its sites.
         experiment: the record.
         channels: what is measured.
         sigma: noise of each output channel.
-        parameters: values to run with; `names` are those in which slopes are wanted.
+        parameters: values to run with.
         effects: what has been found on channels.
         accuracy: solver and tolerances.
     """
 
     def __init__(
         self,
-        dae: DAE,
+        predictor: Predictor,
         experiment: Experiment,
         channels: Mapping[str, Channel],
         sigma: Mapping[str, float],
         parameters: Mapping[str, float],
-        names: Sequence[str],
         effects: Sequence[Placed],
         accuracy: Accuracy,
     ) -> None:
         self.outputs = {name: c.path for name, c in channels.items() if not c.driven}
         self.inputs = {name: c.path for name, c in channels.items() if c.driven}
         self.sigma = sigma
-        variations = Variations(dae, list(self.outputs.values()), names)
-        stand = Stand(dae, driven(experiment, effects), channels, variations)
+        self._predictor = predictor
+        self._stand = stand = predictor.stand(driven(experiment, effects))
         self.record = experiment.compared
         start = None if experiment.initial == "rest" else stand.rest(parameters, accuracy)
         found = stand.run(parameters, start, accuracy)
-        self.run = found.run
+        self._found = found
         self.predicted = {n: sensed(found.time, n, v, effects) for n, v in found.values.items()}
         free = np.concatenate([found.start_slopes[n] / sigma[n] for n in self.outputs])
         self._basis = _orthonormal(free if experiment.initial == "fit" else free[:, :0])
         missed = [(self.record.values[n] - self.predicted[n]) / sigma[n] for n in self.outputs]
         self.residual = self.off(np.concatenate(missed))
         self.slopes = self.off(np.concatenate([found.slopes[n] / sigma[n] for n in self.outputs]))
-        self._variations = variations
-        self._at = found.at
+
+    @property
+    def time(self) -> Array:
+        """Instants at which changes of inputs are to be given [s]."""
+        return self._predictor.instants(self._found)
+
+    def motion(self, number: int, site: Site) -> Motion:
+        """Return how one of the predictor's sites moves."""
+        return self._predictor.motion(self._found, number, site)
 
     def off(self, columns: Array) -> Array:
         """Take off what the start values can explain."""
@@ -62,8 +70,8 @@ class Sight:
         return left
 
     def to_inputs(self, changes: Mapping[str, Array]) -> Array:
-        """Return what changes of inputs, given at the points of the run, change in the outputs."""
-        moved = self._variations.pushed(self.run, changes)[self._at]
+        """Return what changes of inputs, given at the instants `time`, change in the outputs."""
+        moved = self._stand.pushed(self._found, changes)
         weighted = [moved[:, n] / self.sigma[name] for n, name in enumerate(self.outputs)]
         return self.off(np.concatenate(weighted))
 

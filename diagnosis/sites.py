@@ -36,6 +36,7 @@ class Site:
         rest: distance at the start of the nominal model's run.
         speed, travel: usual relative speed, and half the range of the distance, in it.
         force: largest force through the site in it.
+        instant: whether only forces that depend on the present motion can act here.
     """
 
     path: str
@@ -49,11 +50,12 @@ class Site:
     speed: float = 1.0
     force: float = 1.0
     travel: float = 1.0
+    instant: bool = False
 
 
 def sites_of(network: Network) -> list[Site]:
     """Return the sites of a network; components between the same two nodes are one, named by the deepest."""
-    parts = dict(_walk(network, ""))
+    parts = dict(walk(network, ""))
     nodes = _nodes(network, parts)
     held = {path for path, part in _ports(parts) if _is_held(path, part, network, parts)}
     node_of = {port: -1 if node & held else number for number, node in enumerate(nodes) for port in node}
@@ -103,11 +105,12 @@ def _site(path: str, component: Component, node_of: dict[str, int]) -> Site | No
     return None
 
 
-def _walk(component: Component, path: str) -> Iterator[tuple[str, Component]]:
+def walk(component: Component, path: str) -> Iterator[tuple[str, Component]]:
+    """Yield path and component of all parts, outer ones first."""
     for name, part in component._parts.items():
         inner = f"{path}.{name}" if path else name
         yield inner, part
-        yield from _walk(part, inner)
+        yield from walk(part, inner)
 
 
 def _ports(parts: dict[str, Component]) -> Iterator[tuple[str, Component]]:

@@ -9,9 +9,9 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ..identification import Accuracy, Campaign, Experiment, Record, Stand
+from ..identification import Accuracy, Campaign, Experiment, Record
 from .effects import Motion
-from .probes import motion_at, probed
+from .predicting import predictor
 from .refit import Refit
 from .screening import Candidate
 from .sites import Site
@@ -164,13 +164,13 @@ def moved(
     """
     if site.domain == "channel":
         return [_signal(e.compared, site.path) for e in experiments]
-    dae = probed(campaign.network, [site]).dae()
+    model = predictor(campaign, campaign.network, (), (), [site])
     accuracy = Accuracy(rtol=1e-5, atol=1e-7)
     motions = []
     for experiment in experiments:
-        stand = Stand(dae, experiment, campaign.measured)
+        stand = model.stand(experiment)
         start = None if experiment.initial == "rest" else stand.rest(parameters, accuracy)
-        motion = motion_at(stand.run(parameters, start, accuracy, slopes=False).run, 0, site)
+        motion = model.motion(stand.run(parameters, start, accuracy, False), 0, site)
         t = experiment.compared.time
         signals = (np.interp(t, motion.t, x) for x in (motion.s, motion.v, motion.f, motion.a))
         motions.append(Motion(t, *signals))

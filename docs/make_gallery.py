@@ -1,5 +1,10 @@
-"""Draw the pictures of gallery.md that take minutes: `python docs/make_gallery.py`."""
+"""Draw the pictures of gallery.md: `python docs/make_gallery.py [ranking] [inerters] [page]`, or all of them.
 
+`ranking` takes half an hour, `inerters` minutes; `page` runs the lines of the page and saves what they draw.
+"""
+
+import re
+import sys
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any
@@ -11,6 +16,7 @@ from matplotlib import pyplot
 from numpy.typing import NDArray
 
 IMAGES = Path(__file__).parent / "images"
+PICTURE = re.compile(r"\(images/(\w+)\.png\)|^```python\n(.*?)^```$", re.MULTILINE | re.DOTALL)
 RANGES = {"d": (50.0, 30e3), "b": (0.1, 3000.0), "k": (10.0, 1e8)}
 STIFFNESS = np.linspace(10e3, 120e3, 12)
 
@@ -79,9 +85,9 @@ def rms(values: NDArray[np.float64]) -> float:
     return float(np.sqrt(np.mean(values**2)))
 
 
-def real_car(inerter: ia.Component, road: str) -> float:
+def real_car(strut: ia.Component, road: str) -> float:
     """Return the rms acceleration of a quarter car on a road [m/s2]."""
-    car = ia.quarter_car(ia.suspension("S4", 60e3, 3200.0, inerter))
+    car = ia.quarter_car(strut)
     profile = ia.road_profile(road, 25.0, 8.0, seed=1)
     return rms(car.simulate(8.0, inputs={"road.s_ref": profile}, step=2e-3)["body.a"])
 
@@ -104,8 +110,12 @@ def real_inerters() -> None:
     roads, forces = "ABCD", (300.0, 3e3, 30e3)
     figure, axes = pyplot.subplots(1, 2, figsize=(10.5, 4.2), layout="constrained")
     bare = [real_tid(None, force) for force in forces]
+    without = real_car(ia.suspension("S1", 60e3, ia.quarter_car_damping(60e3, 250.0, 35.0, 150e3)), "A")
+    print("without", round(without, 4), flush=True)
+    axes[0].axhline(without, color="gray", linestyle="--", label="without, S1")
+    axes[1].axhline(1.0, color="gray", linestyle="--", label="without")
     for name, make in INERTERS.items():
-        on_road = [real_car(make(), road) for road in roads]
+        on_road = [real_car(ia.suspension("S4", 60e3, 3200.0, make()), road) for road in roads]
         in_wind = [real_tid(make(), force) / free for force, free in zip(forces, bare, strict=True)]
         print(name, np.round(on_road, 4), np.round(in_wind, 4), flush=True)
         axes[0].plot(list(roads), np.array(on_road) / 2.0 ** np.arange(len(roads)), "o-", label=name)
@@ -122,6 +132,22 @@ def real_inerters() -> None:
     figure.savefig(IMAGES / "real_inerters.png", dpi=110)
 
 
+def page() -> None:
+    """Run the lines of gallery.md, and save what they draw below a picture that is not drawn above."""
+    text = (Path(__file__).parent / "gallery.md").read_text(encoding="utf-8")
+    names: dict[str, Any] = {}
+    picture = ""
+    for found in PICTURE.finditer(text):
+        if found[1]:
+            picture = found[1]
+            continue
+        exec(found[2], names)
+        if picture not in ("suspension_ranking", "real_inerters"):
+            names["figure"].savefig(IMAGES / f"{picture}.png", dpi=100)
+
+
+PARTS = {"ranking": ranking, "inerters": real_inerters, "page": page}
+
 if __name__ == "__main__":
-    ranking()
-    real_inerters()
+    for part in sys.argv[1:] or PARTS:
+        PARTS[part]()

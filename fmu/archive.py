@@ -105,6 +105,8 @@ def unpack(path: Path, folder: Path, binaries: str) -> None:
 
 @contextmanager
 def _opened(path: Path) -> Iterator[zipfile.ZipFile]:
+    if path.is_dir():
+        raise FMUError(f"'{path}' is a folder, no file")
     if not path.is_file():
         raise FMUError(f"there is no file '{path}'")
     try:
@@ -126,7 +128,7 @@ def _check_names(path: Path, archive: zipfile.ZipFile) -> None:
     for entry in entries:
         name = entry.orig_filename
         problem = _problem(name, entry)
-        if not problem and entry.filename in seen:
+        if not problem and entry.filename in seen and not entry.is_dir():
             problem = "comes twice"
         seen.add(entry.filename)
         if problem:

@@ -66,5 +66,6 @@ def serve() -> None:
         with Subject(Path(path)) as subject:
             for finding in SECTIONS[name](subject, Plan(**plan)):
                 answers.write(json.dumps(asdict(finding)) + "\n")
-    except FMUError as error:
-        answers.write(json.dumps(asdict(Finding("FMU", name, False, told=str(error)))) + "\n")
+    except Exception as error:
+        told = str(error) if isinstance(error, FMUError) else f"{type(error).__name__}: {error}"
+        answers.write(json.dumps(asdict(Finding("FMU", name, False, told=told))) + "\n")

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from itertools import pairwise
 
 import numpy as np
@@ -46,13 +46,21 @@ class Experiment:
 
 @dataclass(frozen=True, eq=False)
 class Course:
-    """What a run gave: values of `names` at the instants of output, and the instants of events."""
+    """What a run gave: values of `names` at the instants of output, and the instants of events.
+
+    An FMU may end a run: what came before counts.
+    """
 
     names: Sequence[str]
     time: Array
     values: Array
     events: Array | None
     solver: str = ""
+
+    def until(self, time: float) -> Course:
+        """Return the part up to an instant."""
+        count = int((self.time <= time).sum())
+        return replace(self, time=self.time[:count], values=self.values[:count])
 
     def of(self, names: Sequence[str]) -> Course:
         """Return the course of some of the names."""
@@ -110,8 +118,6 @@ def _exchange_by_cvode(
             raise FMUError(f"FMU '{probe.name}': {error}") from error
         if problems:
             raise problems[0]
-    if run["time"][-1] < experiment.stop - 1e-9 * (1 + abs(experiment.stop)):
-        raise FMUError(f"FMU '{subject.fmu.name}' ended at t = {run['time'][-1]:.9g} s")
     return _sampled(
         names, run["time"], [run[name].astype(float) for name in names], experiment, f"CVODE, rtol {rtol:.0e}"
     )
@@ -138,7 +144,7 @@ def _sampled(
     names: Sequence[str], time: Array, columns: list[Array], experiment: Experiment, solver: str
 ) -> Course:
     """Return the values at the instants of output, after events; two points of one time make an event."""
-    grid = experiment.grid
+    grid = experiment.grid[experiment.grid <= time[-1] + 1e-9 * (1 + abs(time[-1]))]
     near = np.searchsorted(time, grid + 1e-9 * experiment.step, side="right") - 1
     values = np.column_stack([column[near] for column in columns]) if columns else np.zeros((len(grid), 0))
     return Course(names, grid, values, np.unique(time[1:][np.diff(time) == 0]), solver)
@@ -146,21 +152,32 @@ def _sampled(
 
 def communicate(subject: Subject, names: Sequence[str], experiment: Experiment, events: bool) -> Course:
     """Run Co-Simulation, with event mode if `events`; the communication step is that of output."""
-    grid, rows, found = experiment.grid, [], []
+    grid, rows, found = experiment.grid, list[Array](), list[float]()
     with subject.probe("CS", events) as probe:
         probe.begin(experiment.begin, experiment.stop, experiment.rtol, experiment.inputs)
         rows.append(probe.values(names))
-        for t, target in pairwise(grid.tolist()):
-            while t < target:
-                stepped = probe.step(t, target - t, [], [])
-                arrived = stepped.reached >= target - 4 * np.spacing(abs(target))
-                if not arrived and stepped.reached <= t and not stepped.event:
-                    raise FMUError(f"FMU '{probe.name}' does not advance beyond t = {t:.9g} s")
-                t = target if arrived else stepped.reached
-                if stepped.event and events:
-                    found.append(t)
-                    probe.enter_events()
-                    probe.update()
-            rows.append(probe.values(names))
+        for begin, target in pairwise(grid.tolist()):
+            arrived, ended = _communicated(probe, begin, target, found)
+            if arrived:
+                rows.append(probe.values(names))
+            if ended:
+                break
     instants = np.unique(found) if events else None
-    return Course(names, grid, np.array(rows), instants, f"the FMU's own, rtol {experiment.rtol:.0e}")
+    solver = f"the FMU's own, rtol {experiment.rtol:.0e}"
+    return Course(names, grid[: len(rows)], np.array(rows), instants, solver)
+
+
+def _communicated(probe: Probe, t: float, target: float, found: list[float]) -> tuple[bool, bool]:
+    """Go on to an instant, noting events in event mode; tell whether it was reached, and the run ended."""
+    arrived = ended = False
+    while not (arrived or ended):
+        stepped = probe.step(t, target - t, [], [])
+        arrived, ended = stepped.reached >= target - 4 * np.spacing(abs(target)), stepped.terminate
+        if not (arrived or ended) and stepped.reached <= t and not stepped.event:
+            raise FMUError(f"FMU '{probe.name}' does not advance beyond t = {t:.9g} s")
+        t = target if arrived else stepped.reached
+        if stepped.event and probe.event_mode and not ended:
+            found.append(t)
+            probe.enter_events()
+            ended = probe.update().terminate
+    return arrived, ended

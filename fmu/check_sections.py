@@ -52,6 +52,8 @@ def runs(subject: Subject, plan: Plan) -> Iterator[Finding]:
     """Yield whether each kind runs, whether they agree, and what its derivatives are worth."""
     experiment, names = plan.experiment(subject.fmu), subject.shown()
     courses: dict[str, Course] = {}
+    if not subject.fmu.kinds:
+        yield Finding("FMU", "run", None, told="it is neither for Model Exchange nor for Co-Simulation")
     derivatives = Derivatives(subject) if "ME" in subject.fmu.kinds else None
     for kind in subject.fmu.kinds:
         label = subject.label(kind)
@@ -64,23 +66,30 @@ def runs(subject: Subject, plan: Plan) -> Iterator[Finding]:
         except FMUError as error:
             yield Finding(label, "run", False, told=str(error))
             continue
-        yield _finite(label, courses[kind])
+        yield _finite(label, courses[kind], experiment.stop)
     if len(courses) == 2:
-        reference = Reference(courses["ME"], sizes(courses["ME"].values, subject.nominals(names)))
-        found = outputs_finding(subject.label("CS"), courses["CS"], reference, plan.limit)
+        ends = [course.time[-1] for course in courses.values()]
+        before = 0.5 * experiment.step if min(ends) < experiment.stop * (1 - 1e-9) else 0.0
+        exchanged, communicated = (courses[kind].until(min(ends) - before) for kind in ("ME", "CS"))
+        reference = Reference(exchanged, sizes(exchanged.values, subject.nominals(names)))
+        found = outputs_finding(subject.label("CS"), communicated, reference, plan.limit)
+        if max(ends) - min(ends) > 1.5 * experiment.step:
+            told = f"ME ends at {courses['ME'].time[-1]:.6g} s, CS at {courses['CS'].time[-1]:.6g} s"
+            found = Finding(subject.label("CS"), "outputs against ME", False, told=told)
         yield replace(found, check="outputs against ME")
     if derivatives is not None:
         yield from derivatives.findings()
 
 
-def _finite(label: str, course: Course) -> Finding:
+def _finite(label: str, course: Course, stop: float) -> Finding:
     bad = ~np.isfinite(course.values)
     if bad.any():
         row, column = np.argwhere(bad)[0]
         told = f"{course.names[column]} is {course.values[row, column]} at {course.time[row]:.6g} s"
         return Finding(label, "run", False, told=told)
     events = "" if course.events is None else f", {len(course.events)} events"
-    return Finding(label, "run", True, told=f"to {course.time[-1]:g} s by {course.solver}{events}")
+    ended = ", where the FMU ended it" if course.time[-1] < stop * (1 - 1e-9) else ""
+    return Finding(label, "run", True, told=f"to {course.time[-1]:g} s{ended}, by {course.solver}{events}")
 
 
 def states_of(kind: str) -> Section:

@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 from ..components import ModelError
 from ..networks import DAE, Network, Polynomial, Stepwise
 from .errors import FMUError
+from .exchange import compare
 from .foreign import Values
 from .import_blocks import ForeignComponent
 from .import_coupling import Coupled, CoupledRun
@@ -21,7 +22,6 @@ from .master import advance_together
 
 Array = NDArray[np.float64]
 NEXT_TO_NOTHING = 1e-9
-NOTABLE, TINY = 0.05, 1e-6
 
 
 def cosimulate(
@@ -83,27 +83,8 @@ def cosimulate(
     run = master.run()
     if halving:
         half = _Master(dae, (begin, stop), communication_step / 2, order, dict(inputs or {}), network_options)
-        _compare(run, half.run(), master.exchanged)
+        compare(run, half.run(), master.exchanged)
     return run
-
-
-def _compare(run: CoupledRun, finer: CoupledRun, exchanged: list[str]) -> None:
-    """Tell what the communication step costs, and refuse a run that it spoils."""
-    begin, end = run.time[[0, -1]]
-    points = np.linspace(begin, end, round((end - begin) / run.communication_step) + 1)
-    for name in exchanged:
-        values, better = (np.interp(points, each.time, each[name]) for each in (run, finer))
-        error, size = float(np.abs(values - better).max()), float(np.ptp(values))
-        change = f"half the communication step changes '{name}' by {error:.3g} {run.network.unit(name)}"
-        run.step_error[name] = error
-        if not error <= size + TINY * float(np.abs(values).max()):
-            raise FMUError(
-                f"'{run.network.name}': {change}, more than all that it does ({size:.3g}): the coupling is "
-                "unstable; cut the model where the side that extrapolates has more mass or less stiffness, "
-                "or give a much smaller step"
-            )
-        if error > NOTABLE * size:
-            run.notes.append(f"{change}, {error / size:.0%} of its range; give a smaller step")
 
 
 def _check(span: float, step: float, order: int) -> None:
@@ -162,7 +143,7 @@ class _Master:
         result = self.network.result()
         stats = {"communication steps": self.steps, "seconds": clock.perf_counter() - began}
         runs = {one.path: one.fmu.run for one in self.all}
-        return CoupledRun(result, runs, self.step, self.order, stats=stats)
+        return CoupledRun(runs, self.step, self.order, result, stats=stats)
 
     def _instantiate(self) -> None:
         for path, component in self.foreign.items():

@@ -5,60 +5,52 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass, field
 from math import factorial
-from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from ..networks import Event, Result
+from .exchange import ExchangeRun
 from .foreign import Values
 from .import_blocks import ForeignComponent, Given, Taken
 from .import_participants import Course, Participant
-from .import_run import ForeignEvent, ForeignRun
 
 Array = NDArray[np.float64]
 
 
 @dataclass(eq=False)
-class CoupledRun:
+class CoupledRun(ExchangeRun):
     """What a network and its FMUs did together.
 
     `run["body.s"]` is a signal of the network; `run.fmus["pump"]["flow"]` a variable of an FMU, in the unit
-    that it declares.
+    that it declares. FMUs go by the path of their component.
 
     Attributes:
         network: the result of the network, at the communication points.
-        fmus: the run of every FMU, by the path of its component.
-        communication_step: as asked [s].
-        order: of the extrapolation of what the FMUs take.
-        step_error: for everything exchanged, by name [its SI unit]: the largest difference to the run
-            with half the communication step; empty if that was not asked for.
-        notes: what is to be known, such as a communication step that is too long.
-        stats: communication steps, seconds.
     """
 
     network: Result
-    fmus: dict[str, ForeignRun]
-    communication_step: float
-    order: int
-    step_error: dict[str, float] = field(default_factory=dict)
-    notes: list[str] = field(default_factory=list)
-    stats: dict[str, Any] = field(default_factory=dict)
+
+    @property
+    def name(self) -> str:
+        """Name of the network."""
+        return self.network.name
 
     @property
     def time(self) -> Array:
         """Instants of the network's points [s]."""
         return self.network.time
 
-    @property
-    def events(self) -> list[Event | ForeignEvent]:
-        """Events of the network and of the FMUs, in order."""
-        theirs = [event for run in self.fmus.values() for event in run.events]
-        return sorted([*self.network.events, *theirs], key=lambda event: event.time)
-
     def __getitem__(self, name: str) -> Array:
         """Return a signal of the network by its full name."""
         return self.network[name]
+
+    def unit(self, name: str) -> str:
+        """Return the unit of a signal of the network."""
+        return self.network.unit(name)
+
+    def _own_events(self) -> list[Event]:
+        return self.network.events
 
 
 @dataclass(eq=False)

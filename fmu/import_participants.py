@@ -46,7 +46,7 @@ class Participant:
         self._wanted: list[Group] = groups(recorded)
         self.reversible = fmu.capable(kind, "canGetAndSetFMUstate")
         self._chatter = Chatter(fmu.name, span[1] - span[0], [])
-        self._followed = _followed(inputs)
+        self._followed = followed_inputs(inputs)
         self.instance: Instance = fmu.instantiate(kind)
         references = [fmu.variables[name].reference for name in inputs]
         try:
@@ -225,7 +225,7 @@ class SlaveParticipant(Participant):
         self.t = self._kept
 
 
-def _followed(inputs: list[str]) -> dict[int, int]:
+def followed_inputs(inputs: list[str]) -> dict[int, int]:
     """Return the places of inputs whose derivative is an input, too, and of that: x and der(x), der(x,2)."""
     found = {}
     for place, name in enumerate(inputs):

@@ -12,10 +12,11 @@ import numpy as np
 
 from ..components import nearest
 from .errors import FMUError
+from .exchange import compare
 from .import_description import ForeignVariable
 from .imported import FMU
 from .master import Link, Master, Member, Signal
-from .ssp_run import SystemRun, compare
+from .ssp_run import SystemRun
 
 SIGNALS = ("Real", "Float64", "Float32")
 
@@ -186,7 +187,7 @@ class SystemStructure:
             points = np.linspace(self.begin, stop, max(1, round(span / step)) + 1)
             master = Master(members, links, points, order, rtol)
             stats = {"communication steps": 0, "seconds": 0.0}
-            found = SystemRun(self.name, master.run(), step, order, stats=stats)
+            found = SystemRun(master.run(), step, order, self.name, stats=stats)
             stats |= {"communication steps": master.steps, "seconds": clock.perf_counter() - began}
             return found
 

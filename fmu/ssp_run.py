@@ -1,59 +1,41 @@
-"""What the FMUs of a system did together, and what the communication step cost."""
+"""What the FMUs of a system did together."""
 
 from __future__ import annotations
 
-from collections.abc import Iterable
-from dataclasses import dataclass, field
-from typing import TYPE_CHECKING, Any
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
 
 from ..components import nearest
-from .errors import FMUError
-from .import_run import ForeignEvent, ForeignRun
+from .exchange import ExchangeRun
+from .import_run import ForeignRun
 
 if TYPE_CHECKING:
     import pandas as pd
 
 Array = NDArray[np.float64]
-NOTABLE, TINY = 0.05, 1e-6
 
 
 @dataclass(eq=False)
-class SystemRun:
+class SystemRun(ExchangeRun):
     """What the FMUs of a system did together; `run["body.mass.s"]` is `mass.s` of the component `body`.
 
-    At an event two points share one time: before and after.
-
-    Attributes:
-        fmus: the run of every FMU by name, with outputs and states in the units it declares.
-        communication_step: as asked [s].
-        order: of the extrapolation.
-        step_error: for every connected output, in its unit: the largest difference to the run with half
-            the communication step; empty if that was not asked for.
-        notes: what is to be known, such as a communication step that is too long.
-        stats: communication steps, seconds.
+    At an event two points share one time: before and after. Of every FMU there are outputs and states.
     """
 
-    name: str
-    fmus: dict[str, ForeignRun]
-    communication_step: float
-    order: int
-    step_error: dict[str, float] = field(default_factory=dict)
-    notes: list[str] = field(default_factory=list)
-    stats: dict[str, Any] = field(default_factory=dict)
+    system: str
+
+    @property
+    def name(self) -> str:
+        """Name of the system."""
+        return self.system
 
     @property
     def time(self) -> Array:
         """Instants of the points [s]."""
         return next(iter(self.fmus.values())).time
-
-    @property
-    def events(self) -> list[ForeignEvent]:
-        """Events of all FMUs, in order."""
-        every = [event for run in self.fmus.values() for event in run.events]
-        return sorted(every, key=lambda event: event.time)
 
     def names(self) -> list[str]:
         """Return the names of what was recorded."""
@@ -85,25 +67,3 @@ class SystemRun:
         table = pd.DataFrame({n: self[n] for n in names}, index=pd.Index(self.time, name="time"))
         table.attrs["units"] = {n: self.unit(n) for n in names}
         return table
-
-
-def compare(run: SystemRun, finer: SystemRun, exchanged: Iterable[str]) -> None:
-    """Tell what the communication step costs, and refuse a run that it spoils.
-
-    Raises:
-        FMUError: if half the step changes something by more than all that it does.
-    """
-    begin, end = run.time[[0, -1]]
-    points = np.linspace(begin, end, round((end - begin) / run.communication_step) + 1)
-    for name in dict.fromkeys(exchanged):
-        values, better = (np.interp(points, each.time, each[name]) for each in (run, finer))
-        error, size = float(np.abs(values - better).max()), float(np.ptp(better))
-        change = f"half the communication step changes '{name}' by {error:.3g} {run.unit(name)}"
-        run.step_error[name] = error
-        if not error <= size + TINY * float(np.abs(better).max()):
-            raise FMUError(
-                f"'{run.name}': {change}, more than all that it does ({size:.3g}): the coupling is unstable; "
-                "give a smaller step, or cut the model elsewhere"
-            )
-        if error > NOTABLE * size:
-            run.notes.append(f"{change}, {error / size:.0%} of its range; give a smaller step")

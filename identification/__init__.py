@@ -16,6 +16,9 @@ from .experiments import Experiment as Experiment
 from .filters import Filter as Filter
 from .fitting import fit as fit
 from .fitting import fit_stage as fit_stage
+from .model import READERS as READERS
+from .model import RECOGNISERS as RECOGNISERS
+from .model import Machine as Machine
 from .noise import Floor as Floor
 from .outcome import Fit as Fit
 from .outcome import FittedStage as FittedStage

@@ -19,11 +19,12 @@ Array = NDArray[np.float64]
 
 @dataclass(frozen=True)
 class Accuracy:
-    """How runs are computed: `solver` as in `DAE.simulate`, tolerances."""
+    """How runs are computed: `solver` as in `DAE.simulate`, tolerances, and steps granted for each sample."""
 
     solver: str = "auto"
     rtol: float = 1e-6
     atol: float = 1e-8
+    steps: int | None = None
 
 
 @dataclass(frozen=True, eq=False)
@@ -127,7 +128,7 @@ class Stand:
         run = self.dae.simulate(
             float(time[-1]), begin=float(time[0]), step=step, guess=given, inputs=self.inputs,
             parameters=parameters, solver=accuracy.solver, rtol=accuracy.rtol, atol=accuracy.atol,
-            progress=False,
+            progress=False, max_steps=accuracy.steps and accuracy.steps * len(time),
         )  # fmt: skip
         # An event at a sample ends a hair's breadth after it: what holds from there on is taken.
         at = np.searchsorted(run.time, time + 1e-3 * step, side="right") - 1
@@ -145,6 +146,16 @@ class Stand:
                 by_p[name], by_x[name] = moved[at, n, :count], moved[at, n, count:]
             end = moved[-1, len(self.outputs) :]
         return Prediction(time, at, values, by_p, by_x, first_point, last_point, end, run)
+
+    def pushed(self, found: Prediction, changes: Mapping[str, Array]) -> Array:
+        """Return what small changes of inputs change in the outputs: (instants, outputs, changes).
+
+        Args:
+            found: the run.
+            changes: columns of changes by input, at the points of the run.
+        """
+        moved: Array = self.variations.pushed(found.run, changes)[found.at]
+        return moved
 
 
 class Bench:

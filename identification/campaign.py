@@ -15,7 +15,7 @@ from ..components import ModelError, nearest
 from ..networks import DAE, Network
 from .channels import Channel, outputs_of, read_channels, read_noise
 from .experiments import Experiment, read_experiments, repeat_problems
-from .model import load_model
+from .model import Machine, read_model
 from .noise import Floor, repeated_floor, spectral_floor
 from .priors import Prior, read_priors
 from .problems import TEXT, Kind, Problems
@@ -25,6 +25,7 @@ from .units import factor
 NEEDED = ("model", "channels", "parameters", "train")
 KINDS = {
     "model": TEXT,
+    "port": Kind("a table [port]", lambda v: isinstance(v, dict)),
     "channels": Kind("a table [channels]", lambda v: isinstance(v, dict)),
     "parameters": Kind("a table [parameters]", lambda v: isinstance(v, dict)),
     "train": Kind("tables [[train]]", lambda v: isinstance(v, list)),
@@ -41,7 +42,7 @@ class Campaign:
     Made by `Campaign.load("campaign.toml")`, or from the same entries in Python:
 
     Args:
-        model: the network, or "path/to/file.py:function" that returns it.
+        model: the network, "path/to/file.py:function" that returns it, or "path/to/file.fmu".
         channels: column of the data -> {"input" or "output": path, "unit": unit}.
         parameters: path -> {"rel": relative standard deviation} or {"min": ..., "max": ...}.
         train: records to fit, each {"file": path} or {"record": `Record`}, with what may be added: "initial"
@@ -51,6 +52,7 @@ class Campaign:
         noise: standard deviation of an output channel, in its unit.
         stage: stages of the fit, each {"parameters", "channels", "train", "filter"}; one of everything if
             empty.
+        port: of an FMU: {"force", "position", "velocity"} -> its variables where other parts may act on it.
         base: folder that relative paths start from.
 
     Raises:
@@ -82,10 +84,11 @@ class Campaign:
     test: Sequence[Mapping[str, Any]] = ()
     noise: Mapping[str, float] = field(default_factory=dict)
     stage: Sequence[Mapping[str, Any]] = ()
+    port: Mapping[str, str] = field(default_factory=dict)
     base: Path = field(default_factory=Path)
     source: str = "campaign"
     network: Network = field(init=False, repr=False)
-    dae: DAE = field(init=False, repr=False)
+    machine: Machine = field(init=False, repr=False)
     measured: dict[str, Channel] = field(init=False, repr=False)
     priors: dict[str, Prior] = field(init=False, repr=False)
     training: list[Experiment] = field(init=False, repr=False)
@@ -98,15 +101,15 @@ class Campaign:
         self.base = Path(self.base)
         problems = Problems(self.source)
         with problems.of("model"):
-            self.network = load_model(self.model, self.base) if isinstance(self.model, str) else self.model
-            self.dae = self.network.dae()
+            self.network, self.machine = read_model(self.model, self.port, self.base)
         problems.stop()
-        self.measured = read_channels(self.channels, self.dae, problems)
-        self.priors = read_priors(self.parameters, self.dae, problems)
+        self.measured = read_channels(self.channels, self.machine, problems)
+        self.priors = read_priors(self.parameters, self.machine, problems)
         channels = self.measured
         self.training = read_experiments("train", self.train, channels, self.base, problems)
         self.testing = read_experiments("test", self.test, channels, self.base, problems)
         self._check_apart(problems)
+        self._check_starts(problems)
         problems.found += repeat_problems(self.experiments, channels)
         stated = read_noise(self.noise, channels, self.channels, problems)
         self._check_noise(stated, problems)
@@ -119,7 +122,7 @@ class Campaign:
 
     def __reduce__(self) -> tuple[Any, ...]:
         entries = (self.channels, self.parameters, self.train, self.test, self.noise, self.stage)
-        return Campaign, (self.model, *entries, self.base, self.source)
+        return Campaign, (self.model, *entries, self.port, self.base, self.source)
 
     def pickled(self) -> bytes:
         """Return what other processes make the same campaign of.
@@ -157,6 +160,20 @@ class Campaign:
         return cls(**entries, base=path.parent, source=str(path))
 
     @property
+    def dae(self) -> DAE:
+        """The equations of the network.
+
+        Raises:
+            ModelError: for an FMU, whose equations nobody knows.
+        """
+        if not isinstance(self.machine, DAE):
+            raise ModelError(
+                f"{self.source}: '{self.machine.name}' is an FMU, whose equations are not known; "
+                "`inertance diagnose` fits its parameters, too"
+            )
+        return self.machine
+
+    @property
     def inputs(self) -> list[str]:
         """Channels that drive the network."""
         return [name for name, channel in self.measured.items() if channel.driven]
@@ -179,7 +196,7 @@ class Campaign:
     @property
     def start(self) -> dict[str, float]:
         """Values of the uncertain parameters before any fit."""
-        values = self.dae.parameter_values
+        values = self.machine.parameter_values
         return {name: values[name] for name in self.priors}
 
     def _check_apart(self, problems: Problems) -> None:
@@ -189,6 +206,16 @@ class Campaign:
                 problems.add(
                     f"[[test]] {number}: '{experiment.name}' is also [[train]] {twins[0]}; what was "
                     "fitted tests nothing: give a record of another excitation, or another window"
+                )
+
+    def _check_starts(self, problems: Problems) -> None:
+        if isinstance(self.machine, DAE):
+            return
+        for experiment in self.experiments:
+            if experiment.initial != "rest":
+                problems.add(
+                    f'{experiment.name}: initial = "rest" is needed, as an FMU begins from its own start '
+                    "values; give a record that begins at rest"
                 )
 
     def _check_noise(self, stated: Mapping[str, float], problems: Problems) -> None:

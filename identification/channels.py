@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from ..components import nearest
-from ..networks import DAE
+from .model import Machine
 from .problems import TEXT, Problems, is_number
 from .units import factor
 
@@ -36,7 +36,7 @@ def outputs_of(channels: Mapping[str, Channel]) -> list[str]:
     return [name for name, channel in channels.items() if not channel.driven]
 
 
-def read_channels(entries: Mapping[str, Any], dae: DAE, problems: Problems) -> dict[str, Channel]:
+def read_channels(entries: Mapping[str, Any], machine: Machine, problems: Problems) -> dict[str, Channel]:
     """Return the channels; every input that has no signal needs one."""
     channels: dict[str, Channel] = {}
     before = len(problems.found)
@@ -46,35 +46,36 @@ def read_channels(entries: Mapping[str, Any], dae: DAE, problems: Problems) -> d
             problems.add(f'{where}: give either input = "path" or output = "path"')
         elif problems.sound(where, entry, KINDS):
             with problems.of(where):
-                channel = _channel(entry, dae)
-                told = list(_channel_problems(channel, channels, dae))
+                channel = _channel(entry, machine)
+                told = list(_channel_problems(channel, channels, machine))
                 problems.found += [f"{where}: {problem}" for problem in told]
                 if not told:
                     factor(channel.unit or "1", channel.si)
                     channels[name] = channel
-    problems.found += _missing(entries, channels, dae)
+    problems.found += _missing(entries, channels, machine)
     if not outputs_of(channels) and len(problems.found) == before:
         problems.add("channels: no output is measured, so there is nothing to compare")
     return channels
 
 
-def _channel(entry: Mapping[str, str], dae: DAE) -> Channel:
+def _channel(entry: Mapping[str, str], machine: Machine) -> Channel:
     driven = "input" in entry
     path = entry["input"] if driven else entry["output"]
-    known = dae.names() if not driven or path in dae.input_names else ()
-    si = dae.unit(path) if path in known else ""
+    known = machine.names() if not driven or path in machine.input_names else ()
+    si = machine.unit(path) if path in known else ""
     return Channel(path, driven, entry.get("unit", si), si)
 
 
-def _channel_problems(channel: Channel, others: Mapping[str, Channel], dae: DAE) -> Iterator[str]:
+def _channel_problems(channel: Channel, others: Mapping[str, Channel], machine: Machine) -> Iterator[str]:
     path = channel.path
-    if channel.driven and path not in dae.input_names:
-        told = nearest(path, dae.input_names) or f"; the inputs are {', '.join(dae.input_names) or 'none'}"
-        yield f"the network has no input '{path}'{told}"
+    if channel.driven and path not in machine.input_names:
+        known = machine.input_names
+        told = nearest(path, known) or f"; the inputs are {', '.join(known) or 'none'}"
+        yield f"the model has no input '{path}'{told}"
         return
     if not channel.driven:
-        dae.expression(path)
-    if path in dae.parameter_values:
+        machine.expression(path)
+    if path in machine.parameter_values:
         yield f"'{path}' is a parameter, which no sensor measures; give a motion or a force"
     for name, other in others.items():
         if other.path == path and channel.driven and other.driven:
@@ -83,11 +84,11 @@ def _channel_problems(channel: Channel, others: Mapping[str, Channel], dae: DAE)
             yield f"'{path}' is channel '{name}' already, once as input and once as output; keep one of them"
 
 
-def _missing(entries: Mapping[str, Any], channels: Mapping[str, Channel], dae: DAE) -> Iterator[str]:
+def _missing(entries: Mapping[str, Any], channels: Mapping[str, Channel], machine: Machine) -> Iterator[str]:
     """Yield inputs that nothing drives, unless a faulty channel was meant to."""
     meant = {entry.get("input") for entry in entries.values() if isinstance(entry, Mapping)}
     given = {channel.path for channel in channels.values() if channel.driven} | meant
-    for declared in dae.inputs:
+    for declared in machine.inputs:
         if declared.order == 0 and declared.signal is None and declared.path not in given:
             yield f"channels: input '{declared.path}' [{declared.unit}] has no signal; measure it or bind it"
 

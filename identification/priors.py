@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 
 from ..components import nearest
-from ..networks import DAE
+from .model import Machine
 from .problems import NUMBER, Problems
 
 KINDS = {"rel": NUMBER, "min": NUMBER, "max": NUMBER}
@@ -39,25 +39,25 @@ class Prior:
         return 0.25 * width if np.isfinite(width) else abs(self.center) or 1.0
 
 
-def read_priors(entries: Mapping[str, Any], dae: DAE, problems: Problems) -> dict[str, Prior]:
+def read_priors(entries: Mapping[str, Any], machine: Machine, problems: Problems) -> dict[str, Prior]:
     """Return what is known of the uncertain parameters."""
-    values = dae.parameter_values
+    values = machine.parameter_values
     priors: dict[str, Prior] = {}
     for path, entry in entries.items():
         where = f'parameters."{path}"'
         if path not in values:
-            problems.add(f"{where}: the network has no parameter '{path}'{nearest(path, values)}")
+            problems.add(f"{where}: the model has no parameter '{path}'{nearest(path, values)}")
         elif not isinstance(entry, Mapping) or not set(entry) & set(KINDS):
             problems.add(f"{where}: give rel (relative standard deviation), or min and max")
         elif problems.sound(where, entry, KINDS):
-            prior = _prior(dae, path, values[path], entry)
+            prior = _prior(machine, path, values[path], entry)
             problems.found += [f"{where}: {problem}" for problem in _prior_problems(prior, entry)]
             priors[path] = prior
     return priors
 
 
-def _prior(dae: DAE, path: str, value: float, entry: Mapping[str, float]) -> Prior:
-    declared = dae.field(path)
+def _prior(machine: Machine, path: str, value: float, entry: Mapping[str, float]) -> Prior:
+    declared = machine.field(path)
     sd = entry["rel"] * abs(value) if "rel" in entry else np.inf
     tiny = 1e-9 * (abs(value) or 1.0)
     lowest = declared.min if declared.min is not None else -np.inf

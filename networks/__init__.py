@@ -1,67 +1,15 @@
 """How elements join, and what is done with the equations."""
 
+from typing import TYPE_CHECKING, Any
+
 from .algebra import TwoTerminal as TwoTerminal
+from .algebra import bridge as bridge
 from .algebra import parallel as parallel
 from .algebra import series as series
-from .analysis import Linearisation as Linearisation
-from .analysis import Mode as Mode
-from .analysis import Norm as Norm
-from .analysis import OperatingPoint as OperatingPoint
-from .analysis import Orbit as Orbit
-from .analysis import ResponseCurve as ResponseCurve
-from .analysis import Scatter as Scatter
-from .analysis import StateSpace as StateSpace
-from .analysis import SteppedSine as SteppedSine
-from .analysis import Tuned as Tuned
-from .analysis import Tuning as Tuning
-from .analysis import Varied as Varied
-from .analysis import admittance as admittance
-from .analysis import animate_modes as animate_modes
-from .analysis import base_shear as base_shear
-from .analysis import body_positions as body_positions
-from .analysis import bump as bump
-from .analysis import comfort_filter as comfort_filter
-from .analysis import den_hartog as den_hartog
-from .analysis import describing_function as describing_function
-from .analysis import drift as drift
-from .analysis import equilibria as equilibria
-from .analysis import front as front
-from .analysis import harmonic_orbit as harmonic_orbit
-from .analysis import harmonic_response as harmonic_response
-from .analysis import impedance as impedance
-from .analysis import linearise as linearise
-from .analysis import load_j5 as load_j5
-from .analysis import operating_point as operating_point
-from .analysis import plot_modes as plot_modes
-from .analysis import quarter_car_damping as quarter_car_damping
-from .analysis import quarter_car_j1 as quarter_car_j1
-from .analysis import record as record
-from .analysis import response_psd as response_psd
-from .analysis import response_rms as response_rms
-from .analysis import ride_comfort as ride_comfort
-from .analysis import ride_j1 as ride_j1
-from .analysis import road_profile as road_profile
-from .analysis import road_spectrum as road_spectrum
-from .analysis import roughness as roughness
-from .analysis import scatter as scatter
-from .analysis import stepped_sine as stepped_sine
-from .analysis import suspension_travel as suspension_travel
-from .analysis import tmdi_white_base as tmdi_white_base
-from .analysis import tune as tune
-from .analysis import tvmd_fixed_points as tvmd_fixed_points
-from .analysis import tyre_j3 as tyre_j3
-from .analysis import weighted as weighted
-from .analysis import weighted_rms as weighted_rms
-from .csource import CProgram as CProgram
-from .csource import ToolchainError as ToolchainError
-from .csource import c_program as c_program
-from .csource import compile_shared as compile_shared
-from .csource import compiler as compiler
-from .csource import corners_as_modes as corners_as_modes
-from .csource import is_corner as is_corner
 from .dae import DAE as DAE
 from .dae import Input as Input
 from .events import Event as Event
+from .machines import TMD as TMD
 from .machines import TMDI as TMDI
 from .machines import BallScrewInerter as BallScrewInerter
 from .machines import BilinearDamper as BilinearDamper
@@ -102,20 +50,107 @@ from .starting import starting_point as starting_point
 from .stepwise import Stepwise as Stepwise
 from .storage import check_table_path as check_table_path
 from .storage import load_table as load_table
-from .sweep_design import Design as Design
-from .sweep_design import grid as grid
-from .sweep_design import latin_hypercube as latin_hypercube
-from .sweep_design import monte_carlo as monte_carlo
-from .sweep_design import saltelli as saltelli
-from .sweep_design import sobol_sequence as sobol_sequence
-from .sweep_indices import sobol_indices as sobol_indices
-from .sweeps import Sweep as Sweep
-from .sweeps import SweepInterruptedError as SweepInterruptedError
-from .sweeps import sweep as sweep
-from .synthesis import NotPositiveRealError as NotPositiveRealError
-from .synthesis import PositiveReal as PositiveReal
-from .synthesis import RationalFunction as RationalFunction
-from .synthesis import foster as foster
-from .synthesis import positive_real as positive_real
-from .synthesis import synthesise as synthesise
 from .variations import Variations as Variations
+
+if TYPE_CHECKING:
+    from .analysis import Linearisation as Linearisation
+    from .analysis import Mode as Mode
+    from .analysis import Norm as Norm
+    from .analysis import OperatingPoint as OperatingPoint
+    from .analysis import Orbit as Orbit
+    from .analysis import ResponseCurve as ResponseCurve
+    from .analysis import Scatter as Scatter
+    from .analysis import StateSpace as StateSpace
+    from .analysis import SteppedSine as SteppedSine
+    from .analysis import Tuned as Tuned
+    from .analysis import Tuning as Tuning
+    from .analysis import Varied as Varied
+    from .analysis import admittance as admittance
+    from .analysis import animate_modes as animate_modes
+    from .analysis import base_shear as base_shear
+    from .analysis import body_positions as body_positions
+    from .analysis import bump as bump
+    from .analysis import comfort_filter as comfort_filter
+    from .analysis import den_hartog as den_hartog
+    from .analysis import describing_function as describing_function
+    from .analysis import drift as drift
+    from .analysis import equilibria as equilibria
+    from .analysis import front as front
+    from .analysis import harmonic_orbit as harmonic_orbit
+    from .analysis import harmonic_response as harmonic_response
+    from .analysis import impedance as impedance
+    from .analysis import linearise as linearise
+    from .analysis import load_j5 as load_j5
+    from .analysis import operating_point as operating_point
+    from .analysis import plot_modes as plot_modes
+    from .analysis import quarter_car_damping as quarter_car_damping
+    from .analysis import quarter_car_j1 as quarter_car_j1
+    from .analysis import record as record
+    from .analysis import response_psd as response_psd
+    from .analysis import response_rms as response_rms
+    from .analysis import ride_comfort as ride_comfort
+    from .analysis import ride_j1 as ride_j1
+    from .analysis import road_profile as road_profile
+    from .analysis import road_spectrum as road_spectrum
+    from .analysis import roughness as roughness
+    from .analysis import scatter as scatter
+    from .analysis import stepped_sine as stepped_sine
+    from .analysis import suspension_travel as suspension_travel
+    from .analysis import tmdi_white_base as tmdi_white_base
+    from .analysis import tune as tune
+    from .analysis import tvmd_fixed_points as tvmd_fixed_points
+    from .analysis import tyre_j3 as tyre_j3
+    from .analysis import weighted as weighted
+    from .analysis import weighted_rms as weighted_rms
+    from .csource import CProgram as CProgram
+    from .csource import ToolchainError as ToolchainError
+    from .csource import c_program as c_program
+    from .csource import compile_shared as compile_shared
+    from .csource import compiler as compiler
+    from .csource import corners_as_modes as corners_as_modes
+    from .csource import is_corner as is_corner
+    from .sweep_design import Design as Design
+    from .sweep_design import grid as grid
+    from .sweep_design import latin_hypercube as latin_hypercube
+    from .sweep_design import monte_carlo as monte_carlo
+    from .sweep_design import saltelli as saltelli
+    from .sweep_design import sobol_sequence as sobol_sequence
+    from .sweep_indices import sobol_indices as sobol_indices
+    from .sweeps import Sweep as Sweep
+    from .sweeps import SweepInterruptedError as SweepInterruptedError
+    from .sweeps import sweep as sweep
+    from .synthesis import NotPositiveRealError as NotPositiveRealError
+    from .synthesis import PositiveReal as PositiveReal
+    from .synthesis import RationalFunction as RationalFunction
+    from .synthesis import foster as foster
+    from .synthesis import positive_real as positive_real
+    from .synthesis import synthesise as synthesise
+
+_LATER = ("analysis", "csource", "sweep_design", "sweep_indices", "sweeps", "synthesis")
+
+
+def _public(room: str) -> dict[str, Any]:
+    """Return what a room shows, by name."""
+    from importlib import import_module
+
+    path = f"{__name__}.{room}"
+    face = vars(import_module(path))
+    return {
+        name: item
+        for name, item in face.items()
+        if name[0] != "_" and getattr(item, "__module__", "").startswith(path)
+    }
+
+
+def __getattr__(name: str) -> Any:
+    """Import what a run does without when one of its names is first asked for."""
+    if not name.startswith("_") and name not in _LATER:
+        for room in _LATER:
+            shown = _public(room)
+            if name in shown:
+                return shown[name]
+    raise AttributeError(f"module '{__name__}' has no attribute '{name}'")
+
+
+def __dir__() -> list[str]:
+    return sorted({*globals(), *(name for room in _LATER for name in _public(room))})

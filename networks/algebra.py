@@ -1,4 +1,4 @@
-"""Two-terminal algebra: elements in series and in parallel, as one element."""
+"""Two-terminal algebra: elements in series, in parallel and in a bridge, as one element."""
 
 from __future__ import annotations
 
@@ -85,12 +85,42 @@ def parallel(*elements: Component, **named: Component) -> TwoTerminal | Rotation
     return _joined("parallel", nodes, parts)
 
 
+def bridge(*elements: Component, **named: Component) -> TwoTerminal | RotationalTwoTerminal:
+    """Join five two-terminal elements as a bridge, which no `series` and `parallel` can say.
+
+    The first leads from flange_a to an inner node, the second from there to flange_b; the third and the
+    fourth lead by way of another inner node; the fifth joins both inner nodes.
+
+    Args:
+        elements: as for `series`.
+        named: as for `series`.
+
+    Raises:
+        ModelError: unless they are five, and as for `series`.
+
+    Example:
+        >>> from inertance import Damper, Inerter, Spring, bridge
+        >>> strut = bridge(Inerter(b=1.0), Damper(d=2.0), Damper(d=2.0), Spring(k=4.0), across=Damper(d=1.0))
+    """
+    parts = _named(elements, named)
+    if len(parts) != 5:
+        raise ModelError(f"bridge() joins five elements, got {len(parts)}")
+    one, two, three, four, across = parts
+    nodes = [
+        [("", "flange_a"), (one, "flange_a"), (three, "flange_a")],
+        [(one, "flange_b"), (two, "flange_a"), (across, "flange_a")],
+        [(three, "flange_b"), (four, "flange_a"), (across, "flange_b")],
+        [("", "flange_b"), (two, "flange_b"), (four, "flange_b")],
+    ]
+    return _joined("bridge", nodes, parts)
+
+
 def _joined(
     how: str, nodes: list[list[tuple[str, str]]], parts: dict[str, Component]
 ) -> TwoTerminal | RotationalTwoTerminal:
     domains = {getattr(type(element).fields["flange_a"], "domain", "") for element in parts.values()}
     if len(domains) > 1:
-        raise ModelError("series() and parallel() join sliding elements or turning ones, not both")
+        raise ModelError(f"{how}() joins sliding elements or turning ones, not both")
     kind = TwoTerminal if domains == {"translational"} else RotationalTwoTerminal
     return kind(how, nodes, parts)
 

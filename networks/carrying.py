@@ -66,11 +66,12 @@ def steps_along(points: Points, slopes: Slopes, to_x: Array, to_p: Array) -> Ste
     else:
         matrices = _single(lengths, _middle(A), _middle(B), scale)
         changing = np.flatnonzero(_size(np.diff(A, axis=0), scale) * lengths > UNEVEN)
-        matrices[changing], bent = _in_parts(points, changing, 2, slopes, scale)
-        parts = _powers_of_2(2 * bent / UNEVEN)
-        for count in np.unique(parts[parts > 2]):
-            some = changing[parts == count]
-            matrices[some], _ = _in_parts(points, some, count, slopes, scale)
+        if len(changing):
+            matrices[changing], bent = _in_parts(points, changing, 2, slopes, scale)
+            parts = _powers_of_2(2 * bent / UNEVEN)
+            for count in np.unique(parts[parts > 2]):
+                some = changing[parts == count]
+                matrices[some], _ = _in_parts(points, some, count, slopes, scale)
     ends = np.cumsum([n, to_p.shape[2]])
     return Steps(*np.split(matrices, ends, axis=2))
 

@@ -7,6 +7,7 @@ is linear and small. What is left over stays algebraic (`z`).
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import dataclass, field
 from typing import Any
 
@@ -17,7 +18,7 @@ from numpy.typing import NDArray
 from .families import Ints
 from .index import System, counted
 from .tearing import Block, Torn, tear
-from .vectors import column
+from .vectors import column, stacked
 
 SMALL = 8
 
@@ -41,7 +42,7 @@ class _Solved:
             return [], ca.SX(0, 1)
         order = np.argsort(np.concatenate(self.blocks), kind="stable").tolist()
         variables = np.concatenate(self.variables)[order].tolist()
-        return variables, ca.vertcat(*self.values)[order]
+        return variables, stacked(*self.values)[order]
 
 
 @dataclass(eq=False)
@@ -58,27 +59,28 @@ class Solution:
     also: Any
 
 
-def causalise(system: System, states: list[int], symbols: Any, also: Any) -> Solution:
+def causalise(system: System, states: list[int], symbols: Any, values: Any, also: Any) -> Solution:
     """Solve all equations for what is neither a state nor an input.
 
     Args:
         system: the index-1 equations.
         states: the variables that are states.
         symbols: SX vector of all variables.
+        values: the same, as `padded` returns them.
         also: further expressions of them to be written in terms of the states.
     """
     equations, unknowns, cuts = _triangular(system, states)
     solved = _Solved()
-    done = _solve_single(system, equations, unknowns, cuts, symbols, solved)
+    done = _solve_single(system, equations, unknowns, cuts, values, solved)
     torn: list[Torn] = []
     for block in np.flatnonzero(~done):
         span = slice(cuts[block], cuts[block + 1])
-        found = [system.equation(int(e)) for e in equations[span]]
-        result = tear(system, Block(found, unknowns[span].tolist()), symbols, SMALL)
+        concerned = [system.equation(int(e)) for e in equations[span]]
+        result = tear(system, Block(concerned, unknowns[span].tolist()), values, SMALL)
         torn.append(result)
         if result.expressions:
-            variables, values = zip(*result.expressions, strict=True)
-            solved.add(np.full(len(variables), block), np.array(variables), ca.vertcat(*values))
+            variables, found = zip(*result.expressions, strict=True)
+            solved.add(np.full(len(variables), block), np.array(variables), ca.vertcat(*found))
     return _substituted(system, states, symbols, solved, torn, also)
 
 
@@ -99,7 +101,7 @@ def _triangular(system: System, states: list[int]) -> tuple[Ints, Ints, Ints]:
 
 
 def _solve_single(
-    system: System, equations: Ints, unknowns: Ints, cuts: Ints, symbols: Any, solved: _Solved
+    system: System, equations: Ints, unknowns: Ints, cuts: Ints, values: Any, solved: _Solved
 ) -> NDArray[np.bool_]:
     """Solve the single linear equations, all of one form at once; tell which blocks are solved."""
     done = np.zeros(len(cuts) - 1, dtype=bool)
@@ -110,19 +112,25 @@ def _solve_single(
     for number in sorted(set(family_of.tolist())):
         family = system.families[number]
         members = np.flatnonzero(family_of == number)
+        members = members[np.argsort(chosen[members])]
         rows = chosen[members] - starts[number]
         marks = (family.columns[rows] == targets[members][:, None]) * family.signs[rows]
-        patterns, kind = np.unique(marks, axis=0, return_inverse=True)
-        for k, pattern in enumerate(patterns):
-            form = family.solved(tuple(int(m) for m in pattern))
-            if form is None or family.is_hybrid(form[0]):
-                continue
-            slope, offset = form
-            alike = kind.ravel() == k
-            values = family.evaluate(-offset / slope, rows[alike], symbols, system.flat.time)
-            solved.add(single[members[alike]], targets[members[alike]], values.T)
-            done[single[members[alike]]] = True
+        for pattern, alike in _patterns(marks):
+            found = family.solved(pattern, rows[alike], values, system.flat.time)
+            if found is not None:
+                solved.add(single[members[alike]], targets[members[alike]], found)
+                done[single[members[alike]]] = True
     return done
+
+
+def _patterns(marks: Ints) -> Iterator[tuple[tuple[int, ...], Any]]:
+    """Yield rows that differ and where they are."""
+    if (marks == marks[0]).all():
+        yield tuple(marks[0].tolist()), slice(None)
+        return
+    patterns, kind = np.unique(marks, axis=0, return_inverse=True)
+    for k, pattern in enumerate(patterns.tolist()):
+        yield tuple(pattern), kind.ravel() == k
 
 
 def _substituted(

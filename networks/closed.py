@@ -11,12 +11,13 @@ import casadi as ca
 import numpy as np
 
 from ..components.base import ModelError, RealInput, Sampled, nearest, numpy_on_symbols
+from .batch import Batch
 from .compiled import Compiled, dense
 from .dae import DAE, Input
 from .polynomial import Polynomial
 from .stepper import Stepper, Tolerance
 from .switchfunctions import SwitchFunctions
-from .vectors import pick
+from .vectors import pick, stacked
 
 if TYPE_CHECKING:
     from .csource.native import Native
@@ -33,7 +34,7 @@ class Closed:
         self.signals = signals
         self._steppers: dict[tuple[str, Tolerance, int, int], Stepper] = {}
         self._tangents: dict[tuple[tuple[int, ...], bool], Any] = {}
-        self._evaluators: dict[str, Any] = {}
+        self._evaluators: dict[str, Batch] = {}
         self.sampled = any(isinstance(s, Sampled) for s in self.signals.values())
         kind: Any = ca.MX if self.sampled else ca.SX
         constants = dae.constants
@@ -44,7 +45,7 @@ class Closed:
         self.q: Any = (
             kind.sym("q", self._constant + added)
             if self.sampled
-            else ca.vertcat(constants, ca.SX.sym("course", added))
+            else stacked(constants, ca.SX.sym("course", added))
         )
         self.t: Any = kind.sym("t") if self.sampled else dae.time
         self.u = ca.densify(ca.vertcat(kind(0, 1), *[self._input(i) for i in dae.inputs]))
@@ -81,10 +82,11 @@ class Closed:
         joined = ca.vertcat(*expressions)
         return self.function("evaluate", self.close(joined))
 
-    def signal(self, name: str) -> Any:
-        """Return a function of (x, z, u, q, t) of a signal by its full name, made once."""
+    def signal(self, name: str) -> Batch:
+        """Return a function of (x, z, u, q, t), at many points, of a signal by its full name, made once."""
         if name not in self._evaluators:
-            self._evaluators[name] = ca.Function("signal", self.dae.arguments(), [self.dae.expression(name)])
+            expression = ca.densify(self.dae.expression(name))
+            self._evaluators[name] = Batch(ca.Function("signal", self.dae.arguments(), [expression]))
         return self._evaluators[name]
 
     def input_values(self, q: Any, times: Any) -> Any:
@@ -96,11 +98,11 @@ class Closed:
         """
         if not self.dae.inputs:
             return np.zeros((len(times), 0))
-        return self._input_values(q.T, times[None]).full().T
+        return self._input_values(q, times[:, None])[0][:, :, 0]
 
     @cached_property
-    def _input_values(self) -> Any:
-        return ca.Function("inputs", [self.q, self.t], [self.u])
+    def _input_values(self) -> Batch:
+        return Batch(ca.Function("inputs", [self.q, self.t], [self.u]))
 
     def tangent(self, variables: tuple[int, ...], algebraic: bool) -> Any:
         """Return a function of joined variables (and algebraic residuals) and their slopes in x and z."""

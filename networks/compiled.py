@@ -41,6 +41,17 @@ class Compiled:
             raise RuntimeError(f"'{self.function.name()}' could not be evaluated")
         return [result.copy() for result in self._results]
 
+    def empty(self) -> None:
+        """Let `filled` tell how far the next call has come."""
+        self._first_column()[:] = np.nan
+
+    def filled(self) -> float:
+        """Return the share of the first result's rows that a call under way in another thread has written."""
+        return 1.0 - float(np.isnan(self._first_column()).mean())
+
+    def _first_column(self) -> Array:
+        return self._results[0].reshape(self.function.size2_out(0), -1)[:, 0]
+
     def stats(self) -> dict[str, Any]:
         """Return the statistics of the last call."""
         stats: dict[str, Any] = self._buffer.stats()

@@ -11,14 +11,23 @@ from ..components.base import Port, PortRef, RealInput, RealOutput
 from .flat import Flat, Instance
 from .problems import Illegible
 
-_Key = tuple[int, str, int]
+_Member = tuple[Instance, str, int]
 
 
 @dataclass(eq=False)
 class Node:
-    """Joined ports; a composite's own port, seen from inside, counts negatively."""
+    """Joined ports; a composite's own port, seen from inside, counts negatively.
 
-    ports: list[tuple[Instance, str, int]] = field(default_factory=list)
+    Attributes:
+        flange: the kind of flange, if they are flanges.
+    """
+
+    ports: list[_Member] = field(default_factory=list)
+    flange: type[Port] | None = None
+
+    def ending(self, kind: str) -> str:
+        """Return what follows the ports' names in those of their across or through variables."""
+        return f".{getattr(self.flange, kind)}" if self.flange else ""
 
 
 def connect_ports(flat: Flat, problems: list[str]) -> tuple[list[Node], list[int], list[tuple[int, int]]]:
@@ -28,7 +37,7 @@ def connect_ports(flat: Flat, problems: list[str]) -> tuple[list[Node], list[int
     flanges that hang loose.
     """
     by_component = {id(i.component): i for i in flat.instances.values()}
-    node_of: dict[_Key, Node] = {}
+    node_of: dict[_Member, Node] = {}
     insertions = [(o, *ports) for o in flat.instances.values() for ports in o.component.insertions()]
     moved = {(id(port.component), port.name): near for _, port, _, near in insertions}
     for owner in flat.instances.values():
@@ -57,11 +66,11 @@ def _members(
     ports: tuple[PortRef, ...],
     by_component: dict[int, Instance],
     problems: list[str],
-) -> list[tuple[Instance, str, int]]:
+) -> list[_Member]:
     members = []
     for port in ports:
         instance = by_component.get(id(port.component))
-        if instance is None or not _belongs(instance, owner):
+        if instance is None or (instance.parent is not owner and not _belongs(instance, owner)):
             told = (
                 f"{port!r} is connected in {owner if owner.path else 'the network'} but belongs to no "
                 "component of it; add the component, or connect it where it lives"
@@ -73,10 +82,8 @@ def _members(
 
 
 def _moved(
-    member: tuple[Instance, str, int],
-    moved: dict[tuple[int, str], PortRef],
-    by_component: dict[int, Instance],
-) -> tuple[Instance, str, int]:
+    member: _Member, moved: dict[tuple[int, str], PortRef], by_component: dict[int, Instance]
+) -> _Member:
     """Return the flange of what is inserted at a port, if anything is, in the port's stead."""
     instance, name, sign = member
     near = moved.get((id(instance.component), name)) if sign > 0 else None
@@ -91,22 +98,19 @@ def _belongs(instance: Instance | None, owner: Instance) -> bool:
     return instance is owner
 
 
-def _merge(members: list[tuple[Instance, str, int]], node_of: dict[_Key, Node]) -> None:
+def _merge(members: list[_Member], node_of: dict[_Member, Node]) -> None:
     node = Node()
     for member in members:
-        key = (id(member[0]), *member[1:])
-        present = node_of.get(key)
-        if present is node:
-            continue
+        present = node_of.get(member)
         if present is None:
             node.ports.append(member)
-            node_of[key] = node
-            continue
-        small, large = sorted((node, present), key=lambda n: len(n.ports))
-        large.ports.extend(small.ports)
-        for other in small.ports:
-            node_of[(id(other[0]), *other[1:])] = large
-        node = large
+            node_of[member] = node
+        elif present is not node:
+            small, large = sorted((node, present), key=lambda n: len(n.ports))
+            large.ports += small.ports
+            for other in small.ports:
+                node_of[other] = large
+            node = large
 
 
 def port_of(instance: Instance, name: str) -> Any:
@@ -115,6 +119,10 @@ def port_of(instance: Instance, name: str) -> Any:
 
 
 def _check_node(node: Node, problems: list[str]) -> None:
+    kind, *others = {type(port_of(instance, name)) for instance, name, _ in node.ports}
+    if not others and issubclass(kind, Port):
+        node.flange = kind
+        return
     kinds = defaultdict(list)
     drivers = []
     for instance, name, sign in node.ports:
@@ -137,27 +145,21 @@ def _check_node(node: Node, problems: list[str]) -> None:
 
 def _join_nodes(flat: Flat, nodes: list[Node]) -> None:
     for node in nodes:
-        ending = suffix(node, "across")
+        ending = node.ending("across")
         first, name, _ = node.ports[0]
         anchor = first.index(name + ending)
         for instance, name, _ in node.ports[1:]:
             flat.joined.join(anchor, instance.index(name + ending))
 
 
-def suffix(node: Node, kind: str) -> str:
-    """Return what follows the ports' names in those of their across or through variables."""
-    declared = port_of(node.ports[0][0], node.ports[0][1])
-    return f".{getattr(declared, kind)}" if isinstance(declared, Port) else ""
-
-
 def _unconnected(
-    flat: Flat, outside: set[tuple[int, str]], problems: list[str], loose: list[tuple[int, int]]
+    flat: Flat, outside: set[tuple[Instance, str]], problems: list[str], loose: list[tuple[int, int]]
 ) -> Iterator[int]:
     for instance in flat.instances.values():
         if instance.parent is None:
             continue
         for declared in type(instance.component)._ports:
-            if (id(instance), declared.name) in outside:
+            if (instance, declared.name) in outside:
                 continue
             if declared.optional:
                 yield instance.index(f"{declared.name}.{declared.across}")
@@ -173,7 +175,7 @@ def find_inputs(flat: Flat, nodes: list[Node]) -> None:
     """Note the signals that no connection drives: the inputs of the whole network."""
     driven: set[tuple[int, str]] = set()
     for node in nodes:
-        for instance, name, sign in node.ports:
+        for instance, name, sign in () if node.flange else node.ports:
             declared = port_of(instance, name)
             source = RealOutput if sign > 0 else RealInput
             if isinstance(declared, source) and (sign > 0 or instance.parent is not None):

@@ -7,9 +7,8 @@ from dataclasses import dataclass, field
 from threading import get_ident
 from typing import TYPE_CHECKING, Any
 
-import casadi as ca
-
 from ..components.base import Parameter
+from .vectors import stacked
 
 if TYPE_CHECKING:
     from .closed import Closed
@@ -154,6 +153,7 @@ class DAE:
         solver: str = "auto",
         sensitivities: Iterable[str] = (),
         progress: bool | None = None,
+        max_steps: int | None = None,
     ) -> Result:
         """Run from `begin` to `stop` and return the result.
 
@@ -171,6 +171,7 @@ class DAE:
             solver: "auto", "cvodes", "idas", "rosenbrock", or "compiled" (in C, needs a compiler).
             sensitivities: parameters whose forward sensitivities are wanted (smooth networks).
             progress: show progress; by default on runs that last over a second on a terminal.
+            max_steps: steps of the integrator after which the run is given up; no limit if not given.
 
         Raises:
             ModelError: for unknown names or values out of range.
@@ -180,7 +181,7 @@ class DAE:
         from .run import Settings
         from .simulate import simulate
 
-        settings = Settings(begin, stop, step, rtol, atol, solver, progress)
+        settings = Settings(begin, stop, step, rtol, atol, solver, progress, max_steps)
         wanted = (sensitivities,) if isinstance(sensitivities, str) else tuple(sensitivities)
         return simulate(
             self, settings, start or {}, guess or {}, inputs or {}, parameters or {}, wanted
@@ -209,4 +210,4 @@ class DAE:
     @property
     def constants(self) -> Any:
         """All that is constant within a segment: p, modes, impulses, completion."""
-        return ca.vertcat(self.p, self.modes, self.impulses, self.completion)
+        return stacked(self.p, self.modes, self.impulses, self.completion)

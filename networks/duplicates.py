@@ -11,6 +11,7 @@ import casadi as ca
 import numpy as np
 
 from .families import Family, Ints
+from .forms import Form
 from .vectors import pick
 
 
@@ -33,17 +34,17 @@ def without_duplicates(family: Family) -> list[Family]:
 
 def _merged(family: Family, first: Ints, turned: Ints, rows: Ints) -> Family:
     """Write each local symbol as its first double, turned or not, and drop what cancels."""
-    symbols = [family.locals[int(f)] * int(s) for f, s in zip(first, turned, strict=True)]
-    residual = ca.substitute(family.residual, family.locals, ca.vertcat(*symbols))
-    slopes = ca.densify(ca.jacobian(residual, family.locals))
+    form = family.form
+    symbols = [form.locals[int(f)] * int(s) for f, s in zip(first, turned, strict=True)]
+    residual = ca.substitute(form.residual, form.locals, ca.vertcat(*symbols))
+    slopes = ca.densify(ca.jacobian(residual, form.locals))
     cancelled = [i for i in range(len(first)) if slopes[i].is_zero()]
-    residual = ca.substitute(residual, pick(family.locals, cancelled), ca.DM.zeros(len(cancelled)))
+    residual = ca.substitute(residual, pick(form.locals, cancelled), ca.DM.zeros(len(cancelled)))
     kept = [i for i in range(len(first)) if first[i] == i and i not in cancelled]
     part = family.chosen(rows)
     return replace(
         part,
-        residual=residual,
-        locals=pick(family.locals, kept),
+        form=Form(residual, pick(form.locals, kept), form.given, form.modes, form.time),
         columns=part.columns[:, kept],
         signs=part.signs[:, kept],
     )

@@ -3,15 +3,16 @@
 from __future__ import annotations
 
 from collections import defaultdict
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from typing import Any
 
 import casadi as ca
 import numpy as np
 
-from .connections import Node, suffix
+from .connections import Node
 from .families import Family, sum_family
 from .flat import Flat, Instance
+from .forms import Form
 from .vectors import column, pick
 
 
@@ -41,26 +42,28 @@ def component_families(flat: Flat) -> None:
         template = group[0].template
         if not template.residuals:
             continue
-        symbols = ca.vertcat(*template.variables.values())
         modes = column([*template.modes.values()])
         given, arguments = local_arguments(flat, group)
         bases = np.array([i.base for i in group], dtype=np.int64)[:, None]
-        for residual in template.residuals:
-            used = ca.jacobian_sparsity(residual, symbols).get_col()
-            columns = bases + np.array(used, dtype=np.int64)[None, :]
+        for residual, slopes in zip(template.residuals, template.slopes, strict=True):
+            locals_ = pick(template.symbols, [*slopes])
+            columns = bases + np.array([*slopes], dtype=np.int64)[None, :]
             flat.families.append(
                 Family(
-                    residual, pick(symbols, used), given, template.time, columns,
-                    np.ones_like(columns), arguments, _label(group), modes,
+                    Form(residual, locals_, given, modes, template.time, [*slopes.values()]),
+                    columns,
+                    np.ones_like(columns),
+                    arguments,
+                    _label(group),
                 )
-            )  # fmt: skip
+            )
 
 
 def node_families(flat: Flat, nodes: list[Node]) -> None:
     """State that through variables sum to zero; two of them are equal and opposite at once."""
-    sums: dict[int, list[tuple[list[int], list[int], str]]] = defaultdict(list)
+    sums: dict[int, list[tuple[list[int], list[int], Node]]] = defaultdict(list)
     for node in nodes:
-        ending = suffix(node, "through")
+        ending = node.ending("through")
         if not ending:
             continue
         numbers = [i.index(name + ending) for i, name, _ in node.ports]
@@ -68,20 +71,28 @@ def node_families(flat: Flat, nodes: list[Node]) -> None:
         if len(numbers) == 2:
             flat.joined.join(numbers[0], numbers[1], -signs[0] * signs[1])
             continue
-        ports = ", ".join(f"{i.path}.{name}".lstrip(".") for i, name, _ in node.ports)
-        sums[len(numbers)].append((numbers, signs, f"node of {ports}"))
+        sums[len(numbers)].append((numbers, signs, node))
     for members in sums.values():
-        numbers_, signs_, labels = zip(*members, strict=True)
-        flat.families.append(sum_family(numbers_, signs_, labels))
+        numbers_, signs_, summed = zip(*members, strict=True)
+        flat.families.append(sum_family(numbers_, signs_, _node_label(summed)))
+
+
+def _node_label(nodes: Sequence[Node]) -> Callable[[int], str]:
+    def label(row: int) -> str:
+        ports = nodes[row].ports
+        return "node of " + ", ".join(f"{i.path}.{name}".lstrip(".") for i, name, _ in ports)
+
+    return label
 
 
 def zero_family(flat: Flat, variables: list[int], label: str) -> None:
     """State that variables are zero."""
     if variables:
-        flat.families.append(sum_family([[v] for v in variables], [[1] for _ in variables], label))
+        columns = [[v] for v in variables]
+        flat.families.append(sum_family(columns, [[1] for _ in variables], lambda _: label))
 
 
 def open_family(flat: Flat, loose: list[tuple[int, int]]) -> None:
     """Let loose flanges meet something that neither holds nor drives them, to look for more faults."""
     if loose:
-        flat.families.append(sum_family(loose, [[1, 1] for _ in loose], "loose flange"))
+        flat.families.append(sum_family(loose, [[1, 1] for _ in loose], lambda _: "loose flange"))

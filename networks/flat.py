@@ -16,7 +16,13 @@ from .union import SignedUnion
 
 @dataclass(eq=False)
 class Instance:
-    """One component in its place."""
+    """One component in its place.
+
+    Attributes:
+        base: number of its first variable.
+        row: which of the components of its kind it is.
+        given: numbers of its parameters, negative for those that follow from others.
+    """
 
     path: str
     component: Component
@@ -24,6 +30,7 @@ class Instance:
     template: Template
     base: int = 0
     row: int = 0
+    given: list[int] = field(default_factory=list)
 
     def index(self, local: str) -> int:
         """Return the number of a variable given by its local name."""

@@ -72,7 +72,7 @@ def _walk(
         return
     seen[id(component)] = path
     instance = Instance(path, component, parent, _template(component, path, problems))
-    problems.extend(f"{instance}: {p}" for p in component.problems())
+    problems += [f"{instance}: {problem}" for problem in component.problems()]
     yield instance
     for name, part in component._parts.items():
         yield from _walk(part, f"{path}.{name}" if path else name, instance, problems, seen)
@@ -115,6 +115,8 @@ def _grouped(instances: dict[str, Instance]) -> list[list[Instance]]:
 
 def _collect_modes(flat: Flat) -> None:
     for instance in flat.instances.values():
+        if not (instance.template.modes or instance.template.impulses):
+            continue
         fields = type(instance.component).fields
         for name in instance.template.modes:
             flat.modes.append((instance, fields[name]))  # type: ignore[arg-type]

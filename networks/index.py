@@ -163,7 +163,7 @@ def _cut_cycles(system: System) -> None:
             rate = system.size
             system.size += 1
             system.derivative[chain[-1]] = (rate, 1)
-            system.families.append(sum_family([[rate, variable]], [[1, -sign]], "derivative"))
+            system.families.append(sum_family([[rate, variable]], [[1, -sign]], lambda _: "derivative"))
 
 
 def reduce_index(system: System) -> None:

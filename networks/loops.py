@@ -9,6 +9,7 @@ that closes a loop is replaced by the sum around the loop, in which the unknowns
 from __future__ import annotations
 
 from collections import defaultdict
+from collections.abc import Iterator
 from dataclasses import dataclass
 
 import casadi as ca
@@ -17,6 +18,7 @@ from numpy.typing import NDArray
 
 from .duplicates import without_duplicates
 from .families import Family, Ints
+from .forms import Form
 from .index import System
 from .union import SignedUnion
 from .vectors import column
@@ -55,7 +57,7 @@ def close_loops(system: System) -> None:
     highest = system.is_root()
     highest[list(system.derivative)] = False
     highest[list(system.known)] = False
-    edges = _in_loops([e for n, family in enumerate(system.families) for e in _edges(n, family, highest)])
+    edges = _edges(system, highest)
     sums = _loop_sums(system, edges)
     for equation, weights in sums.items():
         summed = _summed(system, {**weights, equation: 1}, highest)
@@ -67,42 +69,42 @@ def close_loops(system: System) -> None:
     system.level += [0 for _ in sums]
 
 
-def _edges(number: int, family: Family, highest: NDArray[np.bool_]) -> list[_Edge]:
-    """Return the rows that hold one or two unknowns, with slopes of one."""
-    unknown = highest[family.columns]
-    few = np.flatnonzero(np.isin(unknown.sum(axis=1), (1, 2)))
-    if not len(few):
-        return []
-    slopes = ca.jacobian(family.residual, family.locals)
-    slope = np.array([float(s) if s.is_constant() else 0.0 for s in ca.horzsplit(ca.densify(slopes))])
-    few = few[~(unknown[few] & (np.abs(slope) != 1)).any(axis=1)]
-    places = np.argsort(~unknown[few], axis=1, kind="stable")
-    there = np.take_along_axis(unknown[few], places, axis=1)
-    columns = np.take_along_axis(family.columns[few], places, axis=1)
-    signs = np.take_along_axis((slope * family.signs[few]).astype(int), places, axis=1)
-    ends = _two(np.where(there, columns, GROUND), GROUND)
-    turned = _two(np.where(there, signs, 1), 1)
-    return [
-        _Edge((number, row), *end, *turn)
-        for row, end, turn in zip(few.tolist(), ends.tolist(), turned.tolist(), strict=True)
-        if end[0] != end[1]
-    ]
+def _edges(system: System, highest: NDArray[np.bool_]) -> list[_Edge]:
+    """Return the equations that hold one or two unknowns, with slopes of one, and may close loops."""
+    numbers, rows, ends = (np.concatenate(part) for part in zip(*_ends(system, highest), strict=True))
+    edges = []
+    for i in _in_loops(ends):
+        number, row, (a, b) = int(numbers[i]), int(rows[i]), ends[i].tolist()
+        family = system.families[number]
+        slopes = dict(zip(family.columns[row].tolist(), family.form.numbers * family.signs[row], strict=True))
+        signs = [slopes.get(end, 1) for end in (a, b)]
+        if set(signs) <= {-1, 1}:
+            edges.append(_Edge((number, row), a, b, *map(int, signs)))
+    return [edges[i] for i in _in_loops(np.array([(e.a, e.b) for e in edges], dtype=np.int64).reshape(-1, 2))]
 
 
-def _two(numbers: Ints, missing: int) -> Ints:
-    """Return the first two columns."""
-    return np.column_stack([numbers, np.full(len(numbers), missing)])[:, :2]
+def _ends(system: System, highest: NDArray[np.bool_]) -> Iterator[tuple[Ints, Ints, Ints]]:
+    """Yield, of the equations that hold one or two unknowns, family, row and unknowns, ground for none."""
+    yield np.zeros(0, np.int64), np.zeros(0, np.int64), np.zeros((0, 2), np.int64)
+    for number, family in enumerate(system.families):
+        unknown = highest[family.columns]
+        count = unknown.sum(axis=1)
+        rows = np.flatnonzero((count == 1) | (count == 2))
+        found = np.where(unknown[rows], family.columns[rows], GROUND)
+        first = found.max(axis=1, initial=GROUND)
+        last = np.where(found == first[:, None], GROUND, found).max(axis=1, initial=GROUND)
+        apart = (count[rows] == 1) | (last != GROUND)
+        yield np.full(apart.sum(), number), rows[apart], np.column_stack([first, last])[apart]
 
 
-def _in_loops(edges: list[_Edge]) -> list[_Edge]:
+def _in_loops(ends: Ints) -> Ints:
     """Leave out edges that end at an unknown no other edge knows, until none is left of them."""
-    ends = np.array([(e.a, e.b) for e in edges], dtype=np.int64).reshape(-1, 2)
-    kept = np.arange(len(edges))
+    kept = np.arange(len(ends))
     while True:
         count = np.bincount(ends[kept].ravel() + 1)
         lone = ((count[ends[kept] + 1] == 1) & (ends[kept] != GROUND)).any(axis=1)
         if not lone.any():
-            return [edges[i] for i in kept]
+            return kept
         kept = kept[~lone]
 
 
@@ -188,11 +190,10 @@ def _summed(system: System, weights: dict[Equation, int], highest: NDArray[np.bo
     for (number, row), weight in weights.items():
         family = system.families[number]
         stays = ~highest[family.columns[row]]
-        own = ca.SX.sym("local", family.locals.numel())
-        own_given = ca.SX.sym("given", family.given.numel())
-        function = ca.Function(
-            "row", [family.locals, family.given, family.time], [family.residual, family.modes]
-        )
+        form = family.form
+        own = ca.SX.sym("local", form.locals.numel())
+        own_given = ca.SX.sym("given", form.given.numel())
+        function = ca.Function("row", [form.locals, form.given, form.time], [form.residual, form.modes])
         value, own_modes = function(own * ca.DM(stays.astype(float)), own_given, time)
         residual += weight * value
         locals_ += [own[i] for i in np.flatnonzero(stays).tolist()]
@@ -202,17 +203,8 @@ def _summed(system: System, weights: dict[Equation, int], highest: NDArray[np.bo
         columns += family.columns[row, stays].tolist()
         signs += family.signs[row, stays].tolist()
     labels = sorted({system.label(equation) for equation in weights})
-    return Family(
-        residual,
-        column(locals_),
-        column(given),
-        time,
-        _row(columns),
-        _row(signs),
-        column(arguments),
-        lambda _: ", ".join(labels),
-        column(modes),
-    )
+    form = Form(residual, column(locals_), column(given), column(modes), time)
+    return Family(form, _row(columns), _row(signs), column(arguments), lambda _: ", ".join(labels))
 
 
 def _row(numbers: list[int]) -> Ints:

@@ -43,8 +43,8 @@ class Network(Component):
         for name, component in components.items():
             if not isinstance(component, Component):
                 raise ModelError(f"Network '{self.name}': '{name}' is not a component: {component!r}")
-            reserved = name.startswith("_") or hasattr(Network, name) or name in ("", "name")
-            if reserved or any(mark in name for mark in ".()"):
+            reserved = name.startswith("_") or name in _RESERVED
+            if reserved or not _MARKS.isdisjoint(name):
                 raise ModelError(f"Network '{self.name}': '{name}' cannot name a component; choose another")
             if name in self._parts:
                 raise ModelError(f"Network '{self.name}' already has a component '{name}'")
@@ -174,6 +174,10 @@ class Network(Component):
         from .notebook import network_html
 
         return network_html(self)
+
+
+_RESERVED = {*dir(Network), "", "name"}
+_MARKS = {*".()"}
 
 
 @contextmanager

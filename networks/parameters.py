@@ -25,6 +25,8 @@ from .vectors import column
 if TYPE_CHECKING:
     from .flat import Instance
 
+_NUMBERS = (float, int, np.number)
+
 
 class ParameterTable:
     """Numbers that can be set, and expressions of them for the parameters that follow from others."""
@@ -36,25 +38,26 @@ class ParameterTable:
         self.defaults: list[float] = []
         self._bound: dict[str, Any] = {}
         for instance in instances.values():
-            for field in type(instance.component)._parameters:
-                self._enter(instance, field)
+            instance.given = [self._enter(instance, field) for field in type(instance.component)._parameters]
         self.symbols = ca.SX.sym("p", len(self.defaults))
-        self._dependent = self._read_dependent(problems)
+        self._dependent = self._read_dependent(problems) if self._bound else _none_dependent
         if not problems:
             problems += self._out_of_range(self.defaults)
 
-    def _enter(self, instance: Instance, field: Parameter) -> None:
+    def _enter(self, instance: Instance, field: Parameter) -> int:
+        """Note a parameter and return its number, negative if it follows from others."""
         given = instance.component._values.get(field.name, MISSING)
         value = field.default if given is MISSING else given
         path = f"{instance.path}.{field.name}" if instance.path else field.name
         if isinstance(value, Parameter) or callable(value):
             own = given is MISSING
             self._bound[path] = (instance if own else instance.parent, value)
-            return
-        self.index[path] = len(self.defaults)
+            return -1
+        number = self.index[path] = len(self.defaults)
         self.fields.append(field)
-        usable = value is not MISSING and isinstance(value, int | float | np.number)
+        usable = value is not MISSING and isinstance(value, _NUMBERS)
         self.defaults.append(float(value) if usable else np.nan)
+        return number
 
     def expression(self, instance: Instance, name: str) -> Any:
         """Return a parameter as an expression of the symbols."""
@@ -91,17 +94,13 @@ class ParameterTable:
         names = list(group[0].template.parameters)
         if not names:
             return ca.SX(0, len(group))
-        paths = [[f"{i.path}.{name}" if i.path else name for name in names] for i in group]
-        numbers = [self.index.get(path, 0) for row in paths for path in row]
-        values = (
-            ca.reshape(self.symbols[numbers], len(names), len(group))
-            if self.defaults
-            else (ca.SX(len(names), len(group)))
-        )
-        for place, (instance, row) in enumerate(zip(group, paths, strict=True)):
-            for line, path in enumerate(row):
-                if path not in self.index:
-                    values[line, place] = self.expression(instance, names[line])
+        numbers = np.array([instance.given for instance in group])
+        values = ca.SX(len(names), len(group))
+        if self.defaults:
+            chosen = self.symbols[np.maximum(numbers, 0).ravel().tolist()]
+            values = ca.reshape(chosen, len(names), len(group))
+        for place, line in np.argwhere(numbers < 0).tolist():
+            values[line, place] = self.expression(group[place], names[line])
         return values
 
     def values(self, changed: dict[str, float]) -> np.ndarray[Any, np.dtype[np.float64]]:
@@ -142,12 +141,16 @@ class ParameterTable:
         return ca.Function("dependent", [self.symbols], [column(expressions)])
 
     def _out_of_range(self, numbers: Any) -> Iterator[str]:
-        values = self._dependent(numbers).full().ravel() if self._bound else ()
+        values = self._dependent(numbers).full().ravel()
         for path, number in zip(self._bound, values, strict=True):
             declared = self.field(path)
             problem = declared.problem(float(number)) if declared else ""
             if problem:
                 yield f"{self.instances[path.rpartition('.')[0]]}: {problem}"
+
+
+def _none_dependent(numbers: Any) -> Any:
+    return ca.DM(0, 1)
 
 
 def _problem(declared: Parameter, value: Any) -> str:

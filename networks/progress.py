@@ -4,8 +4,13 @@ from __future__ import annotations
 
 import sys
 import time
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from threading import Event, Thread
 from types import TracebackType
 from typing import Any
+
+EVERY = 0.1
 
 
 class Progress:
@@ -29,6 +34,26 @@ class Progress:
             return
         bar = self._bar or self._show()
         bar.update(self._task, completed=t - self.begin)
+
+    @contextmanager
+    def watching(self, now: Callable[[], float]) -> Iterator[None]:
+        """Ask, from another thread, to what time a long call has come."""
+        if not self.wanted:
+            yield
+            return
+        done = Event()
+
+        def ask() -> None:
+            while not done.wait(EVERY):
+                self.at(now())
+
+        thread = Thread(target=ask, daemon=True)
+        thread.start()
+        try:
+            yield
+        finally:
+            done.set()
+            thread.join()
 
     def _show(self) -> Any:
         from rich.console import Console

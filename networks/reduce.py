@@ -7,6 +7,7 @@ import casadi as ca
 from ..components.base import ModelError
 from .causalise import Solution, causalise
 from .dae import DAE, Input
+from .families import padded
 from .flat import Flat
 from .index import System, joined_system, reduce_index
 from .loops import close_loops
@@ -26,8 +27,9 @@ def reduce(flat: Flat) -> DAE:
     system = _checked(flat)
     reduce_index(system)
     symbols = ca.SX.sym("v", system.size)
-    switch = switching(system, symbols)
-    solution = causalise(system, select_states(system), symbols, switch.expressions)
+    values = padded(symbols)
+    switch = switching(system, values)
+    solution = causalise(system, select_states(system), symbols, values, switch.expressions)
     switch.expressions = solution.also
     return _dae(system, solution, switch)
 
@@ -52,7 +54,9 @@ def _dae(system: System, solution: Solution, switch: Switching) -> DAE:
     flat = system.flat
     values, symbols = solution.values, solution.symbols
     rates = [system.derivative[s] for s in solution.states]
-    ode = pick(values, [d for d, _ in rates]) * ca.DM([sign for _, sign in rates])
+    ode = pick(values, [d for d, _ in rates])
+    if any(sign < 0 for _, sign in rates):
+        ode = ode * ca.DM([sign for _, sign in rates])
     known = sorted(system.known.items(), key=lambda item: (item[1], item[0]))
     inputs = [_input(flat, number, *fact) for number, fact in known]
     return DAE(

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass, field
 from functools import cached_property
 from pathlib import Path
@@ -55,7 +56,6 @@ class Result:
 
     Attributes:
         events: the changes of mode and the shocks, in order.
-        stats: steps, events by component, seconds.
         initial: how every start value was decided.
         notes: what the run wants to be known (forces that are not unique).
 
@@ -80,14 +80,21 @@ class Result:
         initial: Decisions,
         notes: list[str],
         sensitivities: dict[str, Array],
+        limiting: Callable[[], str],
     ) -> None:
         self.dae = closed.dae
         self.name = closed.dae.name
-        self.events, self.stats, self.initial, self.notes = events, stats, initial, notes
+        self.events, self.initial, self.notes = events, initial, notes
+        self._figures, self._limiting = stats, limiting
         self._closed, self._segments = closed, segments
         self._sensitivities = sensitivities
         self._cache: dict[str, Array] = {}
         self.time: Array = np.concatenate([t for s in segments for t in s.times])
+
+    @cached_property
+    def stats(self) -> dict[str, Any]:
+        """Steps, events by component, the state that limited the steps, seconds."""
+        return {**self._figures, "limiting state": self._limiting()}
 
     def __getitem__(self, name: str) -> Array:
         """Return a signal by its full name, in SI units.
@@ -113,14 +120,8 @@ class Result:
         return sign * np.concatenate([states[:, place] for s in self._segments for states in s.states])
 
     def _evaluate(self, name: str) -> Array:
-        function = self._closed.signal(name)
-        values = function(*self._columns).full().ravel()
-        return np.broadcast_to(values, self.time.shape).copy()
-
-    @cached_property
-    def _columns(self) -> list[Any]:
-        """What every signal depends on, at all points."""
-        return [ca.DM(column.T) for column in self.points.arguments]
+        values: Array = self._closed.signal(name)(*self.points.arguments)[0].ravel()
+        return values
 
     @cached_property
     def points(self) -> Points:

@@ -29,6 +29,7 @@ class Settings:
     atol: float
     solver: str
     progress: bool | None
+    max_steps: int | None = None
 
     def __post_init__(self) -> None:
         named = {name: getattr(self, name) for name in ("begin", "stop", "step", "rtol", "atol")}
@@ -49,6 +50,8 @@ class Settings:
             value = named.get(name, 1.0)
             if value <= 0:
                 problems.append(f"{name} must be above 0{unit}, got {value:g}{unit}")
+        if self.max_steps is not None and not self.max_steps > 0:
+            problems.append(f"max_steps must be above 0, got {self.max_steps!r}")
         if problems:
             raise ModelError("this run cannot be done:", problems)
 
@@ -83,6 +86,17 @@ class Run:
         """Append points to the present segment."""
         self.segments[-1].extend(np.atleast_1d(times), np.atleast_2d(states), np.atleast_2d(algebraic))
 
+    def count(self, steps: int) -> None:
+        """Add to the steps done.
+
+        Raises:
+            SimulationError: if they are more than were granted.
+        """
+        self.steps += steps
+        most = self.settings.max_steps
+        if most is not None and self.steps > most:
+            raise SimulationError(f"given up after {self.steps} steps: max_steps = {most} grants no more")
+
     def open_segment(self) -> None:
         """Start a segment at the present point, with its modes."""
         p = self.point
@@ -102,7 +116,7 @@ def attempt(run: Run, stepper: Stepper, point: Point, span: float) -> Stretch:
     """Integrate one stretch at once."""
     run.calls += 1
     stretch = stepper.run(point.t, point.x, point.z, point.q, span)
-    run.steps += stretch.steps
+    run.count(stretch.steps)
     return stretch
 
 
@@ -125,7 +139,7 @@ def _node_by_node(run: Run, stepper: Stepper, point: Point, span: float) -> Stre
         states.append(x)
         algebraic.append(z)
         steps += piece.steps
-        run.steps += piece.steps
+        run.count(piece.steps)
     return Stretch(np.array(states), np.array(algebraic), steps)
 
 
@@ -139,7 +153,7 @@ def _approach(run: Run, stepper: Stepper, point: Point, span: float) -> None:
             stretch = stepper.run(t, x, z, point.q, span)
         except IntegratorError:
             continue
-        run.steps += stretch.steps
+        run.count(stretch.steps)
         times = t + span * np.arange(1, stepper.nodes + 1) / stepper.nodes
         run.record(times, stretch.states, stretch.algebraic)
         t, x, z = float(times[-1]), stretch.states[-1], stretch.algebraic[-1]

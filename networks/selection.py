@@ -14,6 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..components.base import ModelError
+from .families import padded
 from .index import System
 from .singular import closed_loop
 
@@ -181,11 +182,12 @@ def _slopes(system: System, equations: list[Equation], variables: list[int]) -> 
     for place, (number, _) in enumerate(equations):
         by_family[number].append(place)
     rows: list[int] = []
-    residuals = []
+    residuals, values = [], padded(unknowns)
     for number, places in by_family.items():
         family = system.families[number]
+        places.sort(key=lambda place: equations[place][1])
         chosen = np.array([equations[p][1] for p in places], dtype=np.int64)
-        residuals.append(family.evaluate(family.residual, chosen, unknowns, system.flat.time).T)
+        residuals.append(family.evaluate(family.form.residual, chosen, values, system.flat.time).T)
         rows += places
     slopes = ca.jacobian(ca.vertcat(*residuals), unknowns[variables])
     flat = system.flat

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import time as clock
 from collections.abc import Callable, Iterator, Mapping
+from functools import partial
 from typing import Any
 
 import numpy as np
@@ -51,8 +52,8 @@ def simulate(
         try:
             go(progress)
         except (IntegratorError, SimulationError) as error:
-            partial = collected(run, solver, began, follow)
-            raise SimulationError(failure(run, error), partial) from error
+            result = collected(run, solver, began, follow)
+            raise SimulationError(failure(run, error), result) from error
     return collected(run, solver, began, follow)
 
 
@@ -168,9 +169,17 @@ def collected(run: Run, solver: str, began: float, follow: Sensitivities | None)
         "integrator calls": run.calls,
         "events": len(run.events),
         "events by component": by_component,
-        "limiting state": limiting_state(run),
         "seconds": clock.perf_counter() - began,
     }
     notes = run.switcher.notes if run.switcher else []
     sensitivities = follow.collected() if follow else {}
-    return Result(run.closed, run.segments, run.events, stats, run.initial, notes, sensitivities)
+    return Result(
+        run.closed,
+        run.segments,
+        run.events,
+        stats,
+        run.initial,
+        notes,
+        sensitivities,
+        partial(limiting_state, run),
+    )

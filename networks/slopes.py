@@ -11,7 +11,8 @@ import casadi as ca
 import numpy as np
 from numpy.typing import NDArray
 
-from .compiled import Compiled, dense
+from .batch import Batch
+from .compiled import dense
 
 if TYPE_CHECKING:
     from .closed import Closed
@@ -19,7 +20,6 @@ if TYPE_CHECKING:
     from .result import Segment
 
 Array = NDArray[np.float64]
-CHUNK = 512
 
 
 @dataclass(frozen=True, eq=False)
@@ -107,40 +107,12 @@ class Slopes:
         """Return slopes in x, in the parameters and in u, each (points, expressions, columns)."""
         if self.still and len(points.t) > 1:
             first, lengths = points.stretches
-            few = (np.repeat(m, lengths, axis=0) for m in self._own(points.only(first)))
+            few = (np.repeat(m, lengths, axis=0) for m in self._own(*points.only(first).arguments))
             to_x, to_z, alg_x, alg_z = few
         else:
-            to_x, to_z, alg_x, alg_z = self._own(points)
-        to_p, to_u, alg_p, alg_u = self._driven(points)
+            to_x, to_z, alg_x, alg_z = self._own(*points.arguments)
+        to_p, to_u, alg_p, alg_u = self._driven(*points.arguments)
         if not points.z.shape[1]:
             return to_x, to_p, to_u
         gain = to_z @ np.linalg.inv(alg_z)
         return to_x - gain @ alg_x, to_p - gain @ alg_p, to_u - gain @ alg_u
-
-
-class Batch:
-    """A function of (x, z, u, q, t) at many points at once. Not for several threads."""
-
-    def __init__(self, function: Any) -> None:
-        self._shapes = [function.size_out(i) for i in range(function.n_out())]
-        self._mapped = Compiled(function.map(CHUNK))
-
-    def __call__(self, points: Points) -> list[Array]:
-        """Return one array a result, (points, rows, columns)."""
-        pieces = [
-            self._chunk([values[begin : begin + CHUNK] for values in points.arguments])
-            for begin in range(0, len(points.t), CHUNK)
-        ]
-        if not pieces:
-            return [np.zeros((0, *shape)) for shape in self._shapes]
-        return [np.concatenate(parts) for parts in zip(*pieces, strict=True)]
-
-    def _chunk(self, given: Sequence[Array]) -> list[Array]:
-        count = len(given[-1])
-        if count < CHUNK:
-            given = [np.resize(values, (CHUNK, values.shape[1])) for values in given]
-        found = self._mapped(*given)
-        return [
-            m.reshape(CHUNK, columns, rows)[:count].transpose(0, 2, 1)
-            for m, (rows, columns) in zip(found, self._shapes, strict=True)
-        ]

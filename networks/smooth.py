@@ -31,7 +31,8 @@ def run_smooth(
         x, z = segment.state(begin)
         if follow is not None:
             follow.advance(stepper, Point(outputs[begin], x, z, run.point.q), span, begin)
-        stretch = integrate(run, stepper, Point(outputs[begin], x, z, run.point.q), span)
+        with progress.watching(stepper.now):
+            stretch = integrate(run, stepper, Point(outputs[begin], x, z, run.point.q), span)
         new = slice(done - begin, nodes)
         run.record(outputs[done + 1 : begin + nodes + 1], stretch.states[new], stretch.algebraic[new])
         done = begin + nodes

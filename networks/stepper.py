@@ -16,6 +16,7 @@ if TYPE_CHECKING:
     from .closed import Closed
 
 Array = NDArray[np.float64]
+SHARE, FINEST = 0.01, 1e-12
 SOLVERS = ("auto", "cvodes", "idas", "rosenbrock", "compiled")
 
 
@@ -25,6 +26,11 @@ class Tolerance:
 
     rtol: float
     atol: float
+
+    def between_events(self) -> Tolerance:
+        """Return what a multistep method keeps to: each event makes it start anew at order 1."""
+        least = min(self.rtol, FINEST)
+        return Tolerance(max(SHARE * self.rtol, least), SHARE * self.atol)
 
 
 class IntegratorError(Exception):
@@ -65,22 +71,27 @@ class Stepper:
         self.nx, self.nz = dae.x.numel(), dae.z.numel()
         self._function = self._build(closed, tolerance, most_steps)
         self._compiled = Compiled(self._function)
+        self._stretch = 0.0, 0.0
         self._unused = [np.zeros(self._function.nnz_in(i)) for i in range(3, self._function.n_in())]
 
     def _build(self, closed: Closed, tolerance: Tolerance, most_steps: int) -> Any:
         kind: Any = type(closed.x)
         begin, span, tau = (kind.sym(n) for n in ("begin", "span", "tau"))
         scale = ca.DM(self.scale)
-        rates = closed.function("rates", closed.close(closed.dae.ode), closed.close(closed.dae.alg))
-        plain = (self.scale == 1).all()
-        scaled = closed.x if plain else closed.x * scale
-        ode, alg = rates(scaled, closed.z, closed.q, begin + span * tau)
+        ode, alg = closed.close(closed.dae.ode), closed.close(closed.dae.alg)
+        plain = bool((self.scale == 1).all())
+        if not plain or ca.depends_on(ca.vertcat(ode, alg), closed.t):
+            rates = closed.function("rates", ode, alg)
+            scaled = closed.x if plain else closed.x * scale
+            ode, alg = rates(scaled, closed.z, closed.q, begin + span * tau)
         x, ode = (closed.x, ode) if closed.x.numel() else (kind.sym("none"), kind(0))
         scale = scale if closed.x.numel() else ca.DM(1)
         problem = {
             "x": x, "z": closed.z, "p": ca.vertcat(closed.q, begin, span), "t": tau,
             "ode": span * (ode if plain else ode / scale), "alg": alg,
         }  # fmt: skip
+        if closed.dae.hybrid and self.solver != "rosenbrock":
+            tolerance = tolerance.between_events()
         options: dict[str, Any] = {"reltol": tolerance.rtol, "abstol": tolerance.atol}
         options |= {"max_num_steps": most_steps, "show_eval_warnings": False}
         if self.solver != "rosenbrock":
@@ -91,6 +102,8 @@ class Stepper:
     def run(self, t: float, x: Array, z: Array, q: Array, span: float) -> Stretch:
         """Integrate over (t, t + span]."""
         x0 = x / self.scale if self.nx else np.zeros(1)
+        self._stretch = t, span
+        self._compiled.empty()
         try:
             results = self._compiled(x0, z, np.concatenate([q, [t, span]]), *self._unused)
         except RuntimeError as error:
@@ -101,6 +114,11 @@ class Stepper:
         if not np.isfinite(states).all():
             raise IntegratorError(f"{self.solver} left the finite numbers")
         return Stretch(states, algebraic, int(stats.get("nsteps", stats.get("n_steps", 0))))
+
+    def now(self) -> float:
+        """Return the time to which the call under way in another thread has come."""
+        t, span = self._stretch
+        return t + span * self._compiled.filled()
 
     def sensitivity(self, t: float, x: Array, z: Array, q: Array, span: float, seeds: Any) -> Any:
         """Return d(states)/d(seeds), (nx, nodes, seeds); seeds are directions (of x, of q)."""

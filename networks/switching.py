@@ -12,6 +12,7 @@ from ..components.base import Template
 from .equations import local_arguments
 from .families import Family
 from .flat import Instance
+from .forms import Form
 from .index import System
 from .vectors import column
 
@@ -53,8 +54,8 @@ class Switching:
     impulse_names: list[str]
 
 
-def switching(system: System, symbols: Any) -> Switching:
-    """Collect the transitions of a network, in terms of its joined variables."""
+def switching(system: System, values: Any) -> Switching:
+    """Collect the transitions of a network, in terms of its joined variables as `padded` returns them."""
     flat = system.flat
     mode_of = {(id(i), m.name): k for k, (i, m) in enumerate(flat.modes)}
     impulse_of = {(id(i), name): k for k, (i, name) in enumerate(flat.impulses)}
@@ -66,7 +67,7 @@ def switching(system: System, symbols: Any) -> Switching:
         if not template.transitions:
             continue
         listed = _listed(template)
-        rows = _evaluate(system, group, ca.vertcat(*listed), symbols)
+        rows = _evaluate(system, group, ca.vertcat(*listed), values)
         for instance, listing in zip(group, ca.horzsplit(rows), strict=True):
             expressions.append(listing)
             changes += _changes(system, instance, count, mode_of, impulse_of)
@@ -123,7 +124,7 @@ def _changes(
     return changes
 
 
-def _evaluate(system: System, group: list[Instance], expression: Any, symbols: Any) -> Any:
+def _evaluate(system: System, group: list[Instance], expression: Any, values: Any) -> Any:
     """Return an expression of local symbols for all instances, as SX columns."""
     flat, template = system.flat, group[0].template
     locals_ = ca.vertcat(*template.variables.values())
@@ -131,5 +132,6 @@ def _evaluate(system: System, group: list[Instance], expression: Any, symbols: A
     found = np.array([flat.joined.find(i.base + k) for i in group for k in range(size)])
     columns, signs = (found[:, k].reshape(len(group), size) for k in (0, 1))
     given, arguments = local_arguments(flat, group)
-    family = Family(ca.SX(0), locals_, given, template.time, columns, signs, arguments, str)
-    return family.evaluate(expression, np.arange(len(group)), symbols, flat.time)
+    form = Form(ca.SX(0), locals_, given, time=template.time)
+    family = Family(form, columns, signs, arguments, str)
+    return family.evaluate(expression, np.arange(len(group)), values, flat.time)

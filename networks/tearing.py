@@ -7,6 +7,7 @@ iteration sets so that the solution of least norm is found.
 
 from __future__ import annotations
 
+from collections import defaultdict
 from dataclasses import dataclass
 from typing import Any
 
@@ -16,6 +17,7 @@ import numpy as np
 from .index import System
 
 Equation = tuple[int, int]
+_Cells = dict[tuple[int, int], dict[int, "_Cell | None"]]
 
 
 @dataclass(eq=False)
@@ -53,17 +55,19 @@ class Torn:
 
 @dataclass(eq=False)
 class _Cell:
-    slope: Any
-    offset: Any
+    pattern: tuple[int, ...]
     plain: bool
     hybrid: bool
 
 
 def tear(system: System, block: Block, symbols: Any, small: int) -> Torn:
-    """Solve a block, explicitly if its torn part is linear and no larger than `small`."""
+    """Solve a block, explicitly if its torn part is linear and no larger than `small`.
+
+    `symbols` are all variables, as `padded` returns them.
+    """
     cells = {e: _cells(system, e, set(block.variables)) for e in block.equations}
     follow, tears, rest = _order(system, block, cells)
-    assigned = [(v, _explicit(system, e, cells[e][v], symbols)) for e, v in follow]
+    assigned = _explicit(system, follow, cells, symbols)
     residuals = [_residual(system, e, symbols) for e in rest]
     if assigned:
         targets = symbols[[v for v, _ in assigned]]
@@ -91,21 +95,22 @@ def _cells(system: System, equation: Equation, variables: set[int]) -> dict[int,
     """Return, for each variable of the block in an equation, how it can be solved for."""
     number, row = equation
     family = system.families[number]
+    form = family.form
     found: dict[int, _Cell | None] = {}
     for variable in {int(v) for v in family.columns[row]} & variables:
         marks = (family.columns[row] == variable) * family.signs[row]
-        solved = family.solved(tuple(int(m) for m in marks))
-        if solved is None:
+        pattern = tuple(marks.tolist())
+        slope = form.slope(pattern)
+        if slope is None:
             found[variable] = None
             continue
-        slope, offset = solved
-        plain = slope.is_constant() or not ca.depends_on(slope, family.locals)
-        found[variable] = _Cell(slope, offset, plain, family.is_hybrid(slope))
+        plain = isinstance(slope, float) or not ca.depends_on(slope, form.locals)
+        found[variable] = _Cell(pattern, plain, form.is_hybrid(slope))
     return found
 
 
 def _order(
-    system: System, block: Block, cells: dict[Equation, dict[int, _Cell | None]]
+    system: System, block: Block, cells: _Cells
 ) -> tuple[list[tuple[Equation, int]], list[int], list[Equation]]:
     """Choose torn variables until the others follow; return what follows, tears and residuals."""
     open_cells = {e: set(cells[e]) for e in block.equations}
@@ -149,7 +154,7 @@ def _next_tear(
     system: System,
     users: dict[int, set[Equation]],
     open_cells: dict[Equation, set[int]],
-    cells: dict[Equation, dict[int, _Cell | None]],
+    cells: _Cells,
 ) -> int:
     """Prefer what a hybrid equation leaves open (a friction force), then what occurs most often."""
 
@@ -163,16 +168,25 @@ def _next_tear(
     return max(users, key=merit)
 
 
-def _explicit(system: System, equation: Equation, cell: _Cell | None, symbols: Any) -> Any:
-    assert cell is not None
-    return _evaluated(system, equation, -cell.offset / cell.slope, symbols)
+def _explicit(
+    system: System, follow: list[tuple[Equation, int]], cells: _Cells, symbols: Any
+) -> list[tuple[int, Any]]:
+    """Solve each equation for its variable, those of one form at once; keep their order."""
+    alike: dict[tuple[int, tuple[int, ...]], list[tuple[int, int]]] = defaultdict(list)
+    for place, ((number, row), variable) in enumerate(follow):
+        cell = cells[number, row][variable]
+        assert cell is not None
+        alike[number, cell.pattern].append((row, place))
+    values: list[Any] = [None] * len(follow)
+    for (number, pattern), members in alike.items():
+        rows, places = zip(*sorted(members), strict=True)
+        found = system.families[number].solved(pattern, np.array(rows), symbols, system.flat.time)
+        assert found is not None
+        for place, value in zip(places, ca.vertsplit(found), strict=True):
+            values[place] = value
+    return [(variable, value) for (_, variable), value in zip(follow, values, strict=True)]
 
 
 def _residual(system: System, equation: Equation, symbols: Any) -> Any:
-    return _evaluated(system, equation, system.families[equation[0]].residual, symbols)
-
-
-def _evaluated(system: System, equation: Equation, expression: Any, symbols: Any) -> Any:
-    family = system.families[equation[0]]
-    rows = np.array([equation[1]], dtype=np.int64)
-    return family.evaluate(expression, rows, symbols, system.flat.time)
+    family, row = system.families[equation[0]], np.array(equation[1:])
+    return family.evaluate(family.form.residual, row, symbols, system.flat.time)

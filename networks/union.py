@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 
 class SignedUnion:
-    """Classes of variables equal up to sign; variable i is `sign[i] * root[i]`."""
+    """Classes of variables equal up to sign; variable i is `sign[i]` times its root, a root's sign is 1."""
 
     def __init__(self, size: int) -> None:
         self.parent = list(range(size))
@@ -29,7 +29,7 @@ class SignedUnion:
         """Return the root of a variable and the sign against it."""
         above = self.parent[i]
         if self.parent[above] == above:
-            return above, self.sign[i] if above != i else 1
+            return above, self.sign[i]
         path = []
         while self.parent[i] != i:
             path.append(i)
@@ -54,8 +54,10 @@ class SignedUnion:
 
     def join(self, i: int, j: int, sign: int = 1) -> None:
         """State that variable i equals `sign` times variable j, and so do their derivatives."""
-        (a, sign_a), (b, sign_b) = self.find(i), self.find(j)
-        sign *= sign_a * sign_b
+        a, b = self.parent[i], self.parent[j]
+        if self.parent[a] != a or self.parent[b] != b:
+            a, b = self.find(i)[0], self.find(j)[0]
+        sign *= self.sign[i] * self.sign[j]
         if a == b:
             if sign < 0:
                 self.contradictions.append(a)

@@ -11,6 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..components.base import ModelError, nearest
+from .batch import Batch
 from .carrying import Steps, steps_along
 from .compiled import dense
 from .crossings import Crossings
@@ -20,7 +21,7 @@ from .initial import wishes
 from .passages import passages
 from .result import Result, Segment
 from .sensitivity import start_slopes
-from .slopes import Batch, Slopes
+from .slopes import Slopes
 from .vectors import pick
 
 Array = NDArray[np.float64]
@@ -81,7 +82,7 @@ class Variations:
 
     def values(self, result: Result) -> Array:
         """Return the signals themselves, (points, signals)."""
-        found: Array = self._values(result.points)[0][:, :, 0]
+        found: Array = self._values(*result.points.arguments)[0][:, :, 0]
         return found
 
     def along(self, result: Result, start: Array | None = None) -> Array:

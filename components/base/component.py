@@ -21,8 +21,10 @@ from .fields import (
 )
 from .sampled import Sampled
 
+_PORTS = (Port, RealInput, RealOutput)
 
-@dataclass(frozen=True, slots=True, eq=False)
+
+@dataclass(slots=True, eq=False)
 class PortRef:
     """A port of one component, to be connected."""
 
@@ -95,7 +97,8 @@ class Component:
     @property
     def _shapeless(self) -> bool:
         """Whether an option is wrong, so that neither parts nor equations can be told."""
-        return any(option.name in self._problems for option in type(self)._options)
+        problems = self._problems
+        return bool(problems) and any(option.name in problems for option in type(self)._options)
 
     def _own_parts(self) -> None:
         for component in self._parts.values():
@@ -184,7 +187,7 @@ class Component:
                 yield f"{field.name} [{field.unit}] ({field.doc}) must be given"
 
     def _get(self, field: Field) -> Any:
-        if isinstance(field, Port | RealInput | RealOutput):
+        if isinstance(field, _PORTS):
             return PortRef(self, field.name)
         if isinstance(field, Part):
             return self._parts[field.name]

@@ -68,8 +68,10 @@ def _read(component: Component) -> Template:
     token = _reading.set(template)
     try:
         with numpy_on_symbols():
-            for equation in _stated(scope, type(component), "equations"):
+            equations = [*_stated(scope, type(component), "equations")]
+            for equation in equations:
                 _add_equation(template, equation)
+            _check_declared(template, equations)
             template.transitions.extend(_stated(scope, type(component), "transitions"))
     finally:
         _reading.reset(token)
@@ -96,16 +98,21 @@ def _add_equation(template: Template, equation: Any) -> None:
     if plain[0] and plain[1] and plain[0][0] != plain[1][0]:
         template.aliases.append((plain[0][0], plain[1][0], plain[0][1] * plain[1][1]))
         return
+    _note_held(template, left, right)
+    template.residuals.append(left - right)
+
+
+def _check_declared(template: Template, equations: list[Any]) -> None:
+    """Raise for symbols in equations that the component does not declare."""
     declared = (template.parameters, template.modes, template.impulses, template.variables)
     known = {symbol.element_hash() for group in declared for symbol in group.values()}
     known.add(template.time.element_hash())
-    for symbol in ca.symvar(equation):
+    for symbol in ca.symvar(ca.vertcat(*equations)) if equations else ():
         if symbol.element_hash() not in known:
+            equation = next(e for e in equations if ca.depends_on(e, symbol))
             raise ModelError(
                 f"`{equation}` uses '{symbol}', which the component does not declare; use its own fields"
             )
-    _note_held(template, left, right)
-    template.residuals.append(left - right)
 
 
 def _note_held(template: Template, left: Any, right: Any) -> None:

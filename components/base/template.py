@@ -55,6 +55,21 @@ class Template:
         """Number of each variable by name; asked for once the equations are read."""
         return {name: number for number, name in enumerate(self.variables)}
 
+    @cached_property
+    def symbols(self) -> Any:
+        """The variables as one vector; asked for once the equations are read."""
+        return ca.vertcat(*self.variables.values())
+
+    @cached_property
+    def slopes(self) -> list[dict[int, Any]]:
+        """Slopes of each residual, by number of the variable; asked for once the equations are read."""
+        slopes: list[dict[int, Any]] = [{} for _ in self.residuals]
+        if slopes:
+            matrix = ca.jacobian(ca.vertcat(*self.residuals), self.symbols)
+            for row, number, slope in zip(*matrix.sparsity().get_triplet(), matrix.nonzeros(), strict=True):
+                slopes[row][number] = slope
+        return slopes
+
     def variable(self, name: str) -> Any:
         """Return the symbol of a variable, made when it is first asked for."""
         if name not in self.variables:
@@ -70,4 +85,4 @@ class Template:
         """Return the local name of a symbol, or None if it is no variable."""
         name = symbol.name() if isinstance(symbol, ca.SX) and symbol.is_symbolic() else ""
         known = self.variables.get(name)
-        return name if known is not None and ca.is_equal(known, symbol) else None
+        return name if known is not None and known.element_hash() == symbol.element_hash() else None

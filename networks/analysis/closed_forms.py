@@ -73,6 +73,7 @@ def quarter_car_damping(k: float, m_s: float, m_u: float, k_t: float) -> float:
 
     Source: Smith & Wang, Vehicle System Dynamics 42 (2004) 235-257.
     """
+    _all_above({"k": k, "m_s": m_s, "m_u": m_u, "k_t": k_t})
     return k * sqrt((m_s + m_u) / k_t)
 
 
@@ -80,7 +81,13 @@ def quarter_car_j1(
     k: float, m_s: float, m_u: float, k_t: float, V: float = 25.0, kappa: float = 5e-7
 ) -> float:
     """Return the least J1 of spring and damper: 2 pi sqrt(V kappa) sqrt(k) (k_t (m_s + m_u))^(1/4)/m_s."""
+    _all_above({"k": k, "m_s": m_s, "m_u": m_u, "k_t": k_t, "V": V, "kappa": kappa})
     return 2 * pi * sqrt(V * kappa) * sqrt(k) * sqrt(sqrt(k_t * (m_s + m_u))) / m_s
+
+
+def _all_above(values: dict[str, float]) -> None:
+    for name, value in values.items():
+        _above(value, name)
 
 
 def _above(value: float, name: str) -> None:

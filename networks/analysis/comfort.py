@@ -88,8 +88,8 @@ def weighted_rms(time: ArrayLike, acceleration: ArrayLike, weighting: str = "Wk"
             f"weighted_rms() takes as many finite instants as accelerations, at least 2; got {t.size} and "
             f"{a.size} with {np.count_nonzero(~np.isfinite(a))} not finite"
         )
-    if not np.allclose(np.diff(t), t[1] - t[0], rtol=1e-6, atol=0):
-        raise ModelError("weighted_rms() takes instants at equal steps; interpolate the record first")
+    if not (t[1] > t[0] and np.allclose(np.diff(t), t[1] - t[0], rtol=1e-6, atol=0)):
+        raise ModelError("weighted_rms() takes rising instants at equal steps; interpolate the record first")
     _, felt, _ = lsim(comfort_filter(weighting).to_scipy(), a, t - t[0])
     return float(np.sqrt(np.mean(felt**2)))
 

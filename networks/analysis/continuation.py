@@ -131,8 +131,11 @@ def harmonic_orbit(
         signals: constant values of other inputs.
         parameters: changed parameters.
     """
-    if not frequency > 0:
-        raise ModelError(f"a periodic motion needs frequency > 0 Hz, got {frequency:g}")
+    if not (frequency > 0 and amplitude > 0 and harmonics >= 1):
+        raise ModelError(
+            f"a periodic motion needs frequency > 0 Hz, amplitude > 0 and harmonics >= 1, got {frequency:g}, "
+            f"{amplitude:g} and {harmonics}"
+        )
     dae = network.dae() if isinstance(network, Network) else network
     balance = Balance(dae, driven, amplitude, outputs, harmonics, signals or {}, parameters or {})
     w = 2 * np.pi * frequency

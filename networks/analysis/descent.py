@@ -47,6 +47,8 @@ class Problem:
         self, dae: DAE, measure: Measure, bounds: Bounds, limits: Sequence[tuple[Measure, float]]
     ) -> None:
         check_names(dae, bounds)
+        if not callable(measure):
+            raise ModelError(f"a measure is a function of the equations and `parameters=`, got {measure!r}")
         wrong = [
             f"{n}: bounds go from a lower to a higher number, got {b}"
             for n, b in bounds.items()

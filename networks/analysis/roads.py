@@ -20,6 +20,7 @@ Array = NDArray[np.float64]
 N_0 = 0.1
 G_D: dict[str, float] = {letter: 16e-6 * 4.0**k for k, letter in enumerate("ABCDEFGH")}
 GRAVITY = 9.80665
+LONGEST = 1e7
 
 
 def road_spectrum(road_class: str, n: ArrayLike) -> Array:
@@ -65,13 +66,18 @@ def road_profile(
         high: greatest spatial frequency [cycle/m].
 
     Raises:
-        ModelError: for an unknown class, or a road shorter than its longest wave.
+        ModelError: for an unknown class, a road shorter than its longest wave, or one of over 1e7 waves.
     """
-    if not (speed > 0 and 0 < low < high):
+    if not (speed > 0 and 0 < low < high and seed >= 0):
         raise ModelError(
-            f"a road needs speed > 0 m/s and 0 < low < high, got speed={speed:g}, low={low:g}, high={high:g}"
+            f"a road needs speed > 0 m/s, 0 < low < high and seed >= 0, got speed={speed:g}, low={low:g}, "
+            f"high={high:g}, seed={seed}"
         )
     length = speed * duration
+    if not length * high <= LONGEST:
+        raise ModelError(
+            f"a road of {length:g} m has over {LONGEST:.0e} waves up to {high:g} cycle/m; drive a shorter one"
+        )
     if not length * low >= 1.0:
         raise ModelError(
             f"a road of {length:g} m holds no wave of {low:g} cycle/m; drive over {1 / (low * speed):g} s"
@@ -98,8 +104,11 @@ def bump(height: float, length: float, speed: float, begin: float = 0.0) -> Call
     Raises:
         ModelError: for a length or speed that is not above 0.
     """
-    if not (length > 0 and speed > 0):
-        raise ModelError(f"a bump needs length > 0 m and speed > 0 m/s, got {length:g} and {speed:g}")
+    if not (length > 0 and speed > 0 and math.isfinite(height)):
+        raise ModelError(
+            f"a bump needs a finite height, length > 0 m and speed > 0 m/s, "
+            f"got {height:g}, {length:g} and {speed:g}"
+        )
 
     def profile(t: Any) -> Any:
         x = speed * (t - begin)

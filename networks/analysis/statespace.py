@@ -62,6 +62,8 @@ class StateSpace:
         ):
             told = ", ".join(f"{k} {getattr(self, k).shape}" for k in "ABCD")
             raise ModelError(f"'{self.name}': matrices do not fit each other: {told}")
+        if not all(np.isfinite(M).all() for M in (self.A, self.B, self.C, self.D, *self.D_s)):
+            raise ModelError(f"'{self.name}': matrices must be of finite numbers")
         for names, stem, count in (("states", "x", n), ("inputs", "u", m), ("outputs", "y", p)):
             if not getattr(self, names):
                 object.__setattr__(self, names, tuple(f"{stem}{k + 1}" for k in range(count)))

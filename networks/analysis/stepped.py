@@ -84,7 +84,7 @@ def stepped_sine(
     state = dict(start or {})
     parameters = dict(options.pop("parameters", None) or {})
     steps = np.atleast_1d(np.asarray(frequencies, dtype=float))
-    if not (amplitude > 0 and (steps > 0).all()):
+    if not (amplitude > 0 and steps.size and (steps > 0).all()):
         raise ModelError(
             f"a stepped sine needs amplitude > 0 and frequencies > 0 Hz, got {amplitude:g}, {steps}"
         )
@@ -133,6 +133,10 @@ def describing_function(
 
     Source: Gelb & Vander Velde, Multiple-Input Describing Functions (1968), chapter 2.
     """
+    if not {"flange_a", "flange_b"} <= type(element).fields.keys():
+        raise ModelError(
+            f"a describing function is of an element with flange_a and flange_b, not of {element!r}"
+        )
     turning = getattr(type(element).fields.get("flange_a"), "domain", "") == "rotational"
     drive: Component = rotational.Position() if turning else Position()
     wall: Component = rotational.Fixed() if turning else Fixed()

@@ -174,6 +174,9 @@ def scatter(
     dae = network.dae() if isinstance(network, Network) else network
     if samples < 2:
         raise ModelError(f"scatter needs at least 2 samples, got {samples}")
+    below = [f"{name}: {share:g}" for name, share in spread.items() if not share >= 0]
+    if below or not spread:
+        raise ModelError("scatter takes relative deviations of at least 0:", below or ["there are none"])
     given = {**dae.parameter_values, **(parameters or {})}
     check_names(dae, spread)
     unit = qmc.LatinHypercube(len(spread), rng=np.random.default_rng(seed)).random(samples)

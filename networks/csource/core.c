@@ -4,9 +4,6 @@
 
 #include "core_state.h"
 
-#define NEWTON 50
-#define CLOSE 1e-12
-
 void core_stale(Core *c) {
     c->fresh = 0;
     c->slope_fresh = 0;
@@ -169,42 +166,6 @@ void core_slope_at(Core *c, double t, const double y[]) {
     for (int i = 0; i < NY; i++)
         if (!isfinite(c->by_time[i])) c->by_time[i] = 0;
     c->slope_fresh = 0;
-}
-
-/* Factor the algebraic rows of the slopes, under rows of the identity for the states. */
-int core_algebra_factor(Core *c, double t, const double y[]) {
-    core_slope_at(c, t, y);
-    for (int j = 0; j < NY; j++)
-        for (int k = model_slope_column[j]; k < model_slope_column[j + 1]; k++)
-            if (model_slope_row[k] < NX) c->slope[k] = model_slope_row[k] == j;
-    return core_factor(&c->algebra, c->slope, c->full);
-}
-
-int core_solve_algebra(Core *c, double t, double y[]) {
-    if (NZ == 0) return 1;
-    for (int round = 0; round < NEWTON; round++) {
-        double largest = 0, size = 0;
-        if (!core_motion_at(c, t, y, c->value) || !core_algebra_factor(c, t, y)) return 0;
-        for (int i = 0; i < NX; i++) c->value[i] = 0;
-        core_factor_solve(&c->algebra, c->value, c->full);
-        for (int i = NX; i < NY; i++) {
-            y[i] -= c->value[i];
-            largest = fmax(largest, fabs(c->value[i]));
-            size = fmax(size, fabs(y[i]));
-        }
-        if (!isfinite(size) || !isfinite(largest)) return 0;
-        if (largest <= CLOSE * (1 + size)) return 1;
-    }
-    return 0;
-}
-
-/* Put the rates of algebraic unknowns where motion left residuals. */
-int core_algebra_rates(Core *c, double t, const double y[], double rates[]) {
-    if (NZ == 0) return 1;
-    if (!core_algebra_factor(c, t, y)) return 0;
-    for (int i = NX; i < NY; i++) rates[i] = -c->by_time[i];
-    core_factor_solve(&c->algebra, rates, c->full);
-    return 1;
 }
 
 static CoreStatus impossible(Core *c, const char *what) {

@@ -12,21 +12,22 @@
 #define RECENT 200
 #define MESSAGE 1024
 
-/* Factors of a matrix with the pattern of the slopes: LU with pivoting, or sparse QR. */
+/* Factors of a matrix of the unknowns that are kept: LU with pivoting, or sparse QR. */
 typedef struct {
 #if MODEL_SPARSE
-    double v[ROOM(NV)], r[ROOM(NR)], beta[ROOM(NY)];
+    double v[ROOM(NV)], r[ROOM(NR)];
 #else
-    double lu[ROOM(NY * NY)];
-    int pivot[ROOM(NY)];
+    double lu[ROOM(NF * NF)];
+    int pivot[ROOM(NF)];
 #endif
 } Factor;
 
 /* One step of the integrator, from `t` over `h`, and its dense output. */
 typedef struct {
     double t, h;
-    double begin[ROOM(NY)], end[ROOM(NY)], error[ROOM(NY)];
-    double bend[3][ROOM(NY)];
+    double begin[ROOM(NY)], end[ROOM(NY)];
+    double bend[3][ROOM(NY)]; /* of the interpolation, once it is asked for */
+    int bent;
 } Step;
 
 /* Indicators, and how fast they rise. */
@@ -67,7 +68,7 @@ struct Core {
 
     /* Scratch: nothing here outlives a call, except as `slope_fresh` says. */
     double slope[ROOM(NSLOPE)], by_time[ROOM(NY)];
-    int still[ROOM(NY)];
+    int still[ROOM(NY)], still_count;
     double stage[STAGES][ROOM(NY)], trial[ROOM(NY)], value[ROOM(NY)], full[ROOM(NROWS + NY)];
     Factor factor, algebra;
     Step step;
@@ -114,11 +115,13 @@ void core_inputs_at(Core *c, double t);
 double core_free_at(const Core *c, int i, double t);
 int core_motion_at(Core *c, double t, const double y[], double rates[]);
 void core_slope_at(Core *c, double t, const double y[]);
+void core_arguments(Core *c, double t, const double y[], const double *arg[]);
+double *core_modes(Core *c);
+
+/* algebra.c */
 int core_solve_algebra(Core *c, double t, double y[]);
 int core_algebra_factor(Core *c, double t, const double y[]);
 int core_algebra_rates(Core *c, double t, const double y[], double rates[]);
-void core_arguments(Core *c, double t, const double y[], const double *arg[]);
-double *core_modes(Core *c);
 
 /* linear.c */
 int core_factor(Factor *f, const double entries[], double full[]);
@@ -144,7 +147,7 @@ void core_reset_variables(Core *c, const int changes[], int count);
 /* rosenbrock.c */
 int core_step_begin(Core *c);
 int core_step_try(Core *c, double h, double rtol, double atol, double *error);
-void core_step_dense(const Step *s, double t, double y[]);
+void core_step_dense(Core *c, double t, double y[]);
 
 /* locate.c */
 int core_locate(Core *c, double *t, double *begin, double *end, int *indicator);

@@ -203,12 +203,9 @@ CoreStatus core_strike(Core *c, int shocks[], int stays[], double impulses[], in
     core_arguments(c, c->t, c->y, arg);
     arg[4] = &c->t;
     if (status == CORE_OK) model_shock(arg, res, c->iw, c->w, 0);
-    if (status == CORE_OK && NZ > 0) {
-        if (!core_algebra_factor(c, c->t, c->y)) {
-            core_say(c, "a shock leaves the algebraic equations without a solution");
-            status = CORE_DISCARD;
-        }
-        core_slope_at(c, c->t, c->y);
+    if (status == CORE_OK && NZ > 0 && !core_algebra_factor(c, c->t, c->y)) {
+        core_say(c, "a shock leaves the algebraic equations without a solution");
+        status = CORE_DISCARD;
     }
     if (status == CORE_OK) status = collide(c, shocks, stays, impulses, count);
     memcpy(modes, kept, (NM + NI + NK) * sizeof *kept);

@@ -1,5 +1,5 @@
-/* Linear equations: LU with row pivoting, sparse Householder QR on a fixed pattern, and solutions of
- * least norm by one-sided Jacobi rotations (Golub, Van Loan, Matrix Computations, 5.2, 8.6). */
+/* Linear equations: the matrix of a step without states that follow another one (see rosenbrock.c), by LU with row
+ * pivoting or, where large, by sparse Householder QR on a fixed pattern; and solutions of least norm by one-sided Jacobi rotations (Golub, Van Loan, Matrix Computations, 5.2, 8.6). */
 #include <float.h>
 #include <math.h>
 #include <string.h>
@@ -37,40 +37,38 @@ int core_dense_factor(double lu[], int n, int pivot[]) {
 #if MODEL_SPARSE
 
 static void reflect(const Factor *f, int column, double x[]) {
-    const int *start = model_v_column + column;
+    int begin = model_v_column[column], end = model_v_column[column + 1];
     double size = 0;
-    for (int k = start[0]; k < start[1]; k++) size += f->v[k] * x[model_v_row[k]];
-    size *= f->beta[column];
-    for (int k = start[0]; k < start[1]; k++) x[model_v_row[k]] -= f->v[k] * size;
+    for (int k = begin; k < end; k++) size += f->v[k] * x[model_v_row[k]];
+    for (int k = begin; k < end; k++) x[model_v_row[k]] -= f->v[k] * size;
 }
 
+/* Columns of v have the length of a diagonal of the unit square; r holds the inverse of its diagonal. */
 int core_factor(Factor *f, const double entries[], double x[]) {
     memset(x, 0, NROWS * sizeof *x);
-    for (int c = 0; c < NY; c++) {
+    for (int c = 0; c < NF; c++) {
         int column = model_order[c], last = model_r_column[c + 1] - 1;
-        for (int k = model_slope_column[column]; k < model_slope_column[column + 1]; k++)
-            x[model_place[model_slope_row[k]]] = entries[k];
+        for (int k = model_reduced_column[column]; k < model_reduced_column[column + 1]; k++)
+            x[model_place[model_reduced_row[k]]] = entries[k];
         for (int k = model_r_column[c]; k < last; k++) {
             reflect(f, model_r_row[k], x);
             f->r[k] = x[model_r_row[k]];
             x[model_r_row[k]] = 0;
         }
-        double rest = 0, head = x[c], size;
-        for (int k = model_v_column[c]; k < model_v_column[c + 1]; k++) {
-            f->v[k] = x[model_v_row[k]];
-            if (model_v_row[k] != c) rest += f->v[k] * f->v[k];
-            x[model_v_row[k]] = 0;
-        }
+        double rest = 0, head = x[c], size, scale = 0;
+        for (int k = model_v_column[c]; k < model_v_column[c + 1]; k++)
+            if (model_v_row[k] != c) rest += x[model_v_row[k]] * x[model_v_row[k]];
         size = sqrt(head * head + rest);
         if (!(size > 0) || !(size <= DBL_MAX)) return 0;
-        f->beta[c] = 0;
-        f->r[last] = head;
+        f->r[last] = 1 / head;
         if (rest > 0) {
-            double first = head <= 0 ? head - size : -rest / (head + size);
-            for (int k = model_v_column[c]; k < model_v_column[c + 1]; k++)
-                if (model_v_row[k] == c) f->v[k] = first;
-            f->beta[c] = 2 / (first * first + rest);
-            f->r[last] = size;
+            x[c] = head <= 0 ? head - size : -rest / (head + size);
+            scale = sqrt(2 / (x[c] * x[c] + rest));
+            f->r[last] = 1 / size;
+        }
+        for (int k = model_v_column[c]; k < model_v_column[c + 1]; k++) {
+            f->v[k] = scale * x[model_v_row[k]];
+            x[model_v_row[k]] = 0;
         }
     }
     return 1;
@@ -78,26 +76,26 @@ int core_factor(Factor *f, const double entries[], double x[]) {
 
 void core_factor_solve(const Factor *f, double b[], double x[]) {
     memset(x, 0, NROWS * sizeof *x);
-    for (int i = 0; i < NY; i++) x[model_place[i]] = b[i];
-    for (int c = 0; c < NY; c++) reflect(f, c, x);
-    for (int c = NY - 1; c >= 0; c--) {
+    for (int i = 0; i < NF; i++) x[model_place[i]] = b[model_kept[i]];
+    for (int c = 0; c < NF; c++) reflect(f, c, x);
+    for (int c = NF - 1; c >= 0; c--) {
         int last = model_r_column[c + 1] - 1;
-        x[c] /= f->r[last];
+        x[c] *= f->r[last];
         for (int k = model_r_column[c]; k < last; k++) x[model_r_row[k]] -= f->r[k] * x[c];
-        b[model_order[c]] = x[c];
+        b[model_kept[model_order[c]]] = x[c];
     }
 }
 
 void core_factor_solve_transposed(const Factor *f, double b[], double x[]) {
     memset(x, 0, NROWS * sizeof *x);
-    for (int c = 0; c < NY; c++) {
+    for (int c = 0; c < NF; c++) {
         int last = model_r_column[c + 1] - 1;
-        double sum = b[model_order[c]];
+        double sum = b[model_kept[model_order[c]]];
         for (int k = model_r_column[c]; k < last; k++) sum -= f->r[k] * x[model_r_row[k]];
-        x[c] = sum / f->r[last];
+        x[c] = sum * f->r[last];
     }
-    for (int c = NY - 1; c >= 0; c--) reflect(f, c, x);
-    for (int i = 0; i < NY; i++) b[i] = x[model_place[i]];
+    for (int c = NF - 1; c >= 0; c--) reflect(f, c, x);
+    for (int i = 0; i < NF; i++) b[model_kept[i]] = x[model_place[i]];
 }
 
 #else
@@ -105,41 +103,40 @@ void core_factor_solve_transposed(const Factor *f, double b[], double x[]) {
 int core_factor(Factor *f, const double entries[], double full[]) {
     (void)full;
     memset(f->lu, 0, sizeof f->lu);
-    for (int j = 0; j < NY; j++)
-        for (int k = model_slope_column[j]; k < model_slope_column[j + 1]; k++)
-            f->lu[j * NY + model_slope_row[k]] = entries[k];
-    return core_dense_factor(f->lu, NY, f->pivot);
+    for (int j = 0; j < NF; j++)
+        for (int k = model_reduced_column[j]; k < model_reduced_column[j + 1]; k++)
+            f->lu[j * NF + model_reduced_row[k]] = entries[k];
+    return core_dense_factor(f->lu, NF, f->pivot);
 }
 
-void core_factor_solve(const Factor *f, double b[], double full[]) {
-    (void)full;
-    for (int k = 0; k < NY; k++) {
-        double kept = b[f->pivot[k]];
-        b[f->pivot[k]] = b[k];
-        b[k] = kept;
-    }
-    for (int k = 0; k < NY; k++)
-        for (int i = k + 1; i < NY; i++) b[i] -= f->lu[k * NY + i] * b[k];
-    for (int k = NY - 1; k >= 0; k--) {
-        b[k] /= f->lu[k * NY + k];
-        for (int i = 0; i < k; i++) b[i] -= f->lu[k * NY + i] * b[k];
-    }
+static void exchange(double b[], int i, int j) {
+    double kept = b[i];
+    b[i] = b[j];
+    b[j] = kept;
 }
 
-void core_factor_solve_transposed(const Factor *f, double b[], double full[]) {
-    (void)full;
-    for (int k = 0; k < NY; k++) {
-        for (int i = 0; i < k; i++) b[k] -= f->lu[k * NY + i] * b[i];
-        b[k] /= f->lu[k * NY + k];
+void core_factor_solve(const Factor *f, double b[], double x[]) {
+    for (int i = 0; i < NF; i++) x[i] = b[model_kept[i]];
+    for (int k = 0; k < NF; k++) exchange(x, k, f->pivot[k]);
+    for (int k = 0; k < NF; k++)
+        for (int i = k + 1; i < NF; i++) x[i] -= f->lu[k * NF + i] * x[k];
+    for (int k = NF - 1; k >= 0; k--) {
+        x[k] /= f->lu[k * NF + k];
+        for (int i = 0; i < k; i++) x[i] -= f->lu[k * NF + i] * x[k];
     }
-    for (int k = NY - 1; k >= 0; k--) {
-        for (int i = k + 1; i < NY; i++) b[k] -= f->lu[k * NY + i] * b[i];
+    for (int i = 0; i < NF; i++) b[model_kept[i]] = x[i];
+}
+
+void core_factor_solve_transposed(const Factor *f, double b[], double x[]) {
+    for (int i = 0; i < NF; i++) x[i] = b[model_kept[i]];
+    for (int k = 0; k < NF; k++) {
+        for (int i = 0; i < k; i++) x[k] -= f->lu[k * NF + i] * x[i];
+        x[k] /= f->lu[k * NF + k];
     }
-    for (int k = NY - 1; k >= 0; k--) {
-        double kept = b[f->pivot[k]];
-        b[f->pivot[k]] = b[k];
-        b[k] = kept;
-    }
+    for (int k = NF - 1; k >= 0; k--)
+        for (int i = k + 1; i < NF; i++) x[k] -= f->lu[k * NF + i] * x[i];
+    for (int k = NF - 1; k >= 0; k--) exchange(x, k, f->pivot[k]);
+    for (int i = 0; i < NF; i++) b[model_kept[i]] = x[i];
 }
 
 #endif

@@ -77,9 +77,11 @@ static int timed(const Core *c) {
     return 0;
 }
 
+/* Algebraic unknowns follow time, which a step need not: they are solved for where it matters. */
 static int watch_inside(Core *c, double t, Watched *w) {
     double y[ROOM(NY)];
-    core_step_dense(&c->step, t, y);
+    core_step_dense(c, t, y);
+    if (timed(c) && !core_solve_algebra(c, t, y)) return 0;
     return core_motion_at(c, t, y, c->value) && core_watch(c, t, y, c->value, w);
 }
 

@@ -17,8 +17,9 @@ from ..closed import input_value
 from ..dae import DAE, Input
 from ..stepper import nominal_sizes
 from ..vectors import column, pick
+from .reduction import Reduction
 from .tables import Tables
-from .text import generated, is_large
+from .text import generated
 
 DENSE = 32
 
@@ -47,15 +48,15 @@ class Model:
         """Return model.h and model.c."""
         functions = self.functions()
         tables = self._tables()
-        inputs = functions[0]  # the one that may be MX; others need room only where they are large
+        text, work = generated(functions)
         tables.size("MODEL_ARGS", max(f.sz_arg() for f in functions))
         tables.size("MODEL_RESULTS", max(f.sz_res() for f in functions))
-        tables.size("MODEL_INTEGERS", inputs.sz_iw())
-        tables.size("MODEL_WORK", max(f.sz_w() for f in (functions if is_large(functions) else [inputs])))
+        tables.size("MODEL_INTEGERS", max(f.sz_iw() for f in functions))
+        tables.size("MODEL_WORK", work)
         names = [f.name() for f in functions]
         return {
             "model.h": tables.header(self.dae.name, names),
-            "model.c": tables.source() + generated(functions),
+            "model.c": tables.source() + text,
         }
 
     def functions(self) -> list[Any]:
@@ -73,11 +74,12 @@ class Model:
         others = pick(dae.variables, self._reset_variables())
         published = column([dae.expression(name) for name in self.variables])
         by_time = ca.jtimes(motion, dae.u, u_rate) + ca.jacobian(motion, dae.time)
+        slope = ca.project(ca.jacobian(motion, ca.vertcat(dae.x, dae.z)), Reduction(dae).slopes)
         blocks = column([ca.vec(ca.densify(block.matrix)) for block in dae.blocks])
         return [
             self._inputs(),
             self._function("model_motion", [], [ca.densify(motion)]),
-            self._function("model_slope", [u_rate], [self._nonzeros(motion), ca.densify(by_time)]),
+            self._function("model_slope", [u_rate], [_sparse(slope), ca.densify(by_time)]),
             self._function(
                 "model_watch", rates, [ca.densify(indicators), ca.densify(self._moved(indicators, rates))]
             ),
@@ -107,18 +109,19 @@ class Model:
         """Return forward and reverse derivatives of motion and variables in x, z, u and p.
 
         Where a law has no slope in a parameter, as a power of zero in its exponent, directions in which
-        parameters stay have one all the same.
+        parameters stay have one all the same: the last argument says whether any parameter moves.
         """
         dae = self.dae
         results = ca.vertcat(motion, published)
         of = [*self._moving(), dae.p]
         seeds = [ca.SX.sym(f"seed{k}", s.numel()) for k, s in enumerate(of)]
         *moved, by_parameters = (ca.densify(ca.jtimes(results, s, d)) for s, d in zip(of, seeds, strict=True))
-        forward = sum(moved, ca.if_else(ca.sumsqr(seeds[-1]) != 0, by_parameters, 0))
+        tuned = ca.SX.sym("tuned")
+        forward = sum(moved, ca.if_else(tuned, by_parameters, 0))
         weights = ca.SX.sym("weights", results.numel())
         reverse = [ca.densify(ca.jtimes(results, s, weights, True)) for s in of]
         return [
-            self._function("model_forward", seeds, [ca.densify(forward)]),
+            self._function("model_forward", [*seeds, tuned], [ca.densify(forward)]),
             self._function("model_adjoint", [weights], reverse),
         ]
 
@@ -138,17 +141,6 @@ class Model:
             values.append(value)
         joined = ca.densify(ca.vertcat(kind(0, 1), *values))
         return ca.Function("model_inputs", [t], [joined, ca.densify(ca.jacobian(joined, t))], {"cse": True})
-
-    def pattern(self) -> Any:
-        """Return the sparsity of the slopes of motion in (x, z), the diagonal of x included."""
-        motion, y = ca.vertcat(self.dae.ode, self.dae.alg), ca.vertcat(self.dae.x, self.dae.z)
-        size, states = y.numel(), self.dae.x.numel()
-        diagonal = ca.Sparsity.triplet(size, size, list(range(states)), list(range(states)))
-        return ca.jacobian_sparsity(motion, y) + diagonal
-
-    def _nonzeros(self, motion: Any) -> Any:
-        slope = ca.jacobian(motion, ca.vertcat(self.dae.x, self.dae.z))
-        return _listed(ca.project(slope, self.pattern()))
 
     def _reset_variables(self) -> list[int]:
         """Return the variables that transitions reset and that are no states."""
@@ -222,8 +214,7 @@ class Model:
         tables.integers("model_reset_other", [others.get(r[0], -1) for r in resets])
         tables.integers("model_reset_sign", [r[1] for r in resets])
         tables.integers("model_reset_value", [r[2] for r in resets])
-        timed = set(ca.jacobian_sparsity(self._given(changes), self._given_by).row()) if changes else set()
-        tables.integers("model_change_timed", [k in timed for k in range(len(changes))])
+        tables.integers("model_change_timed", self._timed(changes))
         tables.integers(
             "model_in_shock_start", np.cumsum([0, *(len(v) for v in switching.mode_values)]).tolist()
         )
@@ -238,12 +229,17 @@ class Model:
         tables.strings("model_component", [c.component for c in changes])
         tables.strings("model_mode_name", switching.mode_names)
 
-    @property
-    def _given_by(self) -> Any:
-        return ca.vertcat(self.dae.time, self.dae.u)
-
-    def _given(self, changes: Any) -> Any:
-        return pick(self.dae.switching.expressions, [c.indicator for c in changes])
+    def _timed(self, changes: Any) -> list[bool]:
+        """Tell of each change whether time and inputs reach its indicator, be it by algebraic unknowns."""
+        if not changes:
+            return []
+        dae = self.dae
+        indicators = pick(dae.switching.expressions, [c.indicator for c in changes])
+        given = [dae.time, dae.u]
+        if any(ca.depends_on(dae.alg, symbol) for symbol in given):
+            given.append(dae.z)
+        rows = set(ca.jacobian_sparsity(indicators, ca.vertcat(*given)).row())
+        return [k in rows for k in range(len(changes))]
 
     def _blocks(self, tables: Tables) -> None:
         dae = self.dae
@@ -257,8 +253,15 @@ class Model:
 
     def _patterns(self, tables: Tables) -> None:
         dae = self.dae
-        pattern = self.pattern()
-        tables.sparsity("model_slope", "NSLOPE", pattern)
+        reduction = Reduction(dae)
+        tables.sparsity("model_slope", "NSLOPE", reduction.slopes)
+        tables.size("NF", len(reduction.kept))
+        tables.sparsity("model_reduced", "NREDUCED", reduction.pattern)
+        tables.integers("model_kept", reduction.kept)
+        tables.integers("model_entry", reduction.places)
+        tables.size("NLED", len(reduction.led_by))
+        tables.integers("model_led", list(reduction.led_by))
+        tables.integers("model_leader", list(reduction.led_by.values()))
         motion = ca.vertcat(dae.ode, dae.alg)
         tables.sparsity("model_response", "NRESPONSE", ca.jacobian_sparsity(motion, dae.impulses))
         shocks = [c.velocity for c in dae.switching.changes if c.impulse is not None]
@@ -269,9 +272,9 @@ class Model:
         )
         others = pick(dae.variables, self._reset_variables())
         tables.sparsity("model_other", "NOTHER", ca.jacobian_sparsity(others, dae.x))
-        large = pattern.size1() > DENSE
+        large = len(reduction.kept) > DENSE
         tables.size("MODEL_SPARSE", int(large))
-        tables.factor(pattern if large else None)
+        tables.factor(reduction.pattern if large else None)
 
 
 def _least(field: Any) -> float:
@@ -279,10 +282,6 @@ def _least(field: Any) -> float:
     return -np.inf if least is None else float(least)
 
 
-def _listed(matrix: Any) -> Any:
+def _sparse(matrix: Any) -> Any:
     """Return the nonzeros of a matrix as a full column."""
     return ca.densify(matrix.nz[:]) if matrix.nnz() else ca.SX(0, 1)
-
-
-def _sparse(matrix: Any) -> Any:
-    return _listed(matrix)

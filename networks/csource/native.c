@@ -65,7 +65,7 @@ static int stepped(void *context, Core *c, double until) {
         double t = run->outputs[run->next];
         if (t == until) record(run, t, c->y);
         else {
-            core_step_dense(&c->step, t, y);
+            core_step_dense(c, t, y);
             core_solve_algebra(c, t, y);
             record(run, t, y);
         }

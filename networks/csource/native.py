@@ -167,7 +167,7 @@ class _Store:
     def drain(self, run: Run) -> None:
         """Move what was recorded into `run`."""
         shared, native = self.shared, self.native
-        run.steps, rows = shared.steps, shared.row_count
+        rows = shared.row_count
         starts = self.starts[: shared.segment_count].tolist()
         times, points = self.times[:rows].copy(), self.points[:rows].copy()
         states, algebraic = points[:, : native.nx], points[:, native.nx :]
@@ -183,6 +183,7 @@ class _Store:
         if rows:
             run.point = Point(float(times[-1]), states[-1], algebraic[-1], run.segments[-1].q)
         shared.row_count = shared.segment_count = shared.event_count = 0
+        run.count(shared.steps - run.steps)
 
     def _event(self, k: int) -> Event:
         switching = self.native.dae.switching

@@ -11,13 +11,16 @@ static CoreStatus prepared(Core *c) {
 
 static void forward(Core *c, const double x[], const double z[], const double p[]) {
     const double *arg[ROOM(MODEL_ARGS)] = {0};
-    double *res[ROOM(MODEL_RESULTS)] = {c->results};
+    double *res[ROOM(MODEL_RESULTS)] = {c->results}, tuned = 0;
+    for (int i = 0; i < NP; i++)
+        if (p[i] != 0) tuned = 1;
     core_arguments(c, c->t, c->y, arg);
     arg[4] = &c->t;
     arg[5] = x;
     arg[6] = z;
     arg[7] = c->of_u;
     arg[8] = p;
+    arg[9] = &tuned;
     model_forward(arg, res, c->iw, c->w, 0);
 }
 

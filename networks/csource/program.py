@@ -20,7 +20,8 @@ HERE = Path(__file__).parent
 HEADERS = ("core.h", "core_state.h")
 PRODUCTS = ("products.c",)
 SOURCES = (
-    "core.c", "events.c", "impacts.c", "linear.c", "message.c", "rosenbrock.c", "locate.c", "stepper.c",
+    "algebra.c", "core.c", "events.c", "impacts.c", "linear.c", "locate.c", "message.c", "rosenbrock.c",
+    "stepper.c",
 )  # fmt: skip
 
 

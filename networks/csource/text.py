@@ -10,6 +10,8 @@ from typing import Any
 
 import casadi as ca
 
+from .loops import looped
+
 PRELUDE = """\
 #define CASADI_SYMBOL_EXPORT
 #ifdef __GNUC__
@@ -22,12 +24,6 @@ PRELUDE = """\
 #endif
 
 """
-QUICK = """\
-#if defined(__GNUC__) && !defined(__clang__)
-#pragma GCC optimize ("O1")
-#endif
-
-"""
 BESIDE = re.compile(
     r"^CASADI_SYMBOL_EXPORT [^\n]*?_(?:alloc_mem|init_mem|free_mem|checkout|release|incref|decref|n_in|n_out"
     r"|default_in|name_in|name_out|sparsity_in|sparsity_out|work|work_bytes)\([^\n]*\) ?\{.*?^\}\n+",
@@ -35,16 +31,19 @@ BESIDE = re.compile(
 )
 READ = re.compile(r"arg\[(\d+)\]\? arg\[\1\]\[(\d+)\] : 0;")
 WRITE = re.compile(r"if \(res\[\d+\]!=0\) res")
-STATEMENTS = re.compile(r"(?:^  (?:w|res\[\d+\])\[\d+\]=[^\n]*;\n)+", re.MULTILINE)
-LARGE, PART = 3000, 200
+BODY = re.compile(
+    r"^static int casadi_f\d+\([^\n]*\{\n((?:  (?:w|res\[\d+\])\[\d+\]=[^\n]*;\n)+)  return 0;\n",
+    re.MULTILINE,
+)
+PLACE = re.compile(r"\bw\[(\d+)\]")
+LARGE = 3000
 
 
-def generated(functions: Sequence[Any]) -> str:
-    """Return functions as C, without what CasADi adds for its own use.
+def generated(functions: Sequence[Any]) -> tuple[str, int]:
+    """Return functions as C, without what CasADi adds for its own use, and the work array they need.
 
-    No argument or result is ever left out, so none is asked for. Where functions are large, values
-    stand in the work array and statements are dealt out to functions of their own, since compilers take
-    more than their share of time for long ones; more optimization would take time and gain nothing.
+    No argument or result is ever left out, so none is asked for. Where functions are large, values stand in
+    the work array, and long rows of statements become loops.
     """
     large = is_large(functions)
     with TemporaryDirectory() as folder:
@@ -55,7 +54,8 @@ def generated(functions: Sequence[Any]) -> str:
         path = generator.generate(f"{folder}/")
         text = Path(path).read_text()
     text = WRITE.sub("res", READ.sub(r"arg[\1][\2];", BESIDE.sub("", text)))
-    return PRELUDE + (QUICK + _dealt_out(text) if large else text)
+    room = max((f.sz_w() for f in functions if not f.is_a("SXFunction")), default=0)
+    return _with_loops(PRELUDE + text, room) if large else (PRELUDE + text, room)
 
 
 def is_large(functions: Sequence[Any]) -> bool:
@@ -63,26 +63,14 @@ def is_large(functions: Sequence[Any]) -> bool:
     return any(f.is_a("SXFunction") and f.n_instructions() > LARGE for f in functions)
 
 
-def _dealt_out(text: str) -> str:
-    """Move long rows of statements into functions of their own, before the one that has them."""
+def _with_loops(text: str, room: int) -> tuple[str, int]:
+    """Put loops where functions are rows of statements, and tell how much room they need, or more."""
     pieces: list[str] = []
-    count, end = 0, 0
-    for match in STATEMENTS.finditer(text):
-        statements = match.group().splitlines(keepends=True)
-        if len(statements) <= PART:
-            continue
-        before = text[end : match.start()]
-        head = before.rindex("static int casadi_f")
-        parts, calls = [], []
-        for first in range(0, len(statements), PART):
-            name = f"part_{count}"
-            count += 1
-            body = "".join(statements[first : first + PART])
-            parts.append(f"PART void {name}{PARTED} {{\n{body}}}\n\n")
-            calls.append(f"  {name}(arg, res, w);\n")
-        pieces += [before[:head], *parts, before[head:], *calls]
-        end = match.end()
-    return "".join([*pieces, text[end:]])
-
-
-PARTED = "(const double **arg, double **res, double *w)"
+    end = 0
+    for number, match in enumerate(BODY.finditer(text)):
+        parts, calls, needed = looped(match.group(1).splitlines(keepends=True), f"part_{number}")
+        pieces += [text[end : match.start()], parts, text[match.start() : match.start(1)], calls]
+        room, end = max(room, needed), match.end(1)
+    pieces.append(text[end:])
+    untouched = [int(place) for piece in pieces[::4] for place in PLACE.findall(piece)]
+    return "".join(pieces), max([room, *(place + 1 for place in untouched)])

@@ -1,6 +1,7 @@
 """Ready-made machines."""
 
 from . import ge_wang as ge_wang
+from .absorbers import TMD as TMD
 from .absorbers import TMDI as TMDI
 from .absorbers import tid as tid
 from .absorbers import tvmd as tvmd

@@ -19,11 +19,38 @@ from ...components import (
 from ..algebra import parallel, series
 
 
+class TMD(TwoFlanges):
+    """Tuned mass damper: a mass on spring and damper at flange_b; nothing acts on flange_a.
+
+    Args:
+        m: mass [kg]; k: stiffness [N/m]; d: damping constant [N.s/m].
+
+    Source: J. P. Den Hartog, Mechanical Vibrations, 4th ed. (1956), section 3.3.
+    """
+
+    m = parameter("kg", "mass", above=0)
+    k = parameter("N/m", "stiffness", min=0)
+    d = parameter("N.s/m", "damping constant", min=0)
+    f = variable("N", "force on the structure")
+
+    mass = Mass(m=m)
+    link = SpringDamper(k=k, d=d)
+
+    def equations(self) -> Iterable[Any]:
+        yield self.f == self.flange_b.f
+        yield self.flange_a.f == 0.0
+
+    def connections(self) -> Iterable[Any]:
+        yield self.flange_b, self.link.flange_a
+        yield self.link.flange_b, self.mass.flange
+
+
 class TMDI(TwoFlanges):
     """Tuned mass damper inerter: a mass on spring and damper at flange_b, and an inerter from it to flange_a.
 
     Args:
-        m: mass [kg]; k: stiffness [N/m]; d: damping constant [N.s/m]; b: inertance [kg].
+        m: mass [kg]; k: stiffness [N/m]; d: damping constant [N.s/m].
+        b: inertance [kg], above 0; without inerter it is a `TMD`.
         inerter: instead of the ideal one.
 
     Source: Marian & Giaralis, Probabilistic Engineering Mechanics 38 (2014) 156-164.

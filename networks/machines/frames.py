@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 
+import numpy as np
+
 from ...components import Component, Fixed, Force, Mass, ModelError, Position, Spring, SpringDamper
 from ..network import Network
 
@@ -25,15 +27,15 @@ def shear_frame(
         absorbers: two-terminal absorbers by the floors (lower, upper) they join; 0 is the ground.
 
     Raises:
-        ModelError: for lengths that differ, or an absorber at a floor that is not there.
+        ModelError: for lengths that differ, or an absorber that does not join two floors that are there.
 
     Example:
         >>> from inertance import shear_frame, tid
         >>> frame = shear_frame([1e3] * 3, [1.5e6] * 3, absorbers={(0, 1): tid(k=3e4, d=300.0, b=200.0)})
     """
+    if not (np.ndim(m) == np.ndim(k) == 1 and len(m)):
+        raise ModelError(f"a frame needs at least one floor, and lists of m and k; got {m!r} and {k!r}")
     damping = d or [0.0] * len(m)
-    if not len(m):
-        raise ModelError("a frame needs at least one floor")
     if not len(m) == len(k) == len(damping):
         raise ModelError(f"a frame needs as many m, k and d, got {len(m)}, {len(k)} and {len(damping)}")
     frame = Network("shear frame", ground=Position(s_ref=0.0))
@@ -44,9 +46,12 @@ def shear_frame(
         flanges.append(getattr(frame, f"floor{n}").flange)
         frame.connect(flanges[n - 1], getattr(frame, f"storey{n}").flange_a)
         frame.connect(getattr(frame, f"storey{n}").flange_b, flanges[n])
-    for number, ((lower, upper), absorber) in enumerate((absorbers or {}).items(), start=1):
-        if not {lower, upper} <= set(range(len(flanges))):
-            raise ModelError(f"absorber {number} joins floors {lower} and {upper}; there are 0 to {len(m)}")
+    for number, (floors, absorber) in enumerate((absorbers or {}).items(), start=1):
+        if not (np.shape(floors) == (2,) and {*floors} <= {*range(len(flanges))} and floors[0] != floors[1]):
+            raise ModelError(
+                f"absorber {number} joins two floors, (lower, upper), there are 0 to {len(m)}; got {floors}"
+            )
+        lower, upper = floors
         frame.add(**{f"absorber{number}": absorber})
         frame.connect(absorber.flange_a, flanges[lower]).connect(absorber.flange_b, flanges[upper])
     frame.add(wind=Force(f=0.0))
@@ -67,12 +72,14 @@ def taut_cable(
         at: the bead it holds.
 
     Raises:
-        ModelError: for a bead that is not there.
+        ModelError: for a bead that is not there, or no length.
 
     Limits: the frequency of mode n is low by about (n pi/parts)^2/24.
     """
     if not 1 <= at < parts:
-        raise ModelError(f"the cable has beads 1 to {parts - 1}, got {at}")
+        raise ModelError(f"the cable of {parts} parts has beads 1 to {parts - 1}, got {at}")
+    if not L > 0:
+        raise ModelError(f"the cable needs a length above 0 m, got {L:g}")
     step = L / parts
     cable = Network("taut cable", left=Fixed(), right=Fixed(), wind=Force(f=0.0))
     before = cable.left.flange

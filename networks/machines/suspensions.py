@@ -22,16 +22,16 @@ LAYOUTS: dict[str, Callable[..., Any]] = {
         pair=parallel(damper=damper, inerter=inerter), relaxation=relaxation
     ),
     "S6": lambda damper, inerter, relaxation, **_: series(
-        damper=damper, inerter=inerter, relaxation=relaxation
+        relaxation=relaxation, damper=damper, inerter=inerter
     ),
     "S7": lambda damper, inerter, centring_d, centring_b, **_: series(
         upper=parallel(damper=damper, centring=centring_d),
         lower=parallel(inerter=inerter, centring=centring_b),
     ),
     "S8": lambda damper, inerter, centring_d, centring_b, relaxation, **_: series(
+        relaxation=relaxation,
         upper=parallel(damper=damper, centring=centring_d),
         lower=parallel(inerter=inerter, centring=centring_b),
-        relaxation=relaxation,
     ),
 }
 
@@ -47,12 +47,14 @@ def suspension(
 ) -> Any:
     """Return a strut of two flanges: `spring` of stiffness k parallel to `rest`, by layout.
 
-        S1: d                 S5: (d parallel b) in series with k_b
-        S2: d - k_b           S6: d - b - k_b
+        S1: d                 S5: (d parallel b) - k_b
+        S2: d - k_b           S6: k_b - d - b
         S3: d parallel b      S7: (d parallel k_1) - (b parallel k_2)
-        S4: d - b             S8: (d parallel k_1) - (b parallel k_2) - k_b
+        S4: d - b             S8: k_b - (d parallel k_1) - (b parallel k_2)
 
-    where - is in series. Parts are called `damper`, `inerter`, `relaxation` (k_b) and `centring` (k_1, k_2).
+    where - is in series, from the wheel up. So the housing of a real inerter, which has no mass of its own,
+    is on the body or on a damper, and its play leaves it on no spring alone. Parts are called `damper`,
+    `inerter`, `relaxation` (k_b) and `centring` (k_1, k_2).
 
     Args:
         layout: "S1" to "S8".

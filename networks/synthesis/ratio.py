@@ -89,6 +89,11 @@ class Ratio:
                     return Ratio(num, den, self.tolerance).reduced()
         return self
 
+    def __call__(self, s: complex) -> complex:
+        """Return the value, in sixteen digits."""
+        num, den = (np.polyval([float(c) for c in reversed(p)], s) for p in (self.num, self.den))
+        return complex(num / den)
+
     @property
     def inverse(self) -> Ratio:
         """1/F."""
@@ -125,8 +130,16 @@ class Ratio:
             poles.append(pole)
         return poles, Ratio(_unless_rounding(num, self.num, self.tolerance), den, self.tolerance)
 
+    def without_pair(self, x: Decimal) -> tuple[AxisPole, Ratio]:
+        """Return the pair of poles at w^2 = x and what is left without it."""
+        pole, num, den = _without_pair(self.num, self.den, x)
+        return pole, Ratio(_unless_rounding(num, self.num, self.tolerance), den, self.tolerance)
+
     def least_real(self) -> tuple[Decimal, Decimal, Decimal]:
-        """Return the least Re F(jw), w^2 where it is, and how much of it is rounding; F has no axis poles."""
+        """Return the least Re F(jw), w^2 where it is, and how much of it is rounding; F has no axis poles.
+
+        Of places that rounding does not tell apart it is an end, 0 or infinity, if one is among them.
+        """
         real, _, below = _parts(self.num, self.den)
         turning = plus(times(derivative(real), below), times(real, derivative(below)), -ONE)
         found = [
@@ -138,7 +151,8 @@ class Ratio:
             found.append((top, INFINITY, abs(top) * self.tolerance))
         else:
             found.append((ZERO, INFINITY, ZERO))
-        return min(found)
+        least, _, rounding = min(found)
+        return min((end for end in (found[0], found[-1]) if end[0] - least <= rounding), default=min(found))
 
     def less(self, constant: Decimal, x: Decimal) -> Ratio:
         """Return F - constant, which is the least real part, at x."""

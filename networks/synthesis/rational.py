@@ -44,9 +44,9 @@ class RationalFunction:
         self, num: Sequence[float] | ArrayLike, den: Sequence[float] | ArrayLike, accuracy: float = GIVEN
     ) -> None:
         for name, given in (("num", num), ("den", den)):
+            if not np.isrealobj(given) or not np.isfinite(np.asarray(given, dtype=float)).all():
+                raise ModelError(f"{name} must be finite real numbers, got {given!r}")
             coefficients = np.trim_zeros(np.atleast_1d(np.asarray(given, dtype=float)).ravel(), "f")
-            if not np.isfinite(coefficients).all():
-                raise ModelError(f"{name} must be finite numbers, got {given!r}")
             object.__setattr__(self, name, tuple(float(c) for c in coefficients))
         object.__setattr__(self, "accuracy", accuracy)
         if not self.den:

@@ -19,10 +19,10 @@ ACCURACY, LOSS = 1e-9, 1e4
 
 
 def synthesise(admittance: Any) -> TwoTerminal:
-    """Return springs, dampers and inerters in series and parallel with an admittance Y(s) = F/v [N.s/m].
+    """Return springs, dampers and inerters that have an admittance Y(s) = F/v [N.s/m].
 
-    Poles on the imaginary axis and resistances are split off while they lead on; where neither does, Bott and
-    Duffin's cycle goes on without transformers. A regular biquadratic takes at most five elements.
+    Poles on the imaginary axis and resistances are split off while they lead on; where neither does, a bridge
+    goes on without transformers. A regular biquadratic takes at most five elements, any other at most eight.
 
     Args:
         admittance: what `RationalFunction.of` takes: (num, den), highest power first, or a linear system.
@@ -32,7 +32,8 @@ def synthesise(admittance: Any) -> TwoTerminal:
         ModelError: if it is zero, or coefficients are too close to degenerate to be realised.
 
     Source: R. Bott, R. J. Duffin, J. Appl. Phys. 20 (1949) 816; J. Z. Jiang, M. C. Smith, IEEE Trans.
-    Automat. Contr. 56 (2011) 1275-1290 (regular biquadratics).
+    Automat. Contr. 56 (2011) 1275-1290 (biquadratics of two reactive elements); T. H. Hughes, IEEE Trans.
+    Automat. Contr. 62 (2017) 4333-4346 (bridges).
 
     Example:
         >>> from inertance import admittance, synthesise

@@ -1,4 +1,4 @@
-"""Springs, dampers and inerters in series and in parallel, before they become components."""
+"""Springs, dampers and inerters in series, in parallel and in bridges, before they become components."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from ...components import Component, Damper, Inerter, Spring
-from ..algebra import parallel, series
+from ..algebra import bridge, parallel, series
 from .ratio import Scale
 
 
@@ -65,7 +65,33 @@ class Join:
         return joined(*(part.component() for part in self.parts))
 
 
-Tree = Element | Join
+@dataclass(frozen=True)
+class Bridge:
+    """Five parts as `bridge` joins them."""
+
+    parts: tuple[Tree, ...]
+
+    @property
+    def elements(self) -> list[Element]:
+        """All elements."""
+        return [element for part in self.parts for element in part.elements]
+
+    def __call__(self, s: Any) -> Any:
+        """Return the admittance: the trees that join all nodes over those that part the ends."""
+        a, b, c, d, e = (part(s) for part in self.parts)
+        whole = a * b * (c + d + e) + c * d * (a + b + e) + e * (a * d + b * c)
+        return whole / ((a + b) * (c + d) + e * (a + b + c + d))
+
+    def at(self, scale: Scale) -> Bridge:
+        """Return the network of the true function from that of the normalised one."""
+        return Bridge(tuple(part.at(scale) for part in self.parts))
+
+    def component(self) -> Component:
+        """Return the two-terminal element."""
+        return bridge(*(part.component() for part in self.parts))
+
+
+Tree = Element | Join | Bridge
 
 
 def joined(beside: bool, parts: list[Tree]) -> Tree:
@@ -73,9 +99,15 @@ def joined(beside: bool, parts: list[Tree]) -> Tree:
     flat: list[Tree] = []
     for part in parts:
         flat += part.parts if isinstance(part, Join) and part.beside == beside else [part]
-    kept: list[Tree] = [part for part in flat if isinstance(part, Join)]
+    kept: list[Tree] = [part for part in flat if not isinstance(part, Element)]
     for power in (-1, 0, 1):
         alike = [p.value for p in flat if isinstance(p, Element) and p.power == power]
         if alike:
             kept.append(Element(power, sum(alike) if beside else 1 / sum(1 / v for v in alike)))
     return kept[0] if len(kept) == 1 else Join(beside, tuple(kept))
+
+
+def bridged(beside: bool, parts: list[Tree]) -> Bridge:
+    """Return the bridge of parts given for an impedance, or its dual for an admittance."""
+    a, b, c, d, e = parts
+    return Bridge((a, c, b, d, e) if beside else (a, b, c, d, e))

@@ -105,16 +105,18 @@ def test_one_way_clutch(switches: Switches) -> None:
 
     # it carries half of the drive's torque and lets go, unpressed, at 1e-4 of 1.5 N.m
     late = np.arcsin(2 * 1.5e-4 / 10) / (6 * pi)
-    lets_go = 1 / 6 + late, 0.95, 7 / 6 + late
-    locks = (
-        brentq(lambda t: given(t) - 0.5, 0.0, 1 / 6, xtol=1e-13),
-        brentq(ahead, 0.31, 0.5, (lets_go[0], 0.3), xtol=1e-13),
-        1.05,
-        brentq(ahead, 1.61, 1.8, (lets_go[2], 1.6), xtol=1e-13),
-    )
+    # at 1.5 s it comes to rest a moment before the drive turns, and lets go as long after
+    lets_go = 1 / 6 + late, 0.95, 7 / 6 + late, 3 / 2 + late
+    locks = [
+        pytest.approx(brentq(lambda t: given(t) - 0.5, 0.0, 1 / 6, xtol=1e-13), abs=3e-8),
+        pytest.approx(brentq(ahead, 0.31, 0.5, (lets_go[0], 0.3), xtol=1e-13), abs=3e-8),
+        pytest.approx(1.05, abs=3e-8),
+        pytest.approx(3 / 2 - late, abs=1e-7),
+        pytest.approx(brentq(ahead, 1.61, 1.8, (lets_go[3], 1.6), xtol=1e-13), abs=3e-8),
+    ]
     found = switches(run, "oneWayClutch.mode")
     assert [t for t, mode in found if mode == "forward"] == pytest.approx([0.0, *lets_go], abs=1e-8)
-    assert [t for t, mode in found if mode == "stuck"] == pytest.approx(locks, abs=3e-8)
+    assert [t for t, mode in found if mode == "stuck"] == locks
 
     t, slip = run["time"], run["oneWayClutch.w_rel"]
     assert run["inertiaIn.w"] + run["inertiaOut.w"] == pytest.approx(given(t) - 0.5, abs=1e-7)

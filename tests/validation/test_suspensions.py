@@ -112,6 +112,28 @@ def test_layouts_are_ranked_as_their_generality_demands(measure: Any) -> None:
     assert max(from_layout[name] for name in ("S4", "S6")) < without
 
 
+def test_load_and_travel_against_equations_by_hand() -> None:
+    """J5 as the greatest gain on a fine grid; rms travel by the integral over all frequencies."""
+    m_s, m_u, k_t, k, d, V, kappa = 250.0, 35.0, 150e3, 60e3, 2600.0, 25.0, 5e-7
+    car = ia.quarter_car(ia.suspension("S1", k, d))
+
+    def moved(w: Any, force: float, road: float) -> Any:
+        s = 1j * w
+        strut = k + d * s
+        det = (m_s * s**2 + strut) * (m_u * s**2 + strut + k_t) - strut**2
+        z_s = (force * (m_u * s**2 + strut + k_t) + strut * k_t * road) / det
+        z_u = (force * strut + (m_s * s**2 + strut) * k_t * road) / det
+        return z_s, z_s - z_u
+
+    w = np.linspace(1e-3, 400.0, 400_001)
+    found = ia.load_j5(car)
+    assert found == pytest.approx(abs(moved(w, 1.0, 0.0)[0]).max(), rel=1e-8)
+    assert found.frequency is not None
+    power = abs(moved(w, 0.0, 1.0)[1] / w) ** 2
+    rms = 2 * pi * sqrt(V * kappa) * sqrt(np.trapezoid(power, w) / pi)
+    assert ia.suspension_travel(car, V=V, kappa=kappa) == pytest.approx(rms, rel=1e-3)
+
+
 def test_iso_2631_weights_are_those_of_the_table() -> None:
     f = [0.5, 1.0, 2.0, 4.0, 6.3, 8.0, 16.0, 31.5, 80.0]
     table = [0.418, 0.482, 0.531, 0.967, 1.054, 1.036, 0.768, 0.405, 0.132]

@@ -96,6 +96,21 @@ def test_an_entry_twice(tmp_path: Path) -> None:
         FMU(path)
 
 
+def test_a_folder_twice_is_harmless(tmp_path: Path) -> None:
+    path = packed(tmp_path / "folders.fmu", {})
+    with zipfile.ZipFile(path, "a") as archive:
+        archive.mkdir("extra/")
+        with pytest.warns(UserWarning, match="Duplicate name"):
+            archive.mkdir("extra/")
+    FMU(path)
+
+
+def test_a_folder_instead_of_a_file(tmp_path: Path) -> None:
+    (tmp_path / "folder.fmu").mkdir()
+    with pytest.raises(FMUError, match="is a folder"):
+        FMU(tmp_path / "folder.fmu")
+
+
 @pytest.mark.parametrize("lie", [False, True], ids=["told", "denied by the header"])
 def test_a_zip_bomb(tmp_path: Path, clean_folder: Path, lie: bool) -> None:
     path = packed(tmp_path / "bomb.fmu", {BINARY: b"x", "resources/zeros": bytes(80 << 20)})

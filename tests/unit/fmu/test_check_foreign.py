@@ -36,6 +36,13 @@ def test_sound_ones_pass(make_fmu: MakeFMU) -> None:
     assert runs.passed, runs.told
 
 
+def test_an_fmu_may_end_the_run(make_fmu: MakeFMU) -> None:
+    report = ia.check_fmu(make_fmu("clock"), 1.5, step=0.01, isolated=False)
+    runs = report.of("FMI 2.0 ME", "run")
+    assert runs.passed, runs.told
+    assert "to 1 s, where the FMU ended it" in runs.told
+
+
 def test_what_is_no_fmu_is_refused(tmp_path: Path) -> None:
     path = tmp_path / "broken.fmu"
     path.write_bytes(b"no archive")

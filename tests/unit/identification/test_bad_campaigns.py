@@ -88,7 +88,7 @@ TEXTS = {
     "two channels drive one input": (F, f'{F}\ny = {{ input = "table.s_ref" }}', "channels.y: 'table.s_ref' is driven by channel 'x' already"),
     "no outputs": (F, "", "channels: no output is measured, so there is nothing to compare"),
     "no inputs": (X, "", "channels: input 'table.s_ref' [m] has no signal; measure it or bind it"),
-    "unknown input": ("table.s_ref", "table.s_rel", "channels.x: the network has no input 'table.s_rel'; did you mean 'table.s_ref'?"),
+    "unknown input": ("table.s_ref", "table.s_rel", "channels.x: the model has no input 'table.s_rel'; did you mean 'table.s_ref'?"),
     "unknown output": ('"spring.f"', '"sprnig.f"', "'sprnig.f'; did you mean 'spring.f'?"),
     "output is a number": ('"spring.f"', "3", "channels.F: output must be a text in quotes, got 3"),
     "output is a parameter": ('"spring.f"', '"spring.k"', "channels.F: 'spring.k' is a parameter, which no sensor measures"),

@@ -336,3 +336,20 @@ def test_equations_that_end_without_an_event_end_the_run_there() -> None:
     kept = caught.value.result
     assert isinstance(kept, ia.Result)
     assert kept["mass.s"][-1] == pytest.approx(0.05, abs=1e-4)
+
+
+@pytest.mark.parametrize("solver", SOLVERS)
+def test_progress_advances_within_one_call_of_the_integrator(
+    solver: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    told: list[float] = []
+    monkeypatch.setattr("inertance.networks.progress.EVERY", 0.005)
+    monkeypatch.setattr("inertance.networks.progress.Progress.at", lambda _, t: told.append(t))
+    net = smooth()
+    run = net.simulate(100.0, step=0.1, progress=True, solver=solver, **TIGHT)
+    assert run.stats["integrator calls"] == 1
+    assert told == sorted(told)
+    assert told[-1] == 100.0
+    assert sum(0.0 < t < 100.0 for t in told) >= 2
+    quiet = net.simulate(100.0, step=0.1, solver=solver, **TIGHT)
+    assert (run["mass.s"] == quiet["mass.s"]).all()

@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 
 D = "strut.rest.damper.d"
+NAN = np.full((1, 1), np.nan)
 
 
 def car() -> ia.Network:
@@ -115,6 +116,26 @@ def test_a_bad_ground_motion_is_refused(values: str, told: str, tmp_path: Path) 
         (lambda: ia.harmonic_orbit(closed(), "push.f", 1.0, 0.0, ["mass.s"]), "frequency > 0 Hz"),
         (lambda: ia.describing_function(ia.Spring(k=1.0), 0.0), "amplitude > 0"),
         (lambda: ia.shear_frame([], []), "at least one floor"),
+        (lambda: ia.shear_frame(1e3, 1e6), "lists of m and k"),  # type: ignore[arg-type]
+        (lambda: ia.shear_frame([1.0], [1.0], absorbers={0: ia.tid(1, 1, 1)}), "two floors"),  # type: ignore[dict-item]
+        (lambda: ia.shear_frame([1.0], [1.0], absorbers={(1, 1): ia.tid(1, 1, 1)}), "two floors"),
+        (lambda: ia.taut_cable(0.0, 1e3, 1.0), "length above 0 m, got 0"),
+        (lambda: ia.quarter_car_damping(-1.0, 250.0, 35.0, 1e5), "k must be above 0, got -1"),
+        (lambda: ia.quarter_car_j1(1e4, 250.0, 35.0, 1e5, V=np.nan), "V must be above 0, got nan"),
+        (lambda: ia.road_profile("A", 10.0, np.inf), "over 1e.07 waves"),
+        (lambda: ia.road_profile("A", 10.0, 100.0, seed=-1), "seed >= 0"),
+        (lambda: ia.bump(np.nan, 1.0, 1.0), "finite height"),
+        (lambda: ia.weighted_rms([2.0, 1.0, 0.0], [1.0, 2.0, 3.0]), "rising instants"),
+        (lambda: ia.tune(car(), 3, {D: (1e3, 2e3)}), "a measure is a function"),  # type: ignore[arg-type]
+        (lambda: ia.scatter(car(), ia.ride_j1, {D: -0.1}), "at least 0"),
+        (lambda: ia.scatter(car(), ia.ride_j1, {}), "there are none"),
+        (lambda: ia.stepped_sine(car(), "road.s_ref", 1e-3, [], ["body.s"]), "frequencies > 0"),
+        (lambda: ia.harmonic_orbit(car(), "road.s_ref", 1.0, 1.0, ["body.s"], harmonics=0), "harmonics >= 1"),
+        (lambda: ia.harmonic_orbit(car(), "road.s_ref", np.nan, 1.0, ["body.s"]), "amplitude > 0"),
+        (lambda: ia.describing_function(ia.Mass(m=1.0), 1.0), "flange_a and flange_b"),
+        (lambda: ia.StateSpace(NAN, NAN, NAN, NAN), "finite numbers"),
+        (lambda: ia.synthesise(([1j], [1.0])), "finite real numbers"),
+        (lambda: ia.suspension("s4", 1.0, 1.0), "got 's4'"),
         (lambda: ia.sweep(None, {"x": []}, one), "one parameter and one point"),
         (lambda: ia.sweep(None, {}, one), "one parameter and one point"),
         (lambda: ia.sweep(None, {"x": "abc"}, one), "takes a list of values"),

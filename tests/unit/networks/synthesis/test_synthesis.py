@@ -158,12 +158,109 @@ def test_lossless_functions_become_foster_forms() -> None:
     assert kinds(ia.synthesise((den, num))) == {"Inerter": 2, "Spring": 3}
 
 
-def test_a_minimum_function_takes_bott_and_duffins_cycle() -> None:
-    strut = ia.synthesise(([1.0, 1.0, 1.0], [1.0, 1.0, 4.0]))  # Re Y(jw) = 0 at w^2 = 2
-    assert kinds(strut) == {"Damper": 2, "Inerter": 3, "Spring": 3}
+def minimum_function(rng: np.random.Generator) -> tuple[Coefficients, Coefficients]:
+    """Return a biquadratic with Re F = 0 at one frequency, no poles and zeros on the axis."""
+    x, (b, e) = rng.uniform(0.5, 2.0), 10 ** rng.uniform(-0.5, 0.5, 2)
+    c = rng.uniform(0.1, 0.9) * x
+    f = x + b * e * x / (x - c)  # (c - x)(f - x) + b e x = 0
+    f = x**2 / c  # and it is the least there: c f = x^2
+    b = (x - c) * (f - x) / (e * x)
+    return (np.array([1.0, b, c]), np.array([1.0, e, f]))
+
+
+@pytest.mark.parametrize("seed", range(20))
+def test_a_minimum_function_takes_seven_elements(seed: int) -> None:
+    """Hughes, IEEE Trans. Automat. Contr. 62 (2017) 4333-4346: five reactive ones, in a bridge."""
+    num, den = minimum_function(np.random.default_rng(seed))
+    for one, other in ((num, den), (den, num)):
+        strut = ia.synthesise((one, other))
+        found = kinds(strut)
+        assert found["Damper"] == 2
+        assert found["Inerter"] + found["Spring"] == 5
+        assert_it_is(strut, one, other)
+
+
+def assert_it_is(strut: ia.TwoTerminal, num: Coefficients, den: Coefficients) -> None:
+    """Compare with all states the network has, and look for values that are not above zero."""
     s = 1j * FREQUENCIES
-    wanted = (s**2 + s + 1) / (s**2 + s + 4)
-    assert np.abs(ia.admittance(strut)(s).ravel() - wanted).max() < 1e-10
+    wanted = np.polyval(num, s) / np.polyval(den, s)
+    assert np.abs(linearised(strut)(s).ravel() / wanted - 1).max() < 1e-8
+    assert all(getattr(e, "bdk"["IDS".index(type(e).__name__[0])]) > 0 for e in elements(strut))
+
+
+@pytest.mark.parametrize("seed", range(30))
+def test_what_is_not_regular_takes_at_most_eight_elements(seed: int) -> None:
+    """A damper, and a bridge of two dampers and five reactive elements, if none with fewer is found."""
+    rng = np.random.default_rng(seed)
+    while True:
+        num, den = 10 ** rng.uniform(-1, 1, 3), 10 ** rng.uniform(-1, 1, 3)
+        least = [least_real(*pair) for pair in ((num, den), (den, num))]
+        ends = [min(one[0] / other[0], one[-1] / other[-1]) for one, other in ((num, den), (den, num))]
+        if least[0] > 0 and all(a < b * (1 - 1e-6) for a, b in zip(least, ends, strict=True)):
+            break
+    strut = ia.synthesise((num, den))
+    found = kinds(strut)
+    assert sum(found.values()) <= 8
+    assert found["Damper"] == 3
+    assert_it_is(strut, num, den)
+
+
+def test_six_elements_where_a_pole_is_shared() -> None:
+    """An inerter and a damper side by side share a pole of 1/Y with what is in series with them."""
+    num, den = [1.0, 1.77, 0.26], [1.0, 9.28, 15.7]
+    for one, other in ((num, den), (den, num), (num[::-1], den[::-1])):
+        strut = ia.synthesise((one, other))
+        assert kinds(strut)["Damper"] == 3
+        assert len(elements(strut)) == 6
+        assert_it_is(strut, one, other)
+
+
+@pytest.mark.parametrize(
+    ("num", "den"),
+    [
+        ([1.0, 1.0, 1.1], [1.0, 1.0, 0.5]),
+        ([1.0, 0.2, 1.1], [1.0, 0.7, 0.8]),
+        ([2.0, 1.0, 4.0], [1.0, 1.3, 3.0]),
+    ],
+)
+def test_seven_elements_do_for_most_that_are_not_regular(num: Coefficients, den: Coefficients) -> None:
+    strut = ia.synthesise((num, den))
+    assert kinds(strut)["Damper"] == 3
+    assert len(elements(strut)) == 7
+    assert_it_is(strut, num, den)
+
+
+def rubbing(d: float, other: ia.Component, how: Any = ia.parallel) -> ia.TwoTerminal:
+    """A damper beside another element, or in series with it."""
+    strut: ia.TwoTerminal = how(ia.Damper(d=d), other)
+    return strut
+
+
+INERTER, SPRING = ia.Inerter(b=2.0), ia.Spring(k=5.0)
+
+
+@pytest.mark.parametrize(
+    "strut",
+    [
+        ia.series(rubbing(3.0, INERTER), rubbing(0.7, SPRING)),
+        ia.parallel(rubbing(3.0, INERTER, ia.series), rubbing(0.7, SPRING, ia.series)),
+        ia.series(ia.Damper(d=3.0), ia.parallel(INERTER, rubbing(0.7, SPRING, ia.series))),
+        ia.parallel(ia.Damper(d=3.0), ia.series(SPRING, rubbing(0.7, INERTER))),
+        ia.series(ia.parallel(SPRING, ia.Inerter(b=3.0)), rubbing(5.0, INERTER)),
+    ],
+)
+def test_no_more_elements_come_back_than_went_in(strut: ia.TwoTerminal) -> None:
+    again = ia.synthesise(ia.admittance(strut))
+    assert len(elements(again)) <= len(elements(strut))
+    s = 1j * FREQUENCIES
+    assert np.abs(ia.admittance(again)(s) / ia.admittance(strut)(s) - 1).max() < 1e-8
+
+
+def test_a_bridge_joins_five_elements() -> None:
+    with pytest.raises(ia.ModelError, match="joins five elements, got 2"):
+        ia.bridge(ia.Damper(d=1.0), ia.Spring(k=1.0))
+    balanced = ia.bridge(*(ia.Damper(d=d) for d in (1.0, 2.0, 3.0, 6.0)), across=ia.Spring(k=9.0))
+    assert ia.admittance(balanced)(1j).item() == pytest.approx(2 / 3 + 2.0, rel=1e-12)
 
 
 @pytest.mark.parametrize(
@@ -240,7 +337,7 @@ def test_admittances_come_in_many_forms() -> None:
 
 
 def test_what_cannot_be_an_admittance() -> None:
-    with pytest.raises(ia.ModelError, match="must be finite"):
+    with pytest.raises(ia.ModelError, match="must be finite real"):
         ia.RationalFunction([np.nan], [1.0])
     with pytest.raises(ia.ModelError, match="denominator must not be zero"):
         ia.RationalFunction([1.0], [0.0])

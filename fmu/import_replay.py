@@ -1,0 +1,271 @@
+"""Replay: an FMU run again and again on sampled inputs, with a force of ours at its port if wanted."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
+from types import TracebackType
+from typing import Any, Protocol, Self
+
+import numpy as np
+from numpy.typing import NDArray
+
+from .errors import FMUError
+from .foreign import Group, Values, finite
+from .import_inputs import chosen_values, groups
+from .import_participants import followed_inputs
+from .import_solver import Solver
+from .imported import FMU
+from .local import LocalInstance
+from .unpacked import Unpacked
+
+Array = NDArray[np.float64]
+
+
+class Law(Protocol):
+    """A force that answers to motion, in the units of the FMU."""
+
+    @property
+    def accelerating(self) -> bool:
+        """Whether it depends on acceleration."""
+        ...
+
+    def __call__(self, t: float, s: float, v: float, a: float) -> float:
+        """Return what it adds to the FMU's force input."""
+        ...
+
+
+@dataclass(frozen=True)
+class Load:
+    """What acts at a port besides the inputs: force = law(t, position, velocity, acceleration).
+
+    Attributes:
+        force: the FMU's input that takes it.
+        position, velocity: the FMU's outputs that tell how the port moves.
+        law: the force.
+    """
+
+    force: str
+    position: str
+    velocity: str
+    law: Law
+
+
+class Replay:
+    """An FMU whose files are unpacked once, to be run on samples many times; use it with `with`.
+
+    Model Exchange takes cubic splines through the samples, with the load inside its equations.
+    Co-Simulation takes their mean over each communication step, from sample to sample, or their rate if it
+    interpolates; the load is extrapolated over the step. What it says of acceleration is half a step late,
+    so that an inertia above the one that it is joined to makes the run unstable.
+
+    Args:
+        fmu: which.
+        kind: "ME" or "CS".
+        inputs: names of what is driven.
+        outputs: names of what is wanted.
+    """
+
+    def __init__(self, fmu: FMU, kind: str, inputs: Sequence[str], outputs: Sequence[str]) -> None:
+        self.fmu, self.kind, self.inputs, self.outputs = fmu, kind, list(inputs), list(outputs)
+        self._files = Unpacked(fmu.path)
+
+    def __enter__(self) -> Self:
+        return self
+
+    def __exit__(self, *_: type[BaseException] | BaseException | TracebackType | None) -> None:
+        self.close()
+
+    def close(self) -> None:
+        """Remove the files."""
+        self._files.remove()
+
+    def run(
+        self, time: Array, given: Array, parameters: Mapping[str, Any],
+        start: Mapping[str, Any] | None = None, load: Load | None = None, every: int = 1, rtol: float = 1e-6,
+    ) -> Array:  # fmt: skip
+        """Return the outputs, one column each, at every so many samples.
+
+        Args:
+            time: instants of the samples, evenly spaced [s].
+            given: samples of the inputs, one column each.
+            parameters: changed parameters by name.
+            start: changed start values by name.
+            load: what else acts at the port.
+            every: samples from one row of the outputs to the next.
+            rtol: relative tolerance.
+
+        Raises:
+            FMUError: if the FMU fails, ends early or returns no finite numbers.
+        """
+        fmu, variables = self.fmu, self.fmu.variables
+        with _Instance(fmu.path, self.kind, files=self._files) as instance:
+            instance.prepare(fmu, self.inputs, self.outputs, load)
+            values = chosen_values(fmu, parameters, start or {})
+            references = [variables[name].reference for name in self.inputs]
+            instance.start(float(time[0]), float(time[-1]), rtol, values, references)
+            instance.drive(given[0].tolist())
+            instance.started()
+            if self.kind == "ME":
+                return _exchange(instance, time, given, every, rtol)
+            return _communicate(instance, time, given, every)
+
+
+class _Instance(LocalInstance):
+    """An instance with a load at its port."""
+
+    load: Load | None = None
+
+    def prepare(self, fmu: FMU, inputs: Sequence[str], outputs: Sequence[str], load: Load | None) -> None:
+        """Look up what will be set and read."""
+        self.fmu, self.load, self.followed = fmu, load, followed_inputs(list(inputs))
+        self.wanted: list[Group] = groups(fmu.variables[name] for name in outputs)
+        if load is not None:
+            self._place = list(inputs).index(load.force)
+            self._port = groups(fmu.variables[name] for name in (load.position, load.velocity))
+            states = [fmu.variables[name].reference for name in fmu.states]
+            speed = fmu.variables[load.velocity].reference
+            self._fast = states.index(speed) if speed in states else None
+
+    def moved(self) -> tuple[float, float]:
+        """Return position and velocity of the port."""
+        s, v = self.get(self._port)
+        return s, v
+
+    def loaded(self, inputs: Values, force: float) -> Values:
+        """Return inputs with a force added."""
+        inputs = list(inputs)
+        inputs[self._place] += force
+        return inputs
+
+    def _at(self, t: float, x: Values, inputs: Values) -> None:
+        super()._at(t, x, inputs)
+        if self.load is not None:
+            self.drive(self.loaded(inputs, self._force(t, inputs)))
+
+    def _force(self, t: float, inputs: Values) -> float:
+        """Return the load; one that depends on acceleration a, which depends on it, is solved for.
+
+        f = f_0 - m a,  a = a_0 + g f
+        """
+        assert self.load is not None
+        law, (s, v) = self.load.law, self.moved()
+        still = law(t, s, v, 0.0)
+        if not law.accelerating:
+            return still
+        inertia, (first, second) = still - law(t, s, v, 1.0), (self._acceleration(inputs, f) for f in (0, 1))
+        response = second - first
+        return still - inertia * (first + response * still) / (1 + response * inertia)
+
+    def _acceleration(self, inputs: Values, force: float) -> float:
+        if self._fast is None:
+            raise FMUError(
+                f"FMU '{self.name}': its velocity is no state of it, so that an inertia cannot be joined"
+            )
+        self.drive(self.loaded(inputs, force))
+        self._call(
+            "getDerivatives" if self.major == 2 else "getContinuousStateDerivatives", self._dx, len(self._dx)
+        )
+        return float(self._dx[self._fast])
+
+
+def _exchange(instance: _Instance, time: Array, given: Array, every: int, rtol: float) -> Array:
+    update = instance.update()
+    _going_on(instance, update.terminate, float(time[0]))
+    drive, begin = _smooth(time, given), float(time[0])
+    name, watched = instance.fmu.name, instance.description.numberOfEventIndicators
+    instants = time[::every].tolist()
+    longest = float(time[every] - time[0])
+    solver = Solver(name, instance, watched, drive, begin, rtol, longest)
+    solver.next_event = np.inf if update.next_event is None else update.next_event
+    found = [instance.look(begin, solver.x.tolist(), drive(begin), instance.wanted)]
+    while len(found) < len(instants):
+        piece = solver.step(instants[-1])
+        while len(found) < len(instants) and instants[len(found)] <= piece.end:
+            t = instants[len(found)]
+            found.append(instance.look(t, np.asarray(piece.states(t)).tolist(), drive(t), instance.wanted))
+        asked, ended = solver.arrive()
+        _going_on(instance, ended, solver.t)
+        if piece.event or asked or solver.t >= solver.next_event:
+            _going_on(instance, solver.switch().terminate, solver.t)
+    return _table(instance, found, instants)
+
+
+def _smooth(time: Array, given: Array) -> Callable[[float], Values]:
+    """Return the inputs as cubic splines through their samples, quick at single instants."""
+    from scipy.interpolate import CubicSpline
+
+    pieces = np.moveaxis(CubicSpline(time, given).c, 1, 0).tolist()
+    begin, rate, instants = float(time[0]), (len(time) - 1) / float(time[-1] - time[0]), time.tolist()
+    last = len(pieces) - 1
+
+    def drive(t: float) -> Values:
+        k = min(max(int((t - begin) * rate), 0), last)
+        x = t - instants[k]
+        return [((a * x + b) * x + c) * x + d for a, b, c, d in zip(*pieces[k], strict=True)]
+
+    return drive
+
+
+def _communicate(instance: _Instance, time: Array, given: Array, every: int) -> Array:
+    if instance.event_mode:
+        _going_on(instance, instance.update().terminate, float(time[0]))
+    rows, instants, load = given.tolist(), time.tolist(), instance.load
+    found, before, force, following = [], None, 0.0, 0.0
+    for k, (t, row) in enumerate(zip(instants, rows, strict=True)):
+        step = instants[k + 1] - t if k + 1 < len(rows) else t - instants[k - 1]
+        if load is not None:
+            s, v = instance.moved()
+            a = 0.0 if before is None else (v - before) / step
+            before = v
+            force = load.law(t, s, v, a)
+            following = load.law(t + step, s + step * (v + 0.5 * step * a), v + step * a, a)
+            row = instance.loaded(row, force)
+        if k % every == 0:
+            instance.drive(row)
+            found.append(instance.get(instance.wanted))
+        if k + 1 == len(rows):
+            break
+        after = rows[k + 1] if load is None else instance.loaded(rows[k + 1], following)
+        _advance(instance, t, instants[k + 1], *_held(instance, row, after, step))
+    return _table(instance, found, instants[::every])
+
+
+def _held(instance: _Instance, row: Values, after: Values, step: float) -> tuple[Values, Values]:
+    """Return inputs for a communication step, and their rates for an FMU that interpolates.
+
+    An input x beside an input der(x) is given where the step begins, as it follows der(x).
+    """
+    if instance.interpolates:
+        return row, [(b - a) / step for a, b in zip(row, after, strict=True)]
+    inputs = [0.5 * (a + b) for a, b in zip(row, after, strict=True)]
+    for place in instance.followed:
+        inputs[place] = row[place]
+    return inputs, [0.0] * len(row)
+
+
+def _advance(instance: _Instance, t: float, target: float, inputs: Values, rates: Values) -> None:
+    """Go to the next communication point, over the events on the way."""
+    while t < target:
+        stepped = instance.step(t, target - t, inputs, rates)
+        arrived = stepped.reached >= target - 4 * np.spacing(abs(target))
+        if not arrived and stepped.reached <= t and not stepped.event:
+            raise FMUError(f"FMU '{instance.name}' does not advance beyond t = {t:.9g} s")
+        t = target if arrived else stepped.reached
+        _going_on(instance, stepped.terminate, t)
+        if stepped.event and instance.event_mode:
+            instance.enter_events()
+            _going_on(instance, instance.update().terminate, t)
+
+
+def _going_on(instance: _Instance, ended: bool, t: float) -> None:
+    if ended:
+        raise FMUError(f"FMU '{instance.name}' asked to end at t = {t:.9g} s, before the record does")
+
+
+def _table(instance: _Instance, found: list[Values], instants: Sequence[float]) -> Array:
+    table: Array = np.array(found, dtype=np.float64).reshape(len(instants), -1)
+    wrong = np.flatnonzero(~np.isfinite(table).all(axis=1))
+    if len(wrong):
+        finite(instance.name, "an output", instants[wrong[0]], table[wrong[0]].tolist())
+    return table

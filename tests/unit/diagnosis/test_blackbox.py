@@ -1,0 +1,321 @@
+"""An FMU as the nominal model: a late sensor, friction at its port, nothing missing, and bad campaigns."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import inertance as ia
+import numpy as np
+import pytest
+from inertance.diagnosis import diagnose
+from inertance.identification import Campaign, Multisine, Record, sampled
+from numpy.typing import NDArray
+
+Array = NDArray[np.float64]
+
+RATE, DURATION, NOISE = 100.0, 3.0, 1e-4
+PORT = {"force": "push.f", "position": "carriage.s", "velocity": "carriage.v"}
+CHANNELS = {"F": {"input": "push.f", "unit": "N"}, "x": {"output": "carriage.s", "unit": "mm"}}
+
+
+def rig(k: float = 800.0) -> ia.Network:
+    net = ia.Network(
+        "rig",
+        wall=ia.Fixed(),
+        spring=ia.Spring(k=k),
+        guide=ia.Damper(d=6.0),
+        carriage=ia.Mass(m=2.0),
+        push=ia.Force(),
+    )
+    net.connect(net.wall.flange, net.spring.flange_a, net.guide.flange_a)
+    return net.connect(net.carriage.flange, net.spring.flange_b, net.guide.flange_b, net.push.flange)
+
+
+def rubbing() -> ia.Network:
+    net = rig(k=820.0)
+    net.add(rail=ia.CoulombFriction(f_c=0.8)).connect(net.wall.flange, net.rail.flange_a)
+    return net.connect(net.rail.flange_b, net.carriage.flange)
+
+
+@pytest.fixture(scope="module")
+def fmus(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """Return a folder with the nominal rig as rig2.fmu and rig3.fmu."""
+    folder = tmp_path_factory.mktemp("fmus")
+    for version in ("2.0", "3.0"):
+        ia.export_fmu(
+            rig(),
+            folder / f"rig{version[0]}.fmu",
+            fmi_version=version,
+            outputs=["carriage.s", "carriage.v"],
+        )
+    return folder
+
+
+def measured(truth: ia.Network, seed: int, sensor: Callable[[Array, Array], Array] | None) -> Record:
+    drive = sampled(
+        Multisine(rms=5.0, low=0.5, high=8.0, period=DURATION, seed=seed), DURATION, RATE, fade=0.5
+    )
+    run = truth.simulate(DURATION, inputs={"push.f": drive}, step=1 / RATE, rtol=1e-8, atol=1e-11)
+    x = run["carriage.s"][np.searchsorted(run.time, drive.time + 1e-6, side="right") - 1]
+    noise = NOISE * np.random.default_rng(seed).standard_normal(len(x))
+    seen = sensor(drive.time, x) if sensor else x
+    return Record(f"run {seed}", drive.time, {"F": drive.values, "x": seen + noise})
+
+
+def campaign_on(
+    model: str,
+    folder: Path,
+    truth: ia.Network,
+    sensor: Callable[[Array, Array], Array] | None = None,
+    **changed: Any,
+) -> Campaign:
+    records = [measured(truth, seed, sensor) for seed in (1, 2)]
+    entries: dict[str, Any] = {
+        "channels": CHANNELS,
+        "parameters": {"spring.k": {"rel": 0.1}, "guide.d": {"rel": 0.1}},
+        "train": [{"record": records[0], "initial": "rest"}],
+        "test": [{"record": records[1], "initial": "rest"}],
+        "noise": {"x": NOISE * 1e3},
+        "port": PORT,
+    }
+    return Campaign(model, base=folder, **{**entries, **changed})
+
+
+def late(t: Array, x: Array) -> Array:
+    return np.interp(t - 0.008, t, x)
+
+
+@pytest.mark.parametrize(("model", "port"), [("rig2.fmu:CS", PORT), ("rig3.fmu:ME", {})])
+def test_a_sensor_that_is_late_around_an_fmu(fmus: Path, model: str, port: dict[str, str]) -> None:
+    found = diagnose(campaign_on(model, fmus, rig(k=820.0), late, port=port))
+    assert found.verdict == "effect"
+    (placed,) = found.effects
+    assert (placed.effect.kind, placed.site.path) == ("sensor_delay", "x")
+    assert placed.values["delay"] == pytest.approx(0.008, rel=0.05)
+    assert found.parameters["spring.k"] == pytest.approx(820.0, rel=0.01)
+    assert found.closed > 0.95
+    assert any("no [port]" in note for note in found.notes) == (not port)
+
+
+def test_friction_at_the_port_of_an_fmu(fmus: Path, tmp_path: Path) -> None:
+    found = diagnose(campaign_on("rig2.fmu", fmus, rubbing()))
+    assert found.verdict == "effect"
+    (placed,) = found.effects
+    assert (placed.effect.kind, placed.site.path) == ("coulomb_friction", "rig")
+    assert placed.values["f_c"] == pytest.approx(0.8, rel=0.05)
+    assert found.parameters["spring.k"] == pytest.approx(820.0, rel=0.01)
+    assert found.closed > 0.95
+    assert any("inside of it" in note for note in found.notes)
+    assert found.report(tmp_path / "gap.html").stat().st_size > 0
+    drive = found.evidence.campaign.testing[0].record
+    run = ia.cosimulate(
+        found.corrected(), 1.0, communication_step=2e-3, inputs={"push.f": drive.sampled("F")}, halving=False
+    )
+    seen = np.interp(drive.time[:100], run.time, run["rig.s"])
+    assert np.std(seen - drive.values["x"][:100]) < 5 * NOISE
+
+
+def test_nothing_is_missing_around_an_fmu(fmus: Path) -> None:
+    found = diagnose(campaign_on("rig2.fmu", fmus, rig()))
+    assert (found.verdict, found.effects) == ("none", ())
+
+
+def shaken(k: float = 800.0) -> ia.Network:
+    """Return a rig on a shaking table, whose mass is free."""
+    net = ia.Network("shaken", table=ia.Position(), spring=ia.SpringDamper(k=k, d=6.0), mass=ia.Mass(m=2.0))
+    net.add(free=ia.Force())
+    net.connect(net.table.flange, net.spring.flange_a)
+    return net.connect(net.spring.flange_b, net.mass.flange, net.free.flange)
+
+
+def test_friction_at_a_free_port_of_an_fmu_on_a_table(tmp_path: Path) -> None:
+    ia.export_fmu(shaken(), tmp_path / "shaken.fmu", outputs=["mass.s", "mass.v"])
+    truth = shaken(k=820.0)
+    truth.add(floor=ia.Fixed(), rail=ia.CoulombFriction(f_c=0.8))
+    truth.connect(truth.floor.flange, truth.rail.flange_a).connect(truth.rail.flange_b, truth.mass.flange)
+    rng, records = np.random.default_rng(0), []
+    for seed in (1, 2):
+        u = sampled(Multisine(rms=5e-3, low=0.5, high=6.0, period=2.0, seed=seed), 2.0, RATE, fade=0.4)
+        run = truth.simulate(2.0, inputs={"table.s_ref": u, "free.f": 0.0}, step=1 / RATE)
+        x = run["mass.s"][np.searchsorted(run.time, u.time + 1e-6, side="right") - 1]
+        records.append(Record(f"run {seed}", u.time, {"u": u.values, "x": x + rng.normal(0, NOISE, len(x))}))
+    campaign = Campaign(
+        "shaken.fmu",
+        channels={"u": {"input": "table.s_ref", "unit": "m"}, "x": {"output": "mass.s", "unit": "m"}},
+        parameters={"spring.k": {"rel": 0.1}},
+        train=[{"record": records[0], "initial": "rest"}],
+        test=[{"record": records[1], "initial": "rest"}],
+        noise={"x": NOISE},
+        port={"force": "free.f", "position": "mass.s", "velocity": "mass.v"},
+        base=tmp_path,
+    )
+    found = diagnose(campaign)
+    (placed,) = found.effects
+    assert (placed.effect.kind, placed.site.path) == ("coulomb_friction", "shaken")
+    assert placed.values["f_c"] == pytest.approx(0.8, rel=0.05)
+    assert found.parameters["spring.k"] == pytest.approx(820.0, rel=0.01)
+    assert not any("keep their start values" in note for note in found.notes)
+
+
+def strut(k: float = 800.0) -> ia.Network:
+    """Return a strut that is moved and pushes back."""
+    net = ia.Network(
+        "strut", wall=ia.Fixed(), spring=ia.Spring(k=k), damper=ia.Damper(d=6.0), cell=ia.ForceSensor()
+    )
+    net.add(motion=ia.Position())
+    net.connect(net.wall.flange, net.spring.flange_a, net.damper.flange_a)
+    net.connect(net.spring.flange_b, net.damper.flange_b, net.cell.flange_a)
+    return net.connect(net.cell.flange_b, net.motion.flange)
+
+
+def moved(fmu: Path) -> ia.Network:
+    """Return the strut as an FMU, moved at its end."""
+    net = ia.Network("bench", wall=ia.Fixed(), motion=ia.Position())
+    net.add(
+        strut=ia.FMUForce(
+            fmu,
+            kind="CS",
+            position="motion.s_ref",
+            velocity="der(motion.s_ref)",
+            force="-cell.f",
+        )
+    )
+    net.connect(net.wall.flange, net.strut.flange_a)
+    return net.connect(net.strut.flange_b, net.motion.flange)
+
+
+@pytest.mark.parametrize("is_file", [True, False])
+def test_an_fmu_that_is_moved_and_gives_a_force(tmp_path: Path, is_file: bool) -> None:
+    ia.export_fmu(strut(), tmp_path / "strut.fmu", outputs=["cell.f"])
+    truth = strut(k=820.0)
+    truth.add(rail=ia.QuadraticDamper(c=250.0)).connect(truth.wall.flange, truth.rail.flange_a)
+    truth.connect(truth.rail.flange_b, truth.cell.flange_a)
+    rng, records = np.random.default_rng(0), []
+    for seed in (1, 2):
+        x = sampled(Multisine(rms=5e-3, low=0.5, high=4.0, period=3.0, seed=seed), 3.0, 100.0, fade=0.5)
+        run = truth.simulate(3.0, inputs={"motion.s_ref": x}, step=0.01)
+        f = run["cell.f"][np.searchsorted(run.time, x.time + 1e-6, side="right") - 1]
+        records.append(Record(f"run {seed}", x.time, {"x": x.values, "F": f + rng.normal(0, 0.05, len(f))}))
+    port = {"force": "-cell.f", "position": "motion.s_ref", "velocity": "der(motion.s_ref)"}
+    place = "" if is_file else "strut."
+    force = "cell.f" if is_file else "motion.flange.f"
+    campaign = Campaign(
+        "strut.fmu" if is_file else moved(tmp_path / "strut.fmu"),
+        channels={"x": {"input": "motion.s_ref", "unit": "m"}, "F": {"output": force, "unit": "N"}},
+        parameters={f"{place}spring.k": {"rel": 0.1}, f"{place}damper.d": {"rel": 0.2}},
+        train=[{"record": records[0], "initial": "rest"}],
+        test=[{"record": records[1], "initial": "rest"}],
+        noise={"F": 0.05},
+        port=port if is_file else {},
+        base=tmp_path,
+    )
+    found = diagnose(campaign)
+    (placed,) = found.effects
+    assert (placed.effect.kind, placed.site.path) == ("quadratic_damping", "strut")
+    assert placed.values["c"] == pytest.approx(250.0, rel=0.03)
+    assert found.closed > 0.95
+    assert found.parameters[f"{place}spring.k"] == pytest.approx(820.0, rel=0.01)
+
+
+def joined(fmu: Path, force: str = "push.f") -> ia.Network:
+    """Return the rig as an FMU, pushed through a load cell."""
+    net = ia.Network("bench", push=ia.Force(), cell=ia.ForceSensor())
+    net.add(body=ia.FMUMotion(fmu, kind="CS", force=force, position="carriage.s", velocity="carriage.v"))
+    net.connect(net.push.flange, net.cell.flange_a)
+    return net.connect(net.cell.flange_b, net.body.flange)
+
+
+def test_a_network_with_an_fmu_in_it(fmus: Path) -> None:
+    records = [measured(rig(k=820.0), seed, late) for seed in (1, 2)]
+    campaign = Campaign(
+        joined(fmus / "rig2.fmu"),
+        channels={"F": {"input": "push.f", "unit": "N"}, "x": {"output": "body.flange.s", "unit": "m"}},
+        parameters={"body.spring.k": {"rel": 0.1}, "body.guide.d": {"rel": 0.1}},
+        train=[{"record": records[0], "initial": "rest"}],
+        test=[{"record": records[1], "initial": "rest"}],
+        noise={"x": NOISE},
+    )
+    found = diagnose(campaign)
+    (placed,) = found.effects
+    assert (placed.effect.kind, placed.site.path) == ("sensor_delay", "x")
+    assert placed.values["delay"] == pytest.approx(0.008, rel=0.05)
+    assert found.parameters["body.spring.k"] == pytest.approx(820.0, rel=0.01)
+    assert "body" in found.where
+
+
+def test_a_network_that_has_more_than_an_fmu(fmus: Path) -> None:
+    net = joined(fmus / "rig2.fmu")
+    net.add(more=ia.Mass(m=1.0)).connect(net.more.flange, net.body.flange)
+    with pytest.raises(ia.ModelError, match=r"'push.f' is not one input of the network; .*put the rest"):
+        Campaign(net, CHANNELS, {}, [{"record": measured(rig(), 1, None), "initial": "rest"}])
+
+
+WRONG: dict[str, tuple[dict[str, Any], str]] = {
+    "unknown output": (
+        {"channels": {"F": CHANNELS["F"], "x": {"output": "carriage.ss"}}},
+        "channels.x: FMU 'rig' has no such variable 'carriage.ss'; did you mean 'carriage.s'?",
+    ),
+    "unknown input": (
+        {"channels": {"F": {"input": "pull.f"}, "x": CHANNELS["x"]}},
+        "channels.F: the model has no input 'pull.f'; did you mean 'push.f'?",
+    ),
+    "unknown parameter": (
+        {"parameters": {"spring.kk": {"rel": 0.1}}},
+        "parameters.\"spring.kk\": the model has no parameter 'spring.kk'; did you mean 'spring.k'?",
+    ),
+    "unit of another quantity": (
+        {"channels": {"F": {"input": "push.f", "unit": "mm"}, "x": CHANNELS["x"]}},
+        "channels.F: 'mm' measures m, the quantity of the model is in N",
+    ),
+    "port without velocity": (
+        {"port": {"force": "push.f", "position": "carriage.s"}},
+        'port: velocity = "name of a variable" must be given',
+    ),
+    "unknown key of the port": (
+        {"port": {**PORT, "speed": "carriage.v"}},
+        "port: there is no 'speed'",
+    ),
+    "port that takes nothing": (
+        {"port": {**PORT, "force": "spring.f"}},
+        "it takes neither 'spring.f' nor 'carriage.s'; one of them must be an input (it has push.f)",
+    ),
+    "port in other units": (
+        {"port": {**PORT, "position": "carriage.v"}},
+        "port: 'carriage.v' is in m/s, where m belongs",
+    ),
+    "unknown variable of the port": (
+        {"port": {**PORT, "position": "carriage.x"}},
+        "port: position: FMU 'rig' has no such variable 'carriage.x'; did you mean",
+    ),
+}
+
+
+@pytest.mark.parametrize("case", WRONG)
+def test_what_is_wrong_is_told(fmus: Path, case: str) -> None:
+    changed, message = WRONG[case]
+    with pytest.raises(ia.ModelError) as caught:
+        campaign_on("rig2.fmu", fmus, rig(), **changed)
+    assert message in str(caught.value)
+
+
+def test_an_fmu_that_is_not_there(fmus: Path) -> None:
+    with pytest.raises(ia.ModelError, match=r"there is no file .*rig.fmu'; did you mean 'rig"):
+        campaign_on("rig.fmu", fmus, rig())
+
+
+def test_a_record_of_an_fmu_begins_at_rest(fmus: Path) -> None:
+    record = measured(rig(), 1, None)
+    with pytest.raises(ia.ModelError, match='run 1: initial = "rest" is needed'):
+        campaign_on("rig2.fmu", fmus, rig(), train=[{"record": record}])
+
+
+def test_equations_of_an_fmu_are_not_known(fmus: Path) -> None:
+    with pytest.raises(ia.ModelError, match="is an FMU, whose equations are not known"):
+        ia.fit(campaign_on("rig2.fmu", fmus, rig()))
+
+
+def test_a_network_needs_no_port(fmus: Path) -> None:
+    with pytest.raises(ia.ModelError, match=r"\[port\] is for a model that is an FMU"):
+        Campaign(rig(), CHANNELS, {}, [{"record": measured(rig(), 1, None)}], port=PORT)
