@@ -64,7 +64,7 @@ def _promising(waiting: Sequence[Candidate], base: Refit, fitted: Sequence[Refit
     return [c for c in waiting if c.effect.place == "series" or c.gain > HOPELESS * best]
 
 
-def _next(waiting: Sequence[Candidate]) -> tuple[Sequence[Candidate], Sequence[Candidate]]:
+def _next(waiting: list[Candidate]) -> tuple[list[Candidate], list[Candidate]]:
     """Return the candidates to be fitted next, none of which starts from what another one will give."""
     for number, candidate in enumerate(waiting[:BATCH]):
         if any(_starts_from(candidate, other) for other in waiting[:number]):

@@ -21,9 +21,8 @@ from .sites import Site
 
 Array = NDArray[np.float64]
 STEP = 0.03  # change of a parameter, in units of what it may be expected to be, by which slopes are judged
-FINEST = 32  # communication steps from one compared instant to the next
-CLOSE = 0.2  # of the noise, by which half the communication step may change a run
-LAGGING = 4  # times as many where a mass is joined, whose acceleration is known a step later
+COARSEST, FINEST = 2, 8  # communication steps from one compared instant to the next
+CLOSE = 0.1  # of the noise, by which half the communication step may change a run
 SMALL = 0.01  # of what is there already, by which something is pushed
 TRIAL = 1e-3  # force [N or N.m] of a first push where there is no other
 RTOL = 1e-6
@@ -81,8 +80,7 @@ class Replayed:
 
     def stand(self, experiment: Experiment) -> ReplayedStand:
         """Return the FMU on a record."""
-        heavy = self.box.kind == "CS" and any(placed.effect.place == "node" for placed in self.effects)
-        return ReplayedStand(self, experiment, LAGGING * self.refined if heavy else self.refined)
+        return ReplayedStand(self, experiment, self.refined)
 
     def instants(self, found: Seen) -> Array:
         """Return the instants of the record [s]."""
@@ -108,23 +106,21 @@ def _follows(box: BlackBox, taken: Sequence[str]) -> dict[str, tuple[str, int]]:
 
 
 def _refined(model: Replayed, campaign: Campaign) -> int:
-    """Return how many communication steps there must be between compared instants."""
+    """Return how many communication steps there must be between compared instants, effects included."""
     box = model.box
     if box.kind == "ME":
         return 1
-    if box.refined:
+    if box.refined and not model.effects:
         return box.refined
-    experiment, count = campaign.training[0], 2
-    coarse = ReplayedStand(model, experiment, count).predicted(campaign.start)
+    count = box.refined or COARSEST
+    coarse = ReplayedStand(model, campaign.training[0], count).predicted(campaign.start)
     while count < FINEST:
-        fine = ReplayedStand(model, experiment, 2 * count).predicted(campaign.start)
-        change = [
-            float(np.sqrt(np.mean((fine[name] - coarse[name]) ** 2))) / model.sigma[name] for name in fine
-        ]
-        if max(change) < CLOSE:
+        fine = ReplayedStand(model, campaign.training[0], 2 * count).predicted(campaign.start)
+        if all(float((fine[n] - coarse[n]).std()) < CLOSE * model.sigma[n] for n in fine):
             break
         count, coarse = 2 * count, fine
-    box.refined = count
+    if not model.effects:
+        box.refined = count
     return count
 
 

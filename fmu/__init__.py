@@ -13,8 +13,8 @@ from .import_blocks import FMURotation as FMURotation
 from .import_blocks import FMUTorque as FMUTorque
 from .import_cosimulate import cosimulate as cosimulate
 from .import_coupling import CoupledRun as CoupledRun
-from .import_replay import Law as Law
-from .import_replay import Load as Load
+from .import_load import Law as Law
+from .import_load import Load as Load
 from .import_replay import Replay as Replay
 from .import_run import ForeignEvent as ForeignEvent
 from .import_run import ForeignRun as ForeignRun

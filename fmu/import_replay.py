@@ -3,52 +3,21 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass
 from types import TracebackType
-from typing import Any, Protocol, Self
+from typing import Any, Self
 
 import numpy as np
 from numpy.typing import NDArray
 
 from .errors import FMUError
-from .foreign import Group, Values, finite
-from .import_inputs import chosen_values, groups
-from .import_participants import followed_inputs
+from .foreign import Values, finite
+from .import_inputs import chosen_values
+from .import_load import Load, LoadedInstance
 from .import_solver import Solver
 from .imported import FMU
-from .local import LocalInstance
 from .unpacked import Unpacked
 
 Array = NDArray[np.float64]
-
-
-class Law(Protocol):
-    """A force that answers to motion, in the units of the FMU."""
-
-    @property
-    def accelerating(self) -> bool:
-        """Whether it depends on acceleration."""
-        ...
-
-    def __call__(self, t: float, s: float, v: float, a: float) -> float:
-        """Return what it adds to the FMU's force input."""
-        ...
-
-
-@dataclass(frozen=True)
-class Load:
-    """What acts at a port besides the inputs: force = law(t, position, velocity, acceleration).
-
-    Attributes:
-        force: the FMU's input that takes it.
-        position, velocity: the FMU's outputs that tell how the port moves.
-        law: the force.
-    """
-
-    force: str
-    position: str
-    velocity: str
-    law: Law
 
 
 class Replay:
@@ -98,78 +67,25 @@ class Replay:
         Raises:
             FMUError: if the FMU fails, ends early or returns no finite numbers.
         """
+        from fmpy.fmi1 import FMICallException
+
         fmu, variables = self.fmu, self.fmu.variables
-        with _Instance(fmu.path, self.kind, files=self._files) as instance:
-            instance.prepare(fmu, self.inputs, self.outputs, load)
-            values = chosen_values(fmu, parameters, start or {})
-            references = [variables[name].reference for name in self.inputs]
-            instance.start(float(time[0]), float(time[-1]), rtol, values, references)
-            instance.drive(given[0].tolist())
-            instance.started()
-            if self.kind == "ME":
-                return _exchange(instance, time, given, every, rtol)
-            return _communicate(instance, time, given, every)
+        values = chosen_values(fmu, parameters, start or {})
+        references = [variables[name].reference for name in self.inputs]
+        with LoadedInstance(fmu.path, self.kind, files=self._files) as instance:
+            try:
+                instance.prepare(fmu, self.inputs, self.outputs, load)
+                instance.start(float(time[0]), float(time[-1]), rtol, values, references)
+                instance.drive(given[0].tolist())
+                instance.started()
+                if self.kind == "ME":
+                    return _exchange(instance, time, given, every, rtol)
+                return _communicate(instance, time, given, every)
+            except FMICallException as error:
+                raise FMUError(f"FMU '{fmu.name}': {error}") from error
 
 
-class _Instance(LocalInstance):
-    """An instance with a load at its port."""
-
-    load: Load | None = None
-
-    def prepare(self, fmu: FMU, inputs: Sequence[str], outputs: Sequence[str], load: Load | None) -> None:
-        """Look up what will be set and read."""
-        self.fmu, self.load, self.followed = fmu, load, followed_inputs(list(inputs))
-        self.wanted: list[Group] = groups(fmu.variables[name] for name in outputs)
-        if load is not None:
-            self._place = list(inputs).index(load.force)
-            self._port = groups(fmu.variables[name] for name in (load.position, load.velocity))
-            states = [fmu.variables[name].reference for name in fmu.states]
-            speed = fmu.variables[load.velocity].reference
-            self._fast = states.index(speed) if speed in states else None
-
-    def moved(self) -> tuple[float, float]:
-        """Return position and velocity of the port."""
-        s, v = self.get(self._port)
-        return s, v
-
-    def loaded(self, inputs: Values, force: float) -> Values:
-        """Return inputs with a force added."""
-        inputs = list(inputs)
-        inputs[self._place] += force
-        return inputs
-
-    def _at(self, t: float, x: Values, inputs: Values) -> None:
-        super()._at(t, x, inputs)
-        if self.load is not None:
-            self.drive(self.loaded(inputs, self._force(t, inputs)))
-
-    def _force(self, t: float, inputs: Values) -> float:
-        """Return the load; one that depends on acceleration a, which depends on it, is solved for.
-
-        f = f_0 - m a,  a = a_0 + g f
-        """
-        assert self.load is not None
-        law, (s, v) = self.load.law, self.moved()
-        still = law(t, s, v, 0.0)
-        if not law.accelerating:
-            return still
-        inertia, (first, second) = still - law(t, s, v, 1.0), (self._acceleration(inputs, f) for f in (0, 1))
-        response = second - first
-        return still - inertia * (first + response * still) / (1 + response * inertia)
-
-    def _acceleration(self, inputs: Values, force: float) -> float:
-        if self._fast is None:
-            raise FMUError(
-                f"FMU '{self.name}': its velocity is no state of it, so that an inertia cannot be joined"
-            )
-        self.drive(self.loaded(inputs, force))
-        self._call(
-            "getDerivatives" if self.major == 2 else "getContinuousStateDerivatives", self._dx, len(self._dx)
-        )
-        return float(self._dx[self._fast])
-
-
-def _exchange(instance: _Instance, time: Array, given: Array, every: int, rtol: float) -> Array:
+def _exchange(instance: LoadedInstance, time: Array, given: Array, every: int, rtol: float) -> Array:
     update = instance.update()
     _going_on(instance, update.terminate, float(time[0]))
     drive, begin = _smooth(time, given), float(time[0])
@@ -207,7 +123,7 @@ def _smooth(time: Array, given: Array) -> Callable[[float], Values]:
     return drive
 
 
-def _communicate(instance: _Instance, time: Array, given: Array, every: int) -> Array:
+def _communicate(instance: LoadedInstance, time: Array, given: Array, every: int) -> Array:
     if instance.event_mode:
         _going_on(instance, instance.update().terminate, float(time[0]))
     rows, instants, load = given.tolist(), time.tolist(), instance.load
@@ -231,7 +147,7 @@ def _communicate(instance: _Instance, time: Array, given: Array, every: int) -> 
     return _table(instance, found, instants[::every])
 
 
-def _held(instance: _Instance, row: Values, after: Values, step: float) -> tuple[Values, Values]:
+def _held(instance: LoadedInstance, row: Values, after: Values, step: float) -> tuple[Values, Values]:
     """Return inputs for a communication step, and their rates for an FMU that interpolates.
 
     An input x beside an input der(x) is given where the step begins, as it follows der(x).
@@ -244,7 +160,7 @@ def _held(instance: _Instance, row: Values, after: Values, step: float) -> tuple
     return inputs, [0.0] * len(row)
 
 
-def _advance(instance: _Instance, t: float, target: float, inputs: Values, rates: Values) -> None:
+def _advance(instance: LoadedInstance, t: float, target: float, inputs: Values, rates: Values) -> None:
     """Go to the next communication point, over the events on the way."""
     while t < target:
         stepped = instance.step(t, target - t, inputs, rates)
@@ -258,12 +174,12 @@ def _advance(instance: _Instance, t: float, target: float, inputs: Values, rates
             _going_on(instance, instance.update().terminate, t)
 
 
-def _going_on(instance: _Instance, ended: bool, t: float) -> None:
+def _going_on(instance: LoadedInstance, ended: bool, t: float) -> None:
     if ended:
         raise FMUError(f"FMU '{instance.name}' asked to end at t = {t:.9g} s, before the record does")
 
 
-def _table(instance: _Instance, found: list[Values], instants: Sequence[float]) -> Array:
+def _table(instance: LoadedInstance, found: list[Values], instants: Sequence[float]) -> Array:
     table: Array = np.array(found, dtype=np.float64).reshape(len(instants), -1)
     wrong = np.flatnonzero(~np.isfinite(table).all(axis=1))
     if len(wrong):

@@ -232,7 +232,6 @@ def test_slip_by_a_force_that_is_found_by_iteration_is_seen() -> None:
     assert run.events[0].time == pytest.approx(np.arcsin(1 / 1.2), abs=1e-6)
 
 
-
 def test_an_event_passed_on_the_way_to_another_is_not_lost() -> None:
     """Pairs come to rest while others, touching, are about to strike: momentum tells."""
     masses, speeds, rubbing_ = [1.0, 1.0, 1.375, 1.125], [0.0, 0.0, -1.0, -1.0], [2.0, 0.0, 2.0]
