@@ -17,8 +17,8 @@ from .verdict import Gap, Ranked, Verdict
 from .where import located, shares
 
 ALIKE = 2.0  # standard errors within which two effects cannot be told apart
-EXPLAINED = 0.93  # share of the gap below which the effects found are not all that is missing
 COLOURED = 1.1  # misfit over noise above which something is left
+EXPLAINED = 0.93  # share of the gap below which the effects found are not all that is missing
 NOT_BY_SINES = (
     "No sine within what was measured parts them by more than twice the noise; measure another quantity, or "
     "excite another input."

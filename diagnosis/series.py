@@ -23,11 +23,23 @@ LEAK = 1e-4  # force of the oil in a clearance at the usual speed, over the larg
 
 def _play(site: Site, name: str, values: Values) -> list[Edit]:
     stiffness, oil = site.force / (STIFF * site.travel), LEAK * site.force / site.speed
+    calming = FAST * stiffness if site.sticks else 0.0
     if site.domain == "rotational":
-        turn = rotational.ElastoBacklash(c=stiffness, d=0.0, b=2 * values["eps"])
-        return [Insert(site.moving, name, parallel(gap=turn, oil=rotational.Damper(d=oil)))]
-    gap = ia.Backlash(k=stiffness, d=0.0, eps=values["eps"])
-    return [Insert(site.moving, name, parallel(gap=gap, oil=ia.Damper(d=oil)))]
+        turn = rotational.ElastoBacklash(c=stiffness, d=calming, b=2 * values["eps"])
+        both_ways = parallel(gap=turn, oil=rotational.Damper(d=oil))
+    else:
+        gap = ia.Backlash(k=stiffness, d=calming, eps=values["eps"])
+        both_ways = parallel(gap=gap, oil=ia.Damper(d=oil))
+    return [Insert(site.moving, name, both_ways), *_ballast(site, name, stiffness)]
+
+
+def _ballast(site: Site, name: str, stiffness: float) -> list[Edit]:
+    """Return what gives dry friction an inertia of its own, so small that it settles in next to no time."""
+    if not site.sticks:
+        return []
+    size = stiffness * FAST**2
+    inertia = rotational.Inertia(J=size) if site.domain == "rotational" else ia.Mass(m=size)
+    return [Add(f"{name}_ballast", inertia), Connect((f"{name}_ballast.flange", f"{name}.flange_a"))]
 
 
 def _yielding(site: Site, name: str, values: Values) -> list[Edit]:
@@ -38,7 +50,7 @@ def _yielding(site: Site, name: str, values: Values) -> list[Edit]:
         if turning
         else ia.SpringDamper(k=value, d=FAST * value)
     )
-    return [Insert(site.moving, name, spring)]
+    return [Insert(site.moving, name, spring), *_ballast(site, name, site.force / (STIFF * site.travel))]
 
 
 def _inertia(site: Site, name: str, values: Values) -> list[Edit]:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
 
-from ..components import Component, Fixed, RotationalFlange, TranslationalFlange, rotational
+from ..components import Component, Fixed, Friction, RotationalFlange, TranslationalFlange, rotational
 from ..networks import Network
 
 # Pairs of ports that face each other: the one that reacts and the one that moves.
@@ -33,6 +33,7 @@ class Site:
         places: what may be put here: "across", "loaded" (across, by the force through it), "series", "node".
         rank: 2 if the component dissipates, 1 if it lies between two flanges; such a name says most.
         same: paths of other components between the same two nodes.
+        sticks: whether it is dry friction, beside which something must have inertia.
         rest: distance at the start of the nominal model's run.
         speed, travel: usual relative speed, and half the range of the distance, in it.
         force: largest force through the site in it.
@@ -46,6 +47,7 @@ class Site:
     places: frozenset[str]
     rank: int = 0
     same: tuple[str, ...] = ()
+    sticks: bool = False
     rest: float = 0.0
     speed: float = 1.0
     force: float = 1.0
@@ -99,9 +101,8 @@ def _site(path: str, component: Component, node_of: dict[str, int]) -> Site | No
         if type(facing) is type(port):
             far = f"{path}.{fixed}" if f"{path}.{fixed}" in node_of else GROUND
             rank = 2 if "d" in fields else int("s_rel" in fields or "phi_rel" in fields)
-            return Site(
-                path, port.domain, f"{path}.{moving}", far, frozenset({"across", "loaded", "series"}), rank
-            )
+            sticks = isinstance(component, Friction | rotational.Friction)
+            return Site(path, port.domain, f"{path}.{moving}", far, BETWEEN, rank, sticks=sticks)
     return None
 
 
