@@ -109,9 +109,13 @@ def _here(path: Path, plan: Plan) -> Iterator[Finding]:
 
 def _check_numbers(stop: float | None, step: float | None, tolerance: float, limit: float | None) -> None:
     problems = [
-        f"{name} must be above 0{unit}, got {value:g}"
-        for name, value, unit in (("stop", stop, " s"), ("step", step, " s"), ("limit", limit, ""))
-        if value is not None and not 0 < value < math.inf
+        f"{name} must be finite and at least {least:g}{unit}, got {value:g}{unit}"
+        for name, value, least, unit in (
+            ("stop", stop, 1e-6, " s"),
+            ("step", step, 1e-9, " s"),
+            ("limit", limit, 1e-12, ""),
+        )
+        if value is not None and not least <= value < math.inf
     ]
     if not 1e-9 <= tolerance < 1:
         problems.append(f"tolerance must lie between 1e-9 and 1, got {tolerance:g}")

@@ -152,8 +152,8 @@ def test_nan_is_no_agreement() -> None:
 @pytest.mark.parametrize(
     ("options", "told"),
     [
-        ({"stop": -1.0}, "stop must be above 0 s, got -1"),
-        ({"step": 0.0}, "step must be above 0 s"),
+        ({"stop": -1.0}, "stop must be finite and at least 1e-06 s, got -1 s"),
+        ({"step": 0.0}, "step must be finite and at least 1e-09 s"),
         ({"tolerance": 2.0}, "tolerance must lie between"),
         ({"versions": ["4.0"]}, "versions are of 2.0, 3.0"),
         ({"versions": []}, "versions are of 2.0, 3.0"),
