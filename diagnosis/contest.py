@@ -59,9 +59,10 @@ def held(
 
 
 def _promising(waiting: Sequence[Candidate], base: Refit, fitted: Sequence[Refit]) -> list[Candidate]:
-    """Return those that may still be best; of effects in series screening says too little."""
+    """Return those that may be best, and their special cases; screening underrates what is in series."""
     best = max((base.cost - found.cost for found in fitted), default=0.0)
-    return [c for c in waiting if c.effect.place == "series" or c.gain > HOPELESS * best]
+    kept = [c for c in waiting if c.effect.place == "series" or c.gain > HOPELESS * best]
+    return [c for c in waiting if c in kept or any(_starts_from(other, c) for other in kept)]
 
 
 def _next(waiting: list[Candidate]) -> tuple[list[Candidate], list[Candidate]]:
