@@ -10,6 +10,7 @@ from .refit import Refit
 
 Array = NDArray[np.float64]
 STRETCH = 0.2, 1.0  # s, shortest and longest by which test residuals are compared
+COLOURED = 1.1  # misfit over noise above which something is left
 STRETCHES = 40  # wanted at least
 
 

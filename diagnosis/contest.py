@@ -10,6 +10,7 @@ from functools import lru_cache
 
 from ..components import InertanceError
 from ..identification import Accuracy, Campaign
+from .comparing import COLOURED, misfit
 from .placed import Placed
 from .refit import Refit, Start, refit
 from .screening import Candidate, screen
@@ -18,6 +19,7 @@ from .thinning import thinned
 Report = Callable[[str], None]
 
 CONTENDERS = 8  # effects fitted in each round
+RESERVE = 3  # effects in series fitted besides, if much is left
 BATCH = 3  # fitted before those are left out that promise much less than was found
 HOPELESS = 0.4  # share of the best drop of chi squared below which a promise is much less
 SIZES = (0.3, 1.0, 3.0)  # of an effect in series, of which small ones tell little, to start from
@@ -41,6 +43,7 @@ def held(
     tell(f"screening effects{told}")
     candidates = screen(campaign, campaign.network, base.parameters, base.effects, accuracy)
     waiting = _leading(candidates, {placed.effect.kind for placed in base.effects})
+    reserve = [] if base.effects else _reserve(candidates, waiting)
     fitted = list[Refit]()
     payload = campaign.pickled() if executor is not None else b""
     while waiting:
@@ -55,6 +58,8 @@ def held(
             if found is not None:
                 fitted.append(found)
         waiting = _promising(waiting, base, fitted)
+        if not waiting and min(misfit(found) for found in (base, *fitted)) > COLOURED:
+            waiting, reserve = reserve, []
     return Round(base, candidates, fitted)
 
 
@@ -139,6 +144,12 @@ def _leading(candidates: Sequence[Candidate], found: Collection[str]) -> list[Ca
     special = [c for c in candidates if c.effect.kind not in found]
     ordered = [one for c in chosen for one in (*(p for p in special if _starts_from(c, p)), c)]
     return list(dict.fromkeys(ordered))
+
+
+def _reserve(candidates: Sequence[Candidate], leading: Sequence[Candidate]) -> list[Candidate]:
+    """Return the effects in series that come next, for the case that the others leave much."""
+    series = [c for c in candidates if c.effect.place == "series" and c.gain > LEAST_GAIN]
+    return [c for c in series if not any(c is other or same_motion(c, other) for other in leading)][:RESERVE]
 
 
 def same_motion(one: Candidate, other: Candidate) -> bool:

@@ -7,7 +7,7 @@ from collections.abc import Sequence
 import numpy as np
 
 from ..identification import Accuracy, Campaign
-from .comparing import blocks, clearness, is_simpler, misfit
+from .comparing import COLOURED, blocks, clearness, is_simpler, misfit
 from .contest import Round
 from .evidence import Evidence
 from .placed import Placed
@@ -17,7 +17,6 @@ from .verdict import Gap, Ranked, Verdict
 from .where import located, shares
 
 ALIKE = 2.0  # standard errors within which two effects cannot be told apart
-COLOURED = 1.1  # misfit over noise above which something is left
 EXPLAINED = 0.93  # share of the gap below which the effects found are not all that is missing
 NOT_BY_SINES = (
     "No sine within what was measured parts them by more than twice the noise; measure another quantity, or "

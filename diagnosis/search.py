@@ -7,9 +7,9 @@ from concurrent.futures import Executor
 from ..components import InertanceError
 from ..identification import Accuracy, Campaign
 from ..networks import ToolchainError, compiler
-from .comparing import blocks, clearness, is_simpler, misfit
+from .comparing import COLOURED, blocks, clearness, is_simpler, misfit
 from .contest import Report, Round, held
-from .deciding import COLOURED, decided
+from .deciding import decided
 from .predicting import limits
 from .refit import Joint, Refit, refit
 from .thinning import thinned

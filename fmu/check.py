@@ -113,7 +113,7 @@ def _check_numbers(stop: float | None, step: float | None, tolerance: float, lim
         for name, value, least, unit in (
             ("stop", stop, 1e-6, " s"),
             ("step", step, 1e-9, " s"),
-            ("limit", limit, 1e-12, ""),
+            ("limit", limit, 1e-16, ""),
         )
         if value is not None and not least <= value < math.inf
     ]
