@@ -6,6 +6,7 @@ What is measured comes from equations written here and integrated by SciPy; the 
 from __future__ import annotations
 
 from collections.abc import Callable
+from functools import partial
 
 import numpy as np
 import pytest
@@ -35,7 +36,8 @@ def random_push(rng: np.random.Generator, rms: float, highest: float) -> Array:
     lines = np.arange(1, round(highest * DURATION))
     angles = 2 * np.pi * (lines[:, None] * TIME / DURATION + rng.random(len(lines))[:, None])
     push: Array = np.sin(angles).sum(axis=0)
-    return push * rms / push.std()
+    push *= rms / push.std()
+    return push
 
 
 def measured(
@@ -46,8 +48,9 @@ def measured(
     for seed in range(3):
         rng = np.random.default_rng(seed)
         push = random_push(rng, rms, highest)
+        force = partial(np.interp, xp=TIME, fp=push)
         run = solve_ivp(
-            lambda t, y, push=push: motion(t, y, float(np.interp(t, TIME, push))),
+            partial(_pushed, motion, force),
             (0.0, TIME[-1]),
             np.zeros(order),
             t_eval=TIME,
@@ -62,6 +65,10 @@ def measured(
     return found
 
 
+def _pushed(motion: Motion, force: Callable[[float], float], t: float, y: Array) -> list[float]:
+    return motion(t, y, float(force(t)))
+
+
 def verdict(
     model: Network,
     outputs: dict[str, str],
@@ -71,7 +78,10 @@ def verdict(
     channels = {"u": {"input": "push.f", "unit": "N"}}
     channels |= {name: {"output": path, "unit": "m"} for name, path in outputs.items()}
     priors = {path: {"rel": 0.2} for path in parameters}
-    return diagnose(Campaign(model, channels=channels, parameters=priors, **records))
+    campaign = Campaign(
+        model, channels=channels, parameters=priors, train=records["train"], test=records["test"]
+    )
+    return diagnose(campaign)
 
 
 def sign(speed: float, slow: float) -> float:
