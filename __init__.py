@@ -73,6 +73,7 @@ from inertance.components import parameter as parameter
 from inertance.components import rotational as rotational
 from inertance.components import signals as signals
 from inertance.components import variable as variable
+from inertance.components.base import Later
 from inertance.networks import DAE as DAE
 from inertance.networks import TMD as TMD
 from inertance.networks import TMDI as TMDI
@@ -220,7 +221,8 @@ if TYPE_CHECKING:
     from inertance.networks import weighted as weighted
     from inertance.networks import weighted_rms as weighted_rms
 
-_LATER = (
+_later = Later(
+    "inertance",
     "networks.analysis",
     "networks.synthesis",
     "networks.sweep_design",
@@ -232,32 +234,14 @@ _LATER = (
 )
 
 
-def _public(room: str) -> dict[str, Any]:
-    """Return what a room shows, by name."""
-    from importlib import import_module
-
-    path = f"inertance.{room}"
-    face = vars(import_module(path))
-    return {
-        name: item
-        for name, item in face.items()
-        if name[0] != "_" and getattr(item, "__module__", "").startswith(path)
-    }
-
-
 def __getattr__(name: str) -> Any:
     """Import what simulation does without when one of its names is first asked for."""
     if name == "__version__":
         from importlib.metadata import version
 
         return version("inertance")
-    if not name.startswith("_") and name not in _LATER:
-        for room in _LATER:
-            shown = _public(room)
-            if name in shown:
-                return shown[name]
-    raise AttributeError(f"module 'inertance' has no attribute '{name}'")
+    return _later.find(name)
 
 
 def __dir__() -> list[str]:
-    return sorted({*globals(), *(name for room in _LATER for name in _public(room))})
+    return sorted({*globals(), *_later.names()})

@@ -2,6 +2,7 @@
 
 from typing import TYPE_CHECKING, Any
 
+from ..components.base import Later
 from .algebra import TwoTerminal as TwoTerminal
 from .algebra import bridge as bridge
 from .algebra import parallel as parallel
@@ -126,31 +127,13 @@ if TYPE_CHECKING:
     from .synthesis import positive_real as positive_real
     from .synthesis import synthesise as synthesise
 
-_LATER = ("analysis", "csource", "sweep_design", "sweep_indices", "sweeps", "synthesis")
-
-
-def _public(room: str) -> dict[str, Any]:
-    """Return what a room shows, by name."""
-    from importlib import import_module
-
-    path = f"{__name__}.{room}"
-    face = vars(import_module(path))
-    return {
-        name: item
-        for name, item in face.items()
-        if name[0] != "_" and getattr(item, "__module__", "").startswith(path)
-    }
+_later = Later(__name__, "analysis", "csource", "sweep_design", "sweep_indices", "sweeps", "synthesis")
 
 
 def __getattr__(name: str) -> Any:
     """Import what a run does without when one of its names is first asked for."""
-    if not name.startswith("_") and name not in _LATER:
-        for room in _LATER:
-            shown = _public(room)
-            if name in shown:
-                return shown[name]
-    raise AttributeError(f"module '{__name__}' has no attribute '{name}'")
+    return _later.find(name)
 
 
 def __dir__() -> list[str]:
-    return sorted({*globals(), *(name for room in _LATER for name in _public(room))})
+    return sorted({*globals(), *_later.names()})

@@ -29,6 +29,7 @@ from .fields import mode as mode
 from .fields import option as option
 from .fields import parameter as parameter
 from .fields import variable as variable
+from .later import Later as Later
 from .quiet import numpy_on_symbols as numpy_on_symbols
 from .reading import declared_template as declared_template
 from .reading import der as der
