@@ -18,7 +18,7 @@ from numpy.typing import NDArray
 from .families import Ints
 from .index import System, counted
 from .tearing import Block, Torn, tear
-from .vectors import column, stacked
+from .vectors import column, pick, stacked
 
 SMALL = 8
 
@@ -42,7 +42,7 @@ class _Solved:
             return [], ca.SX(0, 1)
         order = np.argsort(np.concatenate(self.blocks), kind="stable").tolist()
         variables = np.concatenate(self.variables)[order].tolist()
-        return variables, stacked(*self.values)[order]
+        return variables, pick(stacked(*self.values), order)
 
 
 @dataclass(eq=False)
@@ -150,7 +150,7 @@ def _substituted(
     solved_values, others = ca.substitute_inplace(targets, defined, [*residuals, *matrices, also])
     values = ca.SX(symbols)
     if order:
-        values[order] = solved_values[0]
+        values.nz[order] = solved_values[0]
     count = len(residuals)
     for block, matrix in zip(torn, others[count:-1], strict=True):
         block.matrix = matrix

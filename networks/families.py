@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from .forms import Form
-from .vectors import stacked
+from .vectors import pick, stacked
 
 Ints = NDArray[np.int64]
 ZERO = -1
@@ -79,10 +79,10 @@ class Family:
 
     def _called(self, function: Any, columns: Ints, rows: Ints, values: Any, time: Any) -> Any:
         """Return a function of (locals, given, time) for some instances."""
-        chosen = values[columns.ravel().tolist()]
+        chosen = pick(values, columns.ravel().tolist())
         negative = np.flatnonzero(self.signs[rows] < 0).tolist()
         if negative:
-            chosen[negative] = -chosen[negative]
+            chosen.nz[negative] = -chosen.nz[negative]
         chosen = ca.reshape(chosen, columns.shape[1], len(rows))
         given = self.arguments if len(rows) == len(self) else self.arguments[:, rows.tolist()]
         return function(chosen, given, time)

@@ -10,8 +10,11 @@ import numpy as np
 
 
 def pick(vector: Any, places: Sequence[int]) -> Any:
-    """Return some entries as a column, (0, 1) if there are none (indexing a scalar gives (1, 0))."""
-    return vector[list(places)] if len(places) else type(vector)(0, 1)
+    """Return some entries as a dense column, (0, 1) if there are none.
+
+    Asked for as nonzeros they cost half of what plain indexing does.
+    """
+    return ca.densify(vector).nz[list(places)] if len(places) else type(vector)(0, 1)
 
 
 def stacked(*columns: Any) -> Any:
