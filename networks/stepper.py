@@ -16,7 +16,7 @@ if TYPE_CHECKING:
     from .closed import Closed
 
 Array = NDArray[np.float64]
-SHARE, FINEST = 0.01, 1e-12
+SHARE, FINEST = 0.01, 1e-10
 SOLVERS = ("auto", "cvodes", "idas", "rosenbrock", "compiled")
 
 
@@ -28,9 +28,12 @@ class Tolerance:
     atol: float
 
     def between_events(self) -> Tolerance:
-        """Return what a multistep method keeps to: each event makes it start anew at order 1."""
-        least = min(self.rtol, FINEST)
-        return Tolerance(max(SHARE * self.rtol, least), SHARE * self.atol)
+        """Return what a multistep method keeps to: each event makes it start anew at order 1.
+
+        Not so little that rounding errors rule its steps, unless that was asked for.
+        """
+        share = min(1.0, max(SHARE, FINEST / self.rtol))
+        return Tolerance(share * self.rtol, share * self.atol)
 
 
 class IntegratorError(Exception):

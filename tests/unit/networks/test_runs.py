@@ -7,6 +7,7 @@ import casadi as ca
 import inertance as ia
 import numpy as np
 import pytest
+from inertance.networks.stepper import Tolerance
 
 TIGHT: dict[str, Any] = {"rtol": 1e-9, "atol": 1e-11}
 SOLVERS = ["cvodes", "idas", "rosenbrock"]
@@ -353,3 +354,9 @@ def test_progress_advances_within_one_call_of_the_integrator(
     assert sum(0.0 < t < 100.0 for t in told) >= 2
     quiet = net.simulate(100.0, step=0.1, solver=solver, **TIGHT)
     assert (run["mass.s"] == quiet["mass.s"]).all()
+
+
+@pytest.mark.parametrize(("asked", "share"), [(1e-6, 0.01), (1e-9, 0.1), (1e-11, 1.0)])
+def test_multistep_methods_are_not_asked_for_less_than_rounding_lets(asked: float, share: float) -> None:
+    kept = Tolerance(asked, 1e-2 * asked).between_events()
+    assert (kept.rtol, kept.atol) == pytest.approx((share * asked, 1e-2 * share * asked))
