@@ -57,11 +57,9 @@ class Probe(LocalInstance):
             if stepped.event and self.event_mode:
                 self.enter_events()
                 self.update()
-            if stepped.reached >= stop - 4 * np.spacing(abs(stop)):
+            t, arrived = stepped.landed(self.name, t, stop)
+            if arrived:
                 return stepped
-            if stepped.reached <= t and not stepped.event:
-                raise FMUError(f"FMU '{self.name}' does not advance beyond t = {t:.9g} s")
-            t = stepped.reached
 
     def kept(self) -> Any:
         """Return a saved state."""

@@ -172,10 +172,8 @@ def _communicated(probe: Probe, t: float, target: float, found: list[float]) -> 
     arrived = ended = False
     while not (arrived or ended):
         stepped = probe.step(t, target - t, [], [])
-        arrived, ended = stepped.reached >= target - 4 * np.spacing(abs(target)), stepped.terminate
-        if not (arrived or ended) and stepped.reached <= t and not stepped.event:
-            raise FMUError(f"FMU '{probe.name}' does not advance beyond t = {t:.9g} s")
-        t = target if arrived else stepped.reached
+        ended = stepped.terminate
+        t, arrived = stepped.landed(probe.name, t, target)
         if stepped.event and probe.event_mode and not ended:
             found.append(t)
             probe.enter_events()

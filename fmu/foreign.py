@@ -28,6 +28,18 @@ class Stepped(NamedTuple):
     event: bool
     terminate: bool
 
+    def landed(self, name: str, t: float, target: float) -> tuple[float, bool]:
+        """Return where a step from `t` led, and whether that is its target, which rounding may hide.
+
+        Raises:
+            FMUError: if it led nowhere, neither to an event nor to the end.
+        """
+        if self.reached >= target - 4 * np.spacing(abs(target)):
+            return target, True
+        if self.reached <= t and not (self.event or self.terminate):
+            raise FMUError(f"FMU '{name}' does not advance beyond t = {t:.9g} s")
+        return self.reached, False
+
 
 class Instance(Protocol):
     """What a run does with an instance; only plain numbers, texts and lists pass.

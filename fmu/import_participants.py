@@ -198,10 +198,7 @@ class SlaveParticipant(Participant):
         for place, rate in self._followed.items():
             inputs[place], rates[place] = first[place], inputs[rate]
         stepped = self.instance.step(self.t, duration, inputs.tolist(), rates.tolist())
-        if stepped.reached <= self.t and not stepped.event:
-            raise FMUError(f"FMU '{self.fmu.name}' does not advance beyond t = {self.t:.9g} s")
-        early = stepped.reached < target - 4 * np.spacing(abs(target))
-        self.t = stepped.reached if early else target
+        self.t, _ = stepped.landed(self.fmu.name, self.t, target)
         self.ended = stepped.terminate
         self._pending = "state" if stepped.event and self.instance.event_mode else ""
         return self.t

@@ -164,10 +164,7 @@ def _advance(instance: LoadedInstance, t: float, target: float, inputs: Values, 
     """Go to the next communication point, over the events on the way."""
     while t < target:
         stepped = instance.step(t, target - t, inputs, rates)
-        arrived = stepped.reached >= target - 4 * np.spacing(abs(target))
-        if not arrived and stepped.reached <= t and not stepped.event:
-            raise FMUError(f"FMU '{instance.name}' does not advance beyond t = {t:.9g} s")
-        t = target if arrived else stepped.reached
+        t, _ = stepped.landed(instance.name, t, target)
         _going_on(instance, stepped.terminate, t)
         if stepped.event and instance.event_mode:
             instance.enter_events()

@@ -219,10 +219,7 @@ class _Alone:
             rates = [(b - a) / (target - t) for a, b in zip(before, after, strict=True)]
             stepped = self.instance.step(t, target - t, before, rates)
             steps += 1
-            arrived = stepped.reached >= target - 4 * np.spacing(abs(target))
-            if not arrived and stepped.reached <= t and not stepped.event:
-                raise FMUError(f"FMU '{self.run.name}' does not advance beyond t = {t:.9g} s")
-            t = target if arrived else stepped.reached
+            t, arrived = stepped.landed(self.run.name, t, target)
             self.instance.drive(self.inputs.at(t))
             self._read(t)
             jumped = arrived and t == self.inputs.next_jump(before_jump(t))
