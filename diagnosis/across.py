@@ -55,6 +55,12 @@ def _stribeck(motion: Motion, shape: Values) -> list[Array]:
     return [motion.direction * (1 - fading), motion.direction * fading]
 
 
+def _breaks_away(values: Values) -> bool:
+    """Tell whether friction falls with speed; what rises from rest is no Stribeck effect."""
+    sliding, static, _ = values.values()
+    return static >= sliding
+
+
 def _ripple(motion: Motion, shape: Values) -> list[Array]:
     angle = 2 * pi * motion.s / shape["period"]
     return [np.sin(angle), np.cos(angle)]
@@ -105,6 +111,7 @@ STRIBECK = _across(
     (lambda p, _: ia.StribeckFriction(**p), lambda p, _: rotational.StribeckFriction(**p)),
     _stribeck,
     shapes=_speeds,
+    credible=_breaks_away,
     plain=("coulomb_friction", (1.0, 1.0)),
 )
 ASYMMETRIC = _across(
@@ -127,6 +134,7 @@ RIPPLE = _across(
     (lambda p, _: ia.Ripple(**p), lambda p, _: rotational.Ripple(**p)),
     _ripple,
     shapes=_periods,
+    absolute=True,
 )
 LINEAR = _across(
     "linear_stiffness",
@@ -189,12 +197,8 @@ def _loaded(site: Site, name: str, values: Values) -> list[Edit]:
     """Return friction by the force that arrives at a site, not by what friction leaves of it."""
     turning = site.domain == "rotational"
     sensor = rotational.TorqueSensor() if turning else ia.ForceSensor()
-    slow = SLOW * site.speed
-    friction = (
-        rotational.LoadedFriction(regularised=slow, **values)
-        if turning
-        else ia.LoadedFriction(regularised=slow, **values)
-    )
+    family = rotational.LoadedFriction if turning else ia.LoadedFriction
+    friction = family(regularised=SLOW * site.speed, **values)
     signal = f"{name}_load.{'tau' if turning else 'f'}"
     return [
         Insert(site.moving, f"{name}_load", sensor),
@@ -204,13 +208,8 @@ def _loaded(site: Site, name: str, values: Values) -> list[Edit]:
 
 
 def _drifting(site: Site, name: str, values: Values) -> list[Edit]:
-    turning = site.domain == "rotational"
-    slow = SLOW * site.speed
-    friction = (
-        rotational.DriftingFriction(regularised=slow, **values)
-        if turning
-        else ia.DriftingFriction(regularised=slow, **values)
-    )
+    family = rotational.DriftingFriction if site.domain == "rotational" else ia.DriftingFriction
+    friction = family(regularised=SLOW * site.speed, **values)
     return [
         *between(name, friction, site.fixed, site.moving),
         Add(f"{name}_clock", ia.signals.Clock()),

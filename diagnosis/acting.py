@@ -58,7 +58,7 @@ class Acting:
 def _term(placed: Placed) -> tuple[Any, list[float], dict[str, float], float, Moving]:
     sizes = [placed.values[q.name] for q in placed.quantities if not q.shape]
     shape = {q.name: placed.values[q.name] for q in placed.quantities if q.shape}
-    rest = 0.0 if placed.effect.kind == "position_ripple" else placed.site.rest
+    rest = 0.0 if placed.effect.absolute else placed.site.rest
     return placed.effect.basis, sizes, shape, rest, Moving(placed.site.speed)
 
 

@@ -43,6 +43,11 @@ class Port:
     domain: str
 
     @property
+    def signed_force(self) -> str:
+        """The force as components with an FMU take it: with a minus if it counts the other way."""
+        return self.force if self.sign > 0 else f"-{self.force}"
+
+    @property
     def units(self) -> dict[str, str]:
         """The SI unit of each variable."""
         names = (self.force, self.position, self.velocity)
@@ -188,12 +193,15 @@ def _network(box: BlackBox) -> Network:
 def _driven(box: BlackBox) -> Network:
     port = box.port
     assert port is not None
-    force = port.force if port.sign > 0 else f"-{port.force}"
     if port.domain == "rotational":
-        turning = FMURotation(box.fmu, kind=box.kind, torque=force, angle=port.position, speed=port.velocity)
+        turning = FMURotation(
+            box.fmu, kind=box.kind, torque=port.signed_force, angle=port.position, speed=port.velocity
+        )
         net = Network(box.name, **{box.place: turning}, push=rotational.Torque())
     else:
-        body = FMUMotion(box.fmu, kind=box.kind, force=force, position=port.position, velocity=port.velocity)
+        body = FMUMotion(
+            box.fmu, kind=box.kind, force=port.signed_force, position=port.position, velocity=port.velocity
+        )
         net = Network(box.name, **{box.place: body}, push=Force())
     return net.connect(net.push.flange, getattr(net, box.place).flange)
 
@@ -201,13 +209,16 @@ def _driven(box: BlackBox) -> Network:
 def _moved(box: BlackBox) -> Network:
     port = box.port
     assert port is not None
-    force = port.force if port.sign > 0 else f"-{port.force}"
     speed = port.velocity if port.velocity in box.fmu.inputs else None
     if port.domain == "rotational":
-        between = FMUTorque(box.fmu, kind=box.kind, angle=port.position, speed=speed, torque=force)
+        between = FMUTorque(
+            box.fmu, kind=box.kind, angle=port.position, speed=speed, torque=port.signed_force
+        )
         net = Network(box.name, wall=rotational.Fixed(), **{box.place: between}, motion=rotational.Position())
     else:
-        strut = FMUForce(box.fmu, kind=box.kind, position=port.position, velocity=speed, force=force)
+        strut = FMUForce(
+            box.fmu, kind=box.kind, position=port.position, velocity=speed, force=port.signed_force
+        )
         net = Network(box.name, wall=Fixed(), **{box.place: strut}, motion=Position())
     part = getattr(net, box.place)
     net.connect(net.wall.flange, part.flange_a)

@@ -89,9 +89,10 @@ def _fit(
     placed = Placed(candidate.effect, candidate.site, name, candidate.values)
     starts = _starts(candidate, base, fitted)
     try:
-        return refit(campaign, campaign.network, base.parameters, [*base.effects, placed], accuracy, starts)
+        found = refit(campaign, campaign.network, base.parameters, [*base.effects, placed], accuracy, starts)
     except InertanceError:
         return None
+    return found if candidate.effect.credible(found.effects[-1].values) else None
 
 
 def _starts(candidate: Candidate, base: Refit, fitted: Sequence[Refit]) -> list[Start]:
@@ -100,15 +101,13 @@ def _starts(candidate: Candidate, base: Refit, fitted: Sequence[Refit]) -> list[
         return [(base.parameters, {k: size * v for k, v in candidate.values.items()}) for size in SIZES]
     starts: list[Start] = [(base.parameters, candidate.values)]
     effect, site = candidate.effect, candidate.site
-    quantities = effect.quantities[site.domain]
     for plain in fitted:
         last = plain.effects[-1]
         if effect.plain and _starts_from(candidate, last):
             size = next(iter(last.values.values()))
             values = dict(zip([q.name for q in effect.sizes(site.domain)], effect.plain[1], strict=True))
-            for shape in effect.shapes(site):
-                shapes = dict(zip([q.name for q in quantities if q.shape], shape.values(), strict=True))
-                starts.append((plain.parameters, {k: v * size for k, v in values.items()} | shapes))
+            sized = {name: value * size for name, value in values.items()}
+            starts += [(plain.parameters, sized | shape) for shape in effect.shaped(site.domain, site)]
     return starts
 
 

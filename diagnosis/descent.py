@@ -27,8 +27,10 @@ class Residual(Protocol):
         ...
 
 
-def descend(residual: Residual, start: Array, bounds: tuple[Array, Array], steps: int = MOST_STEPS) -> Array:
-    """Return the vector near `start`, within bounds, that has the least sum of squares.
+def descend(
+    residual: Residual, start: Array, bounds: tuple[Array, Array], steps: int = MOST_STEPS
+) -> tuple[Array, float]:
+    """Return the vector near `start`, within bounds, that has the least sum of squares, and that sum.
 
     Slopes are computed at the start, corrected by what each step really did (Broyden), and computed again
     when steps no longer keep what they promise. Steps go no further than what quantities may be expected to
@@ -41,9 +43,13 @@ def descend(residual: Residual, start: Array, bounds: tuple[Array, Array], steps
     Equations, SIAM 1996, sections 6.4, 8.1 and 10.3.
     """
     x = np.clip(start, *bounds)
-    rest, slopes = _known(residual, x)
+    rest, slopes = residual(x, True)
     radius, exact = 1.0, True
     for _ in range(steps):
+        if slopes is None:
+            rest, slopes = residual(x, True)
+            exact = True
+        assert slopes is not None
         within = np.maximum(bounds[0] - x, -radius), np.minimum(bounds[1] - x, radius)
         step, promised = _step(slopes, rest, within)
         cost, kept = float(rest @ rest), 0.0
@@ -64,15 +70,8 @@ def descend(residual: Residual, start: Array, bounds: tuple[Array, Array], steps
         if kept > GOOD:
             radius = min(2 * radius, WIDEST)
         else:
-            rest, slopes = _known(residual, x)
-            exact = True
-    return x
-
-
-def _known(residual: Residual, x: Array) -> tuple[Array, Array]:
-    rest, slopes = residual(x, True)
-    assert slopes is not None
-    return rest, slopes
+            slopes = None
+    return x, float(rest @ rest)
 
 
 def _tried(residual: Residual, x: Array) -> Array | None:

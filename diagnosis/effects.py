@@ -89,6 +89,8 @@ class Effect:
         step: share of a quantity over which its slopes are differences; 0 for slopes along the run, which
             channels do not have, and which say little of where impacts end up.
         memory: whether its force depends on how the site moved before.
+        absolute: whether its force depends on where the site is, not on how far it is from where it rests.
+        credible: whether values are those of such an effect, and do not only bend its law into another.
         plain: a special case of one size: its kind, and what each size is then, over that one.
     """
 
@@ -102,11 +104,18 @@ class Effect:
     parameters: Callable[[Site, str, Values], dict[str, float]] | None = None
     step: float = 0.0
     memory: bool = False
+    absolute: bool = False
+    credible: Callable[[Values], bool] = field(default=lambda values: True)
     plain: tuple[str, tuple[float, ...]] | None = None
 
     def generalises(self, kind: str) -> bool:
         """Tell whether a kind is a special case of this one."""
         return self.plain is not None and self.plain[0] == kind
+
+    def shaped(self, domain: str, extent: Extent) -> list[dict[str, float]]:
+        """Return values of the shape parameters worth trying, by their names in a domain."""
+        names = [q.name for q in self.quantities[domain] if q.shape]
+        return [dict(zip(names, shape.values(), strict=True)) for shape in self.shapes(extent)]
 
     def sizes(self, domain: str) -> list[Quantity]:
         """Return the parameters that vanish with the effect."""

@@ -15,10 +15,11 @@ from ..networks import Network
 from .descent import descend
 from .placed import Placed, driven, sensed
 from .predicting import Predicted, Standing, predictor
+from .shaping import Bounds, Shapes
 
 Array = NDArray[np.float64]
 Start = tuple[Mapping[str, float], Mapping[str, float]]
-RESHAPED = 2.0  # by which factor a shape may still change: its grid is not coarser
+MOST_RESHAPED = 3  # times that a fit goes on from where a shape is held
 
 
 @dataclass(frozen=True, eq=False)
@@ -61,11 +62,8 @@ class Joint:
         self.sizes = [placed.scales for placed in self.effects]
         low, high = ((limit - self.center) / self.scale for limit in self.limits)
         quantities = [q for p in self.effects for q in p.quantities]
-        self._shapes = np.array([False] * len(low) + [q.shape for q in quantities])
-        self._bounds = (
-            np.array([*low, *[q.low for q in quantities]]),
-            np.array([*high, *[inf] * len(quantities)]),
-        )
+        bounds = np.array([*low, *[q.low for q in quantities]]), np.array([*high, *[inf] * len(quantities)])
+        self.shapes = Shapes(bounds, self.effects, self.sizes)
         self.start = self.vector(parameters, [placed.values for placed in self.effects])
         paths = [path for placed in self.effects for path in placed.network_parameters]
         self.predictor = predictor(campaign, network, effects, [*self.names, *paths])
@@ -103,25 +101,26 @@ class Joint:
         earlier = [placed.values for placed in self.effects[:-1]]
         vectors = [self.vector(parameters, [*earlier, values]) for parameters, values in starts]
         if len(vectors) < 2:
-            start = vectors[0] if vectors else self.start
-            return self.seen(descend(self.stacked, start, self._bounds_at(start)))
-        vector, bounds = min((self._begun(vector) for vector in vectors), key=lambda begun: begun[0])[1:]
-        return self.seen(descend(self.stacked, vector, bounds))
+            vector = vectors[0] if vectors else self.start
+            bounds = self.shapes.bounds(vector)
+        else:
+            vector, bounds = min((self._begun(vector) for vector in vectors), key=lambda begun: begun[0])[1:]
+        vector = descend(self.stacked, vector, bounds)[0]
+        for _ in range(MOST_RESHAPED):
+            if not self.shapes.are_held(vector, bounds):
+                break
+            bounds = self.shapes.bounds(vector)
+            vector = descend(self.stacked, vector, bounds)[0]
+        return self.seen(vector)
 
-    def _begun(self, start: Array) -> tuple[float, Array, tuple[Array, Array]]:
+    def _begun(self, start: Array) -> tuple[float, Array, Bounds]:
         """Return the sum of squares after a step from a start, where that leads, and the bounds."""
-        bounds = self._bounds_at(start)
+        bounds = self.shapes.bounds(start)
         try:
-            vector = descend(self.stacked, start, bounds, steps=1)
-            rest = self.stacked(vector, False)[0]
+            vector, cost = descend(self.stacked, start, bounds, steps=1)
         except SimulationError:
             return inf, start, bounds
-        return float(rest @ rest), vector, bounds
-
-    def _bounds_at(self, start: Array) -> tuple[Array, Array]:
-        """Return least and largest values; a shape keeps near its start."""
-        low, high = self._bounds
-        return np.where(self._shapes, start / RESHAPED, low), np.where(self._shapes, start * RESHAPED, high)
+        return cost, vector, bounds
 
     def seen(self, vector: Array) -> Refit:
         """Return the model with the values of a vector, held against all records."""

@@ -160,11 +160,9 @@ def _forces(
             continue
         if not motion.travel or (stretched and not motion.f.any()):
             continue
-        names = [q.name for q in effect.quantities[site.domain] if q.shape]
-        about = motion if effect.kind == "position_ripple" else at_rest
-        for shape in effect.shapes(widest):
-            columns = np.column_stack(effect.basis(about, shape))
-            yield effect, dict(zip(names, shape.values(), strict=True)), columns
+        about = motion if effect.absolute else at_rest
+        for shape in effect.shaped(site.domain, widest):
+            yield effect, shape, np.column_stack(effect.basis(about, shape))
 
 
 def _channel_changes(sight: Sight) -> Iterator[tuple[Effect, Site, Array]]:

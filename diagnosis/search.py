@@ -17,6 +17,7 @@ from .verdict import Verdict
 
 MOST_EFFECTS = 2
 CLEAR = 3.0  # standard errors by which an effect must beat the model without it
+WORTH = 0.25  # share of what a special case leaves that its generalisation must take away
 LEAST_DROP = 0.01  # share of the squared test residual that an effect must take away
 LEAST_FURTHER = 0.05  # the same for a second effect: less but mends the shape of the first
 STEPS = 50  # granted to a run for each sample; a model that needs more is none to be fitted
@@ -81,20 +82,27 @@ def _fastest() -> str:
 
 
 def _chosen(done: Round, base: Refit, campaign: Campaign) -> Refit | None:
-    """Return the best model of a round, the simplest of equals, if it is clearly better than the first.
+    """Return the best model of a round among those clearly better than the first, the simplest of equals.
 
     How much it must take away is counted in what the model without effects misses.
     """
-    if not done.fitted:
+    clear = [found for found in done.fitted if clearness(done.base, found, campaign) > CLEAR]
+    if not clear:
         return None
-    best = min(done.fitted, key=lambda f: blocks(f, campaign).sum())
-    for other in done.fitted:
-        if is_simpler(other, best) and clearness(other, best, campaign) < CLEAR:
+    best = min(clear, key=lambda f: blocks(f, campaign).sum())
+    for other in clear:
+        if is_simpler(other, best) and not _worth_it(other, best, campaign):
             best = other
     drop = blocks(done.base, campaign).sum() - blocks(best, campaign).sum()
     least = LEAST_FURTHER if done.base.effects else LEAST_DROP
-    clear = clearness(done.base, best, campaign) > CLEAR and drop > least * blocks(base, campaign).sum()
-    return best if clear else None
+    return best if drop > least * blocks(base, campaign).sum() else None
+
+
+def _worth_it(plain: Refit, richer: Refit, campaign: Campaign) -> bool:
+    """Tell whether a generalisation does clearly better, and not only mends what no law has quite right."""
+    left = misfit(plain) ** 2 - 1.0
+    taken = misfit(plain) ** 2 - misfit(richer) ** 2
+    return taken > WORTH * left and clearness(plain, richer, campaign) >= CLEAR
 
 
 def _pruned(best: Refit, campaign: Campaign, accuracy: Accuracy) -> Refit:

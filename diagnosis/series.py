@@ -15,9 +15,7 @@ STIFF = 1e-3  # travel of a site over the deflection of a stop under its largest
 FAST = 1e-4  # s, in which a compliance settles
 TINY = 1e-15  # least compliance
 SHARP = 0.02  # force at which play is taken up, over the largest
-WIDE = (
-    0.1  # change of a clearance by which its effect is judged: runs with impacts are rough on a smaller scale
-)
+WIDE = 0.1  # change of a clearance by which its effect is judged: on a smaller scale impacts make it rough
 LEAK = 1e-4  # force of the oil in a clearance at the usual speed, over the largest force
 
 
@@ -45,11 +43,8 @@ def _ballast(site: Site, name: str, stiffness: float) -> list[Edit]:
 def _yielding(site: Site, name: str, values: Values) -> list[Edit]:
     value = 1 / max(values["compliance"], TINY)
     turning = site.domain == "rotational"
-    spring = (
-        rotational.SpringDamper(c=value, d=FAST * value)
-        if turning
-        else ia.SpringDamper(k=value, d=FAST * value)
-    )
+    damping = FAST * value
+    spring = rotational.SpringDamper(c=value, d=damping) if turning else ia.SpringDamper(k=value, d=damping)
     return [Insert(site.moving, name, spring), *_ballast(site, name, site.force / (STIFF * site.travel))]
 
 

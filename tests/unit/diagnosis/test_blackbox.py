@@ -20,32 +20,19 @@ PORT = {"force": "push.f", "position": "carriage.s", "velocity": "carriage.v"}
 CHANNELS = {"F": {"input": "push.f", "unit": "N"}, "x": {"output": "carriage.s", "unit": "mm"}}
 
 
-def rig(k: float = 800.0) -> ia.Network:
-    net = ia.Network(
-        "rig",
-        wall=ia.Fixed(),
-        spring=ia.Spring(k=k),
-        guide=ia.Damper(d=6.0),
-        carriage=ia.Mass(m=2.0),
-        push=ia.Force(),
-    )
-    net.connect(net.wall.flange, net.spring.flange_a, net.guide.flange_a)
-    return net.connect(net.carriage.flange, net.spring.flange_b, net.guide.flange_b, net.push.flange)
-
-
-def rubbing() -> ia.Network:
-    net = rig(k=820.0)
-    net.add(rail=ia.CoulombFriction(f_c=0.8)).connect(net.wall.flange, net.rail.flange_a)
-    return net.connect(net.rail.flange_b, net.carriage.flange)
+@pytest.fixture(scope="module")
+def cart(carriage: Callable[..., Any]) -> Any:
+    """Return the carriage whose records these are."""
+    return carriage(RATE, DURATION, NOISE)
 
 
 @pytest.fixture(scope="module")
-def fmus(tmp_path_factory: pytest.TempPathFactory) -> Path:
+def fmus(cart: Any, tmp_path_factory: pytest.TempPathFactory) -> Path:
     """Return a folder with the nominal rig as rig2.fmu and rig3.fmu."""
     folder = tmp_path_factory.mktemp("fmus")
     for version in ("2.0", "3.0"):
         ia.export_fmu(
-            rig(),
+            cart.rig(),
             folder / f"rig{version[0]}.fmu",
             fmi_version=version,
             outputs=["carriage.s", "carriage.v"],
@@ -53,25 +40,15 @@ def fmus(tmp_path_factory: pytest.TempPathFactory) -> Path:
     return folder
 
 
-def measured(truth: ia.Network, seed: int, sensor: Callable[[Array, Array], Array] | None) -> Record:
-    drive = sampled(
-        Multisine(rms=5.0, low=0.5, high=8.0, period=DURATION, seed=seed), DURATION, RATE, fade=0.5
-    )
-    run = truth.simulate(DURATION, inputs={"push.f": drive}, step=1 / RATE, rtol=1e-8, atol=1e-11)
-    x = run["carriage.s"][np.searchsorted(run.time, drive.time + 1e-6, side="right") - 1]
-    noise = NOISE * np.random.default_rng(seed).standard_normal(len(x))
-    seen = sensor(drive.time, x) if sensor else x
-    return Record(f"run {seed}", drive.time, {"F": drive.values, "x": seen + noise})
-
-
 def campaign_on(
+    cart: Any,
     model: str,
     folder: Path,
     truth: ia.Network,
     sensor: Callable[[Array, Array], Array] | None = None,
     **changed: Any,
 ) -> Campaign:
-    records = [measured(truth, seed, sensor) for seed in (1, 2)]
+    records = [cart.measured(truth, seed, sensor) for seed in (1, 2)]
     entries: dict[str, Any] = {
         "channels": CHANNELS,
         "parameters": {"spring.k": {"rel": 0.1}, "guide.d": {"rel": 0.1}},
@@ -88,8 +65,8 @@ def late(t: Array, x: Array) -> Array:
 
 
 @pytest.mark.parametrize(("model", "port"), [("rig2.fmu:CS", PORT), ("rig3.fmu:ME", {})])
-def test_a_sensor_that_is_late_around_an_fmu(fmus: Path, model: str, port: dict[str, str]) -> None:
-    found = diagnose(campaign_on(model, fmus, rig(k=820.0), late, port=port))
+def test_a_sensor_that_is_late_around_an_fmu(cart: Any, fmus: Path, model: str, port: dict[str, str]) -> None:
+    found = diagnose(campaign_on(cart, model, fmus, cart.rig(k=820.0), late, port=port))
     assert found.verdict == "effect"
     (placed,) = found.effects
     assert (placed.effect.kind, placed.site.path) == ("sensor_delay", "x")
@@ -99,8 +76,8 @@ def test_a_sensor_that_is_late_around_an_fmu(fmus: Path, model: str, port: dict[
     assert any("no [port]" in note for note in found.notes) == (not port)
 
 
-def test_friction_at_the_port_of_an_fmu(fmus: Path, tmp_path: Path) -> None:
-    found = diagnose(campaign_on("rig2.fmu", fmus, rubbing()))
+def test_friction_at_the_port_of_an_fmu(cart: Any, fmus: Path, tmp_path: Path) -> None:
+    found = diagnose(campaign_on(cart, "rig2.fmu", fmus, cart.rubbing()))
     assert found.verdict == "effect"
     (placed,) = found.effects
     assert (placed.effect.kind, placed.site.path) == ("coulomb_friction", "rig")
@@ -117,8 +94,8 @@ def test_friction_at_the_port_of_an_fmu(fmus: Path, tmp_path: Path) -> None:
     assert np.std(seen - drive.values["x"][:100]) < 5 * NOISE
 
 
-def test_nothing_is_missing_around_an_fmu(fmus: Path) -> None:
-    found = diagnose(campaign_on("rig2.fmu", fmus, rig()))
+def test_nothing_is_missing_around_an_fmu(cart: Any, fmus: Path) -> None:
+    found = diagnose(campaign_on(cart, "rig2.fmu", fmus, cart.rig()))
     assert (found.verdict, found.effects) == ("none", ())
 
 
@@ -227,8 +204,8 @@ def joined(fmu: Path, force: str = "push.f") -> ia.Network:
     return net.connect(net.cell.flange_b, net.body.flange)
 
 
-def test_a_network_with_an_fmu_in_it(fmus: Path) -> None:
-    records = [measured(rig(k=820.0), seed, late) for seed in (1, 2)]
+def test_a_network_with_an_fmu_in_it(cart: Any, fmus: Path) -> None:
+    records = [cart.measured(cart.rig(k=820.0), seed, late) for seed in (1, 2)]
     campaign = Campaign(
         joined(fmus / "rig2.fmu"),
         channels={"F": {"input": "push.f", "unit": "N"}, "x": {"output": "body.flange.s", "unit": "m"}},
@@ -245,11 +222,11 @@ def test_a_network_with_an_fmu_in_it(fmus: Path) -> None:
     assert "body" in found.where
 
 
-def test_a_network_that_has_more_than_an_fmu(fmus: Path) -> None:
+def test_a_network_that_has_more_than_an_fmu(cart: Any, fmus: Path) -> None:
     net = joined(fmus / "rig2.fmu")
     net.add(more=ia.Mass(m=1.0)).connect(net.more.flange, net.body.flange)
     with pytest.raises(ia.ModelError, match=r"'push.f' is not one input of the network; .*put the rest"):
-        Campaign(net, CHANNELS, {}, [{"record": measured(rig(), 1, None), "initial": "rest"}])
+        Campaign(net, CHANNELS, {}, [{"record": cart.measured(cart.rig(), 1), "initial": "rest"}])
 
 
 WRONG: dict[str, tuple[dict[str, Any], str]] = {
@@ -293,29 +270,29 @@ WRONG: dict[str, tuple[dict[str, Any], str]] = {
 
 
 @pytest.mark.parametrize("case", WRONG)
-def test_what_is_wrong_is_told(fmus: Path, case: str) -> None:
+def test_what_is_wrong_is_told(cart: Any, fmus: Path, case: str) -> None:
     changed, message = WRONG[case]
     with pytest.raises(ia.ModelError) as caught:
-        campaign_on("rig2.fmu", fmus, rig(), **changed)
+        campaign_on(cart, "rig2.fmu", fmus, cart.rig(), **changed)
     assert message in str(caught.value)
 
 
-def test_an_fmu_that_is_not_there(fmus: Path) -> None:
+def test_an_fmu_that_is_not_there(cart: Any, fmus: Path) -> None:
     with pytest.raises(ia.ModelError, match=r"there is no file .*rig.fmu'; did you mean 'rig"):
-        campaign_on("rig.fmu", fmus, rig())
+        campaign_on(cart, "rig.fmu", fmus, cart.rig())
 
 
-def test_a_record_of_an_fmu_begins_at_rest(fmus: Path) -> None:
-    record = measured(rig(), 1, None)
+def test_a_record_of_an_fmu_begins_at_rest(cart: Any, fmus: Path) -> None:
+    record = cart.measured(cart.rig(), 1)
     with pytest.raises(ia.ModelError, match='run 1: initial = "rest" is needed'):
-        campaign_on("rig2.fmu", fmus, rig(), train=[{"record": record}])
+        campaign_on(cart, "rig2.fmu", fmus, cart.rig(), train=[{"record": record}])
 
 
-def test_equations_of_an_fmu_are_not_known(fmus: Path) -> None:
+def test_equations_of_an_fmu_are_not_known(cart: Any, fmus: Path) -> None:
     with pytest.raises(ia.ModelError, match="is an FMU, whose equations are not known"):
-        ia.fit(campaign_on("rig2.fmu", fmus, rig()))
+        ia.fit(campaign_on(cart, "rig2.fmu", fmus, cart.rig()))
 
 
-def test_a_network_needs_no_port(fmus: Path) -> None:
+def test_a_network_needs_no_port(cart: Any, fmus: Path) -> None:
     with pytest.raises(ia.ModelError, match=r"\[port\] is for a model that is an FMU"):
-        Campaign(rig(), CHANNELS, {}, [{"record": measured(rig(), 1, None)}], port=PORT)
+        Campaign(cart.rig(), CHANNELS, {}, [{"record": cart.measured(cart.rig(), 1)}], port=PORT)

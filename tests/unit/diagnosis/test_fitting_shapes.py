@@ -1,0 +1,70 @@
+"""How far shapes may change in a fit, and which of what was fitted counts."""
+
+import inertance as ia
+import numpy as np
+import pytest
+from inertance.diagnosis.effects import effect_of
+from inertance.diagnosis.placed import Placed
+from inertance.diagnosis.refit import Refit
+from inertance.diagnosis.search import _worth_it
+from inertance.diagnosis.shaping import Shapes
+from inertance.diagnosis.sites import BETWEEN, Site
+from inertance.identification import Campaign, Record
+
+TRAVEL = 0.01
+SITE = Site("guide", "translational", "guide.flange_b", "guide.flange_a", BETWEEN, travel=TRAVEL)
+
+
+def hysteresis(s_y: float) -> Placed:
+    return Placed(effect_of("hysteresis"), SITE, "hysteresis_1", {"k": 100.0, "s_y": s_y})
+
+
+def test_a_shape_goes_on_from_where_it_is_held_within_what_is_screened() -> None:
+    placed = hysteresis(2 * TRAVEL)
+    shapes = Shapes((np.array([-5.0, 0.0, 0.0]), np.array([5.0, np.inf, np.inf])), [placed], [placed.scales])
+    bounds = shapes.bounds(np.array([0.0, 1.0, 1.0]))
+    assert bounds[0] == pytest.approx([-5.0, 0.0, 0.5])
+    assert bounds[1][:2] == pytest.approx([5.0, np.inf])
+    assert shapes.are_held(np.array([0.0, 3.0, 0.5]), bounds)
+    assert not shapes.are_held(np.array([5.0, 0.0, 0.8]), bounds)
+    least = shapes.bounds(np.array([0.0, 1.0, 1e-9]))[0][2]
+    assert least == pytest.approx(0.5 * 0.04 / 2.0)
+    assert not shapes.are_held(np.array([0.0, 1.0, least]), shapes.bounds(np.array([0.0, 1.0, 1.5 * least])))
+
+
+def test_friction_that_rises_from_rest_is_no_stribeck_effect() -> None:
+    credible = effect_of("stribeck_friction").credible
+    assert credible({"f_c": 1.0, "f_s": 1.5, "v_s": 0.01})
+    assert not credible({"tau_c": 1.0, "tau_s": 0.2, "w_s": 0.01})
+
+
+def campaign() -> Campaign:
+    net = ia.Network("rig", carriage=ia.Mass(m=1.0), push=ia.Force())
+    net.connect(net.push.flange, net.carriage.flange)
+    time = np.linspace(0, 4, 1001)
+    first, second = (Record(f"run {w}", time, {"F": np.sin(w * time), "s": np.sin(w * time)}) for w in (8, 9))
+    return Campaign(
+        net,
+        channels={"F": {"input": "push.f", "unit": "N"}, "s": {"output": "carriage.s", "unit": "m"}},
+        parameters={"carriage.m": {"rel": 0.1}},
+        train=[{"record": first, "initial": "rest"}],
+        test=[{"record": second, "initial": "rest"}],
+        noise={"s": 0.1},
+    )
+
+
+@pytest.mark.parametrize(
+    ("plain", "richer", "worth"), [(2.0, 1.9, False), (2.0, 1.6, True), (1.05, 1.0, True)]
+)
+def test_what_generalises_must_take_away_a_good_part_of_what_is_left(
+    plain: float, richer: float, worth: bool
+) -> None:
+    rng, made = np.random.default_rng(0), campaign()
+    noise = rng.standard_normal(1001)
+    noise /= np.sqrt(np.mean(noise**2))
+
+    def fitted(misfit: float) -> Refit:
+        residual = misfit * noise + 0.01 * rng.standard_normal(len(noise))
+        return Refit({}, (hysteresis(TRAVEL),), [], [{"s": residual}], 0.0)
+
+    assert _worth_it(fitted(plain), fitted(richer), made) == (richer < 1.8)
