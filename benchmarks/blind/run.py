@@ -2,7 +2,8 @@
 
 python benchmarks/blind/run.py [--folder DIR] [--cases 240 | --sample 24] [--seed 1] [--jobs 2] [--baselines]
 
-What is there already is kept, so a run that was broken off goes on where it stopped.
+What is there already is kept, so a run that was broken off goes on where it stopped. With --gate the exit
+code is 1 if a sample of this size, which tells no share well, says that something is broken.
 """
 
 from __future__ import annotations
@@ -18,7 +19,7 @@ from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
 from generate import CALIBRATION, SCORED, generate
-from score import report
+from score import missed, read, report
 
 LIMIT = 600.0
 
@@ -52,6 +53,7 @@ def main(arguments: Sequence[str] | None = None) -> None:
     parser.add_argument("--seed", type=int, default=SCORED, help=f"{CALIBRATION} is the calibration set")
     parser.add_argument("--jobs", type=int, default=2)
     parser.add_argument("--baselines", action="store_true", help="run the baselines, too")
+    parser.add_argument("--gate", action="store_true", help="end with exit code 1 if the score is poor")
     given = parser.parse_args(arguments)
     count = given.sample or given.cases
     folder = given.folder or Path(f"blind_{given.seed}_{count}")
@@ -66,6 +68,9 @@ def main(arguments: Sequence[str] | None = None) -> None:
 
         judge(folder, given.jobs)
     report(folder)
+    poor = missed(read(folder)) if given.gate else []
+    if poor:
+        sys.exit("\n".join(["", "the score is poor:", *poor]))
 
 
 if __name__ == "__main__":

@@ -20,6 +20,7 @@ from typing import Any
 from seal import unseal
 
 Answer = tuple[str, str]
+LEAST = 0.7  # share of single effects to be named even in a small sample
 
 
 @dataclass(frozen=True)
@@ -114,6 +115,21 @@ def table(cases: Sequence[Scored]) -> list[tuple[str, str, str]]:
     rows += _times(cases)
     rows.append(_share("no verdict", cases, lambda c: c.said == "failed", "0 %"))
     return rows
+
+
+def missed(cases: Sequence[Scored]) -> list[str]:
+    """Return what is wrong even in a small sample: it is far below what the whole set shows."""
+    shown = [c for c in cases if c.label["group"] == "effect" and c.label["severity"] >= 3]
+    clean = [c for c in cases if c.label["group"] in ("none", "parameters")]
+    right, alarms = sum(c.hit for c in shown), sum(map(_alarm, clean))
+    failed = sum(c.said == "failed" for c in cases)
+    told = {
+        f"{right} of {len(shown)} single effects named at gap-to-noise 3 and 10, {LEAST:.0%} wanted": right
+        >= LEAST * len(shown),
+        f"{alarms} false alarms in {len(clean)} cases, at most one in eight wanted": 8 * alarms <= len(clean),
+        f"{failed} cases without a verdict": not failed,
+    }
+    return [text for text, good in told.items() if not good]
 
 
 def by(cases: Sequence[Scored], key: Callable[[Scored], str]) -> list[tuple[str, str, str]]:
