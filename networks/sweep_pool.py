@@ -16,6 +16,8 @@ from concurrent.futures import (
     wait,
 )
 from functools import cache
+from multiprocessing import parent_process
+from threading import Thread
 from typing import Any
 
 from ..components.base import ModelError
@@ -146,12 +148,20 @@ def _load_tables() -> None:
 
 
 def _processes(workers: int) -> ProcessPoolExecutor:
-    return ProcessPoolExecutor(workers, initializer=_leave_interrupts)
+    return ProcessPoolExecutor(workers, initializer=_belong)
 
 
-def _leave_interrupts() -> None:
-    """Let Ctrl-C reach only the process that collects results."""
+def _belong() -> None:
+    """Let Ctrl-C reach only the process that collects results, and end with it, even if it is killed."""
     signal.signal(signal.SIGINT, signal.SIG_IGN)
+    Thread(target=_end_with_parent, daemon=True).start()
+
+
+def _end_with_parent() -> None:
+    parent = parent_process()
+    if parent is not None:
+        parent.join()
+        os._exit(1)
 
 
 def _processors() -> int:

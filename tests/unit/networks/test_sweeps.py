@@ -265,10 +265,19 @@ def script(tmp_path: Path) -> list[str]:
     return [sys.executable, str(file), str(tmp_path / "out.csv")]
 
 
+def _is_alive(group: int) -> bool:
+    """Tell whether a process of a group is left."""
+    try:
+        os.killpg(group, 0)
+    except ProcessLookupError:
+        return False
+    return True
+
+
 def stopped_by(how: int, script: list[str]) -> int:
     """Stop a sweep once some rows are in its journal; return how many were there."""
     journal = Path(f"{script[-1]}.journal")
-    running = subprocess.Popen(script, stderr=subprocess.DEVNULL)
+    running = subprocess.Popen(script, stderr=subprocess.DEVNULL, start_new_session=True)
     until = time.monotonic() + 30
     while not (journal.exists() and len(journal.read_text().splitlines()) > 3):
         assert time.monotonic() < until
@@ -276,6 +285,9 @@ def stopped_by(how: int, script: list[str]) -> int:
         time.sleep(0.01)
     running.send_signal(how)
     assert running.wait(30) != 0
+    while _is_alive(running.pid):
+        assert time.monotonic() < until
+        time.sleep(0.01)
     file = Path(script[-1]) if how == signal.SIGINT else journal
     return len(file.read_text().splitlines()) - (how == signal.SIGINT)
 
