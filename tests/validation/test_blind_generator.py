@@ -183,7 +183,7 @@ def test_scores(blind: Any) -> None:
         effects = [{"kind": kind, "site": site} for kind, site in named]
         others = [{"kind": kind, "site": site} for kind, site in equivalent]
         told = {"verdict": verdict, "effects": effects, "equivalent": others, "closed": 0.9}
-        return blind.score.Scored(label, told, seconds=2.0, oracle=1.0)
+        return blind.score.Scored(label, told, seconds=2.0)
 
     right = case(label, "effect", ("backlash", "gear"))
     wrong_site = case(label, "effect", ("backlash", "motor"), equivalent=[("backlash", "shaft")])
@@ -195,7 +195,14 @@ def test_scores(blind: Any) -> None:
     assert rows["class holds the truth"].endswith("3/3")
     assert rows["mean size of a class"] == "1.67"
     assert rows["false alarms, both"].endswith("1/2")
-    assert rows["closed, over refitting the true effect"].startswith("median 0.900")
+    assert rows["closed, of all that is above the noise"].startswith("median 0.900")
+    assert blind.score.missed([right, quiet]) == []
+    poor = blind.score.missed([right, wrong_site, too_many, alarm, quiet, blind.score.Scored(label, {})])
+    assert [told.split(",")[0] for told in poor] == [
+        "1 of 4 single effects named at gap-to-noise 3 and 10",
+        "1 false alarms in 2 cases",
+        "1 cases without a verdict",
+    ]
 
 
 def test_the_generator_does_not_know_the_library() -> None:
