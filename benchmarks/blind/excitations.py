@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+import os
+
 import numpy as np
 from stepper import Array, Drive
 
 RATE = 20_000
 STEP = 1 / RATE
-DURATION = 20.0
+DURATION = float(os.environ.get("BLIND_SECONDS", "20"))
 FADE = 1.0
 SPARE = 0.02
 

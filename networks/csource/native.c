@@ -49,6 +49,7 @@ EXPORT void native_tell(const Core *c, long long shared[], long long limits[]) {
 static void record(Run *run, double t, const double y[]) {
     run->times[run->row_count] = run->last = t;
     memcpy(run->points + run->row_count++ * NY, y, NY * sizeof *y);
+    if (run->row_count >= run->output_count + run->room) run->budget = 0;
 }
 
 static void open_segment(Run *run, const Core *c) {

@@ -333,3 +333,28 @@ def test_without_a_compiler_the_remedy_is_named(monkeypatch: pytest.MonkeyPatch)
         compiler()
     with pytest.raises(ia.ModelError, match="no platform 'x86_64-linx'; did you mean 'x86_64-linux'"):
         compiler("x86_64-linx")
+
+
+class Watched(ia.Component):
+    """A body whose mode would change whenever it turns, but never may."""
+
+    flange = ia.TranslationalFlange()
+    v = ia.variable("m/s", "speed")
+    state = ia.mode("quiet", "loud")
+
+    def equations(self) -> Any:
+        yield self.v == ia.der(self.flange.s)
+        yield ia.der(self.v) == self.flange.f
+
+    def transitions(self) -> Any:
+        yield self.state.goes("quiet", "loud", when=self.v > 0, allowed=self.v > 1e9)
+        yield self.state.goes("loud", "quiet", when=self.v > 1e9)
+
+
+def test_landings_without_end_that_switch_nothing_fit_into_a_run() -> None:
+    net = ia.Network("turning", wall=ia.Fixed(), spring=ia.Spring(k=1e6), body=Watched())
+    net.connect(net.wall.flange, net.spring.flange_a).connect(net.body.flange, net.spring.flange_b)
+    run = net.simulate(30.0, step=6.0, solver="compiled", start={"body.v": 1.0}, rtol=1e-3)
+    assert len(run.time) > 4000  # one at every turn, 1000 rad/s
+    assert run.events == []
+    assert np.abs(run["body.flange.s"]).max() < 2e-3
