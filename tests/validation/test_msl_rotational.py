@@ -20,7 +20,7 @@ from scipy.optimize import brentq
 Array = NDArray[np.float64]
 Switches = Callable[[ia.Result, str], list[tuple[Any, str]]]
 
-TIGHT: dict[str, Any] = {"rtol": 1e-10, "atol": 1e-12}
+TIGHT: dict[str, Any] = {"rtol": 1e-12, "atol": 1e-14}
 
 
 def integral(run: ia.Result, power: Array) -> float:
