@@ -147,7 +147,8 @@ def _substituted(
     matrices = [block.matrix for block in torn]
     targets = [symbols[order]] if order else []
     defined = [definitions] if order else []
-    solved_values, others = ca.substitute_inplace(targets, defined, [*residuals, *matrices, also])
+    replaced: Any = ca.substitute_inplace(targets, defined, [*residuals, *matrices, also])
+    solved_values, others = replaced
     values = ca.SX(symbols)
     if order:
         values.nz[order] = solved_values[0]
