@@ -14,7 +14,10 @@ def pick(vector: Any, places: Sequence[int]) -> Any:
 
     Asked for as nonzeros they cost half of what plain indexing does.
     """
-    return ca.densify(vector).nz[list(places)] if len(places) else type(vector)(0, 1)
+    if not len(places):
+        return type(vector)(0, 1)
+    dense = vector if vector.is_dense() else ca.densify(vector)
+    return dense.nz[list(places)]
 
 
 def stacked(*columns: Any) -> Any:
