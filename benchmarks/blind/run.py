@@ -19,7 +19,7 @@ from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
 from generate import CALIBRATION, SCORED, generate
-from score import missed, read, report
+from score import missed, report
 
 LIMIT = 600.0
 
@@ -67,8 +67,8 @@ def main(arguments: Sequence[str] | None = None) -> None:
         from baselines import judge
 
         judge(folder, given.jobs)
-    report(folder)
-    poor = missed(read(folder)) if given.gate else []
+    scored = report(folder)
+    poor = missed(scored) if given.gate else []
     if poor:
         sys.exit("\n".join(["", "the score is poor:", *poor]))
 

@@ -90,7 +90,7 @@ def wilson(hits: int, count: int, z: float = 1.959964) -> tuple[float, float]:
 def table(cases: Sequence[Scored]) -> list[tuple[str, str, str]]:
     """Return rows of (measure, figure, target)."""
     single = [c for c in cases if c.label["group"] == "effect"]
-    clean = [c for c in cases if c.label["group"] in ("none", "parameters")]
+    clean = _clean(cases)
     rows = [
         _share(f"kind and site, gap-to-noise {s:g}", at, lambda c: c.hit, target)
         for s, target in ((10.0, ">= 90 %"), (3.0, ">= 80 %"), (1.0, ""))
@@ -117,8 +117,7 @@ def table(cases: Sequence[Scored]) -> list[tuple[str, str, str]]:
 
 def missed(cases: Sequence[Scored]) -> list[str]:
     """Return what is wrong even in a small sample: it is far below what the whole set shows."""
-    shown = [c for c in cases if c.label["group"] == "effect" and c.label["severity"] >= 3]
-    clean = [c for c in cases if c.label["group"] in ("none", "parameters")]
+    shown, clean = _strong(cases), _clean(cases)
     right, alarms = sum(c.hit for c in shown), sum(map(_alarm, clean))
     failed = sum(c.said == "failed" for c in cases)
     told = {
@@ -132,7 +131,7 @@ def missed(cases: Sequence[Scored]) -> list[str]:
 
 def by(cases: Sequence[Scored], key: Callable[[Scored], str]) -> list[tuple[str, str, str]]:
     """Return the share of right kind and site of single effects at gap-to-noise 3 and 10, by a key."""
-    single = [c for c in cases if c.label["group"] == "effect" and c.label["severity"] >= 3]
+    single = _strong(cases)
     return [
         _share(name, [c for c in single if key(c) == name], lambda c: c.hit, "")
         for name in sorted({*map(key, single)})
@@ -156,6 +155,16 @@ def show(title: str, rows: Sequence[tuple[str, str, str]]) -> None:
     print(f"\n{title}")
     for measure, figure, target in rows:
         print(f"  {measure:42} {figure:34} {target}")
+
+
+def _strong(cases: Sequence[Scored]) -> list[Scored]:
+    """Return those with one effect at gap-to-noise 3 and 10."""
+    return [c for c in cases if c.label["group"] == "effect" and c.label["severity"] >= 3]
+
+
+def _clean(cases: Sequence[Scored]) -> list[Scored]:
+    """Return those without an effect."""
+    return [c for c in cases if c.label["group"] in ("none", "parameters")]
 
 
 def _alarm(case: Scored) -> bool:
@@ -204,8 +213,8 @@ def main(arguments: Sequence[str] | None = None) -> None:
     report(given.folder)
 
 
-def report(folder: Path) -> None:
-    """Print the table of a set, of the diagnosis and of every baseline that was run."""
+def report(folder: Path) -> list[Scored]:
+    """Print the table of a set, of the diagnosis and of every baseline that was run; return the cases."""
     cases = read(folder)
     show(f"diagnosis, {len(cases)} cases", table(cases))
     show("kind and site by kind, gap-to-noise 3 and 10", by(cases, lambda c: c.label["effects"][0]["kind"]))
@@ -214,6 +223,7 @@ def report(folder: Path) -> None:
     for name in (n for n in names if not n.endswith(".run.json")):
         baseline = read(folder, name)
         show(f"{name[:-5].replace('_', ' ')}, {len(baseline)} cases", table(baseline))
+    return cases
 
 
 if __name__ == "__main__":

@@ -25,19 +25,26 @@ class Later:
         """
         if not name.startswith("_") and name not in self.modules:
             for module in self.modules:
-                shown = self._shown(module)
-                if name in shown:
-                    return shown[name]
+                path, face = self._face(module)
+                if _is_own(face.get(name), path):
+                    return face[name]
         raise AttributeError(f"module '{self.package}' has no attribute '{name}'")
 
     def names(self) -> list[str]:
         """Return all names that the modules show."""
-        return [name for module in self.modules for name in self._shown(module)]
+        faces = map(self._face, self.modules)
+        return [
+            name
+            for path, face in faces
+            for name, item in face.items()
+            if name[0] != "_" and _is_own(item, path)
+        ]
 
-    def _shown(self, module: str) -> dict[str, Any]:
+    def _face(self, module: str) -> tuple[str, dict[str, Any]]:
         path = f"{self.package}.{module}"
-        return {
-            name: item
-            for name, item in vars(import_module(path)).items()
-            if name[0] != "_" and getattr(item, "__module__", "").startswith(path)
-        }
+        return path, vars(import_module(path))
+
+
+def _is_own(item: Any, path: str) -> bool:
+    """Tell whether something is defined in a module or below it, not imported there from elsewhere."""
+    return getattr(item, "__module__", "").startswith(path)
