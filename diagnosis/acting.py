@@ -8,9 +8,10 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from .blackbox import BlackBox, Port
+from .blackbox import BlackBox
 from .effects import Motion
 from .placed import Placed
+from .port import Port
 
 Array = NDArray[np.float64]
 SHARP = 0.001  # speed below which friction is smooth, over the usual one
