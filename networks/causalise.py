@@ -145,11 +145,11 @@ def _substituted(
             definitions[place[variable]] = held
     residuals = [residual for block in torn for residual in block.residuals]
     matrices = [block.matrix for block in torn]
-    targets = [symbols[order]] if order else []
+    targets = [pick(symbols, order)] if order else []
     defined = [definitions] if order else []
     replaced: Any = ca.substitute_inplace(targets, defined, [*residuals, *matrices, also])
     solved_values, others = replaced
-    values = ca.SX(symbols)
+    values = symbols[:]
     if order:
         values.nz[order] = solved_values[0]
     count = len(residuals)

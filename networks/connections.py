@@ -14,7 +14,7 @@ from .problems import Illegible
 _Member = tuple[Instance, str, int]
 
 
-@dataclass(eq=False)
+@dataclass(eq=False, slots=True)
 class Node:
     """Joined ports; a composite's own port, seen from inside, counts negatively.
 

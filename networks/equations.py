@@ -23,11 +23,12 @@ def local_arguments(flat: Flat, group: list[Instance]) -> tuple[Any, Any]:
     impulse_of = {(id(i), name): k for k, (i, name) in enumerate(flat.impulses)}
     modes = [[mode_of[id(i), name] for i in group] for name in template.modes]
     impulses = [[impulse_of[id(i), name] for i in group] for name in template.impulses]
-    arguments = ca.vertcat(
-        flat.table.matrix(group),
+    discrete = [
         *[flat.mode_symbols[row].T for row in modes],
         *[flat.impulse_symbols[row].T for row in impulses],
-    )
+    ]
+    parameters = flat.table.matrix(group)
+    arguments = ca.vertcat(parameters, *discrete) if discrete else parameters
     symbols = [*template.parameters.values(), *template.modes.values(), *template.impulses.values()]
     return column(symbols), arguments
 

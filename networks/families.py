@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from .forms import Form
-from .vectors import pick, stacked
+from .vectors import pick_matrix, stacked
 
 Ints = NDArray[np.int64]
 ZERO = -1
@@ -52,12 +52,10 @@ class Family:
             values: all variables, as `padded` returns them.
             time: SX scalar.
         """
-        form = self.form
-        function = ca.Function("family", [form.locals, form.given, form.time], [expression])
-        return self._called(function, self.columns[rows], rows, values, time)
+        return self._called(self.form.function(expression), self.columns[rows], rows, values, time)
 
     def solved(self, pattern: tuple[int, ...], rows: Ints, values: Any, time: Any) -> Any | None:
-        """Return what an unknown of some instances is by their equations, as an SX column.
+        """Return what an unknown of some instances is by their equations, as an SX row.
 
         Args:
             pattern: 1 or -1 for a local symbol that is the unknown or its negative, else 0.
@@ -72,18 +70,14 @@ class Family:
         if slope is None or self.form.is_hybrid(slope):
             return None
         columns = np.where(np.array(pattern) != 0, ZERO, self.columns[rows])
-        offset = self._called(self.form.function, columns, rows, values, time).T
-        if isinstance(slope, float):
-            return offset if slope == -1 else -offset if slope == 1 else -offset / slope
-        return -offset / self.evaluate(slope, rows, values, time).T
+        return self._called(self.form.function(self.form.solution(slope)), columns, rows, values, time)
 
     def _called(self, function: Any, columns: Ints, rows: Ints, values: Any, time: Any) -> Any:
         """Return a function of (locals, given, time) for some instances."""
-        chosen = pick(values, columns.ravel().tolist())
+        chosen = pick_matrix(values, columns)
         negative = np.flatnonzero(self.signs[rows] < 0).tolist()
         if negative:
             chosen.nz[negative] = -chosen.nz[negative]
-        chosen = ca.reshape(chosen, columns.shape[1], len(rows))
         given = self.arguments if len(rows) == len(self) else self.arguments[:, rows.tolist()]
         return function(chosen, given, time)
 

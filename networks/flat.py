@@ -14,7 +14,7 @@ from .parameters import ParameterTable
 from .union import SignedUnion
 
 
-@dataclass(eq=False)
+@dataclass(eq=False, slots=True)
 class Instance:
     """One component in its place.
 

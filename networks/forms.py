@@ -51,10 +51,9 @@ class Form:
         """The slopes that are numbers, NaN for the others."""
         return np.array([float(s) if s.is_constant() else np.nan for s in self.slopes])
 
-    @cached_property
-    def function(self) -> Any:
-        """The residual as a function of locals, given and time."""
-        return ca.Function("residual", [self.locals, self.given, self.time], [self.residual])
+    def function(self, *expressions: Any) -> Any:
+        """Return expressions of local symbols as a function of locals, given and time."""
+        return ca.Function("form", [self.locals, self.given, self.time], list(expressions))
 
     def is_hybrid(self, expression: Any) -> bool:
         """Tell whether a number or an expression of local symbols depends on a mode."""
@@ -82,6 +81,16 @@ class Form:
             return float(number)
         slope = sum(pattern[i] * self.slopes[i] for i in places)
         return None if ca.depends_on(slope, pick(self.locals, places)) else slope
+
+    def solution(self, slope: Any) -> Any:
+        """Return what a variable is by the equation: SX in local symbols, with zero for the variable itself.
+
+        Args:
+            slope: the residual's slope in it.
+        """
+        if isinstance(slope, float) and abs(slope) == 1:
+            return self.residual if slope < 0 else -self.residual
+        return -self.residual / slope
 
     def differentiated(self) -> tuple[Form, list[int], list[int]]:
         """Return the form of the residual's time derivative.

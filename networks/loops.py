@@ -191,12 +191,13 @@ def _summed(system: System, weights: dict[Equation, int], highest: NDArray[np.bo
         family = system.families[number]
         stays = ~highest[family.columns[row]]
         form = family.form
-        own = ca.SX.sym("local", form.locals.numel())
+        own = ca.SX.zeros(form.locals.numel())
+        kept = ca.SX.sym("local", int(stays.sum()))
+        own.nz[np.flatnonzero(stays).tolist()] = kept
         own_given = ca.SX.sym("given", form.given.numel())
-        function = ca.Function("row", [form.locals, form.given, form.time], [form.residual, form.modes])
-        value, own_modes = function(own * ca.DM(stays.astype(float)), own_given, time)
+        value, own_modes = form.function(form.residual, form.modes)(own, own_given, time)
         residual += weight * value
-        locals_ += [own[i] for i in np.flatnonzero(stays).tolist()]
+        locals_.append(kept)
         given.append(own_given)
         modes.append(own_modes)
         arguments.append(family.arguments[:, row])

@@ -20,7 +20,7 @@ from ..components.base import (
     numpy_on_symbols,
 )
 from .problems import Illegible
-from .vectors import column, pick
+from .vectors import column, pick_matrix
 
 if TYPE_CHECKING:
     from .flat import Instance
@@ -97,8 +97,7 @@ class ParameterTable:
         numbers = np.array([instance.given for instance in group])
         values = ca.SX(len(names), len(group))
         if self.defaults:
-            chosen = pick(self.symbols, np.maximum(numbers, 0).ravel().tolist())
-            values = ca.reshape(chosen, len(names), len(group))
+            values = pick_matrix(self.symbols, np.maximum(numbers, 0))
         for place, line in np.argwhere(numbers < 0).tolist():
             values[line, place] = self.expression(group[place], names[line])
         return values

@@ -182,7 +182,7 @@ def _explicit(
         rows, places = zip(*sorted(members), strict=True)
         found = system.families[number].solved(pattern, np.array(rows), symbols, system.flat.time)
         assert found is not None
-        for place, value in zip(places, ca.vertsplit(found), strict=True):
+        for place, value in zip(places, ca.horzsplit(found), strict=True):
             values[place] = value
     return [(variable, value) for (_, variable), value in zip(follow, values, strict=True)]
 

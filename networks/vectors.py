@@ -7,6 +7,7 @@ from typing import Any
 
 import casadi as ca
 import numpy as np
+from numpy.typing import NDArray
 
 
 def pick(vector: Any, places: Sequence[int]) -> Any:
@@ -20,8 +21,14 @@ def pick(vector: Any, places: Sequence[int]) -> Any:
     return dense.nz[list(places)]
 
 
+def pick_matrix(vector: Any, places: NDArray[np.int64]) -> Any:
+    """Return the SX entries at (columns, rows) of places as a dense matrix (rows, columns)."""
+    columns, rows = places.shape
+    return ca.SX(ca.Sparsity.dense(rows, columns), pick(vector, places.ravel().tolist()))
+
+
 def stacked(*columns: Any) -> Any:
-    """Return dense SX columns as one; for long ones far cheaper than `ca.vertcat`."""
+    """Return dense SX columns or rows as one column; far cheaper than `ca.vertcat` for few or long ones."""
     ends = np.cumsum([0, *(part.numel() for part in columns)]).tolist()
     whole = ca.SX.zeros(ends[-1])
     for part, begin, end in zip(columns, ends, ends[1:], strict=False):
@@ -31,4 +38,4 @@ def stacked(*columns: Any) -> Any:
 
 def column(entries: Sequence[Any]) -> Any:
     """Return SX scalars and columns as one column, (0, 1) if there are none."""
-    return ca.vertcat(ca.SX(0, 1), *entries)
+    return ca.vertcat(*entries) if entries else ca.SX(0, 1)
