@@ -135,7 +135,7 @@ class ReplayedStand:
         self.given = np.zeros((len(self.fine), len(model.taken)))
         for name, channel in model.channels.items():
             if channel.driven:
-                smooth = np.ravel(np.array(record.sampled(name).interpolant("signal")(self.fine)))
+                smooth = record.sampled(name).at(self.fine)
                 variable, sign = model.driven[channel.path]
                 measure = model.measures[variable]
                 self.given[:, model.taken.index(variable)] = (sign * smooth - measure.offset) / measure.factor

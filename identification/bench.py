@@ -132,7 +132,7 @@ class Stand:
         )  # fmt: skip
         # An event at a sample ends a hair's breadth after it: what holds from there on is taken.
         at = np.searchsorted(run.time, time + 1e-3 * step, side="right") - 1
-        seen = self.variations.values(run)[at]
+        seen = self.variations.values(run, at)
         values = {name: seen[:, n] for n, name in enumerate(self.outputs)}
         first_point, last_point = run._segments[0].states[0][0], run._segments[-1].states[-1][-1]
         by_p: dict[str, Array] = {}

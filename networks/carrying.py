@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from math import isqrt
 from typing import Any
 
 import numpy as np
@@ -34,17 +35,31 @@ class Steps:
     weight: Array
 
     def carry(self, moved: Array, added: Array) -> Array:
-        """Return the changes at all points, (points, states, columns), that begin as `moved`."""
-        states: Array = np.empty((len(self.map) + 1, *moved.shape))
-        states[0] = moved
-        maps: list[Array] = list(self.map)
-        rows: list[Array] = list(states)
-        more: list[Array] = list(added)
-        for number, step in enumerate(maps):
-            following = rows[number + 1]
-            np.matmul(step, rows[number], out=following)
-            following += more[number]
-        return states
+        """Return the changes at all points, (points, states, columns), that begin as `moved`.
+
+        Stretches are followed side by side: first what each makes of any change, then from where it begins.
+        """
+        n, length = self.map.shape[1], max(1, isqrt(len(self.map)))
+        whole = len(self.map) - len(self.map) % length
+        maps, more = (
+            np.swapaxes(m[:whole].reshape(-1, length, *m.shape[1:]), 0, 1) for m in (self.map, added)
+        )
+        product = np.broadcast_to(np.eye(n), maps.shape[1:])
+        gathered = np.zeros((len(product), *moved.shape))
+        for step, extra in zip(maps, more, strict=True):
+            product, gathered = step @ product, step @ gathered + extra
+        begins = np.concatenate([moved[None], _followed(product, moved, gathered)])
+        inside = np.swapaxes(_followed(maps, begins[:-1], more), 0, 1).reshape(whole, *moved.shape)
+        rest = _followed(self.map[whole:], begins[-1], added[whole:])
+        return np.concatenate([moved[None], inside, rest])
+
+
+def _followed(maps: Array, moved: Array, added: Array) -> Array:
+    """Return what changes become after each step, one after another."""
+    states: Array = np.empty((len(maps), *moved.shape))
+    for k, (step, extra) in enumerate(zip(maps, added, strict=True)):
+        moved = states[k] = step @ moved + extra
+    return states
 
 
 def steps_along(points: Points, slopes: Slopes, to_x: Array, to_p: Array) -> Steps:

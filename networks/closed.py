@@ -96,13 +96,22 @@ class Closed:
             q: what is constant within a segment, at the instants, (instants, constants).
             times: the instants.
         """
-        if not self.dae.inputs:
-            return np.zeros((len(times), 0))
-        return self._input_values(q, times[:, None])[0][:, :, 0]
+        inputs = self.dae.inputs
+        values = np.empty((len(times), len(inputs)))
+        signals = [self.signals[declared.path] for declared in inputs]
+        others = [k for k, signal in enumerate(signals) if not isinstance(signal, Sampled)]
+        if others:
+            values[:, others] = self._traced_inputs(q, times[:, None])[0][:, :, 0]
+        for k, (declared, signal) in enumerate(zip(inputs, signals, strict=True)):
+            if isinstance(signal, Sampled):
+                values[:, k] = declared.sign * signal.at(times, declared.order)
+        return values
 
     @cached_property
-    def _input_values(self) -> Batch:
-        return Batch(ca.Function("inputs", [self.q, self.t], [self.u]))
+    def _traced_inputs(self) -> Batch:
+        """The inputs that are no records."""
+        chosen = [k for k, i in enumerate(self.dae.inputs) if not isinstance(self.signals[i.path], Sampled)]
+        return Batch(ca.Function("inputs", [self.q, self.t], [pick(self.u, chosen)]))
 
     def tangent(self, variables: tuple[int, ...], algebraic: bool) -> Any:
         """Return a function of joined variables (and algebraic residuals) and their slopes in x and z."""

@@ -80,9 +80,9 @@ class Variations:
         self._crossings = Crossings(dae, columns)
         self._line: _Line | None = None
 
-    def values(self, result: Result) -> Array:
-        """Return the signals themselves, (points, signals)."""
-        found: Array = self._values(*result.points.arguments)[0][:, :, 0]
+    def values(self, result: Result, at: Any) -> Array:
+        """Return the signals themselves at some of the points of a run, (points, signals)."""
+        found: Array = self._values(*result.points.only(at).arguments)[0][:, :, 0]
         return found
 
     def along(self, result: Result, start: Array | None = None) -> Array:

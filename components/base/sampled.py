@@ -58,8 +58,18 @@ class Sampled:
             return f"time does not increase after sample {i} (t = {self.time[i]:g} s); sort it"
         return ""
 
+    def at(self, times: ArrayLike, order: int = 0) -> NDArray[np.float64]:
+        """Return the signal, or its derivative of some `order`, at instants [s]."""
+        values: NDArray[np.float64] = self.cubic(times, order)
+        return values
+
+    @property
+    def cubic(self) -> Any:
+        """The spline as a `scipy.interpolate.CubicSpline`."""
+        return _cubic(self)
+
     def interpolant(self, name: str) -> Any:
-        """Return the signal as a CasADi function of time (cubic B-spline, C2)."""
+        """Return the signal as a CasADi function of time (cubic B-spline, C2); zero outside its instants."""
         return _spline(self, name)
 
     def curvature(self, name: str) -> Any:
@@ -71,19 +81,24 @@ class Sampled:
         return _curvature(self, name)
 
 
-@lru_cache(maxsize=16)
+@lru_cache(maxsize=64)
+def _cubic(signal: Sampled) -> Any:
+    from scipy.interpolate import CubicSpline
+
+    return CubicSpline(signal.time, signal.values)
+
+
+@lru_cache(maxsize=64)
 def _spline(signal: Sampled, name: str) -> Any:
     import casadi as ca
+    from scipy.interpolate import make_interp_spline
 
-    return ca.interpolant(name, "bspline", [signal.time], signal.values)
+    spline = make_interp_spline(signal.time, signal.values)
+    return ca.Function.bspline(name, [spline.t.tolist()], spline.c.tolist(), [3], 1)
 
 
-@lru_cache(maxsize=16)
+@lru_cache(maxsize=64)
 def _curvature(signal: Sampled, name: str) -> Any:
     import casadi as ca
 
-    t = ca.MX.sym("t")
-    rate = ca.jacobian(_spline(signal, name)(t), t)
-    second = ca.Function(name, [t], [ca.jacobian(rate, t)])
-    values = second.map(len(signal.time))(signal.time[None, :]).full().ravel()
-    return ca.interpolant(name, "linear", [signal.time], values)
+    return ca.interpolant(name, "linear", [signal.time], signal.at(signal.time, 2))

@@ -45,6 +45,8 @@ if TYPE_CHECKING:
 
 ARRIVED, PAUSED, STUCK, FAILED = range(4)
 ROOM, ROUNDS = 512, 1000
+CROWD = 20000  # events between two outputs that are more than can be meant
+UNEVEN = 20  # times its share of `max_steps` that an interval between outputs may take
 PATIENCE = 0.05
 DOUBLES, INTEGERS = POINTER(c_double), POINTER(c_longlong)
 _LIBRARIES: WeakKeyDictionary[System, dict[tuple[Any, ...], Any]] = WeakKeyDictionary()
@@ -58,7 +60,7 @@ class _Run(Structure):
         + [(name, DOUBLES) for name in ("outputs", "times", "points", "constants", "event_times", "impulses")]
         + [(name, INTEGERS) for name in ("segment_rows", "changes", "stays")]
         + [(name, c_longlong) for name in ("output_count", "next", "row_count", "segment_count")]
-        + [(name, c_longlong) for name in ("event_count", "room", "budget", "steps", "rejected")]
+        + [(name, c_longlong) for name in ("event_count", "room", "crowd", "budget", "steps", "rejected")]
         + [("last", c_double)]
     )  # fmt: skip
 
@@ -107,6 +109,8 @@ class Native:
         begin = point.t, _pointer(y), _pointer(point.q), _pointer(self._free), records
         self._library.native_begin(self._core, *begin)
         store = _Store(self, outputs, (settings.rtol, settings.atol))
+        if settings.max_steps is not None:
+            store.shared.crowd = min(CROWD, UNEVEN * settings.max_steps // (len(outputs) - 1) + UNEVEN)
         budget, status = 1000, PAUSED
         while status == PAUSED:
             store.shared.budget = budget
@@ -162,7 +166,7 @@ class _Store:
             setattr(shared, name, _pointer(getattr(self, name)))
         shared.segment_rows = _pointer(self.starts)
         shared.output_count, shared.next, shared.room = len(outputs), 1, ROOM // 2
-        shared.last = -np.inf
+        shared.last, shared.crowd = -np.inf, CROWD
 
     def drain(self, run: Run) -> None:
         """Move what was recorded into `run`."""
@@ -209,9 +213,7 @@ def _table(signal: Any, order: int) -> tuple[NDArray[np.float64], NDArray[np.flo
     """Return the instants and the powers of a record's spline, or of its derivative."""
     if not isinstance(signal, Sampled):
         return None
-    from scipy.interpolate import CubicSpline
-
-    powers = CubicSpline(signal.time, signal.values).c
+    powers = signal.cubic.c
     for _ in range(order):
         powers = np.vstack([np.zeros_like(powers[:1]), powers[:3] * [[3.0], [2.0], [1.0]]])
     return signal.time, np.ascontiguousarray(powers)
