@@ -30,7 +30,7 @@ static int is_ours(const Instance *c, const Saved *state)
            state->sum == sum_of(&state->situation);
 }
 
-static FaceStatus refuse(Instance *c, const char *function)
+static FaceStatus foreign(Instance *c, const char *function)
 {
     return face_refuse(c, function, "this is no saved state of this model and kind of instance");
 }
@@ -38,7 +38,7 @@ static FaceStatus refuse(Instance *c, const char *function)
 FaceStatus face_save(Instance *c, const char *function, Saved **state)
 {
     if (!state) return face_refuse(c, function, "there is nowhere to put the state");
-    if (*state && !is_ours(c, *state)) return refuse(c, function);
+    if (*state && !is_ours(c, *state)) return foreign(c, function);
     if (!*state) *state = calloc(1, sizeof **state);
     if (!*state) return face_refuse(c, function, "out of memory");
     memcpy((*state)->magic, MAGIC, sizeof (*state)->magic);
@@ -51,7 +51,7 @@ FaceStatus face_save(Instance *c, const char *function, Saved **state)
 
 FaceStatus face_restore(Instance *c, const char *function, const Saved *state)
 {
-    if (!is_ours(c, state)) return refuse(c, function);
+    if (!is_ours(c, state)) return foreign(c, function);
     memcpy(&c->now, &state->situation, sizeof c->now);
     return FACE_OK;
 }
@@ -59,7 +59,7 @@ FaceStatus face_restore(Instance *c, const char *function, const Saved *state)
 FaceStatus face_forget(Instance *c, const char *function, Saved **state)
 {
     if (!state || !*state) return FACE_OK;
-    if (!is_ours(c, *state)) return refuse(c, function);
+    if (!is_ours(c, *state)) return foreign(c, function);
     memset(*state, 0, sizeof (*state)->magic);
     free(*state);
     *state = NULL;
@@ -69,14 +69,14 @@ FaceStatus face_forget(Instance *c, const char *function, Saved **state)
 FaceStatus face_saved_size(Instance *c, const char *function, const Saved *state, size_t *size)
 {
     if (!size) return face_refuse(c, function, "there is nowhere to put the size");
-    if (!is_ours(c, state)) return refuse(c, function);
+    if (!is_ours(c, state)) return foreign(c, function);
     *size = sizeof *state;
     return FACE_OK;
 }
 
 FaceStatus face_serialize(Instance *c, const char *function, const Saved *state, void *bytes, size_t size)
 {
-    if (!is_ours(c, state)) return refuse(c, function);
+    if (!is_ours(c, state)) return foreign(c, function);
     if (!bytes || size < sizeof *state) return face_refuse(c, function, "the room for the state is too small");
     memcpy(bytes, state, sizeof *state);
     return FACE_OK;
@@ -86,8 +86,8 @@ FaceStatus face_deserialize(Instance *c, const char *function, const void *bytes
 {
     Saved *copy;
     if (!state) return face_refuse(c, function, "there is nowhere to put the state");
-    if (*state && !is_ours(c, *state)) return refuse(c, function);
-    if (!bytes || size < sizeof *copy) return refuse(c, function);
+    if (*state && !is_ours(c, *state)) return foreign(c, function);
+    if (!bytes || size < sizeof *copy) return foreign(c, function);
     copy = *state ? *state : calloc(1, sizeof *copy);
     if (!copy) return face_refuse(c, function, "out of memory");
     memcpy(copy, bytes, sizeof *copy);
@@ -95,7 +95,7 @@ FaceStatus face_deserialize(Instance *c, const char *function, const void *bytes
         memset(copy, 0, sizeof copy->magic);
         free(copy);
         *state = NULL;
-        return refuse(c, function);
+        return foreign(c, function);
     }
     *state = copy;
     return FACE_OK;

@@ -19,6 +19,7 @@ void core_reset(Core *c) {
     for (int i = 0; i < NG; i++) c->fastest[i] = 1;
     c->u_time = NAN;
     c->interval = 1;
+    c->crowd = 20000;
 }
 
 double core_time(const Core *c) { return c->t; }

@@ -11,6 +11,8 @@
 #define STAGES 8
 #define RECENT 200
 #define MESSAGE 1024
+#define FLOOR 1e-12 /* indicators and rates below are zero */
+#define FLAT 1e-10  /* share of its fastest rate below which an indicator does not rise */
 
 /* Factors of a matrix of the unknowns that are kept: LU with pivoting, or sparse QR. */
 typedef struct {
@@ -58,6 +60,7 @@ struct Core {
 
     double h, last_error, last_h; /* next step size; of the last accepted step */
     double interval; /* what time is long or short against: step of communication or of output */
+    int crowd;       /* events in an interval that are more than can be meant */
     double recent[RECENT], mark;
     int recent_count, mark_count;
     long long steps, rejected;
@@ -147,7 +150,7 @@ void core_reset_variables(Core *c, const int changes[], int count);
 /* rosenbrock.c */
 int core_step_begin(Core *c);
 int core_step_try(Core *c, double h, double rtol, double atol, double *error);
-void core_step_dense(Core *c, double t, double y[]);
+void core_step_dense(Core *c, double t, double y[], double rates[]);
 
 /* locate.c */
 int core_locate(Core *c, double *t, double *begin, double *end, int *indicator);

@@ -4,9 +4,7 @@
 
 #include "core_state.h"
 
-#define FLOOR 1e-12
 #define RELATIVE 1e-12
-#define FLAT 1e-10
 #define ROUNDS 1000
 
 int core_leavable(const Core *c, int i) { return core_mode(c, model_change_mode[i]) == model_change_source[i]; }

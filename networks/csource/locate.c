@@ -13,7 +13,6 @@
 #define PER_INTERVAL 4
 #define HOP 1e-6
 #define SIMULTANEOUS 1e-12
-#define FLOOR 1e-12
 
 static const double SHARES[CHECKS] = {GOLDEN, 0.5, 1 - GOLDEN};
 
@@ -77,12 +76,13 @@ static int timed(const Core *c) {
     return 0;
 }
 
-/* Algebraic unknowns follow time, which a step need not: they are solved for where it matters. */
+/* Algebraic unknowns follow time, which a step need not: they are solved for where it matters. Rates are those of
+ * the interpolation, as its errors in stiff states would make wrong ones of them in the equations. */
 static int watch_inside(Core *c, double t, Watched *w) {
-    double y[ROOM(NY)];
-    core_step_dense(c, t, y);
+    double y[ROOM(NY)], rates[ROOM(NY)];
+    core_step_dense(c, t, y, rates);
     if (timed(c) && !core_solve_algebra(c, t, y)) return 0;
-    return core_motion_at(c, t, y, c->value) && core_watch(c, t, y, c->value, w);
+    return core_watch(c, t, y, rates, w);
 }
 
 static int first(const Core *c, double span, double *share) {
@@ -170,7 +170,7 @@ static int look(Core *c, double t) {
 /* Step anew onto the crossing of an indicator near *t, in the piece from `begin` (`left`) to `end`. `reached` tells
  * whether zero was: interpolation can make believe in a crossing. */
 static CoreStatus approach(Core *c, int indicator, double *t, double begin, double end, int *reached) {
-    double low = begin, high = end, error, whole = c->step.h, kept[ROOM(NY)];
+    double low = begin, high = end, error, whole = c->step.h, moved = INFINITY, kept[ROOM(NY)];
     int beyond = begins_beyond(c, indicator, end - begin);
     *reached = 1;
     for (;;) {
@@ -200,7 +200,11 @@ static CoreStatus approach(Core *c, int indicator, double *t, double begin, doub
         }
         if (beyond ? rate < 0 : g < 0) low = *t;
         else high = *t;
-        *t = low < newton && newton < high ? newton : 0.5 * (low + high);
+        /* Where the rate of a stiff state misleads, Newton's steps creep: those that do not halve are not taken. */
+        int follow = low < newton && newton < high && fabs(newton - *t) < 0.5 * moved;
+        double next = follow ? newton : 0.5 * (low + high);
+        moved = fabs(next - *t);
+        *t = next;
     }
 }
 

@@ -19,7 +19,7 @@ typedef struct {
     double *times, *points, *constants, *event_times, *impulses;
     long long *segment_rows, *changes, *stays;
     long long output_count, next, row_count, segment_count, event_count;
-    long long room, budget, steps, rejected;
+    long long room, crowd, budget, steps, rejected;
     double last;
 } Run;
 
@@ -66,7 +66,7 @@ static int stepped(void *context, Core *c, double until) {
         double t = run->outputs[run->next];
         if (t == until) record(run, t, c->y);
         else {
-            core_step_dense(c, t, y);
+            core_step_dense(c, t, y, 0);
             core_solve_algebra(c, t, y);
             record(run, t, y);
         }
@@ -94,6 +94,7 @@ EXPORT int native_run(Core *c, Run *run) {
     CoreStop reached;
     long long before = c->steps, refused = c->rejected;
     c->interval = run->interval;
+    c->crowd = (int)run->crowd;
     if (isinf(run->last)) open_segment(run, c); /* where it begins */
     CoreStatus status = core_travel(c, run->stop, run->rtol, run->atol, 0, 0, &told, &reached);
     run->steps += c->steps - before;

@@ -152,11 +152,15 @@ static void bend(Core *c) {
     c->step.bent = 1;
 }
 
-/* Interpolate inside the last step. */
-void core_step_dense(Core *c, double t, double y[]) {
+/* Interpolate inside the last step, and, if `rates` are wanted, what rates the interpolation has. */
+void core_step_dense(Core *c, double t, double y[], double rates[]) {
     const Step *s = &c->step;
     if (!s->bent) bend(c);
     double x = (t - s->t) / s->h, rest = 1 - x;
-    for (int i = 0; i < NY; i++)
-        y[i] = rest * s->begin[i] + x * (s->end[i] + rest * (s->bend[0][i] + x * (s->bend[1][i] + x * s->bend[2][i])));
+    for (int i = 0; i < NY; i++) {
+        double b = s->bend[1][i] + x * s->bend[2][i], a = s->bend[0][i] + x * b;
+        y[i] = rest * s->begin[i] + x * (s->end[i] + rest * a);
+        if (rates)
+            rates[i] = (s->end[i] - s->begin[i] + (rest - x) * a + x * rest * (b + x * s->bend[2][i])) / s->h;
+    }
 }

@@ -9,7 +9,6 @@
 #define SLOWER 0.2
 #define ORDER 5.0
 #define TINY 1e-15
-#define FLAT 1e-10
 #define MOST_STEPS 10000000
 
 typedef struct {
@@ -107,7 +106,7 @@ static CoreStatus watch_chatter(Core *c) {
         c->mark = c->t;
         c->mark_count = 0;
     }
-    if (++c->mark_count > 20000) return chatters(c, c->mark_count, c->mark);
+    if (++c->mark_count > c->crowd) return chatters(c, c->mark_count, c->mark);
     return CORE_OK;
 }
 

@@ -35,10 +35,12 @@ def compile_shared(
     include: Iterable[str | Path] = (),
     flags: Iterable[str] = (),
 ) -> Path:
-    """Compile C sources into one shared library and return its path.
+    """Compile C sources as one translation unit into a shared library and return its path.
+
+    Headers are so read once, which is a third of the time, and small functions inlined across files.
 
     Args:
-        sources: C files.
+        sources: C files of one folder.
         out: the library to write.
         platform: "x86_64-linux", "aarch64-linux" (glibc 2.17), "x86_64-windows", "x86_64-darwin" or
             "aarch64-darwin", built by zig; this machine if not given.
@@ -52,10 +54,11 @@ def compile_shared(
     if not (platform or sys.platform).endswith(("windows", "win32")):
         command.append("-fPIC")
     command += [f"-I{folder}" for folder in include]
-    command += [*map(str, sources), "-o", str(out)]
+    command += ["-x", "c", "-", "-o", str(out)]
     if not (platform or sys.platform).endswith(("windows", "win32")):
         command.append("-lm")
-    done = subprocess.run(command, capture_output=True, text=True, check=False)
+    unit = "".join(f'#include "{Path(source).resolve().as_posix()}"\n' for source in sources)
+    done = subprocess.run(command, input=unit, capture_output=True, text=True, check=False)
     if done.returncode:
         told = "\n".join(done.stderr.strip().splitlines()[:20])
         raise ToolchainError(f"'{command[0]}' could not compile the network:\n{told}")
