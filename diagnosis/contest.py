@@ -152,5 +152,6 @@ def _reserve(candidates: Sequence[Candidate], leading: Sequence[Candidate]) -> l
 
 
 def same_motion(one: Candidate, other: Candidate) -> bool:
-    """Tell whether two candidates are one effect seen from two sites of one motion."""
-    return one.effect.kind == other.effect.kind and abs(one.gain - other.gain) <= 1e-6 * other.gain
+    """Tell whether two candidates are one effect seen from two sites of one motion; channels have none."""
+    moved = "channel" not in one.site.places
+    return moved and one.effect.kind == other.effect.kind and abs(one.gain - other.gain) <= 1e-6 * other.gain

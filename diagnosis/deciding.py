@@ -8,7 +8,7 @@ import numpy as np
 
 from ..identification import Accuracy, Campaign
 from .comparing import COLOURED, blocks, clearness, is_simpler, misfit
-from .contest import Round
+from .contest import Round, same_motion
 from .evidence import Evidence
 from .placed import Placed
 from .refit import Refit
@@ -62,7 +62,7 @@ def decided(
         verdict=word,
         effects=best.effects,
         confidence=tuple(confidence),
-        equivalent=tuple((f.effects[-1].effect.kind, f.effects[-1].site.path) for f in alike),
+        equivalent=_class(first, own, alike) if own is not None else (),
         next_experiment=further,
         where=shares(first.candidates),
         windows=located(campaign, base, first.candidates) if word == "unknown" else {},
@@ -119,6 +119,14 @@ def _alike(first: Round, own: Refit, effects: Sequence[Placed], campaign: Campai
             continue
         apart.append((abs(clearness(other, own, campaign)), other))
     return [other for distance, other in sorted(apart, key=lambda pair: pair[0]) if distance < ALIKE]
+
+
+def _class(first: Round, own: Refit, alike: Sequence[Refit]) -> tuple[tuple[str, str], ...]:
+    """Return kind and site of what cannot be told from an effect: by its fit, or by screening already."""
+    chosen = next(c for c in first.candidates if c.label == own.effects[-1].label)
+    moved = [c for c in first.candidates if c is not chosen and same_motion(c, chosen)]
+    fitted = [(f.effects[-1].effect.kind, f.effects[-1].site.path) for f in alike]
+    return tuple(dict.fromkeys([*fitted, *((c.effect.kind, c.site.path) for c in moved)]))
 
 
 def _ranked(fitted: Refit, base: Refit, campaign: Campaign) -> Ranked:

@@ -14,8 +14,7 @@ MOST_STEPS = 40
 LEAST_DROP = 1e-4  # of the sum of squares, that a step must promise
 GOOD = 0.5  # share of what was promised that a step must keep for its slopes to be believed
 POOR = 0.05  # share below which a step is not taken
-WIDEST = 2.0  # largest step, in units of what quantities may be expected to be
-NARROWEST = 1e-3  # largest step, in the same units, below which nothing but roughness is seen
+NARROWEST = 1e-3  # of what quantities may be expected to be: steps below it see nothing but roughness
 RIDGE = 1e-3
 
 
@@ -33,8 +32,9 @@ def descend(
     """Return the vector near `start`, within bounds, that has the least sum of squares, and that sum.
 
     Slopes are computed at the start, corrected by what each step really did (Broyden), and computed again
-    when steps no longer keep what they promise. Steps go no further than what quantities may be expected to
-    be, unit by unit, and further or less as they keep their promise.
+    when steps no longer keep what they promise. The first goes no further than what quantities may be
+    expected to be; one that keeps its promise may be followed by one twice as far, one that does not by a
+    shorter one.
 
     Raises:
         SimulationError: if there are no residuals at the start.
@@ -68,7 +68,7 @@ def descend(
         elif exact:
             break
         if kept > GOOD:
-            radius = min(2 * radius, WIDEST)
+            radius = max(radius, 2 * float(np.abs(step).max()))
         else:
             slopes = None
     return x, float(rest @ rest)

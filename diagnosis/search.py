@@ -99,10 +99,14 @@ def _chosen(done: Round, base: Refit, campaign: Campaign) -> Refit | None:
 
 
 def _worth_it(plain: Refit, richer: Refit, campaign: Campaign) -> bool:
-    """Tell whether a generalisation does clearly better, and not only mends what no law has quite right."""
+    """Tell whether a generalisation does clearly better, and not only mends what no law has quite right.
+
+    One that leaves nothing but noise, where its special case leaves more, does clearly better.
+    """
     left = misfit(plain) ** 2 - 1.0
     taken = misfit(plain) ** 2 - misfit(richer) ** 2
-    return taken > WORTH * left and clearness(plain, richer, campaign) >= CLEAR
+    clear = misfit(richer) <= NOISE < misfit(plain) or clearness(plain, richer, campaign) >= CLEAR
+    return taken > WORTH * left and clear
 
 
 def _pruned(best: Refit, campaign: Campaign, accuracy: Accuracy) -> Refit:

@@ -3,6 +3,7 @@
 import inertance as ia
 import numpy as np
 import pytest
+from inertance.diagnosis.comparing import clearness
 from inertance.diagnosis.effects import effect_of
 from inertance.diagnosis.placed import Placed
 from inertance.diagnosis.refit import Refit
@@ -10,7 +11,9 @@ from inertance.diagnosis.search import _worth_it
 from inertance.diagnosis.shaping import Shapes
 from inertance.diagnosis.sites import BETWEEN, Site
 from inertance.identification import Campaign, Record
+from numpy.typing import NDArray
 
+Array = NDArray[np.float64]
 TRAVEL = 0.01
 SITE = Site("guide", "translational", "guide.flange_b", "guide.flange_a", BETWEEN, travel=TRAVEL)
 
@@ -67,4 +70,19 @@ def test_what_generalises_must_take_away_a_good_part_of_what_is_left(
         residual = misfit * noise + 0.01 * rng.standard_normal(len(noise))
         return Refit({}, (hysteresis(TRAVEL),), [], [{"s": residual}], 0.0)
 
-    assert _worth_it(fitted(plain), fitted(richer), made) == (richer < 1.8)
+    assert _worth_it(fitted(plain), fitted(richer), made) is worth
+
+
+@pytest.mark.parametrize(("left", "worth"), [(0.0, True), (2.0, False)])
+def test_what_generalises_is_worth_it_if_nothing_is_left_but_noise(left: float, worth: bool) -> None:
+    rng, made = np.random.default_rng(0), campaign()
+    noise = rng.standard_normal(1001)
+    noise /= np.sqrt(np.mean(noise**2))
+    burst = np.where(np.arange(1001) < 50, 3.0, 0.0)
+
+    def fitted(residual: Array) -> Refit:
+        return Refit({}, (hysteresis(TRAVEL),), [], [{"s": residual}], 0.0)
+
+    plain, richer = fitted(noise + burst), fitted(noise + left / 3 * burst)
+    assert clearness(plain, richer, made) < 3
+    assert _worth_it(plain, richer, made) is worth

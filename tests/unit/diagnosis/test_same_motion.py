@@ -1,0 +1,33 @@
+"""What screening cannot tell apart: one motion of two sites is fitted once, each channel for itself."""
+
+from inertance.diagnosis.contest import Round, _leading
+from inertance.diagnosis.deciding import _class
+from inertance.diagnosis.effects import effect_of
+from inertance.diagnosis.placed import Placed
+from inertance.diagnosis.refit import Refit
+from inertance.diagnosis.screening import Candidate
+from inertance.diagnosis.sites import BETWEEN, Site
+
+
+def across(path: str, rank: int, gain: float) -> Candidate:
+    site = Site(path, "translational", f"{path}.flange_b", f"{path}.flange_a", BETWEEN, rank)
+    return Candidate(effect_of("linear_stiffness"), site, {"k": 1.0}, gain, 1.0)
+
+
+def fitted(candidate: Candidate) -> Refit:
+    return Refit({}, (Placed(candidate.effect, candidate.site, "added_1", candidate.values),), [], [], 0.0)
+
+
+def test_sites_of_one_motion_are_fitted_once_and_stand_in_the_class() -> None:
+    candidates = [across("screw", 1, 900.0), across("thread", 2, 900.0), across("rail", 2, 800.0)]
+    base = Refit({}, (), [], [], 0.0)
+    assert [c.site.path for c in _leading(candidates, set())] == ["thread", "rail"]
+    own, other = fitted(candidates[1]), fitted(candidates[2])
+    members = _class(Round(base, candidates, [own, other]), own, [other])
+    assert members == (("linear_stiffness", "rail"), ("linear_stiffness", "screw"))
+
+
+def test_each_channel_is_fitted() -> None:
+    sites = [Site(name, "channel", f"carriage.{name}", "", frozenset({"channel"})) for name in ("s", "a")]
+    candidates = [Candidate(effect_of("sensor_gain"), site, {"gain": 0.1}, 900.0, 1.0) for site in sites]
+    assert _leading(candidates, set()) == candidates
