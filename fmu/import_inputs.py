@@ -10,6 +10,7 @@ from typing import Any
 import numpy as np
 
 from ..components import Sampled
+from ..networks import cubic_spline
 from .errors import FMUError
 from .foreign import Group, Instance, Values
 from .import_description import ForeignVariable
@@ -140,7 +141,7 @@ def _continuous(fmu: FMU, v: ForeignVariable, signal: Any) -> Callable[[float], 
         number = checked(fmu, v, signal)[0]
         return lambda t: float(number)
     sampled = signal if isinstance(signal, Sampled) else Sampled(*_pair(fmu, v, signal))
-    spline = sampled.interpolant("signal")
+    spline = cubic_spline(sampled)
     return lambda t: float(spline(t))
 
 

@@ -46,6 +46,7 @@ from .polynomial import Polynomial as Polynomial
 from .result import Result as Result
 from .signals import chosen_signals as chosen_signals
 from .sketch import svg_sketch as svg_sketch
+from .splines import cubic_spline as cubic_spline
 from .starting import Start as Start
 from .starting import starting_point as starting_point
 from .stepwise import Stepwise as Stepwise

@@ -15,6 +15,7 @@ from .batch import Batch
 from .compiled import Compiled, dense
 from .dae import DAE, Input
 from .polynomial import Polynomial
+from .splines import cubic_spline, curvature, traced_spline
 from .stepper import Stepper, Tolerance
 from .switchfunctions import SwitchFunctions
 from .vectors import pick, stacked
@@ -104,7 +105,7 @@ class Closed:
             values[:, others] = self._traced_inputs(q, times[:, None])[0][:, :, 0]
         for k, (declared, signal) in enumerate(zip(inputs, signals, strict=True)):
             if isinstance(signal, Sampled):
-                values[:, k] = declared.sign * signal.at(times, declared.order)
+                values[:, k] = declared.sign * cubic_spline(signal)(times, declared.order)
         return values
 
     @cached_property
@@ -214,7 +215,7 @@ def input_value(declared: Input, signal: Any, t: Any) -> Any:
         ModelError: for what is no signal, by the name of its input.
     """
     curved = isinstance(signal, Sampled) and declared.order >= 2
-    value = signal.curvature("curvature")(t) if curved else _traced(declared.path, signal, t)
+    value = curvature(signal)(t) if curved else _traced(declared.path, signal, t)
     for _ in range(declared.order - 2 * curved):
         value = ca.jacobian(value, t)
     return declared.sign * value
@@ -222,7 +223,7 @@ def input_value(declared: Input, signal: Any, t: Any) -> Any:
 
 def _traced(path: str, signal: Any, t: Any) -> Any:
     if isinstance(signal, Sampled):
-        return signal.interpolant("signal")(t)
+        return traced_spline(signal)(t)
     if isinstance(signal, Real) and np.isfinite(float(signal)):
         return type(t)(float(signal))
     if isinstance(signal, Callable):  # type: ignore[arg-type]

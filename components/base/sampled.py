@@ -1,8 +1,6 @@
 """Sampled signals: measured data as a smooth function of time."""
 
 from dataclasses import dataclass
-from functools import lru_cache
-from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -57,48 +55,3 @@ class Sampled:
             i = int(np.argmax(step <= 0))
             return f"time does not increase after sample {i} (t = {self.time[i]:g} s); sort it"
         return ""
-
-    def at(self, times: ArrayLike, order: int = 0) -> NDArray[np.float64]:
-        """Return the signal, or its derivative of some `order`, at instants [s]."""
-        values: NDArray[np.float64] = self.cubic(times, order)
-        return values
-
-    @property
-    def cubic(self) -> Any:
-        """The spline as a `scipy.interpolate.CubicSpline`."""
-        return _cubic(self)
-
-    def interpolant(self, name: str) -> Any:
-        """Return the signal as a CasADi function of time (cubic B-spline, C2); zero outside its instants."""
-        return _spline(self, name)
-
-    def curvature(self, name: str) -> Any:
-        """Return the second derivative of the signal as a CasADi function of time.
-
-        It is linear between instants. CasADi 3.8.2 writes beyond its memory when the spline itself is
-        differentiated three times; this function can be differentiated once more.
-        """
-        return _curvature(self, name)
-
-
-@lru_cache(maxsize=64)
-def _cubic(signal: Sampled) -> Any:
-    from scipy.interpolate import CubicSpline
-
-    return CubicSpline(signal.time, signal.values)
-
-
-@lru_cache(maxsize=64)
-def _spline(signal: Sampled, name: str) -> Any:
-    import casadi as ca
-    from scipy.interpolate import make_interp_spline
-
-    spline = make_interp_spline(signal.time, signal.values)
-    return ca.Function.bspline(name, [spline.t.tolist()], spline.c.tolist(), [3], 1)
-
-
-@lru_cache(maxsize=64)
-def _curvature(signal: Sampled, name: str) -> Any:
-    import casadi as ca
-
-    return ca.interpolant(name, "linear", [signal.time], signal.at(signal.time, 2))

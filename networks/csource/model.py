@@ -13,6 +13,7 @@ from typing import Any
 import casadi as ca
 import numpy as np
 
+from ...components.base import Sampled
 from ..closed import input_value
 from ..dae import DAE, Input
 from ..stepper import nominal_sizes
@@ -130,7 +131,7 @@ class Model:
 
     def _inputs(self) -> Any:
         """Return bound inputs and their rates as a function of time; zero where inputs are free."""
-        sampled = any(hasattr(signal, "interpolant") for signal in self.signals.values())
+        sampled = any(isinstance(signal, Sampled) for signal in self.signals.values())
         kind: Any = ca.MX if sampled else ca.SX
         t = kind.sym("t")
         values = []

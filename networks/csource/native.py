@@ -33,6 +33,7 @@ from ..index import System
 from ..point import Point
 from ..polynomial import Polynomial
 from ..result import Segment
+from ..splines import cubic_spline
 from ..stepper import IntegratorError
 from .model import Model
 from .program import SOURCES, sources
@@ -213,7 +214,7 @@ def _table(signal: Any, order: int) -> tuple[NDArray[np.float64], NDArray[np.flo
     """Return the instants and the powers of a record's spline, or of its derivative."""
     if not isinstance(signal, Sampled):
         return None
-    powers = signal.cubic.c
+    powers = cubic_spline(signal).c
     for _ in range(order):
         powers = np.vstack([np.zeros_like(powers[:1]), powers[:3] * [[3.0], [2.0], [1.0]]])
     return signal.time, np.ascontiguousarray(powers)
