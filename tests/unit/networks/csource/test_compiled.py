@@ -358,3 +358,33 @@ def test_landings_without_end_that_switch_nothing_fit_into_a_run() -> None:
     assert len(run.time) > 4000  # one at every turn, 1000 rad/s
     assert run.events == []
     assert np.abs(run["body.flange.s"]).max() < 2e-3
+
+
+def driven_through(c: float, d: float) -> ia.Network:
+    """A wheel on a shaft that is driven to and fro; a stiff spring leads from it to a light one that rubs."""
+    t = np.linspace(0.0, 2.0, 2001)
+    net = ia.Network(
+        "stiff",
+        wall=rotational.Fixed(),
+        drive=rotational.Position(phi_ref=ia.Sampled(t, 2.0 * np.sin(2 * np.pi * t))),
+        shaft=rotational.SpringDamper(c=1e3, d=0.1),
+        wheel=rotational.Inertia(J=1e-3),
+        spring=rotational.SpringDamper(c=c, d=d),
+        light=rotational.Inertia(J=1e-6),
+        rub=rotational.StribeckFriction(tau_c=0.2, tau_s=0.24, w_s=5e8, d=3e-3),
+    )
+    net.connect(net.drive.flange, net.shaft.flange_a)
+    net.connect(net.shaft.flange_b, net.wheel.flange, net.spring.flange_a)
+    net.connect(net.spring.flange_b, net.light.flange, net.rub.flange_a)
+    return net.connect(net.rub.flange_b, net.wall.flange)
+
+
+def test_a_spring_that_is_all_but_rigid_does_not_blur_events() -> None:
+    stiff, stiffer = (
+        driven_through(c, d).simulate(2.0, step=0.004, solver="compiled", rtol=1e-5, atol=1e-7)
+        for c, d in ((1e9, 1e6), (1e12, 1e11))
+    )
+    slips = [[e.time for e in run.events if e.target != "stuck"] for run in (stiff, stiffer)]
+    assert len(slips[0]) > 3
+    np.testing.assert_allclose(slips[1], slips[0], atol=5e-3)
+    assert stiffer.stats["steps"] < 2 * stiff.stats["steps"]
