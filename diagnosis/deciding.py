@@ -65,13 +65,13 @@ def decided(
         equivalent=_class(first, own, alike) if own is not None else (),
         next_experiment=further,
         where=shares(first.candidates),
-        windows=located(campaign, base, first.candidates) if word == "unknown" else {},
+        windows=located(campaign, base, first.candidates, accuracy) if word == "unknown" else {},
         ranking=tuple(sorted(ranking, key=lambda r: -r.test_gain)),
         gap=gap,
         closed=closed,
         parameters=best.parameters,
         network=campaign.network,
-        evidence=Evidence(campaign, start, base, best, tuple(first.candidates)),
+        evidence=Evidence(campaign, start, base, best, tuple(first.candidates), accuracy),
         notes=tuple(notes),
     )
 

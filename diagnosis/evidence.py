@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from ..identification import Campaign
+from ..identification import Accuracy, Campaign
 from .refit import Refit
 from .screening import Candidate
 
@@ -19,6 +19,7 @@ class Evidence:
         refit: its parameters fitted.
         after: with the effects as well; the same as `refit` if none was accepted.
         screened: every effect at every site, with what it would explain.
+        accuracy: solver and tolerances of all runs.
     """
 
     campaign: Campaign
@@ -26,3 +27,4 @@ class Evidence:
     refit: Refit
     after: Refit
     screened: tuple[Candidate, ...] = ()
+    accuracy: Accuracy | None = None

@@ -108,7 +108,8 @@ def _residual(verdict: Verdict, stages: Stages, figures: dict[str, Figure]) -> I
     place = next((c.site for c in evidence.screened if c.site.path == _leading(verdict)), None)
     motions, units = [], ("", "", "")
     if place is not None:
-        motions = moved(campaign, evidence.refit.parameters, place, campaign.testing or campaign.training)
+        records, fitted = campaign.testing or campaign.training, evidence.refit.parameters
+        motions = moved(campaign, fitted, place, records, evidence.accuracy)
         si = campaign.measured[place.path].si if place.domain == "channel" else ""
         units = UNITS.get(place.domain, (si, f"{si}/s", f"{si}/s2"))
     shown = list(zip(stages, COLOURS, strict=False))[-2:]

@@ -38,7 +38,9 @@ def shares(candidates: Sequence[Candidate]) -> dict[str, float]:
     return {site: round(share, 4) for site, share in ordered[:MOST_SITES]}
 
 
-def located(campaign: Campaign, fitted: Refit, candidates: Sequence[Candidate]) -> dict[str, Any]:
+def located(
+    campaign: Campaign, fitted: Refit, candidates: Sequence[Candidate], accuracy: Accuracy | None = None
+) -> dict[str, Any]:
     """Return windows of time, the band of frequency and the regime of motion that hold a model's gap."""
     records = campaign.experiments
     missed = [*fitted.train, *fitted.test]
@@ -49,7 +51,7 @@ def located(campaign: Campaign, fitted: Refit, candidates: Sequence[Candidate]) 
         "unit": "windows in s, band in Hz",
     }
     if candidates:
-        motions = moved(campaign, fitted.parameters, candidates[0].site, records)
+        motions = moved(campaign, fitted.parameters, candidates[0].site, records, accuracy)
         ratios = regimes(motions, missed)
         regime = max(ratios, key=lambda name: ratios[name])
         lasting = sum(float(w["to"]) - float(w["from"]) for w in spans)
@@ -156,7 +158,11 @@ def regimes(motions: Sequence[Motion], missed: Sequence[Mapping[str, Array]]) ->
 
 
 def moved(
-    campaign: Campaign, parameters: Mapping[str, float], site: Site, experiments: Sequence[Experiment]
+    campaign: Campaign,
+    parameters: Mapping[str, float],
+    site: Site,
+    experiments: Sequence[Experiment],
+    accuracy: Accuracy | None = None,
 ) -> list[Motion]:
     """Return how a site moves in the nominal model with these parameters, at the instants of records.
 
@@ -165,7 +171,7 @@ def moved(
     if site.domain == "channel":
         return [_signal(e.compared, site.path) for e in experiments]
     model = predictor(campaign, campaign.network, (), (), [site])
-    accuracy = Accuracy(rtol=1e-5, atol=1e-7)
+    accuracy = accuracy or Accuracy(rtol=1e-5, atol=1e-7)
     motions = []
     for experiment in experiments:
         stand = model.stand(experiment)
