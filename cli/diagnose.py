@@ -66,7 +66,7 @@ def show(verdict: Verdict) -> None:
     """Print a verdict: the sentence, the gap, the ranking and the lines that correct the model."""
     console = Console()
     console.print(f"[bold]{verdict.verdict}[/bold]: {verdict.sentence}")
-    table = Table(title="gap on the test runs, NRMSE")
+    table = Table(title=f"gap on the {verdict.evidence.judged}, NRMSE")
     for heading in ("channel", "nominal", "refitted", "with effect", "noise"):
         table.add_column(heading, justify="left" if heading == "channel" else "right")
     for name, gap in verdict.gap.items():

@@ -9,7 +9,7 @@ import numpy as np
 from ..identification import Accuracy, Campaign
 from .comparing import COLOURED, blocks, clearness, is_simpler, misfit
 from .contest import Round, same_motion
-from .evidence import Evidence
+from .evidence import Evidence, judged
 from .placed import Placed
 from .refit import Refit
 from .separating import separating
@@ -104,7 +104,7 @@ def _gaps(campaign: Campaign, start: Refit, base: Refit, best: Refit) -> dict[st
             sigma * float(np.sqrt(np.mean(np.concatenate([r[name] for r in f.test or f.train]) ** 2))) / size
             for f in (start, base, best)
         )
-        unit = f"{campaign.measured[name].si}, NRMSE of the test runs"
+        unit = f"{campaign.measured[name].si}, NRMSE of the {judged(campaign)}"
         gaps[name] = Gap(nominal, refitted, after, sigma / size, unit)
     return gaps
 

@@ -28,3 +28,13 @@ class Evidence:
     after: Refit
     screened: tuple[Candidate, ...] = ()
     accuracy: Accuracy | None = None
+
+    @property
+    def judged(self) -> str:
+        """Which runs the figures are of."""
+        return judged(self.campaign)
+
+
+def judged(campaign: Campaign) -> str:
+    """Return which runs figures are of: without test runs, of those that were fitted."""
+    return "test runs" if campaign.testing else "training runs"

@@ -148,7 +148,7 @@ def _ranking(verdict: Verdict) -> Iterator[str]:
         rows.append([str(n), _kind(ranked.kind), escape(ranked.site), gain, chance(ranked.p), values])
         marked.append((ranked.kind, ranked.site) in chosen)
     yield "<p>Effects that were fitted together with the parameters, by what they take off the squared "
-    yield "residual of the test runs; p is the chance of as much without the effect.</p>"
+    yield f"residual of the {verdict.evidence.judged}; p is the chance of as much without the effect.</p>"
     yield _table(["", "effect", "site", "test gain", "p", "parameters"], rows, (0, 3, 4), marked)
 
 

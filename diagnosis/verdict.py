@@ -89,7 +89,7 @@ class Verdict:
         if self.verdict in WORDS:
             return WORDS[self.verdict]
         told = f"What is missing is {named}; adding it closes {self.closed:.0%} of the gap."
-        if self.verdict == "ambiguous":
+        if self.equivalent:
             others = ", ".join(f"{kind.replace('_', ' ')} at {site}" for kind, site in self.equivalent)
             told += f" These data cannot tell it from {others}."
         return told

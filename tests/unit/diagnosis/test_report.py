@@ -5,6 +5,7 @@ import re
 import shutil
 import subprocess
 from base64 import b64decode
+from copy import copy
 from dataclasses import replace
 from html.parser import HTMLParser
 from pathlib import Path
@@ -338,3 +339,17 @@ def test_browser_draws_it_without_error_or_network(page: Path, tmp_path: Path) -
     assert whole == other == "801 points from 0.00"
     assert near == "105 points from 0.99"
     assert width == "fits"
+
+
+def test_figures_are_said_to_be_of_the_runs_they_are_of(verdict: Verdict) -> None:
+    evidence = verdict.evidence
+    alone = copy(evidence.campaign)
+    alone.testing = []
+    assert evidence.judged == "test runs"
+    assert replace(evidence, campaign=alone).judged == "training runs"
+
+
+def test_sentence_names_the_class(verdict: Verdict) -> None:
+    assert "cannot tell" not in verdict.sentence
+    tied = replace(verdict, equivalent=(("coulomb_friction", "spring"),))
+    assert tied.sentence.endswith("These data cannot tell it from coulomb friction at spring.")
