@@ -43,13 +43,16 @@ def descend(
     Equations, SIAM 1996, sections 6.4, 8.1 and 10.3.
     """
     x = np.clip(start, *bounds)
-    rest, slopes = residual(x, True)
+    slopes: Array | None
+    rest, slopes = _sloped(residual, x)
     radius, exact = 1.0, True
     for _ in range(steps):
         if slopes is None:
-            rest, slopes = residual(x, True)
+            try:
+                rest, slopes = _sloped(residual, x)
+            except SimulationError:
+                break
             exact = True
-        assert slopes is not None
         within = np.maximum(bounds[0] - x, -radius), np.minimum(bounds[1] - x, radius)
         step, promised = _step(slopes, rest, within)
         cost, kept = float(rest @ rest), 0.0
@@ -72,6 +75,18 @@ def descend(
         else:
             slopes = None
     return x, float(rest @ rest)
+
+
+def _sloped(residual: Residual, x: Array) -> tuple[Array, Array]:
+    """Return residuals and slopes.
+
+    Raises:
+        SimulationError: if there are none, or not all are finite.
+    """
+    rest, slopes = residual(x, True)
+    if slopes is None or not (np.isfinite(rest).all() and np.isfinite(slopes).all()):
+        raise SimulationError("the slopes of a run are not finite")
+    return rest, slopes
 
 
 def _tried(residual: Residual, x: Array) -> Array | None:

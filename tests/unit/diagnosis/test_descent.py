@@ -2,6 +2,7 @@
 
 import numpy as np
 import pytest
+from inertance import SimulationError
 from inertance.diagnosis.descent import descend
 from numpy.typing import NDArray
 
@@ -21,3 +22,16 @@ def test_what_was_expected_far_off_is_reached_in_a_few_steps() -> None:
     assert found == pytest.approx([300.0, 1.0], abs=0.2)
     assert cost < 5.0
     assert len(asked) < 25
+
+
+def test_slopes_that_are_lost_end_the_descent_where_it_is() -> None:
+    def residual(vector: Array, slopes: bool) -> tuple[Array, Array]:
+        lost = np.nan if vector[0] > 0.5 else 1.0
+        return np.exp(10 * (1.0 - vector)), -10 * lost * np.diag(np.exp(10 * (1.0 - vector)))
+
+    free = np.array([-np.inf]), np.array([np.inf])
+    found, cost = descend(residual, np.zeros(1), free)
+    assert found[0] > 0.3
+    assert np.isfinite(cost)
+    with pytest.raises(SimulationError, match="not finite"):
+        descend(residual, np.array([0.9]), free)
