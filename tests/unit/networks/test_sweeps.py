@@ -253,8 +253,8 @@ def slow(values):
     return values["x"] + 0.5
 
 if __name__ == "__main__":
-    done = ia.sweep(None, {"x": range(40)}, slow, workers=2, path=sys.argv[1])
-    print(done.resumed, done.table["value"].tolist() == [n + 0.5 for n in range(40)])
+    done = ia.sweep(None, {"x": range(120)}, slow, workers=2, path=sys.argv[1])
+    print(done.resumed, done.table["value"].tolist() == [n + 0.5 for n in range(120)])
 """
 
 
@@ -295,7 +295,7 @@ def stopped_by(how: int, script: list[str]) -> int:
 @pytest.mark.parametrize("how", [signal.SIGINT, signal.SIGKILL])
 def test_nothing_done_is_lost_when_the_sweep_is_stopped(script: list[str], how: int) -> None:
     kept = stopped_by(how, script)
-    assert 3 < kept < 40
+    assert 3 < kept < 120
     told = subprocess.run(script, capture_output=True, text=True, check=True).stdout
     assert told.split() == [str(kept), "True"]
 
