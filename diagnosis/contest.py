@@ -19,7 +19,7 @@ from .thinning import thinned
 Report = Callable[[str], None]
 
 CONTENDERS = 8  # effects fitted in each round
-RESERVE = 3  # effects in series fitted besides, if much is left
+RESERVE = 3  # effects of either kind that are fitted besides, if much is left
 BATCH = 3  # fitted before those are left out that promise much less than was found
 HOPELESS = 0.4  # share of the best drop of chi squared below which a promise is much less
 SIZES = (0.3, 1.0, 3.0)  # of an effect in series, of which small ones tell little, to start from
@@ -43,11 +43,12 @@ def held(
     tell(f"screening effects{told}")
     candidates = screen(campaign, campaign.network, base.parameters, base.effects, accuracy)
     waiting = _leading(candidates, {placed.effect.kind for placed in base.effects})
-    reserve = [] if base.effects else _reserve(candidates, waiting)
-    fitted = list[Refit]()
+    tried, fitted, reserved = list[Candidate](), list[Refit](), bool(base.effects)
     payload = campaign.pickled() if executor is not None else b""
+    early: list[Candidate] = []
     while waiting:
         batch, waiting = _next(waiting)
+        tried += batch
         if executor is None:
             results = (_fit(campaign, base, candidate, fitted, accuracy) for candidate in batch)
         else:
@@ -58,9 +59,12 @@ def held(
             if found is not None:
                 fitted.append(found)
         waiting = _promising(waiting, base, fitted)
-        if not waiting and min(misfit(found) for found in (base, *fitted)) > COLOURED:
-            waiting, reserve = reserve, []
-    return Round(base, candidates, fitted)
+        if not waiting and not reserved and min(misfit(found) for found in (base, *fitted)) > COLOURED:
+            tell("much is left: screening where the parameters were given")
+            early = screen(campaign, campaign.network, campaign.start, (), accuracy)
+            waiting, reserved = _reserve(candidates, early, tried), True
+    screened = {c.label for c in candidates}
+    return Round(base, [*candidates, *(c for c in early if c.label not in screened)], fitted)
 
 
 def _promising(waiting: Sequence[Candidate], base: Refit, fitted: Sequence[Refit]) -> list[Candidate]:
@@ -87,7 +91,7 @@ def _fit(
 ) -> Refit | None:
     name = f"{candidate.effect.kind}_{len(base.effects) + 1}"
     placed = Placed(candidate.effect, candidate.site, name, candidate.values)
-    starts = _starts(candidate, base, fitted)
+    starts = _starts(candidate, fitted)
     try:
         found = refit(campaign, campaign.network, base.parameters, [*base.effects, placed], accuracy, starts)
     except InertanceError:
@@ -95,11 +99,11 @@ def _fit(
     return found if candidate.effect.credible(found.effects[-1].values) else None
 
 
-def _starts(candidate: Candidate, base: Refit, fitted: Sequence[Refit]) -> list[Start]:
+def _starts(candidate: Candidate, fitted: Sequence[Refit]) -> list[Start]:
     """Return parameters and values to fit a candidate from: as screened, or as its special case."""
     if candidate.effect.place == "series":
-        return [(base.parameters, {k: size * v for k, v in candidate.values.items()}) for size in SIZES]
-    starts: list[Start] = [(base.parameters, candidate.values)]
+        return [(candidate.parameters, {k: size * v for k, v in candidate.values.items()}) for size in SIZES]
+    starts: list[Start] = [(candidate.parameters, candidate.values)]
     effect, site = candidate.effect, candidate.site
     for plain in fitted:
         last = plain.effects[-1]
@@ -145,10 +149,19 @@ def _leading(candidates: Sequence[Candidate], found: Collection[str]) -> list[Ca
     return list(dict.fromkeys(ordered))
 
 
-def _reserve(candidates: Sequence[Candidate], leading: Sequence[Candidate]) -> list[Candidate]:
-    """Return the effects in series that come next, for the case that the others leave much."""
+def _reserve(
+    candidates: Sequence[Candidate], early: Sequence[Candidate], tried: Sequence[Candidate]
+) -> list[Candidate]:
+    """Return what may have been overlooked: effects in series, and those that a large one hid.
+
+    Parameters that were fitted without a large effect go far off, and there it looks like another: what was
+    screened `early`, where they were given, is fitted from there.
+    """
     series = [c for c in candidates if c.effect.place == "series" and c.gain > LEAST_GAIN]
-    return [c for c in series if not any(c is other or same_motion(c, other) for other in leading)][:RESERVE]
+    series = [c for c in series if not any(c is other or same_motion(c, other) for other in tried)]
+    labels = {c.label for c in tried}
+    hidden = [c for c in _leading(early, ()) if c.label not in labels]
+    return [*series[:RESERVE], *hidden[:RESERVE]]
 
 
 def same_motion(one: Candidate, other: Candidate) -> bool:

@@ -36,6 +36,7 @@ class Candidate:
     Attributes:
         gain: drop of the squared residual, in units of noise, over what the nominal parameters can do.
         share: what is left of its signature once the parameters' slopes are taken off, 0 to 1.
+        parameters: those of the model that it was screened on.
     """
 
     effect: Effect
@@ -43,6 +44,7 @@ class Candidate:
     values: dict[str, float]
     gain: float
     share: float
+    parameters: Mapping[str, float]
 
     @property
     def label(self) -> str:
@@ -106,7 +108,7 @@ def screen(
     for index, sight in enumerate(sights):
         slopes = sight.slopes * np.array(deviations)
         _add(sums, sight, slopes, sites, [moved[index] for moved in motions], motions)
-    return sorted(_scored(sums), key=lambda candidate: -candidate.gain)
+    return sorted(_scored(sums, parameters), key=lambda candidate: -candidate.gain)
 
 
 def _add(
@@ -187,7 +189,7 @@ def _channel_changes(sight: Sight) -> Iterator[tuple[Effect, Site, Array]]:
                 yield effect, site, sight.to_output(name, change)
 
 
-def _scored(sums: _Sums) -> Iterator[Candidate]:
+def _scored(sums: _Sums, parameters: Mapping[str, float]) -> Iterator[Candidate]:
     """Yield the best shape of each effect at each site."""
     prior = np.linalg.inv(sums.slopes + np.eye(sums.count)) if sums.count else np.zeros((0, 0))
     best: dict[tuple[str, str], Candidate] = {}
@@ -199,7 +201,7 @@ def _scored(sums: _Sums) -> Iterator[Candidate]:
         size = np.trace(tally.own)
         share = float(np.trace(matrix) / size) if size > 0 else 0.0
         chosen = dict(zip([q.name for q in sizes], values.tolist(), strict=True)) | tally.shape
-        candidate = Candidate(tally.effect, tally.site, chosen, gain, share)
+        candidate = Candidate(tally.effect, tally.site, chosen, gain, share, parameters)
         if (kind, path) not in best or gain > best[kind, path].gain:
             best[kind, path] = candidate
     yield from best.values()

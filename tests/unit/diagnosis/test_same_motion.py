@@ -1,6 +1,6 @@
 """What screening cannot tell apart: one motion of two sites is fitted once, each channel for itself."""
 
-from inertance.diagnosis.contest import Round, _leading
+from inertance.diagnosis.contest import Round, _leading, _reserve
 from inertance.diagnosis.deciding import _class
 from inertance.diagnosis.effects import effect_of
 from inertance.diagnosis.placed import Placed
@@ -11,7 +11,7 @@ from inertance.diagnosis.sites import BETWEEN, Site
 
 def across(path: str, rank: int, gain: float) -> Candidate:
     site = Site(path, "translational", f"{path}.flange_b", f"{path}.flange_a", BETWEEN, rank)
-    return Candidate(effect_of("linear_stiffness"), site, {"k": 1.0}, gain, 1.0)
+    return Candidate(effect_of("linear_stiffness"), site, {"k": 1.0}, gain, 1.0, {})
 
 
 def fitted(candidate: Candidate) -> Refit:
@@ -29,5 +29,11 @@ def test_sites_of_one_motion_are_fitted_once_and_stand_in_the_class() -> None:
 
 def test_each_channel_is_fitted() -> None:
     sites = [Site(name, "channel", f"carriage.{name}", "", frozenset({"channel"})) for name in ("s", "a")]
-    candidates = [Candidate(effect_of("sensor_gain"), site, {"gain": 0.1}, 900.0, 1.0) for site in sites]
+    candidates = [Candidate(effect_of("sensor_gain"), site, {"gain": 0.1}, 900.0, 1.0, {}) for site in sites]
     assert _leading(candidates, set()) == candidates
+
+
+def test_what_leads_where_parameters_were_given_is_tried_if_much_is_left() -> None:
+    tried = [across("screw", 1, 900.0)]
+    early = [across("rail", 1, 5000.0), across("screw", 1, 4000.0), across("thread", 1, 10.0)]
+    assert [c.site.path for c in _reserve(tried, early, tried)] == ["rail"]
