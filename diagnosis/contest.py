@@ -43,9 +43,9 @@ def held(
     tell(f"screening effects{told}")
     candidates = screen(campaign, campaign.network, base.parameters, base.effects, accuracy)
     waiting = _leading(candidates, {placed.effect.kind for placed in base.effects})
-    tried, fitted, reserved = list[Candidate](), list[Refit](), bool(base.effects)
+    tried, fitted = list[Candidate](), list[Refit]()
     payload = campaign.pickled() if executor is not None else b""
-    early: list[Candidate] = []
+    early: list[Candidate] | None = [] if base.effects else None
     while waiting:
         batch, waiting = _next(waiting)
         tried += batch
@@ -59,12 +59,12 @@ def held(
             if found is not None:
                 fitted.append(found)
         waiting = _promising(waiting, base, fitted)
-        if not waiting and not reserved and min(misfit(found) for found in (base, *fitted)) > COLOURED:
+        if not waiting and early is None and min(misfit(found) for found in (base, *fitted)) > COLOURED:
             tell("much is left: screening where the parameters were given")
             early = screen(campaign, campaign.network, campaign.start, (), accuracy)
-            waiting, reserved = _reserve(candidates, early, tried), True
+            waiting = _reserve(candidates, early, tried)
     screened = {c.label for c in candidates}
-    return Round(base, [*candidates, *(c for c in early if c.label not in screened)], fitted)
+    return Round(base, [*candidates, *(c for c in early or () if c.label not in screened)], fitted)
 
 
 def _promising(waiting: Sequence[Candidate], base: Refit, fitted: Sequence[Refit]) -> list[Candidate]:

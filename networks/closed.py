@@ -97,22 +97,23 @@ class Closed:
             q: what is constant within a segment, at the instants, (instants, constants).
             times: the instants.
         """
-        inputs = self.dae.inputs
-        values = np.empty((len(times), len(inputs)))
-        signals = [self.signals[declared.path] for declared in inputs]
-        others = [k for k, signal in enumerate(signals) if not isinstance(signal, Sampled)]
-        if others:
-            values[:, others] = self._traced_inputs(q, times[:, None])[0][:, :, 0]
-        for k, (declared, signal) in enumerate(zip(inputs, signals, strict=True)):
-            if isinstance(signal, Sampled):
-                values[:, k] = declared.sign * cubic_spline(signal)(times, declared.order)
+        values = np.empty((len(times), len(self.dae.inputs)))
+        if self._others:
+            values[:, self._others] = self._other_inputs(q, times[:, None])[0][:, :, 0]
+        for k, declared in enumerate(self.dae.inputs):
+            if k not in self._others:
+                spline = cubic_spline(self.signals[declared.path])
+                values[:, k] = declared.sign * spline(times, declared.order)
         return values
 
     @cached_property
-    def _traced_inputs(self) -> Batch:
-        """The inputs that are no records."""
-        chosen = [k for k, i in enumerate(self.dae.inputs) if not isinstance(self.signals[i.path], Sampled)]
-        return Batch(ca.Function("inputs", [self.q, self.t], [pick(self.u, chosen)]))
+    def _others(self) -> list[int]:
+        """Places of the inputs that are no records."""
+        return [k for k, i in enumerate(self.dae.inputs) if not isinstance(self.signals[i.path], Sampled)]
+
+    @cached_property
+    def _other_inputs(self) -> Batch:
+        return Batch(ca.Function("inputs", [self.q, self.t], [pick(self.u, self._others)]))
 
     def tangent(self, variables: tuple[int, ...], algebraic: bool) -> Any:
         """Return a function of joined variables (and algebraic residuals) and their slopes in x and z."""

@@ -94,7 +94,7 @@ EXPORT int native_run(Core *c, Run *run) {
     CoreStop reached;
     long long before = c->steps, refused = c->rejected;
     c->interval = run->interval;
-    c->crowd = (int)run->crowd;
+    if (0 < run->crowd && run->crowd < c->crowd) c->crowd = (int)run->crowd; /* 0: as usual */
     if (isinf(run->last)) open_segment(run, c); /* where it begins */
     CoreStatus status = core_travel(c, run->stop, run->rtol, run->atol, 0, 0, &told, &reached);
     run->steps += c->steps - before;

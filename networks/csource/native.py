@@ -46,7 +46,6 @@ if TYPE_CHECKING:
 
 ARRIVED, PAUSED, STUCK, FAILED = range(4)
 ROOM, ROUNDS = 512, 1000
-CROWD = 20000  # events between two outputs that are more than can be meant
 UNEVEN = 20  # times its share of `max_steps` that an interval between outputs may take
 PATIENCE = 0.05
 DOUBLES, INTEGERS = POINTER(c_double), POINTER(c_longlong)
@@ -111,7 +110,7 @@ class Native:
         self._library.native_begin(self._core, *begin)
         store = _Store(self, outputs, (settings.rtol, settings.atol))
         if settings.max_steps is not None:
-            store.shared.crowd = min(CROWD, UNEVEN * settings.max_steps // (len(outputs) - 1) + UNEVEN)
+            store.shared.crowd = UNEVEN * settings.max_steps // (len(outputs) - 1) + UNEVEN
         budget, status = 1000, PAUSED
         while status == PAUSED:
             store.shared.budget = budget
@@ -167,7 +166,7 @@ class _Store:
             setattr(shared, name, _pointer(getattr(self, name)))
         shared.segment_rows = _pointer(self.starts)
         shared.output_count, shared.next, shared.room = len(outputs), 1, ROOM // 2
-        shared.last, shared.crowd = -np.inf, CROWD
+        shared.last = -np.inf
 
     def drain(self, run: Run) -> None:
         """Move what was recorded into `run`."""

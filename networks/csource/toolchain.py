@@ -40,7 +40,7 @@ def compile_shared(
     Headers are so read once, which is a third of the time, and small functions inlined across files.
 
     Args:
-        sources: C files of one folder.
+        sources: C files, in whose static names none comes twice.
         out: the library to write.
         platform: "x86_64-linux", "aarch64-linux" (glibc 2.17), "x86_64-windows", "x86_64-darwin" or
             "aarch64-darwin", built by zig; this machine if not given.
