@@ -12,6 +12,8 @@ Array = NDArray[np.float64]
 STRETCH = 0.2, 1.0  # s, shortest and longest by which test residuals are compared
 COLOURED = 1.1  # misfit over noise above which something is left
 STRETCHES = 40  # wanted at least
+ALIKE = 2.0  # standard errors within which two models cannot be told apart
+SAME = 1e-3  # share of the squared test residual, of which no more is known than that it is small
 
 
 def blocks(fitted: Refit, campaign: Campaign) -> Array:
@@ -34,10 +36,22 @@ def clearness(worse: Refit, better: Refit, campaign: Campaign) -> float:
     return float(drop.mean()) / spread if spread > 0 else 0.0
 
 
+def are_alike(one: Refit, other: Refit, campaign: Campaign) -> bool:
+    """Tell whether the test records cannot tell two models apart."""
+    left = blocks(one, campaign).sum(), blocks(other, campaign).sum()
+    close = abs(left[1] - left[0]) < SAME * min(left)
+    return bool(close) or abs(clearness(one, other, campaign)) < ALIKE
+
+
 def misfit(fitted: Refit) -> float:
     """Return the root mean square of the test residual, in units of noise."""
     parts = [r for record in fitted.test or fitted.train for r in record.values()]
     return float(np.sqrt(np.mean(np.concatenate(parts) ** 2)))
+
+
+def unexplained(fitted: Refit, base: Refit) -> float:
+    """Return what a model misses beyond noise, as a share of the squared test residual of another one."""
+    return (misfit(fitted) ** 2 - 1.0) / misfit(base) ** 2
 
 
 def is_simpler(one: Refit, other: Refit) -> bool:

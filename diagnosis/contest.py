@@ -10,7 +10,7 @@ from functools import lru_cache
 
 from ..components import InertanceError
 from ..identification import Accuracy, Campaign
-from .comparing import COLOURED, misfit
+from .comparing import COLOURED, misfit, unexplained
 from .placed import Placed
 from .refit import Refit, Start, refit
 from .screening import Candidate, screen
@@ -21,7 +21,8 @@ Report = Callable[[str], None]
 CONTENDERS = 8  # effects fitted in each round
 RESERVE = 3  # effects of either kind that are fitted besides, if much is left
 BATCH = 3  # fitted before those are left out that promise much less than was found
-HOPELESS = 0.4  # share of the best drop of chi squared below which a promise is much less
+HOPELESS = 0.4  # share of the best drop of chi squared that was kept, below which a promise is left out
+HIDDEN = 0.01  # share of the squared test residual that is left, above which more is fitted
 SIZES = (0.3, 1.0, 3.0)  # of an effect in series, of which small ones tell little, to start from
 LEAST_GAIN = 40.0  # drop of chi squared below which no effect is worth a fit
 
@@ -43,7 +44,7 @@ def held(
     tell(f"screening effects{told}")
     candidates = screen(campaign, campaign.network, base.parameters, base.effects, accuracy)
     waiting = _leading(candidates, {placed.effect.kind for placed in base.effects})
-    tried, fitted = list[Candidate](), list[Refit]()
+    tried, fitted, kept = list[Candidate](), list[Refit](), 0.0
     payload = campaign.pickled() if executor is not None else b""
     early: list[Candidate] | None = [] if base.effects else None
     while waiting:
@@ -58,8 +59,9 @@ def held(
             tell(f"fitted {candidate.label}, at most {left + len(waiting)} to go")
             if found is not None:
                 fitted.append(found)
-        waiting = _promising(waiting, base, fitted)
-        if not waiting and early is None and min(misfit(found) for found in (base, *fitted)) > COLOURED:
+                kept = max(kept, min(candidate.gain, base.cost - found.cost))
+        waiting = _promising(waiting, kept)
+        if not waiting and early is None and _much_is_left((base, *fitted), base):
             tell("much is left: screening where the parameters were given")
             early = screen(campaign, campaign.network, campaign.start, (), accuracy)
             waiting = _reserve(candidates, early, tried)
@@ -67,11 +69,18 @@ def held(
     return Round(base, [*candidates, *(c for c in early or () if c.label not in screened)], fitted)
 
 
-def _promising(waiting: Sequence[Candidate], base: Refit, fitted: Sequence[Refit]) -> list[Candidate]:
-    """Return those that may be best, and their special cases; screening underrates what is in series."""
-    best = max((base.cost - found.cost for found in fitted), default=0.0)
-    kept = [c for c in waiting if c.effect.place == "series" or c.gain > HOPELESS * best]
-    return [c for c in waiting if c in kept or any(_starts_from(other, c) for other in kept)]
+def _much_is_left(models: Sequence[Refit], base: Refit) -> bool:
+    best = min(models, key=misfit)
+    return misfit(best) > COLOURED and unexplained(best, base) > HIDDEN
+
+
+def _promising(waiting: Sequence[Candidate], kept: float) -> list[Candidate]:
+    """Return those that may be best, by the best promise that was kept, and their special cases.
+
+    Screening underrates what is in series.
+    """
+    good = [c for c in waiting if c.effect.place == "series" or c.gain > HOPELESS * kept]
+    return [c for c in waiting if c in good or any(_starts_from(other, c) for other in good)]
 
 
 def _next(waiting: list[Candidate]) -> tuple[list[Candidate], list[Candidate]]:
@@ -143,10 +152,19 @@ def _leading(candidates: Sequence[Candidate], found: Collection[str]) -> list[Ca
         if alike is None:
             chosen.append(candidate)
         else:
-            chosen[alike] = max(chosen[alike], candidate, key=lambda c: (c.site.rank, c.site.path))
+            chosen[alike] = _named(chosen[alike], candidate)
     special = [c for c in candidates if c.effect.kind not in found]
     ordered = [one for c in chosen for one in (*(p for p in special if _starts_from(c, p)), c)]
     return list(dict.fromkeys(ordered))
+
+
+def _named(one: Candidate, other: Candidate) -> Candidate:
+    """Return of two that are one motion the whole rather than its part, or whose name says most."""
+    if one.site.holds(other.site):
+        return one
+    if other.site.holds(one.site):
+        return other
+    return max(one, other, key=lambda c: (c.site.rank, c.site.path))
 
 
 def _reserve(
@@ -166,5 +184,5 @@ def _reserve(
 
 def same_motion(one: Candidate, other: Candidate) -> bool:
     """Tell whether two candidates are one effect seen from two sites of one motion; channels have none."""
-    moved = "channel" not in one.site.places
+    moved = "channel" not in one.site.places and other.gain > 0
     return moved and one.effect.kind == other.effect.kind and abs(one.gain - other.gain) <= 1e-6 * other.gain

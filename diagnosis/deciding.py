@@ -7,7 +7,7 @@ from collections.abc import Sequence
 import numpy as np
 
 from ..identification import Accuracy, Campaign
-from .comparing import COLOURED, blocks, clearness, is_simpler, misfit
+from .comparing import COLOURED, are_alike, blocks, clearness, is_simpler, misfit
 from .contest import Round, same_motion
 from .evidence import Evidence, judged
 from .placed import Placed
@@ -16,7 +16,6 @@ from .separating import separating
 from .verdict import Gap, Ranked, Verdict
 from .where import located, shares
 
-ALIKE = 2.0  # standard errors within which two effects cannot be told apart
 EXPLAINED = 0.93  # share of the gap below which the effects found are not all that is missing
 NOT_BY_SINES = (
     "No sine within what was measured parts them by more than twice the noise; measure another quantity, or "
@@ -111,14 +110,15 @@ def _gaps(campaign: Campaign, start: Refit, base: Refit, best: Refit) -> dict[st
 
 def _alike(first: Round, own: Refit, effects: Sequence[Placed], campaign: Campaign) -> list[Refit]:
     """Return the fitted effects that the data cannot tell from the first of those found, the likest first."""
-    chosen, apart = own.effects[-1], []
+    chosen, alike = own.effects[-1], []
     found = {placed.label for placed in effects}
     for other in first.fitted:
         placed = other.effects[-1]
         if placed.label in found or placed.effect.generalises(chosen.effect.kind):
             continue
-        apart.append((abs(clearness(other, own, campaign)), other))
-    return [other for distance, other in sorted(apart, key=lambda pair: pair[0]) if distance < ALIKE]
+        if are_alike(other, own, campaign):
+            alike.append(other)
+    return sorted(alike, key=lambda other: abs(clearness(other, own, campaign)))
 
 
 def _class(first: Round, own: Refit, alike: Sequence[Refit]) -> tuple[tuple[str, str], ...]:
@@ -139,7 +139,7 @@ def _ranked(fitted: Refit, base: Refit, campaign: Campaign) -> Ranked:
 
 
 def _confidence(done: Round, placed: Placed, campaign: Campaign) -> float:
-    """Return the chance that no other fitted effect is better on further data."""
+    """Return the chance that no other fitted effect is better on further data, a half of what is alike."""
     from scipy.stats import norm
 
     own = next((f for f in done.fitted if f.effects[-1].label == placed.label), None)
@@ -147,4 +147,4 @@ def _confidence(done: Round, placed: Placed, campaign: Campaign) -> float:
         return 0.5
     others = [f for f in done.fitted if f is not own and not is_simpler(own, f)]
     margins = [clearness(f, own, campaign) for f in (done.base, *others)]
-    return float(norm.cdf(min(margins)))
+    return float(norm.cdf(max(0.0, min(margins))))

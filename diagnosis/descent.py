@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 from ..components import SimulationError
 
 Array = NDArray[np.float64]
-MOST_STEPS = 40
+MOST_STEPS = 100
 LEAST_DROP = 1e-4  # of the sum of squares, that a step must promise
 GOOD = 0.5  # share of what was promised that a step must keep for its slopes to be believed
 POOR = 0.05  # share below which a step is not taken

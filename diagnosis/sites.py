@@ -54,6 +54,10 @@ class Site:
     travel: float = 1.0
     instant: bool = False
 
+    def holds(self, other: Site) -> bool:
+        """Tell whether another site is a part of this one."""
+        return other.path.startswith(f"{self.path}.")
+
 
 def sites_of(network: Network) -> list[Site]:
     """Return the sites of a network; components between the same two nodes are one, named by the deepest."""

@@ -33,7 +33,11 @@ class Completion:
         self._begin = sum(part.numel() for part in (dae.p, dae.modes, dae.impulses))
 
     def update(self, point: Point) -> None:
-        """Set the completion of blocks that the present modes leave singular."""
+        """Set the completion of blocks that the present modes leave singular.
+
+        Raises:
+            SimulationError: if the equations of a block are not finite.
+        """
         if not self.closed.dae.blocks:
             return
         functions = self.closed.switch_functions
@@ -43,6 +47,9 @@ class Completion:
         for block in self.closed.dae.blocks:
             size = len(block.torn)
             part = slice(start, start + size**2)
+            if not np.isfinite(slopes[part]).all():
+                told = ", ".join(block.labels)
+                raise SimulationError(f"equations of {told} are not finite; is a parameter out of range?")
             completion, singular = _completion(slopes[part].tobytes(), size)
             point.q[self._begin :][part] = completion
             start = part.stop

@@ -35,3 +35,12 @@ def test_slopes_that_are_lost_end_the_descent_where_it_is() -> None:
     assert np.isfinite(cost)
     with pytest.raises(SimulationError, match="not finite"):
         descend(residual, np.array([0.9]), free)
+
+
+def test_a_long_bent_valley_is_followed_to_its_end() -> None:
+    def residual(vector: Array, slopes: bool) -> tuple[Array, Array]:
+        x, y = vector
+        return np.array([10 * (y - np.sin(x)), x - 30.0]), np.array([[-10 * np.cos(x), 10.0], [1.0, 0.0]])
+
+    free = np.array([-np.inf, -np.inf]), np.array([np.inf, np.inf])
+    assert descend(residual, np.zeros(2), free)[1] < 2.0

@@ -1,6 +1,6 @@
 """What screening cannot tell apart: one motion of two sites is fitted once, each channel for itself."""
 
-from inertance.diagnosis.contest import Round, _leading, _reserve
+from inertance.diagnosis.contest import Round, _leading, _reserve, same_motion
 from inertance.diagnosis.deciding import _class
 from inertance.diagnosis.effects import effect_of
 from inertance.diagnosis.placed import Placed
@@ -37,3 +37,12 @@ def test_what_leads_where_parameters_were_given_is_tried_if_much_is_left() -> No
     tried = [across("screw", 1, 900.0)]
     early = [across("rail", 1, 5000.0), across("screw", 1, 4000.0), across("thread", 1, 10.0)]
     assert [c.site.path for c in _reserve(tried, early, tried)] == ["rail"]
+
+
+def test_a_part_gives_way_to_the_whole_that_moves_alike() -> None:
+    candidates = [across("screw.thread", 2, 900.0), across("screw", 1, 900.0), across("rail", 2, 800.0)]
+    assert [c.site.path for c in _leading(candidates, set())] == ["screw", "rail"]
+
+
+def test_what_explains_nothing_is_no_motion_of_its_own() -> None:
+    assert not same_motion(across("screw", 1, 0.0), across("rail", 1, 0.0))

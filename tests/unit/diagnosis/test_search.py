@@ -11,6 +11,7 @@ import inertance as ia
 import numpy as np
 import pytest
 from inertance.diagnosis import Verdict, diagnose
+from inertance.diagnosis.refit import Joint
 from inertance.identification import Campaign
 from numpy.typing import NDArray
 
@@ -38,6 +39,23 @@ def verdict_on(cart: Any, truth: ia.Network, sensor: Sensor | None = None, **mor
         noise={"x": NOISE},
     )
     return diagnose(campaign, **more)
+
+
+def test_a_fit_of_parameters_that_ended_early_makes_no_effect(
+    cart: Any, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(Joint, "fitted", _unfitted)
+    told: list[str] = []
+    found = verdict_on(cart, cart.rig(k=840.0, d=6.5), report=told.append)
+    assert any("ended early" in line for line in told)
+    assert (found.verdict, found.effects) == ("parameters", ())
+    assert found.parameters["spring.k"] == pytest.approx(840.0, rel=1e-3)
+
+
+def _unfitted(joint: Joint, starts: Any = (), fitted: Any = Joint.fitted) -> Any:
+    """Return a fit that ends where it begins, unless the network has been fitted with an effect."""
+    begun = joint.start if not joint.effects and (joint.start == 0).all() else None
+    return joint.seen(begun) if begun is not None else fitted(joint, starts)
 
 
 def test_missing_friction_is_named_and_corrected(cart: Any, tmp_path: Path) -> None:

@@ -208,3 +208,13 @@ def test_solvers_agree_on_when_it_sticks(solver: str) -> None:
     reference = net.simulate(4.0, rtol=1e-11, atol=1e-13)
     assert switches(run) == [(pytest.approx(t, abs=1e-6), mode) for t, mode in switches(reference)]
     assert run["mass.s"][-1] == pytest.approx(reference["mass.s"][-1], abs=1e-7)
+
+
+def test_equations_that_are_not_finite_end_the_run_with_their_names() -> None:
+    net = ia.Network("two", wall=ia.Fixed(), mass=ia.Mass(m=1.0), push=ia.Force())
+    net.add(one=ia.CoulombFriction(f_c=1.0), two=ia.CoulombFriction(f_c=1.0), lever=ia.Inerter(b=1.0))
+    net.connect(net.wall.flange, net.one.flange_a, net.two.flange_a)
+    net.connect(net.one.flange_b, net.two.flange_b, net.lever.flange_a)
+    net.connect(net.lever.flange_b, net.mass.flange, net.push.flange)
+    with pytest.raises(ia.SimulationError, match=r"CoulombFriction 'one'.* not finite"):
+        net.simulate(1.0, inputs={"push.f": 2.0}, parameters={"mass.m": 1e-320})
