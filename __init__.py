@@ -35,8 +35,11 @@ from inertance.components import Lever as Lever
 from inertance.components import LoadedFriction as LoadedFriction
 from inertance.components import Mass as Mass
 from inertance.components import MassWithStopAndFriction as MassWithStopAndFriction
+from inertance.components import MissingFileError as MissingFileError
+from inertance.components import MissingPackageError as MissingPackageError
 from inertance.components import ModelError as ModelError
 from inertance.components import NutScrew as NutScrew
+from inertance.components import OutputError as OutputError
 from inertance.components import Planet as Planet
 from inertance.components import PlanetaryFlywheel as PlanetaryFlywheel
 from inertance.components import Position as Position
@@ -52,6 +55,7 @@ from inertance.components import Ripple as Ripple
 from inertance.components import Rod as Rod
 from inertance.components import RollingWheel as RollingWheel
 from inertance.components import RotationalFlange as RotationalFlange
+from inertance.components import RunInterruptedError as RunInterruptedError
 from inertance.components import Sampled as Sampled
 from inertance.components import Shock as Shock
 from inertance.components import SimulationError as SimulationError
@@ -65,6 +69,8 @@ from inertance.components import TabulatedFriction as TabulatedFriction
 from inertance.components import TranslationalFlange as TranslationalFlange
 from inertance.components import Transmission as Transmission
 from inertance.components import TwoFlanges as TwoFlanges
+from inertance.components import UnknownNameError as UnknownNameError
+from inertance.components import UnknownPartError as UnknownPartError
 from inertance.components import der as der
 from inertance.components import impulse as impulse
 from inertance.components import mode as mode
@@ -83,12 +89,14 @@ from inertance.networks import BumpStop as BumpStop
 from inertance.networks import DigressiveDamper as DigressiveDamper
 from inertance.networks import Event as Event
 from inertance.networks import Network as Network
+from inertance.networks import OverTime as OverTime
 from inertance.networks import PitchingBody as PitchingBody
 from inertance.networks import PlanetaryFlywheelInerter as PlanetaryFlywheelInerter
 from inertance.networks import PlanetaryGeometry as PlanetaryGeometry
 from inertance.networks import Polynomial as Polynomial
 from inertance.networks import RackPinionInerter as RackPinionInerter
 from inertance.networks import RandomDisplacement as RandomDisplacement
+from inertance.networks import Recorded as Recorded
 from inertance.networks import Result as Result
 from inertance.networks import RigidBody as RigidBody
 from inertance.networks import Sinusoid as Sinusoid
@@ -118,6 +126,7 @@ from inertance.networks import tid as tid
 from inertance.networks import tvmd as tvmd
 
 if TYPE_CHECKING:
+    from inertance.diagnosis import DiagnosisInterruptedError as DiagnosisInterruptedError
     from inertance.diagnosis import Verdict as Verdict
     from inertance.diagnosis import diagnose as diagnose
     from inertance.fmu import FMU as FMU
@@ -148,6 +157,7 @@ if TYPE_CHECKING:
     from inertance.identification import Experiment as Experiment
     from inertance.identification import Filter as Filter
     from inertance.identification import Fit as Fit
+    from inertance.identification import FitInterruptedError as FitInterruptedError
     from inertance.identification import Floor as Floor
     from inertance.identification import Multisine as Multisine
     from inertance.identification import Prediction as Prediction

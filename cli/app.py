@@ -20,7 +20,7 @@ Examples:
   inertance run --help                     data in, results and plots out
 
 \b
-Exit codes: 0 good, 1 a check or a run failed, 2 wrong use."""
+Exit codes: 0 good, 1 a check or a run failed, 2 wrong use, 130 interrupted."""
 
 app = typer.Typer(
     name="inertance",

@@ -8,7 +8,7 @@ from functools import cache
 from importlib import import_module
 from types import ModuleType
 
-from ..components import Component, ModelError, RealInput, nearest
+from ..components import Component, ModelError, RealInput, UnknownNameError, nearest
 from ..components.base import Part, template_of
 
 Kind = type[Component]
@@ -79,7 +79,7 @@ def find(name: str) -> str:
     """Return the full name of a component; capitals and a family in front may be left out.
 
     Raises:
-        KeyError: for an unknown name, with the nearest one.
+        UnknownNameError: for an unknown name, with the nearest one.
     """
     known = all_names()
     lower = name.lower()
@@ -94,7 +94,7 @@ def find(name: str) -> str:
     guess = nearest(lower, spoken)
     for low in sorted(spoken, key=len):
         guess = guess.replace(f"'{low}'", f"'{spoken[low]}'")
-    raise KeyError(f"there is no component '{name}'{guess}; `inertance components` lists them all")
+    raise UnknownNameError(f"there is no component '{name}'{guess}; `inertance components` lists them all")
 
 
 def _plain(full: str) -> str:

@@ -4,19 +4,21 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass
-from math import ceil
+from math import ceil, sqrt
 from pathlib import Path
 from typing import Annotated
 
 import numpy as np
 import typer
 from numpy.typing import NDArray
-from rich.console import Console
 from rich.table import Table
 from rich.text import Text
 
 from ..components import Component
 from ..networks import RandomDisplacement, Sinusoid, ge_wang, rig_response, run_on_rig
+from .failure import WRONG_USE, fail
+from .outputs import JSON, expect
+from .terminal import Terminal
 
 EXAMPLES = """\b
 Examples:
@@ -55,7 +57,7 @@ class Cycle:
     @property
     def inertance(self) -> float:
         """Force in phase with acceleration, over acceleration [kg]."""
-        return float((self.F * self.a).mean() / (self.a**2).mean())
+        return float(np.trapezoid(self.F * self.a, self.t) / np.trapezoid(self.a**2, self.t))
 
     @property
     def inertial(self) -> bool:
@@ -68,7 +70,7 @@ class Cycle:
         return float(np.trapezoid(self.F, self.x))
 
     def _share(self, motion: NDArray[np.float64]) -> float:
-        return abs(float((self.F * motion).mean())) / float(np.sqrt((motion**2).mean()))
+        return abs(float(np.trapezoid(self.F * motion, self.t))) / sqrt(np.trapezoid(motion**2, self.t))
 
 
 @dataclass(frozen=True)
@@ -92,8 +94,12 @@ def demo(
     from .demo_diagnosis import diagnose_withheld
     from .demo_pictures import draw_cycles, draw_design_map, draw_responses
 
-    console = Console()
-    out.mkdir(parents=True, exist_ok=True)
+    console = Terminal()
+    try:
+        out.mkdir(parents=True, exist_ok=True)
+    except OSError as error:
+        fail(f"--out: there can be no folder '{out}': {(error.strerror or str(error)).lower()}", WRONG_USE)
+    expect("--out", out / "withheld.json", JSON)
     console.print(design_table())
     with console.status("Four sinusoidal tests of two inerters ..."):
         cycles = {name: [last_cycle(make, test) for test in TESTS] for name, make in INERTERS.items()}
@@ -115,14 +121,13 @@ def last_cycle(make: Callable[[], Component], test: Sinusoid) -> Cycle:
     period = 1 / test.frequency
     stop = max(2, ceil(SETTLE / period)) * period
     run = run_on_rig(make(), test, stop, step=period / 500)
+    begin = stop - period
     t = np.linspace(0, period, 501)
     w = 2 * np.pi * test.frequency
     x, v = test.amplitude * np.sin(w * t), test.amplitude * w * np.cos(w * t)
-    F, slip = (
-        np.interp(stop - period + t, run.time, run[name])
-        for name in ("inerter.flange_a.f", "inerter.screw.friction.w_rel")
-    )
-    return Cycle(t, x, v, -(w**2) * x, F, float((np.abs(slip) < 1e-12).mean()))
+    F = run.at("inerter.flange_a.f", begin + t)
+    stuck = run.share("inerter.screw.friction.mode", "stuck", begin=begin)
+    return Cycle(t, x, v, -(w**2) * x, F, stuck)
 
 
 def random_tests() -> Responses:

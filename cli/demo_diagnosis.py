@@ -5,17 +5,17 @@ from __future__ import annotations
 from pathlib import Path
 
 import numpy as np
-from rich.console import Console
 
 from ..diagnosis import Verdict, diagnose
 from ..identification import Campaign, Record
 from ..networks import Network
 from .diagnose import show
+from .terminal import Terminal
 
 CAMPAIGN = Path(__file__).with_name("withheld") / "campaign.toml"
 
 
-def diagnose_withheld(console: Console, out: Path) -> Verdict:
+def diagnose_withheld(console: Terminal, out: Path) -> Verdict:
     """Diagnose the shipped records, print the verdict, and write the report and the verdict's JSON."""
     campaign = Campaign.load(CAMPAIGN)
     console.print(

@@ -12,6 +12,7 @@ from matplotlib.figure import Figure
 from matplotlib.ticker import ScalarFormatter
 
 from ..networks import PlanetaryGeometry, Sinusoid, ge_wang
+from .outputs import draw
 
 if TYPE_CHECKING:
     from .demo import Cycle, Responses
@@ -96,5 +97,4 @@ def draw_design_map(path: Path, prototype: PlanetaryGeometry) -> Path:
 
 
 def _saved(figure: Figure, path: Path) -> Path:
-    figure.savefig(path, dpi=130)
-    return path
+    return draw(figure, path, dpi=130)

@@ -7,7 +7,6 @@ from collections.abc import Callable, Iterator
 from typing import Any
 
 import casadi as ca
-from rich.console import Console
 from rich.table import Table
 from rich.text import Text
 
@@ -26,6 +25,7 @@ from ..components.base import (
     Variable,
 )
 from .catalogue import all_names, first_line, full_name, is_base, namesakes
+from .terminal import Terminal
 from .usage import usage
 
 Rows = list[tuple[str, ...]]
@@ -35,7 +35,7 @@ FieldRow = Callable[[Any], tuple[str, ...]]
 def describe(full: str) -> None:
     """Print the equation, ports, parameters, variables, modes and an example of a component."""
     kind = all_names()[full]
-    console = Console(highlight=False, markup=False)
+    console = Terminal(highlight=False, markup=False)
     console.print(Text(full, style="bold"))
     console.print(inspect.getdoc(kind) or "")
     for base in _bases(kind):
@@ -76,7 +76,9 @@ def _port(port: Port) -> tuple[str, ...]:
     across, through = (
         f"{name} [{unit}]" for name, unit in zip((port.across, port.through), port.units, strict=True)
     )
-    left_open = " (grounded when left unconnected)" if port.optional else ""
+    left_open = (
+        " (grounded when left unconnected)" if port.optional else " (may stay free)" if port.free else ""
+    )
     return port.name, port.domain, across, through, port.doc + left_open
 
 

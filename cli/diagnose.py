@@ -3,17 +3,17 @@
 from __future__ import annotations
 
 import os
-from concurrent.futures import ProcessPoolExecutor
-from multiprocessing import get_context
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
 import typer
-from rich.console import Console
 from rich.table import Table
 
 from ..components import InertanceError, ModelError
-from .failure import FAILED, WRONG_USE, failing
+from ..components.base import Processes
+from .failure import FAILED, INTERRUPTED, WRONG_USE, fail, failing
+from .outputs import JSON, PAGES, expect
+from .terminal import Terminal
 
 if TYPE_CHECKING:
     from ..diagnosis import Verdict
@@ -34,37 +34,49 @@ def diagnose(
     report: Annotated[Path | None, typer.Option("--report", help="Write a report as one HTML file.")] = None,
     jobs: Annotated[int, typer.Option(help="Processes that fit candidates; 0 for all cores.")] = 0,
     solver: Annotated[str, typer.Option(help="Solver, as for `inertance run`.")] = "auto",
+    validate: Annotated[
+        bool, typer.Option(help="Whether to refuse an FMU whose description its schema does not allow.")
+    ] = True,
 ) -> None:
     """Say what parts measured data and model: where, why, and how much of the gap closes."""
+    from ..diagnosis import DiagnosisInterruptedError
     from ..diagnosis import diagnose as run_diagnosis
     from ..identification import Campaign
 
-    for path in (json, report):
-        if path is not None and not path.resolve().parent.is_dir():
-            raise typer.BadParameter(f"there is no folder '{path.resolve().parent}'; make it first")
+    expect("--json", json, JSON)
+    expect("--report", report, PAGES)
     if jobs < 0:
         raise typer.BadParameter(f"--jobs must be at least 0, got {jobs}")
     with failing(WRONG_USE, ModelError):
-        loaded = Campaign.load(campaign)
+        loaded = Campaign.load(campaign, validate=validate)
     count = jobs or os.cpu_count() or 1
-    console = Console(stderr=True)
+    console = Terminal(stderr=True)
     with failing(FAILED, InertanceError), console.status("reading") as status:
-        if count > 1:
-            os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")  # with a process a core, threads only queue
-            with ProcessPoolExecutor(count, mp_context=get_context("spawn")) as pool:
-                verdict = run_diagnosis(loaded, executor=pool, solver=solver, report=status.update)
-        else:
-            verdict = run_diagnosis(loaded, solver=solver, report=status.update)
-    show(verdict)
+        try:
+            if count > 1:
+                # with a process a core, threads only queue
+                os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
+                with Processes(count, "spawn") as pool:
+                    verdict = run_diagnosis(loaded, executor=pool, solver=solver, report=status.update)
+            else:
+                verdict = run_diagnosis(loaded, solver=solver, report=status.update)
+        except DiagnosisInterruptedError as interrupt:
+            verdict = interrupt.verdict
+    wrote = []
     if json is not None:
-        typer.echo(f"wrote {verdict.save(json)}")
+        wrote.append(verdict.save(json))
     if report is not None:
-        typer.echo(f"wrote {verdict.report(report)}")
+        wrote.append(verdict.report(report))
+    show(verdict)
+    for path in wrote:
+        typer.echo(f"wrote {path}")
+    if verdict.verdict == "interrupted":
+        fail("interrupted before the end", INTERRUPTED)
 
 
 def show(verdict: Verdict) -> None:
     """Print a verdict: the sentence, the gap, the ranking and the lines that correct the model."""
-    console = Console()
+    console = Terminal()
     console.print(f"[bold]{verdict.verdict}[/bold]: {verdict.sentence}")
     table = Table(title=f"gap on the {verdict.evidence.judged}, NRMSE")
     for heading in ("channel", "nominal", "refitted", "with effect", "noise"):
@@ -79,7 +91,32 @@ def show(verdict: Verdict) -> None:
         for ranked in verdict.ranking:
             table.add_row(ranked.kind, ranked.site, f"{ranked.test_gain:.1%}", f"{ranked.p:.2g}")
         console.print(table)
+    _show_parameters(console, verdict)
+    for placed in verdict.effects:
+        if placed.site.same:
+            told = f"{placed.label}: the same motion as at {', '.join(placed.site.same)}, which no data part"
+            console.print(told, highlight=False, markup=False)
     for line in verdict.lines:
         console.print(f"  {line}", highlight=False, markup=False)
-    for note in verdict.notes:
+    for note in (*verdict.evidence.campaign.notes, *verdict.notes):
         console.print(f"note: {note}", highlight=False, markup=False)
+
+
+def _show_parameters(console: Terminal, verdict: Verdict) -> None:
+    """Print what the parameters of the network and of the effects were fitted to."""
+    campaign, refitted = verdict.evidence.campaign, verdict.evidence.refit.parameters
+    table = Table(title="parameters")
+    for heading in ("parameter", "before", "refitted", "with effect", "unit", "prior deviations"):
+        table.add_column(
+            heading, justify="left" if heading in ("parameter", "unit") else "right", overflow="fold"
+        )
+    for name, value in verdict.parameters.items():
+        prior = campaign.priors[name]
+        numbers = (f"{number:.5g}" for number in (campaign.start[name], refitted[name], value))
+        moved = f"{prior.moved(value):.2g}" if prior.sd < float("inf") else "bounds only"
+        table.add_row(name, *numbers, campaign.machine.unit(name), moved)
+    for placed in verdict.effects:
+        for name, unit in placed.units(campaign).items():
+            table.add_row(f"{placed.name}.{name}", "", "", f"{placed.values[name]:.5g}", unit, "")
+    if table.row_count:
+        console.print(table)

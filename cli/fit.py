@@ -6,12 +6,14 @@ from pathlib import Path
 from typing import Annotated
 
 import typer
-from rich.console import Console
 
 from ..components import ModelError
-from ..identification import Campaign, Fit
+from ..components.base import Processes
+from ..identification import Campaign, Fit, FitInterruptedError
 from ..identification import fit as fitted
-from .failure import FAILED, WRONG_USE, fail, failing
+from .failure import INTERRUPTED, WRONG_USE, fail, failing
+from .outputs import JSON, PICTURES, draw, expect
+from .terminal import Terminal
 
 EXAMPLES = """\b
 Examples:
@@ -26,42 +28,45 @@ Ctrl-C ends the fit and keeps the best parameters until then."""
 def fit(
     campaign: Annotated[Path, typer.Argument(metavar="CAMPAIGN", help="The TOML file of the campaign.")],
     json: Annotated[Path | None, typer.Option(help="Write values, errors and warnings to a file.")] = None,
-    plot: Annotated[Path | None, typer.Option(help="Draw measured and predicted into a .png.")] = None,
+    plot: Annotated[
+        Path | None, typer.Option(help="Draw measured and predicted into a .png, .pdf or .svg file.")
+    ] = None,
     channel: Annotated[str | None, typer.Option(help="The channel to draw; the first output.")] = None,
     starts: Annotated[int, typer.Option(min=1, help="Number of starts, drawn from the priors.")] = 1,
     workers: Annotated[int, typer.Option(min=1, help="Processes for the starts.")] = 1,
     solver: Annotated[str, typer.Option(help="auto, cvodes, idas, rosenbrock or compiled.")] = "auto",
 ) -> None:
     """Fit the uncertain parameters of a campaign to its training records."""
-    for path in (json, plot):
-        if path is not None and not path.parent.is_dir():
-            fail(f"there is no folder '{path.parent}' to write '{path.name}' into", WRONG_USE)
+    expect("--json", json, JSON)
+    expect("--plot", plot, PICTURES)
     with failing(WRONG_USE, ModelError):
         read = Campaign.load(campaign)
     if channel is not None and channel not in read.outputs:
         fail(f"there is no output channel '{channel}'; there are {', '.join(read.outputs)}", WRONG_USE)
     with failing(WRONG_USE, ModelError):
         found = _fitted(read, starts, workers, solver)
-    typer.echo(found.table())
+    wrote = []
     if json is not None:
-        typer.echo(f"wrote {found.to_json(json)}")
-    if plot is not None:
-        found.plot(channel).savefig(plot, dpi=120)
-        typer.echo(f"wrote {plot}")
-    if any(stage.optimum.ended == "interrupted" for stage in found.stages):
-        raise typer.Exit(FAILED)
+        wrote.append(found.to_json(json))
+    if plot is not None and found.comparisons:
+        wrote.append(draw(found.plot(channel), plot, dpi=120))
+    typer.echo(found.table())
+    for path in wrote:
+        typer.echo(f"wrote {path}")
+    if found.interrupted:
+        fail("interrupted before the end", INTERRUPTED)
 
 
 def _fitted(campaign: Campaign, starts: int, workers: int, solver: str) -> Fit:
-    with Console(stderr=True).status("Fitting ...") as status:
+    with Terminal(stderr=True).status("Fitting ...") as status:
 
         def report(line: str) -> None:
             status.update(f"Fitting: {line}")
 
-        if workers == 1 or starts == 1:
-            return fitted(campaign, starts=starts, solver=solver, report=report)
-        from concurrent.futures import ProcessPoolExecutor
-        from multiprocessing import get_context
-
-        with ProcessPoolExecutor(workers, mp_context=get_context("spawn")) as executor:
-            return fitted(campaign, starts=starts, executor=executor, solver=solver, report=report)
+        try:
+            if workers == 1 or starts == 1:
+                return fitted(campaign, starts=starts, solver=solver, report=report)
+            with Processes(workers, "spawn") as executor:
+                return fitted(campaign, starts=starts, executor=executor, solver=solver, report=report)
+        except FitInterruptedError as interrupt:
+            return interrupt.fit

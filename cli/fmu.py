@@ -10,8 +10,10 @@ from typing import TYPE_CHECKING, Annotated, Any
 import typer
 
 from ..components import ModelError
+from ..components.base import write_text, writing
 from .failure import FAILED, WRONG_USE, clean, fail, failing
 from .model import load_network
+from .outputs import JSON, expect
 from .values import pairs
 
 if TYPE_CHECKING:
@@ -64,6 +66,9 @@ def export(
     """Write the network that a function of a Python file returns as an FMU."""
     from ..fmu import export as write
 
+    if out.suffix != ".fmu":
+        fail(f"an FMU is written to a file that ends in '.fmu', got '{out}'", WRONG_USE)
+    expect("FILE", out, ())
     network = load_network(model)
     with failing(WRONG_USE, ModelError):
         write(
@@ -103,12 +108,13 @@ def check(
         "inputs": pairs("--input", data), "versions": fmi or VERSIONS, "isolated": isolated,
         "timeout": timeout, "found": _tell,
     }  # fmt: skip
+    expect("--json", report, JSON)
     model = Path(subject) if subject.endswith(".fmu") else load_network(subject)
     with failing(WRONG_USE, ModelError):
         result = look(model, stop, **options)
-    typer.echo(result)
     if report is not None:
-        report.write_text(json.dumps(result.to_dict(), indent=1), encoding="utf-8")
+        write_text(report, json.dumps(result.to_dict(), indent=1))
+    typer.echo(result)
     if not result.passed:
         raise typer.Exit(FAILED)
 
@@ -137,27 +143,31 @@ def import_test(
     ] = None,
     isolated: Annotated[bool, typer.Option(help="Run the binary in a process of its own.")] = True,
     timeout: Timeout = 60.0,
+    validate: Annotated[
+        bool, typer.Option(help="Whether to refuse a description that its schema does not allow.")
+    ] = True,
     out: Annotated[Path | None, typer.Option(help="Write outputs and states to a .csv file.")] = None,
 ) -> None:
     """Run an FMU alone, as it would run within a network, and tell what came of it."""
     from ..fmu import FMU
 
-    if out is not None and out.suffix != ".csv":
-        fail(f"--out writes a .csv file, got '{out}'", WRONG_USE)
-    fmu = FMU(file, isolated=isolated, timeout=timeout)
+    expect("--out", out, [".csv"])
+    fmu = FMU(file, isolated=isolated, timeout=timeout, validate=validate)
     run = fmu.simulate(
         stop, step=step, kind=kind, inputs=pairs("--input", data), parameters=pairs("--set", values)
     )
+    if out is not None:
+        with writing(out) as part:
+            run.to_dataframe().to_csv(part, encoding="utf-8")
     typer.echo(f"{fmu!r}: to {run.time[-1]:g} s in {run.stats['seconds']:.2g} s, {len(run.events)} events")
     names = [name for name in run.names() if name != "time"]
     for name in names:
         least, last, most = run[name].min(), run[name][-1], run[name].max()
         unit = run.unit(name)
         typer.echo(f"  {name}: {least:.6g} to {most:.6g}, at the end {last:.6g}{unit and f' {unit}'}")
-    for note in run.notes:
+    for note in (*fmu.notes, *run.notes):
         typer.echo(f"  note: {note}")
     if out is not None:
-        run.to_dataframe().to_csv(out)
         typer.echo(f"wrote {out}")
 
 

@@ -7,11 +7,12 @@ from typing import Annotated, Any
 
 import typer
 
-from ..components import ModelError, SimulationError
+from ..components import ModelError, RunInterruptedError, SimulationError
 from ..networks import DAE, Result, check_table_path, chosen_signals
 from .data import read_inputs, unbound_inputs
-from .failure import FAILED, WRONG_USE, fail, failing
+from .failure import FAILED, INTERRUPTED, WRONG_USE, fail, failing
 from .model import load_network
+from .outputs import PICTURES, draw, expect
 from .values import pairs
 
 DEFAULT_STOP = 10.0
@@ -60,29 +61,35 @@ def run(
     if out is not None:
         with failing(WRONG_USE, ValueError, ImportError):
             check_table_path(out)
+        if data is not None and out.resolve() == data.resolve():
+            fail(f"--out {out} would overwrite what --input reads; choose another name", WRONG_USE)
     elif signals is not None:
         fail("--signals says what --out writes; give --out FILE too", WRONG_USE)
+    picture = (out or Path(model.rpartition(":")[2])).with_suffix(".png")
+    if plot is not None:
+        expect("--plot", picture, PICTURES)
     dae = load_network(model).dae()
     wanted, drawn = _signals(dae, signals), _signals(dae, plot)
     arguments = _span_and_inputs(dae, data, stop) | {
         "step": step, "rtol": rtol, "parameters": parameters, "start": starts,
     }  # fmt: skip
     with failing(WRONG_USE, ModelError):
-        result, failure = _simulated(dae, arguments)
-    picture = (out or Path(model.rpartition(":")[2])).with_suffix(".png")
+        result, failure, code = _simulated(dae, arguments)
     _show(result, out, wanted, picture, drawn)
     if failure:
-        fail(failure, FAILED)
+        fail(failure, code)
 
 
-def _simulated(dae: DAE, arguments: dict[str, Any]) -> tuple[Result, str]:
-    """Return what was computed, and why it could not be finished."""
+def _simulated(dae: DAE, arguments: dict[str, Any]) -> tuple[Result, str, int]:
+    """Return what was computed, why it was not finished, and the exit code."""
     try:
-        return dae.simulate(**arguments), ""
+        return dae.simulate(**arguments), "", 0
     except SimulationError as error:
         if not isinstance(error.result, Result):
             raise
-        return error.result, str(error)
+        return error.result, str(error), FAILED
+    except RunInterruptedError as error:
+        return error.result, str(error), INTERRUPTED
 
 
 def _check_positive(name: str, value: float | None) -> None:
@@ -113,10 +120,11 @@ def _span_and_inputs(dae: DAE, data: Path | None, stop: float | None) -> dict[st
 
 
 def _show(result: Result, out: Path | None, wanted: list[str], picture: Path, drawn: list[str]) -> None:
-    typer.echo(result.summary())
+    wrote = []
     if out is not None:
-        result.save(out, *wanted)
-        typer.echo(f"wrote {out}")
+        wrote.append(result.save(out, *wanted))
     if drawn:
-        result.plot(*drawn).savefig(picture, dpi=120)
-        typer.echo(f"wrote {picture}")
+        wrote.append(draw(result.plot(*drawn), picture, dpi=120))
+    typer.echo(result.summary())
+    for path in wrote:
+        typer.echo(f"wrote {path}")

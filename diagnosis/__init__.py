@@ -10,6 +10,7 @@ from .effects import Effect as Effect
 from .effects import Quantity as Quantity
 from .effects import register as register
 from .search import diagnose as diagnose
+from .verdict import DiagnosisInterruptedError as DiagnosisInterruptedError
 from .verdict import Gap as Gap
 from .verdict import Ranked as Ranked
 from .verdict import Verdict as Verdict

@@ -195,13 +195,16 @@ def _identifier(name: str) -> str:
     return "rig" if taken or cleaned[0].isdigit() else cleaned
 
 
-def read_fmu(path: Path, kind: str, port: Mapping[str, str]) -> tuple[Network, Machine]:
+def read_fmu(
+    path: Path, kind: str, port: Mapping[str, str], validate: bool = True
+) -> tuple[Network, Machine]:
     """Return an FMU as the model of a campaign.
 
     Args:
         path: the file.
         kind: "ME" or "CS"; Co-Simulation first if empty and it has both, which is several times faster.
         port: names of variables by "force", "position" and "velocity"; empty for none.
+        validate: whether to refuse a description that its schema does not allow.
 
     Raises:
         ModelError: if there is no such file, or the port is wrong.
@@ -210,7 +213,7 @@ def read_fmu(path: Path, kind: str, port: Mapping[str, str]) -> tuple[Network, M
     if not path.is_file():
         others = [p.name for p in path.parent.glob("*.fmu")] if path.parent.is_dir() else []
         raise ModelError(f"model: there is no file '{path}'{nearest(path.name, others)}")
-    fmu = FMU(path)
+    fmu = FMU(path, validate=validate)
     box = BlackBox(fmu, fmu.kind(kind or ("CS" if "CS" in fmu.kinds else None)), port)
     return box.network, box
 

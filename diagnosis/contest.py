@@ -37,15 +37,21 @@ class Round:
 
 
 def held(
-    campaign: Campaign, base: Refit, accuracy: Accuracy, executor: Executor | None, tell: Report
+    campaign: Campaign,
+    base: Refit,
+    accuracy: Accuracy,
+    executor: Executor | None,
+    tell: Report,
+    rounds: list[Round],
 ) -> Round:
-    """Screen all effects on top of a model and fit the leading ones."""
+    """Screen all effects on top of a model and fit the leading ones; what is known stands in `rounds`."""
     told = " on top of what was found" if base.effects else ""
     tell(f"screening effects{told}")
     candidates = screen(campaign, campaign.network, base.parameters, base.effects, accuracy)
     waiting = _leading(candidates, {placed.effect.kind for placed in base.effects})
     tried, fitted, kept = list[Candidate](), list[Refit](), 0.0
     payload = campaign.pickled() if executor is not None else b""
+    rounds.append(Round(base, list(candidates), fitted))
     early: list[Candidate] | None = [] if base.effects else None
     while waiting:
         batch, waiting = _next(waiting)
@@ -66,7 +72,8 @@ def held(
             early = screen(campaign, campaign.network, campaign.start, (), accuracy)
             waiting = _reserve(candidates, early, tried)
     screened = {c.label for c in candidates}
-    return Round(base, [*candidates, *(c for c in early or () if c.label not in screened)], fitted)
+    rounds[-1].candidates.extend(c for c in early or () if c.label not in screened)
+    return rounds[-1]
 
 
 def _much_is_left(models: Sequence[Refit], base: Refit) -> bool:

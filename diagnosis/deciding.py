@@ -7,6 +7,7 @@ from collections.abc import Sequence
 import numpy as np
 
 from ..identification import Accuracy, Campaign
+from .cautions import cautions, suspicions
 from .comparing import COLOURED, are_alike, blocks, clearness, is_simpler, misfit
 from .contest import Round, same_motion
 from .evidence import Evidence, judged
@@ -31,6 +32,7 @@ def decided(
     best: Refit,
     rounds: Sequence[Round],
     notes: list[str],
+    interrupted: bool = False,
 ) -> Verdict:
     """Return the verdict.
 
@@ -42,11 +44,12 @@ def decided(
         best: with the effects that were chosen.
         rounds: what was screened and fitted.
         notes: what limits the verdict.
+        interrupted: whether the search was stopped before its end.
     """
     gap = _gaps(campaign, start, base, best)
     misfits = [misfit(fitted) for fitted in (start, base, best)]
     closed = _closed(*misfits[1:])
-    word = _word(campaign, best, misfits, closed)
+    word = "interrupted" if interrupted else _word(campaign, best, misfits, closed)
     first = rounds[0] if rounds else Round(base, [], [])
     named = {placed.label for placed in best.effects[:1]}
     own = next((f for f in first.fitted if f.effects[-1].label in named), None)
@@ -55,6 +58,7 @@ def decided(
     further = None
     if word == "effect" and own is not None and others:
         word, further = "ambiguous", separating(campaign, own, alike[0], accuracy) or NOT_BY_SINES
+    suspected = suspicions(campaign, best, accuracy) if word == "unknown" else ()
     ranking = [_ranked(f, first.base, campaign) for f in first.fitted]
     confidence = [_confidence(done, p, campaign) for done, p in zip(rounds, best.effects, strict=False)]
     return Verdict(
@@ -71,7 +75,7 @@ def decided(
         parameters=best.parameters,
         network=campaign.network,
         evidence=Evidence(campaign, start, base, best, tuple(first.candidates), accuracy),
-        notes=tuple(notes),
+        notes=(*notes, *suspected, *cautions(campaign, best)),
     )
 
 

@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..components import ModelError, nearest
+from ..networks import Pieces
 from .edits import Edit
 from .sites import Site
 
@@ -48,8 +49,13 @@ class Motion:
 
     @property
     def speed(self) -> float:
-        """Root mean square of the speed."""
-        return float(np.sqrt(np.mean(self.v**2)))
+        """Root mean square of the speed over time."""
+        return float(np.sqrt(self.squared / (self.t[-1] - self.t[0])))
+
+    @property
+    def squared(self) -> float:
+        """Integral of the squared speed over time."""
+        return Pieces.lines(self.t, self.v).integral(np.square, float(self.t[0]), float(self.t[-1]))
 
     @property
     def direction(self) -> Array:

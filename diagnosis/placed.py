@@ -8,7 +8,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
-from ..identification import Experiment
+from ..identification import Campaign, Experiment
 from ..networks import Network
 from .edits import Edit, edited
 from .effects import Effect, Quantity
@@ -35,6 +35,11 @@ class Placed:
     def quantities(self) -> tuple[Quantity, ...]:
         """The parameters of the effect."""
         return self.effect.quantities[self.site.domain]
+
+    def units(self, campaign: Campaign) -> dict[str, str]:
+        """Return the units of its parameters; of an effect on a channel, in that channel's."""
+        si = campaign.measured[self.site.path].si if self.site.domain == "channel" else ""
+        return {quantity.name: quantity.unit.replace("unit", si) for quantity in self.quantities}
 
     @property
     def edits(self) -> list[Edit]:

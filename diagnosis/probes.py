@@ -91,7 +91,8 @@ def motion_at(run: Result, number: int, site: Site) -> Motion:
 
 def scaled(site: Site, motions: Sequence[Motion]) -> Site:
     """Return a site with the scales of how it moves."""
-    speed = float(np.sqrt(np.mean(np.concatenate([m.v for m in motions]) ** 2)))
+    lasting = sum(float(m.t[-1] - m.t[0]) for m in motions)
+    speed = float(np.sqrt(sum(m.squared for m in motions) / lasting))
     force = float(np.abs(np.concatenate([m.f for m in motions])).max())
     travel = max(m.travel for m in motions)
     return replace(site, rest=float(motions[0].s[0]), speed=speed, force=force, travel=travel)

@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 from ..components import SimulationError
 from ..fmu import FMUError, Load, Replay
 from ..identification import Accuracy, Campaign, Experiment
-from ..networks import cubic_spline
+from ..networks import sampled_at
 from .acting import Acting, Reaction
 from .blackbox import BlackBox
 from .effects import Motion
@@ -136,7 +136,7 @@ class ReplayedStand:
         self.given = np.zeros((len(self.fine), len(model.taken)))
         for name, channel in model.channels.items():
             if channel.driven:
-                smooth = cubic_spline(record.sampled(name))(self.fine)
+                smooth = sampled_at(record.sampled(name, channel.interpolation), self.fine)
                 variable, sign = model.driven[channel.path]
                 measure = model.measures[variable]
                 self.given[:, model.taken.index(variable)] = (sign * smooth - measure.offset) / measure.factor

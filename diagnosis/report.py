@@ -5,10 +5,12 @@ from __future__ import annotations
 import json
 from collections.abc import Iterator, Sequence
 from html import escape
+from math import copysign
 from pathlib import Path
 from string import Template
 from typing import Any
 
+from ..components.base import check_output, write_text
 from ..networks import pretty_unit
 from .drawing import drawings
 from .figures import COLOURS, MEASURED, Figure, Stages, bars, clouds, over_time, spectra
@@ -17,6 +19,7 @@ from .verdict import Verdict
 from .where import moved
 
 HERE = Path(__file__).parent
+PAGES = (".html", ".htm")
 UNITS = {"translational": ("m", "m/s", "m/s2"), "rotational": ("rad", "rad/s", "rad/s2")}
 
 
@@ -24,10 +27,12 @@ def write_report(verdict: Verdict, path: str | Path) -> Path:
     """Write the report of a verdict and return its path."""
     from plotly.offline import get_plotlyjs
 
-    path, figures = Path(path), dict[str, Figure]()
+    check_output(path, PAGES)
+    figures = dict[str, Figure]()
     body = "\n".join(_sections(verdict, figures))
     page = Template((HERE / "report.html").read_text(encoding="utf-8"))
-    path.write_text(
+    return write_text(
+        path,
         page.substitute(
             title=escape(f"Sim-to-real gap of {verdict.network.name}"),
             css=(HERE / "report.css").read_text(encoding="utf-8"),
@@ -36,9 +41,7 @@ def write_report(verdict: Verdict, path: str | Path) -> Path:
             body=body,
             figures=json.dumps(figures, separators=(",", ":")).replace("</", "<\\/"),
         ),
-        encoding="utf-8",
     )
-    return path
 
 
 def stages_of(verdict: Verdict) -> Stages:
@@ -153,6 +156,9 @@ def _ranking(verdict: Verdict) -> Iterator[str]:
 
 
 def _ruled_out(verdict: Verdict) -> Iterator[str]:
+    if verdict.verdict == "interrupted":
+        yield "<p>Nothing: the diagnosis was stopped before its end.</p>"
+        return
     fitted = [
         [_kind(k), escape(site), f"{gain:.2%}", chance(p), why]
         for k, site, gain, p, why in ruled_out(verdict)
@@ -184,24 +190,16 @@ def _parameters(verdict: Verdict) -> Iterator[str]:
         prior, unit = campaign.priors[name], pretty_unit(campaign.machine.unit(name))
         before, fitted = campaign.start[name], verdict.evidence.refit.parameters[name]
         change = f"{after / before - 1:+.2%}" if before else ""
-        deviations = f"{(after - prior.center) / prior.sd:+.2f}" if prior.sd < float("inf") else "bounds only"
+        deviations = (
+            f"{copysign(prior.moved(after), after - prior.center):+.2f}"
+            if prior.sd < float("inf")
+            else "bounds only"
+        )
         rows.append([escape(name), number(before), number(fitted), number(after), unit, change, deviations])
     for placed, confidence in zip(verdict.effects, verdict.confidence, strict=True):
-        for quantity in placed.quantities:
-            si = campaign.measured[placed.site.path].si if placed.site.domain == "channel" else ""
-            unit = pretty_unit(quantity.unit.replace("unit", si))
-            named = f"{escape(placed.name)}.{escape(quantity.name)}"
-            rows.append(
-                [
-                    named,
-                    "",
-                    "",
-                    number(placed.values[quantity.name]),
-                    unit,
-                    f"confidence {sure(confidence)}",
-                    "",
-                ]
-            )
+        for quantity, unit in placed.units(campaign).items():
+            named, value = f"{escape(placed.name)}.{escape(quantity)}", number(placed.values[quantity])
+            rows.append([named, "", "", value, pretty_unit(unit), f"confidence {sure(confidence)}", ""])
     headers = ["parameter", "before", "refit", "after", "unit", "change", "in prior deviations"]
     yield _table(headers, rows, (1, 2, 3, 5, 6)) if rows else "<p>None is uncertain.</p>"
 

@@ -4,12 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from concurrent.futures import Executor
+from pathlib import Path
 
 import numpy as np
 
 from ..components import InertanceError
+from ..components.base import between, demand, function, instance, one_of, optional
 from ..identification import Accuracy, Campaign
-from ..networks import ToolchainError, compiler
+from ..networks import COARSEST, FINEST, SOLVERS, ToolchainError, compiler
 from .comparing import COLOURED, are_alike, blocks, clearness, is_simpler, misfit, unexplained
 from .contest import Report, Round, held
 from .deciding import decided
@@ -17,7 +19,7 @@ from .placed import Placed
 from .predicting import limits
 from .refit import Joint, Refit, refit
 from .thinning import thinned
-from .verdict import Verdict
+from .verdict import DiagnosisInterruptedError, Verdict
 
 MOST_EFFECTS = 2
 CLEAR = 3.0  # standard errors by which an effect must beat the model without it
@@ -33,7 +35,7 @@ NOISE = 1.03  # misfit over noise at which there is nothing left to find
 
 
 def diagnose(
-    campaign: Campaign,
+    campaign: Campaign | str | Path,
     *,
     executor: Executor | None = None,
     solver: str = "auto",
@@ -47,17 +49,25 @@ def diagnose(
     fitted; what cannot be told apart forms a class.
 
     Args:
-        campaign: records, channels, priors and model.
+        campaign: records, channels, priors and model, or the path of the TOML file that tells them.
         executor: fits candidates; any `concurrent.futures.Executor`.
         solver: as for `DAE.simulate`; "auto" compiles models where there is a C compiler.
         rtol: relative tolerance of the runs; small beside the noise if not given.
         report: called with a line of progress.
 
-    Returns:
-        The verdict; after Ctrl-C, that of what was done until then, which says so.
+    Raises:
+        DiagnosisInterruptedError: on Ctrl-C, once the parameters are refitted; its `verdict`, "interrupted",
+            tells what is known so far.
     """
+    demand(
+        "diagnose()",
+        solver=(solver, one_of(SOLVERS)),
+        rtol=(rtol, optional(between(FINEST, COARSEST))),
+        report=(report, optional(function)),
+        executor=(executor, optional(instance(Executor))),
+    )
     tell = report or (lambda line: None)
-    campaign = thinned(campaign)
+    campaign = thinned(Campaign.of(campaign))
     rtol = rtol or _unseen(campaign)
     accuracy = Accuracy(_fastest() if solver == "auto" else solver, rtol, 1e-2 * rtol, STEPS)
     tell("refitting the parameters")
@@ -69,8 +79,7 @@ def diagnose(
     best = base
     try:
         while len(best.effects) < MOST_EFFECTS and _misses_much(best, base):
-            done = held(campaign, best, accuracy, executor, tell)
-            rounds.append(done)
+            done = held(campaign, best, accuracy, executor, tell, rounds)
             chosen = _chosen(done, base, campaign)
             if chosen is None:
                 break
@@ -81,10 +90,12 @@ def diagnose(
                 rounds.pop()
                 continue
             best = _pruned(chosen, campaign, accuracy)
+        return decided(campaign, accuracy, start, base, best, rounds, notes)
     except KeyboardInterrupt:
-        notes.append("interrupted; this is what was known until then")
-        tell(notes[-1])
-    return decided(campaign, accuracy, start, base, best, rounds, notes)
+        verdict = decided(campaign, accuracy, start, base, best, rounds, notes, interrupted=True)
+        raise DiagnosisInterruptedError(
+            "interrupted; what is known so far is the error's `verdict`", verdict
+        ) from None
 
 
 def _unseen(campaign: Campaign) -> float:

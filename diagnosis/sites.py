@@ -85,7 +85,7 @@ def _merged(group: list[Site]) -> Iterator[Site]:
         chosen = max(acting, key=lambda site: (site.path.count("."), site.rank))
         yield replace(chosen, same=tuple(site.path for site in group if site is not chosen))
         for site in acting:
-            if not f"{chosen.path}.".startswith(f"{site.path}."):
+            if site is not chosen and not site.holds(chosen):
                 yield replace(site, places=frozenset({"series", "loaded"}))
     for number, site in enumerate(inert):
         yield site if number == 0 and not acting else replace(site, places=site.places - {"across"})

@@ -112,6 +112,8 @@ def code(verdict: Verdict) -> list[str]:
 
 def advice(verdict: Verdict) -> str:
     """Return what to measure next."""
+    if verdict.verdict == "interrupted":
+        return "Nothing yet: the diagnosis was stopped before its end; run it to its end."
     if verdict.next_experiment:
         return verdict.next_experiment
     if verdict.verdict == "unknown":

@@ -8,6 +8,7 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
+from ..components.base import check_output, write_text
 from ..networks import Network
 from .evidence import Evidence
 from .placed import Placed, with_effects
@@ -16,6 +17,7 @@ WORDS = {
     "none": "Nothing is missing: the model explains the data down to the noise.",
     "parameters": "No effect is missing; parameters were wrong.",
     "unknown": "Something is missing that is none of the known effects.",
+    "interrupted": "The diagnosis was stopped before its end; no effect had been accepted by then.",
 }
 
 
@@ -41,12 +43,20 @@ class Gap:
     unit: str
 
 
+class DiagnosisInterruptedError(KeyboardInterrupt):
+    """Ctrl-C during a diagnosis; `verdict` tells what is known so far."""
+
+    def __init__(self, message: str, verdict: Verdict) -> None:
+        self.verdict = verdict
+        super().__init__(message)
+
+
 @dataclass(frozen=True, eq=False)
 class Verdict:
     """What a diagnosis found.
 
     Attributes:
-        verdict: "effect", "parameters", "none", "ambiguous" or "unknown".
+        verdict: "effect", "parameters", "none", "ambiguous", "unknown" or "interrupted".
         effects: what is missing, with its parameters; for "unknown", what explains a part of the gap.
         confidence: of each effect.
         equivalent: (kind, site) of what these data cannot tell from it.
@@ -85,6 +95,11 @@ class Verdict:
             return (
                 f"Part of what is missing is {named}, which closes {self.closed:.0%} of the gap; the rest is "
                 "none of the known effects."
+            )
+        if self.verdict == "interrupted" and named:
+            return (
+                "The diagnosis was stopped before its end; what had been accepted by then is "
+                f"{named}, which closes {self.closed:.0%} of the gap."
             )
         if self.verdict in WORDS:
             return WORDS[self.verdict]
@@ -136,9 +151,8 @@ class Verdict:
 
     def save(self, path: str | Path) -> Path:
         """Write the JSON file."""
-        path = Path(path)
-        path.write_text(json.dumps(self.to_dict(), indent=1) + "\n", encoding="utf-8")
-        return path
+        check_output(path, [".json"])
+        return write_text(path, json.dumps(self.to_dict(), indent=1) + "\n")
 
     def corrected(self) -> Network:
         """Return the network with the effects inserted."""

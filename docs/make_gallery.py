@@ -1,6 +1,7 @@
 """Draw the pictures of gallery.md: `python docs/make_gallery.py [ranking] [inerters] [page]`, or all of them.
 
-`ranking` takes half an hour, `inerters` minutes; `page` runs the lines of the page and saves what they draw.
+`ranking` takes half an hour; `inerters` takes minutes and writes its table and its shares into the page, too;
+`page` runs the lines of the page and saves what they draw.
 """
 
 import re
@@ -13,9 +14,9 @@ import inertance as ia
 import numpy as np
 from inertance import ge_wang
 from matplotlib import pyplot
-from numpy.typing import NDArray
 
-IMAGES = Path(__file__).parent / "images"
+PAGE = Path(__file__).parent / "gallery.md"
+IMAGES = PAGE.parent / "images"
 PICTURE = re.compile(r"\(images/(\w+)\.png\)|^```python\n(.*?)^```$", re.MULTILINE | re.DOTALL)
 RANGES = {"d": (50.0, 30e3), "b": (0.1, 3000.0), "k": (10.0, 1e8)}
 STIFFNESS = np.linspace(10e3, 120e3, 12)
@@ -80,16 +81,26 @@ INERTERS: dict[str, Callable[[], ia.Component]] = {
 }
 
 
-def rms(values: NDArray[np.float64]) -> float:
-    """Return the root of the mean square."""
-    return float(np.sqrt(np.mean(values**2)))
+ROADS, FORCES = "ABCD", (300.0, 3e3, 30e3)
+TABLE = re.compile(r"^\| none \(S1; no TID\).*?(?=^$)", re.MULTILINE | re.DOTALL)
+KEPT = re.compile(r"the disk keeps\s.*?on D\.", re.DOTALL)
 
 
 def real_car(strut: ia.Component, road: str) -> float:
     """Return the rms acceleration of a quarter car on a road [m/s2]."""
     car = ia.quarter_car(strut)
     profile = ia.road_profile(road, 25.0, 8.0, seed=1)
-    return rms(car.simulate(8.0, inputs={"road.s_ref": profile}, step=2e-3)["body.a"])
+    return car.simulate(8.0, inputs={"road.s_ref": profile}, step=2e-3).rms("body.a")
+
+
+def bare_car(road: str) -> float:
+    """Return the rms acceleration without an inerter, damped best for ride [m/s2]."""
+    return real_car(ia.suspension("S1", 60e3, ia.quarter_car_damping(60e3, 250.0, 35.0, 150e3)), road)
+
+
+def inerter_car(name: str, road: str) -> float:
+    """Return the rms acceleration with one of the inerters in S4 [m/s2]."""
+    return real_car(ia.suspension("S4", 60e3, 3200.0, INERTERS[name]()), road)
 
 
 def real_tid(inerter: ia.Component | None, force: float) -> float:
@@ -101,25 +112,53 @@ def real_tid(inerter: ia.Component | None, force: float) -> float:
     dae, t, power = frame.dae(), np.linspace(0.0, 20.0, 401), 0.0
     for seed in range(3):
         gusts = ia.Sampled(t, force * np.random.default_rng(seed).standard_normal(len(t)))
-        power += rms(dae.simulate(20.0, inputs={"wind.f": gusts}, step=5e-3)["floor1.s"]) ** 2 / 3
+        power += dae.simulate(20.0, inputs={"wind.f": gusts}, step=5e-3).rms("floor1.s") ** 2 / 3
     return float(np.sqrt(power))
 
 
+def shares_kept(bare: list[float], cars: dict[str, list[float]]) -> str:
+    """Say what real inerters keep, on the smoothest and the roughest road, of what an ideal one gains."""
+    a, b, c, d = (
+        round(100 * (bare[k] - cars[name][k]) / (bare[k] - cars["ideal"][k]))
+        for name in ("disk", "planetary")
+        for k in (0, -1)
+    )
+    return (
+        f"the disk keeps\n{a} % on a road of class A and {b} % on D, the planets {c} % on A and {d} % on D."
+    )
+
+
+def table_rows(bare: list[float], cars: dict[str, list[float]], winds: dict[str, list[float]]) -> str:
+    """Return the rows of the page's table."""
+    rows = [f"| none (S1; no TID) | {' | '.join(f'{a:.3f}' for a in bare)} | 1 | 1 | 1 |"]
+    for name, values in cars.items():
+        rows.append(f"| {name} | {' | '.join(f'{value:.3f}' for value in values + winds[name])} |")
+    return "\n".join(rows) + "\n"
+
+
 def real_inerters() -> None:
-    """Draw and print what friction and backlash leave of an inerter's promise."""
-    roads, forces = "ABCD", (300.0, 3e3, 30e3)
-    figure, axes = pyplot.subplots(1, 2, figsize=(10.5, 4.2), layout="constrained")
-    bare = [real_tid(None, force) for force in forces]
-    without = real_car(ia.suspension("S1", 60e3, ia.quarter_car_damping(60e3, 250.0, 35.0, 150e3)), "A")
-    print("without", round(without, 4), flush=True)
-    axes[0].axhline(without, color="gray", linestyle="--", label="without, S1")
-    axes[1].axhline(1.0, color="gray", linestyle="--", label="without")
+    """Draw what friction and backlash leave of an inerter's promise, and write its figures into the page."""
+    free = [real_tid(None, force) for force in FORCES]
+    bare = [bare_car(road) for road in ROADS]
+    cars, winds = {}, {}
     for name, make in INERTERS.items():
-        on_road = [real_car(ia.suspension("S4", 60e3, 3200.0, make()), road) for road in roads]
-        in_wind = [real_tid(make(), force) / free for force, free in zip(forces, bare, strict=True)]
-        print(name, np.round(on_road, 4), np.round(in_wind, 4), flush=True)
-        axes[0].plot(list(roads), np.array(on_road) / 2.0 ** np.arange(len(roads)), "o-", label=name)
-        axes[1].semilogx(forces, in_wind, "o-", label=name)
+        cars[name] = [inerter_car(name, road) for road in ROADS]
+        winds[name] = [real_tid(make(), force) / alone for force, alone in zip(FORCES, free, strict=True)]
+        print(name, np.round(cars[name], 4), np.round(winds[name], 4), flush=True)
+    text = TABLE.sub(lambda _: table_rows(bare, cars, winds), PAGE.read_text(encoding="utf-8"))
+    PAGE.write_text(KEPT.sub(lambda _: shares_kept(bare, cars), text), encoding="utf-8")
+    draw_inerters(bare, cars, winds)
+
+
+def draw_inerters(bare: list[float], cars: dict[str, list[float]], winds: dict[str, list[float]]) -> None:
+    """Draw ride over road class, and motion with a TID over wind."""
+    figure, axes = pyplot.subplots(1, 2, figsize=(10.5, 4.2), layout="constrained")
+    as_on_a = 2.0 ** np.arange(len(ROADS))
+    axes[0].plot(list(ROADS), np.array(bare) / as_on_a, "--", color="gray", label="without, S1")
+    axes[1].axhline(1.0, color="gray", linestyle="--", label="without")
+    for name, on_road in cars.items():
+        axes[0].plot(list(ROADS), np.array(on_road) / as_on_a, "o-", label=name)
+        axes[1].semilogx(FORCES, winds[name], "o-", label=name)
     axes[0].set_xlabel("road, ISO 8608")
     axes[0].set_ylabel("rms acceleration, as on A [m/s²]")
     axes[1].set_xlabel("rms force of wind [N]")
@@ -134,7 +173,7 @@ def real_inerters() -> None:
 
 def page() -> None:
     """Run the lines of gallery.md, and save what they draw below a picture that is not drawn above."""
-    text = (Path(__file__).parent / "gallery.md").read_text(encoding="utf-8")
+    text = PAGE.read_text(encoding="utf-8")
     names: dict[str, Any] = {}
     picture = ""
     for found in PICTURE.finditer(text):

@@ -7,6 +7,7 @@ import stat
 import sys
 import zipfile
 import zlib
+from collections import Counter
 from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path, PurePosixPath
@@ -72,6 +73,7 @@ def read_entry(path: Path, name: str, kind: str, most: int = MOST_BYTES) -> byte
     with _opened(path) as archive:
         if name not in archive.namelist():
             raise FMUError(f"'{path}' has no {name}: it is no {kind}")
+        _check_single(path, archive, {name})
         most = min(most, max(UNSUSPECTED, MOST_RATIO * path.stat().st_size))
         return b"".join(_chunks(path, archive, name, most))
 
@@ -91,9 +93,10 @@ def unpack(path: Path, folder: Path, binaries: str) -> None:
     (folder / "resources").mkdir()
     with _opened(path) as archive:
         left = min(MOST_BYTES, max(UNSUSPECTED, MOST_RATIO * path.stat().st_size))
-        for entry in archive.infolist():
-            name = entry.filename
-            if entry.is_dir() or not (name == DESCRIPTION or name.startswith(wanted)):
+        needed = {n for n in archive.namelist() if n == DESCRIPTION or n.startswith(wanted)}
+        _check_single(path, archive, needed)
+        for name in sorted(needed):
+            if name.endswith("/"):
                 continue
             target = folder / name
             target.parent.mkdir(parents=True, exist_ok=True)
@@ -124,15 +127,26 @@ def _check_names(path: Path, archive: zipfile.ZipFile) -> None:
     entries = archive.infolist()
     if len(entries) > MOST_ENTRIES:
         raise FMUError(f"'{path}' has {len(entries)} entries, more than {MOST_ENTRIES}: nothing was unpacked")
-    seen: set[str] = set()
     for entry in entries:
         name = entry.orig_filename
-        problem = _problem(name, entry)
-        if not problem and entry.filename in seen and not entry.is_dir():
-            problem = "comes twice"
-        seen.add(entry.filename)
-        if problem:
+        if problem := _problem(name, entry):
             raise FMUError(f"'{path}': the entry '{name}' {problem}: nothing was unpacked")
+
+
+def doubled(path: Path) -> list[str]:
+    """Return notes on files that an archive has twice, of which one is taken if they are the same."""
+    with _opened(path) as archive:
+        count = Counter(entry.filename for entry in archive.infolist() if not entry.is_dir())
+        return [f"the entry '{name}' comes {n} times" for name, n in count.items() if n > 1]
+
+
+def _check_single(path: Path, archive: zipfile.ZipFile, names: set[str]) -> None:
+    """Refuse files that come twice with other contents, as tools would not agree which of them counts."""
+    seen: dict[str, tuple[int, int]] = {}
+    for entry in archive.infolist():
+        content = entry.CRC, entry.file_size
+        if entry.filename in names and seen.setdefault(entry.filename, content) != content:
+            raise FMUError(f"'{path}': the entry '{entry.filename}' comes twice, with other contents")
 
 
 def _problem(name: str, entry: zipfile.ZipInfo) -> str:

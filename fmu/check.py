@@ -6,8 +6,8 @@ import math
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from pathlib import Path
 
-from ..components.base import ModelError, nearest
-from ..networks import DAE, Network
+from ..components.base import ModelError, above, boolean, demand, named, nearest, number, optional
+from ..networks import DAE, Network, dae_of
 from .check_isolated import isolated_findings
 from .check_network import network_findings
 from .check_probe import Subject
@@ -74,11 +74,12 @@ def check(
         True
     """
     _check_numbers(stop, step, tolerance, limit)
+    demand("check_fmu()", isolated=(isolated, boolean), timeout=(timeout, above(0, "s")))
     if isinstance(model, str | Path):
-        plan = Plan(stop, step, tolerance, limit or APART, dict(inputs or {}))
+        plan = Plan(stop, step, tolerance, limit or APART, named("inputs", inputs))
         name, findings = _file(Path(model), plan, timeout if isolated else None)
     else:
-        dae = model.dae() if isinstance(model, Network) else model
+        dae = dae_of(model)
         end = 1.0 if stop is None else stop
         experiment = Experiment(0.0, end, step or end / 500, tolerance, _inputs(dae, inputs or {}))
         chosen = _versions(versions)
@@ -108,6 +109,12 @@ def _here(path: Path, plan: Plan) -> Iterator[Finding]:
 
 
 def _check_numbers(stop: float | None, step: float | None, tolerance: float, limit: float | None) -> None:
+    given = {"stop": stop, "step": step, "limit": limit}
+    demand(
+        "check_fmu()",
+        tolerance=(tolerance, number),
+        **{name: (value, optional(number)) for name, value in given.items()},
+    )
     problems = [
         f"{name} must be finite and at least {least:g}{unit}, got {value:g}{unit}"
         for name, value, least, unit in (

@@ -6,6 +6,8 @@ from collections.abc import Iterator
 from dataclasses import asdict, dataclass, field
 from typing import Any
 
+from ..components import UnknownNameError
+
 HEADINGS = ("", "FMU", "check", "error", "limit", "")
 
 
@@ -68,12 +70,12 @@ class CheckReport:
         """Return one finding.
 
         Raises:
-            KeyError: if there is none.
+            UnknownNameError: if there is none.
         """
         for finding in self.findings:
             if (finding.subject, finding.check) == (subject, check):
                 return finding
-        raise KeyError(f"there is no finding '{check}' of '{subject}'")
+        raise UnknownNameError(f"there is no finding '{check}' of '{subject}'")
 
     def to_dict(self) -> dict[str, Any]:
         """Return all of it as plain data, for JSON."""

@@ -9,6 +9,7 @@ from itertools import pairwise
 import numpy as np
 from numpy.typing import NDArray
 
+from ..components.base import heed, interruptible
 from .check_probe import Probe, Subject
 from .errors import FMUError
 
@@ -99,6 +100,7 @@ def _exchange_by_cvode(
         problems: list[Exception] = []
 
         def finished(time: float, _: object) -> bool:
+            heed()
             try:
                 if visit is not None:
                     visit(probe, time)
@@ -107,13 +109,14 @@ def _exchange_by_cvode(
             return not problems
 
         try:
-            run = simulate_fmu(
-                str(subject.files.folder), validate=False, start_time=experiment.begin,
-                stop_time=experiment.stop, output_interval=experiment.step, fmi_type="ModelExchange",
-                relative_tolerance=rtol, start_values=dict(experiment.inputs),
-                output=list(names), model_description=probe.description, fmu_instance=probe.instance,
-                step_finished=finished,
-            )  # fmt: skip
+            with interruptible():  # CVODE calls back into Python, which would lose Ctrl-C there
+                run = simulate_fmu(
+                    str(subject.files.folder), validate=False, start_time=experiment.begin,
+                    stop_time=experiment.stop, output_interval=experiment.step, fmi_type="ModelExchange",
+                    relative_tolerance=rtol, start_values=dict(experiment.inputs),
+                    output=list(names), model_description=probe.description, fmu_instance=probe.instance,
+                    step_finished=finished,
+                )  # fmt: skip
         except Exception as error:
             raise FMUError(f"FMU '{probe.name}': {error}") from error
         if problems:

@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ..networks import Event
+from ..networks import Event, OverTime
 from .errors import FMUError
 from .import_run import ForeignEvent, ForeignRun
 
@@ -19,7 +19,7 @@ NOTABLE, TINY = 0.05, 1e-6
 
 
 @dataclass(eq=False)
-class ExchangeRun(ABC):
+class ExchangeRun(OverTime, ABC):
     """What participants did together that exchange at communication points.
 
     Attributes:

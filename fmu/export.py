@@ -11,8 +11,17 @@ from importlib import metadata
 from pathlib import Path
 from tempfile import TemporaryDirectory
 
-from ..components.base import ModelError, nearest
-from ..networks import DAE, CProgram, Network, c_program, compile_shared, corners_as_modes, starting_point
+from ..components.base import ModelError, check_output, nearest, path_of
+from ..networks import (
+    DAE,
+    CProgram,
+    Network,
+    c_program,
+    compile_shared,
+    corners_as_modes,
+    dae_of,
+    starting_point,
+)
 from .description import Model, model_description
 from .documentation import licences, page
 from .interface import Interface, interface
@@ -88,7 +97,7 @@ def export(
         if isinstance(model, DAE):
             raise ModelError(f"'{model.name}': terminals need the network, not its equations")
         model, published = publish(model, terminals)
-    dae = model.dae() if isinstance(model, Network) else model
+    dae = dae_of(model)
     program, face = _program(
         dae, inputs, outputs, [name for t in published for name in t.outputs], start or {}
     )
@@ -121,11 +130,10 @@ def export(
 
 
 def _target(path: str | Path) -> Path:
-    target = Path(path)
+    target = path_of(path, "an FMU")
     if target.suffix != ".fmu":
         raise ModelError(f"an FMU is written to a file that ends in '.fmu', got '{path}'")
-    if not target.parent.is_dir():
-        raise ModelError(f"there is no folder '{target.parent}' to write '{target.name}' to; create it first")
+    check_output(target)
     return target
 
 

@@ -260,7 +260,7 @@ FaceStatus face_settle(Instance *c, const char *function, int *states_changed)
 /* Whether an integrator has stepped over an event, twice through zero within one step. */
 FaceStatus face_due(Instance *c, const char *function, int *due)
 {
-    return core_due(&c->now.core, due) == CORE_OK ? FACE_OK : face_outcome(c, function, CORE_DISCARD);
+    return face_outcome(c, function, core_due(&c->now.core, due));
 }
 
 static double slack(double point)

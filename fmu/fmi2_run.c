@@ -19,6 +19,7 @@ fmi2Status fmi2NewDiscreteStates(fmi2Component component, fmi2EventInfo *eventIn
     memset(eventInfo, 0, sizeof *eventInfo);
     status = face_settle(c, HERE, &changed);
     eventInfo->valuesOfContinuousStatesChanged = changed ? fmi2True : fmi2False;
+    if (core_next_time(&c->now.core, &eventInfo->nextEventTime)) eventInfo->nextEventTimeDefined = fmi2True;
     return AS_FMI(status);
 }
 

@@ -18,8 +18,8 @@ fmi3Status fmi3UpdateDiscreteStates(fmi3Instance instance, fmi3Boolean *discrete
     *terminateSimulation = fmi3False;
     *nominalsOfContinuousStatesChanged = fmi3False;
     *valuesOfContinuousStatesChanged = changed != 0;
-    *nextEventTimeDefined = fmi3False;
     *nextEventTime = 0.0;
+    *nextEventTimeDefined = core_next_time(&c->now.core, nextEventTime) != 0;
     return AS_FMI(status);
 }
 

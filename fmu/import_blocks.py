@@ -219,7 +219,8 @@ class FMUMotion(ForeignComponent):
         velocity: its output for the rate of it [m/s].
 
     Limits: masses joined rigidly to the flange answer with m a, which makes coupling unstable for masses
-    above the FMU's own; put compliance between, or the masses into the FMU.
+    above the FMU's own; shocks that act on both are refused. Put compliance between, or the masses into the
+    FMU.
 
     Example:
         >>> from inertance import FMUMotion

@@ -2,20 +2,26 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field
 from math import factorial
+from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
 
-from ..networks import Event, Result
+from ..networks import Event, Pieces, Result
 from .exchange import ExchangeRun
 from .foreign import Values
 from .import_blocks import ForeignComponent, Given, Taken
-from .import_participants import Course, Participant
+from .import_participants import Participant
+from .import_steps import Course
+
+if TYPE_CHECKING:
+    import pandas as pd
 
 Array = NDArray[np.float64]
+SAME = 1e-9
 
 
 @dataclass(eq=False)
@@ -48,6 +54,18 @@ class CoupledRun(ExchangeRun):
     def unit(self, name: str) -> str:
         """Return the unit of a signal of the network."""
         return self.network.unit(name)
+
+    def course(self, name: str, begin: float, end: float) -> Pieces:
+        """Return a signal of the network between its points."""
+        return self.network.course(name, begin, end)
+
+    def values_of(self, name: str) -> tuple[str, ...]:
+        """Return what the values of a mode of the network are called."""
+        return self.network.values_of(name)
+
+    def to_dataframe(self) -> pd.DataFrame:
+        """Return the states of the network as a pandas DataFrame indexed by time."""
+        return self.network.to_dataframe()
 
     def _own_events(self) -> list[Event]:
         return self.network.events
@@ -102,6 +120,17 @@ class Coupled:
             course = before if duration is None else _between(before, after, duration)
             found[f"{self.path}.{given.name}"] = course
         return found
+
+    def jumps(self, was: Array) -> Iterator[tuple[str, list[float], float]]:
+        """Yield the motions whose velocity is another than it was: name, course from now on, and the jump."""
+        place = 0
+        for given in self.component.given:
+            width = 1 if given.rate is None else 2
+            part = slice(place, place + width)
+            place += width
+            before, now = self._si(given, was[part]), self._si(given, self.was[part])
+            if width == 2 and abs(now[1] - before[1]) > SAME * (abs(now[1]) + abs(before[1])):
+                yield f"{self.path}.{given.name}", now, now[1] - before[1]
 
     def _si(self, given: Given, values: Array) -> list[float]:
         fmu = self.component.fmu

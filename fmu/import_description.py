@@ -3,22 +3,30 @@
 from __future__ import annotations
 
 import io
+import re
 import zipfile
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 from xml.etree import ElementTree
 
-from .archive import DESCRIPTION, read_description
+from .archive import DESCRIPTION, doubled, read_description
 from .errors import FMUError
+from .import_validation import checked
 
 KINDS = {"ME": "modelExchange", "CS": "coSimulation"}
+FACES = *KINDS.values(), "scheduledExecution"
+PLAIN = re.compile(r"\w[\w.+-]*")
 REAL = ("Real", "Float64", "Float32")
 
 
 @dataclass(frozen=True)
 class ForeignVariable:
-    """One variable of an FMU, as its author declares it; `type` is FMI's name of it."""
+    """One variable of an FMU, as its author declares it; `type` is FMI's name of it.
+
+    A `relative` one is a difference, for which the offset of its unit does not count. `choices` are the
+    values of an enumeration by name.
+    """
 
     name: str
     reference: int
@@ -32,6 +40,8 @@ class ForeignVariable:
     maximum: float
     size: int
     text: str
+    relative: bool
+    choices: dict[str, int]
 
     @property
     def real(self) -> bool:
@@ -51,35 +61,63 @@ class ForeignVariable:
 
 
 def described(path: Path, validate: bool) -> tuple[Any, list[str]]:
-    """Return FMPy's model description, and what in it breaks the standard though it can be read.
+    """Return FMPy's model description, and what in it and its archive breaks the standard but harms nothing.
 
     Raises:
-        FMUError: if it cannot be read, or its schema does not allow it and that is asked.
+        FMUError: if it cannot be read, names a file outside of its folder, or is invalid and that is asked.
     """
     from fmpy import read_model_description
-    from fmpy.model_description import ValidationError
 
     text = read_description(path)
     _check_version(path, text)
+    mended, notes = checked(path, text, validate)
     alone = io.BytesIO()
     with zipfile.ZipFile(alone, "w") as archive:
-        archive.writestr(DESCRIPTION, text)
+        archive.writestr(DESCRIPTION, mended)
     try:
-        try:
-            return read_model_description(alone), []
-        except ValidationError as error:
-            problems = [" ".join(str(problem).split()) for problem in error.problems]
-            against_schema = any(problem.startswith(("ERROR", "FATAL")) for problem in problems)
-            if validate and against_schema:
-                told = [*problems[:5], *([f"and {len(problems) - 5} more"] if len(problems) > 5 else [])]
-                raise FMUError(
-                    "\n  - ".join([f"'{path}': {DESCRIPTION} is invalid (validate=False tries it):", *told])
-                ) from error
-            return read_model_description(alone, validate=False), problems
-    except FMUError:
-        raise
+        description = read_model_description(alone, validate=False)
     except Exception as error:
         raise FMUError(f"'{path}': {DESCRIPTION} is invalid: {error}") from error
+    _check_names(path, description)
+    return description, [*doubled(path), *notes, *_breaches(description)]
+
+
+def _check_names(path: Path, description: Any) -> None:
+    """Refuse names that lead to other files, or to two variables."""
+    for name in _identifiers(description):
+        if not PLAIN.fullmatch(name) or ".." in name:
+            raise FMUError(
+                f"'{path}': modelIdentifier={name!r} is no plain name of a file, so that its library could "
+                "be anywhere: nothing was unpacked or run"
+            )
+    known: dict[str, tuple[int, str]] = {}
+    for v in description.modelVariables:
+        face = v.valueReference, v.type
+        if known.setdefault(v.name, face) != face:
+            raise FMUError(
+                f"'{path}': {DESCRIPTION} has two variables called '{v.name}' that are not the same"
+            )
+
+
+def _breaches(description: Any) -> list[str]:
+    """Return what breaks rules beyond the schema, though it can be read."""
+    from fmpy.validation import validate_model_description
+
+    odd = [
+        f"modelIdentifier='{name}' is no C identifier"
+        for name in _identifiers(description)
+        if not re.fullmatch(r"[A-Za-z_]\w*", name, re.ASCII)
+    ]
+    try:
+        found = validate_model_description(description)
+    except KeyError as error:
+        found = [f"the unit {error}, which has a display unit, is not defined"]
+    return odd + [" ".join(str(problem).split()) for problem in found]
+
+
+def _identifiers(description: Any) -> list[str]:
+    faces = [face for name in FACES if (face := getattr(description, name)) is not None]
+    return list(dict.fromkeys(str(face.modelIdentifier) for face in faces))
 
 
 def _check_version(path: Path, text: bytes) -> None:
@@ -94,8 +132,8 @@ def _check_version(path: Path, text: bytes) -> None:
         raise FMUError(f"'{path}' is FMI {version}; only FMI 2.0 and 3.0 can be imported, export it anew")
 
 
-def foreign_variable(declared: Any) -> ForeignVariable:
-    """Return a variable of FMPy's model description as ours."""
+def foreign_variable(declared: Any, relative: bool) -> ForeignVariable:
+    """Return a variable of FMPy's model description as ours; `relative` if it says so itself."""
     kind = declared.declaredType
     size = 1
     for length in declared.shape or ():
@@ -105,7 +143,8 @@ def foreign_variable(declared: Any) -> ForeignVariable:
         declared.initial or "", declared.unit or (kind.unit if kind else None) or "", declared.start,
         float(_given(declared.min, kind and kind.min, "-inf")),
         float(_given(declared.max, kind and kind.max, "inf")),
-        size, declared.description or "",
+        size, declared.description or "", relative or bool(kind and kind.relativeQuantity),
+        {str(item.name): int(item.value) for item in (kind.items if kind else ())},
     )  # fmt: skip
 
 

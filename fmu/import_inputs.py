@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from bisect import bisect_right
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, field
 from numbers import Real
@@ -10,11 +11,14 @@ from typing import Any
 import numpy as np
 
 from ..components import Sampled
-from ..networks import cubic_spline
+from ..networks import check_covered, piecewise
 from .errors import FMUError
 from .foreign import Group, Instance, Values
 from .import_description import ForeignVariable
+from .import_values import checked
 from .imported import FMU
+
+SAMPLES_A_STEP, QUIET, STILL = 4, 4, 1e-9
 
 
 def groups(variables: Iterable[ForeignVariable]) -> list[Group]:
@@ -31,8 +35,8 @@ def groups(variables: Iterable[ForeignVariable]) -> list[Group]:
 
 def chosen_values(
     fmu: FMU, parameters: Mapping[str, Any], start: Mapping[str, Any]
-) -> list[tuple[Group, Values]]:
-    """Return values to set before the start.
+) -> dict[str, tuple[Group, Values]]:
+    """Return values to set before the start, by name.
 
     Raises:
         FMUError: for unknown names, what cannot be set, and values out of range.
@@ -46,32 +50,7 @@ def chosen_values(
             told = variable.initial or variable.variability
             raise FMUError(f"FMU '{fmu.name}': '{name}' ({variable.causality}, {told}) takes no start value")
         chosen.append((variable, value))
-    return [((v.type, [v.reference], v.size), checked(fmu, v, value)) for v, value in chosen]
-
-
-def checked(fmu: FMU, variable: ForeignVariable, value: Any) -> Values:
-    """Return the elements of a value in the unit of its variable.
-
-    Raises:
-        FMUError: if type, number or range is wrong.
-    """
-    value = fmu.converted(variable, value)
-    values = [value] if np.ndim(value) == 0 else list(np.ravel(value))
-    unit = f" {variable.unit}" if variable.unit else ""
-    where = f"FMU '{fmu.name}': '{variable.name}'"
-    if len(values) != variable.size:
-        raise FMUError(f"{where} takes {variable.size} value(s), got {len(values)}")
-    for element in values:
-        if variable.type == "String":
-            if not isinstance(element, str):
-                raise FMUError(f"{where} takes a text, got {element!r}")
-        elif not isinstance(element, Real) and not isinstance(element, np.bool_):
-            raise FMUError(f"{where} takes a number{unit and f' [{variable.unit}]'}, got {element!r}")
-        elif not variable.minimum <= float(element) <= variable.maximum:
-            raise FMUError(
-                f"{where} must be between {variable.minimum:g} and {variable.maximum:g}{unit}, got {element}"
-            )
-    return values if variable.type == "String" else [float(element) for element in values]
+    return {v.name: ((v.type, [v.reference], v.size), checked(fmu, v, value)) for v, value in chosen}
 
 
 @dataclass(eq=False)
@@ -81,12 +60,16 @@ class Inputs:
     Attributes:
         driven: continuous real inputs, set with every evaluation; a function of time each.
         held: the others, constant between their jumps.
+        pace: steps [s] that do not pass over what data do between their samples.
+        wakes: instants at which data bend again that had been straight.
     """
 
     fmu: FMU
     driven: dict[str, Callable[[float], float]] = field(default_factory=dict)
     held: dict[str, Callable[[float], Any]] = field(default_factory=dict)
     jumps: list[float] = field(default_factory=list)
+    pace: float = np.inf
+    wakes: list[float] = field(default_factory=list)
 
     @property
     def references(self) -> list[int]:
@@ -115,37 +98,60 @@ class Inputs:
         """Return when a held input changes next."""
         return min((jump for jump in self.jumps if jump > t), default=np.inf)
 
+    def next_wake(self, t: float) -> float:
+        """Return when data bend next that are straight now."""
+        place = bisect_right(self.wakes, t)
+        return self.wakes[place] if place < len(self.wakes) else np.inf
 
-def chosen_inputs(fmu: FMU, signals: Mapping[str, Any]) -> Inputs:
-    """Return the signals of a run.
+
+def chosen_inputs(fmu: FMU, signals: Mapping[str, Any], begin: float, stop: float) -> Inputs:
+    """Return the signals of a run from `begin` to `stop` [s].
 
     Raises:
         FMUError: for unknown inputs and signals that are none.
+        ModelError: for data that are not known throughout the run.
     """
     inputs = Inputs(fmu)
+    smooth: dict[str, Sampled] = {}
     for name, signal in signals.items():
         v = fmu.variable(name, fmu.inputs)
         if v.type in ("Real", "Float64") and v.variability == "continuous" and v.size == 1:
-            inputs.driven[name] = _continuous(fmu, v, signal)
+            inputs.driven[name] = _continuous(inputs, v, signal, smooth)
         else:
-            inputs.held[name] = _held(inputs, v, signal)
+            inputs.held[name] = _held(inputs, v, signal, begin)
+    check_covered(fmu.name, smooth, begin, stop)
     return inputs
 
 
-def _continuous(fmu: FMU, v: ForeignVariable, signal: Any) -> Callable[[float], float]:
-    signal = fmu.converted(v, signal)
+def _continuous(
+    inputs: Inputs, v: ForeignVariable, signal: Any, smooth: dict[str, Sampled]
+) -> Callable[[float], float]:
+    """Return a signal as a function of time; note it in `smooth` if it is sampled."""
+    signal = inputs.fmu.converted(v, signal)
     if callable(signal):
         given: Callable[[float], Any] = signal
         return lambda t: float(given(t))
     if isinstance(signal, Real):
-        number = checked(fmu, v, signal)[0]
+        number = checked(inputs.fmu, v, signal)[0]
         return lambda t: float(number)
-    sampled = signal if isinstance(signal, Sampled) else Sampled(*_pair(fmu, v, signal))
-    spline = cubic_spline(sampled)
-    return lambda t: float(spline(t))
+    sampled = signal if isinstance(signal, Sampled) else Sampled(*_pair(inputs.fmu, v, signal))
+    smooth[v.name] = sampled
+    inputs.pace = min(inputs.pace, SAMPLES_A_STEP * float(np.median(np.diff(sampled.time))))
+    inputs.wakes = sorted({*inputs.wakes, *_wakes(sampled)})
+    course = piecewise(sampled)
+    return lambda t: float(course(t))
 
 
-def _held(inputs: Inputs, v: ForeignVariable, signal: Any) -> Callable[[float], Any]:
+def _wakes(data: Sampled) -> list[float]:
+    """Return the instants at which data bend again after some that lay on a line."""
+    slopes = np.diff(data.values) / np.diff(data.time)
+    steepest = np.abs(slopes).max()
+    bent = np.concatenate([[False] * QUIET, np.abs(np.diff(slopes)) > STILL * steepest])
+    quiet = np.convolve(bent, np.ones(QUIET), "full")[: len(bent)] - bent == 0
+    return [float(t) for t in data.time[np.flatnonzero((bent & quiet)[QUIET:])]]
+
+
+def _held(inputs: Inputs, v: ForeignVariable, signal: Any, begin: float) -> Callable[[float], Any]:
     if callable(signal):
         raise FMUError(
             f"input '{v.name}' of FMU '{inputs.fmu.name}' is {v.variability} {v.type}: give a value or "
@@ -153,10 +159,18 @@ def _held(inputs: Inputs, v: ForeignVariable, signal: Any) -> Callable[[float], 
         )
     signal = inputs.fmu.converted(v, signal)
     if not isinstance(signal, tuple):
+        checked(inputs.fmu, v, signal)
         return lambda t: signal
     time, values = (np.asarray(a) for a in _pair(inputs.fmu, v, signal))
     if (np.diff(time) <= 0).any() or len(time) != len(values):
         raise FMUError(f"input '{v.name}' of FMU '{inputs.fmu.name}': time must increase, one value each")
+    for value in values:
+        checked(inputs.fmu, v, value)
+    if not len(time) or time[0] > begin:
+        raise FMUError(
+            f"input '{v.name}' of FMU '{inputs.fmu.name}': its values begin after the run does, at "
+            f"{begin:g} s; give the value at its start"
+        )
     inputs.jumps = sorted({*inputs.jumps, *time.tolist()})
     return lambda t: values[max(0, int(np.searchsorted(time, t, side="right")) - 1)]
 

@@ -10,7 +10,7 @@ from typing import Protocol
 from .errors import FMUError
 from .foreign import Group, Values
 from .import_inputs import groups
-from .import_participants import followed_inputs
+from .import_steps import followed_inputs
 from .imported import FMU
 from .local import LocalInstance
 

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from typing import Any
 
 import numpy as np
@@ -13,10 +12,11 @@ from .foreign import Group, Instance, Values, finite
 from .import_inputs import chosen_values, groups
 from .import_run import ForeignEvent, ForeignRun, recorded_variables
 from .import_solver import Chatter, Solver
+from .import_steps import Course, StepSizes, followed_inputs, given, untaken
 from .imported import FMU
 
 Array = NDArray[np.float64]
-Course = Callable[[float], Values]
+SAME = 1e-9
 
 
 class Participant:
@@ -38,6 +38,7 @@ class Participant:
     ) -> None:  # fmt: skip
         self.fmu, self.span, self.rtol = fmu, span, rtol
         self.t, self.ended, self._pending = span[0], False, ""
+        self._last_event = -np.inf
         values = chosen_values(fmu, parameters, start)
         recorded = recorded_variables(fmu, tuple(outputs))
         names = [c for v in recorded for c in v.columns]
@@ -50,7 +51,8 @@ class Participant:
         self.instance: Instance = fmu.instantiate(kind)
         references = [fmu.variables[name].reference for name in inputs]
         try:
-            self.instance.start(*span, rtol, values, references)
+            self.instance.start(*span, rtol, list(values.values()), references)
+            self.run.notes += untaken(fmu, self.instance, values)
         except BaseException:
             self.instance.close()
             raise
@@ -80,17 +82,38 @@ class Participant:
         """Keep all that was read last."""
         self.run.record(self.t, self._row.tolist())
 
-    def settle(self, inputs: Values) -> bool:
-        """Iterate the event that the last step ended at; tell whether there was one."""
-        if not self._pending:
+    def settle(self, inputs: Values, jumped: bool = False) -> bool:
+        """Iterate the event that the last step ended at, or that inputs which jumped bring about.
+
+        Return whether there was one.
+        """
+        cause = self._pending or ("input" if jumped and self.switches else "")
+        if not cause or self.ended:
             return False
         self.instance.enter_events()
         self.instance.drive(inputs)
-        self._updated()
-        self.run.events.append(ForeignEvent(self.t, self._pending))
+        self._updated(inputs)
+        if self._pending or self.t > self._last_event:
+            self.run.events.append(ForeignEvent(self.t, cause))
+        self._last_event, self._pending = self.t, ""
         self._chatter.happened(self.t)
-        self._pending = ""
         return True
+
+    @property
+    def switches(self) -> bool:
+        """Whether it has an event mode."""
+        raise NotImplementedError
+
+    @property
+    def flexible(self) -> bool:
+        """Whether it takes communication steps of any size."""
+        raise NotImplementedError
+
+    def tell(self) -> list[str]:
+        """Return notes on how it went."""
+        if self.ended and self.t < self.span[1]:
+            self.run.notes.append(f"the FMU asked to end at t = {self.t:.9g} s, and so the run did")
+        return [f"FMU '{self.fmu.name}': {note}" for note in self.run.notes]
 
     def close(self) -> None:
         """Free the instance."""
@@ -102,7 +125,7 @@ class Participant:
     def _values(self, inputs: Values) -> Values:
         raise NotImplementedError
 
-    def _updated(self) -> None:
+    def _updated(self, inputs: Values) -> None:
         raise NotImplementedError
 
     def advance(self, target: float, course: Course) -> float:
@@ -121,6 +144,8 @@ class Participant:
 
 class ExchangeParticipant(Participant):
     """A Model Exchange FMU, integrated here with error control and event location."""
+
+    switches = flexible = True
 
     def _first(self, inputs: Values) -> None:
         update = self.instance.update()
@@ -143,7 +168,8 @@ class ExchangeParticipant(Participant):
     def _values(self, inputs: Values) -> Values:
         return self.instance.look(self.t, self.solver.x.tolist(), inputs, self._wanted)
 
-    def _updated(self) -> None:
+    def _updated(self, inputs: Values) -> None:
+        self.solver.drive = lambda t: inputs
         self.ended = self.solver.updated().terminate
 
     def advance(self, target: float, course: Course) -> float:
@@ -169,49 +195,39 @@ class ExchangeParticipant(Participant):
 
 
 class SlaveParticipant(Participant):
-    """A Co-Simulation FMU, which holds its inputs over a step unless it can interpolate them.
+    """A Co-Simulation FMU, which holds its inputs over a step unless it can interpolate them."""
 
-    What is held is the mean of the course over the step. An input x whose derivative der(x) is an input,
-    too, is given where the step begins: it follows der(x).
-    """
+    @property
+    def switches(self) -> bool:
+        """Whether it has an event mode."""
+        return self.instance.event_mode
+
+    @property
+    def flexible(self) -> bool:
+        """Whether it takes communication steps of any size."""
+        return self._sizes.flexible
 
     def _first(self, inputs: Values) -> None:
-        self._only: float | None = None
-        if self.instance.event_mode:
-            self._updated()
+        self._sizes = StepSizes(self.fmu)
+        if self.switches:
+            self._updated(inputs)
 
     def _values(self, inputs: Values) -> Values:
         self.instance.drive(inputs)
         return self.instance.get(self._wanted)
 
-    def _updated(self) -> None:
+    def _updated(self, inputs: Values) -> None:
         self.ended = self.instance.update().terminate
 
     def advance(self, target: float, course: Course) -> float:
         duration = target - self.t
-        self._check_step(duration)
-        first, middle, last = (np.array(course(self.t + share * duration)) for share in (0.0, 0.5, 1.0))
-        if self.instance.interpolates:
-            inputs, rates = first, (last - first) / duration
-        else:
-            inputs, rates = (first + 4 * middle + last) / 6, 0 * first
-        for place, rate in self._followed.items():
-            inputs[place], rates[place] = first[place], inputs[rate]
-        stepped = self.instance.step(self.t, duration, inputs.tolist(), rates.tolist())
+        self._sizes.check(self.t, duration)
+        inputs, rates = given(course, self.t, duration, self.instance.interpolates, self._followed)
+        stepped = self.instance.step(self.t, duration, inputs, rates)
         self.t, _ = stepped.landed(self.fmu.name, self.t, target)
         self.ended = stepped.terminate
-        self._pending = "state" if stepped.event and self.instance.event_mode else ""
+        self._pending = "state" if stepped.event and self.switches else ""
         return self.t
-
-    def _check_step(self, duration: float) -> None:
-        if self.fmu.capable("CS", "canHandleVariableCommunicationStepSize"):
-            return
-        self._only = self._only or duration
-        if abs(duration - self._only) > 1e-6 * self._only:
-            raise FMUError(
-                f"FMU '{self.fmu.name}' takes communication steps of one size only ({self._only:g} s) and "
-                f"cannot stop at the event of another at t = {self.t + duration:g} s"
-            )
 
     def keep(self) -> None:
         super().keep()
@@ -222,15 +238,10 @@ class SlaveParticipant(Participant):
         self.t = self._kept
 
 
-def followed_inputs(inputs: list[str]) -> dict[int, int]:
-    """Return the places of inputs whose derivative is an input, too, and of that: x and der(x), der(x,2)."""
-    found = {}
-    for place, name in enumerate(inputs):
-        inner, _, order = name.removeprefix("der(").removesuffix(")").partition(",")
-        rate = f"der({name})" if inner == name else f"der({inner},{int(order or 1) + 1})"
-        if rate in inputs:
-            found[place] = inputs.index(rate)
-    return found
+def jumped(before: Values, now: Values) -> bool:
+    """Tell whether values are others than before, by more than rounding."""
+    size = np.abs([*before, *now]).max(initial=0.0)
+    return bool(np.abs(np.subtract(now, before)).max(initial=0.0) > SAME * size)
 
 
 def participant(kind: str, *arguments: Any) -> Participant:

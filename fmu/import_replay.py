@@ -75,7 +75,7 @@ class Replay:
         with LoadedInstance(fmu.path, self.kind, files=self._files) as instance:
             try:
                 instance.prepare(fmu, self.inputs, self.outputs, load)
-                instance.start(float(time[0]), float(time[-1]), rtol, values, references)
+                instance.start(float(time[0]), float(time[-1]), rtol, list(values.values()), references)
                 instance.drive(given[0].tolist())
                 instance.started()
                 if self.kind == "ME":

@@ -10,18 +10,21 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ..components import nearest
+from ..components import UnknownNameError, nearest
+from ..networks import OverTime
 from .errors import FMUError
 from .foreign import Instance, Values, finite
 from .import_description import ForeignVariable
 from .import_inputs import Inputs, chosen_inputs, chosen_values, groups
 from .import_solver import Chatter, Solver
+from .import_steps import StepSizes, followed_inputs, given, untaken
 from .imported import FMU
 
 if TYPE_CHECKING:
     import pandas as pd
 
 Array = NDArray[np.float64]
+ALIKE = 1e-6
 
 
 @dataclass(frozen=True)
@@ -33,7 +36,7 @@ class ForeignEvent:
 
 
 @dataclass(eq=False)
-class ForeignRun:
+class ForeignRun(OverTime):
     """What an FMU gave along a run, in the units it declares.
 
     At an event two points share one time: before and after.
@@ -74,12 +77,12 @@ class ForeignRun:
         """Return a variable along the run.
 
         Raises:
-            KeyError: if it was not recorded, with the nearest name.
+            UnknownNameError: if it was not recorded, with the nearest name.
         """
         if name == "time":
             return self.time
         if name not in self.units:
-            raise KeyError(
+            raise UnknownNameError(
                 f"'{name}' of '{self.name}' was not recorded (record=[...]){nearest(name, self.units)}"
             )
         place = list(self.units).index(name)
@@ -109,12 +112,13 @@ def recorded_variables(fmu: FMU, extra: tuple[str, ...]) -> list[ForeignVariable
 def begin_run(
     fmu: FMU, instance: Instance, begin: float, stop: float, rtol: float, inputs: Inputs,
     parameters: Mapping[str, Any], start: Mapping[str, Any],
-) -> None:  # fmt: skip
-    """Set values and inputs in initialization mode, which it does not leave."""
+) -> list[str]:  # fmt: skip
+    """Set values and inputs in initialization mode, and stay there; return notes on what was not taken."""
     values = chosen_values(fmu, parameters, start)
-    instance.start(begin, stop, rtol, values, inputs.references)
+    instance.start(begin, stop, rtol, list(values.values()), inputs.references)
     inputs.hold(instance, begin)
     instance.drive(inputs.at(begin))
+    return untaken(fmu, instance, values)
 
 
 def simulate_alone(
@@ -128,18 +132,18 @@ def simulate_alone(
             f"FMU '{fmu.name}' cannot run from {begin:g} s to {stop:g} s with step={step} and rtol={rtol:g}"
         )
     began = clock.perf_counter()
-    inputs = chosen_inputs(fmu, signals)
+    inputs = chosen_inputs(fmu, signals, begin, stop)
     variables = recorded_variables(fmu, record)
     run = ForeignRun(fmu.name, {c: v.unit for v in variables for c in v.columns})
     count = max(1, round((stop - begin) / (step or (stop - begin) / 500)))
     outputs = np.linspace(begin, stop, count + 1)
     with fmu.instantiate(kind) as instance:
-        begin_run(fmu, instance, begin, stop, rtol, inputs, parameters, start)
+        run.notes += begin_run(fmu, instance, begin, stop, rtol, inputs, parameters, start)
         alone = _Alone(run, instance, inputs, groups(variables), outputs)
         if kind == "ME":
             alone.exchange(rtol, fmu.description.numberOfEventIndicators)
         else:
-            alone.communicate()
+            alone.communicate(StepSizes(fmu), step)
     run.stats["seconds"] = clock.perf_counter() - began
     return run
 
@@ -162,14 +166,15 @@ class _Alone:
         update = self.instance.update()
         if update.terminate:
             raise FMUError(f"FMU '{self.run.name}' asked to end at its start")
-        longest = float(self.outputs[1] - t)
+        longest = min(float(self.outputs[1] - t), self.inputs.pace)
         solver = Solver(self.run.name, self.instance, watched, self.inputs.at, t, rtol, longest)
         solver.next_event = np.inf if update.next_event is None else update.next_event
         self._look(solver, t)
         following, ended = 1, False
         while solver.t < stop and not ended:
             jump = self.inputs.next_jump(solver.t)
-            piece = solver.step(min(stop, jump))
+            wake = self.inputs.next_wake(solver.t)
+            piece = solver.step(min(stop, jump, wake))
             while following < len(self.outputs) and self.outputs[following] <= piece.end:
                 output = float(self.outputs[following])
                 self._look(solver, output, np.asarray(piece.states(output)))
@@ -180,6 +185,8 @@ class _Alone:
                 "input": solver.t >= jump, "step": asked,
             }  # fmt: skip
             cause = next((name for name, true in causes.items() if true), None)
+            if solver.t >= wake:
+                solver.restart()
             if cause and not ended:
                 ended = self._switch(solver, cause)
         self.run.stats |= {"solver": "LSODA", "steps": solver.steps, "evaluations": solver.evaluations}
@@ -199,38 +206,56 @@ class _Alone:
 
     def _look(self, solver: Solver, t: float, x: Array | None = None) -> None:
         states: Array = solver.x if x is None else x
-        self.run.record(t, self.instance.look(t, states.tolist(), self.inputs.at(t), self.wanted))
+        found = self.instance.look(t, states.tolist(), self.inputs.at(t), self.wanted)
+        self.run.record(t, list(finite(self.run.name, "a variable", t, found)))
 
     def _tell(self, ended: bool, t: float) -> None:
         if ended:
             self.run.notes.append(f"the FMU asked to end at t = {t:.9g} s")
 
-    def communicate(self) -> None:
+    def communicate(self, sizes: StepSizes, asked: float | None) -> None:
         """Advance a Co-Simulation FMU from communication point to communication point."""
         t, stop = float(self.outputs[0]), float(self.outputs[-1])
         self.instance.started()
-        modes = self.instance.event_mode
+        modes, followed = self.instance.event_mode, followed_inputs(list(self.inputs.driven))
+        self._tell_steps(sizes, asked)
         ended = modes and self.instance.update().terminate
         self._read(t)
-        following, steps = 1, 0
+        following, steps, arrived = 1, 0, True
         while following < len(self.outputs) and not ended:
-            target = min(float(self.outputs[following]), self.inputs.next_jump(t) if modes else np.inf)
-            before, after = self.inputs.at(t), self.inputs.at(target)
-            rates = [(b - a) / (target - t) for a, b in zip(before, after, strict=True)]
-            stepped = self.instance.step(t, target - t, before, rates)
+            jump = self.inputs.next_jump(t)
+            target = min(float(self.outputs[following]), jump if sizes.flexible else np.inf)
+            if arrived:
+                sizes.check(t, target - t)
+            inputs, rates = given(self.inputs.at, t, target - t, self.instance.interpolates, followed)
+            stepped = self.instance.step(t, target - t, inputs, rates)
             steps += 1
             t, arrived = stepped.landed(self.run.name, t, target)
             self.instance.drive(self.inputs.at(t))
             self._read(t)
-            jumped = arrived and t == self.inputs.next_jump(before_jump(t))
             if not modes:
                 self.inputs.hold(self.instance, t)
-            elif stepped.event or jumped:
+            elif stepped.event or jump <= t:
                 ended = self._event_mode(t, "state" if stepped.event else "input")
             ended = ended or stepped.terminate
             following += t >= self.outputs[following]
         self.run.stats |= {"solver": "the FMU's own", "steps": steps}
         self._tell(ended, min(t, stop))
+
+    def _tell_steps(self, sizes: StepSizes, asked: float | None) -> None:
+        """Note steps that are others than asked, and jumps that come too late."""
+        step = float(self.outputs[1] - self.outputs[0])
+        if asked is not None and abs(step - asked) > ALIKE * asked:
+            self.run.notes.append(
+                f"communication steps are {step:.9g} s, as {asked:g} s do not divide the run"
+            )
+        inside = [jump for jump in self.inputs.jumps if self.outputs[0] < jump < self.outputs[-1]]
+        late = [jump for jump in inside if np.abs(self.outputs - jump).min() > ALIKE * step]
+        if late and not sizes.flexible:
+            self.run.notes.append(
+                f"inputs that jump at {', '.join(f'{jump:g}' for jump in late[:3])} s do so at the "
+                "communication point after that, as the FMU takes steps of one size only"
+            )
 
     def _event_mode(self, t: float, cause: str) -> bool:
         self.instance.enter_events()
@@ -244,8 +269,3 @@ class _Alone:
 
     def _read(self, t: float) -> None:
         self.run.record(t, list(finite(self.run.name, "a variable", t, self.instance.get(self.wanted))))
-
-
-def before_jump(t: float) -> float:
-    """Return the last instant before t that can be told from it."""
-    return float(np.nextafter(t, -np.inf))

@@ -16,6 +16,7 @@ Array = NDArray[np.float64]
 MANY_STEPS = 25
 INSIDE = (0.25, 0.5, 0.75, 1.0)
 CHATTER, MOMENT = 200, 1e-9
+NOTHING = 1e-100
 
 
 @dataclass(frozen=True, eq=False)
@@ -63,7 +64,8 @@ class Solver:
     def refresh(self) -> None:
         """Read the states anew, after events."""
         self.x = finite(self.name, "a continuous state", self.t, self.instance.states())
-        self.nominals = np.abs(self.instance.nominals())
+        nominals = np.abs(self.instance.nominals())
+        self.nominals = np.where(nominals > 0, nominals, 1.0)
         self._method: Any = None
         self._domains = self._indicators(self.t, self.x)
 
@@ -76,6 +78,7 @@ class Solver:
         self.evaluations += 1
         rates = self.instance.derivatives(float(t), x.tolist(), self.drive(float(t)))
         found: Array = finite(self.name, "a derivative", t, rates)
+        found[np.abs(found) < NOTHING] = 0.0  # LSODA divides by what underflows
         return found
 
     def _indicators(self, t: float, x: Array) -> NDArray[np.bool_]:

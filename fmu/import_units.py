@@ -6,6 +6,7 @@ import re
 from dataclasses import dataclass
 from math import pi
 from typing import Any
+from xml.etree import ElementTree
 
 from .errors import FMUError
 
@@ -41,6 +42,8 @@ PLAIN: dict[str, tuple[float, dict[str, int]]] = {
     "%": (0.01, {}),
 }
 ANGLE = BASES.index("rad")
+SAME = 1e-6
+TRUE = "true", "1"
 
 
 @dataclass(frozen=True)
@@ -55,8 +58,11 @@ class Unit:
     @property
     def si_name(self) -> str:
         """The SI unit of the same dimension: its own name if it is one."""
-        if (self.factor, self.offset) == (1.0, 0.0):
-            return self.name
+        return self.name if (self.factor, self.offset) == (1.0, 0.0) else self.si_base
+
+    @property
+    def si_base(self) -> str:
+        """The SI unit of the same dimension in base units."""
         powers = [f"{b}{e if e != 1 else ''}" for b, e in zip(BASES, self.exponents, strict=True) if e]
         return ".".join(powers) or "1"
 
@@ -69,8 +75,22 @@ class Unit:
         return (value - self.offset) / self.factor
 
     def fits(self, other: Unit) -> bool:
-        """Tell whether both measure the same; rad counts as 1, as usage varies."""
-        return _without_angle(self.exponents) == _without_angle(other.exponents)
+        """Tell whether both measure the same; rad counts as 1, as usage varies, but Hz is not rad/s."""
+        if _without_angle(self.exponents) != _without_angle(other.exponents):
+            return False
+        turning = [unit.exponents[ANGLE] != 0 for unit in (self, other)]
+        return turning[0] == turning[1] or not any("Hz" in unit.name for unit in (self, other))
+
+    @property
+    def bare(self) -> bool:
+        """Whether it is declared as SI, though its name has another factor: `mm` as if it were m."""
+        if (self.factor, self.offset) != (1.0, 0.0):
+            return False
+        try:
+            named = parsed(self.name)
+        except FMUError:
+            return False
+        return named.exponents == self.exponents and abs(named.factor - 1.0) > SAME
 
 
 def _without_angle(exponents: tuple[int, ...]) -> tuple[int, ...]:
@@ -110,8 +130,13 @@ def _symbol(text: str, symbol: str) -> tuple[float, dict[str, int]]:
     raise FMUError(f"the unit '{text}' is not understood at '{symbol}'; use SI units such as 'kN/m' or 'mm'")
 
 
-def declared_units(definitions: list[Any]) -> dict[str, Unit]:
-    """Return the units that an FMU defines, its display units included (under the unit they display)."""
+def declared_units(definitions: list[Any], inverse: set[str]) -> dict[str, Unit]:
+    """Return the units that an FMU defines, its display units included (under the unit they display).
+
+    Args:
+        definitions: units as FMPy reads them.
+        inverse: display units that show the reciprocal of a value, which is no unit of it.
+    """
     units: dict[str, Unit] = {}
     for definition in definitions:
         base = definition.baseUnit
@@ -121,7 +146,21 @@ def declared_units(definitions: list[Any]) -> dict[str, Unit]:
         unit = Unit(definition.name, exponents, base.factor, base.offset)
         units[unit.name] = unit
         for display in definition.displayUnits:
+            if display.name in inverse:
+                continue
             factor = unit.factor / display.factor
             offset = unit.offset - factor * display.offset
             units.setdefault(display.name, Unit(display.name, exponents, factor, offset))
     return units
+
+
+def inverse_units(description: ElementTree.Element) -> set[str]:
+    """Return the names of display units that show the reciprocal of a value."""
+    displays = description.iterfind("UnitDefinitions/Unit/DisplayUnit")
+    return {display.get("name", "") for display in displays if display.get("inverse") in TRUE}
+
+
+def relative_names(description: ElementTree.Element) -> set[str]:
+    """Return the names of variables that say of themselves that they are relative quantities."""
+    variables = description.iterfind("ModelVariables/*")
+    return {v.get("name", "") for v in variables if any(e.get("relativeQuantity") in TRUE for e in (v, *v))}

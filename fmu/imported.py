@@ -3,16 +3,18 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
+from dataclasses import replace
 from functools import cached_property
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 from xml.etree import ElementTree
 
 from ..components import nearest
+from ..components.base import path_of
 from .archive import platform_folder, platforms, read_description
 from .errors import FMUError
 from .import_description import KINDS, ForeignVariable, described, foreign_variable
-from .import_units import Unit, declared_units, parsed
+from .import_units import Unit, declared_units, inverse_units, parsed, relative_names
 
 if TYPE_CHECKING:
     from .foreign import Instance
@@ -46,19 +48,21 @@ class FMU:
     def __init__(
         self, path: str | Path, *, isolated: bool = False, timeout: float = 60.0, validate: bool = True
     ) -> None:
-        self.path, self.isolated, self.timeout = Path(path), isolated, timeout
+        self.path, self.isolated = path_of(path, "an FMU"), isolated
+        self.timeout, self.validate = timeout, validate
         self.description, self.notes = described(self.path, validate)
         self.name = str(self.description.modelName)
         self.version = str(self.description.fmiVersion)
         self.tool = self.description.generationTool or "unknown tool"
         self.kinds = [k for k, attribute in KINDS.items() if getattr(self.description, attribute) is not None]
         self.platforms = platforms(self.path)
-        self.units = declared_units(self.description.unitDefinitions)
+        self.units = declared_units(self.description.unitDefinitions, inverse_units(self._xml))
 
     @cached_property
     def variables(self) -> dict[str, ForeignVariable]:
         """Every variable by its name."""
-        return {v.name: foreign_variable(v) for v in self.description.modelVariables}
+        relative = relative_names(self._xml)
+        return {v.name: foreign_variable(v, v.name in relative) for v in self.description.modelVariables}
 
     def of(self, *causalities: str) -> dict[str, ForeignVariable]:
         """Return the variables of FMI causalities: "parameter", "input", "output", "local" ..."""
@@ -94,9 +98,17 @@ class FMU:
         return {k: float(v) for k, v in values.items() if v is not None}
 
     @cached_property
+    def _xml(self) -> ElementTree.Element:
+        return ElementTree.fromstring(read_description(self.path))
+
+    @cached_property
+    def _bare(self) -> set[str]:
+        return {unit.name for unit in self.units.values() if unit.bare}
+
+    @cached_property
     def _faces(self) -> dict[str, dict[str, str]]:
         """What each kind declares of itself; the names of FMI 2 and 3 differ by a capital or an s."""
-        root = ElementTree.fromstring(read_description(self.path))
+        root = self._xml
         tags = {"ME": "ModelExchange", "CS": "CoSimulation"}
         found = {kind: root.find(tag) for kind, tag in tags.items()}
         return {
@@ -107,7 +119,11 @@ class FMU:
 
     def capable(self, kind: str, capability: str) -> bool:
         """Tell whether a kind declares a capability, by its FMI name such as `canGetAndSetFMUstate`."""
-        return self._faces[self.kind(kind)].get(capability.lower().rstrip("s")) in ("true", "1")
+        return self.told(kind, capability) in ("true", "1")
+
+    def told(self, kind: str, attribute: str) -> str:
+        """Return what a kind declares of itself by the FMI name of an attribute, empty if nothing."""
+        return self._faces[self.kind(kind)].get(attribute.lower().rstrip("s"), "")
 
     def kind(self, wanted: str | None = None) -> str:
         """Return the kind to use: the one wanted, else Model Exchange before Co-Simulation.
@@ -139,18 +155,36 @@ class FMU:
         return self.variable(name).unit
 
     def measure(self, variable: ForeignVariable) -> Unit:
-        """Return how the unit of a variable relates to SI; a variable without unit is taken as SI."""
+        """Return how the unit of a variable relates to SI; a variable without unit is taken as SI.
+
+        Raises:
+            FMUError: if the unit is not understood, or is declared to be another than its name says.
+        """
         if not variable.unit:
             return Unit("1", (0,) * 8)
-        return self.units.get(variable.unit) or parsed(variable.unit)
+        unit = self.units.get(variable.unit) or parsed(variable.unit)
+        if self.validate and unit.name in self._bare:
+            raise FMUError(
+                f"FMU '{self.name}': the unit {unit.name} of '{variable.name}' is declared without the "
+                f"factor that its name has, as if it were {unit.si_base}; ask its author what it is "
+                "(validate=False believes the declaration)"
+            )
+        return replace(unit, offset=0.0) if variable.relative else unit
 
     def converted(self, variable: ForeignVariable, value: Any) -> Any:
         """Return a value in the unit of its variable: a pair (value, unit) is converted."""
         if not (isinstance(value, tuple) and len(value) == 2 and isinstance(value[1], str)):
             return value
         number, name = value
-        given, own = self.units.get(name) or parsed(name), self.measure(variable)
-        if variable.unit and not own.fits(given):
+        known, own = self.units.get(name), self.measure(variable)
+        given = parsed(name) if known is None or name in self._bare else known
+        given = replace(given, offset=0.0) if variable.relative else given
+        if not variable.unit:
+            raise FMUError(
+                f"FMU '{self.name}': '{variable.name}' declares no unit, so that {name} cannot be converted; "
+                "give a plain number as its author means it"
+            )
+        if not own.fits(given):
             raise FMUError(
                 f"FMU '{self.name}': '{variable.name}' is in {variable.unit}, not convertible from {name}"
             )
@@ -202,7 +236,8 @@ class FMU:
             parameters: values by name, in the FMU's own unit or as (value, unit): `(10, "kN/m")`.
             start: start values by name, likewise.
             begin: start time [s].
-            step: output interval [s], a 500th of the run if not given; for "CS" the communication step.
+            step: output interval [s], the FMU's suggestion or a 500th of the run if not given; for "CS" the
+                communication step.
             kind: "ME" or "CS"; Model Exchange first if it has both.
             rtol: relative tolerance; absolute is 0.01 rtol times the nominal value of each state.
             record: variables to record besides outputs and states.
@@ -214,6 +249,7 @@ class FMU:
 
         defaults = self.defaults
         begin = defaults.get("start", 0.0) if begin is None else begin
+        step = defaults.get("step") if step is None else step
         stop = defaults.get("stop", begin + 1.0) if stop is None else stop
         return simulate_alone(
             self, self.kind(kind), begin, stop, step, rtol,

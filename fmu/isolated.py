@@ -20,7 +20,7 @@ from typing import IO, Any, Self
 from .errors import FMUError
 from .foreign import Group, Stepped, Update, Values
 
-STARTUP, FAREWELL = 60.0, 5.0
+STARTUP, MOMENT = 60.0, 1.0
 MOST_SAID = 2000
 
 
@@ -49,11 +49,11 @@ class IsolatedInstance:
         self._reader = threading.Thread(target=self._listen, daemon=True)
         self._reader.start()
         try:
-            faces = self._ask("open", str(path.resolve()), kind, self._folder.name, within=timeout + STARTUP)
+            self._ask("unpack", str(path.resolve()), self._folder.name, within=max(timeout, STARTUP))
+            self.event_mode, self.interpolates = self._ask("instantiate", kind)
         except FMUError:
             self._end()
             raise
-        self.event_mode, self.interpolates = faces
 
     def _listen(self) -> None:
         assert self._process.stdout is not None
@@ -62,20 +62,23 @@ class IsolatedInstance:
         self._answers.put("")
 
     def _ask(self, method: str, *arguments: Any, within: float | None = None) -> Any:
-        question = json.dumps([method, arguments])
+        question, longest = json.dumps([method, arguments]), self.timeout if within is None else within
         assert self._process.stdin is not None
         try:
             self._process.stdin.write(question + "\n")
             self._process.stdin.flush()
-            line = self._answers.get(timeout=self.timeout if within is None else within)
+            line = self._answers.get(timeout=longest)
         except queue.Empty:
             self._end()
             raise FMUError(
-                f"FMU '{self.name}' did not return from '{method}' within {self.timeout:g} s and was ended; "
+                f"FMU '{self.name}' did not return from '{method}' within {longest:g} s and was ended; "
                 "give a longer timeout= if it needs it"
             ) from None
         except OSError:
             line = ""
+        except KeyboardInterrupt:
+            self._end()
+            raise
         if not line:
             raise FMUError(f"FMU '{self.name}' crashed in '{method}': its process {self._fate()}")
         try:
@@ -89,7 +92,7 @@ class IsolatedInstance:
 
     def _fate(self) -> str:
         with suppress(subprocess.TimeoutExpired):
-            self._process.wait(FAREWELL)
+            self._process.wait(MOMENT)
         code = self._process.poll()
         self._errors.seek(0)
         said = self._errors.read()[-MOST_SAID:].strip().splitlines()[-1:]
@@ -103,7 +106,7 @@ class IsolatedInstance:
     def _end(self) -> None:
         self._process.kill()
         self._process.wait()
-        self._reader.join(FAREWELL)
+        self._reader.join(MOMENT)
         for pipe in (self._process.stdin, self._process.stdout, self._errors):
             if pipe is not None:
                 with suppress(OSError):
@@ -166,7 +169,7 @@ class IsolatedInstance:
         """Free the instance, remove its files and end the process."""
         if self._process.poll() is None:
             with suppress(FMUError):
-                self._ask("close", within=FAREWELL)
+                self._ask("close")
         self._end()
 
     def __enter__(self) -> Self:
@@ -187,14 +190,19 @@ def serve() -> None:
 
 def _answer(questions: IO[str], answers: IO[str]) -> None:
     from .local import LocalInstance
+    from .unpacked import Unpacked
 
+    files: Unpacked | None = None
     instance: LocalInstance | None = None
     for line in questions:
         method, arguments = json.loads(line)
         try:
-            if instance is None:
-                instance = LocalInstance(Path(arguments[0]), arguments[1], Path(arguments[2]))
-                answer: Any = [instance.event_mode, instance.interpolates]
+            answer: Any = None
+            if files is None:
+                files = Unpacked(Path(arguments[0]), Path(arguments[1]))
+            elif instance is None:
+                instance = LocalInstance(files.path, arguments[0], files=files)
+                answer = [instance.event_mode, instance.interpolates]
             else:
                 answer = getattr(instance, method)(*arguments)
             told = json.dumps([True, answer])

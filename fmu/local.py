@@ -22,15 +22,14 @@ _LOADING = Lock()
 class LocalInstance:
     """An instance in this process; see `Instance`.
 
-    Its files are its own, in a temporary folder (in `parent`), or those given; `events` asks for event mode.
+    Its files are its own, in a temporary folder, or those given; `events` asks for event mode.
     """
 
     def __init__(
-        self, path: Path, kind: str, parent: Path | None = None, *, files: Unpacked | None = None,
-        events: bool = True,
+        self, path: Path, kind: str, *, files: Unpacked | None = None, events: bool = True
     ) -> None:  # fmt: skip
         self.kind, self.messages = kind, list[str]()
-        self._files, self._shared = files or Unpacked(path, parent), files is not None
+        self._files, self._shared = files or Unpacked(path), files is not None
         self.description = self._files.description
         self.name, self.major = self.description.modelName, self.description.fmiMajorVersion
         self._kept: Any = None
@@ -41,7 +40,7 @@ class LocalInstance:
         self.event_mode = events and kind == "CS" and bool(face.hasEventMode)
         self.interpolates = kind == "CS" and self.major == 2 and bool(face.canInterpolateInputs)
         try:
-            self._load(face.modelIdentifier)
+            self._load(face)
         except BaseException:
             self._leave()
             raise
@@ -57,11 +56,11 @@ class LocalInstance:
         if not self._shared:
             self._files.remove()
 
-    def _load(self, identifier: str) -> None:
+    def _load(self, face: Any) -> None:
         from fmpy import instantiate_fmu
 
         folder = self._files.folder
-        library = folder / "binaries" / self._files.binaries / library_name(identifier)
+        library = folder / "binaries" / self._files.binaries / library_name(face.modelIdentifier)
         _check_symbols(self.name, library, self.major, self.kind)
         kind = {"ME": "ModelExchange", "CS": "CoSimulation"}[self.kind]
         try:
@@ -71,7 +70,11 @@ class LocalInstance:
                     early_return_allowed=self.event_mode, event_mode_used=self.event_mode,
                 )  # fmt: skip
         except Exception as error:
-            raise FMUError(f"FMU '{self.name}' could not be instantiated: {error}{self._said()}") from error
+            tool = self.description.generationTool or "the tool that made it"
+            needed = f"; it needs {tool} installed here" if face.needsExecutionTool else ""
+            raise FMUError(
+                f"FMU '{self.name}' could not be instantiated: {error}{self._said()}{needed}"
+            ) from error
 
     def _log(self, *told: Any) -> None:
         texts = [t.decode("utf-8", "replace") for t in told if isinstance(t, bytes)]

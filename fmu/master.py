@@ -11,13 +11,15 @@ from numpy.typing import NDArray
 
 from .errors import FMUError
 from .foreign import Values
-from .import_participants import Course, Participant, participant
+from .import_participants import Participant, jumped, participant
 from .import_run import ForeignRun
 from .import_start import unchanged
+from .import_steps import Course
 from .imported import FMU
 
 Array = NDArray[np.float64]
 Signal = Callable[[float], float]
+ROUNDS = 100
 
 
 @dataclass(frozen=True)
@@ -52,7 +54,7 @@ class Master:
         self, members: Mapping[str, Member], links: Sequence[Link], points: Array, order: int, rtol: float
     ) -> None:
         self.links, self.points, self.order, self.steps = links, points, order, 0
-        self._members, self._rtol = members, rtol
+        self._members, self._rtol, self.notes = members, rtol, list[str]()
         self._all: dict[str, Participant] = {}
         self._was: dict[str, Array] = {}
         self._past: list[tuple[float, Array]] = []
@@ -69,11 +71,12 @@ class Master:
             self._instantiate()
             self._begin()
             for target in self.points[1:].tolist():
-                while self._time < target and not any(one.ended for one in self._all.values()):
+                while self._time < target and not self._ended():
                     self._step(target)
         finally:
             for one in self._all.values():
                 one.close()
+        self.notes = [note for one in self._all.values() for note in one.tell()]
         return {name: one.run for name, one in self._all.items()}
 
     def _instantiate(self) -> None:
@@ -102,12 +105,32 @@ class Master:
         """Let all agree on what they exchange here; iterate the events that the step ended at."""
         u = self._agreed(Participant.outputs, guess)
         self._record()
-        settled = [one.settle(self._at(name, self._time, u)) for name, one in self._all.items()]
-        if any(settled) and not any(one.ended for one in self._all.values()):
+        if self._settled(u, u) and not self._ended():
             self._past.clear()
-            u = self._agreed(Participant.outputs, u)
+            u = self._after_event(u)
             self._record()
         self._past = [*self._past, (self._time, u)][-1 - self.order :]
+
+    def _after_event(self, before: Array) -> Array:
+        """Iterate the events that jumps of what is exchanged bring about; return what is exchanged then."""
+        for _ in range(ROUNDS):
+            u = self._agreed(Participant.outputs, before)
+            if not self._settled(before, u) or self._ended():
+                return u
+            before = u
+        told = ", ".join(map(repr, self._all))
+        raise FMUError(f"events of {told} at t = {self._time:.9g} s bring about each other without end")
+
+    def _settled(self, before: Array, u: Array) -> bool:
+        """Iterate the events that are due, also as inputs were others before; tell whether there were any."""
+        happened = False
+        for name, one in self._all.items():
+            was, now = (self._at(name, self._time, values) for values in (before, u))
+            happened |= one.settle(now, jumped(was, now))
+        return happened
+
+    def _ended(self) -> bool:
+        return any(one.ended for one in self._all.values())
 
     def _record(self) -> None:
         for one in self._all.values():

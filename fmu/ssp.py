@@ -188,6 +188,7 @@ class SystemStructure:
             master = Master(members, links, points, order, rtol)
             stats = {"communication steps": 0, "seconds": 0.0}
             found = SystemRun(master.run(), step, order, self.name, stats=stats)
+            found.notes += master.notes
             stats |= {"communication steps": master.steps, "seconds": clock.perf_counter() - began}
             return found
 

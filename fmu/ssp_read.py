@@ -10,6 +10,7 @@ from typing import Any
 from urllib.parse import unquote
 from weakref import finalize
 
+from ..components.base import path_of
 from .archive import read_entry
 from .errors import FMUError
 from .imported import FMU
@@ -44,7 +45,7 @@ def read_ssp(path: str | Path) -> SystemStructure:
         >>> list(system.components)                    # doctest: +SKIP
         ['body', 'wheel']
     """
-    file = Path(path)
+    file = path_of(path, "an SSP")
     root = _validated(file, DESCRIPTION, "SystemStructureDescription.xsd")
     whole = root.find("ssd:System", NAMESPACES)
     for pattern, what in REFUSED.items():

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
-from ..components import nearest
+from ..components import UnknownNameError, nearest
 from .exchange import ExchangeRun
 from .import_run import ForeignRun
 
@@ -45,7 +45,7 @@ class SystemRun(ExchangeRun):
         """Return a variable along the run.
 
         Raises:
-            KeyError: if it was not recorded, with the nearest name.
+            UnknownNameError: if it was not recorded, with the nearest name.
         """
         return self.time if name == "time" else np.array(self._of(name)[0][self._of(name)[1]])
 
@@ -56,7 +56,7 @@ class SystemRun(ExchangeRun):
     def _of(self, name: str) -> tuple[ForeignRun, str]:
         component, _, variable = name.partition(".")
         if component not in self.fmus or variable not in self.fmus[component]:
-            raise KeyError(f"'{name}' of '{self.name}' was not recorded{nearest(name, self.names())}")
+            raise UnknownNameError(f"'{name}' of '{self.name}' was not recorded{nearest(name, self.names())}")
         return self.fmus[component], variable
 
     def to_dataframe(self) -> pd.DataFrame:

@@ -8,8 +8,8 @@ from pathlib import Path
 from typing import Any
 
 from ..components import Component, ModelError
-from ..components.base import PortRef, nearest
-from ..networks import Network
+from ..components.base import PortRef, listed, nearest, shown
+from ..networks import Network, network_of
 from .export import export
 from .imported import FMU
 from .ssp import Connection, SystemStructure
@@ -126,7 +126,10 @@ def split(
         >>> split(net, ["mass"]).terminals
         {'first': {'mass.flange': 'force-in'}, 'second': {'spring.flange_b': 'motion-in'}}
     """
-    return _Cut(network.clone(), set(first), set(through)).split(names)
+    if len(listed("names", names)) != 2:
+        raise ModelError(f"names are those of the two sides, got {shown(names)}")
+    sides = set(listed("first", first)), set(listed("through", through))
+    return _Cut(network_of(network).clone(), *sides).split(names)
 
 
 class _Cut:

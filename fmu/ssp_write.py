@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any
 from xml.etree import ElementTree as ET
 
 from ..components import ModelError
+from ..components.base import check_output
 from .description import text
 from .import_description import ForeignVariable
 from .import_units import BASES, Unit
@@ -29,8 +30,7 @@ def write_ssp(system: SystemStructure, path: Path) -> Path:
     """Write a system; see `SystemStructure.write`."""
     if path.suffix != ".ssp":
         raise ModelError(f"a system is written to a file that ends in '.ssp', got '{path}'")
-    if not path.parent.is_dir():
-        raise ModelError(f"there is no folder '{path.parent}' to write '{path.name}' to; create it first")
+    check_output(path)
     files = {DESCRIPTION: description(system)}
     files |= {_resource(name): fmu.path.read_bytes() for name, fmu in system.components.items()}
     write_archive(path, files)

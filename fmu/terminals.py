@@ -23,7 +23,7 @@ from ..components import (
     SpeedSensor,
     rotational,
 )
-from ..components.base import Port, PortRef, nearest
+from ..components.base import Port, PortRef, UnknownNameError, nearest
 from ..networks import Network
 from .description import text
 
@@ -96,11 +96,13 @@ def _flange(network: Network, path: str) -> tuple[PortRef, str]:
     for part in parts:
         known = owner._parts
         if part not in known:
-            raise KeyError(f"there is no flange '{path}': no component '{part}'{nearest(part, known)}")
+            raise UnknownNameError(
+                f"there is no flange '{path}': no component '{part}'{nearest(part, known)}"
+            )
         owner = known[part]
     flanges = {n: f for n, f in type(owner).fields.items() if isinstance(f, Port)}
     if last not in flanges:
-        raise KeyError(f"there is no flange '{path}'{nearest(last, flanges)}")
+        raise UnknownNameError(f"there is no flange '{path}'{nearest(last, flanges)}")
     return PortRef(owner, last), flanges[last].domain
 
 

@@ -13,6 +13,7 @@ class Unpacked:
     """The files of an FMU in a temporary folder (in `parent`), for any number of instances."""
 
     def __init__(self, path: Path, parent: Path | None = None) -> None:
+        self.path = path
         self.description, _ = described(path, validate=False)
         self._folder = TemporaryDirectory(prefix="inertance-fmu-", dir=parent, ignore_cleanup_errors=True)
         self.folder, self.binaries = Path(self._folder.name), platform_folder(self.description.fmiVersion)

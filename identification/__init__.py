@@ -8,6 +8,7 @@ from .block import Block as Block
 from .block import Linearised as Linearised
 from .campaign import Campaign as Campaign
 from .channels import Channel as Channel
+from .doubts import left_prior as left_prior
 from .excitation import Chirp as Chirp
 from .excitation import Multisine as Multisine
 from .excitation import SineDwells as SineDwells
@@ -21,6 +22,7 @@ from .model import RECOGNISERS as RECOGNISERS
 from .model import Machine as Machine
 from .noise import Floor as Floor
 from .outcome import Fit as Fit
+from .outcome import FitInterruptedError as FitInterruptedError
 from .outcome import FittedStage as FittedStage
 from .priors import Prior as Prior
 from .records import Record as Record
@@ -28,5 +30,9 @@ from .records import read_record as read_record
 from .refine import Optimum as Optimum
 from .refine import Problem as Problem
 from .stages import Stage as Stage
+from .suspects import Suspect as Suspect
+from .suspects import suspects as suspects
+from .suspects import told_of as told_of
 from .uncertainty import Uncertainty as Uncertainty
 from .uncertainty import uncertainty as uncertainty
+from .units import likely_unit as likely_unit

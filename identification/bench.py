@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..components import ModelError
-from ..networks import DAE, Network, Result, Variations
+from ..networks import DAE, Network, Result, Variations, dae_of
 from .channels import Channel
 from .experiments import Experiment
 
@@ -67,7 +67,8 @@ class Stand:
         self.experiment, self.record = experiment, experiment.compared
         whole = experiment.record
         self.outputs = {name: c.path for name, c in channels.items() if not c.driven}
-        self.inputs: dict[str, Any] = {c.path: whole.sampled(n) for n, c in channels.items() if c.driven}
+        driven = {name: channel for name, channel in channels.items() if channel.driven}
+        self.inputs: dict[str, Any] = {c.path: whole.sampled(n, c.interpolation) for n, c in driven.items()}
         self.variations = variations or Variations(dae, list(self.outputs.values()), ())
 
     def rest(self, parameters: Mapping[str, float], accuracy: Accuracy, at: float | None = None) -> Array:
@@ -180,7 +181,7 @@ class Bench:
         experiments: Sequence[Experiment],
         parameters: Sequence[str] = (),
     ) -> None:
-        self.dae = network.dae() if isinstance(network, Network) else network
+        self.dae = dae_of(network)
         self.channels = dict(channels)
         self.parameters = list(parameters)
         outputs = [c.path for c in channels.values() if not c.driven]

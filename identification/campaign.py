@@ -6,15 +6,17 @@ import pickle
 import tomllib
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
+from itertools import combinations
 from pathlib import Path
 from typing import Any, Self
 
 import numpy as np
 
-from ..components import ModelError, nearest
+from ..components import ModelError
+from ..components.base import instance, path_of, shown, text_of, there_is_file
 from ..networks import DAE, Network
 from .channels import Channel, outputs_of, read_channels, read_noise
-from .experiments import Experiment, read_experiments, repeat_problems
+from .experiments import Experiment, read_experiments, repeat_problems, strange
 from .model import Machine, read_model
 from .noise import Floor, repeated_floor, spectral_floor
 from .priors import Prior, read_priors
@@ -25,13 +27,13 @@ from .units import factor
 NEEDED = ("model", "channels", "parameters", "train")
 KINDS = {
     "model": TEXT,
-    "port": Kind("a table [port]", lambda v: isinstance(v, dict)),
-    "channels": Kind("a table [channels]", lambda v: isinstance(v, dict)),
-    "parameters": Kind("a table [parameters]", lambda v: isinstance(v, dict)),
-    "train": Kind("tables [[train]]", lambda v: isinstance(v, list)),
-    "test": Kind("tables [[test]]", lambda v: isinstance(v, list)),
-    "noise": Kind("a table [noise]", lambda v: isinstance(v, dict)),
-    "stage": Kind("tables [[stage]]", lambda v: isinstance(v, list)),
+    "port": Kind("a table [port]", lambda v: isinstance(v, Mapping)),
+    "channels": Kind("a table [channels]", lambda v: isinstance(v, Mapping)),
+    "parameters": Kind("a table [parameters]", lambda v: isinstance(v, Mapping)),
+    "train": Kind("tables [[train]]", lambda v: isinstance(v, list | tuple)),
+    "test": Kind("tables [[test]]", lambda v: isinstance(v, list | tuple)),
+    "noise": Kind("a table [noise]", lambda v: isinstance(v, Mapping)),
+    "stage": Kind("tables [[stage]]", lambda v: isinstance(v, list | tuple)),
 }
 
 
@@ -54,6 +56,7 @@ class Campaign:
             empty.
         port: of an FMU: {"force", "position", "velocity"} -> its variables where other parts may act on it.
         base: folder that relative paths start from.
+        validate: whether to refuse an FMU whose description its schema does not allow.
 
     Raises:
         ModelError: telling everything that is wrong at once, with file and key.
@@ -87,6 +90,7 @@ class Campaign:
     port: Mapping[str, str] = field(default_factory=dict)
     base: Path = field(default_factory=Path)
     source: str = "campaign"
+    validate: bool = True
     network: Network = field(init=False, repr=False)
     machine: Machine = field(init=False, repr=False)
     measured: dict[str, Channel] = field(init=False, repr=False)
@@ -98,10 +102,17 @@ class Campaign:
     notes: list[str] = field(init=False, repr=False)
 
     def __post_init__(self) -> None:
-        self.base = Path(self.base)
+        self.source = str(self.source)
         problems = Problems(self.source)
+        entries = {key: getattr(self, key) for key in KINDS}
+        kinds = {**KINDS, "model": Kind("a Network or a text in quotes", lambda v: True)}
+        problems.sound("", entries, kinds)
+        if instance(str, Path)(self.base):
+            problems.add(f"base must be the folder that relative paths start from, got {shown(self.base)}")
+        problems.stop()
+        self.base = Path(self.base)
         with problems.of("model"):
-            self.network, self.machine = read_model(self.model, self.port, self.base)
+            self.network, self.machine = read_model(self.model, self.port, self.base, self.validate)
         problems.stop()
         self.measured = read_channels(self.channels, self.machine, problems)
         self.priors = read_priors(self.parameters, self.machine, problems)
@@ -115,14 +126,16 @@ class Campaign:
         self._check_noise(stated, problems)
         if self.training and len(self.training) == len(self.train):
             self.stages = read_stages(self.stage, list(self.priors), self.outputs, self.training, problems)
+            self._check_once(problems)
         problems.stop()
         self.notes = [f"{e.name}: {note}" for e in self.experiments for note in e.record.notes]
         self._note_rates()
+        self.notes += [note for e in self.experiments for note in strange(e, channels, self.machine.inputs)]
         self.floors = {name: self._floor(name, stated) for name in self.outputs}
 
     def __reduce__(self) -> tuple[Any, ...]:
         entries = (self.channels, self.parameters, self.train, self.test, self.noise, self.stage)
-        return Campaign, (self.model, *entries, self.port, self.base, self.source)
+        return Campaign, (self.model, *entries, self.port, self.base, self.source, self.validate)
 
     def pickled(self) -> bytes:
         """Return what other processes make the same campaign of.
@@ -139,25 +152,36 @@ class Campaign:
             ) from error
 
     @classmethod
-    def load(cls, path: str | Path) -> Self:
-        """Read a campaign from a TOML file.
+    def load(cls, path: str | Path, *, validate: bool = True) -> Self:
+        """Read a campaign from a TOML file; `validate` as above.
 
         Raises:
             ModelError: telling everything that is wrong at once.
         """
-        path = Path(path)
-        if not path.is_file():
-            others = [p.name for p in path.parent.glob("*.toml")]
-            raise ModelError(f"there is no file '{path}'{nearest(path.name, others)}")
+        path = path_of(path, "a campaign")
+        there_is_file(path)
         try:
-            entries = tomllib.loads(path.read_text(encoding="utf-8"))
-        except (tomllib.TOMLDecodeError, UnicodeDecodeError) as error:
+            entries = tomllib.loads(text_of(path))
+        except tomllib.TOMLDecodeError as error:
             raise ModelError(f"{path}: this is not TOML ({error})") from error
         problems = Problems(str(path))
         problems.sound("", entries, KINDS)
         problems.found += [f"{key}: {KINDS[key].told} must be given" for key in NEEDED if key not in entries]
         problems.stop()
-        return cls(**entries, base=path.parent, source=str(path))
+        return cls(**entries, base=path.parent, source=str(path), validate=validate)
+
+    @classmethod
+    def of(cls, given: Campaign | str | Path) -> Campaign:
+        """Return a campaign that was given as one, or as the path of its TOML file.
+
+        Raises:
+            ModelError: for anything else, and telling everything that is wrong at once.
+        """
+        if isinstance(given, Campaign):
+            return given
+        if isinstance(given, str | Path):
+            return cls.load(given)
+        raise ModelError(f"a Campaign or the path of its TOML file is needed, got {shown(given)}")
 
     @property
     def dae(self) -> DAE:
@@ -206,6 +230,17 @@ class Campaign:
                 problems.add(
                     f"[[test]] {number}: '{experiment.name}' is also [[train]] {twins[0]}; what was "
                     "fitted tests nothing: give a record of another excitation, or another window"
+                )
+
+    def _check_once(self, problems: Problems) -> None:
+        """Note records that one stage would count twice."""
+        pairs = {pair for stage in self.stages for pair in combinations(sorted(stage.train), 2)}
+        for one, other in sorted(pairs):
+            if self.training[other].overlaps(self.training[one]):
+                name = self.training[other].name
+                problems.add(
+                    f"[[train]] {other + 1}: '{name}' is also [[train]] {one + 1}; what is fitted twice "
+                    "seems known better than it is: keep one of them, or windows that do not overlap"
                 )
 
     def _check_starts(self, problems: Problems) -> None:

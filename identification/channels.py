@@ -7,11 +7,12 @@ from dataclasses import dataclass
 from typing import Any
 
 from ..components import nearest
+from ..components.base import INTERPOLATIONS, is_number
 from .model import Machine
-from .problems import TEXT, Problems, is_number
+from .problems import TEXT, Problems
 from .units import factor
 
-KINDS = {"input": TEXT, "output": TEXT, "unit": TEXT}
+KINDS = {"input": TEXT, "output": TEXT, "unit": TEXT, "interpolation": TEXT}
 
 
 @dataclass(frozen=True)
@@ -23,12 +24,14 @@ class Channel:
         driven: whether it is an input of the network; an output otherwise.
         unit: of the column.
         si: unit of the quantity in the network.
+        interpolation: of an input between its samples, as of `Sampled`.
     """
 
     path: str
     driven: bool
     unit: str
     si: str
+    interpolation: str = "cubic"
 
 
 def outputs_of(channels: Mapping[str, Channel]) -> list[str]:
@@ -63,7 +66,7 @@ def _channel(entry: Mapping[str, str], machine: Machine) -> Channel:
     path = entry["input"] if driven else entry["output"]
     known = machine.names() if not driven or path in machine.input_names else ()
     si = machine.unit(path) if path in known else ""
-    return Channel(path, driven, entry.get("unit", si), si)
+    return Channel(path, driven, entry.get("unit", si), si, entry.get("interpolation", "cubic"))
 
 
 def _channel_problems(channel: Channel, others: Mapping[str, Channel], machine: Machine) -> Iterator[str]:
@@ -77,6 +80,9 @@ def _channel_problems(channel: Channel, others: Mapping[str, Channel], machine: 
         machine.expression(path)
     if path in machine.parameter_values:
         yield f"'{path}' is a parameter, which no sensor measures; give a motion or a force"
+    if channel.interpolation not in INTERPOLATIONS:
+        known_ones = " or ".join(f"'{one}'" for one in INTERPOLATIONS)
+        yield f"interpolation is {known_ones}, got '{channel.interpolation}'"
     for name, other in others.items():
         if other.path == path and channel.driven and other.driven:
             yield f"'{path}' is driven by channel '{name}' already; keep one of them"

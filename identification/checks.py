@@ -16,6 +16,8 @@ GAP = 1.75
 RUN = 5
 STEEP = 1.0
 HUGE = 1e12
+SWITCHED = 0.5
+REPEATED = 0.01  # share of samples that repeat the one before, above which a sensor is coarse or at rest
 
 
 def time_problems(table: Table, name: str, time: Array) -> Iterator[str]:
@@ -88,17 +90,39 @@ def value_problems(table: Table, name: str, values: Array, driven: bool) -> Iter
             yield f"{where.format(table.place(row))}: {told}"
 
 
+def stuck(values: Array) -> tuple[int, int] | None:
+    """Return the first and the last sample of the longest stretch of one value, None if that is not strange.
+
+    It is strange if it is long, and values hardly ever repeat outside of it, as those of a coarse sensor do.
+    """
+    same: NDArray[np.bool_] = np.concatenate([[False], np.diff(values) == 0, [False]])
+    begins = np.flatnonzero(same[1:] & ~same[:-1])
+    ends = np.flatnonzero(~same[1:] & same[:-1])
+    if not len(begins):
+        return None
+    longest = int(np.argmax(ends - begins))
+    first, last = int(begins[longest]), int(ends[longest])
+    outside = np.count_nonzero(same) - (last - first)
+    if last - first < LEAST or outside > REPEATED * (len(values) - (last - first)):
+        return None
+    return first, last
+
+
 def clipped(values: Array) -> int | None:
     """Return where a signal runs against a limit and stays there, at least twice; None if it does not.
 
-    A plateau that is reached gently is none: the step before it must be as steep as the signal mostly is.
+    A plateau that is reached gently is none: the step before it must be as steep as the signal mostly is. Nor
+    is a signal clipped that is mostly at its two extremes: it switches between two levels.
     """
+    low, high = float(values.min()), float(values.max())
+    if np.mean((values == low) | (values == high)) > SWITCHED:
+        return None
     change = np.abs(np.diff(values))
     moving = change[change > 0]
     if not len(moving):
         return None
     usual = float(np.median(moving))
-    for limit in (float(values.max()), float(values.min())):
+    for limit in (high, low):
         at: NDArray[np.bool_] = np.concatenate([[False], values == limit, [False]])
         begins = np.flatnonzero(at[1:] & ~at[:-1])
         ends = np.flatnonzero(~at[1:] & at[:-1])

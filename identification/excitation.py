@@ -12,8 +12,20 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..components import ModelError, Sampled
+from ..components.base import (
+    above,
+    at_least,
+    between,
+    demand,
+    finite,
+    function,
+    numbers,
+    numpy_on_symbols,
+    whole,
+)
 
 Array = NDArray[np.float64]
+MOST_SAMPLES, MOST_LINES = 50_000_000, 1_000_000
 TRIALS = 64
 
 
@@ -38,6 +50,15 @@ def sampled(signal: Callable[[Any], Any], stop: float, rate: float = 1000.0, fad
         >>> drive.values[0], len(drive.time)
         (np.float64(0.0), 4001)
     """
+    demand(
+        "sampled()",
+        signal=(signal, function),
+        stop=(stop, above(0, "s")),
+        rate=(rate, above(0, "Hz")),
+        fade=(fade, at_least(0, "s")),
+    )
+    if stop * rate > MOST_SAMPLES:
+        raise ModelError(f"{stop:g} s at {rate:g} Hz are over {MOST_SAMPLES:.0e} samples; take a lower rate")
     count = round(stop * rate)
     if count < 4 or not 0 <= 2 * fade <= stop:
         raise ModelError(
@@ -45,7 +66,15 @@ def sampled(signal: Callable[[Any], Any], stop: float, rate: float = 1000.0, fad
         )
     time = np.arange(count + 1) / rate
     t = ca.SX.sym("t")
-    values = np.array(ca.Function("signal", [t], [signal(t)]).map(len(time))(time[None, :])).ravel()
+    try:
+        with numpy_on_symbols():
+            function_ = ca.Function("signal", [t], [ca.SX(signal(t))])
+    except Exception as error:
+        told = f"{type(error).__name__}: {str(error).partition(chr(10))[0]}"
+        raise ModelError(
+            f"sampled(): the signal could not be read ({told}); write it with ca.sin or np.sin"
+        ) from error
+    values = np.array(function_.map(len(time))(time[None, :])).ravel()
     if fade:
         values = values * faded(time, 0.0, fade) * (1 - faded(time, stop - fade, fade))
     return Sampled(time, values)
@@ -65,6 +94,15 @@ class Chirp:
     low: float
     high: float
     duration: float
+
+    def __post_init__(self) -> None:
+        demand(
+            "a Chirp",
+            amplitude=(self.amplitude, finite()),
+            low=(self.low, at_least(0, "Hz")),
+            high=(self.high, at_least(0, "Hz")),
+            duration=(self.duration, above(0, "s")),
+        )
 
     def __call__(self, t: Any) -> Any:
         turns = self.low * t + (self.high - self.low) * t**2 / (2 * self.duration)
@@ -87,6 +125,14 @@ class SineDwells:
     cycles: int = 10
 
     def __post_init__(self) -> None:
+        demand(
+            "a SineDwells",
+            amplitudes=(self.amplitudes, numbers(finite())),
+            frequencies=(self.frequencies, numbers(finite("Hz"))),
+            cycles=(self.cycles, whole(1)),
+        )
+        object.__setattr__(self, "amplitudes", tuple(np.ravel(self.amplitudes).tolist()))
+        object.__setattr__(self, "frequencies", tuple(np.ravel(self.frequencies).tolist()))
         if (
             len(self.amplitudes) != len(self.frequencies)
             or not self.frequencies
@@ -139,6 +185,21 @@ class Multisine:
     slope: float = 0.0
 
     def __post_init__(self) -> None:
+        demand(
+            "a Multisine",
+            rms=(self.rms, finite()),
+            low=(self.low, above(0, "Hz")),
+            high=(self.high, above(0, "Hz")),
+            period=(self.period, above(0, "s")),
+            seed=(self.seed, whole(0)),
+            slope=(self.slope, between(-10, 10)),
+        )
+        if self.high * self.period > MOST_LINES:
+            raise ModelError(
+                f"a Multisine up to {self.high:g} Hz in steps of {1 / self.period:g} Hz has over "
+                f"{MOST_LINES:.0e} lines; "
+                "give a shorter period"
+            )
         if not 0 < self.low < self.high or not len(self.frequencies):
             raise ModelError(f"a Multisine needs a band above 0 Hz, got {self.low:g} to {self.high:g} Hz")
 

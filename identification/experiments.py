@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -10,7 +10,9 @@ from typing import Any
 import numpy as np
 
 from ..components import ModelError, nearest
+from ..networks import Input, between_samples, jump_remedy
 from .channels import Channel, outputs_of
+from .checks import stuck
 from .problems import FILE, INTERVAL, NUMBER, TEXT, TEXTS, Kind, Problems
 from .records import Record, read_record
 
@@ -124,6 +126,12 @@ def _experiment(entry: Mapping[str, Any], channels: Mapping[str, Channel], base:
                 f"record '{source}' has no channel '{missing[0]}'{nearest(missing[0], record.values)}"
             )
         record = record.window(*window) if window else record
+        dead = [name for name in outputs_of(channels) if not np.ptp(record.values[name])]
+        if dead:
+            value = record.values[dead[0]][0]
+            raise ModelError(
+                f"record '{source}': '{dead[0]}' is {value:g} throughout; is the sensor connected?"
+            )
     repeat = entry.get("repeat_of")
     if repeat is not None and "file" in entry:
         repeat = str(base / repeat)
@@ -136,6 +144,26 @@ def _experiment(entry: Mapping[str, Any], channels: Mapping[str, Channel], base:
     return Experiment(
         record, source, entry.get("initial", "fit"), window, repeat, tuple(entry.get("offset", ())), shooting
     )
+
+
+def strange(
+    experiment: Experiment, channels: Mapping[str, Channel], inputs: Sequence[Input]
+) -> Iterator[str]:
+    """Yield inputs of which splines make something else, and outputs that stand still as no sensor does."""
+    time = experiment.record.time
+    for name, channel in channels.items():
+        if channel.driven:
+            told = between_samples(experiment.record.sampled(name, channel.interpolation))
+            if told:
+                yield f"{experiment.name}: '{name}': {told}; {jump_remedy(inputs, channel.path)}"
+            continue
+        span = stuck(experiment.record.values[name])
+        if span is not None:
+            begin, end = time[span[0]], time[span[1]]
+            yield (
+                f"{experiment.name}: '{name}' repeats one value from {begin:g} to {end:g} s, and hardly ever "
+                "elsewhere; if the sensor was stuck, cut the record with window = [from, to]"
+            )
 
 
 def repeat_problems(experiments: list[Experiment], channels: Mapping[str, Channel]) -> Iterator[str]:

@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..components import ModelError
+from ..components.base import above, between, demand, finite, number, numbers, shown, text, whole
 
 Array = NDArray[np.float64]
 
@@ -36,6 +37,13 @@ class Filter:
     kind: str = "lowpass"
 
     def __post_init__(self) -> None:
+        demand(
+            "a Filter",
+            cutoff=(self.cutoff, numbers(number)),
+            order=(self.order, whole(1)),
+            kind=(self.kind, text),
+        )
+        demand("a Filter", order=(self.order, between(1, 20)))
         edges = np.atleast_1d(np.asarray(self.cutoff, dtype=float))
         problems = []
         if self.kind not in ("lowpass", "highpass", "bandpass"):
@@ -44,8 +52,6 @@ class Filter:
             problems.append(f"a {self.kind} has {'two cutoffs' if self.kind == 'bandpass' else 'one cutoff'}")
         if not (edges > 0).all() or (np.diff(edges) <= 0).any():
             problems.append(f"cutoff must be above 0 Hz and increasing, got {self.cutoff}")
-        if self.order < 1:
-            problems.append(f"order must be at least 1, got {self.order}")
         if problems:
             raise ModelError("this filter cannot be made:", problems)
 
@@ -58,6 +64,9 @@ class Filter:
         """
         from scipy.signal import sosfiltfilt
 
+        demand("apply()", values=(values, numbers(finite())))
+        if np.ndim(values) not in (1, 2) or len(values) < 2:
+            raise ModelError(f"apply() filters columns of at least 2 numbers, got {shown(values)}")
         sections = self._sections(rate)
         low = float(np.min(self.cutoff))
         padding = min(len(values) - 1, round(3 * rate / low))
@@ -73,6 +82,8 @@ class Filter:
 
     def check(self, rate: float) -> None:
         """Raise if the filter cannot be made for a sampling rate [Hz]."""
+        demand("this filter", rate=(rate, above(0, "Hz")))
+        demand("this filter", rate=(rate, between(0, 1e6 * float(np.min(self.cutoff)), "Hz")))
         if np.max(self.cutoff) >= rate / 2:
             raise ModelError(
                 f"filter: cutoff {np.max(self.cutoff):g} Hz is not below half the sampling rate, {rate:g} Hz"

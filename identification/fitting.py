@@ -5,20 +5,24 @@ from __future__ import annotations
 import pickle
 from collections.abc import Callable, Sequence
 from concurrent.futures import Executor, as_completed
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import lru_cache
+from pathlib import Path
 
 import numpy as np
 from numpy.typing import NDArray
 
 from ..components import InertanceError, ModelError
-from ..networks import ToolchainError, compiler
+from ..components.base import between, demand, function, instance, one_of, optional, whole
+from ..networks import COARSEST, FINEST, SOLVERS, ToolchainError, compiler
 from .bench import Accuracy, Bench
 from .block import Block
 from .campaign import Campaign
-from .outcome import Fit, FittedStage, compared
+from .doubts import is_doubtful
+from .outcome import Comparison, Fit, FitInterruptedError, FittedStage, compared
 from .refine import Iteration, Optimum, Problem
 from .stages import Stage
+from .suspects import suspects
 from .uncertainty import uncertainty
 
 Array = NDArray[np.float64]
@@ -37,7 +41,7 @@ class Start:
 
 
 def fit(
-    campaign: Campaign,
+    campaign: Campaign | str | Path,
     *,
     starts: int = 1,
     executor: Executor | None = None,
@@ -54,7 +58,7 @@ def fit(
     and offsets. Stages follow each other; what one has fitted is fixed or further fitted in the next.
 
     Args:
-        campaign: records, model and priors.
+        campaign: records, model and priors, or the path of the TOML file that tells them.
         starts: number of starts; further ones are drawn from the priors (bounds) by a Sobol sequence.
         executor: runs the starts; the campaign goes to its workers by pickle.
         seed: of the draw.
@@ -62,13 +66,21 @@ def fit(
         rtol: relative tolerance of the runs.
         report: called with a line of progress.
 
-    Returns:
-        The fit; after Ctrl-C, the best found until then, which says so.
-
     Raises:
+        FitInterruptedError: on Ctrl-C; its `fit` is the best found until then, if anything was.
         ModelError: if the campaign has no uncertain parameters, or the network cannot be fitted.
         SimulationError: if the model cannot be run with its own parameters.
     """
+    demand(
+        "fit()",
+        starts=(starts, whole(1)),
+        seed=(seed, whole(0)),
+        rtol=(rtol, between(FINEST, COARSEST)),
+        solver=(solver, one_of(SOLVERS)),
+        report=(report, optional(function)),
+        executor=(executor, optional(instance(Executor))),
+    )
+    campaign = Campaign.of(campaign)
     if not campaign.priors:
         raise ModelError(
             f"{campaign.source}: no parameter is uncertain, so there is nothing to fit; name some under "
@@ -78,12 +90,31 @@ def fit(
     tell = report or (lambda line: None)
     values = dict(campaign.start)
     tried: list[Start] = []
-    if starts > 1:
-        tried = _multistart(campaign, starts, executor, seed, accuracy, tell)
-        good = [one for one in tried if not one.problem]
-        if good:
-            values |= min(good, key=lambda one: one.cost).fitted
-    return _staged(campaign, values, accuracy, tell, tried)
+    stages: list[FittedStage] = []
+    comparisons: list[Comparison] = []
+    try:
+        if starts > 1:
+            _multistart(campaign, tried, starts, executor, seed, accuracy, tell)
+            values |= _best(tried)
+        bench = _staged(campaign, values, accuracy, tell, stages)
+        tell("predicting the test records")
+        comparisons = compared(campaign, bench, values, stages, accuracy)
+        found = Fit(campaign, values, stages, comparisons, tried)
+        if is_doubtful(found):
+            found = replace(found, suspects=suspects(campaign, values, accuracy, tell))
+        return found
+    except KeyboardInterrupt:
+        known = bool(stages) or bool(_best(tried))
+        values |= {} if stages else _best(tried)
+        if not known:
+            raise
+        found = Fit(campaign, values, stages, comparisons, tried, interrupted=True)
+        raise FitInterruptedError("interrupted; the best until then is the error's `fit`", found) from None
+
+
+def _best(tried: Sequence[Start]) -> dict[str, float]:
+    good = [one for one in tried if not one.problem]
+    return min(good, key=lambda one: one.cost).fitted if good else {}
 
 
 def _fastest(campaign: Campaign) -> str:
@@ -98,10 +129,14 @@ def _fastest(campaign: Campaign) -> str:
 
 
 def _staged(
-    campaign: Campaign, values: dict[str, float], accuracy: Accuracy, tell: Report, tried: Sequence[Start]
-) -> Fit:
+    campaign: Campaign,
+    values: dict[str, float],
+    accuracy: Accuracy,
+    tell: Report,
+    stages: list[FittedStage],
+) -> Bench:
+    """Fit stage after stage, each kept in `stages` and `values` as soon as it is done."""
     bench = Bench(campaign.dae, campaign.measured, campaign.training, list(campaign.priors))
-    stages: list[FittedStage] = []
     for number, stage in enumerate(campaign.stages, start=1):
         label = f"stage {number} of {len(campaign.stages)}, " if len(campaign.stages) > 1 else ""
 
@@ -112,9 +147,8 @@ def _staged(
         stages.append(done)
         values |= done.optimum.values
         if done.optimum.ended == "interrupted":
-            break
-    tell("predicting the test records")
-    return Fit(campaign, values, stages, compared(campaign, bench, values, stages, accuracy), list(tried))
+            raise KeyboardInterrupt
+    return bench
 
 
 def fit_stage(
@@ -139,27 +173,31 @@ def fit_stage(
 
 
 def _multistart(
-    campaign: Campaign, starts: int, executor: Executor | None, seed: int, accuracy: Accuracy, tell: Report
-) -> list[Start]:
-    """Fit from several starts; Ctrl-C keeps those that are done."""
+    campaign: Campaign,
+    done: list[Start],
+    starts: int,
+    executor: Executor | None,
+    seed: int,
+    accuracy: Accuracy,
+    tell: Report,
+) -> None:
+    """Fit from several starts, each kept in `done` as it comes."""
     drawn = _drawn(campaign, starts, seed)
-    done: list[Start] = []
+    if executor is None:
+        for values in drawn:
+            done.append(_from(campaign, values, accuracy))
+            tell(f"start {len(done)} of {starts}, misfit {done[-1].cost:.5g}")
+        return
+    payload = campaign.pickled()
+    jobs = [executor.submit(_job, payload, values, accuracy) for values in drawn]
     try:
-        if executor is None:
-            for values in drawn:
-                done.append(_from(campaign, values, accuracy))
-                tell(f"start {len(done)} of {starts}, misfit {done[-1].cost:.5g}")
-            return done
-        payload = campaign.pickled()
-        jobs = [executor.submit(_job, payload, values, accuracy) for values in drawn]
         for job in as_completed(jobs):
             done.append(job.result())
             tell(f"start {len(done)} of {starts}, misfit {done[-1].cost:.5g}")
     except KeyboardInterrupt:
-        tell(f"interrupted; {len(done)} of {starts} starts are done")
-        if executor is not None:
-            executor.shutdown(wait=False, cancel_futures=True)
-    return done
+        for job in jobs:
+            job.cancel()
+        raise
 
 
 def _drawn(campaign: Campaign, count: int, seed: int) -> list[dict[str, float]]:

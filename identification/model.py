@@ -2,17 +2,13 @@
 
 from __future__ import annotations
 
-import sys
-import traceback
 from collections.abc import Callable, Iterable, Mapping, Sequence
-from importlib.util import module_from_spec, spec_from_file_location
 from pathlib import Path
-from types import ModuleType
 from typing import Any, Protocol
 
-from ..components import ModelError, nearest
-from ..components.base import Parameter
-from ..networks import Input, Network
+from ..components import ModelError
+from ..components.base import Parameter, shown
+from ..networks import Input, Network, load_model
 
 
 class Machine(Protocol):
@@ -55,21 +51,24 @@ class Machine(Protocol):
         ...
 
 
-Reader = Callable[[Path, str, Mapping[str, str]], tuple[Network, Machine]]
+Reader = Callable[[Path, str, Mapping[str, str], bool], tuple[Network, Machine]]
 READERS: dict[str, Reader] = {}
-"""How model files that are not Python are read, by their ending: (path, what of it, port) -> both."""
+"""How models that are no Python are read, by their ending: (path, what of it, port, validate) -> both."""
 
 RECOGNISERS: list[Callable[[Network], Machine | None]] = []
 """What recognises a network that is more than its equations, and returns what predicts it."""
 
 
-def read_model(model: Network | str, port: Mapping[str, str], base: Path) -> tuple[Network, Machine]:
+def read_model(
+    model: Network | str, port: Mapping[str, str], base: Path, validate: bool = True
+) -> tuple[Network, Machine]:
     """Return the network of a campaign, and what predicts its outputs.
 
     Args:
         model: the network, `path/to/file.py:function` that returns it, or `path/to/file.fmu`.
         port: where other parts may be joined to a model that is no Python.
         base: the folder that a relative path starts from.
+        validate: whether to refuse an FMU whose description its schema does not allow.
 
     Raises:
         ModelError: telling what is wrong.
@@ -81,64 +80,11 @@ def read_model(model: Network | str, port: Mapping[str, str], base: Path) -> tup
                 f"'{model}' is an FMU, whose parameters `inertance diagnose` fits; in Python, import "
                 "inertance.diagnosis before the campaign is made"
             )
-        return READERS[".fmu"](base / f"{file}.fmu", part[1:], port)
+        return READERS[".fmu"](base / f"{file}.fmu", part[1:], port, validate)
     if port:
         raise ModelError("[port] is for a model that is an FMU; a network has its flanges")
     network = load_model(model, base) if isinstance(model, str) else model
+    if not isinstance(network, Network):
+        raise ModelError(f"a Network or 'path/to/file.py:function' is needed, got {shown(network)}")
     machines = (recognise(network) for recognise in RECOGNISERS)
     return network, next((machine for machine in machines if machine is not None), None) or network.dae()
-
-
-def load_model(model: str, base: Path) -> Network:
-    """Return the network that a function of a Python file returns.
-
-    Args:
-        model: `path/to/file.py:function`.
-        base: the folder that a relative path starts from.
-
-    Raises:
-        ModelError: telling what is wrong, with file and line.
-    """
-    file, _, name = model.rpartition(":")
-    path = base / file
-    if not file or path.suffix != ".py":
-        raise ModelError(f"model is 'path/to/file.py:function', got '{model}'")
-    if not path.is_file():
-        others = [p.name for p in path.parent.glob("*.py")] if path.parent.is_dir() else []
-        raise ModelError(f"model: there is no file '{path}'{nearest(path.name, others)}")
-    try:
-        module = _module(path)
-        function = getattr(module, name, None)
-        if not callable(function):
-            own = [key for key, value in vars(module).items() if callable(value)]
-            raise ModelError(f"model: {path} has no function '{name}'{nearest(name, own)}")
-        network = function()
-    except ModelError:
-        raise
-    except (Exception, SystemExit) as error:
-        raise ModelError(f"model: {_place(path, error)}: {type(error).__name__}: {error}") from error
-    if not isinstance(network, Network):
-        raise ModelError(f"model: {model} returned {type(network).__name__}, but a Network is needed")
-    return network
-
-
-def _module(path: Path) -> ModuleType:
-    spec = spec_from_file_location(path.stem, path)
-    assert spec is not None
-    assert spec.loader is not None
-    module = module_from_spec(spec)
-    sys.path.insert(0, str(path.parent.resolve()))
-    try:
-        spec.loader.exec_module(module)
-    finally:
-        sys.path.pop(0)
-    return module
-
-
-def _place(path: Path, error: BaseException) -> str:
-    """Return file and line of the deepest frame in the user's file."""
-    if isinstance(error, SyntaxError):
-        return f"{error.filename}, line {error.lineno}"
-    frames = traceback.extract_tb(error.__traceback__)
-    lines = [frame.lineno for frame in frames if Path(frame.filename).resolve() == path.resolve()]
-    return f"{path}, line {lines[-1]}" if lines else str(path)

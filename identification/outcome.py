@@ -12,13 +12,16 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..components import Component, SimulationError
+from ..components.base import check_output, write_text
 from ..networks import Network
 from .bench import Accuracy, Bench
 from .block import Block
 from .campaign import Campaign
+from .doubts import doubts, over_noise
 from .experiments import Experiment
 from .refine import Optimum, Problem
 from .stages import Stage
+from .suspects import Suspect
 from .uncertainty import Uncertainty
 
 if TYPE_CHECKING:
@@ -68,6 +71,14 @@ class Comparison:
         return float(self.experiment.record.values[channel].std())
 
 
+class FitInterruptedError(KeyboardInterrupt):
+    """Ctrl-C during a fit; `fit` holds the best until then."""
+
+    def __init__(self, message: str, fit: Fit) -> None:
+        self.fit = fit
+        super().__init__(message)
+
+
 @dataclass(frozen=True, eq=False)
 class Fit:
     """The outcome of `fit`.
@@ -78,6 +89,8 @@ class Fit:
         stages: the stages and where each ended.
         comparisons: measured and predicted, for every record.
         starts: where each start of a multi-start led.
+        suspects: channels that would explain a misfit in another unit, with another sign or exchanged.
+        interrupted: whether Ctrl-C ended it before its end; `values` are the best until then.
     """
 
     campaign: Campaign
@@ -85,6 +98,8 @@ class Fit:
     stages: list[FittedStage]
     comparisons: list[Comparison]
     starts: list[Start] = field(default_factory=list)
+    suspects: list[Suspect] = field(default_factory=list)
+    interrupted: bool = False
 
     @property
     def network(self) -> Network:
@@ -106,7 +121,10 @@ class Fit:
     @property
     def warnings(self) -> list[str]:
         """What one should know before using the values."""
-        told = [warning for done in self.stages for warning in done.uncertainty.warnings]
+        told = list(doubts(self))
+        told += [warning for done in self.stages for warning in done.uncertainty.warnings]
+        if self.interrupted:
+            told.insert(0, "the fit was interrupted before its end; these are the best values until then")
         for number, done in enumerate(self.stages, start=1):
             if done.optimum.ended == "interrupted":
                 told.append(f"stage {number} was interrupted; the best values until then are kept")
@@ -133,7 +151,7 @@ class Fit:
             "parameters": {
                 name: {
                     "value": value, "error": self.errors.get(name), "start": priors[name].center,
-                    "unit": units(name),
+                    "unit": units(name), "prior_deviations": priors[name].moved(value),
                 }
                 for name, value in self.values.items()
             },
@@ -149,20 +167,24 @@ class Fit:
                 {
                     "record": c.experiment.name, "tested": c.tested, "channel": name,
                     "before": c.rms(name, c.before), "after": c.rms(name, c.after), "size": c.size(name),
+                    "over_noise": over_noise(self, c, name),
                 }
                 for c in self.comparisons
                 for name in self.campaign.outputs
             ],
+            "suspects": [
+                {"channels": list(s.channels), "factor": s.factor, "told": s.told} for s in self.suspects
+            ],
             "notes": self.campaign.notes,
+            "interrupted": self.interrupted,
             "warnings": self.warnings,
         }  # fmt: skip
 
     def to_json(self, path: str | Path) -> Path:
         """Write `to_dict` to a file and return its path."""
-        path = Path(path)
+        check_output(path, [".json"])
         told = json.dumps(self.to_dict(), indent=2, default=float, allow_nan=True)
-        path.write_text(told.replace("NaN", "null"), encoding="utf-8")
-        return path
+        return write_text(path, told.replace("NaN", "null"))
 
     def plot(self, channel: str | None = None) -> Any:
         """Return a matplotlib figure: measured and predicted, and what is left, for every record."""
@@ -213,6 +235,8 @@ def _compared(
         else:
             block.prepare(values, accuracy)
             best = Problem([block], {}, [], values, accuracy).minimise({}, most=STARTS)
+            if best.ended == "interrupted":
+                raise KeyboardInterrupt
             nuisances = best.nuisances[0]
         for place, parameters in ((1, values), (0, campaign.start)):
             predicted[place] = _predicted(block, parameters, nuisances, accuracy)

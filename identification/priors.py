@@ -38,6 +38,17 @@ class Prior:
         width = self.max - self.min
         return 0.25 * width if np.isfinite(width) else abs(self.center) or 1.0
 
+    def moved(self, value: float) -> float:
+        """Return how far a value is from the center in standard deviations, by difference or by ratio.
+
+        By ratio since a thousandth of what was assumed is far off, but 2 deviations only if rel = 0.5.
+        """
+        away = abs(value - self.center) / self.sd
+        if not away or not value * self.center > 0:
+            return away
+        by_ratio = abs(np.log(value / self.center)) / np.log1p(self.sd / abs(self.center))
+        return float(max(away, by_ratio)) if abs(value) < abs(self.center) else away
+
 
 def read_priors(entries: Mapping[str, Any], machine: Machine, problems: Problems) -> dict[str, Prior]:
     """Return what is known of the uncertain parameters."""

@@ -5,13 +5,12 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Mapping
 from contextlib import contextmanager
 from dataclasses import dataclass
-from numbers import Integral, Real
+from numbers import Integral
 from pathlib import Path
 from typing import Any
 
-import numpy as np
-
 from ..components import InertanceError, ModelError, nearest
+from ..components.base import is_number
 
 
 @dataclass(frozen=True)
@@ -20,13 +19,6 @@ class Kind:
 
     told: str
     takes: Callable[[Any], bool]
-
-
-def is_number(value: Any) -> bool:
-    """Return whether a value is a finite number."""
-    if isinstance(value, bool | np.bool):
-        return False
-    return isinstance(value, Real) and bool(np.isfinite(float(value)))
 
 
 def _is_list(value: Any, of: Callable[[Any], bool]) -> bool:

@@ -5,14 +5,26 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 from pathlib import Path
-from typing import Self
+from typing import Any, Self
 
 import numpy as np
 from numpy.typing import NDArray
 
-from ..components import ModelError, Sampled
+from ..components import ModelError, Sampled, UnknownNameError, nearest
+from ..components.base import (
+    INTERPOLATIONS,
+    above,
+    demand,
+    finite,
+    instance,
+    one_of,
+    path_of,
+    shown,
+    text,
+    whole,
+)
 from .channels import Channel
-from .checks import LEAST, number_problems, time_problems, value_problems
+from .checks import JITTER, LEAST, number_problems, time_problems, value_problems
 from .filters import decimated
 from .tables import Table, read_table
 from .units import converted, factor
@@ -32,6 +44,10 @@ class Record:
         values: channels by name, in SI units.
         notes: what was tolerated or changed on reading.
         temperature: a channel for effects that follow it, if there is one.
+
+    Raises:
+        ModelError: for instants that are not even, and columns of other lengths or with values that are no
+            finite numbers.
     """
 
     name: str
@@ -39,18 +55,48 @@ class Record:
     values: dict[str, Array]
     notes: tuple[str, ...] = ()
     temperature: Array | None = field(default=None, repr=False)
-    _signals: dict[str, Sampled] = field(default_factory=dict, init=False, repr=False)
+    _signals: dict[tuple[str, str], Sampled] = field(default_factory=dict, init=False, repr=False)
+
+    def __post_init__(self) -> None:
+        demand("a Record", name=(self.name, text))
+        if instance(Mapping)(self.values):
+            told = f"values map channels to columns, such as {{'F': force}}, got {shown(self.values)}"
+            raise ModelError(f"record '{self.name}': {told}")
+        problems: list[str] = []
+        columns = {"time": self.time, **self.values}
+        if self.temperature is not None:
+            columns["temperature"] = self.temperature
+        sound = {name: _column(name, column, problems) for name, column in columns.items()}
+        time = sound["time"]
+        if not problems:
+            lengths = {name: len(column) for name, column in sound.items() if len(column) != len(time)}
+            problems = [f"'{n}' has {count} samples, time has {len(time)}" for n, count in lengths.items()]
+        if not problems:
+            problems = _uneven(time)
+        if problems:
+            raise ModelError(f"record '{self.name}' cannot be used:", problems)
+        object.__setattr__(self, "time", time)
+        object.__setattr__(self, "values", {name: sound[name] for name in self.values})
 
     @property
     def rate(self) -> float:
         """Samples a second [Hz]."""
         return (len(self.time) - 1) / float(self.time[-1] - self.time[0])
 
-    def sampled(self, channel: str) -> Sampled:
-        """Return a channel as an input signal."""
-        if channel not in self._signals:
-            self._signals[channel] = Sampled(self.time, self.values[channel])
-        return self._signals[channel]
+    def sampled(self, channel: str, interpolation: str = "cubic") -> Sampled:
+        """Return a channel as an input signal.
+
+        Raises:
+            UnknownNameError: for an unknown channel, with the nearest one.
+        """
+        if text(channel) or channel not in self.values:
+            told = nearest(channel, self.values)
+            raise UnknownNameError(f"record '{self.name}' has no channel '{channel}'{told}")
+        demand("sampled()", interpolation=(interpolation, one_of(INTERPOLATIONS)))
+        key = channel, interpolation
+        if key not in self._signals:
+            self._signals[key] = Sampled(self.time, self.values[channel], interpolation=interpolation)
+        return self._signals[key]
 
     def window(self, begin: float, end: float) -> Self:
         """Return the part between two instants [s].
@@ -58,6 +104,7 @@ class Record:
         Raises:
             ModelError: if too little is left.
         """
+        demand("window()", begin=(begin, finite("s")), end=(end, finite("s")))
         inside = (self.time >= begin - 0.5 / self.rate) & (self.time <= end + 0.5 / self.rate)
         if np.count_nonzero(inside) < LEAST:
             raise ModelError(
@@ -70,6 +117,7 @@ class Record:
 
     def thinned(self, every: int) -> Self:
         """Return every so many samples as they are, noise and all."""
+        demand("thinned()", every=(every, whole(1)))
         if every == 1:
             return self
         values = {name: v[::every] for name, v in self.values.items()}
@@ -78,6 +126,7 @@ class Record:
 
     def resampled(self, rate: float) -> Self:
         """Return the record at a lower rate [Hz], aliases removed without phase."""
+        demand("resampled()", rate=(rate, above(0, "Hz")))
         values = {name: decimated(v, self.rate, rate)[0] for name, v in self.values.items()}
         stride = max(1, round(self.rate / rate))
         temperature = None if self.temperature is None else self.temperature[::stride]
@@ -85,6 +134,38 @@ class Record:
         return replace(
             self, time=self.time[::stride], values=values, temperature=temperature, notes=(*self.notes, note)
         )
+
+
+def _column(name: str, given: Any, problems: list[str]) -> Array:
+    """Return a column as numbers; note what is wrong with it."""
+    try:
+        column = np.asarray(given, dtype=float)
+    except (TypeError, ValueError, OverflowError):
+        problems.append(f"'{name}' must be a column of numbers, got {shown(given)}")
+        return np.zeros(0)
+    wrong = np.flatnonzero(~np.isfinite(column))
+    if column.ndim != 1:
+        problems.append(f"'{name}' must be one column, got an array of shape {column.shape}")
+    elif len(wrong):
+        problems.append(f"'{name}' is {column[wrong[0]]} at sample {wrong[0]}; fill it or cut it out")
+    return column
+
+
+def _uneven(time: Array) -> list[str]:
+    """Say why instants are not those of a record."""
+    if len(time) < 2:
+        return [f"at least 2 samples are needed, got {len(time)}"]
+    step = (time[-1] - time[0]) / (len(time) - 1)
+    if not (np.diff(time) > 0).all():
+        row = int(np.argmin(np.diff(time) > 0)) + 1
+        return [
+            f"time does not increase at sample {row} ({time[row]:g} s after {time[row - 1]:g} s); sort it"
+        ]
+    if np.abs(np.diff(time) - step).max() > JITTER * step:
+        row = int(np.abs(np.diff(time) - step).argmax()) + 1
+        told = f"{time[row] - time[row - 1]:g} s before sample {row}, {step:g} s on average"
+        return [f"samples are not evenly spaced ({told}); resample them"]
+    return []
 
 
 def read_record(
@@ -104,7 +185,7 @@ def read_record(
     Raises:
         ModelError: telling all that is wrong, with file, line, column and remedy.
     """
-    path = Path(path)
+    path = path_of(path, "a record")
     table = read_table(path)
     problems: list[str] = []
     time = _time(table, window, problems)
@@ -191,7 +272,7 @@ def _even(name: str, time: Array, values: dict[str, Array], temperature: Array |
     uneven = float(np.abs(np.diff(time) - step).max())
     if worst <= ROUNDED * step:
         return Record(name, even, values, (f"instants rounded to steps of {step:g} s",), temperature)
-    note = f"instants jitter by up to {uneven / step:.0%} of {step:g} s; values interpolated onto even steps"
+    note = f"instants jitter by up to {uneven / step:.1%} of {step:g} s; values interpolated onto even steps"
     values = {key: make_interp_spline(time, v, k=3)(even) for key, v in values.items()}
     temperature = None if temperature is None else np.interp(even, time, temperature)
     return Record(name, even, values, (note,), temperature)

@@ -17,6 +17,7 @@ Array = NDArray[np.float64]
 MOST_ITERATIONS = 40
 ENOUGH = 1e-2
 SMALLEST, LARGEST = 1e-9, 1e9
+SLOWER, LEAST_STEPS = 20, 50  # a trial may take so many times the steps of the start, and so many a sample
 
 
 @dataclass(frozen=True)
@@ -94,6 +95,7 @@ class Problem:
         p = np.clip([values[name] for name in self.priors], self.lower, self.upper)
         n = list(nuisances or [np.zeros(block.nuisances) for block in self.blocks])
         found = self._linearised(p, n)
+        self._grant(found)
         damping, cost, ended = 1e-3, self._cost(found, p, n), "iterations used up"
         number = 0
         matrix, rest = self._compressed(found, p, n)
@@ -126,6 +128,13 @@ class Problem:
             ended = "interrupted"
         matrix = self._compressed(found, p, n)[0]
         return Optimum(self._named(p), n, cost, found, matrix, self.scales, number, ended)
+
+    def _grant(self, found: Sequence[Linearised]) -> None:
+        """Bound the steps of trials: with parameters far off, a run may take for ever."""
+        if self.accuracy.steps is None:
+            runs = [prediction for one in found for prediction in one.predictions]
+            each = max((run.run.stats["steps"] / len(run.time) for run in runs), default=0.0)
+            self.accuracy = replace(self.accuracy, steps=LEAST_STEPS + round(SLOWER * each))
 
     def _named(self, p: Array) -> dict[str, float]:
         return {name: float(value) for name, value in zip(self.priors, p, strict=True)}

@@ -13,6 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..components import ModelError, nearest
+from ..components.base import text_of, there_is_file
 
 Array = NDArray[np.float64]
 TIMES = ("time", "t", "zeit", "timestamp", "time_s")
@@ -65,10 +66,7 @@ def read_table(path: Path) -> Table:
     """
     if path.suffix.lower() not in READERS:
         raise ModelError(f"'{path}' ends in '{path.suffix}'; measurements end in {', '.join(READERS)}")
-    if not path.is_file():
-        folder = path.parent
-        others = [p.name for p in folder.iterdir() if p.is_file()] if folder.is_dir() else []
-        raise ModelError(f"there is no file '{path}'{nearest(path.name, others)}")
+    there_is_file(path)
     try:
         return READERS[path.suffix.lower()](path)
     except ModelError:
@@ -84,10 +82,7 @@ def _headed(header: str) -> tuple[str, str]:
 
 
 def _read_csv(path: Path) -> Table:
-    try:
-        lines = path.read_text(encoding="utf-8-sig").splitlines()
-    except UnicodeDecodeError as error:
-        raise ModelError(f"{path}: not a text file in UTF-8 ({error.reason})") from error
+    lines = text_of(path).splitlines()
     header = next(
         (n for n, line in enumerate(lines) if line.strip() and not line.startswith(("#", "%"))), None
     )

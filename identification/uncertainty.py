@@ -109,14 +109,17 @@ def _warnings(
         prior, value = priors[name], optimum.values[name]
         width = prior.max - prior.min
         if np.isfinite(prior.sd) and own > UNTOLD * prior.sd:
+            assumed = abs(value - prior.center) <= prior.sd
+            led = f"it went from {prior.center:.4g} to {value:.4g} all the same, which means nothing"
+            led = f"it stays near the {prior.center:.4g} that was assumed" if assumed else led
             yield (
-                f"{name}: the records say next to nothing about it; {value:.4g} is what was assumed. Measure "
-                "a motion in which it matters, or leave it out of the fit"
+                f"{name}: the records say next to nothing about it; {led}. Measure a motion in which it "
+                "matters, or leave it out of the fit"
             )
         elif not np.isfinite(prior.sd) and np.isfinite(width) and own > 0.25 * width:
             yield f"{name}: the records cannot tell it between {prior.min:.4g} and {prior.max:.4g}"
         elif not np.isfinite(prior.sd) and own > abs(value) > 0:
-            yield f"{name}: {value:.4g} is known to no better than {own:.2g}"
+            yield f"{name}: the records do not tell {value:.4g} from 0; it is known to within {own:.2g}"
         for side in (prior.min, prior.max):
             if np.isfinite(side) and abs(value - side) <= AT_BOUND * max(prior.scale, abs(side)):
                 yield f"{name}: ends at its bound {side:.6g}; the model lacks something or the bound is wrong"

@@ -69,6 +69,27 @@ def factor(unit: str, wanted: str) -> float:
     return size
 
 
+def sizes_of(unit: str) -> dict[str, float]:
+    """Return the units that measure the same as a unit, each with its size in the SI unit.
+
+    Raises:
+        ModelError: for an unknown unit.
+    """
+    si = UNITS[known_unit(unit)][0]
+    return {name: size for name, (of, size) in UNITS.items() if of == si}
+
+
+def likely_unit(unit: str, factor: float, share: float) -> str | None:
+    """Return the unit in which a column is if its values in `unit` are to be multiplied by a factor.
+
+    None if there is none within a share of the factor, or the factor is all but one.
+    """
+    sizes = sizes_of(unit)
+    near = {name: abs(size / sizes[known_unit(unit)] / factor - 1) for name, size in sizes.items()}
+    name = min(near, key=lambda one: near[one])
+    return name if near[name] < share and name != known_unit(unit) else None
+
+
 def converted(values: NDArray[np.float64], unit: str, wanted: str) -> NDArray[np.float64]:
     """Return values given in a unit in the SI unit `wanted`."""
     return values * factor(unit, wanted)

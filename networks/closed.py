@@ -9,19 +9,26 @@ from typing import TYPE_CHECKING, Any
 
 import casadi as ca
 import numpy as np
+from numpy.typing import NDArray
 
-from ..components.base import ModelError, RealInput, Sampled, nearest, numpy_on_symbols
+from ..components.base import ModelError, RealInput, Sampled, is_number, nearest, numpy_on_symbols
 from .batch import Batch
 from .compiled import Compiled, dense
 from .dae import DAE, Input
+from .legs import Leg, legs_of
 from .polynomial import Polynomial
-from .splines import cubic_spline, curvature, traced_spline
+from .splines import SMOOTHNESS, curvature, sampled_at, traced
 from .stepper import Stepper, Tolerance
 from .switchfunctions import SwitchFunctions
+from .time_signals import TimeSignals, timed_rows
 from .vectors import pick, stacked
 
 if TYPE_CHECKING:
     from .csource.native import Native
+
+Array = NDArray[np.float64]
+KEPT = 64
+_LEGS: dict[tuple[Any, ...], list[Leg]] = {}  # where equations hold signals as given
 
 
 class Closed:
@@ -36,6 +43,7 @@ class Closed:
         self._steppers: dict[tuple[str, Tolerance, int, int], Stepper] = {}
         self._tangents: dict[tuple[tuple[int, ...], bool], Any] = {}
         self._evaluators: dict[str, Batch] = {}
+        self._legs: dict[tuple[Any, ...], list[Leg]] = {}
         self.sampled = any(isinstance(s, Sampled) for s in self.signals.values())
         kind: Any = ca.MX if self.sampled else ca.SX
         constants = dae.constants
@@ -90,6 +98,18 @@ class Closed:
             self._evaluators[name] = Batch(ca.Function("signal", self.dae.arguments(), [expression]))
         return self._evaluators[name]
 
+    def moving_signal(self, name: str) -> Batch:
+        """Return a function of (x, z, q, t), at many points, of a signal and its rate, made once."""
+        if (key := f"moving {name}") not in self._evaluators:
+            value = self.close(ca.densify(self.dae.expression(name)))
+            self._evaluators[key] = Batch(self.function("moving", *dense(value, self.rate(value))))
+        return self._evaluators[key]
+
+    @cached_property
+    def motion(self) -> Batch:
+        """A function of (x, z, q, t), at many points: the rates of the states."""
+        return Batch(self.function("motion", *dense(self.close(self.dae.ode))))
+
     def input_values(self, q: Any, times: Any) -> Any:
         """Return the inputs and their derivatives at instants, (instants, inputs).
 
@@ -102,8 +122,8 @@ class Closed:
             values[:, self._others] = self._other_inputs(q, times[:, None])[0][:, :, 0]
         for k, declared in enumerate(self.dae.inputs):
             if k not in self._others:
-                spline = cubic_spline(self.signals[declared.path])
-                values[:, k] = declared.sign * spline(times, declared.order)
+                signal = self.signals[declared.path]
+                values[:, k] = declared.sign * sampled_at(signal, times, declared.order)
         return values
 
     @cached_property
@@ -147,12 +167,62 @@ class Closed:
 
         return Native(self)
 
+    def formula(self, place: int, t: Any) -> Any:
+        """Return one of the DAE's inputs as an SX expression of time, None if only its numbers are known."""
+        declared = self.dae.inputs[place]
+        signal = self.signals[declared.path]
+        if isinstance(signal, Sampled | Polynomial):
+            return None
+        try:
+            return input_value(declared, signal, t)
+        except ModelError:
+            return None
+
+    @cached_property
+    def timed_rows(self) -> Any:
+        """What the equations hold that depends on time, inputs and parameters alone, as SX."""
+        given = [k for k, i in enumerate(self.dae.inputs) if not isinstance(self.signals[i.path], Polynomial)]
+        return timed_rows(self.dae, given, watched=bool(self.courses))
+
+    def legs(self, q: Array, begin: float, stop: float) -> list[Leg]:
+        """Return the parts of a run between the instants at which inputs switch; found once for each run."""
+        parameters = q[: self.dae.p.numel()]
+        signals = TimeSignals(self, parameters, begin, stop)
+        known = _LEGS
+        given = {
+            (k, self.dae.inputs[k].order): self.signals[self.dae.inputs[k].path] for k in signals.plain or ()
+        }
+        key: tuple[Any, ...] = begin, stop, Given(given)
+        if signals.plain is None:
+            known = self._legs
+            key = begin, stop, parameters.tobytes() if ca.depends_on(self.timed_rows, self.dae.p) else b""
+        if key not in known:
+            known[key] = legs_of(signals, begin, stop)
+            if len(known) > KEPT:
+                known.pop(next(iter(known)), None)
+        return known[key]
+
     def stepper(self, solver: str, tolerance: Tolerance, nodes: int, most_steps: int) -> Stepper:
         """Return a compiled integrator, made once for each choice."""
         key = (solver, tolerance, nodes, most_steps)
         if key not in self._steppers:
             self._steppers[key] = Stepper(self, *key)
         return self._steppers[key]
+
+
+class Given:
+    """Signals by name as a key: equal numbers and polynomials are the same, anything else only itself."""
+
+    def __init__(self, signals: Mapping[Any, Any]) -> None:
+        self._signals = [*signals.items()]
+        plain = Real, Polynomial
+        self._told = tuple((name, s if isinstance(s, plain) else id(s)) for name, s in self._signals)
+
+    def __hash__(self) -> int:
+        return hash(self._told)
+
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, Given) and self._told == other._told
 
 
 def _courses(first: int, signals: Mapping[str, Any]) -> dict[str, slice]:
@@ -185,7 +255,7 @@ def chosen_signals(dae: DAE, given: Mapping[str, Any], free: bool = False) -> di
                 f"give inputs={{'{declared.path}': ...}}"
             )
         try:
-            chosen[declared.path] = Sampled(*_pair(signal)) if isinstance(signal, tuple) else signal
+            chosen[declared.path] = _smooth_enough(dae, declared.path, signal)
         except ModelError as error:
             problems.append(f"input '{declared.path}': {error}")
     if problems:
@@ -201,6 +271,19 @@ def _meant(dae: DAE, name: str) -> str:
     if instance is not None and isinstance(type(instance.component).fields.get(field), RealInput):
         return "; it is connected to a signal of the network"
     return nearest(name, names) or f"; the inputs are {', '.join(names) or 'none'}"
+
+
+def _smooth_enough(dae: DAE, path: str, signal: Any) -> Any:
+    """Return a signal, of a pair (time, values) what it means, if it has the derivatives that are needed."""
+    made = Sampled(*_pair(signal)) if isinstance(signal, tuple) else signal
+    if isinstance(made, Sampled):
+        order = max(declared.order for declared in dae.inputs if declared.path == path)
+        if order > SMOOTHNESS[made.interpolation]:
+            raise ModelError(
+                f"its derivative of order {order} is needed, which {made.interpolation} data do not have; "
+                "give them as cubic, or a function of time"
+            )
+    return made
 
 
 def _pair(signal: tuple[Any, ...]) -> tuple[Any, Any]:
@@ -224,8 +307,8 @@ def input_value(declared: Input, signal: Any, t: Any) -> Any:
 
 def _traced(path: str, signal: Any, t: Any) -> Any:
     if isinstance(signal, Sampled):
-        return traced_spline(signal)(t)
-    if isinstance(signal, Real) and np.isfinite(float(signal)):
+        return traced(signal)(t)
+    if is_number(signal):
         return type(t)(float(signal))
     if isinstance(signal, Callable):  # type: ignore[arg-type]
         return _called(path, signal, t)
@@ -240,11 +323,15 @@ def _called(path: str, function: Any, t: Any) -> Any:
         with numpy_on_symbols():
             value = type(t)(function(t))
     except Exception as error:
-        told = str(error).partition("\n")[0]
+        told = f"{type(error).__name__}: {str(error).partition(chr(10))[0]}"
         raise ModelError(
             f"input '{path}': the function of time could not be read ({told}); write it with CasADi "
             "or NumPy functions (`ca.sin`, `ca.if_else`), or give Sampled data"
         ) from error
     if value.numel() != 1:
         raise ModelError(f"input '{path}': the function of time must return one number, got {value.shape}")
+    if value.is_constant() and not np.isfinite(float(value)):
+        raise ModelError(
+            f"input '{path}': the function of time must return a finite number, got {float(value)}"
+        )
     return value

@@ -39,6 +39,10 @@ class Compiled:
         self._evaluate()
         if self._buffer.ret():
             raise RuntimeError(f"'{self.function.name()}' could not be evaluated")
+        return self.results()
+
+    def results(self) -> list[Array]:
+        """Return copies of what the results hold."""
         return [result.copy() for result in self._results]
 
     def empty(self) -> None:

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections import defaultdict
-from collections.abc import Iterator
 from dataclasses import dataclass, field
 from typing import Any
 
@@ -30,12 +29,23 @@ class Node:
         return f".{getattr(self.flange, kind)}" if self.flange else ""
 
 
-def connect_ports(flat: Flat, problems: list[str]) -> tuple[list[Node], list[int], list[tuple[int, int]]]:
-    """Join what connections join.
+@dataclass(eq=False, slots=True)
+class Unconnected:
+    """Variables of flanges that are connected to nothing.
 
-    Return the nodes, the across variables that are grounded, and the across and through variables of
-    flanges that hang loose.
+    Attributes:
+        grounded: across variables of supports.
+        free: through variables of bodies.
+        loose: across and through variables of others, which is a problem.
     """
+
+    grounded: list[int] = field(default_factory=list)
+    free: list[int] = field(default_factory=list)
+    loose: list[tuple[int, int]] = field(default_factory=list)
+
+
+def connect_ports(flat: Flat, problems: list[str]) -> tuple[list[Node], Unconnected]:
+    """Join what connections join; return the nodes, and what is connected to nothing."""
     by_component = {id(i.component): i for i in flat.instances.values()}
     node_of: dict[_Member, Node] = {}
     insertions = [(o, *ports) for o in flat.instances.values() for ports in o.component.insertions()]
@@ -57,8 +67,7 @@ def connect_ports(flat: Flat, problems: list[str]) -> tuple[list[Node], list[int
         _check_node(node, problems)
     if not any(isinstance(p, Illegible) for p in problems):
         _join_nodes(flat, nodes)
-    loose: list[tuple[int, int]] = []
-    return nodes, list(_unconnected(flat, outside, problems, loose)), loose
+    return nodes, _unconnected(flat, outside, problems)
 
 
 def _members(
@@ -152,23 +161,28 @@ def _join_nodes(flat: Flat, nodes: list[Node]) -> None:
             flat.joined.join(anchor, instance.index(name + ending))
 
 
-def _unconnected(
-    flat: Flat, outside: set[tuple[Instance, str]], problems: list[str], loose: list[tuple[int, int]]
-) -> Iterator[int]:
+def _unconnected(flat: Flat, outside: set[tuple[Instance, str]], problems: list[str]) -> Unconnected:
+    found = Unconnected()
     for instance in flat.instances.values():
         if instance.parent is None:
             continue
         for declared in type(instance.component)._ports:
             if (instance, declared.name) in outside:
                 continue
+            across, through = (
+                instance.index(f"{declared.name}.{kind}") for kind in (declared.across, declared.through)
+            )
             if declared.optional:
-                yield instance.index(f"{declared.name}.{declared.across}")
+                found.grounded.append(across)
+            elif declared.free:
+                found.free.append(through)
             else:
-                problems.append(
-                    f"{instance}: {declared.name} is not connected; connect it (to a Fixed if it is held)"
-                )
-                across, through = (f"{declared.name}.{n}" for n in (declared.across, declared.through))
-                loose.append((instance.index(across), instance.index(through)))
+                others = [p for p in type(instance.component)._ports if not p.optional and p is not declared]
+                remedy = "connect it (to a Fixed if it is held, alone if its end is free)"
+                remedy = remedy if others else "connect it, or leave it out"
+                problems.append(f"{instance}: {declared.name} is not connected; {remedy}")
+                found.loose.append((across, through))
+    return found
 
 
 def find_inputs(flat: Flat, nodes: list[Node]) -> None:

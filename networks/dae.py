@@ -4,10 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
+from math import inf
 from threading import get_ident
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, Never
 
-from ..components.base import Parameter
+from ..components.base import Parameter, UnknownNameError, listed, named, nearest, text
 from .vectors import stacked
 
 if TYPE_CHECKING:
@@ -97,8 +98,9 @@ class DAE:
         """Return a variable, a mode, a parameter or `der(...)` of a variable as SX.
 
         Raises:
-            KeyError: for an unknown name, with the nearest one.
+            UnknownNameError: for an unknown name, with the nearest one.
         """
+        self.system.flat.check_name(path)
         if path == "time":
             return self.time
         if path in self.switching.mode_names:
@@ -110,18 +112,27 @@ class DAE:
         return self.variables[root] * sign
 
     def root(self, path: str) -> tuple[int, int]:
-        """Return the joined variable behind a name, and the sign against it."""
+        """Return the joined variable behind a name, and the sign against it.
+
+        Raises:
+            UnknownNameError: for an unknown name, with the nearest one.
+        """
         flat = self.system.flat
-        if path.startswith("der("):
+        if not text(path) and path.startswith("der("):
             root, sign = self.root(path[4:-1])
             upper = self.system.derivative.get(root)
             if upper is None:
-                raise KeyError(f"'{self.name}' has no variable '{path}'")
+                raise UnknownNameError(f"'{self.name}' has no variable '{path}'")
             return upper[0], sign * upper[1]
         return flat.joined.find(flat.variable(path))
 
     def unit(self, path: str) -> str:
-        """Return the unit of a variable or parameter, empty if it has none."""
+        """Return the unit of a variable or parameter, empty if it has none.
+
+        Raises:
+            UnknownNameError: for an unknown name, with the nearest one.
+        """
+        self.system.flat.check_name(path)
         declared = self.system.flat.table.field(path)
         if declared is not None:
             return declared.unit
@@ -134,8 +145,16 @@ class DAE:
         return self.system.names.facts[self.system.flat.variable(path)].unit
 
     def field(self, path: str) -> Parameter:
-        """Return the declaration of a parameter."""
+        """Return the declaration of a parameter.
+
+        Raises:
+            UnknownNameError: for an unknown name, with the nearest one.
+        """
+        self.system.flat.check_name(path)
         table = self.system.flat.table
+        if path not in self.parameter_values:
+            told = nearest(str(path), table.index)
+            raise UnknownNameError(f"'{self.name}' has no parameter '{path}' that can be set{told}")
         return table.fields[table.index[path]]
 
     def simulate(
@@ -154,6 +173,8 @@ class DAE:
         sensitivities: Iterable[str] = (),
         progress: bool | None = None,
         max_steps: int | None = None,
+        max_step: float = inf,
+        **unknown: Never,
     ) -> Result:
         """Run from `begin` to `stop` and return the result.
 
@@ -173,19 +194,26 @@ class DAE:
             progress: show progress; by default on runs that last over a second on a terminal.
             max_steps: steps of the integrator after which the run is given up; no limit if not given. Solver
                 "compiled" also gives up where events between two outputs are 20 times their share of it.
+            max_step: longest step of the integrator [s]; runs stop by themselves where inputs switch, and
+                keep steps short where inputs move.
+            unknown: refused, with the nearest argument that there is.
 
         Raises:
-            ModelError: for unknown names or values out of range.
+            ModelError: for unknown names or arguments, values out of range, and tolerances or steps that no
+                run can keep to.
             InitialConditionError: for start values that contradict each other.
             SimulationError: if the run cannot be finished; its `result` keeps what was computed.
+            RunInterruptedError: on Ctrl-C; its `result` likewise.
         """
+        from .keywords import check_keywords
         from .run import Settings
         from .simulate import simulate
 
-        settings = Settings(begin, stop, step, rtol, atol, solver, progress, max_steps)
-        wanted = (sensitivities,) if isinstance(sensitivities, str) else tuple(sensitivities)
+        check_keywords("simulate()", unknown, DAE.simulate)
+        settings = Settings(begin, stop, step, rtol, atol, solver, progress, max_steps, max_step)
         return simulate(
-            self, settings, start or {}, guess or {}, inputs or {}, parameters or {}, wanted
+            self, settings, named("start", start), named("guess", guess), named("inputs", inputs),
+            named("parameters", parameters), listed("sensitivities", sensitivities),
         )  # fmt: skip
 
     def closed(self, signals: Mapping[str, Any]) -> Closed:
@@ -194,10 +222,10 @@ class DAE:
         Raises:
             ModelError: for unknown inputs and for inputs without a signal.
         """
-        from .closed import Closed, chosen_signals
+        from .closed import Closed, Given, chosen_signals
 
-        chosen = chosen_signals(self, signals)
-        key = (get_ident(), *chosen.items())
+        chosen = chosen_signals(self, named("inputs", signals))
+        key = get_ident(), Given(chosen)
         known = self._closed.pop(key, None) or Closed(self, chosen)
         self._closed[key] = known
         if len(self._closed) > KEPT:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from copy import copy
 from dataclasses import dataclass
 
 import numpy as np
@@ -47,6 +48,12 @@ class Switcher:
     def notes(self) -> list[str]:
         """What there is to know about the modes of a run."""
         return self.completion.notes
+
+    def copy(self) -> Switcher:
+        """Return one that knows as much, and goes on by itself."""
+        other = copy(self)
+        other.indicators, other.completion = self.indicators.copy(), Completion(self.closed)
+        return other
 
     def settle(self, point: Point, forced: int | None = None) -> list[Event]:
         """Fire transitions at an instant until none is left, changing `point` in place."""

@@ -8,7 +8,7 @@ from typing import Any
 
 import casadi as ca
 
-from ..components.base import Component, Mode, Template, nearest
+from ..components.base import Component, Mode, Template, UnknownNameError, nearest, shown
 from .families import Family
 from .parameters import ParameterTable
 from .union import SignedUnion
@@ -60,6 +60,11 @@ class Flat:
 
     def variable(self, path: str) -> int:
         """Return the number of a variable given by its full name, or raise with the nearest one."""
+        self.check_name(path)
+        if self.table.field(path) is not None:
+            raise UnknownNameError(
+                f"'{path}' is a parameter of '{self.name}', no variable; set it by parameters="
+            )
         inner = path.removeprefix("der(").removesuffix(")") if path.startswith("der(") else path
         pieces = inner.split(".")
         for cut in range(len(pieces) - 1, -1, -1):
@@ -69,14 +74,21 @@ class Flat:
                 index = instance.index(local)
                 return index if inner is path else self.derivative_of(path, index)
         known = [*self.names(), *self.table.index]
-        raise KeyError(f"'{self.name}' has no variable '{path}'{nearest(path, known)}")
+        raise UnknownNameError(f"'{self.name}' has no variable '{path}'{nearest(path, known)}")
+
+    def check_name(self, path: str) -> None:
+        """Raise an UnknownNameError for what is no name at all."""
+        if not isinstance(path, str):
+            raise UnknownNameError(
+                f"'{self.name}': variables are asked for by full names, such as 'mass.s', got {shown(path)}"
+            )
 
     def derivative_of(self, path: str, index: int) -> int:
         """Return the number of a variable's derivative, for a name like der(mass.v)."""
         root, sign = self.joined.find(index)
         known = self.joined.derivative.get(root)
         if known is None or sign < 0:
-            raise KeyError(f"'{self.name}' has no variable '{path}'")
+            raise UnknownNameError(f"'{self.name}' has no variable '{path}'")
         return known
 
     def names(self) -> Iterator[str]:

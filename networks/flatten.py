@@ -40,7 +40,7 @@ def flatten(network: Component) -> Flat:
     flat = Flat(name, instances, groups, SignedUnion(size), ParameterTable(instances, problems))
     _collect_modes(flat)
     flat.problems = problems
-    nodes, grounded, loose = connect_ports(flat, problems)
+    nodes, unconnected = connect_ports(flat, problems)
     if any(isinstance(p, Illegible) for p in problems) or any(
         i.component._shapeless for i in instances.values()
     ):
@@ -49,8 +49,9 @@ def flatten(network: Component) -> Flat:
     find_inputs(flat, nodes)
     component_families(flat)
     node_families(flat, nodes)
-    zero_family(flat, grounded, "grounded support")
-    open_family(flat, loose)
+    zero_family(flat, unconnected.grounded, "grounded support")
+    zero_family(flat, unconnected.free, "free flange")
+    open_family(flat, unconnected.loose)
     zero_family(flat, flat.joined.contradictions, "contradiction")
     return flat
 
@@ -94,7 +95,9 @@ def _template(component: Component, path: str, problems: list[str]) -> Template:
 def _told(error: Exception) -> str:
     """Say what went wrong in a component's own lines, and where."""
     frames = traceback.extract_tb(error.__traceback__)
-    place = next((f for f in reversed(frames) if Path(f.filename).name != "casadi.py"), frames[-1])
+    place = next(
+        (f for f in reversed(frames) if Path(f.filename).name not in ("casadi.py", "quiet.py")), frames[-1]
+    )
     what = f"{type(error).__name__}: {error}"
     if "truth value" in what:
         what = "Python decides here by a symbol; write ca.if_else, ca.logic_and, ca.fmin or ca.fmax"

@@ -13,31 +13,38 @@ from .hops import hopped
 from .pace import FINE, LEAST, Pace
 from .point import Point
 from .progress import Progress
-from .run import Run, attempt, integrate
+from .run import Run, attempt, enter_next_leg, integrate, record_here
 from .stepper import Array, IntegratorError, Stepper, Stretch
 from .switchfunctions import NODES as NODES
 
 CHATTER = {200: 1e-6, 20_000: 1.0}
 HOP = 1e-3
 RESOLUTION = 1e-12
+RESOLVING = NODES / 4
 MOST_STEPS = 500
 
 
-def run_hybrid(run: Run, switcher: Switcher, stepper: Stepper, outputs: Array, progress: Progress) -> None:
-    """Integrate between events, at a pace that keeps calls few and crossings visible."""
+def run_hybrid(
+    run: Run, switcher: Switcher, stepper: Stepper, outputs: Array, progress: Progress, first: bool = False
+) -> None:
+    """Integrate between events, at a pace that keeps calls few and crossings visible; maybe to the first."""
     pace = Pace(outputs)
     recent: deque[float] = deque(maxlen=max(CHATTER))
-    while pace.next < len(outputs):
+    while pace.next < len(outputs) and not (first and run.events):
+        if enter_next_leg(run):
+            pace.entered(run)
+            continue
         point = run.point
         delay, indicator = switcher.indicators.soonest(point)
         if _hop(run, switcher, delay, indicator, pace):
             pace.limit = np.inf
             _watch_chatter(run, recent, pace.interval)
             continue
-        span, intervals = pace.stretch(point.t, delay)
+        end, intervals = pace.stretch(point.t, delay, run.leg.end, RESOLVING * run.max_step)
+        span = end - point.t
         stretch = _tried(run, stepper, span, pace)
         if stretch is None:
-            pace.failed(point.t + span, intervals)
+            pace.failed(end, intervals)
             continue
         times = point.t + span * np.arange(stepper.nodes + 1) / stepper.nodes
         crossing, follows = _crossing(run, switcher, times, stretch)
@@ -47,8 +54,7 @@ def run_hybrid(run: Run, switcher: Switcher, stepper: Stepper, outputs: Array, p
         kept = stepper.nodes if crossing is None else crossing[0]
         pace.next = _record_outputs(run, outputs, pace.next, intervals, stretch, kept)
         if crossing is None:
-            t = float(outputs[pace.next - 1]) if intervals else float(times[-1])
-            run.point = Point(t, stretch.states[-1], stretch.algebraic[-1], point.q)
+            run.point = Point(end, stretch.states[-1], stretch.algebraic[-1], point.q)
             pace.passed()
         else:
             pace.crossed()
@@ -62,7 +68,7 @@ def _hop(run: Run, switcher: Switcher, delay: float, indicator: int, pace: Pace)
     if delay >= HOP * pace.interval:
         return False
     later = hopped(switcher.indicators, run.point, delay, indicator, run.settings.tolerance)
-    if later is None or later.t >= pace.outputs[pace.next]:
+    if later is None or later.t >= min(pace.outputs[pace.next], run.leg.end):
         return False
     _arrive(run, switcher, later, indicator)
     return True
@@ -76,15 +82,8 @@ def _tried(run: Run, stepper: Stepper, span: float, pace: Pace) -> Stretch | Non
     except IntegratorError:
         if pace.exponent > LEAST and span > RESOLUTION * abs(point.t):
             return None
-        _record_here(run)
+        record_here(run)
         raise
-
-
-def _record_here(run: Run) -> None:
-    """Record where a run stands, unless that was done."""
-    point = run.point
-    if point.t > run.segments[-1].times[-1][-1]:
-        run.record(point.t, point.x, point.z)
 
 
 def _plain(switcher: Switcher, point: Point, times: Array, crossing: Crossing | None, pace: Pace) -> bool:
@@ -145,7 +144,7 @@ def _land(
 def _arrive(run: Run, switcher: Switcher, landed: Point, indicator: int | None) -> None:
     """Fire what fires where an indicator crosses, and open the next segment."""
     run.point = landed
-    _record_here(run)
+    record_here(run)
     happened = switcher.settle(landed, forced=indicator)
     run.events += happened
     if happened:

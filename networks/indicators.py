@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from copy import copy
 from dataclasses import dataclass
 
 import numpy as np
@@ -37,6 +38,12 @@ class Indicators:
         self._fastest = np.ones(len(dae.switching.changes))
         begin = dae.p.numel()
         self._modes = slice(begin, begin + dae.modes.numel())
+
+    def copy(self) -> Indicators:
+        """Return indicators that know as much, and go on by themselves."""
+        other = copy(self)
+        other.muted, other._seen, other._fastest = self.muted.copy(), self._seen.copy(), self._fastest.copy()
+        return other
 
     def modes(self, q: Array) -> Array:
         """Return the view of the modes in q."""

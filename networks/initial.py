@@ -9,13 +9,13 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
-from numbers import Real
 from typing import Any, overload
 
 import numpy as np
 from numpy.typing import NDArray
 
-from ..components.base import InitialConditionError, ModelError, Variable
+from ..components.base import InitialConditionError, ModelError, Variable, is_number
+from .blame import GUARD, told_without_value
 from .closed import Closed
 from .dae import DAE
 
@@ -116,7 +116,7 @@ def _check_names(dae: DAE, given: Mapping[str, Any]) -> None:
             dae.root(name)
         except KeyError as error:
             problems.append(error.args[0])
-        if not isinstance(value, Real) or not np.isfinite(float(value)):
+        if not is_number(value):
             problems.append(f"start value of '{name}' must be a finite number, got {value!r}")
     if problems:
         raise ModelError("these start values cannot be set:", problems)
@@ -223,6 +223,10 @@ def _solve(
         if np.abs(step).max(initial=0.0) <= 1e-13 * (1 + np.abs(np.r_[x, z]).max(initial=0.0)):
             break
     value = _missed(closed, hard, x, z, q, t, algebraic=True)[0]
+    blamed = "" if np.isfinite(value).all() else told_without_value(closed, x, z, q, t)
+    if blamed:
+        told = f"'{closed.dae.name}': its equations have no value at the start: {blamed}; {GUARD}"
+        raise InitialConditionError(told)
     wrong = np.flatnonzero(~(np.abs(value) <= 1e-8 * (1 + np.abs(x).max(initial=0.0))))
     if len(wrong):
         raise InitialConditionError(_contradiction(closed.dae, list(hard), wrong, wanted))

@@ -52,16 +52,22 @@ class Network(Component):
         return self
 
     def connect(self, *ports: PortRef) -> Self:
-        """Join two or more ports at one node and return the network.
+        """Join ports at one node and return the network; one port alone is left free on purpose.
+
+        Nothing acts on a free end. A body (`Mass`, `Inertia`, `Rod` ...) may also be left unconnected.
 
         Raises:
-            ModelError: if something that is no port is given.
+            ModelError: if nothing, or something that is no port, is given.
         """
         for port in ports:
             if not isinstance(port, PortRef):
                 raise ModelError(
                     f"Network '{self.name}': connect() joins ports such as `net.mass.flange`, got {port!r}"
                 )
+        if not ports:
+            raise ModelError(
+                f"Network '{self.name}': connect() joins ports such as `net.mass.flange`, got none"
+            )
         self._joined.append(ports)
         return self
 
@@ -161,7 +167,11 @@ class Network(Component):
         parameters: Mapping[str, float] | None = None,
         **options: Any,
     ) -> Result:
-        """Assemble and run the network; see `DAE.simulate` for the arguments."""
+        """Assemble and run the network; see `DAE.simulate` for the arguments and errors."""
+        from .dae import DAE
+        from .keywords import check_keywords
+
+        check_keywords("simulate()", options, DAE.simulate)
         return self.dae().simulate(
             stop, start=start, guess=guess, inputs=inputs, parameters=parameters, **options
         )

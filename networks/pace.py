@@ -6,6 +6,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from .run import Run, record_here
 from .stepper import Array
 
 LEAST, FINE, FIRST, MOST = -30, -3, 4, 6
@@ -34,23 +35,32 @@ class Pace:
         """Time between outputs."""
         return float(self.outputs[1] - self.outputs[0])
 
-    def stretch(self, t: float, delay: float) -> tuple[float, int]:
-        """Return the duration of the next stretch, and how many outputs it reaches.
+    def stretch(self, t: float, delay: float, end: float, longest: float) -> tuple[float, int]:
+        """Return where the next stretch ends, and how many outputs it reaches.
 
         Args:
             t: where it begins.
             delay: how soon an event is expected; going far beyond it would be in vain.
+            end: where the leg ends.
+            longest: how long it may be.
         """
         self._stay_within_limit(t)
         on_grid = t == self.outputs[self.next - 1]
         intervals = 2**self.exponent if on_grid and self.exponent >= 0 else 1
-        remaining = len(self.outputs) - self.next
-        while intervals > remaining or (intervals > 1 and self.interval * intervals > AHEAD * delay):
+        remaining = int(np.searchsorted(self.outputs, end, "right")) - self.next
+        most = min(AHEAD * delay, longest)
+        while intervals > remaining or (intervals > 1 and self.interval * intervals > most):
             intervals //= 2
-        span = float(self.outputs[self.next + intervals - 1] - t)
-        if self.exponent < 0 and span > self.interval * 2.0**self.exponent:
-            return self.interval * 2.0**self.exponent, 0
-        return span, intervals
+        stop = float(self.outputs[self.next + intervals - 1]) if intervals else end
+        span = min(self.interval * 2.0**self.exponent if self.exponent < 0 else np.inf, longest)
+        return (t + span, 0) if stop - t > span else (stop, intervals)
+
+    def entered(self, run: Run) -> None:
+        """Go on from where a leg begins, and record it if it is an output."""
+        self.limit = np.inf
+        if self.next < len(self.outputs) and self.outputs[self.next] <= run.point.t:
+            record_here(run)
+            self.next += 1
 
     def _stay_within_limit(self, t: float) -> None:
         left = self.limit - t

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import types
 from collections.abc import Iterator
-from numbers import Real
 from typing import TYPE_CHECKING, Any
 
 import casadi as ca
@@ -17,15 +16,16 @@ from ..components.base import (
     Option,
     Parameter,
     nearest,
+    number,
     numpy_on_symbols,
+    shown,
+    text,
 )
 from .problems import Illegible
 from .vectors import column, pick_matrix
 
 if TYPE_CHECKING:
     from .flat import Instance
-
-_NUMBERS = (float, int, np.number)
 
 
 class ParameterTable:
@@ -53,11 +53,11 @@ class ParameterTable:
             own = given is MISSING
             self._bound[path] = (instance if own else instance.parent, value)
             return -1
-        number = self.index[path] = len(self.defaults)
+        entry = self.index[path] = len(self.defaults)
         self.fields.append(field)
-        usable = value is not MISSING and isinstance(value, _NUMBERS)
+        usable = value is not MISSING and not number(value)
         self.defaults.append(float(value) if usable else np.nan)
-        return number
+        return entry
 
     def expression(self, instance: Instance, name: str) -> Any:
         """Return a parameter as an expression of the symbols."""
@@ -77,13 +77,15 @@ class ParameterTable:
 
     def at(self, path: str) -> Any | None:
         """Return a parameter by its full name as an expression of the symbols, None if there is none."""
-        if path not in self.index and path not in self._bound:
+        if text(path) or (path not in self.index and path not in self._bound):
             return None
         owner, _, name = path.rpartition(".")
         return self.expression(self.instances[owner], name)
 
     def field(self, path: str) -> Parameter | None:
         """Return the declaration of a parameter by its full name, None if there is none."""
+        if text(path):
+            return None
         if path in self.index:
             return self.fields[self.index[path]]
         owner, _, name = path.rpartition(".")
@@ -114,7 +116,7 @@ class ParameterTable:
             if path in self._bound:
                 problems.append(f"parameter '{path}' follows from others; change those")
             elif path not in self.index:
-                problems.append(f"there is no parameter '{path}'{nearest(path, self.index)}")
+                problems.append(f"there is no parameter '{path}'{nearest(str(path), self.index)}")
             else:
                 problem = _problem(self.fields[self.index[path]], value)
                 problems += [f"'{path}': {problem}"] if problem else []
@@ -133,17 +135,19 @@ class ParameterTable:
                 expressions.append(self.at(path))
             except ModelError as error:
                 problems.append(Illegible(error))
-            except RecursionError:
+            except Exception as error:
                 owner, _, name = path.rpartition(".")
-                told = f"{self.instances[owner]}: {name} depends on itself; give it a number"
-                problems.append(Illegible(told))
+                told = f"cannot be computed: {type(error).__name__}: {str(error).partition(chr(10))[0]}"
+                if isinstance(error, RecursionError):
+                    told = "depends on itself; give it a number"
+                problems.append(Illegible(f"{self.instances[owner]}: {name} {told}"))
         return ca.Function("dependent", [self.symbols], [column(expressions)])
 
     def _out_of_range(self, numbers: Any) -> Iterator[str]:
         values = self._dependent(numbers).full().ravel()
-        for path, number in zip(self._bound, values, strict=True):
+        for path, value in zip(self._bound, values, strict=True):
             declared = self.field(path)
-            problem = declared.problem(float(number)) if declared else ""
+            problem = declared.problem(float(value)) if declared else ""
             if problem:
                 yield f"{self.instances[path.rpartition('.')[0]]}: {problem}"
 
@@ -153,9 +157,9 @@ def _none_dependent(numbers: Any) -> Any:
 
 
 def _problem(declared: Parameter, value: Any) -> str:
-    if isinstance(value, Real):
+    if not number(value):
         return declared.problem(float(value))
-    return f"{declared.name} must be a number, got {value!r}"
+    return f"{declared.name} must be a number [{declared.unit}], got {shown(value)}"
 
 
 class _View:

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from ..components.base import ModelError
 from .signals import chosen_signals
 
 if TYPE_CHECKING:
@@ -28,12 +29,12 @@ def plot_result(result: Result, names: Sequence[str], axes: Any = None) -> Figur
         axes: matplotlib axes to draw on, as many as there are panels; a new figure if None.
 
     Raises:
-        KeyError: for an unknown signal, with the nearest one.
-        ValueError: if there are no names, or not as many axes as panels.
+        UnknownNameError: for an unknown signal, with the nearest one.
+        ModelError: if there are no names, or not as many axes as panels.
     """
     panels = _panels(result, chosen_signals(result.dae, names))
     if not panels:
-        raise ValueError(f"name the signals of '{result.name}' to plot; it has no states")
+        raise ModelError(f"name the signals of '{result.name}' to plot; it has no states")
     own = axes is None
     drawn_on = _new_axes(result, panels) if own else _given_axes(panels, axes)
     for ax, panel in zip(drawn_on, panels, strict=True):
@@ -73,7 +74,7 @@ def _given_axes(panels: list[list[str]], axes: Any) -> list[Axes]:
     given = list(np.atleast_1d(np.asarray(axes, dtype=object)).ravel())
     if len(given) != len(panels):
         told = "; ".join(", ".join(panel) for panel in panels)
-        raise ValueError(
+        raise ModelError(
             f"these signals need {len(panels)} axes, one for each unit and mode ({told}), got {len(given)}"
         )
     return given

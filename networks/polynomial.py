@@ -6,6 +6,8 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Any
 
+from ..components.base import demand, whole
+
 
 @dataclass(frozen=True)
 class Polynomial:
@@ -19,6 +21,9 @@ class Polynomial:
     """
 
     degree: int = 1
+
+    def __post_init__(self) -> None:
+        demand("a Polynomial", degree=(self.degree, whole(0)))
 
     def along(self, course: Any) -> Callable[[Any], Any]:
         """Return the signal, from the symbols of its instant and coefficients."""

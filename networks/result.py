@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
 from pathlib import Path
@@ -12,11 +12,17 @@ import casadi as ca
 import numpy as np
 from numpy.typing import NDArray
 
+from ..components.base import UnknownNameError, path_of
+from .between import Between
 from .closed import Closed
 from .compiled import dense
 from .events import Event
 from .initial import Decisions
+from .legs import Leg
+from .overtime import OverTime
+from .pieces import Pieces
 from .slopes import Points
+from .stepper import Tolerance
 
 if TYPE_CHECKING:
     import pandas as pd
@@ -51,7 +57,7 @@ class Segment:
         raise IndexError(number)
 
 
-class Result:
+class Result(OverTime):
     """What a run computed; signals are evaluated by name when they are asked for.
 
     Attributes:
@@ -75,6 +81,7 @@ class Result:
         self,
         closed: Closed,
         segments: list[Segment],
+        legs: Sequence[Leg],
         events: list[Event],
         stats: dict[str, Any],
         initial: Decisions,
@@ -83,13 +90,22 @@ class Result:
         limiting: Callable[[], str],
     ) -> None:
         self.dae = closed.dae
-        self.name = closed.dae.name
         self.events, self.initial, self.notes = events, initial, notes
         self._figures, self._limiting = stats, limiting
-        self._closed, self._segments = closed, segments
+        self._closed, self._segments, self._legs = closed, segments, legs
         self._sensitivities = sensitivities
         self._cache: dict[str, Array] = {}
-        self.time: Array = np.concatenate([t for s in segments for t in s.times])
+        self._time: Array = np.concatenate([t for s in segments for t in s.times])
+
+    @property
+    def name(self) -> str:
+        """Name of the network."""
+        return self.dae.name
+
+    @property
+    def time(self) -> Array:
+        """Instants of the points [s]."""
+        return self._time
 
     @cached_property
     def stats(self) -> dict[str, Any]:
@@ -100,8 +116,9 @@ class Result:
         """Return a signal by its full name, in SI units.
 
         Raises:
-            KeyError: for an unknown name, with the nearest one.
+            UnknownNameError: for an unknown name, with the nearest one.
         """
+        self.dae.system.flat.check_name(name)
         if name == "time":
             return self.time
         if name not in self._cache:
@@ -143,39 +160,39 @@ class Result:
         """Return the unit of a signal."""
         return self.dae.unit(name)
 
-    def at(self, name: str, time: float) -> float:
-        """Return a signal at one instant, linear between outputs; after the event if there is one.
+    def course(self, name: str, begin: float, end: float) -> Pieces:
+        """Return a signal between the points, at least from `begin` to `end` [s].
 
-        Raises:
-            KeyError: for an unknown name, with the nearest one.
-            ValueError: for an instant outside the run.
+        Cubic pieces meet its values and rates; where these are too far apart, the run is followed again.
         """
-        first, last = self.time[[0, -1]]
-        if not abs(time - (first + last) / 2) <= (last - first) * (0.5 + 1e-6):
-            raise ValueError(f"t = {time:g} s is outside the run, {first:g} to {last:g} s; run longer")
-        i = int(np.searchsorted(self.time, time, side="right"))
-        if i == 0 or i == len(self.time):
-            return float(self[name][min(i, len(self.time) - 1)])
-        t0, t1 = self.time[i - 1], self.time[i]
-        y0, y1 = self[name][i - 1], self[name][i]
-        return float(y0 + (y1 - y0) * (time - t0) / (t1 - t0))
+        return self._between.course(name, self[name], begin, end)
+
+    def values_of(self, name: str) -> tuple[str, ...]:
+        """Return what the values 0, 1, ... of a mode are called; nothing for any other signal."""
+        modes = self.dae.switching
+        return modes.mode_values[modes.mode_names.index(name)] if name in modes.mode_names else ()
+
+    @cached_property
+    def _between(self) -> Between:
+        tolerance = Tolerance(self._figures["rtol"], self._figures["atol"])
+        return Between(self._closed, self.points, self._legs, self._figures["solver"], tolerance)
 
     def sensitivity(self, name: str, parameter: str) -> Array:
         """Return d(signal)/d(parameter) along a run asked for with `sensitivities=`.
 
         Raises:
-            KeyError: if the parameter's sensitivities were not asked for.
+            UnknownNameError: if the parameter's sensitivities were not asked for.
         """
+        self.dae.field(parameter)
         if parameter not in self._sensitivities:
-            raise KeyError(f"run again with sensitivities=['{parameter}']")
+            raise UnknownNameError(f"run again with sensitivities=['{parameter}']")
         closed, dae = self._closed, self.dae
         residuals = closed.close(ca.vertcat(dae.expression(name), dae.alg))
         number = dae.system.flat.table.index[parameter]
         of_x, of_z, of_q = (ca.jacobian(residuals, symbol) for symbol in (closed.x, closed.z, closed.q))
         function = closed.function("slopes", *dense(of_x, of_z, of_q[:, number]))
-        segment = self._segments[0]
-        states, algebraic = np.vstack(segment.states).T, np.vstack(segment.algebraic).T
-        slopes = function(states, algebraic, segment.q, self.time[None, :])
+        points = Points.of(closed, self._segments)
+        slopes = function(points.x.T, points.z.T, self._segments[0].q, self.time[None, :])
         count = residuals.numel()
         to_x, to_z, to_p = (m.full().reshape(count, len(self.time), -1).transpose(1, 0, 2) for m in slopes)
         moved = to_x @ self._sensitivities[parameter][:, :, None] + to_p
@@ -183,10 +200,19 @@ class Result:
         return total.ravel()
 
     def to_dataframe(self, *names: str) -> pd.DataFrame:
-        """Return signals as a pandas DataFrame indexed by time; the states if no names are given."""
+        """Return signals as a pandas DataFrame indexed by time; the states if no names are given.
+
+        Args:
+            names: signals or patterns (`mass.*`).
+
+        Raises:
+            UnknownNameError: for an unknown signal, with the nearest one, or a pattern that matches none.
+        """
         import pandas as pd
 
-        chosen = names or tuple(self.dae.state_names)
+        from .signals import chosen_signals
+
+        chosen = chosen_signals(self.dae, names or self.dae.state_names)
         table = pd.DataFrame({name: self[name] for name in chosen}, index=pd.Index(self.time, name="time"))
         table.attrs["units"] = {name: self.unit(name) for name in chosen}
         return table
@@ -207,11 +233,12 @@ class Result:
         """Write signals to .csv, .parquet or .npz; read them back with `load_table`.
 
         Raises:
-            ValueError: for another ending.
+            ModelError: for another ending.
+            MissingFileError: if the folder does not exist.
         """
         from .storage import save_result
 
-        return save_result(self, Path(path), names)
+        return save_result(self, path_of(path, "a table"), names)
 
     def __repr__(self) -> str:
         stats = self.stats

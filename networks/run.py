@@ -3,19 +3,34 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, field
-from numbers import Real
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from ..components.base import ModelError, SimulationError
+from ..components.base import (
+    Interrupted,
+    ModelError,
+    SimulationError,
+    above,
+    between,
+    demand,
+    finite,
+    one_of,
+    optional,
+    whole,
+)
+from .blame import GUARD, told_without_value
 from .closed import Closed
 from .events import Event, Switcher
 from .initial import Decisions
-from .point import Point
+from .legs import Leg
+from .point import Point, solve_algebraic
 from .result import Segment
-from .stepper import Array, IntegratorError, Stepper, Stretch, Tolerance
+from .stepper import SOLVERS, Array, IntegratorError, Stepper, Stretch, Tolerance
+
+FINEST, COARSEST = 1e-14, 0.1
+MOST_OUTPUTS = 20_000_000
 
 
 @dataclass(frozen=True)
@@ -30,30 +45,36 @@ class Settings:
     solver: str
     progress: bool | None
     max_steps: int | None = None
+    max_step: float = np.inf
 
     def __post_init__(self) -> None:
-        named = {name: getattr(self, name) for name in ("begin", "stop", "step", "rtol", "atol")}
-        if self.step is None:
-            del named["step"]
-        problems = [
-            f"{name} must be a number, got {value!r}"
-            for name, value in named.items()
-            if not isinstance(value, Real)
-        ]
-        if problems:
-            raise ModelError("this run cannot be done:", problems)
-        if not all(np.isfinite([*named.values()])):
-            problems.append("begin, stop, step, rtol and atol must be finite numbers")
-        elif not self.stop > self.begin:
-            problems.append(f"stop must be after begin ({self.begin:g} s), got {self.stop:g} s")
-        for name, unit in (("step", " s"), ("rtol", ""), ("atol", "")):
-            value = named.get(name, 1.0)
-            if value <= 0:
-                problems.append(f"{name} must be above 0{unit}, got {value:g}{unit}")
-        if self.max_steps is not None and not self.max_steps > 0:
-            problems.append(f"max_steps must be above 0, got {self.max_steps!r}")
-        if problems:
-            raise ModelError("this run cannot be done:", problems)
+        demand(
+            "this run",
+            begin=(self.begin, finite("s")),
+            stop=(self.stop, finite("s")),
+            step=(self.step, optional(above(0, "s"))),
+            rtol=(self.rtol, between(FINEST, COARSEST)),
+            atol=(self.atol, above(0)),
+            solver=(self.solver, one_of(SOLVERS)),
+            max_steps=(self.max_steps, optional(whole(1))),
+            max_step=(self.max_step, _longest),
+        )
+        span = self.stop - self.begin
+        if not self.stop > self.begin:
+            problem = f"stop must be after begin ({self.begin:g} s), got {self.stop:g} s"
+        elif self.step is not None and span / self.step > MOST_OUTPUTS:
+            problem = (
+                f"step = {self.step:g} s asks for {span / self.step:.3g} outputs of {span:g} s, more "
+                f"than {MOST_OUTPUTS:.0e}; give step={span / MOST_OUTPUTS:.1g} or more (the integrator's own "
+                "steps are as small as rtol= wants them)"
+            )
+        elif self.begin + span / 500 == self.begin:
+            problem = (
+                f"stop = {self.stop!r} s is too near to begin = {self.begin!r} s for numbers between them"
+            )
+        else:
+            return
+        raise ModelError("this run cannot be done:", [problem])
 
     @property
     def tolerance(self) -> Tolerance:
@@ -67,6 +88,11 @@ class Settings:
         return np.linspace(self.begin, self.stop, count + 1)
 
 
+def _longest(step: Any) -> str:
+    """Say that a longest step must be above 0 s, and may be infinite."""
+    return "" if isinstance(step, float) and step == np.inf else above(0, "s")(step)
+
+
 @dataclass(eq=False)
 class Run:
     """A run in progress: where it stands and what it has recorded."""
@@ -76,11 +102,23 @@ class Run:
     point: Point
     switcher: Switcher | None
     initial: Decisions
+    legs: list[Leg] = field(default_factory=lambda: [Leg(-np.inf, np.inf)])
+    leg_number: int = 0
     segments: list[Segment] = field(default_factory=list)
     events: list[Event] = field(default_factory=list)
     calls: int = 0
     steps: int = 0
     limiting: str = ""
+
+    @property
+    def leg(self) -> Leg:
+        """The leg on which the run is."""
+        return self.legs[self.leg_number]
+
+    @property
+    def max_step(self) -> float:
+        """The longest step that the present leg and the settings allow [s]."""
+        return min(self.leg.max_step, self.settings.max_step)
 
     def record(self, times: Any, states: Any, algebraic: Any) -> None:
         """Append points to the present segment."""
@@ -104,18 +142,73 @@ class Run:
         self.record(p.t, p.x, p.z)
 
 
+def enter_next_leg(run: Run) -> bool:
+    """Go on to the next leg if the present one is done, fire what fires there; tell whether it was.
+
+    What was given may jump there: two points, before and after, share that instant.
+    """
+    if run.point.t < run.leg.end or run.leg_number + 1 == len(run.legs):
+        return False
+    run.leg_number += 1
+    jumps = run.leg.jumps
+    if jumps:
+        record_here(run)
+    point = run.point = Point(run.leg.begin, run.point.x.copy(), run.point.z.copy(), run.point.q)
+    if jumps:
+        solve_algebraic(run.closed, point)
+    happened = run.switcher.settle(point) if run.switcher else []
+    run.events += happened
+    if jumps or happened:
+        run.open_segment()
+    return True
+
+
+def record_here(run: Run) -> None:
+    """Record where a run stands, unless that was done."""
+    point = run.point
+    if point.t > run.segments[-1].times[-1][-1]:
+        run.record(point.t, point.x, point.z)
+
+
+def _advance(run: Run, stepper: Stepper, point: Point, span: float) -> Stretch:
+    """Integrate from a point, a little inside the present leg where that ends."""
+    leg, t, end = run.leg, point.t, point.t + span
+    if len(run.legs) > 1:
+        inside = 2 * np.spacing(max(abs(leg.begin), abs(leg.end)))
+        t, end = max(t, leg.begin + inside), min(end, leg.end - inside)
+        if end - t < 2 * inside:
+            resting = [np.tile(values, (stepper.nodes, 1)) for values in (point.x, point.z)]
+            return Stretch(resting[0], resting[1], 0)
+    return stepper.run(t, point.x, point.z, point.q, end - t, run.max_step)
+
+
 def integrate(run: Run, stepper: Stepper, point: Point, span: float) -> Stretch:
     """Integrate one stretch; when that fails at once, from node to node."""
     try:
         return attempt(run, stepper, point, span)
     except IntegratorError:
         return _node_by_node(run, stepper, point, span)
+    except Interrupted:
+        if run.switcher is None:  # otherwise nodes may lie beyond an event
+            done = stepper.reached()
+            run.steps += done.steps
+            _keep(run, point, span / stepper.nodes, done.states, done.algebraic)
+        raise
+
+
+def _keep(run: Run, point: Point, step: float, states: Array, algebraic: Array) -> None:
+    """Record those of the first nodes of a stretch that came to no end that are not recorded yet."""
+    times = point.t + step * np.arange(1, len(states) + 1)
+    new = times > run.segments[-1].times[-1][-1]
+    if new.any():
+        run.record(times[new], states[new], algebraic[new])
+        run.point = Point(float(times[-1]), states[-1], algebraic[-1], point.q)
 
 
 def attempt(run: Run, stepper: Stepper, point: Point, span: float) -> Stretch:
     """Integrate one stretch at once."""
     run.calls += 1
-    stretch = stepper.run(point.t, point.x, point.z, point.q, span)
+    stretch = _advance(run, stepper, point, span)
     run.count(stretch.steps)
     return stretch
 
@@ -126,14 +219,16 @@ def _node_by_node(run: Run, stepper: Stepper, point: Point, span: float) -> Stre
     t, x, z, steps = point.t, point.x, point.z, 0
     states: list[Array] = []
     algebraic: list[Array] = []
-    for number in range(stepper.nodes):
+    for _ in range(stepper.nodes):
         try:
-            piece = stepper.run(t, x, z, point.q, step)
+            piece = _advance(run, stepper, Point(t, x, z, point.q), step)
         except IntegratorError:
-            if number:
-                times = point.t + step * np.arange(1, number + 1)
-                run.record(times, np.array(states), np.array(algebraic))
+            _keep(run, point, step, np.array(states), np.array(algebraic))
             _approach(run, stepper, Point(t, x, z, point.q), step)
+            raise
+        except Interrupted:
+            if run.switcher is None:
+                _keep(run, point, step, np.array(states), np.array(algebraic))
             raise
         t, x, z = t + step, piece.states[-1], piece.algebraic[-1]
         states.append(x)
@@ -147,16 +242,16 @@ def _approach(run: Run, stepper: Stepper, point: Point, span: float) -> None:
     """Advance towards a failure in ever smaller strides, recording what is reached."""
     t, x, z = point.t, point.x, point.z
     smallest = max(1e-6 * span, 1e-14 * abs(t))
+    strider = run.closed.stepper(stepper.solver, run.settings.tolerance, 1, stepper.most_steps)
     while span > smallest:
         span /= 2
         try:
-            stretch = stepper.run(t, x, z, point.q, span)
+            stretch = _advance(run, strider, Point(t, x, z, point.q), span)
         except IntegratorError:
             continue
         run.count(stretch.steps)
-        times = t + span * np.arange(1, stepper.nodes + 1) / stepper.nodes
-        run.record(times, stretch.states, stretch.algebraic)
-        t, x, z = float(times[-1]), stretch.states[-1], stretch.algebraic[-1]
+        t, x, z = t + span, stretch.states[-1], stretch.algebraic[-1]
+        run.record(t, x, z)
     run.point = Point(t, x, z, point.q)
 
 
@@ -182,11 +277,16 @@ def failure(run: Run, error: Exception) -> str:
         return f"'{dae.name}': {error}"
     rate, bend = _motion(run)
     wrong = [dae.state_names[i] for i in np.flatnonzero(~np.isfinite(rate))]
-    if wrong:
+    blamed = told_without_value(run.closed, point.x, point.z, point.q, point.t, _output_step(run))
+    if wrong or blamed:
+        told = (
+            f"the rate of {', '.join(wrong[:5])} is not a finite number"
+            if wrong
+            else "the solver cannot go on"
+        )
         return (
-            f"'{dae.name}': at t = {point.t:.9g} s the rate of {', '.join(wrong[:5])} is not a finite "
-            "number; an input, a division by zero, or a root of a negative number there makes it so. "
-            "Results up to there are kept in the error's `result`"
+            f"'{dae.name}': at t = {point.t:.9g} s {told}: {blamed or 'a division by zero makes it so'}; "
+            f"{GUARD}. Results up to there are kept in the error's `result`"
         )
     weight = bend / (settings.rtol * np.abs(point.x) + settings.atol)
     worst = int(np.argmax(np.where(np.isfinite(weight), weight, np.inf))) if len(rate) else 0
@@ -195,9 +295,24 @@ def failure(run: Run, error: Exception) -> str:
     reason = str(error).strip().splitlines()[-1]
     return (
         f"'{dae.name}': integration failed at t = {point.t:.9g} s; the state that limited the step is "
-        f"{state}. If it is really that fast, give a smaller step=. Results up to there are kept in the "
+        f"{state}. If it is really that fast, give a smaller step= than {_output_step(run):.3g} s, or "
+        f"a shorter run than {settings.stop - settings.begin:.3g} s. Results up to there are kept in the "
         f"error's `result`. Solver: {reason}"
     )
+
+
+def interruption(run: Run) -> str:
+    """Say when a run was interrupted."""
+    dae, point, settings = run.closed.dae, run.point, run.settings
+    return (
+        f"'{dae.name}': interrupted at t = {point.t:.9g} s of {settings.stop:g} s. Results up to there are "
+        "kept in the error's `result`"
+    )
+
+
+def _output_step(run: Run) -> float:
+    first, second = run.settings.outputs[:2]
+    return float(second - first)
 
 
 def _motion(run: Run) -> tuple[Array, Array]:

@@ -39,15 +39,33 @@ class Sensitivities:
         self._of_q[[table.index[n] for n in names], range(len(names))] = 1.0
         self._slopes: list[Array] = [start_slopes(closed, point, wanted, self._of_q)]
 
-    def advance(self, stepper: Stepper, point: Point, span: float, begin: int) -> None:
-        """Carry the sensitivities over one chunk that starts at output number `begin`."""
+    def advance(
+        self,
+        stepper: Stepper,
+        point: Point,
+        span: float,
+        max_step: float,
+        begin: int,
+        nodes: NDArray[np.int64],
+    ) -> None:
+        """Carry the sensitivities from point number `begin` on; some nodes of the stretch are points."""
         seeds = self._slopes[begin], self._of_q
-        moved = stepper.sensitivity(point.t, point.x, point.z, point.q, span, seeds)
-        self._slopes = [*self._slopes[: begin + 1], *moved.transpose(1, 0, 2)]
+        moved = stepper.sensitivity(point.t, point.x, point.z, point.q, span, max_step, seeds)
+        self._slopes = [*self._slopes[: begin + 1], *moved.transpose(1, 0, 2)[nodes]]
 
-    def collected(self) -> dict[str, Array]:
-        """Return, for each parameter, d(states)/d(parameter), (outputs, states)."""
-        stacked = np.array(self._slopes)
+    def repeat(self, points: int) -> int:
+        """Give further points at this instant the same sensitivities; return the last one's number."""
+        self._slopes += [self._slopes[-1]] * (points - len(self._slopes))
+        return points - 1
+
+    def collected(self, points: int) -> dict[str, Array]:
+        """Return, for each parameter, d(states)/d(parameter) at the points recorded, (points, states).
+
+        Of a run that came to no end there are none if more points were kept than could be followed.
+        """
+        if len(self._slopes) < points:
+            return {}
+        stacked = np.array(self._slopes[:points])
         return {name: stacked[:, :, k] for k, name in enumerate(self.names)}
 
 

@@ -6,6 +6,8 @@ from collections.abc import Iterable
 from fnmatch import fnmatchcase
 from typing import TYPE_CHECKING
 
+from ..components.base import UnknownNameError, text
+
 if TYPE_CHECKING:
     from .dae import DAE
 
@@ -18,11 +20,11 @@ def chosen_signals(dae: DAE, names: Iterable[str]) -> list[str]:
         names: full names; a `*` stands for any part of one.
 
     Raises:
-        KeyError: for an unknown signal, with the nearest one, or a pattern that matches none.
+        UnknownNameError: for an unknown signal, with the nearest one, or a pattern that matches none.
     """
     chosen: dict[str, None] = {}
     for name in names:
-        if "*" in name:
+        if not text(name) and "*" in name:
             chosen |= dict.fromkeys(_matching(dae, name))
         else:
             dae.expression(name)
@@ -34,5 +36,5 @@ def _matching(dae: DAE, pattern: str) -> list[str]:
     known = [*dae.names(), *dae.switching.mode_names]
     matches = [name for name in known if fnmatchcase(name, pattern)]
     if not matches:
-        raise KeyError(f"'{dae.name}' has no variable like '{pattern}'")
+        raise UnknownNameError(f"'{dae.name}' has no variable like '{pattern}'")
     return matches

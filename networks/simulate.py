@@ -9,8 +9,17 @@ from typing import Any
 
 import numpy as np
 
-from ..components.base import InitialConditionError, ModelError, SimulationError
+from ..components.base import (
+    InitialConditionError,
+    Interrupted,
+    ModelError,
+    RunInterruptedError,
+    SimulationError,
+    heed,
+    interruptible,
+)
 from .closed import Closed
+from .coverage import check_covered, data_notes
 from .dae import DAE
 from .events import Event, Switcher
 from .hybrid import MOST_STEPS, NODES, run_hybrid
@@ -18,9 +27,9 @@ from .initial import Wishes, initial_values, wishes
 from .point import Point
 from .progress import Progress
 from .result import Result
-from .run import Run, Settings, failure, limiting_state
+from .run import Run, Settings, failure, interruption, limiting_state
 from .sensitivity import Sensitivities
-from .smooth import run_smooth, smooth_pieces
+from .smooth import run_smooth, smooth_stepper
 from .stepper import Array, IntegratorError
 
 
@@ -35,36 +44,32 @@ def simulate(
 ) -> Result:
     """Run a DAE; see `DAE.simulate`."""
     began = clock.perf_counter()
-    _check_mappings(start=start, guess=guess, inputs=inputs, parameters=parameters)
     closed = dae.closed(inputs)
+    check_covered(dae.name, closed.signals, settings.begin, settings.stop)
     numbers = dae.system.flat.table.values(dict(parameters))
     others = closed.q.numel() - len(numbers)
     q = np.concatenate([numbers, np.zeros(others)])
     wanted = wishes(dae, start, guess)
     run = started(closed, settings, q, wanted)
+    run.legs = closed.legs(q, settings.begin, settings.stop)
     outputs = settings.outputs
     compiled = settings.solver == "compiled"
     if compiled and sensitivities:
         raise ModelError("solver 'compiled' does not follow sensitivities; use 'auto'")
     follow = Sensitivities(closed, sensitivities, run.point, wanted) if sensitivities else None
     solver, go = _compiled(run, outputs) if compiled else _interpreted(run, outputs, follow)
-    with Progress(dae.name, settings.begin, settings.stop, settings.progress) as progress:
+    show = Progress(dae.name, settings.begin, settings.stop, settings.progress)
+    with interruptible(), show as progress:
         try:
             go(progress)
+            heed()
         except (IntegratorError, SimulationError) as error:
             result = collected(run, solver, began, follow)
             raise SimulationError(failure(run, error), result) from error
+        except Interrupted:
+            result = collected(run, solver, began, follow)
+            raise RunInterruptedError(interruption(run), result) from None
     return collected(run, solver, began, follow)
-
-
-def _check_mappings(**given: Any) -> None:
-    problems = [
-        f"{name} maps names to values, such as {name}={{'mass.s': 0.1}}; got {value!r}"
-        for name, value in given.items()
-        if not isinstance(value, Mapping)
-    ]
-    if problems:
-        raise ModelError("this run cannot be done:", problems)
 
 
 def _compiled(run: Run, outputs: Array) -> tuple[str, Callable[[Progress], None]]:
@@ -76,11 +81,12 @@ def _interpreted(
     run: Run, outputs: Array, follow: Sensitivities | None
 ) -> tuple[str, Callable[[Progress], None]]:
     switcher = run.switcher
-    pieces = (NODES, MOST_STEPS) if switcher else smooth_pieces(len(outputs) - 1)
-    stepper = run.closed.stepper(run.settings.solver, run.settings.tolerance, *pieces)
-    run.open_segment()
     if switcher is None:
-        return stepper.solver, lambda progress: run_smooth(run, stepper, outputs, progress, follow)
+        stepper = smooth_stepper(run, outputs)
+        run.open_segment()
+        return stepper.solver, lambda progress: run_smooth(run, outputs, progress, follow)
+    stepper = run.closed.stepper(run.settings.solver, run.settings.tolerance, NODES, MOST_STEPS)
+    run.open_segment()
     return stepper.solver, lambda progress: run_hybrid(run, switcher, stepper, outputs, progress)
 
 
@@ -165,17 +171,21 @@ def collected(run: Run, solver: str, began: float, follow: Sensitivities | None)
         by_component[event.component] = by_component.get(event.component, 0) + 1
     stats = {
         "solver": solver,
+        "rtol": run.settings.rtol,
+        "atol": run.settings.atol,
         "steps": run.steps,
         "integrator calls": run.calls,
         "events": len(run.events),
         "events by component": by_component,
         "seconds": clock.perf_counter() - began,
     }
-    notes = run.switcher.notes if run.switcher else []
-    sensitivities = follow.collected() if follow else {}
+    closed, notes = run.closed, list(run.switcher.notes if run.switcher else [])
+    notes += data_notes(closed.dae.inputs, closed.signals, run.settings.begin, run.settings.stop)
+    sensitivities = follow.collected(sum(map(len, run.segments))) if follow else {}
     return Result(
         run.closed,
         run.segments,
+        run.legs,
         run.events,
         stats,
         run.initial,

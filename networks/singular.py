@@ -35,6 +35,8 @@ def tell_singular(system: System, over: list[Equation], under: list[int]) -> lis
     concerned: set[int] = set()
     for equations in _grouped(over, place.unknowns_of):
         instances = place.instances_of(equations)
+        if not instances and under:
+            continue
         concerned |= place.through(instances)
         problems.append(_conflict(place, instances))
     open_ = [unknowns for unknowns in _grouped(under, place.equations_with) if not concerned & set(unknowns)]

@@ -8,6 +8,7 @@ from typing import Any
 
 import numpy as np
 
+from .coverage import check_covered
 from .dae import DAE
 from .initial import wishes
 from .run import Settings
@@ -31,6 +32,7 @@ def starting_point(dae: DAE, inputs: Mapping[str, Any], start: Mapping[str, floa
         InitialConditionError: for start values that contradict each other.
     """
     closed = dae.closed(inputs)
+    check_covered(dae.name, closed.signals, 0.0, 0.0)
     numbers = dae.system.flat.table.values({})
     q = np.concatenate([numbers, np.zeros(closed.q.numel() - len(numbers))])
     settings = Settings(0.0, 1.0, 1.0, 1e-6, 1e-8, "auto", False)

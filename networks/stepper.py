@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from math import ceil, log
 from typing import TYPE_CHECKING, Any
 
 import casadi as ca
 import numpy as np
 from numpy.typing import NDArray
 
-from ..components.base import ModelError
+from ..components.base import ModelError, foreign
 from .compiled import Compiled
 
 if TYPE_CHECKING:
@@ -59,8 +60,6 @@ class Stepper:
     def __init__(
         self, closed: Closed, solver: str, tolerance: Tolerance, nodes: int, most_steps: int
     ) -> None:
-        if solver not in SOLVERS:
-            raise ModelError(f"there is no solver '{solver}', only {', '.join(SOLVERS)}")
         dae = closed.dae
         if solver == "auto":
             solver = "idas" if dae.z.numel() else "cvodes"
@@ -69,15 +68,23 @@ class Stepper:
                 f"'{dae.name}' keeps {dae.z.numel()} algebraic unknowns, which solver 'cvodes' cannot "
                 "handle; use 'idas', 'rosenbrock' or 'auto'"
             )
-        self.solver, self.nodes = solver, nodes
+        self.solver, self.nodes, self.most_steps = solver, nodes, most_steps
         self.scale = nominal_sizes(dae, dae.states)
         self.nx, self.nz = dae.x.numel(), dae.z.numel()
-        self._function = self._build(closed, tolerance, most_steps)
-        self._compiled = Compiled(self._function)
+        self._closed, self._tolerance, self._most_steps = closed, tolerance, most_steps
+        self._made: dict[int, Compiled] = {}
+        self._compiled = self._divided(1)
         self._stretch = 0.0, 0.0
-        self._unused = [np.zeros(self._function.nnz_in(i)) for i in range(3, self._function.n_in())]
+        function = self._compiled.function
+        self._unused = [np.zeros(function.nnz_in(i)) for i in range(3, function.n_in())]
 
-    def _build(self, closed: Closed, tolerance: Tolerance, most_steps: int) -> Any:
+    def _divided(self, parts: int) -> Compiled:
+        """Return the integrator that takes at least so many steps for a stretch, made once."""
+        if parts not in self._made:
+            self._made[parts] = Compiled(self._build(self._closed, self._tolerance, parts))
+        return self._made[parts]
+
+    def _build(self, closed: Closed, tolerance: Tolerance, parts: int) -> Any:
         kind: Any = type(closed.x)
         begin, span, tau = (kind.sym(n) for n in ("begin", "span", "tau"))
         scale = ca.DM(self.scale)
@@ -96,50 +103,74 @@ class Stepper:
         if closed.dae.hybrid and self.solver != "rosenbrock":
             tolerance = tolerance.between_events()
         options: dict[str, Any] = {"reltol": tolerance.rtol, "abstol": tolerance.atol}
-        options |= {"max_num_steps": most_steps, "show_eval_warnings": False}
+        options |= {"max_num_steps": self._most_steps + -(-parts // self.nodes), "show_eval_warnings": False}
+        if parts > 1:
+            options["max_step_size"] = 1 / parts
         if self.solver != "rosenbrock":
             options["disable_internal_warnings"] = True
         grid = np.linspace(0, 1, self.nodes + 1)[1:]
         return ca.integrator("run", self.solver, problem, 0.0, grid, options)
 
-    def run(self, t: float, x: Array, z: Array, q: Array, span: float) -> Stretch:
-        """Integrate over (t, t + span]."""
+    def run(self, t: float, x: Array, z: Array, q: Array, span: float, max_step: float = np.inf) -> Stretch:
+        """Integrate over (t, t + span], in steps no longer than `max_step`, or a quarter of it."""
         x0 = x / self.scale if self.nx else np.zeros(1)
+        self._compiled = self._divided(_parts(span, max_step))
         self._stretch = t, span
         self._compiled.empty()
         try:
-            results = self._compiled(x0, z, np.concatenate([q, [t, span]]), *self._unused)
+            with foreign():
+                results = self._compiled(x0, z, np.concatenate([q, [t, span]]), *self._unused)
         except RuntimeError as error:
             raise IntegratorError(str(error)) from error
+        stretch = self._stretched(results)
+        if not np.isfinite(stretch.states).all():
+            raise IntegratorError(f"{self.solver} left the finite numbers")
+        return stretch
+
+    def _stretched(self, results: list[Array]) -> Stretch:
         stats = self._compiled.stats()
         states, algebraic = (result.reshape(self.nodes, -1) for result in results[:2])
-        states = states[:, : self.nx] * self.scale
-        if not np.isfinite(states).all():
-            raise IntegratorError(f"{self.solver} left the finite numbers")
-        return Stretch(states, algebraic, int(stats.get("nsteps", stats.get("n_steps", 0))))
+        steps = int(stats.get("nsteps", stats.get("n_steps", 0)))
+        return Stretch(states[:, : self.nx] * self.scale, algebraic, steps)
+
+    def reached(self) -> Stretch:
+        """Return what a call that Ctrl-C ended had computed."""
+        stretch = self._stretched(self._compiled.results())
+        done = round(self._compiled.filled() * self.nodes)
+        return Stretch(stretch.states[:done], stretch.algebraic[:done], stretch.steps)
 
     def now(self) -> float:
         """Return the time to which the call under way in another thread has come."""
         t, span = self._stretch
         return t + span * self._compiled.filled()
 
-    def sensitivity(self, t: float, x: Array, z: Array, q: Array, span: float, seeds: Any) -> Any:
+    def sensitivity(
+        self, t: float, x: Array, z: Array, q: Array, span: float, max_step: float, seeds: Any
+    ) -> Any:
         """Return d(states)/d(seeds), (nx, nodes, seeds); seeds are directions (of x, of q)."""
         of_x, of_q = seeds
         count = of_x.shape[1]
-        forward = self._function.forward(count)
+        function = self._divided(_parts(span, max_step)).function
+        forward = function.forward(count)
         p = np.concatenate([q, [t, span]])
-        plain = self._function(x0=x / self.scale, z0=z, p=p)
+        with foreign():
+            plain = function(x0=x / self.scale, z0=z, p=p)
         names = forward.name_in()
         given: dict[str, Any] = {"x0": x / self.scale, "z0": z, "p": p}
         given |= {f"out_{name}": plain[name] for name in plain}
         given["fwd_x0"] = of_x / self.scale[:, None]
         given["fwd_p"] = np.vstack([of_q, np.zeros((2, count))])
-        result = forward(**{name: given[name] for name in names if name in given})
+        with foreign():
+            result = forward(**{name: given[name] for name in names if name in given})
         by_seed = result["fwd_xf"].full()[: self.nx].reshape(self.nx, count, self.nodes)
         moved = by_seed.transpose(0, 2, 1)
         scaled: Array = moved * self.scale[:, None, None]
         return scaled
+
+
+def _parts(span: float, max_step: float) -> int:
+    """Return how many steps a stretch takes at least: a power of four, so that few kinds are made."""
+    return 4 ** ceil(log(span / max_step, 4) - 1e-9) if span > max_step else 1
 
 
 def nominal_sizes(dae: Any, variables: list[int]) -> Array:

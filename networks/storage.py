@@ -11,6 +11,15 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from ..components.base import (
+    MissingPackageError,
+    ModelError,
+    check_output,
+    path_of,
+    text_of,
+    there_is_file,
+    writing,
+)
 from .signals import chosen_signals
 
 if TYPE_CHECKING:
@@ -30,29 +39,34 @@ def save_result(result: Result, path: Path, names: Sequence[str]) -> Path:
         names: signals or patterns (`mass.*`); the states if there are none.
 
     Raises:
-        KeyError: for an unknown signal, with the nearest one.
-        ValueError: for another ending.
-        FileNotFoundError: if the folder does not exist.
-        ModuleNotFoundError: for .parquet without pyarrow.
+        UnknownNameError: for an unknown signal, with the nearest one.
+        OutputError: for another ending, a folder that does not exist, or a file that cannot be written.
+        MissingPackageError: for .parquet without pyarrow.
     """
     ending = check_table_path(path)
     table = result.to_dataframe(*chosen_signals(result.dae, names))
+    with writing(path) as part:
+        _write(table, part, ending)
+    return path
+
+
+def _write(table: pd.DataFrame, path: Path, ending: str) -> None:
+    units = table.attrs["units"]
     if ending == ".csv":
-        units = table.attrs["units"]
         table.columns = [_headed(name, units[name]) for name in table.columns]
-        table.to_csv(path, index_label=_headed("time", "s"))
+        table.to_csv(path, index_label=_headed("time", "s"), encoding="utf-8")
     elif ending == ".parquet":
         table.to_parquet(path)
     else:
         columns = list(table.columns)
-        np.savez_compressed(
-            path,
-            time=result.time,
-            values=table.to_numpy(),
-            names=np.array(columns, dtype=str),
-            units=np.array([table.attrs["units"][name] for name in columns], dtype=str),
-        )
-    return path
+        with path.open("wb") as file:  # by its name NumPy would add an ending
+            np.savez_compressed(
+                file,
+                time=table.index.to_numpy(),
+                values=table.to_numpy(),
+                names=np.array(columns, dtype=str),
+                units=np.array([units[name] for name in columns], dtype=str),
+            )
 
 
 def load_table(path: str | Path) -> pd.DataFrame:
@@ -65,9 +79,9 @@ def load_table(path: str | Path) -> pd.DataFrame:
         path: a file written by `Result.save`, or a .csv file of measurements.
 
     Raises:
-        ValueError: for another ending, or for what is no table of numbers over time, with file,
+        ModelError: for another ending, or for what is no table of numbers over time, with file,
             line and column.
-        FileNotFoundError: if there is no such file.
+        MissingFileError: if there is no such file.
 
     Example:
         >>> from tempfile import TemporaryDirectory
@@ -80,26 +94,26 @@ def load_table(path: str | Path) -> pd.DataFrame:
         >>> table.attrs["units"]
         {'mass.a': 'm/s2'}
     """
-    path = Path(path)
+    path = path_of(path, "a table")
     ending = _ending(path)
-    if not path.is_file():
-        raise FileNotFoundError(f"there is no file '{path}'")
+    there_is_file(path)
     if ending == ".csv":
         return _read_csv(path)
     if ending == ".parquet":
         _need_pyarrow(path)
     try:
         stored = _read_parquet(path) if ending == ".parquet" else _read_npz(path)
-    except (OSError, ValueError) as error:
-        raise ValueError(f"{path}: cannot be read ({error})") from error
+    except ModelError as error:
+        raise ModelError(f"{path}: {error}") from None
+    except Exception as error:  # every library that reads a format has errors of its own
+        raise ModelError(f"{path}: cannot be read ({error})") from error
     return stored
 
 
 def check_table_path(path: Path) -> str:
     """Return the ending of a file to be written, or raise what `save_result` would raise."""
     ending = _ending(path)
-    if not path.parent.is_dir():
-        raise FileNotFoundError(f"there is no folder '{path.parent}' to write '{path.name}' into")
+    check_output(path)
     if ending == ".parquet":
         _need_pyarrow(path)
     return ending
@@ -108,13 +122,13 @@ def check_table_path(path: Path) -> str:
 def _ending(path: Path) -> str:
     ending = path.suffix.lower()
     if ending not in ENDINGS:
-        raise ValueError(f"'{path}' ends in '{path.suffix}'; tables end in {', '.join(ENDINGS)}")
+        raise ModelError(f"'{path}' ends in '{path.suffix}'; tables end in {', '.join(ENDINGS)}")
     return ending
 
 
 def _need_pyarrow(path: Path) -> None:
     if find_spec("pyarrow") is None:
-        raise ModuleNotFoundError(
+        raise MissingPackageError(
             f"'{path}': .parquet needs pyarrow; run `pip install 'inertance[parquet]'` or use .csv"
         )
 
@@ -135,7 +149,7 @@ def _read_npz(path: Path) -> pd.DataFrame:
     with np.load(path) as stored:
         missing = {"time", "values", "names", "units"} - set(stored.files)
         if missing:
-            raise ValueError(f"no array {', '.join(sorted(missing))}; not a saved result")
+            raise ModelError(f"no array {', '.join(sorted(missing))}; not a saved result")
         names, units = stored["names"].tolist(), stored["units"].tolist()
         columns = dict(zip(names, stored["values"].T, strict=True))
         return _table(columns, stored["time"], dict(zip(names, units, strict=True)))
@@ -147,17 +161,14 @@ def _read_parquet(path: Path) -> pd.DataFrame:
     table = pd.read_parquet(path)
     if table.index.name != "time":
         if "time" not in table.columns:
-            raise ValueError(f"no column 'time' among {', '.join(table.columns)}")
+            raise ModelError(f"no column 'time' among {', '.join(table.columns)}")
         table = table.set_index("time")
     table.attrs.setdefault("units", dict.fromkeys(table.columns, ""))
     return table
 
 
 def _read_csv(path: Path) -> pd.DataFrame:
-    try:
-        lines = path.read_text(encoding="utf-8-sig").rstrip().splitlines()
-    except UnicodeDecodeError as error:
-        raise ValueError(f"{path}: not a text file in UTF-8 ({error.reason})") from error
+    lines = text_of(path).rstrip().splitlines()
     rows = csv.reader(lines, skipinitialspace=True)
     headers = [_split(header) for header in next(rows, [])]
     units = dict(headers)
@@ -176,25 +187,25 @@ def _split(header: str) -> tuple[str, str]:
 def _check_headers(path: Path, names: list[str], units: dict[str, str]) -> None:
     where = f"{path}, line 1"
     if "time" not in units:
-        raise ValueError(
+        raise ModelError(
             f"{where}: no column 'time' among {', '.join(names)}; name one 'time' or 'time [s]', and "
             "separate columns by commas"
         )
     if units["time"] not in ("", "s"):
-        raise ValueError(f"{where}, column 'time': the unit must be s, got {units['time']}")
+        raise ModelError(f"{where}, column 'time': the unit must be s, got {units['time']}")
     twice = sorted({name for name in names if names.count(name) > 1})
     if twice:
-        raise ValueError(f"{where}: column '{twice[0]}' is there twice")
+        raise ModelError(f"{where}: column '{twice[0]}' is there twice")
 
 
 def _numbers(path: Path, line: int, row: list[str], names: list[str]) -> list[float]:
     if len(row) != len(names):
-        raise ValueError(f"{path}, line {line}: {len(row)} cells, but {len(names)} columns")
+        raise ModelError(f"{path}, line {line}: {len(row)} cells, but {len(names)} columns")
     try:
         return [float(cell) for cell in row]
     except ValueError:
         column = next(i for i, cell in enumerate(row) if not _is_number(cell))
-        raise ValueError(
+        raise ModelError(
             f"{path}, line {line}, column '{names[column]}': '{row[column]}' is no number"
         ) from None
 

@@ -11,10 +11,21 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ..components.base import ModelError
+from ..components.base import (
+    MissingPackageError,
+    ModelError,
+    boolean,
+    demand,
+    is_number,
+    listed,
+    named,
+    shown,
+    whole,
+)
 
 Ranges = Mapping[str, Any]
 Array = NDArray[np.float64]
+MOST_POINTS = 50_000_000
 
 
 @dataclass(frozen=True)
@@ -30,6 +41,9 @@ class Design:
     second_order: bool | None = None
 
     def __post_init__(self) -> None:
+        object.__setattr__(self, "names", listed("names", self.names))
+        if not all(isinstance(rows, Sequence) for rows in (self.points, *_rows(self.points))):
+            raise ModelError(f"points are rows of values, one for each parameter, got {shown(self.points)}")
         for number, point in enumerate(self.points):
             if len(point) != len(self.names):
                 raise ModelError(f"point {number} has {len(point)} values for {len(self.names)} parameters")
@@ -48,6 +62,7 @@ def grid(values: Mapping[str, Iterable[Any]]) -> Design:
         >>> len(grid({"strut.damper.d": [1e3, 2e3, 3e3], "strut.inerter.b": [50.0, 100.0]}))
         6
     """
+    values = named("a grid", values)
     for name, given in values.items():
         if isinstance(given, str) or not isinstance(given, Iterable):
             raise ModelError(f"'{name}': a grid takes a list of values, got {given!r}; write [{given!r}]")
@@ -62,7 +77,7 @@ def monte_carlo(ranges: Ranges, count: int, *, seed: int = 0) -> Design:
         count: how many points.
         seed: of the random numbers.
     """
-    _check_count(count)
+    _check(ranges, count, seed)
     return _drawn(ranges, np.random.default_rng(seed).random((count, len(ranges))))
 
 
@@ -73,7 +88,7 @@ def latin_hypercube(ranges: Ranges, count: int, *, seed: int = 0) -> Design:
     """
     from scipy.stats import qmc
 
-    _check_count(count)
+    _check(ranges, count, seed)
     return _drawn(ranges, qmc.LatinHypercube(len(ranges), rng=seed).random(count))
 
 
@@ -86,6 +101,7 @@ def sobol_sequence(ranges: Ranges, count: int, *, seed: int = 0) -> Design:
     """
     from scipy.stats import qmc
 
+    _check(ranges, count, seed)
     _check_power_of_two(count)
     return _drawn(ranges, qmc.Sobol(len(ranges), rng=seed).random(count))
 
@@ -100,11 +116,13 @@ def saltelli(ranges: Ranges, count: int, *, second_order: bool = False, seed: in
         seed: of the random numbers.
 
     Raises:
-        ModuleNotFoundError: without SALib: `pip install "inertance[sensitivity]"`.
+        MissingPackageError: without SALib: `pip install "inertance[sensitivity]"`.
 
     Source: A. Saltelli, Comput. Phys. Commun. 145 (2002) 280-297.
     """
+    _check(ranges, count, seed)
     _check_power_of_two(count)
+    demand("saltelli()", second_order=(second_order, boolean))
     sample, _ = salib()
     problem = unit_problem(ranges)
     return _drawn(
@@ -112,13 +130,22 @@ def saltelli(ranges: Ranges, count: int, *, second_order: bool = False, seed: in
     )
 
 
-def _check_count(count: int) -> None:
-    if count < 1:
-        raise ModelError(f"a design needs at least one point, got count={count}")
+def _check(ranges: Ranges, count: int, seed: int) -> None:
+    if not named("ranges", ranges):
+        raise ModelError("a design needs at least one parameter and one point")
+    if whole(1)(count):
+        raise ModelError(
+            f"a design needs at least one point, a whole number of them, got count={shown(count)}"
+        )
+    if count > MOST_POINTS:
+        raise ModelError(
+            f"a design of {count:.3g} points does not fit any memory; take {MOST_POINTS:.0e} or fewer"
+        )
+    demand("a design", seed=(seed, whole(0)))
 
 
 def _check_power_of_two(count: int) -> None:
-    if count < 1 or count & (count - 1):
+    if count & (count - 1):
         near = 1 << max(count, 1).bit_length()
         raise ModelError(f"a Sobol sequence is balanced for powers of 2: take {near}, not {count}")
 
@@ -135,7 +162,7 @@ def salib() -> tuple[Any, Any]:
         return import_module("SALib.sample.sobol"), import_module("SALib.analyze.sobol")
     except ImportError as error:
         told = 'Sobol indices need SALib: pip install "inertance[sensitivity]"'
-        raise ModuleNotFoundError(told) from error
+        raise MissingPackageError(told) from error
 
 
 def _drawn(ranges: Ranges, unit: Array, second_order: bool | None = None) -> Design:
@@ -148,13 +175,23 @@ def _quantile(name: str, given: Any) -> Callable[[Array], Array]:
     if hasattr(given, "ppf"):
         ppf: Callable[[Array], Array] = given.ppf
         return ppf
-    if not isinstance(given, Sequence) or len(given) != 2 or not given[0] < given[1]:
+    if not _is_range(given):
         raise ModelError(
             f"'{name}': a range is (least, greatest) or a distribution such as scipy.stats.norm(5.0, 0.1), "
             f"got {given!r}"
         )
     low, high = given
     return lambda u: low + (high - low) * u
+
+
+def _rows(points: Any) -> Iterable[Any]:
+    return points if isinstance(points, Iterable) else ()
+
+
+def _is_range(given: Any) -> bool:
+    return (
+        isinstance(given, Sequence) and len(given) == 2 and all(map(is_number, given)) and given[0] < given[1]
+    )
 
 
 def _plain(values: Iterable[Any]) -> list[Any]:

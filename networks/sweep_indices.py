@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from ..components.base import ModelError, nearest
+from ..components.base import ModelError, demand, instance, nearest, text, whole
 from .sweep_design import salib, unit_problem
 from .sweeps import Sweep
 
@@ -29,12 +29,13 @@ def sobol_indices(done: Sweep, measure: str = "value", *, seed: int = 0) -> pd.D
 
     Raises:
         ModelError: for another design, an unknown measure, or points that failed.
-        ModuleNotFoundError: without SALib: `pip install "inertance[sensitivity]"`.
+        MissingPackageError: without SALib: `pip install "inertance[sensitivity]"`.
 
     Source: A. Saltelli et al., Comput. Phys. Commun. 181 (2010) 259-270; computed by SALib.
     """
     import pandas as pd
 
+    demand("sobol_indices()", done=(done, instance(Sweep)), measure=(measure, text), seed=(seed, whole(0)))
     design = done.design
     if design.second_order is None:
         raise ModelError("Sobol indices need a sweep over the points of saltelli(ranges, count)")

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import os
-import signal
 from collections import deque
 from collections.abc import Iterable, Iterator
 from concurrent.futures import (
@@ -12,15 +11,12 @@ from concurrent.futures import (
     CancelledError,
     Executor,
     Future,
-    ProcessPoolExecutor,
     wait,
 )
 from functools import cache
-from multiprocessing import parent_process
-from threading import Thread
 from typing import Any
 
-from ..components.base import ModelError
+from ..components.base import ModelError, Processes
 from .sweep_work import Row, Values, work
 
 Point = tuple[str, Values]
@@ -51,7 +47,7 @@ class Pool:
             )
         self.workers = workers or _processors()
         self.blob, self.own = blob, executor is None
-        self.executor: Executor = executor or _processes(self.workers)
+        self.executor: Executor = executor or Processes(self.workers)
         self.width = 2 * (self.workers if self.own else _width(executor))
         self.pending: dict[Future[list[Row]], list[Point]] = {}
         self.suspects: deque[tuple[Point, int]] = deque()
@@ -70,11 +66,15 @@ class Pool:
                 yield from self._finished()
 
     def close(self, finish: bool) -> None:
-        """End own processes; if not `finish`, without what they have not begun."""
+        """End own processes; if not `finish`, without what they are at."""
         for future in self.pending:
             future.cancel()
-        if self.own:
-            self.executor.shutdown(wait=finish, cancel_futures=True)
+        if not isinstance(self.executor, Processes):
+            return
+        if finish:
+            self.executor.shutdown(cancel_futures=True)
+        else:
+            self.executor.abandon()
 
     def _submit(self, points: list[Point]) -> None:
         try:
@@ -126,7 +126,7 @@ class Pool:
                 del self.pending[future]
                 self._suspect(points)
             self.executor.shutdown(wait=False, cancel_futures=True)
-            self.executor = _processes(self.workers)
+            self.executor = Processes(self.workers)
 
 
 def _rows(future: Future[list[Row]]) -> list[Row] | None:
@@ -145,23 +145,6 @@ def _rows(future: Future[list[Row]]) -> list[Row] | None:
 def _load_tables() -> None:
     """Load what the results' table needs while processes are at work."""
     import pandas  # noqa: F401
-
-
-def _processes(workers: int) -> ProcessPoolExecutor:
-    return ProcessPoolExecutor(workers, initializer=_belong)
-
-
-def _belong() -> None:
-    """Let Ctrl-C reach only the process that collects results, and end with it, even if it is killed."""
-    signal.signal(signal.SIGINT, signal.SIG_IGN)
-    Thread(target=_end_with_parent, daemon=True).start()
-
-
-def _end_with_parent() -> None:
-    parent = parent_process()
-    if parent is not None:
-        parent.join()
-        os._exit(1)
 
 
 def _processors() -> int:

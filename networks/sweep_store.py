@@ -4,14 +4,14 @@ from __future__ import annotations
 
 import csv
 import json
-import os
 import time
 from collections.abc import Iterator
+from contextlib import contextmanager, suppress
 from dataclasses import asdict
 from pathlib import Path
 from typing import IO, TYPE_CHECKING, Any
 
-from ..components.base import ModelError
+from ..components.base import ModelError, claimed, refusal, writing
 from .storage import check_table_path
 from .sweep_work import RESERVED, Row
 
@@ -19,6 +19,17 @@ if TYPE_CHECKING:
     import pandas as pd
 
 EVERY = 30.0
+
+
+@contextmanager
+def opened(path: Path | None, names: tuple[str, ...], mark: str) -> Iterator[Store]:
+    """Give a store that is nobody else's meanwhile; see `Store`."""
+    if path is None:
+        yield Store(None, names, mark)
+        return
+    check_table_path(path)
+    with claimed(path):
+        yield Store(path, names, mark)
 
 
 class Store:
@@ -64,11 +75,14 @@ class Store:
         self.values[row.key], self.rows[row.key] = values, row
         if self.path is None:
             return
-        if self._journal is None:
-            self._journal = self.journal.open("a", encoding="utf-8")
-        json.dump({"mark": self.mark, "values": values, "row": asdict(row)}, self._journal)
-        self._journal.write("\n")
-        self._journal.flush()
+        line = json.dumps({"mark": self.mark, "values": values, "row": asdict(row)})
+        try:
+            if self._journal is None:
+                self._journal = self.journal.open("a", encoding="utf-8")
+            self._journal.write(line + "\n")
+            self._journal.flush()
+        except OSError as error:
+            raise refusal(self.journal, error) from error
         if time.monotonic() - self._folded > EVERY:
             self.fold()
 
@@ -77,18 +91,20 @@ class Store:
         if self.path is None:
             return
         if self._journal is not None:
-            self._journal.close()
-            self._journal = None
+            journal, self._journal = self._journal, None
+            with suppress(OSError):  # what it could not take is in the table
+                journal.close()
+        if not self.rows:
+            return
         table = self.table(list(self.rows))
         table.insert(0, "key", list(self.rows))
-        part = self.path.with_name(f"{self.path.name}.part")
-        if self._ending == ".parquet":
-            table.attrs["sweep"] = self.mark
-            table.to_parquet(part, index=False)
-        else:
-            table.insert(1, "sweep", self.mark)
-            table.to_csv(part, index=False)
-        os.replace(part, self.path)
+        with writing(self.path) as part:
+            if self._ending == ".parquet":
+                table.attrs["sweep"] = self.mark
+                table.to_parquet(part, index=False)
+            else:
+                table.insert(1, "sweep", self.mark)
+                table.to_csv(part, index=False, encoding="utf-8")
         self.journal.unlink(missing_ok=True)
         self._folded = time.monotonic()
 

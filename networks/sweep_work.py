@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import pickle
-import runpy
 import time
 from collections.abc import Callable
 from dataclasses import dataclass
@@ -11,8 +10,9 @@ from hashlib import sha256
 from pathlib import Path
 from typing import Any
 
-from ..components.base import ModelError
+from ..components.base import InertanceError, ModelError
 from .dae import DAE
+from .modelfile import UserCodeError, load_model
 from .network import Network
 
 Values = dict[str, Any]
@@ -97,11 +97,23 @@ def equations(model: Model) -> DAE | None:
     if model is None:
         return None
     if isinstance(model, str):
-        model = _function(model)
-    network = model() if callable(model) else model
+        network: Any = load_model(model)
+    else:
+        network = _called(model) if callable(model) else model
     if not isinstance(network, Network):
         raise ModelError(f"a sweep is over a Network, or what returns one, got {network!r}")
     return network.dae()
+
+
+def _called(model: Callable[[], Network]) -> Any:
+    """Return what a function of the user's returns."""
+    name = getattr(model, "__name__", repr(model))
+    try:
+        return model()
+    except InertanceError as error:
+        raise UserCodeError(f"model '{name}': {error}") from error
+    except Exception as error:
+        raise UserCodeError(f"model '{name}': {type(error).__name__}: {error}") from error
 
 
 def named(found: Any) -> dict[str, float | str | None]:
@@ -120,13 +132,3 @@ def named(found: Any) -> dict[str, float | str | None]:
 
 
 RESERVED = ("key", "error", "seconds")
-
-
-def _function(model: str) -> Callable[[], Network]:
-    file, _, name = model.rpartition(":")
-    if not Path(file).is_file():
-        raise ModelError(f"a model is 'path/to/file.py:function', got '{model}'")
-    found: Callable[[], Network] | None = runpy.run_path(file).get(name)
-    if found is None:
-        raise ModelError(f"'{file}' has no function '{name}'")
-    return found

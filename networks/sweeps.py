@@ -4,17 +4,18 @@ from __future__ import annotations
 
 import inspect
 import json
-from collections.abc import Callable, Iterable, Iterator, Mapping
+from collections.abc import Callable, Generator, Iterable, Mapping
+from contextlib import closing
 from dataclasses import dataclass
 from hashlib import sha256
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from ..components.base import ModelError, nearest
+from ..components.base import ModelError, SimulationError, boolean, demand, nearest, optional, path_of, whole
 from .dae import DAE
 from .progress import Progress
 from .sweep_design import Design, grid
-from .sweep_store import Store
+from .sweep_store import Store, opened
 from .sweep_work import Model, Row, Work, bequeath, equations, packed
 
 if TYPE_CHECKING:
@@ -85,6 +86,7 @@ def sweep(
 
     Raises:
         ModelError: for unknown parameters, a model that cannot be assembled, or a file of another sweep.
+        SimulationError: if no point could be computed; its `result` is the sweep.
         SweepInterruptedError: on Ctrl-C.
 
     Limits: on systems that start processes anew (Windows, macOS), a script that sweeps needs
@@ -102,8 +104,7 @@ def sweep(
         >>> [round(value, 2) for value in done.table["value"]]
         [0.93, 0.86, 0.76]
     """
-    if workers is not None and workers < 0:
-        raise ModelError(f"workers must be at least 0, got {workers}")
+    demand("sweep()", workers=(workers, optional(whole(0))), progress=(progress, optional(boolean)))
     if not callable(measure):
         raise ModelError(f"a measure is a function of the equations and the values, got {measure!r}")
     design = parameters if isinstance(parameters, Design) else grid(parameters)
@@ -111,9 +112,17 @@ def sweep(
     _check_names(dae, design)
     values = [dict(zip(design.names, point, strict=True)) for point in design.points]
     keys = [_digest(v) for v in values]
-    store = Store(None if path is None else Path(path), design.names, _mark(dae, design, measure))
-    points = {key: v for key, v in zip(keys, values, strict=True) if key not in store.rows}
-    store.values |= dict(zip(keys, values, strict=True))
+    mark = _mark(dae, design, measure)
+    title = dae.name if dae is not None else "sweep"
+    with opened(None if path is None else path_of(path, "the table of a sweep"), design.names, mark) as store:
+        points = {key: v for key, v in zip(keys, values, strict=True) if key not in store.rows}
+        store.values |= dict(zip(keys, values, strict=True))
+        rows = _rows(model, dae, measure, points, executor, workers)
+        return _gathered(design, keys, store, rows, Progress(title, 0, len(points), progress, "points"))
+
+
+def _gathered(design: Design, keys: list[str], store: Store, rows: Generator[Row], show: Progress) -> Sweep:
+    """Keep rows as they come, and return the sweep."""
     resumed = sum(key in store.rows for key in keys)
 
     def done() -> Sweep:
@@ -121,24 +130,28 @@ def sweep(
         table = store.table([keys[n] for n in there])
         return Sweep(design, table.set_index(_point_index(there)), resumed)
 
-    title = dae.name if dae is not None else "sweep"
     try:
-        with Progress(title, 0, len(points), progress, "points") as bar:
-            for count, row in enumerate(_rows(model, dae, measure, points, executor, workers), start=1):
-                store.add(points[row.key], row)
+        with show as bar, closing(rows):
+            for count, row in enumerate(rows, start=1):
+                store.add(store.values[row.key], row)
                 bar.at(count)
     except KeyboardInterrupt:
         store.fold()
         so_far = done()
-        kept = f"kept in '{path}'" if path is not None else "in the error's `sweep`"
+        kept = f"kept in '{store.path}'" if store.path is not None else "in the error's `sweep`"
         told = f"interrupted: {len(so_far.table)} of {len(design)} points are done, {kept}"
         raise SweepInterruptedError(told, so_far) from None
     except BaseException:
         store.fold()
         raise
-    if points:
+    if len(store.rows) > resumed:
         store.fold()
-    return done()
+    found = done()
+    if len(found.failed) == len(design):
+        first = found.table["error"].iloc[0]
+        told = f"'{show.name}': none of the {len(design)} points could be computed; the first: {first}"
+        raise SimulationError(told, found)
+    return found
 
 
 def _rows(
@@ -148,7 +161,7 @@ def _rows(
     points: Mapping[str, dict[str, Any]],
     executor: Any,
     workers: int | None,
-) -> Iterator[Row]:
+) -> Generator[Row]:
     if not points:
         return
     if workers == 0 and executor is None:

@@ -10,7 +10,7 @@ import casadi as ca
 import numpy as np
 from numpy.typing import NDArray
 
-from ..components.base import ModelError, nearest
+from ..components.base import ModelError, demand, finite, instance, listed, named, nearest, numbers, shown
 from .batch import Batch
 from .carrying import Steps, steps_along
 from .compiled import dense
@@ -46,7 +46,7 @@ class Variations:
 
     Raises:
         ModelError: for unknown parameters, and for networks with shocks.
-        KeyError: for unknown signals, with the nearest name.
+        UnknownNameError: for unknown signals, with the nearest name.
 
     Limits: as accurate as the points of the run resolve what happens between them.
 
@@ -65,6 +65,8 @@ class Variations:
     """
 
     def __init__(self, dae: DAE, signals: Sequence[str], parameters: Sequence[str]) -> None:
+        demand("Variations", dae=(dae, instance(DAE)))
+        signals, parameters = listed("signals", signals), listed("parameters", parameters)
         table = dae.system.flat.table
         unknown = [name for name in parameters if name not in table.index]
         if unknown:
@@ -82,6 +84,15 @@ class Variations:
 
     def values(self, result: Result, at: Any) -> Array:
         """Return the signals themselves at some of the points of a run, (points, signals)."""
+        self._check(result)
+        rows = np.arange(len(result.time))
+        try:
+            at = rows[at]
+        except (IndexError, TypeError, ValueError):
+            raise ModelError(
+                f"points of a run are numbers from 0 to {len(rows) - 1}, got {shown(at)}"
+            ) from None
+        at = np.ravel(at)
         found: Array = self._values(*result.points.only(at).arguments)[0][:, :, 0]
         return found
 
@@ -93,6 +104,9 @@ class Variations:
             start: d(states at the start)/d(parameters), (states, parameters); zero if not given.
         """
         nx, count = self.dae.x.numel(), len(self.parameters)
+        self._check(result)
+        if start is not None and (np.shape(start) != (nx, count) or numbers(finite())(start)):
+            raise ModelError(f"start is an array of numbers of shape {(nx, count)}, got {shown(start)}")
         moved = np.hstack([np.zeros((nx, count)) if start is None else start, np.eye(nx)])
         line = self._linearised(result)
         added = np.zeros((len(line.steps.own), nx, count + nx))
@@ -113,6 +127,11 @@ class Variations:
             ModelError: for unknown inputs.
         """
         nx, known = self.dae.x.numel(), self.dae.input_names
+        self._check(result)
+        if not named("changes", changes):
+            raise ModelError(
+                f"changes are of at least one input; the inputs are {', '.join(known) or 'none'}"
+            )
         told = [f"there is no input '{name}'{nearest(name, known)}" for name in changes if name not in known]
         if told:
             raise ModelError("their changes cannot be followed:", told)
@@ -134,11 +153,16 @@ class Variations:
             result: a run that began with
             start: these fixed values.
         """
+        self._check(result)
+        start = named("start", start)
         table, segment = self.dae.system.flat.table, result._segments[0]
         of_q = np.zeros((len(segment.q), len(self.parameters)))
         of_q[[table.index[name] for name in self.parameters], range(len(self.parameters))] = 1.0
         point = Point(float(segment.times[0][0]), segment.states[0][0], segment.algebraic[0][0], segment.q)
         return start_slopes(result._closed, point, wishes(self.dae, start, {}), of_q)
+
+    def _check(self, result: Result) -> None:
+        demand("Variations", result=(result, instance(Result)))
 
     def _linearised(self, result: Result) -> _Line:
         """Return the slopes along a run; those of the last run are kept."""

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass
-from numbers import Real
 from typing import Any, ClassVar, Self
 
-from .errors import nearest
+from .checks import is_number, number
+from .errors import UnknownPartError, nearest
 from .fields import (
     MISSING,
     Field,
@@ -160,10 +160,9 @@ class Component:
         elif isinstance(field, Option):
             problem = field.problem(value)
         elif isinstance(field, Variable):
-            finite = isinstance(value, Real) and abs(float(value)) < float("inf")
-            problem = "" if finite else f"start value of {name} must be a number, got {value!r}"
+            problem = "" if is_number(value) else f"start value of {name} must be a number, got {value!r}"
         elif isinstance(field, RealInput):
-            good = isinstance(value, Real | Sampled | Callable)
+            good = is_number(value) or isinstance(value, Sampled | Callable)
             problem = (
                 "" if good else f"{name} takes a number, a function of time or Sampled data, got {value!r}"
             )
@@ -215,7 +214,7 @@ class Component:
         if name in parts:
             return parts[name]
         known = [*type(self).fields, *parts]
-        raise AttributeError(f"{type(self).__name__} has no '{name}'{nearest(name, known)}")
+        raise UnknownPartError(f"{type(self).__name__} has no '{name}'{nearest(name, known)}")
 
     def __repr__(self) -> str:
         values = ", ".join(f"{name}={value!r}" for name, value in self._values.items())
@@ -225,6 +224,6 @@ class Component:
 def _parameter_problem(field: Parameter, value: Any) -> str:
     if type(value) is not float and (isinstance(value, Parameter) or callable(value)):
         return ""
-    if type(value) is not float and not isinstance(value, Real):
+    if type(value) is not float and number(value):
         return f"{field.name} must be a number [{field.unit}], got {value!r}"
     return field.problem(float(value))

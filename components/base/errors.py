@@ -15,6 +15,25 @@ class ModelError(InertanceError, ValueError):
         super().__init__("\n".join([title, *(f"  - {problem}" for problem in self.problems)]))
 
 
+class UnknownNameError(InertanceError, KeyError):
+    """A name that stands for nothing there; the message tells the nearest one."""
+
+    def __str__(self) -> str:
+        return str(self.args[0])
+
+
+class UnknownPartError(InertanceError, AttributeError):
+    """An attribute that a component does not have; the message tells the nearest one."""
+
+
+class MissingPackageError(InertanceError, ModuleNotFoundError):
+    """A package that is wanted for this and is not installed; the message tells how to install it."""
+
+
+class MissingFileError(ModelError, FileNotFoundError):
+    """A file or folder that is not there."""
+
+
 class InitialConditionError(InertanceError, ValueError):
     """Start values that contradict the equations or each other."""
 
@@ -27,10 +46,12 @@ class SimulationError(InertanceError, RuntimeError):
         super().__init__(message)
 
 
-def nearest(name: str, known: Iterable[str]) -> str:
+def nearest(name: object, known: Iterable[str]) -> str:
     """Return `"; did you mean 'k'?"` for the known name closest to `name`, or nothing."""
     from difflib import get_close_matches
 
-    by_folded = {other.lower(): other for other in known}
+    if not isinstance(name, str):
+        return ""
+    by_folded = {other.lower(): other for other in known if other != name}
     matches = get_close_matches(name.lower(), list(by_folded), n=1)
     return f"; did you mean '{by_folded[matches[0]]}'?" if matches else ""

@@ -79,7 +79,8 @@ class Option(Field):
 
     def problem(self, value: Any) -> str:
         """Say what is wrong with a value, or return an empty string."""
-        if self.choices is not None and value not in self.choices:
+        alike = [c for c in self.choices or () if type(value) is type(c)]
+        if self.choices is not None and value not in alike:
             return f"{self.name} must be one of {self.choices}, got {value!r}"
         told = self.check(value) if self.check else ""
         return f"{self.name} {told}, got {value!r}" if told else ""
@@ -115,7 +116,14 @@ class RealOutput(Field):
 
 
 class Port(Field):
-    """A mechanical connection point: an across and a through variable."""
+    """A mechanical connection point: an across and a through variable.
+
+    Args:
+        doc: what it is, in a few words.
+        optional: whether it is a support, which is held at zero when it is left unconnected.
+        free: whether it may be left unconnected because what stands there moves by itself (a body): nothing
+            acts on it then.
+    """
 
     kind = "port"
     across: ClassVar[str]
@@ -123,9 +131,9 @@ class Port(Field):
     units: ClassVar[tuple[str, str]]
     domain: ClassVar[str]
 
-    def __init__(self, doc: str = "", optional: bool = False) -> None:
+    def __init__(self, doc: str = "", optional: bool = False, free: bool = False) -> None:
         super().__init__("", doc)
-        self.optional = optional
+        self.optional, self.free = optional, free
 
 
 class TranslationalFlange(Port):

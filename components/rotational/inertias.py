@@ -28,7 +28,7 @@ class Inertia(Component):
     Source: MSL Rotational.Components.Inertia.
     """
 
-    flange = RotationalFlange("where it is joined")
+    flange = RotationalFlange("where it is joined", free=True)
     J = parameter("kg.m2", "moment of inertia", above=0)
     phi = variable("rad", "angle")
     w = variable("rad/s", "speed")

@@ -27,8 +27,8 @@ class Rod(Component):
     Source: MSL Translational.Components.Rod.
     """
 
-    flange_a = TranslationalFlange("left flange")
-    flange_b = TranslationalFlange("right flange")
+    flange_a = TranslationalFlange("left flange", free=True)
+    flange_b = TranslationalFlange("right flange", free=True)
     L = parameter("m", "length from flange_a to flange_b", default=0.0)
 
     def equations(self) -> Iterable[Any]:
@@ -42,7 +42,7 @@ class Mass(Component):
     Source: MSL Translational.Components.Mass; a body with length is a mass and a `Rod`.
     """
 
-    flange = TranslationalFlange("where it is joined")
+    flange = TranslationalFlange("where it is joined", free=True)
     m = parameter("kg", "mass", above=0)
     s = variable("m", "position")
     v = variable("m/s", "velocity")

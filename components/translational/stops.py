@@ -67,7 +67,7 @@ class MassWithStopAndFriction(Component):
     Source: MSL Translational.Components.MassWithStopAndFriction.
     """
 
-    flange = TranslationalFlange("where the mass is joined")
+    flange = TranslationalFlange("where the mass is joined", free=True)
     support = TranslationalFlange("what it slides on", optional=True)
     m = parameter("kg", "mass", above=0)
     s_min = parameter("m", "lower stop")

@@ -11,7 +11,7 @@ from ..base import Component, RotationalFlange, counting, der, option, parameter
 class Flywheel(Component):
     """What turns with a screw inside a housing; angle and speed are those of `flange`."""
 
-    flange = RotationalFlange("where the screw is joined")
+    flange = RotationalFlange("where the screw is joined", free=True)
     support = RotationalFlange("housing", optional=True)
     w = variable("rad/s", "angular velocity")
     a = variable("rad/s2", "angular acceleration")

@@ -102,7 +102,7 @@ class PlanetaryFlywheel(PlanetGear):
     eqs. (16)-(21).
     """
 
-    flange = RotationalFlange("where the screw is joined")
+    flange = RotationalFlange("where the screw is joined", free=True)
     support = RotationalFlange("housing that holds the ring", optional=True)
     N = option("number of planets", default=4, check=counting)
     lumped = option("whether one coordinate stands for all planets", default=True, choices=(True, False))

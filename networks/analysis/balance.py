@@ -16,13 +16,14 @@ import casadi as ca
 import numpy as np
 from numpy.typing import NDArray
 
-from ...components.base import ModelError, nearest
+from ...components.base import ModelError, above, between, demand, listed, nearest, text, whole
 from ..dae import DAE
 from .operating import operating_point
 from .orbits import Orbit
 
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
+MOST = 1e100
 
 
 class Balance:
@@ -53,8 +54,16 @@ class Balance:
                 f"'{dae.name}' switches modes, and harmonic balance is for smooth equations; give friction "
                 "regularised=, or use stepped_sine()"
             )
-        if driven not in dae.input_names:
-            raise ModelError(f"'{dae.name}' has no input '{driven}'{nearest(driven, dae.input_names)}")
+        demand("harmonic balance", amplitude=(amplitude, above(0)), harmonics=(harmonics, whole(1)))
+        demand(
+            "harmonic balance",
+            amplitude=(amplitude, between(0, MOST)),
+            harmonics=(harmonics, between(1, 1000)),
+        )
+        if text(driven) or driven not in dae.input_names:
+            told = nearest(str(driven), dae.input_names)
+            raise ModelError(f"'{dae.name}' has no input '{driven}'{told}")
+        outputs = listed("outputs", outputs)
         self.dae, self.driven, self.amplitude, self.outputs = dae, driven, amplitude, list(outputs)
         self.signals, self.parameters = {**signals}, {**parameters}
         self.harmonics, self.points = harmonics, _points(harmonics)

@@ -32,7 +32,7 @@ def plot_bode(system: StateSpace, f: ArrayLike | None = None) -> Figure:
     from matplotlib import pyplot
 
     _check_inputs(system)
-    at = frequencies(system) if f is None else np.asarray(f, dtype=float)
+    at = frequencies(system) if f is None else np.atleast_1d(np.asarray(f, dtype=float)).ravel()
     response = system.response(at)
     figure, axes = pyplot.subplots(
         2, len(system.inputs), sharex=True, squeeze=False, figsize=(1.0 + 6.0 * len(system.inputs), 6.0),
@@ -61,7 +61,7 @@ def plot_nyquist(system: StateSpace, f: ArrayLike | None = None) -> Figure:
     from matplotlib import pyplot
 
     _check_inputs(system)
-    at = frequencies(system, 2000) if f is None else np.asarray(f, dtype=float)
+    at = frequencies(system, 2000) if f is None else np.atleast_1d(np.asarray(f, dtype=float)).ravel()
     response = system.response(at)
     figure, ax = pyplot.subplots(figsize=(6.0, 5.5), layout="constrained")
     for row, output in enumerate(system.outputs):

@@ -5,7 +5,9 @@ from __future__ import annotations
 from dataclasses import dataclass
 from math import pi, sqrt
 
-from ...components.base import ModelError
+from ...components.base import ModelError, above, between, demand
+
+MOST = 1e60
 
 
 @dataclass(frozen=True)
@@ -17,10 +19,12 @@ class Tuning:
 
     def stiffness(self, inertia: float, w: float) -> float:
         """Return k = inertia (f w)^2 [N/m], for an absorber of that mass or inertance [kg], w in rad/s."""
+        _check_all(inertia=inertia, w=w)
         return inertia * (self.f * w) ** 2
 
     def damping(self, inertia: float, w: float) -> float:
         """Return d = 2 zeta inertia f w [N.s/m]."""
+        _check_all(inertia=inertia, w=w)
         return 2 * self.zeta * inertia * self.f * w
 
 
@@ -31,7 +35,7 @@ def den_hartog(mu: float) -> Tuning:
 
     Source: J. P. Den Hartog, Mechanical Vibrations, 4th ed. (1956), section 3.3.
     """
-    _above(mu, "mu")
+    _check_all(mu=mu)
     return Tuning(1 / (1 + mu), sqrt(3 * mu / (8 * (1 + mu))))
 
 
@@ -48,7 +52,8 @@ def tmdi_white_base(beta: float, mu: float) -> Tuning:
 
     Source: Marian & Giaralis, Probabilistic Engineering Mechanics 38 (2014) 156-164.
     """
-    _above(beta + mu, "beta + mu")
+    demand("tmdi_white_base()", beta=(beta, between(0, MOST)), mu=(mu, between(0, MOST)))
+    _check_all(**{"beta + mu": beta + mu})
     inner = beta * (1 - mu) + (2 - mu) * (1 + mu)
     f = sqrt(inner / (2 * (1 + mu))) / (1 + beta + mu)
     above = (beta + mu) * (beta * (3 - mu) + (4 - mu) * (1 + mu))
@@ -62,7 +67,8 @@ def tvmd_fixed_points(mu: float) -> Tuning:
 
     Source: Ikago, Saito & Inoue, Earthquake Eng. Struct. Dyn. 41 (2012) 453-474.
     """
-    if not 0 < mu < 0.25:
+    _check_all(mu=mu)
+    if not mu < 0.25:
         raise ModelError(f"a TVMD has fixed points for mu between 0 and 0.25, got {mu:g}")
     root = sqrt(1 - 4 * mu)
     return Tuning((1 - root) / (2 * mu), sqrt(3 * (1 - root)) / 4)
@@ -73,7 +79,7 @@ def quarter_car_damping(k: float, m_s: float, m_u: float, k_t: float) -> float:
 
     Source: Smith & Wang, Vehicle System Dynamics 42 (2004) 235-257.
     """
-    _all_above({"k": k, "m_s": m_s, "m_u": m_u, "k_t": k_t})
+    _check_all(k=k, m_s=m_s, m_u=m_u, k_t=k_t)
     return k * sqrt((m_s + m_u) / k_t)
 
 
@@ -81,15 +87,11 @@ def quarter_car_j1(
     k: float, m_s: float, m_u: float, k_t: float, V: float = 25.0, kappa: float = 5e-7
 ) -> float:
     """Return the least J1 of spring and damper: 2 pi sqrt(V kappa) sqrt(k) (k_t (m_s + m_u))^(1/4)/m_s."""
-    _all_above({"k": k, "m_s": m_s, "m_u": m_u, "k_t": k_t, "V": V, "kappa": kappa})
+    _check_all(k=k, m_s=m_s, m_u=m_u, k_t=k_t, V=V, kappa=kappa)
     return 2 * pi * sqrt(V * kappa) * sqrt(k) * sqrt(sqrt(k_t * (m_s + m_u))) / m_s
 
 
-def _all_above(values: dict[str, float]) -> None:
-    for name, value in values.items():
-        _above(value, name)
-
-
-def _above(value: float, name: str) -> None:
-    if not value > 0:
-        raise ModelError(f"{name} must be above 0, got {value:g}")
+def _check_all(**values: float) -> None:
+    """Check that numbers are above 0, and such that their powers are numbers, too."""
+    demand("this formula", **{name: (value, above(0)) for name, value in values.items()})
+    demand("this formula", **{name: (value, between(0, MOST)) for name, value in values.items()})

@@ -4,12 +4,13 @@ from __future__ import annotations
 
 from dataclasses import replace
 from functools import cache
-from math import pi, sqrt
+from math import ceil, pi, sqrt
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from ...components.base import ModelError, nearest
+from ...components.base import ModelError, demand, instance, number, numbers, one_of
+from ..overtime import OverTime
 from .statespace import StateSpace
 
 Array = NDArray[np.float64]
@@ -20,10 +21,10 @@ TRANSITION = {
     "Wc": (8.0, 8.0, 0.63),
     "We": (1.0, 1.0, 0.63),
 }
+RATE = 4000.0
 STEP = {"Wk": (2.37, 0.91, 3.35, 0.91), "Wj": (3.75, 0.91, 5.32, 0.91)}
 
 
-@cache
 def comfort_filter(weighting: str = "Wk") -> StateSpace:
     """Return a weighting of ISO 2631-1 as a system from acceleration to weighted acceleration [m/s2].
 
@@ -38,10 +39,14 @@ def comfort_filter(weighting: str = "Wk") -> StateSpace:
 
     Source: ISO 2631-1:1997, annex A, table A.1.
     """
+    demand("comfort_filter()", weighting=(weighting, one_of(tuple(BAND))))
+    return _filter(weighting)
+
+
+@cache
+def _filter(weighting: str) -> StateSpace:
     from scipy.signal import tf2ss
 
-    if weighting not in BAND:
-        raise ModelError(f"weightings of ISO 2631-1 are {', '.join(BAND)}{nearest(weighting, BAND)}")
     low, high = (2 * pi * f for f in BAND[weighting])
     above, below = np.poly1d([1.0, 0.0, 0.0]), _quadratic(low, 1 / sqrt(2)) * low**2
     below = below * _quadratic(high, 1 / sqrt(2))
@@ -60,6 +65,7 @@ def comfort_filter(weighting: str = "Wk") -> StateSpace:
 
 def weighted(system: StateSpace, weighting: str = "Wk") -> StateSpace:
     """Return a system with every output passed through a weighting of ISO 2631-1."""
+    demand("weighted()", system=(system, instance(StateSpace)))
     filters = comfort_filter(weighting)
     found = system
     for k, name in enumerate(system.outputs):
@@ -67,31 +73,52 @@ def weighted(system: StateSpace, weighting: str = "Wk") -> StateSpace:
     return found
 
 
-def weighted_rms(time: ArrayLike, acceleration: ArrayLike, weighting: str = "Wk") -> float:
-    """Return the weighted rms acceleration of a record [m/s2].
+def weighted_rms(run: OverTime | ArrayLike, acceleration: str | ArrayLike, weighting: str = "Wk") -> float:
+    """Return the weighted rms acceleration of a run or a record over time [m/s2].
 
     ISO 2631-1 annex C calls 0.315 a little, 0.8 plainly and over 2 m/s2 extremely uncomfortable.
 
     Args:
-        time: instants at equal steps [s].
-        acceleration: [m/s2].
+        run: a `Result`, or anything else that is `OverTime`; of a record, its instants at equal steps [s].
+        acceleration: its name in the run; of a record, its values [m/s2].
         weighting: as for `comfort_filter`.
 
     Raises:
-        ModelError: for steps that are not equal, lengths that differ, or values that are not finite.
+        UnknownNameError: for an unknown name, with the nearest one.
+        ModelError: for steps that are not equal, lengths that differ, or values that are not finite, and
+            for what is no acceleration.
     """
     from scipy.signal import lsim
 
-    t, a = np.asarray(time, dtype=float), np.asarray(acceleration, dtype=float)
+    t, a = _course(run, acceleration)
     if t.shape != a.shape or t.size < 2 or not (np.isfinite(t).all() and np.isfinite(a).all()):
         raise ModelError(
             f"weighted_rms() takes as many finite instants as accelerations, at least 2; got {t.size} and "
             f"{a.size} with {np.count_nonzero(~np.isfinite(a))} not finite"
         )
     if not (t[1] > t[0] and np.allclose(np.diff(t), t[1] - t[0], rtol=1e-6, atol=0)):
-        raise ModelError("weighted_rms() takes rising instants at equal steps; interpolate the record first")
+        raise ModelError(
+            "weighted_rms() takes rising instants at equal steps; give it the run and a name, "
+            "weighted_rms(run, 'body.a'), or Recorded(table) for a table"
+        )
     _, felt, _ = lsim(comfort_filter(weighting).to_scipy(), a, t - t[0])
-    return float(np.sqrt(np.mean(felt**2)))
+    return float(np.sqrt(np.trapezoid(felt**2, t) / (t[-1] - t[0])))
+
+
+def _course(run: OverTime | ArrayLike, acceleration: str | ArrayLike) -> tuple[Array, Array]:
+    """Return instants and values."""
+    if not isinstance(run, OverTime):
+        demand("weighted_rms()", time=(run, numbers(number)), acceleration=(acceleration, numbers(number)))
+        return np.asarray(run, dtype=float), np.asarray(acceleration, dtype=float)
+    if not isinstance(acceleration, str):
+        raise ModelError(f"name the acceleration of '{run.name}': weighted_rms(run, 'body.a')")
+    if run.unit(acceleration) not in ("m/s2", ""):
+        raise ModelError(
+            f"'{acceleration}' of '{run.name}' is in {run.unit(acceleration)}, not an acceleration in m/s2"
+        )
+    lasting = float(run.time[-1] - run.time[0])
+    table = run.resample(lasting / max(2, ceil(RATE * lasting)) if lasting else 1.0, acceleration)
+    return table.index.to_numpy(dtype=float), table[acceleration].to_numpy(dtype=float)
 
 
 def _quadratic(w: float, Q: float) -> np.poly1d:

@@ -9,8 +9,9 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ...components.base import ModelError, SimulationError
+from ...components.base import ModelError, SimulationError, between, demand, named, numbers, shown, whole
 from ..dae import DAE
+from ..given import dae_of
 from ..network import Network
 from .balance import Balance
 from .orbits import Orbit
@@ -19,6 +20,7 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
 Array = NDArray[np.float64]
+SLOWEST = 1e-6
 LONGEST, SHORTEST = 0.2, 1e-5
 
 
@@ -52,8 +54,10 @@ class ResponseCurve:
 
         from ..plotting import pretty_unit
 
-        ax = axes if axes is not None else pyplot.subplots(figsize=(7.0, 4.5), layout="constrained")[1]
+        if not (axes is None or hasattr(axes, "plot")):
+            raise ModelError(f"axes are matplotlib axes, got {shown(axes)}")
         f, size = self.frequency, self.peak(output)
+        ax = axes if axes is not None else pyplot.subplots(figsize=(7.0, 4.5), layout="constrained")[1]
         lost = ~self.stable
         edges = lost | np.r_[lost[1:], False] | np.r_[False, lost[:-1]]
         for stable, style in ((True, "-"), (False, "--")):
@@ -103,9 +107,25 @@ def harmonic_response(
 
     Source: Krack & Gross, Harmonic Balance for Nonlinear Vibration Problems (2019), chapter 4.
     """
-    dae = network.dae() if isinstance(network, Network) else network
-    balance = Balance(dae, driven, amplitude, outputs, harmonics, signals or {}, parameters or {})
+    demand("harmonic_response()", band=(band, _band), most=(most, whole(2)))
+    dae = dae_of(network)
+    balance = Balance(
+        dae, driven, amplitude, outputs, harmonics, named("signals", signals), named("parameters", parameters)
+    )
     return ResponseCurve([balance.orbit(y, w) for y, w in _followed(balance, band, most)])
+
+
+def _band(value: Any) -> str:
+    good = (
+        isinstance(value, tuple | list)
+        and len(value) == 2
+        and not numbers(between(SLOWEST, 1 / SLOWEST))(value)
+    )
+    return (
+        ""
+        if good and value[0] != value[1]
+        else "must be (first, last) frequency [Hz], two different ones above 0"
+    )
 
 
 def harmonic_orbit(
@@ -131,13 +151,11 @@ def harmonic_orbit(
         signals: constant values of other inputs.
         parameters: changed parameters.
     """
-    if not (frequency > 0 and amplitude > 0 and harmonics >= 1):
-        raise ModelError(
-            f"a periodic motion needs frequency > 0 Hz, amplitude > 0 and harmonics >= 1, got {frequency:g}, "
-            f"{amplitude:g} and {harmonics}"
-        )
-    dae = network.dae() if isinstance(network, Network) else network
-    balance = Balance(dae, driven, amplitude, outputs, harmonics, signals or {}, parameters or {})
+    demand("harmonic_orbit()", frequency=(frequency, between(SLOWEST, 1 / SLOWEST, "Hz")))
+    dae = dae_of(network)
+    balance = Balance(
+        dae, driven, amplitude, outputs, harmonics, named("signals", signals), named("parameters", parameters)
+    )
     w = 2 * np.pi * frequency
     return balance.orbit(_at_frequency(balance, balance.start(), w), w)
 

@@ -8,7 +8,19 @@ from typing import Any, Protocol
 import numpy as np
 from numpy.typing import NDArray
 
-from ...components.base import InertanceError, ModelError, nearest
+from ...components.base import (
+    InertanceError,
+    ModelError,
+    by_name,
+    demand,
+    finite,
+    instance,
+    named,
+    nearest,
+    number,
+    numbers,
+    shown,
+)
 from ..dae import DAE
 from .norms import Norm
 from .varied import Varied
@@ -36,6 +48,45 @@ def check_names(dae: DAE, names: Mapping[str, Any]) -> None:
         raise ModelError(f"'{dae.name}' cannot be tuned:", problems)
 
 
+def measured(measure: Measure, dae: DAE, parameters: Mapping[str, float]) -> float:
+    """Return a measure for some parameters, a large number where the library finds none."""
+    try:
+        return of_design(measure, dae, parameters)
+    except BadMeasureError:
+        raise
+    except (InertanceError, np.linalg.LinAlgError):
+        return BAD
+
+
+class BadMeasureError(ModelError):
+    """A measure that raises an error of its own, or returns no number."""
+
+
+def of_design(measure: Measure, dae: DAE, parameters: Mapping[str, float]) -> float:
+    """Return a measure for some parameters.
+
+    Raises:
+        BadMeasureError: for a measure that raises an error of its own, or returns no number.
+    """
+    name = getattr(measure, "__name__", repr(measure))
+    try:
+        found = measure(dae, parameters=parameters)
+    except (InertanceError, np.linalg.LinAlgError):
+        raise
+    except Exception as error:
+        told = ", ".join(f"{n} = {v:g}" for n, v in parameters.items())
+        raise BadMeasureError(
+            f"measure '{name}' failed at {told}: {type(error).__name__}: {error}"
+        ) from error
+    if number(found):
+        raise BadMeasureError(f"measure '{name}' must return a number, got {shown(found)}")
+    return found
+
+
+def _is_limit(given: Any) -> bool:
+    return isinstance(given, tuple | list) and len(given) == 2 and callable(given[0]) and not number(given[1])
+
+
 class Problem:
     """A measure and its limits as functions of a point in the unit cube.
 
@@ -46,16 +97,19 @@ class Problem:
     def __init__(
         self, dae: DAE, measure: Measure, bounds: Bounds, limits: Sequence[tuple[Measure, float]]
     ) -> None:
+        bounds = named("bounds", bounds)
         check_names(dae, bounds)
         if not callable(measure):
             raise ModelError(f"a measure is a function of the equations and `parameters=`, got {measure!r}")
         wrong = [
             f"{n}: bounds go from a lower to a higher number, got {b}"
             for n, b in bounds.items()
-            if not (np.shape(b) == (2,) and b[0] < b[1] and np.isfinite(b).all())
+            if numbers(finite())(b) or not (np.shape(b) == (2,) and b[0] < b[1])
         ]
         if wrong or not bounds:
             raise ModelError(f"'{dae.name}' cannot be tuned:", wrong or ["there are no parameters to tune"])
+        if instance(Sequence)(limits) or not all(map(_is_limit, limits)):
+            raise ModelError(f"limits are pairs (measure, number), got {shown(limits)}")
         low_limits = [limit for _, limit in limits if not limit > 0]
         if low_limits:
             raise ModelError(f"'{dae.name}': a limit must be above 0, got {low_limits[0]:g}")
@@ -80,8 +134,9 @@ class Problem:
         """Return the first guess and others in the cube."""
         from scipy.stats import qmc
 
-        given = start or {}
+        given = named("start", start)
         check_names(self.dae, given)
+        demand("tune()", start=(given, by_name(finite())))
         middle = self.parameters(np.full(len(self.names), 0.5))
         wanted = self._scaled(np.array([given.get(n, middle[n]) for n in self.names]))
         first = np.clip((wanted - self.low) / (self.high - self.low), 0.0, 1.0)
@@ -98,10 +153,7 @@ class Problem:
         if id(measure) not in known:
             self.count += 1
             given = self.parameters(x)
-            try:
-                found = measure(self.dae, parameters=Varied(given) if self.exact else given)
-            except (InertanceError, np.linalg.LinAlgError):
-                found = BAD
+            found = measured(measure, self.dae, Varied(given) if self.exact else given)
             known[id(measure)] = found if np.isfinite(found) else BAD
         return known[id(measure)]
 

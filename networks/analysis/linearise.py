@@ -12,8 +12,9 @@ import casadi as ca
 import numpy as np
 from numpy.typing import NDArray
 
-from ...components.base import ModelError, nearest
+from ...components.base import ModelError, listed, named, nearest
 from ..dae import DAE
+from ..given import dae_of
 from ..network import Network
 from ..result import Result
 from .operating import HOLDING, OperatingPoint, operating_point
@@ -67,15 +68,14 @@ def linearise(
         >>> round(abs(system(0j).item()), 6)
         0.01
     """
-    dae = network.dae() if isinstance(network, Network) else network
-    driven, seen = (
-        (names,) if isinstance(names, str) else tuple(every if names is None else names)
-        for names, every in ((inputs, dae.input_names), (outputs, dae.state_names))
-    )
+    dae = dae_of(network)
+    driven = listed("inputs", dae.input_names if inputs is None else inputs)
+    seen = listed("outputs", dae.state_names if outputs is None else outputs)
+    changed = named("parameters", parameters)
     compiled = _compiled(dae, driven, seen)
     by = parameters.by if isinstance(parameters, Varied) and at == "equilibrium" else ()
     if by and compiled.linear:
-        return compiled.anywhere(dae.system.flat.table.values(dict(parameters or {})), by)
+        return compiled.anywhere(dae.system.flat.table.values(changed), by)
     point = operating_point(dae, at, time=time, start=start, inputs=signals, parameters=parameters)
     return compiled.at(point, by)
 

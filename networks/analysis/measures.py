@@ -5,10 +5,10 @@ from __future__ import annotations
 from collections.abc import Mapping
 from math import pi, sqrt
 
-from ...components.base import ModelError
+from ...components.base import above, at_least, demand, one_of
 from ..dae import DAE
 from ..network import Network
-from .comfort import weighted
+from .comfort import BAND, weighted
 from .linearise import linearise
 from .norms import Norm
 
@@ -107,6 +107,7 @@ def ride_comfort(
     parameters: Mapping[str, float] | None = None,
 ) -> Norm:
     """Return the rms acceleration of the body on a random road, weighted after ISO 2631-1 [m/s2]."""
+    demand("ride_comfort()", weighting=(weighting, one_of(tuple(BAND))))
     return _on_road(car, f"der({road}.s_ref)", f"{body}.a", V, kappa, parameters, weighting)
 
 
@@ -139,12 +140,11 @@ def _on_road(
     V: float,
     kappa: float,
     parameters: Mapping[str, float] | None,
-    weighting: str = "",
+    weighting: str | None = None,
 ) -> Norm:
-    if not (V > 0 and kappa >= 0):
-        raise ModelError(f"a road is driven at V > 0 m/s, with kappa >= 0 m3/cycle, got {V:g} and {kappa:g}")
+    demand("this measure", V=(V, above(0, "m/s")), kappa=(kappa, at_least(0, "m3/cycle")))
     system = linearise(car, [road], [output], parameters=parameters)
-    felt = weighted(system.minimal(), weighting) if weighting else system
+    felt = weighted(system.minimal(), weighting) if weighting is not None else system
     return felt.h2().scaled(2 * pi * sqrt(V * kappa))
 
 

@@ -10,7 +10,9 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
+from ...components.base import ModelError, demand, finite, shown, whole
 from ..dae import DAE
+from ..given import dae_of
 from ..network import Network
 
 if TYPE_CHECKING:
@@ -78,13 +80,21 @@ def _named(names: Sequence[str], values: Complex) -> dict[str, complex]:
 
 
 def body_positions(network: Network | DAE) -> list[str]:
-    """Return the names of the positions of all masses, in the order they were added."""
-    dae = network.dae() if isinstance(network, Network) else network
+    """Return the names of the positions of all masses, in the order they were added.
+
+    Raises:
+        ModelError: if nothing there has a mass that slides.
+    """
+    dae = dae_of(network)
     found = []
     for path, instance in dae.system.flat.instances.items():
         fields = type(instance.component).fields
         if "m" in fields and {"s", "v", "a"} <= fields.keys():
             found.append(f"{path}.s")
+    if not found:
+        angles = [v for v in dae.state_names if dae.unit(v) == "rad"]
+        told = f"; it turns: name its angles, {', '.join(angles)}" if angles else ""
+        raise ModelError(f"'{dae.name}' has no mass that slides, and so no positions of bodies{told}")
     return found
 
 
@@ -100,6 +110,8 @@ def plot_modes(modes: Sequence[Mode], *, phase: float = 0.0, axes: Any = None) -
     """
     from matplotlib import pyplot
 
+    modes = _modes(modes)
+    demand("plot_modes()", phase=(phase, finite("rad")))
     if axes is None:
         _, axes = pyplot.subplots(
             1,
@@ -109,6 +121,8 @@ def plot_modes(modes: Sequence[Mode], *, phase: float = 0.0, axes: Any = None) -
             figsize=(1.5 + 1.8 * len(modes), 4.0),
             layout="constrained",
         )
+    if np.size(axes) != len(modes) or not all(hasattr(ax, "fill_betweenx") for ax in np.ravel(axes)):
+        raise ModelError(f"{len(modes)} modes need as many matplotlib axes, got {shown(axes)}")
     for ax, mode in zip(np.ravel(axes), modes, strict=True):
         _draw(ax, mode, phase)
     figure: Figure = np.ravel(axes)[0].get_figure()
@@ -124,6 +138,8 @@ def animate_modes(modes: Sequence[Mode], frames: int = 40) -> FuncAnimation:
     """
     from matplotlib.animation import FuncAnimation
 
+    demand("animate_modes()", frames=(frames, whole(1)))
+    modes = _modes(modes)
     figure = plot_modes(modes)
     axes = figure.axes
 
@@ -134,6 +150,14 @@ def animate_modes(modes: Sequence[Mode], frames: int = 40) -> FuncAnimation:
         return []
 
     return FuncAnimation(figure, draw, frames=frames, interval=50)
+
+
+def _modes(given: Any) -> list[Mode]:
+    if isinstance(given, Sequence) and len(given) and all(isinstance(mode, Mode) for mode in given):
+        return list(given)
+    raise ModelError(
+        f"modes are those of a system, `linearise(...).modes()`, at least one; got {shown(given)}"
+    )
 
 
 def _draw(ax: Any, mode: Mode, phase: float) -> None:

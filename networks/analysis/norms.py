@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
-from ...components.base import ModelError
+from ...components.base import ModelError, demand, finite
 from .minimal import balanced, minimal
 
 if TYPE_CHECKING:
@@ -51,6 +51,7 @@ class Norm(float):
 
     def scaled(self, factor: float) -> Norm:
         """Return the norm times a positive constant, with its gradient."""
+        demand("scaled()", factor=(factor, finite()))
         gradient = {name: factor * slope for name, slope in self.gradient.items()}
         peaks = [peak.scaled(factor) for peak in self.peaks]
 

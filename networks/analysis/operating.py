@@ -11,11 +11,24 @@ import casadi as ca
 import numpy as np
 from numpy.typing import NDArray
 
-from ...components.base import ModelError, SimulationError
+from ...components.base import (
+    ModelError,
+    SimulationError,
+    between,
+    demand,
+    finite,
+    instance,
+    named,
+    text,
+    whole,
+)
+from ..blame import GUARD, told_without_value
 from ..closed import Closed
+from ..coverage import check_covered
 from ..dae import DAE
 from ..events import Point, Switcher
 from ..initial import wishes
+from ..keywords import check_keywords
 from ..result import Result
 from ..run import Settings
 from ..simulate import started
@@ -77,18 +90,20 @@ def operating_point(
     Raises:
         ModelError: for an unknown `at`, or if there is no equilibrium.
     """
+    demand("operating_point()", dae=(dae, instance(DAE)), time=(time, finite("s")))
     if isinstance(at, Result):
         return _of_run(at, time)
-    if at not in ("equilibrium", "start"):
+    if text(at) or at not in ("equilibrium", "start"):
         raise ModelError(f"'{dae.name}': at is 'equilibrium', 'start' or a Result, got {at!r}")
-    signals = {i.path: 0.0 for i in dae.inputs if i.order == 0 and i.signal is None} | dict(inputs or {})
+    signals = {i.path: 0.0 for i in dae.inputs if i.order == 0 and i.signal is None} | named("inputs", inputs)
+    check_covered(dae.name, dae.closed(signals).signals, time, time)
     if at == "equilibrium":
         signals = _held(dae, signals, time)
     closed = dae.closed(signals)
-    numbers = dae.system.flat.table.values(dict(parameters or {}))
+    numbers = dae.system.flat.table.values(named("parameters", parameters))
     q = np.concatenate([numbers, np.zeros(closed.q.numel() - len(numbers))])
     settings = Settings(time, time + 1.0, 1.0, 1e-6, 1e-8, "auto", False)
-    run = started(closed, settings, q, wishes(dae, start or {}, {}))
+    run = started(closed, settings, q, wishes(dae, named("start", start), {}))
     notes = list(run.switcher.notes) if run.switcher else []
     if at == "equilibrium":
         notes += _settle(closed, run.point, run.switcher)
@@ -111,7 +126,15 @@ def equilibria(
     Raises:
         ModelError: if none is found.
     """
-    begin = dict(options.pop("start", None) or {})
+    demand(
+        "equilibria()",
+        dae=(dae, instance(DAE)),
+        starts=(starts, whole(0)),
+        spread=(spread, between(0, 1e100)),
+        seed=(seed, whole(0)),
+    )
+    check_keywords("equilibria()", options, operating_point)
+    begin = named("start", options.pop("start", None))
     rng = np.random.default_rng(seed)
     first = operating_point(dae, "start", start=begin, **options)
     found: list[OperatingPoint] = []
@@ -193,9 +216,10 @@ def _rest(closed: Closed, point: Point) -> list[str]:
 
     value, slope = at(y)
     if not (np.isfinite(value).all() and np.isfinite(slope).all()):
+        blamed = told_without_value(closed, point.x, point.z, point.q, point.t)
         raise ModelError(
-            f"'{dae.name}': its equations have no value at the start; a parameter of 0 may remove what they "
-            "are solved for"
+            f"'{dae.name}': its equations have no value or slope at the start: "
+            f"{blamed or 'a parameter of 0 may remove what they are solved for'}; {GUARD}"
         )
     for _ in range(100):
         step = _least_step(value, slope)

@@ -6,7 +6,8 @@ from dataclasses import replace
 from typing import Any
 
 from ...components import Fixed, Force, Position, RelativeSpeedSensor, rotational
-from ...components.base import Component, ModelError, PortRef, nearest
+from ...components.base import Component, ModelError, Port, PortRef, RealInput, nearest, shown
+from ..given import element_of
 from ..network import Network
 from .linearise import linearise
 from .statespace import StateSpace
@@ -58,6 +59,7 @@ def impedance(
 
 def _probed(network: Component, flange_a: str, flange_b: str, how: str) -> tuple[Network, bool]:
     """Return a copy with a source between two flanges, and whether they turn."""
+    element_of(network)
     if isinstance(network, Network):
         net = network.clone()
     else:
@@ -83,14 +85,19 @@ def _probed(network: Component, flange_a: str, flange_b: str, how: str) -> tuple
 
 def port(net: Network, path: str) -> PortRef:
     """Return a port by its path."""
+    if not isinstance(path, str):
+        raise ModelError(
+            f"'{net.name}': a flange is given by its path, such as 'mass.flange', got {shown(path)}"
+        )
     part: Any = net
     *parts, name = path.split(".")
     for step in parts:
         if step not in part._parts:
             raise ModelError(f"'{net.name}' has no part '{step}' in '{path}'{nearest(step, part._parts)}")
         part = part._parts[step]
-    if name not in type(part).fields:
-        raise ModelError(f"'{path}': there is no such flange{nearest(name, type(part).fields)}")
+    ports = [n for n, field in type(part).fields.items() if isinstance(field, Port | RealInput)]
+    if name not in ports:
+        raise ModelError(f"'{path}': there is no such flange{nearest(name, ports)}")
     return PortRef(part, name)
 
 

@@ -3,16 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import TYPE_CHECKING
+from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from ...components.base import ModelError
+from ...components.base import ModelError, at_least, demand, finite, instance, number, numbers, shown, whole
 from .norms import stable_part
-
-if TYPE_CHECKING:
-    from .statespace import StateSpace
+from .statespace import StateSpace
 
 Array = NDArray[np.float64]
 Spectrum = float | Callable[[Array], ArrayLike]
@@ -26,12 +24,30 @@ def response_psd(system: StateSpace, f: ArrayLike, input_psd: Spectrum = 1.0) ->
         f: frequencies [Hz].
         input_psd: one-sided spectrum of the input, a number or a function of f, in its unit squared per Hz.
     """
+    demand("response_psd()", system=(system, instance(StateSpace)), f=(f, numbers(finite("Hz"))))
     at = np.asarray(f, dtype=float)
-    if not (at >= 0).all():
-        raise ModelError(f"one-sided spectra are for frequencies from 0 Hz, got {at.min():g}")
-    given = np.asarray(input_psd(at) if callable(input_psd) else np.full(at.shape, input_psd), dtype=float)
+    if at.ndim != 1 or not (at >= 0).all():
+        raise ModelError(f"one-sided spectra are at a list of frequencies from 0 Hz, got {shown(f)}")
+    given = _spectrum(input_psd, at)
     spectrum: Array = (np.abs(system.response(at)) ** 2).sum(axis=-1) * given[:, None]
     return spectrum
+
+
+def _spectrum(input_psd: Spectrum, at: Array) -> Array:
+    """Return the spectrum of the input at some frequencies."""
+    try:
+        values: Any = input_psd(at) if callable(input_psd) else input_psd
+    except Exception as error:
+        told = f"{type(error).__name__}: {str(error).partition(chr(10))[0]}"
+        raise ModelError(f"input_psd failed for an array of frequencies ({told})") from error
+    if not callable(input_psd) and not number(input_psd):
+        values = np.full(at.shape, input_psd)
+    if numbers(at_least(0))(values) or np.shape(values) != at.shape:
+        raise ModelError(
+            f"input_psd must be a spectrum of at least 0, a number or a function of frequencies, got "
+            f"{shown(values if callable(input_psd) else input_psd)}"
+        )
+    return np.asarray(values, dtype=float)
 
 
 def response_rms(
@@ -53,6 +69,13 @@ def response_rms(
     """
     from scipy.integrate import simpson
 
+    demand(
+        "response_rms()",
+        system=(system, instance(StateSpace)),
+        low=(low, finite("Hz")),
+        high=(high, finite("Hz")),
+        points=(points, whole(2)),
+    )
     if not 0 < low < high:
         raise ModelError(f"a band goes from low > 0 to a higher frequency, got {low:g} to {high:g} Hz")
     reason = stable_part(system)[1]

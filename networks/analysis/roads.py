@@ -14,7 +14,22 @@ import casadi as ca
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from ...components.base import ModelError, Sampled, nearest
+from ...components.base import (
+    ModelError,
+    Sampled,
+    above,
+    between,
+    demand,
+    finite,
+    nearest,
+    numbers,
+    optional,
+    path_of,
+    text,
+    text_of,
+    there_is_file,
+    whole,
+)
 
 Array = NDArray[np.float64]
 N_0 = 0.1
@@ -32,9 +47,9 @@ def road_spectrum(road_class: str, n: ArrayLike) -> Array:
 
     Source: ISO 8608:2016, geometric means of the classes.
     """
+    demand("road_spectrum()", n=(n, numbers(above(0, "cycle/m"))))
+    demand("road_spectrum()", n=(n, numbers(between(1e-100, 1e100, "cycle/m"))))
     waves = np.asarray(n, dtype=float)
-    if not (waves > 0).all():
-        raise ModelError(f"a road's spectrum is for spatial frequencies above 0 cycle/m, got {waves.min():g}")
     spectrum: Array = _class(road_class) * (waves / N_0) ** -2.0
     return spectrum
 
@@ -68,11 +83,14 @@ def road_profile(
     Raises:
         ModelError: for an unknown class, a road shorter than its longest wave, or one of over 1e7 waves.
     """
-    if not (speed > 0 and 0 < low < high and seed >= 0):
-        raise ModelError(
-            f"a road needs speed > 0 m/s, 0 < low < high and seed >= 0, got speed={speed:g}, low={low:g}, "
-            f"high={high:g}, seed={seed}"
-        )
+    demand(
+        "road_profile()",
+        speed=(speed, above(0, "m/s")),
+        duration=(duration, above(0, "s")),
+        seed=(seed, whole(0)),
+        low=(low, above(0, "cycle/m")),
+    )
+    demand("road_profile()", high=(high, above(low, "cycle/m")))
     length = speed * duration
     if not length * high <= LONGEST:
         raise ModelError(
@@ -104,11 +122,13 @@ def bump(height: float, length: float, speed: float, begin: float = 0.0) -> Call
     Raises:
         ModelError: for a length or speed that is not above 0.
     """
-    if not (length > 0 and speed > 0 and math.isfinite(height)):
-        raise ModelError(
-            f"a bump needs a finite height, length > 0 m and speed > 0 m/s, "
-            f"got {height:g}, {length:g} and {speed:g}"
-        )
+    demand(
+        "bump()",
+        height=(height, finite("m")),
+        length=(length, above(0, "m")),
+        speed=(speed, above(0, "m/s")),
+        begin=(begin, finite("s")),
+    )
 
     def profile(t: Any) -> Any:
         x = speed * (t - begin)
@@ -130,20 +150,19 @@ def record(path: str | Path, column: str | None = None, *, time: str = "time", s
     Raises:
         ModelError: for a missing file or column, or what is no finite number or out of order, with its line.
     """
-    file = Path(path)
-    if not file.is_file():
-        raise ModelError(f"record: there is no file {file}")
+    file = path_of(path, "a record")
+    demand("record()", scale=(scale, finite()), time=(time, text), column=(column, optional(text)))
+    there_is_file(file)
     if file.suffix.lower() == ".at2":
         return _peer(file, scale)
-    with file.open(newline="", encoding="utf-8") as stream:
-        rows = csv.reader(stream)
-        heads = [head.strip() for head in next(rows, [])]
-        wanted = column or next((h for h in heads if h != time), "")
-        for name in (time, wanted):
-            if name not in heads:
-                raise ModelError(f"{file} has no column '{name}'{nearest(name, heads)}")
-        places = heads.index(time), heads.index(wanted)
-        lines = [(n, _numbers(file, n, row, places)) for n, row in enumerate(rows, start=2) if row]
+    rows = csv.reader(text_of(file).splitlines())
+    heads = [head.strip() for head in next(rows, [])]
+    wanted = column or next((h for h in heads if h != time), "")
+    for name in (time, wanted):
+        if name not in heads:
+            raise ModelError(f"{file} has no column '{name}'{nearest(name, heads)}")
+    places = heads.index(time), heads.index(wanted)
+    lines = [(n, _numbers(file, n, row, places)) for n, row in enumerate(rows, start=2) if row]
     for (_, before), (line, after) in pairwise(lines):
         if not after[0] > before[0]:
             raise ModelError(
@@ -164,7 +183,7 @@ def _numbers(file: Path, line: int, row: list[str], places: tuple[int, ...]) -> 
 
 
 def _peer(file: Path, scale: float) -> Sampled:
-    lines = file.read_text(encoding="utf-8").splitlines()
+    lines = text_of(file).splitlines()
     facts = dict(_facts(lines[3])) if len(lines) > 4 else {}
     if "DT" not in facts:
         raise ModelError(f"{file}, line 4: no 'DT=' as the PEER format has it")
@@ -184,6 +203,6 @@ def _facts(line: str) -> Iterator[tuple[str, float]]:
 
 
 def _class(road_class: str) -> float:
-    if road_class not in G_D:
+    if text(road_class) or road_class not in G_D:
         raise ModelError(f"road classes are A to H (ISO 8608), got {road_class!r}")
     return G_D[road_class]

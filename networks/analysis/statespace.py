@@ -10,7 +10,19 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from ...components.base import ModelError, nearest
+from ...components.base import (
+    ModelError,
+    UnknownNameError,
+    between,
+    demand,
+    instance,
+    listed,
+    nearest,
+    numbers,
+    optional,
+    shown,
+    text,
+)
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -53,6 +65,12 @@ class StateSpace:
     slopes: Mapping[str, StateSpace] = field(default_factory=dict)
 
     def __post_init__(self) -> None:
+        for name in "ABCD":
+            object.__setattr__(self, name, _matrix(name, getattr(self, name)))
+        given: Any = self.D_s
+        several = given if isinstance(given, list | tuple) else (given,)
+        object.__setattr__(self, "D_s", tuple(_matrix("D_s", D) for D in several))
+        demand("this system", name=(self.name, text))
         n, m, p = len(self.A), self.B.shape[1], len(self.C)
         if (
             self.A.shape != (n, n)
@@ -65,11 +83,15 @@ class StateSpace:
         if not all(np.isfinite(M).all() for M in (self.A, self.B, self.C, self.D, *self.D_s)):
             raise ModelError(f"'{self.name}': matrices must be of finite numbers")
         for names, stem, count in (("states", "x", n), ("inputs", "u", m), ("outputs", "y", p)):
-            if not getattr(self, names):
-                object.__setattr__(self, names, tuple(f"{stem}{k + 1}" for k in range(count)))
-            units = f"{names[:-1]}_units"
-            if not getattr(self, units):
-                object.__setattr__(self, units, ("1",) * count)
+            defaults = {
+                names: tuple(f"{stem}{k + 1}" for k in range(count)),
+                f"{names[:-1]}_units": ("1",) * count,
+            }
+            for field_, default in defaults.items():
+                labels = listed(field_, getattr(self, field_))
+                if labels and len(labels) != count:
+                    raise ModelError(f"'{self.name}': there are {count} {names}, but {len(labels)} {field_}")
+                object.__setattr__(self, field_, labels or default)
 
     @property
     def proper(self) -> bool:
@@ -95,25 +117,45 @@ class StateSpace:
         return bool((self.poles.real < 0).all())
 
     def __call__(self, s: ArrayLike) -> Complex:
-        """Return the transfer matrix at complex frequencies [rad/s], shape (..., outputs, inputs)."""
-        at = np.asarray(s, dtype=np.complex128)
+        """Return the transfer matrix at complex frequencies [rad/s], shape (..., outputs, inputs).
+
+        Raises:
+            ModelError: at a pole, where it is infinite.
+        """
+        at = np.asarray(s, dtype=np.complex128) if _are_numbers(s) else np.array(np.nan)
+        if not (np.abs(at) < 1e60).all():
+            raise ModelError(f"'{self.name}': a transfer function is taken at finite numbers, got {shown(s)}")
         eye = np.eye(len(self.A))
-        resolved: Any = np.linalg.solve(
-            at[..., None, None] * eye - self.A, np.broadcast_to(self.B, (*at.shape, *self.B.shape))
-        )
+        matrices = at[..., None, None] * eye - self.A
+        try:
+            resolved: Any = np.linalg.solve(matrices, np.broadcast_to(self.B, (*at.shape, *self.B.shape)))
+        except np.linalg.LinAlgError:
+            ranks = ((p, np.linalg.matrix_rank(p * eye - self.A)) for p in at.ravel())
+            pole = next((p for p, rank in ranks if rank < len(self.A)), at.ravel()[0])
+            raise ModelError(
+                f"'{self.name}': s = {pole:.6g} rad/s ({abs(pole) / (2 * math.pi):.6g} Hz) is a pole, where "
+                "the response is infinite: nothing holds or damps that motion; leave that frequency out"
+            ) from None
         value: Any = self.C @ resolved + self.D
         for order, D in enumerate(self.D_s, start=1):
             value = value + at[..., None, None] ** order * D
         return np.asarray(value, dtype=np.complex128)
 
     def response(self, f: ArrayLike) -> Complex:
-        """Return the frequency response at frequencies [Hz], shape (..., outputs, inputs)."""
+        """Return the frequency response at frequencies [Hz], shape (..., outputs, inputs).
+
+        Raises:
+            ModelError: at a pole, where it is infinite.
+        """
+        demand("response()", f=(f, numbers(between(-1e60, 1e60, "Hz"))))
         return self(2j * math.pi * np.asarray(f, dtype=float))
 
     def __getitem__(self, pair: tuple[str | Sequence[str], str | Sequence[str]]) -> StateSpace:
         """Return the part from some inputs to some outputs: `system[outputs, inputs]`, by name."""
-        rows = [self._place(name, self.outputs, "output") for name in _listed(pair[0])]
-        columns = [self._place(name, self.inputs, "input") for name in _listed(pair[1])]
+        if instance(tuple)(pair) or len(pair) != 2:
+            raise ModelError(f"'{self.name}': a part is system[outputs, inputs], got [{shown(pair)}]")
+        rows = [self._place(name, self.outputs, "output") for name in listed("outputs", pair[0])]
+        columns = [self._place(name, self.inputs, "input") for name in listed("inputs", pair[1])]
         picked = np.ix_(rows, columns)
         return replace(
             self, B=self.B[:, columns], C=self.C[rows], D=self.D[picked],
@@ -126,7 +168,7 @@ class StateSpace:
 
     def _place(self, name: str, known: tuple[str, ...], kind: str) -> int:
         if name not in known:
-            raise KeyError(f"'{self.name}' has no {kind} '{name}'{nearest(name, known)}")
+            raise UnknownNameError(f"'{self.name}' has no {kind} '{name}'{nearest(name, known)}")
         return known.index(name)
 
     def then(self, after: StateSpace, output: int | str = 0, name: str = "") -> StateSpace:
@@ -142,6 +184,13 @@ class StateSpace:
         """
         from .realise import chained
 
+        demand(
+            "then()",
+            after=(after, instance(StateSpace)),
+            output=(output, instance(int, str)),
+            name=(name, text),
+        )
+        demand("then()", output=(0 if isinstance(output, str) else output, between(0, len(self.outputs) - 1)))
         k = output if isinstance(output, int) else self._place(output, self.outputs, "output")
         return chained(self, after, k, name or f"{self.outputs[k]} ({after.name})")
 
@@ -153,6 +202,7 @@ class StateSpace:
         """
         from .minimal import minimal
 
+        demand("minimal()", tolerance=(tolerance, between(0, 1)))
         return minimal(self, tolerance)
 
     def h2(self) -> Norm:
@@ -176,6 +226,7 @@ class StateSpace:
         """
         from .norms import hinf
 
+        demand("hinf()", tolerance=(tolerance, between(1e-15, 0.1)))
         return hinf(self, tolerance)
 
     def modes(self) -> list[Mode]:
@@ -209,18 +260,21 @@ class StateSpace:
         """Return a system of python-control or SciPy (state space or transfer function) as a `StateSpace`."""
         from .interop import from_other
 
+        demand("from_ss()", name=(name, text))
         return from_other(system, name)
 
     def plot_bode(self, f: ArrayLike | None = None) -> Figure:
         """Draw gain and phase over frequency [Hz], one column an input; return the figure."""
         from .bode import plot_bode
 
+        demand("plot_bode()", f=(f, optional(numbers(between(0, 1e60, "Hz")))))
         return plot_bode(self, f)
 
     def plot_nyquist(self, f: ArrayLike | None = None) -> Figure:
         """Draw the frequency response in the complex plane; return the figure."""
         from .bode import plot_nyquist
 
+        demand("plot_nyquist()", f=(f, optional(numbers(between(0, 1e60, "Hz")))))
         return plot_nyquist(self, f)
 
     def __repr__(self) -> str:
@@ -230,8 +284,17 @@ class StateSpace:
         return f"<StateSpace '{self.name}': {ways}, {size}{improper}>"
 
 
-def _listed(names: str | Sequence[str]) -> list[str]:
-    return [names] if isinstance(names, str) else list(names)
+def _are_numbers(values: Any) -> bool:
+    try:
+        return bool(np.issubdtype(np.asarray(values).dtype, np.number))
+    except ValueError:
+        return False
+
+
+def _matrix(name: str, given: Any) -> Any:
+    if not _are_numbers(given) or np.ndim(given) != 2:
+        raise ModelError(f"{name} must be a matrix of numbers, got {shown(given)}")
+    return np.asarray(given)
 
 
 def _trimmed(parts: list[Array]) -> tuple[Array, ...]:

@@ -10,15 +10,30 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from ...components import Component, Fixed, Position, rotational, signals
-from ...components.base import ModelError, SimulationError
+from ...components.base import (
+    ModelError,
+    SimulationError,
+    above,
+    between,
+    demand,
+    listed,
+    named,
+    numbers,
+    whole,
+)
+from ..dae import DAE
+from ..given import element_of, network_of
+from ..keywords import check_keywords
 from ..network import Network
 from ..result import Result
+from .orbits import harmonics_of
 from .probing import port
 
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
 POINTS = 256
 DRIVE = "stepped_sine"
+SLOWEST, MOST = 1e-6, 1e100
 
 
 @dataclass(frozen=True, eq=False)
@@ -38,11 +53,11 @@ class SteppedSine:
 
     def amplitude(self, output: str, harmonic: int = 1) -> Array:
         """Return amplitudes of a harmonic of an output."""
-        return np.abs(self.harmonics[output][:, harmonic])
+        return np.abs(harmonics_of(self.harmonics, output, harmonic)[:, harmonic])
 
     def response(self, output: str) -> Complex:
         """Return the first harmonic of an output over the drive: what a linear system calls its response."""
-        value: Complex = self.harmonics[output][:, 1] / self.drive
+        value: Complex = harmonics_of(self.harmonics, output)[:, 1] / self.drive
         return value
 
 
@@ -78,16 +93,24 @@ def stepped_sine(
     Raises:
         ModelError: for an unknown input.
     """
-    net = _with_drive(network, driven, amplitude)
+    demand(
+        "stepped_sine()",
+        amplitude=(amplitude, above(0)),
+        frequencies=(frequencies, numbers(between(SLOWEST, 1 / SLOWEST, "Hz"))),
+        tolerance=(tolerance, above(0)),
+        most=(most, whole(1)),
+    )
+    demand("stepped_sine()", amplitude=(amplitude, between(0, MOST)))
+    check_keywords("stepped_sine()", options, DAE.simulate)
+    net = _with_drive(network_of(network), driven, amplitude)
     dae = net.dae()
-    wanted, found, settled = list(outputs), [], []
-    state = dict(start or {})
-    parameters = dict(options.pop("parameters", None) or {})
-    steps = np.atleast_1d(np.asarray(frequencies, dtype=float))
-    if not (amplitude > 0 and steps.size and (steps > 0).all()):
-        raise ModelError(
-            f"a stepped sine needs amplitude > 0 and frequencies > 0 Hz, got {amplitude:g}, {steps}"
-        )
+    wanted, found, settled = list(listed("outputs", outputs)), [], []
+    if not wanted:
+        raise ModelError("stepped_sine() looks at one output at least, got none")
+    state = named("start", start)
+    inputs = named("inputs", inputs)
+    parameters = named("parameters", options.pop("parameters", None))
+    steps = np.atleast_1d(np.asarray(frequencies, dtype=float)).ravel()
     for f in steps:
         last: Complex = np.empty(0, dtype=complex)
         steady = False
@@ -110,7 +133,7 @@ def stepped_sine(
         settled.append(steady)
     lines = np.array(found)
     return SteppedSine(
-        np.atleast_1d(np.asarray(frequencies, dtype=float)),
+        steps,
         {name: lines[:, k] for k, name in enumerate(wanted)},
         np.array(settled),
         amplitude,
@@ -133,7 +156,7 @@ def describing_function(
 
     Source: Gelb & Vander Velde, Multiple-Input Describing Functions (1968), chapter 2.
     """
-    if not {"flange_a", "flange_b"} <= type(element).fields.keys():
+    if not {"flange_a", "flange_b"} <= type(element_of(element)).fields.keys():
         raise ModelError(
             f"a describing function is of an element with flange_a and flange_b, not of {element!r}"
         )

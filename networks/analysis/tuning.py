@@ -9,10 +9,12 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ...components.base import ModelError
+from ...components.base import ModelError, at_least, between, demand, function, named, shown, whole
 from ..dae import DAE
+from ..given import dae_of
+from ..keywords import check_keywords
 from ..network import Network
-from .descent import BAD, Bounds, Measure, Problem, check_names
+from .descent import BAD, Bounds, Measure, Problem, check_names, of_design
 
 Array = NDArray[np.float64]
 EDGE = 1e-6
@@ -74,7 +76,8 @@ def tune(
         >>> round(tuned.parameters["strut.rest.d"]), round(tuned.value, 4)
         (2615, 1.76)
     """
-    dae = network.dae() if isinstance(network, Network) else network
+    demand("tune()", starts=(starts, whole(1)), seed=(seed, whole(0)))
+    dae = dae_of(network)
     problem = Problem(dae, measure, bounds, limits)
     tried = [problem.search(x) for x in problem.starts(start, starts, seed)]
     allowed = [(value, x) for value, x in tried if problem.allowed(x) and value < BAD]
@@ -112,9 +115,10 @@ def front(
 
     Source: Y. Haimes et al., IEEE Trans. Syst. Man Cybern. 1 (1971) 296-297 (epsilon constraint).
     """
-    if points < 2:
+    if whole(2)(points):
         raise ModelError(f"a front has at least its two ends, got points={points}")
-    dae = network.dae() if isinstance(network, Network) else network
+    check_keywords("front()", options, tune)
+    dae = dae_of(network)
     ends = [tune(dae, measure, bounds, **options) for measure in (first, second)]
     others = [float(second(dae, parameters=end.parameters)) for end in ends]
     found = [(ends[0].value, others[0], ends[0].parameters)]
@@ -147,6 +151,7 @@ class Scatter:
 
     def quantile(self, share: float) -> float:
         """Return the value that a share of the samples stays below."""
+        demand("quantile()", share=(share, between(0, 1)))
         return float(np.quantile(self.values, share))
 
 
@@ -171,20 +176,22 @@ def scatter(
     """
     from scipy.stats import norm, qmc
 
-    dae = network.dae() if isinstance(network, Network) else network
-    if samples < 2:
+    dae = dae_of(network)
+    if whole(2)(samples):
         raise ModelError(f"scatter needs at least 2 samples, got {samples}")
-    below = [f"{name}: {share:g}" for name, share in spread.items() if not share >= 0]
+    demand("scatter()", measure=(measure, function), seed=(seed, whole(0)))
+    spread, parameters = named("spread", spread), named("parameters", parameters)
+    below = [f"{name}: {shown(share)}" for name, share in spread.items() if at_least(0)(share)]
     if below or not spread:
         raise ModelError("scatter takes relative deviations of at least 0:", below or ["there are none"])
-    given = {**dae.parameter_values, **(parameters or {})}
+    given = {**dae.parameter_values, **parameters}
     check_names(dae, spread)
     unit = qmc.LatinHypercube(len(spread), rng=np.random.default_rng(seed)).random(samples)
     shift = norm.ppf(norm.cdf(-3) + unit * (norm.cdf(3) - norm.cdf(-3)))
     factors = 1 + shift * np.array(list(spread.values()))
-    base = dict(parameters or {})
+    base = parameters
     values = [
-        measure(dae, parameters=base | {n: given[n] * float(c) for n, c in zip(spread, row, strict=True)})
+        of_design(measure, dae, base | {n: given[n] * float(c) for n, c in zip(spread, row, strict=True)})
         for row in factors
     ]
-    return Scatter(float(measure(dae, parameters=base)), np.array(values, dtype=float))
+    return Scatter(float(of_design(measure, dae, base)), np.array(values, dtype=float))

@@ -227,8 +227,23 @@ CoreStatus core_indicators(Core *c, const double **g) {
     return CORE_OK;
 }
 
+/* An integrator may look beyond the data, but no step may end there. */
+int core_knows_inputs(Core *c, double t) {
+    const double slack = 1e-9 * (fabs(t) + 1);
+    if (model_data_span[0] - slack <= t && t <= model_data_span[1] + slack) return 1;
+    core_say(c, "the data of its inputs are from ");
+    core_say_number(c, model_data_span[0]);
+    core_say_more(c, " to ");
+    core_say_number(c, model_data_span[1]);
+    core_say_more(c, " s, and nothing is known of them at ");
+    core_say_number(c, t);
+    core_say_more(c, " s");
+    return 0;
+}
+
 CoreStatus core_start(Core *c) {
     int changed;
+    if (!core_knows_inputs(c, c->t)) return CORE_ERROR;
     core_stale(c);
     c->h = 0;
     return core_settle(c, &changed);
@@ -244,12 +259,15 @@ static void raise_falling(Core *c) {
 
 CoreStatus core_settle(Core *c, int *changed) {
     int happened, forced = c->pending - 1;
+    core_find_leg(c);
+    if (core_at_end_of_leg(c)) core_next_leg(c);
     CoreStatus status = core_fire(c, forced, 0, &happened, changed);
     if (status == CORE_OK) raise_falling(c);
     return status;
 }
 
 CoreStatus core_due(Core *c, int *due) {
+    if (!core_knows_inputs(c, c->t)) return CORE_ERROR;
     *due = core_any_due(c);
     return *due < 0 ? impossible(c, "indicators are not finite") : CORE_OK;
 }

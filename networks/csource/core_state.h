@@ -47,7 +47,9 @@ struct Core {
 
 #ifdef CORE_RECORDS /* in this process only: such a core cannot be kept beyond its records */
     struct Record *records[ROOM(NU)];
+    struct Legs *legs;
 #endif
+    long long leg; /* on which the core stands */
 
     int fresh; /* which of the following is up to date */
     double rates[ROOM(NY)], variables[ROOM(NW)], indicators[ROOM(NG)];
@@ -89,6 +91,14 @@ struct Core {
     double of_y[NY + 1], of_u[ROOM(NA)], of_p[ROOM(NP)];
 };
 
+/* Parts of a run between instants at which what is given switches: where they begin and end, the longest step
+ * that steps over nothing, and whether a signal jumps where they begin. */
+typedef struct Legs {
+    long long count;
+    const double *begin, *end, *longest;
+    const int *jumps;
+} Legs;
+
 /* Told of what happens on the way. Any function may be absent. */
 typedef struct {
     void *context;
@@ -111,9 +121,19 @@ typedef struct Record {
 void core_record_at(Record *r, double t, double *value, double *rate);
 #endif
 
+/* legs.c */
+void core_find_leg(Core *c);
+int core_at_end_of_leg(const Core *c);
+int core_jumps_next(const Core *c);
+double core_end_of_leg(const Core *c);
+double core_longest_step(const Core *c);
+void core_next_leg(Core *c);
+int core_next_time(Core *c, double *time);
+
 /* core.c */
 enum { FRESH_ALGEBRA = 1, FRESH_RATES = 2, FRESH_VARIABLES = 4, FRESH_INDICATORS = 8 };
 void core_stale(Core *c);
+int core_knows_inputs(Core *c, double t);
 void core_inputs_at(Core *c, double t);
 double core_free_at(const Core *c, int i, double t);
 int core_motion_at(Core *c, double t, const double y[], double rates[]);

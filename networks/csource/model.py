@@ -16,6 +16,7 @@ import numpy as np
 from ...components.base import Sampled
 from ..closed import input_value
 from ..dae import DAE, Input
+from ..legs import Leg
 from ..stepper import nominal_sizes
 from ..vectors import column, pick
 from .reduction import Reduction
@@ -32,12 +33,14 @@ class Model:
     Attributes:
         signals: signal of every bound input by name; the others are free.
         variables: names of what is published besides the states.
+        legs: parts of a run between instants at which signals switch; none if a run brings its own.
         products: whether derivative products are wanted, which are long.
     """
 
     dae: DAE
     signals: dict[str, Any]
     variables: Sequence[str]
+    legs: Sequence[Leg]
     products: bool = True
 
     @property
@@ -165,6 +168,7 @@ class Model:
         tables.size("NW", len(self.variables))
         self._numbers(tables)
         self._inputs_tables(tables)
+        self._legs(tables)
         self._changes(tables)
         self._blocks(tables)
         self._patterns(tables)
@@ -185,7 +189,14 @@ class Model:
         tables.doubles("model_nominal", nominal_sizes(dae, [*dae.states, *dae.algebraic]))
         tables.strings("model_unknown_name", [dae.system.name(v) for v in (*dae.states, *dae.algebraic)])
 
+    def _data_span(self) -> tuple[float, float]:
+        """Return from when until when all data built in are known [s]."""
+        limited = [s for s in self.signals.values() if isinstance(s, Sampled) and s.extrapolation == "none"]
+        begin = max((float(s.time[0]) for s in limited), default=-np.inf)
+        return begin, min((float(s.time[-1]) for s in limited), default=np.inf)
+
     def _inputs_tables(self, tables: Tables) -> None:
+        tables.doubles("model_data_span", self._data_span())
         free, place = self.free, {(i.path, i.order): k for k, i in enumerate(self.dae.inputs)}
         tables.integers("model_input_at", [place[i.path, i.order] for i in free])
         tables.integers("model_input_sign", [i.sign for i in free])
@@ -193,6 +204,13 @@ class Model:
         tables.integers("model_input_rate", [number.get((i.path, i.order + 1), -1) for i in free])
         tables.integers("model_input_order", [i.order for i in free])
         tables.strings("model_input_name", [i.path for i in free])
+
+    def _legs(self, tables: Tables) -> None:
+        tables.size("MODEL_LEGS", len(self.legs))
+        tables.doubles("model_leg_begin", [leg.begin for leg in self.legs])
+        tables.doubles("model_leg_end", [leg.end for leg in self.legs])
+        tables.doubles("model_leg_longest", [leg.max_step for leg in self.legs])
+        tables.integers("model_leg_jumps", [leg.jumps for leg in self.legs])
 
     def _changes(self, tables: Tables) -> None:
         switching, states = self.dae.switching, {v: k for k, v in enumerate(self.dae.states)}

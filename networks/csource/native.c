@@ -29,8 +29,9 @@ EXPORT const char *native_message(const Core *c) { return c->message; }
 
 /* Records, of as many inputs as have one, must live as long as the run. */
 EXPORT void native_begin(Core *c, double t, const double y[], const double q[], const double free[],
-                         Record *const records[]) {
+                         Record *const records[], Legs *legs) {
     core_reset(c);
+    c->legs = legs;
     for (int i = 0; i < NU; i++) {
         c->free[i] = free[i];
         c->records[i] = records[i];
@@ -78,6 +79,7 @@ static void landed(void *context, Core *c, int after, int switched) {
     Run *run = context;
     if (!after && c->t > run->last) record(run, c->t, c->y);
     if (after && switched) open_segment(run, c);
+    if (after && run->next < run->output_count && run->outputs[run->next] <= c->t) run->next++;
 }
 
 static void fired(void *context, const Core *c, int change, int stays, double impulse) {

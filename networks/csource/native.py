@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import ctypes
+import os
 import time as clock
 from ctypes import (
     POINTER,
@@ -26,30 +27,31 @@ from weakref import WeakKeyDictionary, finalize
 import numpy as np
 from numpy.typing import NDArray
 
-from ...components.base import ModelError, Sampled, SimulationError
+from ...components.base import ModelError, Sampled, SimulationError, heed
+from ..closed import Closed, Given
 from ..dae import DAE
 from ..events import Event
 from ..index import System
 from ..point import Point
 from ..polynomial import Polynomial
 from ..result import Segment
-from ..splines import cubic_spline
+from ..splines import piecewise
 from ..stepper import IntegratorError
 from .model import Model
 from .program import SOURCES, sources
 from .toolchain import compile_shared
 
 if TYPE_CHECKING:
-    from ..closed import Closed
     from ..progress import Progress
     from ..run import Run
 
 ARRIVED, PAUSED, STUCK, FAILED = range(4)
 ROOM, ROUNDS = 512, 1000
+MOST_BETWEEN = 1_000_000  # steps from one output to the next
 UNEVEN = 20  # times its share of `max_steps` that an interval between outputs may take
-PATIENCE = 0.05
+FIRST, PATIENCE = 256, 0.05  # steps and seconds [s] until the C program looks up from its work
 DOUBLES, INTEGERS = POINTER(c_double), POINTER(c_longlong)
-_LIBRARIES: WeakKeyDictionary[System, dict[tuple[Any, ...], Any]] = WeakKeyDictionary()
+_LIBRARIES: WeakKeyDictionary[System, dict[Given, Any]] = WeakKeyDictionary()
 
 
 class _Run(Structure):
@@ -69,6 +71,26 @@ class _Record(Structure):
     """`Record` in core_state.h."""
 
     _fields_ = [("times", DOUBLES), ("powers", DOUBLES), ("count", c_longlong), ("found", c_longlong)]
+
+
+class _Legs(Structure):
+    """`Legs` in core_state.h."""
+
+    _fields_ = [
+        ("count", c_longlong),
+        ("begin", DOUBLES),
+        ("end", DOUBLES),
+        ("longest", DOUBLES),
+        ("jumps", POINTER(c_int)),
+    ]
+
+    def __init__(self, run: Run) -> None:
+        legs = run.legs
+        self._kept = [np.array([getattr(leg, name) for leg in legs]) for name in ("begin", "end")]
+        self._kept.append(np.array([min(leg.max_step, run.settings.max_step) for leg in legs]))
+        self._jumps = np.array([leg.jumps for leg in legs], dtype=np.intc)
+        jumps = self._jumps.ctypes.data_as(POINTER(c_int))
+        super().__init__(len(legs), *map(_pointer, self._kept), jumps)
 
 
 class Native:
@@ -106,21 +128,28 @@ class Native:
         point, settings = run.point, run.settings
         y = np.concatenate([point.x, point.z])
         records = self._records()
-        begin = point.t, _pointer(y), _pointer(point.q), _pointer(self._free), records
+        legs = _Legs(run)
+        begin = point.t, _pointer(y), _pointer(point.q), _pointer(self._free), records, byref(legs)
         self._library.native_begin(self._core, *begin)
         store = _Store(self, outputs, (settings.rtol, settings.atol))
         if settings.max_steps is not None:
             store.shared.crowd = UNEVEN * settings.max_steps // (len(outputs) - 1) + UNEVEN
-        budget, status = 1000, PAUSED
+        budget, status = FIRST, PAUSED
+        output, steps = 0, 0
         while status == PAUSED:
+            heed()
+            if store.shared.next > output:
+                output, steps = store.shared.next, store.shared.steps
+            elif store.shared.steps > steps + MOST_BETWEEN:
+                raise IntegratorError(f"{MOST_BETWEEN:.0e} steps did not lead to the next output")
             store.shared.budget = budget
             began = clock.perf_counter()
             status = self._library.native_run(self._core, byref(store.shared))
             run.calls += 1
             store.drain(run)
             progress.at(run.point.t)
-            if clock.perf_counter() - began < PATIENCE:
-                budget *= 2
+            share = PATIENCE / max(clock.perf_counter() - began, 1e-9)
+            budget = max(1, int(budget * min(share, 2.0)))
         self._tell(run)
         if status == ARRIVED:
             return
@@ -213,25 +242,28 @@ def _table(signal: Any, order: int) -> tuple[NDArray[np.float64], NDArray[np.flo
     """Return the instants and the powers of a record's spline, or of its derivative."""
     if not isinstance(signal, Sampled):
         return None
-    powers = cubic_spline(signal).c
+    course = piecewise(signal)
+    powers = course.c
     for _ in range(order):
         powers = np.vstack([np.zeros_like(powers[:1]), powers[:3] * [[3.0], [2.0], [1.0]]])
-    return signal.time, np.ascontiguousarray(powers)
+    return course.x, np.ascontiguousarray(powers)
 
 
 def _library(dae: DAE, functions: dict[str, Any]) -> Any:
     """Return the compiled program of a network with some inputs built in, made once."""
     known = _LIBRARIES.setdefault(dae.system, {})
-    key = tuple(functions.items())
+    key = Given(functions)
     if key not in known:
         folder = Path(mkdtemp(prefix="inertance-"))
         finalize(dae.system, rmtree, folder, ignore_errors=True)
-        model = Model(dae, functions, (), products=False)
+        model = Model(dae, functions, (), (), products=False)
         files = model.texts() | sources((*SOURCES, "records.c", "native.c"))
         for name, text in files.items():
-            (folder / name).write_text(text)
+            (folder / name).write_text(text, encoding="utf-8")
         listed = [folder / name for name in files if name.endswith(".c")]
         known[key] = _loaded(compile_shared(listed, folder / "network.so", flags=["-DCORE_RECORDS", "-O1"]))
+        if os.name == "posix":  # a loaded library needs its file no more, and processes may end at any time
+            rmtree(folder, ignore_errors=True)
     return known[key]
 
 
@@ -240,7 +272,7 @@ def _loaded(path: Path) -> Any:
     library.native_size.restype = c_size_t
     library.native_message.restype, library.native_message.argtypes = c_char_p, [c_void_p]
     library.native_begin.argtypes, library.native_begin.restype = (
-        [c_void_p, c_double, *[DOUBLES] * 3, c_void_p],
+        [c_void_p, c_double, *[DOUBLES] * 3, c_void_p, c_void_p],
         None,
     )
     library.native_tell.argtypes, library.native_tell.restype = [c_void_p, INTEGERS, INTEGERS], None

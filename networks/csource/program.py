@@ -11,17 +11,21 @@ from typing import Any
 
 import casadi as ca
 
-from ..closed import chosen_signals
+from ..closed import Closed, chosen_signals
 from ..dae import DAE, Input
+from ..legs import Leg, endless_legs
+from ..polynomial import Polynomial
+from ..time_signals import TimeSignals
 from ..vectors import column
 from .model import Model
 
+HORIZON = 1e5
 HERE = Path(__file__).parent
 HEADERS = ("core.h", "core_state.h")
 PRODUCTS = ("products.c",)
 SOURCES = (
-    "algebra.c", "core.c", "events.c", "impacts.c", "linear.c", "locate.c", "message.c", "rosenbrock.c",
-    "stepper.c",
+    "algebra.c", "core.c", "events.c", "impacts.c", "legs.c", "linear.c", "locate.c", "message.c",
+    "rosenbrock.c", "stepper.c",
 )  # fmt: skip
 
 
@@ -141,13 +145,20 @@ def c_program(dae: DAE, inputs: Mapping[str, Any] | None = None, variables: Sequ
 
     Raises:
         ModelError: for unknown inputs, or signals that are none.
-        KeyError: for unknown variables, with the nearest name.
+        UnknownNameError: for unknown variables, with the nearest name.
     """
     signals = chosen_signals(dae, dict(inputs or {}), free=True)
-    model = Model(dae, signals, list(variables))
+    model = Model(dae, signals, list(variables), _built_in_legs(dae, signals))
     return CProgram(dae, model, model.texts() | sources((*SOURCES, *PRODUCTS)))
+
+
+def _built_in_legs(dae: DAE, signals: Mapping[str, Any]) -> list[Leg]:
+    """Return the legs of any run of a program, by its own signals; free inputs come from outside."""
+    free = {declared.path: Polynomial(0) for declared in dae.inputs if declared.path not in signals}
+    closed = Closed(dae, {**signals, **free})
+    return endless_legs(TimeSignals(closed, closed.dae.system.flat.table.values({}), 0.0, HORIZON), HORIZON)
 
 
 def sources(names: Sequence[str]) -> dict[str, str]:
     """Return headers and some sources of the core by name."""
-    return {name: (HERE / name).read_text() for name in (*HEADERS, *names)}
+    return {name: (HERE / name).read_text(encoding="utf-8") for name in (*HEADERS, *names)}

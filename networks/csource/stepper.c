@@ -125,7 +125,7 @@ static CoreStatus fire(Core *c, const Wanted *wanted, int forced) {
 
 /* Take one step, not beyond `stop`, up to the first event. Nonzero `halt` ends the advance. */
 static CoreStatus stride(Core *c, const Wanted *wanted, double stop, double *most, CoreStop *reached, int *halt) {
-    double left = stop - c->t, h = fmin(c->h, *most), kept, error, t, begin, end;
+    double left = stop - c->t, h = fmin(fmin(c->h, *most), core_longest_step(c)), kept, error, t, begin, end;
     int indicator, hit;
     if (wanted->fixed > 0) h = left / ceil(left / wanted->fixed - 1e-9);
     if (h >= left * (1 - 1e-10)) h = left;
@@ -177,6 +177,25 @@ static CoreStatus stride(Core *c, const Wanted *wanted, double stop, double *mos
     return core_watch(c, c->t, c->y, c->rates, &c->left) ? CORE_OK : failed(c, "indicators are not finite");
 }
 
+/* Go on beyond the end of a leg; where something jumps there, fire what that fires, or leave it to be fired. */
+static CoreStatus enter_next_leg(Core *c, const Wanted *wanted, CoreStop *reached, int *halt) {
+    const Observer *told = wanted->told;
+    int happened, changed, jumps = core_jumps_next(c);
+    CoreStatus status = CORE_OK;
+    if (jumps && wanted->early) {
+        *reached = CORE_EVENT;
+        *halt = 1;
+        return CORE_OK;
+    }
+    if (jumps && told && told->landed) told->landed(told->context, c, 0, 0);
+    core_next_leg(c);
+    if (jumps) status = core_fire(c, -1, told, &happened, &changed);
+    if (status == CORE_OK && jumps && told && told->landed) told->landed(told->context, c, 1, 1);
+    if (status == CORE_OK) status = core_rates(c, 0);
+    if (status != CORE_OK) return status;
+    return core_watch(c, c->t, c->y, c->rates, &c->left) ? CORE_OK : failed(c, "indicators are not finite");
+}
+
 /* Let free inputs, which went on by their derivatives, start from where they are. */
 static void rebase(Core *c) {
     for (int i = 0; i < NU; i++) c->trial_free[i] = core_free_at(c, i, c->t);
@@ -202,15 +221,18 @@ CoreStatus core_travel(Core *c, double stop, double rtol, double atol, double fi
         core_say_number(c, stop);
         return CORE_ERROR;
     }
+    if (!core_knows_inputs(c, stop)) return CORE_ERROR;
     if (!(rtol > 0) || !(atol > 0)) {
         core_say(c, "tolerances must be above 0");
         return CORE_ERROR;
     }
+    core_find_leg(c);
     CoreStatus status = core_rates(c, 0);
     if (status == CORE_OK && !core_watch(c, c->t, c->y, c->rates, &c->left)) status = failed(c, "indicators are not finite");
     if (!(c->h > 0) && status == CORE_OK) c->h = first_step(c, &wanted, stop - c->t);
     while (status == CORE_OK && !halt && c->t < stop) {
-        status = stride(c, &wanted, stop, &most, reached, &halt);
+        status = core_at_end_of_leg(c) ? enter_next_leg(c, &wanted, reached, &halt)
+                                       : stride(c, &wanted, fmin(stop, core_end_of_leg(c)), &most, reached, &halt);
         if (status == CORE_OK && c->steps - begin > MOST_STEPS) status = failed(c, "there is no end of steps");
     }
     rebase(c);

@@ -52,7 +52,7 @@ def generated(functions: Sequence[Any]) -> tuple[str, int]:
         for function in functions:
             generator.add(function)
         path = generator.generate(f"{folder}/")
-        text = Path(path).read_text()
+        text = Path(path).read_text(encoding="utf-8")
     text = WRITE.sub("res", READ.sub(r"arg[\1][\2];", BESIDE.sub("", text)))
     room = max((f.sz_w() for f in functions if not f.is_a("SXFunction")), default=0)
     return _with_loops(PRELUDE + text, room) if large else (PRELUDE + text, room)

@@ -58,7 +58,9 @@ def compile_shared(
     if not (platform or sys.platform).endswith(("windows", "win32")):
         command.append("-lm")
     unit = "".join(f'#include "{Path(source).resolve().as_posix()}"\n' for source in sources)
-    done = subprocess.run(command, input=unit, capture_output=True, text=True, check=False)
+    done = subprocess.run(
+        command, input=unit, capture_output=True, check=False, encoding="utf-8", errors="surrogateescape"
+    )
     if done.returncode:
         told = "\n".join(done.stderr.strip().splitlines()[:20])
         raise ToolchainError(f"'{command[0]}' could not compile the network:\n{told}")

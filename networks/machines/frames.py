@@ -3,10 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from typing import Any
 
 import numpy as np
 
 from ...components import Component, Fixed, Force, Mass, ModelError, Position, Spring, SpringDamper
+from ...components.base import above, between, demand, finite, number, numbers, shown, whole
+from ..given import element_of
 from ..network import Network
 
 
@@ -33,9 +36,12 @@ def shear_frame(
         >>> from inertance import shear_frame, tid
         >>> frame = shear_frame([1e3] * 3, [1.5e6] * 3, absorbers={(0, 1): tid(k=3e4, d=300.0, b=200.0)})
     """
+    _check_lists(m, k, d)
     if not (np.ndim(m) == np.ndim(k) == 1 and len(m)):
         raise ModelError(f"a frame needs at least one floor, and lists of m and k; got {m!r} and {k!r}")
-    damping = d or [0.0] * len(m)
+    if not (absorbers is None or isinstance(absorbers, Mapping)):
+        raise ModelError(f"absorbers maps two floors to what joins them, got {shown(absorbers)}")
+    damping = [0.0] * len(m) if d is None else list(d)
     if not len(m) == len(k) == len(damping):
         raise ModelError(f"a frame needs as many m, k and d, got {len(m)}, {len(k)} and {len(damping)}")
     frame = Network("shear frame", ground=Position(s_ref=0.0))
@@ -46,16 +52,32 @@ def shear_frame(
         flanges.append(getattr(frame, f"floor{n}").flange)
         frame.connect(flanges[n - 1], getattr(frame, f"storey{n}").flange_a)
         frame.connect(getattr(frame, f"storey{n}").flange_b, flanges[n])
-    for number, (floors, absorber) in enumerate((absorbers or {}).items(), start=1):
-        if not (np.shape(floors) == (2,) and {*floors} <= {*range(len(flanges))} and floors[0] != floors[1]):
+    for count, (floors, absorber) in enumerate((absorbers or {}).items(), start=1):
+        if not _joins(floors, len(flanges)):
             raise ModelError(
-                f"absorber {number} joins two floors, (lower, upper), there are 0 to {len(m)}; got {floors}"
+                f"absorber {count} joins two floors, (lower, upper), there are 0 to {len(m)}; got {floors}"
             )
         lower, upper = floors
-        frame.add(**{f"absorber{number}": absorber})
+        if not {"flange_a", "flange_b"} <= type(element_of(absorber)).fields.keys():
+            raise ModelError(f"absorber {count} must have flange_a and flange_b, got {shown(absorber)}")
+        frame.add(**{f"absorber{count}": absorber})
         frame.connect(absorber.flange_a, flanges[lower]).connect(absorber.flange_b, flanges[upper])
     frame.add(wind=Force(f=0.0))
     return frame.connect(frame.wind.flange, flanges[-1])
+
+
+def _joins(floors: Any, count: int) -> bool:
+    """Return whether something is a pair of different floors."""
+    pair = isinstance(floors, tuple) and len(floors) == 2 and not numbers(whole(0))(floors)
+    return pair and max(floors) < count and floors[0] != floors[1]
+
+
+def _check_lists(m: Any, k: Any, d: Any) -> None:
+    for name, given in (("m", m), ("k", k), ("d", d)):
+        if np.ndim(given) == 1 and len(given) and numbers(number)(list(given)):
+            raise ModelError(f"{name} must be a list of numbers, one for each floor, got {shown(given)}")
+    if not (d is None or (np.ndim(d) == 1 and isinstance(d, Sequence | np.ndarray))):
+        raise ModelError(f"d must be a list of numbers, one for each floor, got {shown(d)}")
 
 
 def taut_cable(
@@ -76,6 +98,14 @@ def taut_cable(
 
     Limits: the frequency of mode n is low by about (n pi/parts)^2/24.
     """
+    demand("taut_cable()", parts=(parts, between(2, 100_000)), at=(at, whole(1)))
+    demand(
+        "taut_cable()",
+        L=(L, finite("m")),
+        T=(T, above(0, "N")),
+        m=(m, above(0, "kg/m")),
+        parts=(parts, whole(2)),
+    )
     if not 1 <= at < parts:
         raise ModelError(f"the cable of {parts} parts has beads 1 to {parts - 1}, got {at}")
     if not L > 0:

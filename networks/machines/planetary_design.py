@@ -6,11 +6,13 @@ Flywheel Inerter, eqs. (2) and (7)-(15). They take numbers, arrays or symbols.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, fields
 from math import pi
 from typing import Any
 
 import numpy as np
+
+from ...components.base import demand, quantity, quantity_above_0
 
 
 def screw_inertance(J_e: Any, lead: Any) -> Any:
@@ -20,6 +22,7 @@ def screw_inertance(J_e: Any, lead: Any) -> Any:
         J_e: equivalent moment of inertia on the screw [kg.m2].
         lead: travel of the nut for one turn [m].
     """
+    demand("screw_inertance()", J_e=(J_e, quantity), lead=(lead, quantity_above_0))
     return (2 * pi / lead) ** 2 * J_e
 
 
@@ -33,11 +36,20 @@ def equivalent_inertia(N: Any, lam: Any, J_s: Any, J_p: Any, J_r: Any) -> Any:
         J_p: inertia of a planet in spin [kg.m2].
         J_r: inertia of a planet in revolution [kg.m2].
     """
+    demand(
+        "equivalent_inertia()",
+        N=(N, quantity),
+        lam=(lam, quantity_above_0),
+        J_s=(J_s, quantity),
+        J_p=(J_p, quantity),
+        J_r=(J_r, quantity),
+    )
     return J_s + N * (J_p * ((1 - lam) / lam) ** 2 + J_r)
 
 
 def disk_mass(J: Any, R: Any) -> Any:
     """Return the mass 2 J/R^2 [kg] of the homogeneous disk of radius R with inertia J, eq. (14)."""
+    demand("disk_mass()", J=(J, quantity), R=(R, quantity_above_0))
     return 2 * J / R**2
 
 
@@ -67,6 +79,9 @@ class PlanetaryGeometry:
     R: Any = 0.05
     L: Any = 0.0075
     rho: Any = 7850.0
+
+    def __post_init__(self) -> None:
+        demand("a PlanetaryGeometry", **{f.name: (getattr(self, f.name), quantity) for f in fields(self)})
 
     @property
     def r(self) -> Any:

@@ -12,10 +12,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ...components import Backlash, Component, Fixed, Planet, Position
+from ...components.base import ModelError, above, at_least, demand, finite, function, instance, shown, whole
 from ..network import Network
 from ..result import Result
 
 Array = NDArray[np.float64]
+MOST_LINES = 100_000
 
 
 @dataclass(frozen=True)
@@ -29,6 +31,11 @@ class Sinusoid:
 
     amplitude: float
     frequency: float
+
+    def __post_init__(self) -> None:
+        demand(
+            "a Sinusoid", amplitude=(self.amplitude, finite("m")), frequency=(self.frequency, finite("Hz"))
+        )
 
     def __call__(self, t: Any) -> Any:
         return self.amplitude * ca.sin(2 * pi * self.frequency * t)
@@ -56,6 +63,21 @@ class RandomDisplacement:
     high: float = 15.0
     level: float = 6.4e-6
 
+    def __post_init__(self) -> None:
+        demand(
+            "a RandomDisplacement",
+            seed=(self.seed, whole(0)),
+            period=(self.period, above(0, "s")),
+            low=(self.low, above(0, "Hz")),
+            high=(self.high, above(0, "Hz")),
+            level=(self.level, above(0, "m2.Hz")),
+        )
+        if not 1 <= (self.high - self.low) * self.period <= MOST_LINES or not len(self.lines):
+            raise ModelError(
+                f"a RandomDisplacement is of 1 to {MOST_LINES:.0e} lines, 1/period apart, from low to high, "
+                f"got {self.low:g} to {self.high:g} Hz with a period of {self.period:g} s"
+            )
+
     @property
     def lines(self) -> NDArray[np.int64]:
         """Numbers of the harmonics of 1/period it is made of."""
@@ -71,6 +93,7 @@ class RandomDisplacement:
 
 def inerter_rig(inerter: Component, displacement: Callable[[Any], Any]) -> Network:
     """Return the network of `frame`, `actuator` and `inerter`, the rod moving as prescribed [m]."""
+    demand("inerter_rig()", inerter=(inerter, instance(Component)), displacement=(displacement, function))
     net = Network("rig", frame=Fixed(), actuator=Position(s_ref=displacement), inerter=inerter)
     net.connect(net.actuator.flange, net.inerter.flange_a)
     net.connect(net.inerter.flange_b, net.frame.flange)
@@ -91,6 +114,7 @@ def run_on_rig(inerter: Component, displacement: Callable[[Any], Any], stop: flo
     Returns:
         The run; the force on the rod is `inerter.flange_a.f`.
     """
+    demand("run_on_rig()", inerter=(inerter, instance(Component)))
     rolling = {f"{path}.{x}": 0.0 for path in _contacts(inerter, "inerter") for x in ("s_rel", "v_rel")}
     return inerter_rig(inerter, displacement).simulate(stop, start=rolling, **options)
 
@@ -115,6 +139,10 @@ def rig_response(
     Source: Ge & Wang, Modeling, Testing, and Characteristic Analysis of a Planetary Flywheel Inerter,
     eq. (32).
     """
+    demand("rig_response()", inerter=(inerter, instance(Component)), settle=(settle, at_least(0, "s")))
+    given: Any = displacements
+    if not (isinstance(given, Sequence) and given and all(isinstance(d, RandomDisplacement) for d in given)):
+        raise ModelError(f"displacements are RandomDisplacements of one band, got {shown(displacements)}")
     lines, period = displacements[0].lines, displacements[0].period
     cross = np.zeros(len(lines), dtype=np.complex128)
     power = np.zeros_like(cross)

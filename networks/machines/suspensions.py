@@ -11,6 +11,7 @@ from collections.abc import Callable
 from typing import Any
 
 from ...components import Component, Damper, Inerter, ModelError, Spring
+from ...components.base import demand, finite, text
 from ..algebra import parallel, series
 
 LAYOUTS: dict[str, Callable[..., Any]] = {
@@ -68,6 +69,16 @@ def suspension(
     Raises:
         ModelError: for an unknown layout.
     """
+    demand(
+        "suspension()",
+        layout=(layout, text),
+        k=(k, finite("N/m")),
+        d=(d, _number_or_component),
+        b=(b, _number_or_component),
+        k_b=(k_b, finite("N/m")),
+        k_1=(k_1, finite("N/m")),
+        k_2=(k_2, finite("N/m")),
+    )
     if layout not in LAYOUTS:
         raise ModelError(f"suspension layouts are {', '.join(LAYOUTS)}, got {layout!r}")
     rest = LAYOUTS[layout](
@@ -78,3 +89,7 @@ def suspension(
         centring_b=Spring(k=k_2),
     )
     return parallel(spring=Spring(k=k), rest=rest)
+
+
+def _number_or_component(value: Any) -> str:
+    return "" if isinstance(value, Component) or not finite()(value) else "must be a number or a component"

@@ -17,6 +17,7 @@ from ...components import (
     parameter,
     variable,
 )
+from ..given import element_of
 from ..network import Network
 
 
@@ -46,8 +47,8 @@ class PitchingBody(Component):
     Seen from the side with the nose at the front flange, theta > 0 lifts the tail.
     """
 
-    front = TranslationalFlange("front axle")
-    rear = TranslationalFlange("rear axle")
+    front = TranslationalFlange("front axle", free=True)
+    rear = TranslationalFlange("rear axle", free=True)
     m = parameter("kg", "mass", above=0)
     J = parameter("kg.m2", "moment of inertia in pitch", above=0)
     l_f = parameter("m", "from the centre of mass to the front axle", above=0)
@@ -105,10 +106,10 @@ class RigidBody(Component):
     x is forward, y to the left: corners at (l_f, w/2), (l_f, -w/2), (-l_r, w/2), (-l_r, -w/2).
     """
 
-    front_left = TranslationalFlange("front left corner")
-    front_right = TranslationalFlange("front right corner")
-    rear_left = TranslationalFlange("rear left corner")
-    rear_right = TranslationalFlange("rear right corner")
+    front_left = TranslationalFlange("front left corner", free=True)
+    front_right = TranslationalFlange("front right corner", free=True)
+    rear_left = TranslationalFlange("rear left corner", free=True)
+    rear_right = TranslationalFlange("rear right corner", free=True)
     m = parameter("kg", "mass", above=0)
     J_x = parameter("kg.m2", "moment of inertia in roll", above=0)
     J_y = parameter("kg.m2", "moment of inertia in pitch", above=0)
@@ -175,7 +176,7 @@ def full_car(
     for axle, strut, m_u in (("front", front, m_uf), ("rear", rear, m_ur)):
         for side in ("left", "right"):
             corner = f"{axle}_{side}"
-            _add_corner(car, corner, strut.clone(), getattr(car.body, corner), m_u, k_t)
+            _add_corner(car, corner, element_of(strut).clone(), getattr(car.body, corner), m_u, k_t)
     return car
 
 
@@ -213,9 +214,10 @@ def seat_in_cab(
         m_driver: mass of the driver on it [kg].
         cushion: between seat and driver; 80 kN/m and 1.5 kN.s/m if None.
     """
+    cushion = SpringDamper(k=80e3, d=1500.0) if cushion is None else element_of(cushion)
     cab = Network(
         "seat in cab", frame=Position(s_ref=0.0), mount=mount, cab=Mass(m=m_cab), seat=seat,
-        pan=Mass(m=m_seat), cushion=cushion or SpringDamper(k=80e3, d=1500.0), driver=Mass(m=m_driver),
+        pan=Mass(m=m_seat), cushion=cushion, driver=Mass(m=m_driver),
     )  # fmt: skip
     cab.connect(cab.frame.flange, cab.mount.flange_a)
     cab.connect(cab.mount.flange_b, cab.cab.flange, cab.seat.flange_a)

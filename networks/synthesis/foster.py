@@ -5,7 +5,7 @@ from __future__ import annotations
 from decimal import Decimal
 from typing import Any
 
-from ...components.base import ModelError
+from ...components.base import ModelError, whole
 from ..algebra import TwoTerminal
 from .bott_duffin import Side
 from .polynomials import derivative, many_digits, positive_roots, value
@@ -40,7 +40,7 @@ def foster(admittance: Any, form: int = 2) -> TwoTerminal:
         >>> foster(([1.0, 2.0], [1.0, 1.0]))  # 1 + 1/(s + 1)
         parallel(branch=series(spring=Spring(k=1.0), damper=Damper(d=1.0)), damper=Damper(d=1.0))
     """
-    if form not in (1, 2):
+    if whole(1)(form) or form not in (1, 2):
         raise ModelError(f"Foster's forms are 1 (in series) and 2 (in parallel), got {form!r}")
     function = RationalFunction.of(admittance)
     with many_digits():

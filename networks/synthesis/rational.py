@@ -9,12 +9,13 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from ...components.base import ModelError
+from ...components.base import ModelError, between, demand, finite, numbers, shown, text
 from ..analysis import StateSpace
 
 Array = NDArray[np.float64]
 GIVEN = 1e-14
 COMPUTED = 1e-11
+LARGEST = 1e30
 
 
 @dataclass(frozen=True, eq=False)
@@ -44,17 +45,25 @@ class RationalFunction:
         self, num: Sequence[float] | ArrayLike, den: Sequence[float] | ArrayLike, accuracy: float = GIVEN
     ) -> None:
         for name, given in (("num", num), ("den", den)):
-            if not np.isrealobj(given) or not np.isfinite(np.asarray(given, dtype=float)).all():
+            if numbers(finite())(given):
                 raise ModelError(f"{name} must be finite real numbers, got {given!r}")
             coefficients = np.trim_zeros(np.atleast_1d(np.asarray(given, dtype=float)).ravel(), "f")
             object.__setattr__(self, name, tuple(float(c) for c in coefficients))
+        demand("a RationalFunction", accuracy=(accuracy, between(0, 1)))
         object.__setattr__(self, "accuracy", accuracy)
         if not self.den:
             raise ModelError("the denominator must not be zero")
 
     def __call__(self, s: ArrayLike) -> Any:
         """Return the value at complex frequencies [rad/s]."""
-        at = np.asarray(s, dtype=np.complex128)
+        try:
+            at = np.asarray(None if isinstance(s, str | bytes) or s is None else s, dtype=np.complex128)
+        except (TypeError, ValueError, OverflowError):
+            at = np.array(np.nan)
+        if not (np.abs(at) < LARGEST).all() or numbers(text)(s) == "":
+            raise ModelError(f"a rational function is taken at finite numbers [rad/s], got {shown(s)}")
+        if (np.polyval(np.array(self.den), at) == 0).any():
+            raise ModelError(f"a rational function is infinite at its poles, got {shown(s)} rad/s")
         value = np.polyval(np.array(self.num or (0.0,)), at) / np.polyval(np.array(self.den), at)
         return value[()]
 

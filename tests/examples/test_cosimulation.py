@@ -7,6 +7,7 @@ from typing import Any
 import pytest
 
 EXAMPLE = "cosimulation"
+PAGE = Path(__file__).parents[2] / "docs" / "fmu-cosimulation.md"
 needs_compiler = pytest.mark.skipif(
     not any(shutil.which(name) for name in ("cc", "gcc", "clang")), reason="there is no C compiler"
 )
@@ -33,6 +34,12 @@ def test_errors_and_slopes(
     found = {one.way: (one.errors[-1], one.slopes[-1]) for one in studies}
     assert found["FMI 2.0, held"] == pytest.approx((4.3e-3, 0.97), rel=0.05)
     assert found["FMI 2.0, line"] == pytest.approx((1.0e-4, 1.93), rel=0.05)
+    lines = PAGE.read_text(encoding="utf-8").splitlines()
+    first = next(k for k, line in enumerate(lines) if line.startswith("| at the wheel | held |"))
+    for printed, way in zip(lines[first:], ("FMI 2.0, held", "FMI 2.0, line"), strict=False):
+        (errors,) = (one.errors for one in studies if one.way == way)
+        at_5_and_2_5_ms = [float(cell) for cell in printed.split("|")[4:6]]
+        assert errors == pytest.approx(at_5_and_2_5_ms, rel=0.05)
     assert found["FMPy, held"] == pytest.approx((3.5e-3, 0.93), rel=0.05)
     example.print_table(studies)
     assert "at the wheel      FMI 2.0, line" in capsys.readouterr().out

@@ -154,6 +154,22 @@ def rows(draw: st.DrawFn) -> tuple[list[float], list[float], list[float], float,
     return masses, gaps, speeds, draw(st.sampled_from([0.0, 0.5, 1.0])), rubbing
 
 
+def in_a_row(row: tuple[list[float], list[float], list[float], float, list[float]]) -> ia.Network:
+    """Build masses that rub on their neighbours and strike them."""
+    masses, gaps, speeds, e, rubbing = row
+    places = np.cumsum([0.0, *(1 + gap for gap in gaps)])
+    net = ia.Network("row")
+    for i, (m, s, v) in enumerate(zip(masses, places, speeds, strict=True)):
+        net.add(**{f"m{i}": ia.Mass(m=m, s=s, v=v)})
+    for i, f_c in enumerate(rubbing):
+        net.add(**{f"c{i}": ia.HardStop(e=e, s_min=1.0), f"r{i}": ia.CoulombFriction(f_c=f_c)})
+        left, right, stop, rub = (getattr(net, name) for name in (f"m{i}", f"m{i + 1}", f"c{i}", f"r{i}"))
+        net.connect(left.flange, stop.flange_a, rub.flange_a).connect(
+            right.flange, stop.flange_b, rub.flange_b
+        )
+    return net
+
+
 def kinetic(run: ia.Result, masses: list[float]) -> NDArray[np.float64]:
     energy: NDArray[np.float64] = np.sum([m * run[f"m{i}.v"] ** 2 / 2 for i, m in enumerate(masses)], axis=0)
     return energy
@@ -166,17 +182,7 @@ def test_rows_that_rub_and_strike_keep_momentum_and_gain_no_energy(
     row: tuple[list[float], list[float], list[float], float, list[float]],
 ) -> None:
     masses, gaps, speeds, e, rubbing = row
-    places = np.cumsum([0.0, *(1 + gap for gap in gaps)])
-    net = ia.Network("row")
-    for i, (m, s, v) in enumerate(zip(masses, places, speeds, strict=True)):
-        net.add(**{f"m{i}": ia.Mass(m=m, s=s, v=v)})
-    for i, f_c in enumerate(rubbing):
-        net.add(**{f"c{i}": ia.HardStop(e=e, s_min=1.0), f"r{i}": ia.CoulombFriction(f_c=f_c)})
-        left, right, stop, rub = (getattr(net, name) for name in (f"m{i}", f"m{i + 1}", f"c{i}", f"r{i}"))
-        net.connect(left.flange, stop.flange_a, rub.flange_a).connect(
-            right.flange, stop.flange_b, rub.flange_b
-        )
-    run = net.simulate(1.0, rtol=1e-8, atol=1e-10)
+    run = in_a_row(row).simulate(1.0, rtol=1e-8, atol=1e-10)
     momentum = np.sum([m * run[f"m{i}.v"] for i, m in enumerate(masses)], axis=0)
     scale = sum(m * abs(v) for m, v in zip(masses, speeds, strict=True)) + 1.0
     assert momentum == pytest.approx(momentum[0], abs=1e-8 * scale)
@@ -190,3 +196,23 @@ def test_rows_that_rub_and_strike_keep_momentum_and_gain_no_energy(
     first = [event for event in run.events if event.impulse is not None and event.time == 0.0]
     if e == 1.0 and not any(rubbing) and not first:
         assert energy[-1] == pytest.approx(energy[0], rel=1e-7)
+
+
+@FEW
+@given(rows(), st.floats(0.0, 0.8), st.sampled_from([1.0, 0.3, 0.01]))
+def test_what_comes_in_jumps_is_averaged_over_time(
+    row: tuple[list[float], list[float], list[float], float, list[float]], begin: float, step: float
+) -> None:
+    """The mean speed is the way over the time, and shares of modes add up, wherever points are."""
+    run = in_a_row(row).simulate(3.0, begin=2.0, step=step, rtol=1e-8, atol=1e-10)
+    begin += 2.0
+    for i in range(len(row[0])):
+        way = run.at(f"m{i}.s", 3.0) - run.at(f"m{i}.s", begin)
+        assert run.mean(f"m{i}.v", begin=begin) * (3.0 - begin) == pytest.approx(way, abs=1e-6)
+        assert run.rms(f"m{i}.v", begin=begin) ** 2 == pytest.approx(
+            run.std(f"m{i}.v", begin=begin) ** 2 + run.mean(f"m{i}.v", begin=begin) ** 2
+        )
+        assert run.peak(f"m{i}.v") >= abs(run[f"m{i}.v"][-1])
+    for i in range(len(row[4])):
+        shares = [run.share(f"r{i}.mode", value, begin=begin) for value in run.values_of(f"r{i}.mode")]
+        assert sum(shares) == pytest.approx(1.0)

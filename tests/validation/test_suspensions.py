@@ -71,7 +71,7 @@ def test_ride_is_the_rms_of_a_simulated_drive() -> None:
         return ia.road_spectrum("C", f / speed) / speed
 
     rms = ia.response_rms(system, spectrum, low * speed, high * speed)
-    assert np.std(run["body.a"]) == pytest.approx(rms["body.a"], rel=0.05)
+    assert run.std("body.a") == pytest.approx(rms["body.a"], rel=0.05)
     whole = ia.ride_j1(car, V=speed, kappa=ia.roughness("C"))
     assert rms["body.a"] == pytest.approx(whole, rel=0.01)
 

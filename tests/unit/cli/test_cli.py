@@ -295,8 +295,8 @@ def test_model_may_import_its_neighbours(folder: Path) -> None:
 @pytest.mark.parametrize(
     ("model", "message"),
     [
-        ("model.py", "MODEL is path/to/file.py:function, got 'model.py'"),
-        ("model.txt:build", "MODEL is path/to/file.py:function"),
+        ("model.py", "MODEL is 'path/to/file.py:function', got 'model.py'"),
+        ("model.txt:build", "MODEL is 'path/to/file.py:function'"),
         ("nowhere.py:build", "there is no file 'nowhere.py'"),
         ("model.py:fre", "model.py has no function 'fre'; did you mean 'free'?"),
         ("model.py:zzz", "model.py has no function 'zzz'; it has driven, free, rubbing"),

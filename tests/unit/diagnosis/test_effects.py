@@ -8,6 +8,7 @@ import pytest
 from inertance import ge_wang
 from inertance.diagnosis.edits import edited
 from inertance.diagnosis.effects import EFFECTS, Effect, Motion, effect_of, register
+from inertance.diagnosis.probes import scaled
 from inertance.diagnosis.sites import GROUND, Site, sites_of
 
 
@@ -95,6 +96,22 @@ def test_the_basis_is_the_force_of_the_component(kind: str) -> None:
         assert force[~slow] == pytest.approx(-expected[~slow], abs=0.02) or force[~slow] == pytest.approx(
             expected[~slow], abs=0.02
         )
+
+
+def test_the_usual_speed_of_a_site_is_over_time_not_over_points() -> None:
+    """Points crowd where it stands, as at the events of friction; one record lasts three times another."""
+
+    def moved(t: np.ndarray, speed: float) -> Motion:
+        v = np.where(t > 1.0, speed, 0.0)
+        return Motion(t, np.zeros_like(t), v, np.zeros_like(t), np.zeros_like(t))
+
+    even = np.r_[0.0, 0.5, 1.0, np.nextafter(1.0, 2), 1.5, 2.0]
+    crowded = np.r_[np.linspace(0.0, 1.0, 500), even[3:]]
+    long = np.r_[0.0, 1.0, np.nextafter(1.0, 2), 6.0]
+    for t in (even, crowded):
+        assert moved(t, 3.0).speed == pytest.approx(3.0 / np.sqrt(2))
+        site = scaled(sites_of(cart())[0], [moved(t, 3.0), moved(long, 1.0)])
+        assert site.speed == pytest.approx(np.sqrt((9.0 + 5.0) / 8.0))
 
 
 def test_an_effect_of_ones_own_and_unknown_ones() -> None:

@@ -58,6 +58,23 @@ def _unfitted(joint: Joint, starts: Any = (), fitted: Any = Joint.fitted) -> Any
     return joint.seen(begun) if begun is not None else fitted(joint, starts)
 
 
+@pytest.mark.parametrize("line", ["screening", "fitted"])
+def test_an_interrupted_diagnosis_states_no_verdict(cart: Any, tmp_path: Path, line: str) -> None:
+    def interrupt(told: str) -> None:
+        if told.startswith(line):
+            raise KeyboardInterrupt
+
+    with pytest.raises(ia.DiagnosisInterruptedError) as interrupted:
+        verdict_on(cart, cart.rubbing(), report=interrupt)
+    found = interrupted.value.verdict
+    assert found.verdict == "interrupted"
+    assert found.effects == ()
+    assert "stopped before its end" in found.sentence
+    assert json.loads(found.save(tmp_path / "v.json").read_text())["verdict"] == "interrupted"
+    page = found.report(tmp_path / "v.html").read_text(encoding="utf-8")
+    assert "Nothing yet: the diagnosis was stopped before its end" in page
+
+
 def test_missing_friction_is_named_and_corrected(cart: Any, tmp_path: Path) -> None:
     told: list[str] = []
     found = verdict_on(cart, cart.rubbing(), report=told.append)

@@ -18,6 +18,7 @@ from inertance import (
     FMUForce,
     FMUMotion,
     Force,
+    ForeignRun,
     Mass,
     ModelError,
     Network,
@@ -54,6 +55,32 @@ def test_a_force_and_its_order_of_convergence(make_fmu: Make, kind: str) -> None
     assert linear[1] < 2e-3 * 0.1 < 0.1 * held[1]
     assert 1.6 < held[0] / held[1] < 3
     assert 3 < linear[0] / linear[1] < 5.5
+
+
+def test_averages_are_over_time_and_of_the_network_exact_between_its_points(make_fmu: Make) -> None:
+    run = oscillator(make_fmu("spring"), "CS", communication_step=0.05, halving=False)
+    fine = oscillator(make_fmu("spring"), "CS", communication_step=0.005, halving=False)
+    for measure in ("mean", "rms", "std", "peak"):
+        coarse, exact = (getattr(each, measure)("mass.a") for each in (run, fine))
+        assert coarse == pytest.approx(exact, rel=0.05, abs=0.02)
+    t, square = fine.time, fine["mass.s"] ** 2
+    assert fine.rms("mass.s") == pytest.approx(np.sqrt(np.trapezoid(square, t) / 2.0), rel=1e-3)
+    assert len(fine.resample(0.01, "mass.s")) == 201
+    spring = fine.fmus["strut"]
+    assert spring.rms("F") == pytest.approx(fine.rms("strut.f"), rel=5e-3)
+    assert spring.at("F", 1.0025) == pytest.approx(np.interp(1.0025, spring.time, spring["F"]))
+    with pytest.raises(ModelError, match="t = 3 s is outside the run, 0 to 2 s"):
+        fine.mean("mass.s", end=3.0)
+
+
+def test_numbers_and_switches_of_an_fmu_are_averaged_over_time() -> None:
+    run = ForeignRun("it", {"gear": "", "on": ""})
+    for t, gear, on in ((0.0, 1, False), (1.0, 1, False), (1.0, 2, True), (4.0, 2, True)):
+        run.record(t, [gear, on])
+    assert run.mean("gear") == 1.75
+    assert run.at("gear", [0.5, 1.0, 4.0]).tolist() == [1.0, 2.0, 2.0]
+    assert run.share("on") == 0.75
+    assert run.share("gear", 1) == 0.25
 
 
 def test_the_step_error_is_told(make_fmu: Make) -> None:

@@ -204,11 +204,11 @@ def test_a_temperature_that_is_missing_at_times_is_told(folder: Path) -> None:
 
 MODELS = {
     "raises": ('import inertance as ia\ndef build():\n    raise ValueError("no data sheet")\n', "rig.py, line 3: ValueError: no data sheet"),
-    "leaves": ("raise SystemExit(3)\n", "rig.py, line 1: SystemExit: 3"),
+    "leaves": ("raise SystemExit(3)\n", "rig.py, line 1: the model ends Python (sys.exit(3)); let it return a Network"),
     "does not parse": ("def build(:\n", "rig.py, line 1: SyntaxError"),
     "imports what is not there": ("import inertanse\n", "rig.py, line 1: ModuleNotFoundError: No module named 'inertanse'"),
     "needs arguments": (MODEL.replace("build()", "build(k)"), "TypeError: build() missing 1 required positional argument: 'k'"),
-    "returns no network": ("def build():\n    return 1.0\n", "rig.py:build returned float, but a Network is needed"),
+    "returns no network": ("def build():\n    return 1.0\n", "rig.py:build returned float, but model returns a Network"),
     "is no function": ("build = 3\n", "rig.py has no function 'build'"),
     "has a value out of range": (MODEL.replace("m=2.0", "m=-2.0"), "Mass 'mass': m must be above 0 kg, got -2.0"),
     "is not connected": (MODEL.replace("    net.connect(net.spring.flange_b, net.mass.flange)\n", ""), "SpringDamper 'spring': flange_b is not connected"),

@@ -152,7 +152,12 @@ def test_ctrl_c_keeps_the_best_until_then() -> None:
         if count == 3:
             raise KeyboardInterrupt
 
-    found = ia.fit(campaign(test=[]), report=interrupt)
+    with pytest.raises(ia.FitInterruptedError) as interrupted:
+        ia.fit(campaign(test=[]), report=interrupt)
+    found = interrupted.value.fit
+    assert found.interrupted
+    assert found.to_dict()["interrupted"]
+    assert "interrupted" in found.table()
     assert any("interrupted" in warning for warning in found.warnings)
     assert abs(found.values["spring.k"] - 1100.0) < 90.0
 

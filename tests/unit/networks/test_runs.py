@@ -248,7 +248,7 @@ def test_reading_a_result() -> None:
     run = oscillator(ia.Spring(k=100.0), s=0.1).simulate(1.0, step=0.25)
     assert run.time == pytest.approx([0.0, 0.25, 0.5, 0.75, 1.0])
     s = run["mass.s"]
-    assert run.at("mass.s", 0.125) == pytest.approx((s[0] + s[1]) / 2)
+    assert run.at("mass.s", 0.125) == pytest.approx(0.1 * np.cos(1.25), rel=1e-4)
     assert (run.at("mass.s", 0.0), run.at("mass.s", 1.0)) == (s[0], s[-1])
     with pytest.raises(ValueError, match=r"t = 1\.5 s is outside the run, 0 to 1 s"):
         run.at("mass.s", 1.5)

@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+from typing import Any
+
+import casadi as ca
 import numpy as np
 import pytest
 from inertance import (
@@ -72,3 +75,21 @@ def test_a_failure_keeps_what_was_computed() -> None:
     with pytest.raises(SimulationError) as caught:
         run.advance(1.0)
     assert caught.value.result["mass.s"][-1] == pytest.approx(0.125, rel=1e-6)  # type: ignore[index]
+
+
+@pytest.mark.parametrize("rubbing", [False, True])
+def test_a_blow_between_two_points_is_seen(rubbing: bool) -> None:
+    def blow(t: Any) -> Any:
+        return ca.if_else(ca.logic_and(t > 40.0, t < 40.001), 1e3, 0.0) + 1e4 * ca.exp(
+            -(((t - 70) / 1e-4) ** 2)
+        )
+
+    net = Network("struck", push=Force(), blow=Force(f=blow), mass=Mass(m=1.0))
+    net.connect(net.push.flange, net.blow.flange, net.mass.flange)
+    if rubbing:
+        net.add(rub=SupportFriction(friction=CoulombFriction(f_c=1e-9)))
+        net.connect(net.mass.flange, net.rub.flange)
+    run = Stepwise(net.dae(), 0.0, 100.0, {"push.f": Polynomial(1)}, {"push.f": [0.0]})
+    for end in (30.0, 60.0, 100.0):
+        run.advance(end)
+    assert run.observe([("mass.v", 0)])[0] == pytest.approx(1 + np.sqrt(np.pi), rel=1e-4)

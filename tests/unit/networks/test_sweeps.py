@@ -345,3 +345,69 @@ def test_sobol_indices_of_the_ishigami_function() -> None:
     )
     with pytest.raises(ia.ModelError, match="points of saltelli"):
         ia.sobol_indices(ia.sweep(None, {"x": [1.0]}, square, workers=0))
+
+
+# Files
+
+
+def test_a_sweep_that_ended_before_its_first_row_can_be_resumed(tmp_path: Path) -> None:
+    def interrupted(values: dict[str, Any]) -> float:
+        if not (tmp_path / "again").exists():
+            raise KeyboardInterrupt
+        return float(values["x"])
+
+    with pytest.raises(ia.SweepInterruptedError, match="0 of 3 points"):
+        ia.sweep(None, {"x": [1.0, 2.0, 3.0]}, interrupted, workers=0, path=tmp_path / "o.csv")
+    (tmp_path / "again").touch()
+    done = ia.sweep(None, {"x": [1.0, 2.0, 3.0]}, interrupted, workers=0, path=tmp_path / "o.csv")
+    assert done.table["value"].tolist() == [1.0, 2.0, 3.0]
+
+
+def test_two_sweeps_do_not_write_one_file(tmp_path: Path) -> None:
+    path = tmp_path / "o.csv"
+
+    def nested(values: dict[str, Any]) -> float:
+        with pytest.raises(ia.ModelError, match=r"o\.csv' is being written by another process"):
+            ia.sweep(None, {"x": [1.0]}, square, workers=0, path=path)
+        return float(values["x"])
+
+    done = ia.sweep(None, {"x": [1.0, 2.0]}, nested, workers=0, path=path)
+    assert done.table["value"].tolist() == [1.0, 2.0]
+    assert [file.name for file in tmp_path.iterdir()] == ["o.csv"]
+
+
+FULL = """
+import resource, sys
+import inertance as ia
+
+resource.setrlimit(resource.RLIMIT_FSIZE, (1500, 1500))  # as a disk that is full after 1500 bytes
+
+
+def square(values):
+    return values["x"] ** 2
+
+
+try:
+    ia.sweep(None, {"x": range(200)}, square, workers=0, path=sys.argv[1], progress=False)
+except ia.InertanceError as error:
+    print(error)
+"""
+
+
+def test_a_full_disk_is_told_by_name_and_costs_no_rows(tmp_path: Path) -> None:
+    path = tmp_path / "o.csv"
+    script = [sys.executable, "-c", FULL, str(path)]
+    told = subprocess.run(script, capture_output=True, text=True, check=True).stdout
+    assert f"'{path}" in told
+    assert "cannot be written: file too large" in told
+    (kept,) = tmp_path.iterdir()  # the table, or the journal where that is too long for it
+    assert len(kept.read_text().splitlines()) > 3
+    resumed = subprocess.run(
+        [sys.executable, "-c", FULL.replace("resource.set", "# resource.set"), str(path)],
+        capture_output=True, text=True, check=True,
+    )  # fmt: skip
+    assert resumed.stdout == ""
+    table = pd.read_csv(path)
+    assert table["value"].tolist() == [x**2 for x in table["x"]]
+    assert len(table) == 200
+    assert [file.name for file in tmp_path.iterdir()] == ["o.csv"]

@@ -1,0 +1,79 @@
+"""The terminal: its encoding, its closed pipes, and its Ctrl-C, which must not be lost."""
+
+from __future__ import annotations
+
+import codecs
+import io
+import os
+import signal
+import sys
+import unicodedata
+from collections.abc import Iterator
+from contextlib import contextmanager, suppress
+from threading import Timer
+from typing import Any
+
+from rich.console import Console
+
+WORDS = {
+    "\N{GREATER-THAN OR EQUAL TO}": ">=", "\N{LESS-THAN OR EQUAL TO}": "<=", "\N{EN DASH}": "-",
+    "\N{MINUS SIGN}": "-", "\N{RIGHTWARDS ARROW}": "->", "\N{MIDDLE DOT}": ".", "\N{DOT OPERATOR}": ".",
+    "\N{MULTIPLICATION SIGN}": "x", "\N{DEGREE SIGN}": " deg", "\N{PLUS-MINUS SIGN}": "+-",
+    "\N{GREEK SMALL LETTER LAMDA}": "lambda", "\N{GREEK SMALL LETTER TAU}": "tau",
+    "\N{GREEK SMALL LETTER BETA}": "beta", "\N{GREEK SMALL LETTER OMEGA}": "omega",
+    "\N{GREEK SMALL LETTER PHI}": "phi", "\N{SQUARE ROOT}": "sqrt ", "\N{INFINITY}": "inf",
+}  # fmt: skip
+
+AGAIN = 0.02
+
+
+class Terminal(Console):
+    """A console that leaves a closed pipe to the command."""
+
+    def on_broken_pipe(self) -> None:
+        """Raise what was raised."""
+        raise BrokenPipeError
+
+
+def prepare() -> None:
+    """Let no character of ours stop a command, whatever the encoding of the terminal."""
+    codecs.register_error("inertance", _in_other_words)
+    for stream in (sys.stdout, sys.stderr):
+        if isinstance(stream, io.TextIOWrapper):
+            stream.reconfigure(errors="inertance")
+
+
+def _in_other_words(error: UnicodeError) -> tuple[str | bytes, int]:
+    """Return what stands for a character that an encoding lacks; bytes that were no text stay as they are."""
+    if not isinstance(error, UnicodeEncodeError):
+        raise error
+    character = error.object[error.start]
+    after = error.start + 1
+    if "\udc80" <= character <= "\udcff":
+        return bytes([ord(character) - 0xDC00]), after
+    plain = WORDS.get(character) or unicodedata.normalize("NFKD", character)
+    return plain.encode("ascii", "ignore").decode() or "?", after
+
+
+@contextmanager
+def insisting() -> Iterator[None]:
+    """Send Ctrl-C again if it came where Python drops exceptions, such as the end of an import."""
+    before = sys.unraisablehook
+
+    def told(dropped: Any) -> None:
+        if issubclass(dropped.exc_type, KeyboardInterrupt):
+            Timer(AGAIN, signal.raise_signal, [signal.SIGINT]).start()
+        else:
+            before(dropped)
+
+    sys.unraisablehook = told
+    try:
+        yield
+    finally:
+        sys.unraisablehook = before
+
+
+def forget() -> None:
+    """Drop what standard output has not taken, so that leaving does not try again."""
+    with suppress(OSError):
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())

@@ -1,0 +1,165 @@
+"""Files that are written: whole or not at all, and refused before the work that would fill them."""
+
+from __future__ import annotations
+
+import errno
+import os
+import re
+import secrets
+import shutil
+import stat
+import tempfile
+from collections.abc import Iterator, Sequence
+from contextlib import contextmanager, suppress
+from pathlib import Path
+
+from .errors import ModelError, nearest
+
+STREAMS = re.compile(r"/dev/(stdout|stderr|fd/\d+)|/proc/(self|\d+)/fd/\d+")
+LONGEST_ENDING = 20
+
+
+class OutputError(ModelError, OSError):
+    """A file that cannot be written; says which and why. What stood there before is untouched."""
+
+
+class MissingFolderError(OutputError, FileNotFoundError):
+    """A file in a folder that there is not."""
+
+
+@contextmanager
+def writing(path: str | Path) -> Iterator[Path]:
+    """Give a file to write to, which takes the place of `path` once all went well.
+
+    A file that was there keeps its permissions, a link goes on to point to its file. What cannot be replaced,
+    such as a pipe or `/dev/stdout`, or a file in a folder that cannot be written to, is filled at the end.
+
+    Raises:
+        OutputError: if it cannot be written, as on a full disk.
+        BrokenPipeError: if it is a pipe that nobody reads.
+    """
+    path = Path(path)
+    _check_place(path)
+    try:
+        part, beside = _begun(path)
+        try:
+            yield part
+            _finish(part, path, beside)
+        finally:
+            part.unlink(missing_ok=True)
+    except (OutputError, BrokenPipeError):
+        raise
+    except OSError as error:
+        raise refusal(path, error) from error
+
+
+def write_text(path: str | Path, text: str) -> Path:
+    """Write a text in UTF-8, whole or not at all, and return the path; see `writing`."""
+    with writing(path) as part:
+        part.write_text(text, encoding="utf-8")
+    return Path(path)
+
+
+def check_output(path: str | Path, endings: Sequence[str] = ()) -> str:
+    """Return the ending of a file that is to be written, in small letters.
+
+    Raises:
+        OutputError: if it ends otherwise than in one of `endings`, or cannot be written.
+    """
+    path = Path(path)
+    ending = path.suffix.lower()
+    if endings and ending not in endings and not _is_stream(path):
+        told = f"'{path}' ends in '{path.suffix}'" if path.suffix else f"'{path}' has no ending"
+        raise OutputError(f"{told}; it must end in {_listed(endings)}{nearest(ending, endings)}")
+    _check_place(path)
+    try:
+        _begun(path)[0].unlink(missing_ok=True)
+    except OSError as error:
+        raise refusal(path, error) from error
+    return ending
+
+
+def _listed(endings: Sequence[str]) -> str:
+    *most, last = endings
+    return f"{', '.join(most)} or {last}" if most else last
+
+
+def _check_place(path: Path) -> None:
+    try:
+        found = path.stat()
+    except FileNotFoundError:
+        found = None
+    except OSError as error:
+        raise refusal(path, error) from error
+    if found is not None and stat.S_ISDIR(found.st_mode):
+        raise OutputError(f"'{path}' cannot be written: it is a folder; name a file in it")
+    if found is None and not _target(path).parent.is_dir():
+        raise MissingFolderError(
+            f"there is no folder '{path.parent}' to write '{path.name}' into; create it first"
+        )
+    if found is not None and not os.access(path, os.W_OK):
+        raise OutputError(f"'{path}' cannot be written: it is protected; choose another name")
+
+
+def _is_stream(path: Path) -> bool:
+    """Return whether a path is none of a file that may be replaced."""
+    if STREAMS.fullmatch(os.path.abspath(path)):
+        return True
+    return os.path.exists(path) and not os.path.isfile(path)  # not of Path, which may raise
+
+
+def _target(path: Path) -> Path:
+    return Path(os.path.realpath(path))
+
+
+def _begun(path: Path) -> tuple[Path, bool]:
+    """Return a new empty file, and whether it lies where it can take the place of `path`."""
+    if not _is_stream(path):
+        try:
+            return _empty(_target(path).parent, path.suffix), True
+        except OSError:
+            if not path.exists():
+                raise
+    return _empty(Path(tempfile.gettempdir()), path.suffix), False
+
+
+def _empty(folder: Path, ending: str) -> Path:
+    part = folder / f".{secrets.token_hex(8)}{ending[-LONGEST_ENDING:]}"
+    os.close(os.open(part, os.O_CREAT | os.O_EXCL | os.O_WRONLY, 0o666))
+    return part
+
+
+def _finish(part: Path, path: Path, beside: bool) -> None:
+    """Put a file in the place of another, or into what cannot be replaced."""
+    if beside:
+        target = _target(path)
+        with suppress(FileNotFoundError):
+            _like(part, target.stat())
+        with part.open("r+b") as file:
+            os.fsync(file.fileno())
+        try:
+            os.replace(part, target)
+        except OSError as error:
+            if error.errno not in (errno.EBUSY, errno.EXDEV):
+                raise
+        else:
+            return
+    with part.open("rb") as source, path.open("ab" if _is_stream(path) else "wb") as sink:
+        shutil.copyfileobj(source, sink)
+
+
+def _like(part: Path, before: os.stat_result) -> None:
+    """Give a file the owner and the permissions of the one it replaces."""
+    now = part.stat()
+    if hasattr(os, "chown") and (now.st_uid, now.st_gid) != (before.st_uid, before.st_gid):
+        with suppress(OSError):
+            os.chown(part, before.st_uid, before.st_gid)
+    part.chmod(stat.S_IMODE(before.st_mode))
+
+
+def refusal(path: Path, error: OSError) -> OutputError:
+    """Return what tells, by name, that a file cannot be written."""
+    why = (error.strerror or str(error)).lower()
+    remedy = {errno.ENOSPC: "; make room", errno.ENAMETOOLONG: "; choose a shorter name"}
+    told = remedy.get(error.errno or 0, "; choose another place")
+    return OutputError(f"'{path}' cannot be written: {why}{told}")

@@ -1,0 +1,111 @@
+"""Ctrl-C while something long goes on: noted at once, raised where nothing is half done."""
+
+from __future__ import annotations
+
+import io
+import signal
+import sys
+from collections.abc import Iterator
+from contextlib import contextmanager
+from threading import current_thread, local, main_thread
+from types import FrameType
+from typing import Any
+
+
+class RunInterruptedError(KeyboardInterrupt):
+    """Ctrl-C during a run; `result` holds what was computed before."""
+
+    def __init__(self, message: str, result: Any) -> None:
+        self.result = result
+        super().__init__(message)
+
+
+class Interrupted(KeyboardInterrupt):
+    """Ctrl-C, raised where a loop is between two of its turns."""
+
+
+class _Ear:
+    """Takes the place of the handler of Ctrl-C for a while.
+
+    Integrators look for signals themselves, but take the exception for a failure of the equations, tell that
+    on standard error, and forget it. So what the handler raises is kept: within a `foreign` call it is raised
+    as well, to end the call; elsewhere it waits for the next `heed`. Who presses Ctrl-C twice waits for
+    nothing.
+    """
+
+    def __init__(self, handler: Any) -> None:
+        self.handler = handler
+        self.raised: BaseException | None = None
+        self.inside = False
+        self.stderr: Any = None
+
+    def __call__(self, number: int, frame: FrameType | None) -> None:
+        again = self.raised is not None
+        try:
+            self.handler(number, frame)
+        except BaseException as error:
+            self.raised = error
+            if again or self.inside:
+                if self.inside and self.stderr is None:
+                    self.stderr, sys.stderr = sys.stderr, io.StringIO()
+                raise
+
+
+_HERE = local()
+
+
+@contextmanager
+def interruptible() -> Iterator[None]:
+    """Let Ctrl-C end what goes on within only at `heed` and in `foreign` calls.
+
+    Does nothing in threads that signals do not reach, and where Ctrl-C is ignored.
+    """
+    handler = signal.getsignal(signal.SIGINT)
+    if current_thread() is not main_thread() or not callable(handler) or isinstance(handler, _Ear):
+        yield
+        return
+    ear = _HERE.ear = _Ear(handler)
+    signal.signal(signal.SIGINT, ear)
+    try:
+        yield
+    finally:
+        signal.signal(signal.SIGINT, handler)
+        _HERE.ear = None
+    heed(ear)
+
+
+def heed(ear: _Ear | None = None) -> None:
+    """Raise if Ctrl-C was pressed.
+
+    Raises:
+        Interrupted: then, or what the program's own handler of Ctrl-C raised.
+    """
+    ear = ear or getattr(_HERE, "ear", None)
+    if ear is None or ear.raised is None:
+        return
+    raised, ear.raised = ear.raised, None
+    if isinstance(raised, KeyboardInterrupt):
+        raise Interrupted from None
+    raise raised
+
+
+class foreign:  # noqa: N801
+    """A call of compiled code that looks for signals itself: Ctrl-C ends it.
+
+    Raises:
+        Interrupted: if it did, whatever the call made of it.
+    """
+
+    def __enter__(self) -> None:
+        heed()
+        self._ear: _Ear | None = getattr(_HERE, "ear", None)
+        if self._ear is not None:
+            self._ear.inside = True
+
+    def __exit__(self, *_: object) -> None:
+        if self._ear is None:
+            return
+        self._ear.inside = False
+        if self._ear.stderr is not None:
+            sys.stderr, self._ear.stderr = self._ear.stderr, None
+        heed(self._ear)

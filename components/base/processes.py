@@ -1,0 +1,76 @@
+"""Processes for work that is spread: Ctrl-C does not reach them, and none outlives what began it."""
+
+from __future__ import annotations
+
+import os
+import signal
+from collections.abc import Callable, Iterator
+from concurrent.futures import Future, ProcessPoolExecutor
+from contextlib import contextmanager
+from multiprocessing import get_context, parent_process
+from multiprocessing.connection import Connection, wait
+from threading import Thread
+from types import TracebackType
+from typing import Any, TypeVar
+
+T = TypeVar("T")
+
+
+class Processes(ProcessPoolExecutor):
+    """Processes that end when they are told to, or with their parent, whatever they are at.
+
+    Args:
+        count: how many.
+        method: how they begin: "spawn", "fork", "forkserver"; as is usual on the system if None.
+    """
+
+    def __init__(self, count: int, method: str | None = None) -> None:
+        context = get_context(method)
+        self._heard, self._told = context.Pipe(duplex=False)
+        super().__init__(count, mp_context=context, initializer=_belong, initargs=(self._heard,))
+
+    def submit(self, fn: Callable[..., T], /, *args: Any, **kwargs: Any) -> Future[T]:
+        """See `ProcessPoolExecutor.submit`; processes that begin here do so without Ctrl-C."""
+        with _held_back():
+            return super().submit(fn, *args, **kwargs)
+
+    def abandon(self) -> None:
+        """End the processes without waiting for what they are at."""
+        self._told.send(None)
+        self.shutdown(wait=True, cancel_futures=True)
+
+    def __exit__(
+        self,
+        kind: type[BaseException] | None,
+        error: BaseException | None,
+        trace: TracebackType | None,
+    ) -> bool | None:
+        if kind is not None:
+            self.abandon()
+        return super().__exit__(kind, error, trace)
+
+
+@contextmanager
+def _held_back() -> Iterator[None]:
+    """Let Ctrl-C wait, here and in processes that begin meanwhile."""
+    if not hasattr(signal, "pthread_sigmask"):
+        yield
+        return
+    before = signal.pthread_sigmask(signal.SIG_BLOCK, [signal.SIGINT])
+    try:
+        yield
+    finally:
+        signal.pthread_sigmask(signal.SIG_SETMASK, before)
+
+
+def _belong(told: Connection) -> None:
+    """Leave Ctrl-C to the parent, and end when it says so or is no more."""
+    signal.signal(signal.SIGINT, signal.SIG_IGN)
+    Thread(target=_end_when, args=(told,), daemon=True).start()
+
+
+def _end_when(told: Connection) -> None:
+    parent = parent_process()
+    assert parent is not None
+    wait([told, parent.sentinel])  # what is told is left there for the others
+    os._exit(1)

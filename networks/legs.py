@@ -1,0 +1,233 @@
+"""Legs: the parts of a run between the instants at which inputs switch, and how long a step may be in each.
+
+An integrator sees its inputs only where it evaluates them. From rest it takes steps as long as it likes, and
+a pulse between two of them was never there. So what is given is looked at before a run: by interval
+arithmetic, which misses no switch, and by samples, which tell how fine a course is.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass, replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from .time_signals import TimeSignals
+
+Array = NDArray[np.float64]
+Flags = NDArray[np.bool_]
+
+EIGHTHS = np.arange(9) / 8
+FIRST_BLOCKS = 16
+PARTS = 16
+MOST_BLOCKS = 400_000
+MOST_KEPT = 4096
+ADJACENT = 1e-25
+FOLLOWED = 0.1
+NEGLIGIBLE = 1e-7
+TINY = np.finfo(float).tiny
+HIDDEN, BEYOND = 0.25, 3.0
+SHARE = 0.5
+FINER, COARSER, WORTHWHILE = 0.25, 8.0, 64.0
+# Values of a quartic through 0, 2, 4, 6 and 8 at 1, 3, 5 and 7.
+_QUARTIC = np.array(
+    [[35, 140, -70, 28, -5], [-5, 60, 90, -20, 3], [3, -20, 90, 60, -5], [-5, 28, -70, 140, 35]]
+) / 128  # fmt: skip
+
+
+@dataclass(frozen=True)
+class Leg:
+    """A part of a run in which nothing that is given switches.
+
+    Attributes:
+        begin: first instant [s]; the leg before ends at the floating-point number below, or where it began.
+        end: last instant [s].
+        max_step: longest step [s] that cannot step over what is given; infinite where that is at rest.
+        jumps: whether a signal jumps where the leg begins.
+    """
+
+    begin: float
+    end: float
+    max_step: float = np.inf
+    jumps: bool = False
+
+
+def legs_of(signals: TimeSignals, begin: float, stop: float) -> list[Leg]:
+    """Return the legs of a run, in order."""
+    if not signals.count:
+        return [Leg(begin, stop)]
+    return _legs_between(signals, _switches(signals, begin, stop) or [], begin, stop)
+
+
+def endless_legs(signals: TimeSignals, stop: float) -> list[Leg]:
+    """Return the legs of runs from 0 on that may end anywhere; the last leg has no end.
+
+    They are found up to `stop`, or to where they are too many to be kept; from there on steps stay as
+    short as the shortest needed so far.
+    """
+    if not signals.count:
+        return [Leg(0.0, np.inf)]
+    seen = stop
+    while (switches := _switches(signals, 0.0, seen)) is None or len(switches) > MOST_KEPT:
+        seen /= 10
+    legs = _legs_between(signals, switches, 0.0, seen)
+    shortest = min(leg.max_step for leg in legs)
+    if seen < stop:
+        shortest = min(shortest, SHARE * min(leg.end - leg.begin for leg in legs if leg.end > leg.begin))
+    return [*legs, Leg(seen, np.inf, shortest)]
+
+
+def _legs_between(
+    signals: TimeSignals, switches: list[tuple[float, float]], begin: float, stop: float
+) -> list[Leg]:
+    starts = np.array([begin, *(b for _, b in switches)])
+    ends = np.array([*(a for a, _ in switches), stop])
+    jumped = _jumps(signals, switches)
+    size = np.zeros(signals.count)
+    legs: list[Leg] = []
+    blocks = _blocks(signals, starts, ends, size)
+    for number, (first, last, jumps) in enumerate(zip(starts, ends, jumped, strict=True)):
+        inside = (blocks.low >= first) & (blocks.high <= last) if len(starts) > 1 else slice(None)
+        part = list(_joined(blocks.low[inside], blocks.high[inside], blocks.scale[inside]))
+        part = part or [Leg(first, last)]
+        part[0] = replace(part[0], begin=float(first), jumps=bool(jumps))
+        part[-1] = replace(part[-1], end=float(last))
+        legs += part if number or first < last else [Leg(begin, begin)]
+    return legs
+
+
+def _switches(signals: TimeSignals, begin: float, stop: float) -> list[tuple[float, float]] | None:
+    """Return the neighbouring instants between which a formula may switch; None if they are too many."""
+    edges = np.linspace(begin, stop, FIRST_BLOCKS + 1)
+    low, high = edges[:-1], edges[1:]
+    smallest = ADJACENT * max(abs(begin), abs(stop))
+    found: list[tuple[float, float]] = []
+    while len(low):
+        if len(low) > MOST_BLOCKS:
+            return None
+        switching = signals.may_switch(low, high)
+        low, high = low[switching], high[switching]
+        final = (high <= np.nextafter(low, np.inf)) | (high - low <= smallest)
+        found += zip(low[final].tolist(), high[final].tolist(), strict=True)
+        low, high = _split(low[~final], high[~final], PARTS)
+    return _merged(sorted([*found, *signals.ends(begin, stop)]))
+
+
+def _merged(pairs: list[tuple[float, float]]) -> list[tuple[float, float]]:
+    """Return pairs that touch as one."""
+    merged: list[tuple[float, float]] = []
+    for low, high in pairs:
+        if merged and low <= merged[-1][1]:
+            merged[-1] = merged[-1][0], high
+        else:
+            merged.append((low, high))
+    return merged
+
+
+def _jumps(signals: TimeSignals, switches: list[tuple[float, float]]) -> list[bool]:
+    """Tell of the start and of each switch whether a signal jumps there, by more than rounding explains."""
+    if not switches:
+        return [False]
+    before, after = (signals(np.array(side)) for side in zip(*switches, strict=True))
+    before, after = np.nan_to_num(before), np.nan_to_num(after)
+    size = np.maximum(np.abs(before), np.abs(after)).max(axis=0)
+    return [False, *(np.abs(after - before) > NEGLIGIBLE * size).any(axis=1).tolist()]
+
+
+@dataclass(frozen=True, eq=False)
+class _Blocks:
+    low: Array
+    high: Array
+    scale: Array
+
+
+def _blocks(signals: TimeSignals, starts: Array, ends: Array, size: Array) -> _Blocks:
+    """Halve intervals until a few samples of each show all that happens; keep how fine that is."""
+    low, high = _divided(starts, ends)
+    kept: list[tuple[Array, Array, Array]] = []
+    spent = 0
+    while len(low):
+        spent += len(low)
+        scale, shown = _looked_at(signals, low, high, size)
+        shown |= high <= np.nextafter(low, np.inf)
+        if spent + 2 * np.count_nonzero(~shown) > MOST_BLOCKS:
+            shown[:] = True
+        kept.append((low[shown], high[shown], scale[shown]))
+        low, high = _split(low[~shown], high[~shown], 2)
+    columns = [np.concatenate(column) for column in zip(*kept, strict=True)]
+    order = np.argsort(columns[0], kind="stable")
+    return _Blocks(*(column[order] for column in columns))
+
+
+def _divided(starts: Array, ends: Array) -> tuple[Array, Array]:
+    """Divide each interval that is longer than a share of all into such shares."""
+    share = (ends[-1] - starts[0]) / FIRST_BLOCKS
+    low, high = [], []
+    for first, last in zip(starts, ends, strict=True):
+        if last > first:
+            edges = np.linspace(first, last, max(1, int(np.ceil((last - first) / share))) + 1)
+            low.append(edges[:-1])
+            high.append(edges[1:])
+    return np.concatenate(low), np.concatenate(high)
+
+
+def _looked_at(signals: TimeSignals, low: Array, high: Array, size: Array) -> tuple[Array, Flags]:
+    """Return how fine the course in each interval is, infinite at rest, and which show all that happens.
+
+    Args:
+        signals: the signals.
+        low: where the intervals begin [s].
+        high: where they end [s].
+        size: the range of each signal so far; updated.
+    """
+    times = low[:, None] + (high - low)[:, None] * EIGHTHS
+    values = signals(times.ravel()).reshape(len(low), 9, -1)
+    broken = ~np.isfinite(values).all(axis=1)
+    values = np.nan_to_num(values, posinf=0.0, neginf=0.0)
+    ranges = np.ptp(values, axis=1)
+    np.maximum(size, ranges.max(axis=0, initial=0.0), out=size)
+    missed = np.abs(np.einsum("oe,ber->bor", _QUARTIC, values[:, ::2]) - values[:, 1::2]).max(axis=1)
+    least = NEGLIGIBLE * size
+    below, above = signals.bounds(low, high)
+    with np.errstate(invalid="ignore"):
+        known = above - below <= np.where(signals.formal, 0.0, BEYOND * ranges) + least
+    known |= broken | (~signals.formal & signals.within_data(low, high)[:, None])
+    unknown = np.flatnonzero(~known.all(axis=1))
+    scale = high - low
+    if len(unknown):
+        between = signals.steepest(low[unknown], high[unknown]) * scale[unknown, None] / 16
+        allowed = HIDDEN * ranges[unknown] + least
+        known[unknown] |= between <= allowed
+        scale[unknown] *= np.clip(allowed / np.maximum(between, least + TINY), 1 / 16, 1.0).min(axis=1)
+    quiet = ((missed <= least) & known).all(axis=1)
+    shown = ((missed <= FOLLOWED * ranges + least) & known).all(axis=1)
+    return np.where(quiet, np.inf, scale), shown
+
+
+def _joined(low: Array, high: Array, scale: Array) -> Iterator[Leg]:
+    """Join neighbouring intervals of like scale; where it gets finer, a leg begins."""
+    if not len(low):
+        return
+    first = 0
+    finest = float(scale[0])
+    for k in range(1, len(low) + 1):
+        ended = k == len(low)
+        if not ended and finest * FINER < scale[k] < finest * COARSER:
+            finest = min(finest, float(scale[k]))
+            continue
+        if not ended and scale[k] == finest:
+            continue
+        if not ended and scale[k] >= finest * COARSER and high[k] - low[k] < WORTHWHILE * finest:
+            continue
+        yield Leg(float(low[first]), float(high[k - 1]), SHARE * finest)
+        if not ended:
+            first, finest = k, float(scale[k])
+
+
+def _split(low: Array, high: Array, parts: int) -> tuple[Array, Array]:
+    """Divide intervals into equal parts, as far as floating-point numbers allow; they stay in order."""
+    edges = low[:, None] + (high - low)[:, None] * (np.arange(parts + 1) / parts)
+    edges[:, -1] = high
+    first, last = edges[:, :-1].ravel(), edges[:, 1:].ravel()
+    return first[last > first], last[last > first]

@@ -1,0 +1,130 @@
+"""What holds for every signal of time: bounds hold it, pulses are seen, a later input acts later."""
+
+import casadi as ca
+import numpy as np
+import pytest
+from hypothesis import assume, given, settings
+from hypothesis import strategies as st
+from inertance import Damper, Fixed, Force, Mass, Network, Sampled, Spring
+from inertance.networks.intervals import Enclosure
+from scipy.interpolate import CubicSpline
+
+UNARY = (
+    ca.sin, ca.cos, ca.tan, ca.exp, ca.fabs, ca.floor, ca.ceil, ca.sign, ca.sqrt, ca.atan, ca.tanh, ca.log,
+    ca.cosh, ca.asinh, ca.erf, lambda x: 1 / x, lambda x: x**2, lambda x: x**3, lambda x: -x,
+    lambda x: ca.logic_not(x > 1),
+)  # fmt: skip
+BINARY = (
+    lambda a, b: a + b, lambda a, b: a - b, lambda a, b: a * b, lambda a, b: a / b, ca.fmin, ca.fmax, ca.fmod,
+    lambda a, b: ca.if_else(a < b, a, 2 * b), lambda a, b: ca.if_else(a <= b, b, a),
+    lambda a, b: ca.fabs(a) ** b, lambda a, b: ca.if_else(ca.logic_and(a > 0, b > 0), a, b),
+    lambda a, b: ca.if_else(ca.logic_or(a > 1, b < 0), a, b),
+    ca.copysign, ca.atan2, ca.remainder, lambda a, b: a != b,
+)  # fmt: skip
+
+
+@st.composite
+def expressions(draw, depth=3):
+    """A random expression of t, as a function of an SX."""
+    if depth == 0:
+        number = draw(st.floats(-3, 3))
+        return draw(st.sampled_from([lambda t: t, lambda t: ca.SX(number), lambda t: t - number]))
+    if draw(st.booleans()):
+        operation, of = draw(st.sampled_from(UNARY)), draw(expressions(depth - 1))
+        return lambda t: operation(of(t))
+    operation, a, b = (
+        draw(st.sampled_from(BINARY)),
+        draw(expressions(depth - 1)),
+        draw(expressions(depth - 1)),
+    )
+    return lambda t: operation(a(t), b(t))
+
+
+@settings(max_examples=100, deadline=None)
+@given(expressions(), st.floats(-5, 5), st.floats(0, 2))
+def test_bounds_hold_every_value(expression, low, width):
+    t = ca.SX.sym("t")
+    function = ca.Function("f", [t], [ca.densify(expression(t))])
+    high = low + width
+    below, above, undecided = Enclosure(function)([(np.array([low]), np.array([high]))])
+    values = np.array(function(np.linspace(low, high, 101)[None, :])).ravel()
+    values = values[np.isfinite(values)]
+    slack = 1e-9 * (1 + np.abs(values))
+    assert (below[0, 0] - slack <= values).all()
+    assert (values <= above[0, 0] + slack).all()
+    if not undecided[0] and np.isfinite([below, above]).all() and len(values) == 101:
+        coarse, fine = (
+            np.abs(np.diff(np.array(function(np.linspace(low, high, count)[None, :])).ravel())).max()
+            for count in (20_001, 200_001)
+        )
+        assert fine <= 0.7 * coarse + 1e-6, "what is decided has no jump"
+
+
+def wagon():
+    net = Network("wagon", push=Force(), mass=Mass(m=1.0))
+    net.connect(net.push.flange, net.mass.flange)
+    return net.dae()
+
+
+WAGON = wagon()
+
+
+@settings(max_examples=25, deadline=None)
+@given(
+    st.lists(st.tuples(st.floats(0.02, 0.98), st.floats(-4, -2), st.booleans()), min_size=1, max_size=5),
+    st.sampled_from(["cvodes", "idas", "rosenbrock"]),
+    st.floats(-1, 3),
+    st.sampled_from([-7.0, 0.0, 1e3]),
+    st.booleans(),
+)
+def test_no_pulse_of_a_random_train_is_missed(pulses, solver, scale, begin, as_data):
+    span = 10**scale
+    areas = [(-1.0 if negative else 1.0) for *_, negative in pulses]
+    drawn = [(begin + place * span, span * 10**width) for place, width, _ in pulses]
+
+    def force(t):
+        return sum(a / w * ca.fmax(0, 1 - ca.fabs(t - c) / w) for a, (c, w) in zip(areas, drawn, strict=True))
+
+    signal, expected = force, sum(areas)
+    if as_data:
+        times = np.unique(
+            np.concatenate(
+                [
+                    [begin, begin + span / 3, begin + span],
+                    *(c + np.linspace(-1.5, 1.5, 97) * w for c, w in drawn),
+                ]
+            )
+        )
+        times = times[(times >= begin) & (times <= begin + span)]
+        times = times[np.append(True, np.diff(times) > 1e-9 * span)]
+        assume(len(times) > 3)
+        t = ca.SX.sym("t")
+        signal = Sampled(times, np.array(ca.Function("f", [t], [force(t)])(times[None, :])).ravel())
+        expected = CubicSpline(signal.time, signal.values).integrate(begin, begin + span)
+    run = WAGON.simulate(
+        begin + span, begin=begin, inputs={"push.f": signal}, solver=solver, rtol=1e-8, atol=1e-12
+    )
+    assert run["mass.v"][-1] == pytest.approx(expected, abs=1e-4)
+
+
+@settings(max_examples=8, deadline=None)
+@given(st.floats(0.0, 200.0), st.floats(1e-3, 2.0), st.sampled_from(["auto", "rosenbrock"]))
+def test_an_input_that_comes_later_gives_the_same_response_later(delay, width, solver):
+    net = Network(
+        "oscillator",
+        wall=Fixed(),
+        spring=Spring(k=400.0),
+        damper=Damper(d=2.0),
+        mass=Mass(m=1.0),
+        push=Force(),
+    )
+    net.connect(net.wall.flange, net.spring.flange_a, net.damper.flange_a)
+    net.connect(net.spring.flange_b, net.damper.flange_b, net.mass.flange, net.push.flange)
+    dae = net.dae()
+    shape = lambda s: ca.if_else(ca.logic_and(s > 0, s < width), ca.sin(ca.pi * s / width), 0.0)  # noqa: E731
+    for since in (0.5 * width, width, 2.0 * width + 0.1):
+        later = dae.simulate(
+            delay + since, begin=0.0, inputs={"push.f": lambda t: shape(t - delay)}, solver=solver, rtol=1e-8
+        )
+        at_once = dae.simulate(since, inputs={"push.f": shape}, solver=solver, rtol=1e-8)
+        assert later["mass.v"][-1] == pytest.approx(at_once["mass.v"][-1], rel=1e-4, abs=2e-6)

@@ -1,0 +1,252 @@
+"""What is given is seen, whenever it comes and however short it is."""
+
+import casadi as ca
+import numpy as np
+import pytest
+from inertance import (
+    Component,
+    CoulombFriction,
+    Damper,
+    Fixed,
+    Force,
+    Inerter,
+    Mass,
+    ModelError,
+    Network,
+    Position,
+    RealOutput,
+    Sampled,
+    Speed,
+    Spring,
+    SpringDamper,
+    parallel,
+    parameter,
+    series,
+)
+
+SOLVERS = ("cvodes", "idas", "rosenbrock", "compiled")
+
+
+class Bump(Component):
+    """A cosine bump of 5 cm and 0.4 s, as a block that looks at the clock by itself."""
+
+    start_time = parameter("s", "when it begins")
+    y = RealOutput("m", "height")
+
+    def equations(self):
+        since = self.time - self.start_time
+        inside = ca.logic_and(since >= 0, since < 0.4)
+        yield self.y == ca.if_else(inside, 0.025 * (1 - ca.cos(5 * ca.pi * since)), 0.0)
+
+
+def bump(start):
+    return lambda t: ca.if_else(
+        ca.logic_and(t >= start, t < start + 0.4), 0.025 * (1 - ca.cos(5 * ca.pi * (t - start))), 0.0
+    )
+
+
+def quarter_car(**road):
+    tid = series(SpringDamper(k=24e3, d=2400.0), Inerter(b=190.0))
+    strut = parallel(Spring(k=60e3), tid)
+    car = Network(
+        "quarter car",
+        road=Position(),
+        tyre=Spring(k=150e3),
+        wheel=Mass(m=35.0),
+        strut=strut,
+        body=Mass(m=250.0),
+        **road,
+    )
+    car.connect(car.road.flange, car.tyre.flange_a)
+    car.connect(car.tyre.flange_b, car.wheel.flange, car.strut.flange_a)
+    car.connect(car.strut.flange_b, car.body.flange)
+    return car
+
+
+def oscillator(**source):
+    net = Network(
+        "oscillator",
+        wall=Fixed(),
+        spring=Spring(k=100.0),
+        damper=Damper(d=1.0),
+        mass=Mass(m=1.0),
+        push=Force(**source),
+    )
+    net.connect(net.wall.flange, net.spring.flange_a, net.damper.flange_a)
+    return net.connect(net.spring.flange_b, net.damper.flange_b, net.mass.flange, net.push.flange)
+
+
+def pulse(begin, end):
+    return lambda t: ca.if_else(ca.logic_and(t > begin, t < end), 1.0, 0.0)
+
+
+PEAK = 8.2225
+
+
+@pytest.mark.parametrize("solver", SOLVERS)
+def test_a_bump_gives_the_same_peak_whenever_it_comes(solver):
+    dae = quarter_car().dae()
+    for start in (0, 0.25, 1, 10, 100):
+        run = dae.simulate(start + 3.0, step=1e-3, inputs={"road.s_ref": bump(start)}, solver=solver)
+        assert abs(run["body.a"]).max() == pytest.approx(PEAK, rel=1e-5), start
+        if solver == "compiled":
+            break  # each function is compiled; later ones come as data below
+
+
+@pytest.mark.parametrize("solver", SOLVERS)
+def test_a_bump_in_data_gives_the_same_peak_whenever_it_comes(solver):
+    dae = quarter_car().dae()
+    for start in (0, 0.25, 1, 10, 100):
+        t = np.arange(0, start + 3.001, 1e-3)
+        inside = (t >= start) & (t < start + 0.4)
+        road = np.where(inside, 0.025 * (1 - np.cos(5 * np.pi * (t - start))), 0.0)
+        run = dae.simulate(start + 3.0, step=1e-3, inputs={"road.s_ref": (t, road)}, solver=solver)
+        assert abs(run["body.a"]).max() == pytest.approx(PEAK, rel=1e-5), start
+
+
+@pytest.mark.parametrize("start", [0.0, 1.0, 100.0])
+def test_a_bump_from_a_block_gives_the_same_peak_whenever_it_comes(start):
+    car = quarter_car(profile=Bump(start_time=start))
+    car.connect(car.profile.y, car.road.s_ref)
+    run = car.simulate(start + 3.0, step=1e-3)
+    assert abs(run["body.a"]).max() == pytest.approx(PEAK, rel=1e-5)
+
+
+@pytest.mark.parametrize("solver", SOLVERS)
+@pytest.mark.parametrize("step", [None, 2e-3])
+def test_a_pulse_of_force_is_seen_with_any_output_step(solver, step):
+    signal = pulse(5.0, 5.5)
+    run = oscillator().simulate(10.0, inputs={"push.f": signal}, solver=solver, step=step)
+    exact = oscillator().simulate(10.0, inputs={"push.f": signal}, solver="rosenbrock", max_step=1e-3)
+    assert exact.at("mass.s", 5.3) > 5e-3
+    assert run["mass.s"][-1] == pytest.approx(exact["mass.s"][-1], abs=1e-6)
+
+
+@pytest.mark.parametrize(
+    "signal",
+    [
+        lambda t: ca.exp(-(((t - 700.0) / 1e-4) ** 2)) * 1e4,
+        lambda t: ca.sin(0.1 * t) * 0 + ca.exp(-(((t - 700.0) / 1e-4) ** 2)) * 1e4,
+        lambda t: 1e4 * ca.fmax(0, 1 - ca.fabs(t - 700.0) / (ca.sqrt(ca.pi) * 1e-4)),
+        lambda t: ca.if_else(ca.fabs(t - 700) < 0.5 * ca.sqrt(ca.pi) * 1e-4, 1e4, 0),
+        lambda t: ca.if_else(
+            ca.fmod(t, 1000.0) > 700.0, ca.if_else(t < 700 + ca.sqrt(ca.pi) * 1e-4, 1e4, 0), 0
+        ),
+    ],
+    ids=["smooth", "smooth on another", "triangle", "rectangle", "periodic"],
+)
+def test_a_blow_of_a_tenth_of_a_millionth_of_the_run_is_seen(signal):
+    net = Network("wagon", push=Force(), mass=Mass(m=1.0))
+    net.connect(net.push.flange, net.mass.flange)
+    run = net.simulate(1000.0, inputs={"push.f": signal})
+    assert run["mass.v"][-1] == pytest.approx(np.sqrt(np.pi), rel=1e-5)
+
+
+@pytest.mark.parametrize("solver", ["auto", "compiled"])
+def test_a_block_held_by_friction_slips_at_each_short_pulse(solver):
+    def pulses(t):
+        return 20.0 * (pulse(3.0, 3.001)(t) + pulse(7.0, 7.001)(t))
+
+    net = Network("block", floor=Fixed(), friction=CoulombFriction(f_c=1.0), mass=Mass(m=1.0), push=Force())
+    net.connect(net.floor.flange, net.friction.flange_a)
+    net.connect(net.friction.flange_b, net.mass.flange, net.push.flange)
+    run = net.simulate(10.0, inputs={"push.f": pulses}, solver=solver)
+    v = 19.0 * 1e-3
+    slid = 2 * (0.5 * 19.0 * 1e-6 + v**2 / 2)
+    assert run["mass.s"][-1] == pytest.approx(slid, rel=1e-4)
+    slips = [event.time for event in run.events if event.source == "stuck"]
+    assert slips == pytest.approx([3.0, 7.0], abs=1e-9)
+
+
+@pytest.mark.parametrize("solver", SOLVERS)
+def test_before_and_after_a_jump_are_two_points(solver):
+    net = Network("wagon", push=Force(), mass=Mass(m=2.0))
+    net.connect(net.push.flange, net.mass.flange)
+    run = net.simulate(
+        2.0, step=0.5, inputs={"push.f": lambda t: ca.if_else(t < 0.7, 0.0, 4.0)}, solver=solver
+    )
+    around = run["mass.a"][np.abs(run.time - 0.7) < 1e-9]
+    assert around.tolist() == [0.0, 2.0]
+    assert run["mass.v"][-1] == pytest.approx(2.6, rel=1e-9)
+
+
+def test_a_jump_at_an_output_takes_the_place_of_the_output():
+    net = Network("wagon", push=Force(), mass=Mass(m=2.0))
+    net.connect(net.push.flange, net.mass.flange)
+    for solver in SOLVERS:
+        signal = lambda t: ca.if_else(t < 1.0, 0.0, 4.0)  # noqa: E731
+        run = net.simulate(2.0, step=0.5, inputs={"push.f": signal}, solver=solver)
+        assert run.time.tolist() == pytest.approx([0, 0.5, 1, 1, 1.5, 2], abs=1e-12)
+        assert run["mass.a"].tolist() == [0, 0, 0, 2, 2, 2]
+
+
+def test_a_kink_adds_no_point():
+    ramp = lambda t: ca.fmax(0.0, t - 0.37)  # noqa: E731
+    run = oscillator().simulate(1.0, step=0.01, inputs={"push.f": ramp})
+    assert run.time == pytest.approx(np.linspace(0, 1, 101), abs=0)
+
+
+def test_sensitivities_are_followed_over_jumps():
+    signal = pulse(0.33, 0.5)
+    net = oscillator()
+    run = net.simulate(1.0, inputs={"push.f": signal}, sensitivities=["spring.k"], rtol=1e-9, atol=1e-12)
+    h = 1e-2
+    less, more = (
+        net.simulate(1.0, inputs={"push.f": signal}, parameters={"spring.k": k}, rtol=1e-10, atol=1e-13)
+        for k in (100 - h, 100 + h)
+    )
+    times = np.linspace(0, 1, 51)
+    slope = [(more.at("mass.s", t) - less.at("mass.s", t)) / (2 * h) for t in times]
+    followed = run.sensitivity("mass.s", "spring.k")
+    assert followed.shape == run.time.shape
+    assert np.interp(times, run.time, followed) == pytest.approx(np.array(slope), abs=1e-8)
+
+
+def test_a_run_that_begins_within_or_after_a_pulse_sees_what_is_left():
+    net = Network("wagon", push=Force(), mass=Mass(m=1.0))
+    net.connect(net.push.flange, net.mass.flange)
+    for begin, seen in ((-5.0, 1.0), (4.0, 1.0), (4.5, 0.5), (5.0, 0.0)):
+        run = net.simulate(8.0, begin=begin, inputs={"push.f": pulse(4.0, 5.0)})
+        assert run["mass.v"][-1] == pytest.approx(seen, abs=1e-8)
+
+
+def test_a_prescribed_speed_is_seen_late():
+    net = Network(
+        "drive",
+        drive=Speed(v_ref=lambda t: ca.exp(-(((t - 80) / 0.01) ** 2))),
+        damper=Damper(d=5.0),
+        mass=Mass(m=1.0),
+    )
+    net.connect(net.drive.flange, net.damper.flange_a)
+    net.connect(net.damper.flange_b, net.mass.flange)
+    run = net.simulate(100.0)
+    assert run["drive.flange.s"][-1] == pytest.approx(0.01 * np.sqrt(np.pi), rel=1e-4)
+    assert run["mass.s"][-1] == pytest.approx(0.01 * np.sqrt(np.pi), rel=1e-4)
+
+
+def test_a_function_of_numbers_alone_is_seen_by_its_numbers():
+    t = np.linspace(0, 100, 100_001)
+    table = ca.interpolant("table", "linear", [t], np.where((t > 50) & (t < 50.2), 1.0, 0.0))
+    net = Network("wagon", push=Force(f=Sampled(t, 0 * t)), pull=Force(), mass=Mass(m=1.0))
+    net.connect(net.push.flange, net.pull.flange, net.mass.flange)
+    run = net.simulate(100.0, inputs={"pull.f": lambda t: table(t)})
+    assert run["mass.v"][-1] == pytest.approx(0.199, rel=1e-4)
+
+
+def test_a_signal_need_not_be_hashable():
+    class Pull:
+        __hash__ = None
+
+        def __call__(self, t):
+            return 0 * t + 1.0
+
+    run = oscillator().simulate(1.0, inputs={"push.f": Pull()})
+    assert run["mass.s"][-1] > 0
+
+
+def test_the_longest_step_is_kept():
+    runs = [oscillator().simulate(10.0, inputs={"push.f": 1.0}, max_step=h) for h in (1e-2, 1e-3)]
+    assert runs[0].stats["steps"] >= 1000
+    assert runs[1].stats["steps"] >= 10_000
+    with pytest.raises(ModelError, match="max_step must be above 0 s, got 0"):
+        oscillator().simulate(1.0, inputs={"push.f": 1.0}, max_step=0)

@@ -1,0 +1,148 @@
+"""Ctrl-C: a real signal to a real process ends every kind of run, which keeps what it has."""
+
+import json
+import os
+import signal
+import subprocess
+import sys
+import time
+from pathlib import Path
+from threading import Timer
+from typing import Any
+
+import inertance as ia
+import numpy as np
+import pytest
+
+LONGEST = 8.0  # seconds that a busy machine may take to react; runs would go on for minutes
+SCRIPT = """
+import json, sys
+import numpy as np
+import inertance as ia
+
+def swing(**more):
+    net = ia.Network("swing", wall=ia.Fixed(), spring=ia.Spring(k=1e6), mass=ia.Mass(m=1.0, s=0.1), **more)
+    net.connect(net.wall.flange, net.spring.flange_a)
+    return net.connect(net.spring.flange_b, net.mass.flange)
+
+def rubbing():
+    net = swing(rub=ia.CoulombFriction(f_c=1.0))
+    net.connect(net.wall.flange, net.rub.flange_a)
+    return net.connect(net.mass.flange, net.rub.flange_b)
+
+def run(kind):
+    dae = (rubbing() if kind == "events" else swing()).dae()
+    solver = kind if kind in ("idas", "rosenbrock", "compiled") else "auto"
+    options = {"solver": solver, "progress": False}
+    if kind == "stepwise":
+        run = ia.Stepwise(dae, 0.0, 3000.0, {}, {}, solver="cvodes")
+        run.advance(0.01)
+        print("begun", flush=True)
+        run.advance(3000.0)
+    if kind == "sensitivities":
+        options["sensitivities"] = ["spring.k"]
+    dae.simulate(0.01, **options)
+    print("begun", flush=True)
+    dae.simulate(3000.0, step=3.0 if kind == "steps" else 0.01, **options)
+
+for kind in sys.argv[1:]:
+    try:
+        run(kind)
+    except BaseException as error:
+        result = getattr(error, "result", None)
+        told = {"error": type(error).__name__, "interrupt": isinstance(error, KeyboardInterrupt)}
+        if result is not None:
+            told |= {"points": len(result.time), "rising": bool((np.diff(result.time) >= 0).all())}
+            told["off"] = float(np.abs(result["mass.s"] - 0.1 * np.cos(1000 * result.time))[:50].max())
+        print(json.dumps(told), flush=True)
+    else:
+        print(json.dumps({"error": "none"}), flush=True)
+"""
+KINDS = ("cvodes", "idas", "rosenbrock", "compiled", "steps", "events", "sensitivities", "stepwise")
+
+
+def default_interrupt() -> None:
+    """Let a process hear SIGINT even where pytest itself runs in the background."""
+    signal.signal(signal.SIGINT, signal.SIG_DFL)
+
+
+def interrupted(process: subprocess.Popen[str]) -> dict[str, Any]:
+    """Send Ctrl-C to the run that a process has begun, and return what it tells of its end."""
+    assert process.stdout is not None
+    assert process.stdout.readline() == "begun\n"
+    time.sleep(0.7)
+    process.send_signal(signal.SIGINT)
+    asked = time.monotonic()
+    expired = Timer(30.0, process.kill)
+    expired.start()
+    told: dict[str, Any] = json.loads(process.stdout.readline() or "{}")
+    expired.cancel()
+    assert time.monotonic() - asked < LONGEST
+    assert told.get("error") == "RunInterruptedError"
+    assert told["interrupt"]
+    assert told["rising"]
+    return told
+
+
+def test_ctrl_c_ends_every_kind_of_run_and_keeps_what_it_computed(tmp_path: Path) -> None:
+    script = tmp_path / "script.py"
+    script.write_text(SCRIPT)
+    process = subprocess.Popen(
+        [sys.executable, str(script), *KINDS],
+        stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, preexec_fn=default_interrupt,
+    )  # fmt: skip
+    try:
+        found = {kind: interrupted(process) for kind in KINDS}
+        assert process.wait(30) == 0
+        assert process.stderr is not None
+        assert process.stderr.read() == ""
+    finally:
+        process.kill()
+        process.communicate()
+    for kind in ("cvodes", "idas", "rosenbrock", "compiled"):
+        assert found[kind]["points"] > 3, kind
+        assert found[kind]["off"] < 1e-3, kind
+    assert found["events"]["points"] > 3
+
+
+def test_a_handler_of_ones_own_that_only_notes_ctrl_c_lets_the_run_go_on(swing: ia.Network) -> None:
+    heard = []
+    before = signal.signal(signal.SIGINT, lambda *_: heard.append(1))
+    try:
+        Timer(0.1, os.kill, [os.getpid(), signal.SIGINT]).start()
+        run = swing.simulate(3.0, progress=False)
+        until = time.monotonic() + 10
+        while not heard and time.monotonic() < until:
+            time.sleep(0.01)
+    finally:
+        signal.signal(signal.SIGINT, before)
+    assert heard == [1]
+    assert run.time[-1] == 3.0
+
+
+def test_the_handler_stands_as_before_after_runs(swing: ia.Network) -> None:
+    before = signal.getsignal(signal.SIGINT)
+    swing.simulate(0.01)
+    assert signal.getsignal(signal.SIGINT) is before
+    with pytest.raises(ia.SimulationError):
+        swing.simulate(0.01, max_steps=1)
+    assert signal.getsignal(signal.SIGINT) is before
+
+
+def test_points_of_a_failed_run_lie_in_order() -> None:
+    net = ia.Network("diverging", wall=ia.Fixed(), spring=ia.CubicSpring(k=0.0, k3=-1.0), mass=ia.Mass(m=1.0))
+    net.connect(net.wall.flange, net.spring.flange_a)
+    net.connect(net.spring.flange_b, net.mass.flange)
+    start = {"mass.s": 1.0, "mass.v": 1.0}
+    with pytest.raises(ia.SimulationError) as failed:
+        net.simulate(1.6, step=1.6 / 2051, start=start)  # fails in the last chunk, which begins early
+    result = failed.value.result
+    assert isinstance(result, ia.Result)
+    assert (np.diff(result.time) > 0).all()
+
+
+@pytest.fixture
+def swing() -> ia.Network:
+    net = ia.Network("swing", wall=ia.Fixed(), spring=ia.Spring(k=1e6), mass=ia.Mass(m=1.0, s=0.1))
+    net.connect(net.wall.flange, net.spring.flange_a)
+    return net.connect(net.spring.flange_b, net.mass.flange)
