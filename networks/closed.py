@@ -18,9 +18,10 @@ from .dae import DAE, Input
 from .legs import Leg, legs_of
 from .polynomial import Polynomial
 from .splines import SMOOTHNESS, curvature, sampled_at, traced
-from .stepper import Stepper, Tolerance
+from .stepper import Stepper
 from .switchfunctions import SwitchFunctions
 from .time_signals import TimeSignals, timed_rows
+from .tolerance import Tolerance
 from .vectors import pick, stacked
 
 if TYPE_CHECKING:

@@ -22,7 +22,7 @@ from .legs import Leg
 from .overtime import OverTime
 from .pieces import Pieces
 from .slopes import Points
-from .stepper import Tolerance
+from .tolerance import Tolerance
 
 if TYPE_CHECKING:
     import pandas as pd
