@@ -139,7 +139,7 @@ def fitted(folder: Path, length: str, force: str, size: float = 1.0) -> ia.Fit:
     folder.mkdir()
     (folder / "rig.py").write_text(MODEL.format(start=0.3 * size))
     position, push_ = size * wanted(smooth, "samples"), size * push(1.0, "samples")[1]
-    noise = 1e-3 * size
+    noise = 1e-2 * size
     position = position + noise * np.random.default_rng(7).normal(size=len(TIME))
     columns = TIME, position / NUMBERS[length], push_ / NUMBERS[force]
     text = CAMPAIGN.format(length=length, force=force, noise=noise / NUMBERS[length])
@@ -160,5 +160,5 @@ def test_a_fit_finds_the_same_from_records_in_other_units_and_of_other_sizes(tmp
     assert first.values["spring.k"] == pytest.approx(400.0, rel=1e-2)
     for fit in fits.values():
         for name, value in first.values.items():
-            assert fit.values[name] == pytest.approx(value, abs=0.3 * first.errors[name])
+            assert fit.values[name] == pytest.approx(value, abs=0.5 * first.errors[name])
             assert fit.errors[name] == pytest.approx(first.errors[name], rel=0.05)
