@@ -12,12 +12,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ...components.base import (
+    InitialConditionError,
     ModelError,
     SimulationError,
     between,
     demand,
     finite,
-    instance,
     named,
     text,
     whole,
@@ -27,14 +27,18 @@ from ..closed import Closed
 from ..coverage import check_covered
 from ..dae import DAE
 from ..events import Point, Switcher
-from ..initial import wishes
+from ..given import dae_of
+from ..initial import Wishes, wishes
 from ..keywords import check_keywords
+from ..network import Network
 from ..result import Result
-from ..run import Settings
+from ..run import Run, Settings
 from ..simulate import started
+from ..tolerance import ATOL, RTOL
 
 Array = NDArray[np.float64]
 TINY = 1e-9
+STILL = 1e-12
 HOLDING = ("stuck", "contact")
 _KNOWN: WeakKeyDictionary[Closed, Any] = WeakKeyDictionary()
 
@@ -69,7 +73,7 @@ class OperatingPoint:
 
 
 def operating_point(
-    dae: DAE,
+    dae: Network | DAE,
     at: str | Result = "equilibrium",
     *,
     time: float = 0.0,
@@ -80,7 +84,7 @@ def operating_point(
     """Return where a network stands still, where it starts, or where a run was.
 
     Args:
-        dae: the equations.
+        dae: the equations, or their network.
         at: "equilibrium" (nearest to the start), "start", or a `Result` to look at.
         time: instant [s], of a run or of the signals.
         start: start values by name, from which the equilibrium is looked for.
@@ -90,7 +94,8 @@ def operating_point(
     Raises:
         ModelError: for an unknown `at`, or if there is no equilibrium.
     """
-    demand("operating_point()", dae=(dae, instance(DAE)), time=(time, finite("s")))
+    dae = dae_of(dae)
+    demand("operating_point()", time=(time, finite("s")))
     if isinstance(at, Result):
         return _of_run(at, time)
     if text(at) or at not in ("equilibrium", "start"):
@@ -102,8 +107,7 @@ def operating_point(
     closed = dae.closed(signals)
     numbers = dae.system.flat.table.values(named("parameters", parameters))
     q = np.concatenate([numbers, np.zeros(closed.q.numel() - len(numbers))])
-    settings = Settings(time, time + 1.0, 1.0, 1e-6, 1e-8, "auto", False)
-    run = started(closed, settings, q, wishes(dae, named("start", start), {}))
+    run = _started(closed, q, time, wishes(dae, named("start", start), {}))
     notes = list(run.switcher.notes) if run.switcher else []
     if at == "equilibrium":
         notes += _settle(closed, run.point, run.switcher)
@@ -112,12 +116,12 @@ def operating_point(
 
 
 def equilibria(
-    dae: DAE, starts: int = 30, spread: float = 1.0, *, seed: int = 0, **options: Any
+    dae: Network | DAE, starts: int = 30, spread: float = 1.0, *, seed: int = 0, **options: Any
 ) -> list[OperatingPoint]:
     """Return the equilibria that a search from several starts finds, each once, nearest first.
 
     Args:
-        dae: the equations.
+        dae: the equations, or their network.
         starts: number of random starts.
         spread: their standard deviation about the start, in the SI unit of each state.
         seed: of the random starts.
@@ -126,9 +130,9 @@ def equilibria(
     Raises:
         ModelError: if none is found.
     """
+    dae = dae_of(dae)
     demand(
         "equilibria()",
-        dae=(dae, instance(DAE)),
         starts=(starts, whole(0)),
         spread=(spread, between(0, 1e100)),
         seed=(seed, whole(0)),
@@ -182,6 +186,10 @@ def _point(closed: Closed, point: Point, notes: list[str]) -> OperatingPoint:
     return OperatingPoint(closed.dae, point.t, point.x, point.z, u, point.q, notes)
 
 
+def _started(closed: Closed, q: Array, time: float, wanted: Wishes) -> Run:
+    return started(closed, Settings(time, time + 1.0, 1.0, RTOL, ATOL, "auto", False), q, wanted)
+
+
 def _settle(closed: Closed, point: Point, switcher: Switcher | None) -> list[str]:
     """Move a point to the nearest equilibrium, in modes that are consistent there."""
     for _ in range(20):
@@ -192,12 +200,29 @@ def _settle(closed: Closed, point: Point, switcher: Switcher | None) -> list[str
             events = switcher.settle(point)
         except SimulationError as error:
             raise ModelError(f"'{closed.dae.name}': {error}") from error
-        if not events:
+        if not events and not _holds_at_rest(closed, point):
             return notes
     raise ModelError(
         f"'{closed.dae.name}': no equilibrium in consistent modes was found; what holds breaks away. "
         "Give start= nearer to it"
     )
+
+
+def _holds_at_rest(closed: Closed, point: Point) -> bool:
+    """Let what slid up to an equilibrium hold there, as if it had stood there; tell whether it does."""
+    dae = closed.dae
+    numbers = point.q[: dae.p.numel()]
+    blank = np.concatenate([numbers, np.zeros(len(point.q) - len(numbers))])
+    standing = np.where(np.abs(point.x) < STILL, 0.0, point.x).tolist()
+    fixed = zip(dae.states, zip(dae.state_names, standing, strict=True), strict=True)
+    try:
+        there = _started(closed, blank, point.t, Wishes(dict(fixed), {})).point
+    except (InitialConditionError, SimulationError):
+        return False
+    holds = set(_held_states(dae, point.q)) < set(_held_states(dae, there.q))
+    if holds:
+        point.x, point.z, point.q = there.x, there.z, there.q
+    return holds
 
 
 def _rest(closed: Closed, point: Point) -> list[str]:

@@ -250,3 +250,12 @@ def test_the_longest_step_is_kept():
     assert runs[1].stats["steps"] >= 10_000
     with pytest.raises(ModelError, match="max_step must be above 0 s, got 0"):
         oscillator().simulate(1.0, inputs={"push.f": 1.0}, max_step=0)
+
+
+def test_a_function_that_returns_another_formula_each_time_is_refused() -> None:
+    """Random numbers drawn in a function were read once, and were a constant."""
+    rng = np.random.default_rng(0)
+    net = ia.Network("pushed", push=ia.Force(), mass=ia.Mass(m=1.0))
+    net.connect(net.push.flange, net.mass.flange)
+    with pytest.raises(ia.ModelError, match=r"input 'push.f': .* returns another each time; draw random"):
+        net.simulate(1.0, inputs={"push.f": lambda t: rng.normal() * t})
