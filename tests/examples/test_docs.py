@@ -13,9 +13,11 @@ from io import StringIO
 from pathlib import Path
 from types import FunctionType, ModuleType
 from typing import Any
+from unittest.mock import patch
 
 import inertance
 import pytest
+from inertance.diagnosis.effects import EFFECTS
 from matplotlib import pyplot
 
 ROOT = Path(__file__).parents[2]
@@ -70,12 +72,13 @@ def test_blocks_run_and_print_what_stands_below(
     monkeypatch.chdir(tmp_path)
     pyplot.switch_backend("Agg")
     namespace: dict[str, Any] = {"__name__": page.stem}
-    for source, told in blocks(page):
-        printed = StringIO()
-        with redirect_stdout(printed):
-            exec(compile(source, str(page), "exec"), namespace)
-        if told is not None:
-            assert printed.getvalue() == told
+    with patch.dict(EFFECTS):  # what a page registers, other tests must not try
+        for source, told in blocks(page):
+            printed = StringIO()
+            with redirect_stdout(printed):
+                exec(compile(source, str(page), "exec"), namespace)
+            if told is not None:
+                assert printed.getvalue() == told
     pyplot.close("all")
 
 
