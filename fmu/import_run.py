@@ -11,6 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..components import UnknownNameError, nearest
+from ..components.base import text
 from ..networks import OverTime
 from .errors import FMUError
 from .foreign import Instance, Values, finite
@@ -89,7 +90,7 @@ class ForeignRun(OverTime):
         return "s" if name == "time" else self.units[self._known(name)]
 
     def _known(self, name: str) -> str:
-        if isinstance(name, str) and name in self.units:
+        if not text(name) and name in self.units:
             return name
         raise UnknownNameError(
             f"'{name}' of '{self.name}' was not recorded (record=[...]){nearest(name, self.units)}"

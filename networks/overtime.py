@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any, overload
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from ..components.base import ModelError, above, demand, nearest, number, optional, shown
+from ..components.base import ModelError, above, demand, finite, nearest, number, optional, shown
 from .pieces import Pieces
 
 if TYPE_CHECKING:
@@ -50,8 +50,18 @@ class OverTime:
             """Return signals at the points."""
             ...
 
+    def course(self, name: str, begin: float, end: float) -> Pieces:
+        """Return a signal between the points, at least from `begin` to `end` [s].
+
+        Raises:
+            UnknownNameError: for an unknown name, with the nearest one.
+            ModelError: for instants that are no finite numbers.
+        """
+        demand("course()", begin=(begin, finite("s")), end=(end, finite("s")))
+        return self._course(name, begin, end)
+
     def _course(self, name: str, begin: float, end: float) -> Pieces:
-        """Return a signal between the points, at least from `begin` to `end` [s]: straight lines here."""
+        """Return it: straight lines here."""
         return Pieces.lines(self.time, np.asarray(self[name], dtype=float))
 
     def values_of(self, name: str) -> tuple[str, ...]:

@@ -161,10 +161,7 @@ class Result(OverTime):
         return self.dae.unit(name)
 
     def _course(self, name: str, begin: float, end: float) -> Pieces:
-        """Return a signal between the points, at least from `begin` to `end` [s].
-
-        Cubic pieces meet its values and rates; where these are too far apart, the run is followed again.
-        """
+        """Return cubics through values and rates; where points are too far apart, follow the run again."""
         return self._between.course(name, self[name], begin, end)
 
     def values_of(self, name: str) -> tuple[str, ...]:
