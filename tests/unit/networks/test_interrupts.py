@@ -43,18 +43,21 @@ def watch():
     heard.append(time.process_time())
 
 def run(kind):
+    global watching
     dae = (rubbing() if kind in ("events", "stepwise") else swing()).dae()
     solver = kind if kind in ("idas", "rosenbrock", "compiled") else "auto"
     options = {"solver": solver, "progress": False}
     if kind == "stepwise":
         run = ia.Stepwise(dae, 0.0, 3000.0, {}, {}, solver="cvodes")
         run.advance(0.01)
-        threading.Thread(target=watch, daemon=True).start()
+        watching = threading.Thread(target=watch, daemon=True)
+        watching.start()
         run.advance(3000.0)
     if kind == "sensitivities":
         options["sensitivities"] = ["spring.k"]
     dae.simulate(0.01, **options)
-    threading.Thread(target=watch, daemon=True).start()
+    watching = threading.Thread(target=watch, daemon=True)
+    watching.start()
     dae.simulate(3000.0, step=3.0 if kind == "steps" else 0.01, **options)
 
 heard = []
@@ -65,9 +68,11 @@ for kind in sys.argv[1:]:
     try:
         run(kind)
     except BaseException as error:
+        ended = time.process_time()
+        watching.join(10.0)
         result = getattr(error, "result", None)
         told = {"error": type(error).__name__, "interrupt": isinstance(error, KeyboardInterrupt)}
-        told["took"] = time.process_time() - heard[-1] if heard else None
+        told["took"] = ended - heard.pop() if heard else None
         if result is not None:
             told |= {"points": len(result.time), "rising": bool((np.diff(result.time) >= 0).all())}
             told["off"] = float(np.abs(result["mass.s"] - 0.1 * np.cos(1000 * result.time))[:50].max())
@@ -76,11 +81,6 @@ for kind in sys.argv[1:]:
         print(json.dumps({"error": "none"}), flush=True)
 """
 KINDS = ("cvodes", "idas", "rosenbrock", "compiled", "steps", "events", "sensitivities", "stepwise")
-
-
-def default_interrupt() -> None:
-    """Let a process hear SIGINT even where pytest itself runs in the background."""
-    signal.signal(signal.SIGINT, signal.SIG_DFL)
 
 
 def interrupted(process: subprocess.Popen[str]) -> dict[str, Any]:
@@ -101,7 +101,7 @@ def test_ctrl_c_ends_every_kind_of_run_and_keeps_what_it_computed(tmp_path: Path
     script.write_text(SCRIPT)
     process = subprocess.Popen(
         [sys.executable, str(script), *KINDS],
-        stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, preexec_fn=default_interrupt,
+        stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True,
     )  # fmt: skip
     expired = Timer(HANGING, process.kill)
     expired.start()
@@ -126,7 +126,7 @@ def test_a_handler_of_ones_own_that_only_notes_ctrl_c_lets_the_run_go_on(swing: 
     try:
         Timer(0.1, os.kill, [os.getpid(), signal.SIGINT]).start()
         run = swing.simulate(3.0, progress=False)
-        until = time.monotonic() + 10
+        until = time.monotonic() + HANGING
         while not heard and time.monotonic() < until:
             time.sleep(0.01)
     finally:
