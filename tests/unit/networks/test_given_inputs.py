@@ -5,6 +5,7 @@ import numpy as np
 import pytest
 from inertance import (
     Component,
+    ConstantForce,
     CoulombFriction,
     Damper,
     Fixed,
@@ -250,3 +251,16 @@ def test_the_longest_step_is_kept():
     assert runs[1].stats["steps"] >= 10_000
     with pytest.raises(ModelError, match="max_step must be above 0 s, got 0"):
         oscillator().simulate(1.0, inputs={"push.f": 1.0}, max_step=0)
+
+
+@pytest.mark.parametrize("force", [0.3, -4.905, 1e6 / 3])
+def test_a_constant_force_does_not_shorten_steps(force):
+    def steps(given):
+        net = Network("held", wall=Fixed(), spring=Spring(k=100.0), mass=Mass(m=1.0))
+        net.add(push=ConstantForce(f_constant=given), pull=Force(f=given))
+        net.connect(net.wall.flange, net.spring.flange_a)
+        net.connect(net.spring.flange_b, net.mass.flange, net.push.flange, net.pull.flange)
+        return net.simulate(2.0).stats["steps"]
+
+    rounded = 2.0 ** np.round(np.log2(abs(force)))  # whose multiples are exact
+    assert steps(force) < 2 * steps(rounded)
