@@ -17,8 +17,9 @@ from ..dae import DAE
 from ..given import dae_of
 from ..network import Network
 from ..result import Result
-from .operating import HOLDING, OperatingPoint, operating_point
+from .operating import OperatingPoint, operating_point
 from .realise import Channel, drop_held, realised
+from .resting import HOLDING
 from .statespace import StateSpace
 from .varied import Varied
 
@@ -224,7 +225,7 @@ class Linearisation:
             names = ", ".join(self.dae.system.name(self.dae.algebraic[k]) for k in stiff)
             raise ModelError(
                 f"'{self.dae.name}' is not linear here: what balances {names} has no slope, as a "
-                "clearance or a quadratic damper at rest has none; linearise elsewhere (at=, start=, signals=), "
+                "clearance or a quadratic damper at rest; linearise elsewhere (at=, start=, signals=), "
                 "or put a little stiffness or damping beside it"
             )
 

@@ -5,6 +5,7 @@ import numpy as np
 import pytest
 from inertance import (
     Component,
+    ConstantForce,
     CoulombFriction,
     Damper,
     Fixed,
@@ -255,7 +256,20 @@ def test_the_longest_step_is_kept():
 def test_a_function_that_returns_another_formula_each_time_is_refused() -> None:
     """Random numbers drawn in a function were read once, and were a constant."""
     rng = np.random.default_rng(0)
-    net = ia.Network("pushed", push=ia.Force(), mass=ia.Mass(m=1.0))
+    net = Network("pushed", push=Force(), mass=Mass(m=1.0))
     net.connect(net.push.flange, net.mass.flange)
-    with pytest.raises(ia.ModelError, match=r"input 'push.f': .* returns another each time; draw random"):
+    with pytest.raises(ModelError, match=r"input 'push.f': .* returns another each time; draw random"):
         net.simulate(1.0, inputs={"push.f": lambda t: rng.normal() * t})
+
+
+@pytest.mark.parametrize("force", [0.3, -4.905, 1e6 / 3])
+def test_a_constant_force_does_not_shorten_steps(force):
+    def steps(given):
+        net = Network("held", wall=Fixed(), spring=Spring(k=100.0), mass=Mass(m=1.0))
+        net.add(push=ConstantForce(f_constant=given), pull=Force(f=given))
+        net.connect(net.wall.flange, net.spring.flange_a)
+        net.connect(net.spring.flange_b, net.mass.flange, net.push.flange, net.pull.flange)
+        return net.simulate(2.0).stats["steps"]
+
+    rounded = 2.0 ** np.round(np.log2(abs(force)))  # whose multiples are exact
+    assert steps(force) < 2 * steps(rounded)

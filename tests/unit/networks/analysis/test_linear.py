@@ -152,7 +152,7 @@ def test_stuck_friction_is_linear_in_its_mode_and_told() -> None:
 
 
 def test_what_slid_to_its_rest_holds_there() -> None:
-    """From a stretched spring it slides up to where friction just holds; there it was taken to go on sliding."""
+    """From a stretched spring it slides up to where friction holds, where it was taken to slide on."""
     net = ia.Network(
         "o", wall=ia.Fixed(), spring=ia.Spring(k=400.0), rub=ia.CoulombFriction(f_c=5.0),
         mass=ia.Mass(m=1.0, s=0.1), push=ia.Force(),
@@ -168,7 +168,8 @@ def test_what_slid_to_its_rest_holds_there() -> None:
     assert any("rub.mode is 'stuck'" in note for note in system.notes)
 
 
-def test_a_mass_on_its_stop_has_no_states() -> None:
+def test_a_mass_pressed_on_a_stop_rests_on_it() -> None:
+    """Its equilibrium was taken 50 mm inside the stop, where the spring is relaxed."""
     net = ia.Network(
         "rest", wall=ia.Fixed(), spring=ia.Spring(k=400.0), stop=ia.HardStop(s_min=0.05),
         mass=ia.Mass(m=1.0, s=0.1), push=ia.Force(),
