@@ -226,12 +226,12 @@ def test_a_prescribed_speed_is_seen_late():
 
 
 def test_a_function_of_numbers_alone_is_seen_by_its_numbers():
-    t = np.linspace(0, 100, 100_001)
-    table = ca.interpolant("table", "linear", [t], np.where((t > 50) & (t < 50.2), 1.0, 0.0))
+    t = np.linspace(0, 100, 10_001)
+    table = ca.interpolant("table", "linear", [t], np.where((t > 50.005) & (t < 50.195), 1.0, 0.0))
     net = Network("wagon", push=Force(f=Sampled(t, 0 * t)), pull=Force(), mass=Mass(m=1.0))
     net.connect(net.push.flange, net.pull.flange, net.mass.flange)
     run = net.simulate(100.0, inputs={"pull.f": lambda t: table(t)})
-    assert run["mass.v"][-1] == pytest.approx(0.199, rel=1e-4)
+    assert run["mass.v"][-1] == pytest.approx(0.19, rel=1e-4)
 
 
 def test_a_signal_need_not_be_hashable():
