@@ -183,14 +183,16 @@ def _program(
         )
     bound = {i.path: i.signal for i in dae.inputs if i.signal is not None and i.path not in asked}
     free = [k for k, declared in enumerate(dae.inputs) if declared.path not in bound]
-    states = state_names(dae)
+    start = starting_point(dae, {dae.inputs[k].path: _resting(dae.inputs[k].signal) for k in free}, fixed)
+    states = state_names(dae, start.given)
     shown = list(dict.fromkeys([*chosen_outputs(dae, outputs, states), *more]))
     known = {*states, *dae.switching.mode_names, *(dae.inputs[k].path for k in free)}
     variables = [name for name in shown if name not in known]
     variables += locals_of(dae, [*states, *variables])
-    start = starting_point(dae, {dae.inputs[k].path: _resting(dae.inputs[k].signal) for k in free}, fixed)
+    named = {*states, *variables, *(f"der({name})" for name in states)}
+    variables += [aim.name for aim in start.aims if aim.name not in named]
     dae = corners_as_modes(dae)
-    program = c_program(dae, inputs=dict.fromkeys(asked), variables=variables)
+    program = c_program(dae, inputs=dict.fromkeys(asked), variables=variables, start=start)
     return program, interface(dae, start, free, states, variables, shown)
 
 

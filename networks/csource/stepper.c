@@ -123,10 +123,20 @@ static CoreStatus fire(Core *c, const Wanted *wanted, int forced) {
     return status;
 }
 
+/* Go on to an instant that only rounding tells from the present one. */
+static CoreStatus arrive(Core *c, double t) {
+    core_stale(c);
+    c->t = t;
+    CoreStatus status = core_rates(c, 0);
+    if (status != CORE_OK) return status;
+    return core_watch(c, t, c->y, c->rates, &c->left) ? CORE_OK : failed(c, "indicators are not finite");
+}
+
 /* Take one step, not beyond `stop`, up to the first event. Nonzero `halt` ends the advance. */
 static CoreStatus stride(Core *c, const Wanted *wanted, double stop, double *most, CoreStop *reached, int *halt) {
     double left = stop - c->t, h = fmin(fmin(c->h, *most), core_longest_step(c)), kept, error, t, begin, end;
     int indicator, hit;
+    if (left <= 4 * TINY * fabs(stop)) return arrive(c, stop);
     if (wanted->fixed > 0) h = left / ceil(left / wanted->fixed - 1e-9);
     if (h >= left * (1 - 1e-10)) h = left;
     else if (wanted->fixed <= 0 && h > 0.5 * left) h = 0.5 * left;
