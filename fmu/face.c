@@ -158,6 +158,26 @@ static void set_start(Instance *c, uint32_t ref, double value)
     if (ref >= REF_STATES && ref < REF_RATES) given->x[ref - REF_STATES] = value;
 }
 
+/* The state that only follows from other start values, or -1. */
+static int follower(uint32_t ref)
+{
+    for (int i = 0; i < NLEAD; i++)
+        if (ref == REF_STATES + (uint32_t)model_lead_state[i]) return model_lead_state[i];
+    return -1;
+}
+
+static FaceStatus refuse_follower(Instance *c, const char *function, int state)
+{
+    Core *core = &c->now.core;
+    core_say(core, model_unknown_name[state]);
+    core_say_more(core, " follows from other start values; set those of ");
+    for (int i = 0; i < NAIM && i < 6; i++) {
+        if (i) core_say_more(core, i < 5 ? ", " : ", ...");
+        if (i < 5) core_say_more(core, model_aim_name[i]);
+    }
+    return refused_number(c, function);
+}
+
 static int is_start(uint32_t ref)
 {
     int found = ref >= REF_STATES && ref < REF_RATES;
@@ -174,6 +194,7 @@ static FaceStatus set_real(Instance *c, const char *function, uint32_t ref, doub
     CoreStatus status = CORE_OK;
     c->now.begun = c->now.begun && !starting;
     if (starting && is_start(ref)) {
+        if (follower(ref) >= 0) return refuse_follower(c, function, follower(ref));
         if (!isfinite(value)) return face_refuse(c, function, "a start value must be a finite number");
         set_start(c, ref, value);
     } else if (ref >= REF_INPUTS && ref < REF_PARAMETERS)

@@ -129,9 +129,10 @@ def _causality(name: str, shown: frozenset[str]) -> str:
 
 
 def _state(dae: DAE, name: str, reference: int, start: Start, k: int, shown: frozenset[str]) -> Scalar:
-    initial = "approx" if k in start.moved else "exact"
+    initial = "calculated" if k in start.led else "approx" if k in start.free else "exact"
+    value = None if k in start.led else float(start.x[k])
     return Scalar(
-        name, reference, _causality(name, shown), "continuous", initial, float(start.x[k]), dae.unit(name),
+        name, reference, _causality(name, shown), "continuous", initial, value, dae.unit(name),
         described(dae, name), nominal=float(start.nominal[k]),
     )  # fmt: skip
 
