@@ -140,6 +140,7 @@ static CoreStatus stride(Core *c, const Wanted *wanted, double stop, double *mos
     if (wanted->fixed > 0) h = left / ceil(left / wanted->fixed - 1e-9);
     if (h >= left * (1 - 1e-10)) h = left;
     else if (wanted->fixed <= 0 && h > 0.5 * left) h = 0.5 * left;
+    h = fmin(left, fmax(h, 8 * TINY * fabs(stop))); /* a leg may be as short as rounding */
     kept = c->h;
     double tried = h;
     CoreStatus status = accepted_step(c, wanted, &h, &error);
