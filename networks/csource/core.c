@@ -139,6 +139,7 @@ void core_inputs_at(Core *c, double t) {
 
 void core_arguments(Core *c, double t, const double y[], const double *arg[]) {
     core_inputs_at(c, t);
+    c->work++;
     arg[0] = y;
     arg[1] = y + NX;
     arg[2] = c->u;
