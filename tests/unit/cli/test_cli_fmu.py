@@ -40,8 +40,12 @@ def run(*words: str) -> tuple[int, str]:
 
 @needs_compiler
 def test_export_info_and_import_test(folder: Path) -> None:
-    code, told = run("export", "model.py:build", "it.fmu", "--fmi", "3.0", "--output", "mass.*")
+    rights = "--author", "A. Mueller", "--version", "1.2", "--license", "proprietary"
+    code, told = run("export", "model.py:build", "it.fmu", "--fmi", "3.0", "--output", "mass.*", *rights)
     assert (code, "wrote it.fmu" in told) == (0, True), told
+    with zipfile.ZipFile("it.fmu") as archive:
+        described = archive.read("modelDescription.xml").decode()
+    assert 'author="A. Mueller" version="1.2" license="proprietary"' in described
     code, told = run("info", "it.fmu")
     assert code == 0
     assert "oscillator: FMI 3.0, ME and CS" in told

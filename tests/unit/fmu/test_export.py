@@ -228,3 +228,26 @@ def test_without_a_compiler_the_remedy_is_told(tmp_path: Path, monkeypatch: pyte
     monkeypatch.setattr("importlib.util.find_spec", lambda name: None)
     with pytest.raises(ia.ModelError, match="install a C compiler"):
         ia.export_fmu(ball(), tmp_path / "ball.fmu")
+
+
+@pytest.mark.parametrize("version", VERSIONS)
+def test_the_licence_is_the_authors(version: str, tmp_path: Path) -> None:
+    """Every FMU said that it is under BSD-3-Clause, whosever model it was."""
+    silent = ia.export_fmu(ball(), tmp_path / "silent.fmu", fmi_version=version, platforms=[])
+    told = told_by(silent)
+    assert (told.author, told.version, told.copyright, told.license) == (None, None, None, None)
+    path = ia.export_fmu(
+        ball(), tmp_path / "told.fmu", fmi_version=version, platforms=[], author="A. <Müller>", version="1.2",
+        copyright="© 2026 A. Müller", license="proprietary",
+    )  # fmt: skip
+    told = told_by(path)
+    assert (told.author, told.version) == ("A. <Müller>", "1.2")
+    assert (told.copyright, told.license) == ("© 2026 A. Müller", "proprietary")
+    with zipfile.ZipFile(path) as archive:
+        licences = archive.read("documentation/licenses/license.txt").decode()
+        page = archive.read("documentation/index.html").decode()
+    assert "author's, who licenses it under: proprietary." in licences
+    assert "Redistribution and use" in licences  # of the program around the model
+    assert "A. &lt;Müller&gt;" in page
+    with pytest.raises(ia.ModelError, match="license must be a text"):
+        ia.export_fmu(ball(), tmp_path / "wrong.fmu", platforms=[], license=3)  # type: ignore[arg-type]
