@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable
 from dataclasses import asdict, dataclass
 from xml.etree import ElementTree as ET
@@ -13,6 +14,8 @@ CATEGORIES = {
     "logStatusError": "refused calls and failed computations",
     "logStatusDiscard": "computations that are not possible where the model stands",
 }
+PART = r"[A-Za-z_][A-Za-z0-9_]*(\[\d+\])?"
+STRUCTURED = re.compile(rf"{PART}(\.{PART})*|der\({PART}(\.{PART})*(,\d+)?\)")
 
 
 @dataclass(frozen=True)
@@ -143,8 +146,13 @@ def _told(model: Model) -> dict[str, str]:
         "description": f"{model.name}: a network of 1-D mechanics",
         **{name: told for name, told in asdict(model.rights).items() if told},
         "generationTool": f"inertance {model.version}",
-        "variableNamingConvention": "structured",
+        "variableNamingConvention": _convention(model.interface.scalars),
     }
+
+
+def _convention(scalars: Iterable[Scalar]) -> str:
+    """Return "structured" if all names are of letters, digits and underscores of ASCII, else "flat": any text."""
+    return "structured" if all(STRUCTURED.fullmatch(scalar.name) for scalar in scalars) else "flat"
 
 
 def _units(root: ET.Element, scalars: Iterable[Scalar]) -> None:

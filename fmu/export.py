@@ -108,6 +108,8 @@ def export(
             raise ModelError(f"'{model.name}': terminals need the network, not its equations")
         model, published = publish(model, terminals)
     dae = dae_of(model)
+    if not dae.name.strip():
+        raise ModelError("an FMU is called after its network, whose name is empty; give Network(name)")
     program, face = _program(
         dae, inputs, outputs, [name for t in published for name in t.outputs], start or {}
     )

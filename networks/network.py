@@ -33,6 +33,8 @@ class Network(Component):
 
     def __init__(self, name: str = "network", /, **components: Component) -> None:
         super().__init__()
+        if not isinstance(name, str) or not name.strip():
+            raise ModelError(f"a Network takes a name that is a text and not empty, got {name!r}")
         self.name = name
         self._joined: list[tuple[PortRef, ...]] = []
         self._inserted: list[tuple[PortRef, str]] = []

@@ -251,3 +251,36 @@ def test_the_licence_is_the_authors(version: str, tmp_path: Path) -> None:
     assert "A. &lt;Müller&gt;" in page
     with pytest.raises(ia.ModelError, match="license must be a text"):
         ia.export_fmu(ball(), tmp_path / "wrong.fmu", platforms=[], license=3)  # type: ignore[arg-type]
+
+
+@pytest.mark.parametrize("version", VERSIONS)
+@pytest.mark.parametrize("name", ["größe", "große masse", "it's", "1st", "質量", 'a"b'])
+def test_names_keep_to_the_convention_that_is_told(name: str, version: str, tmp_path: Path) -> None:
+    """Names that are not structured as the standard says were told to be so."""
+    net = ia.Network(f"netz {name}", **{name: ia.Mass(m=1.0, v=2.0)})
+    path = ia.export_fmu(net, tmp_path / "it.fmu", fmi_version=version, outputs=[f"{name}.s"], platforms=[])
+    assert validate_fmu(str(path)) == []
+    told = told_by(path)
+    assert told.variableNamingConvention == "flat"
+    assert f"{name}.m" in {v.name for v in told.modelVariables}
+    assert told.coSimulation.modelIdentifier.isascii()
+    plain = ia.export_fmu(ball(), tmp_path / "ball.fmu", fmi_version=version, platforms=[])
+    assert told_by(plain).variableNamingConvention == "structured"
+
+
+@needs_compiler
+def test_a_name_of_any_letters_runs(tmp_path: Path) -> None:
+    net = ia.Network("größe", größe=ia.Mass(m=1.0, v=2.0))
+    for version in VERSIONS:
+        path = ia.export_fmu(net, tmp_path / "it.fmu", fmi_version=version, outputs=["größe.s"])
+        assert ia.FMU(path).simulate(1.0, parameters={"größe.m": 3.0})["größe.s"][-1] == pytest.approx(2.0)
+
+
+def test_a_network_without_a_name_is_told(tmp_path: Path) -> None:
+    for name in ("", " ", 5):
+        with pytest.raises(ia.ModelError, match="takes a name that is a text and not empty"):
+            ia.Network(name, mass=ia.Mass(m=1.0))  # type: ignore[arg-type]
+    net = ball()
+    net.name = ""
+    with pytest.raises(ia.ModelError, match="name is empty"):
+        ia.export_fmu(net, tmp_path / "it.fmu", platforms=[])
