@@ -53,7 +53,9 @@ def motion_findings(subject: str, course: Course, size: Array) -> Iterator[Findi
         told = "the FMU shows no output and no state: nothing is compared; give outputs= that move"
         yield Finding(subject, MOTION, None, told=told)
     elif not (np.ptp(course.values, axis=0) > STANDS * size).any():
-        told = f"nothing moves: each of {len(course.names)} variables is constant; give inputs=, start= or stop="
+        told = (
+            f"nothing moves: each of {len(course.names)} variables is constant; give inputs=, start= or stop="
+        )
         yield Finding(subject, MOTION, None, told=told)
 
 

@@ -56,7 +56,9 @@ def network_findings(
             with Subject(path) as subject:
                 if asked is not None:
                     yield _told(asked, native, subject)
-                    yield from motion_findings("native", native.course(_names(subject)), native.sizes(subject))
+                    yield from motion_findings(
+                        "native", native.course(_names(subject)), native.sizes(subject)
+                    )
                     asked = None
                 yield from _exchanged(subject, native, limit)
                 yield from _communicated(subject, native, limit)

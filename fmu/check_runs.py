@@ -127,9 +127,9 @@ def _exchange_by_cvode(
         try:
             with interruptible():  # CVODE calls back into Python, which would lose Ctrl-C there
                 run = simulate_fmu(
-                    str(subject.files.folder), validate=False, start_time=experiment.begin,
-                    stop_time=experiment.stop, output_interval=experiment.step / parts, fmi_type="ModelExchange",
-                    relative_tolerance=rtol, start_values=dict(experiment.inputs),
+                    str(subject.files.folder), validate=False, fmi_type="ModelExchange",
+                    start_time=experiment.begin, stop_time=experiment.stop,
+                    output_interval=experiment.step / parts, relative_tolerance=rtol, start_values=dict(experiment.inputs),
                     output=list(names), model_description=probe.description, fmu_instance=probe.instance,
                     step_finished=finished,
                 )  # fmt: skip

@@ -151,7 +151,7 @@ def _told(model: Model) -> dict[str, str]:
 
 
 def _convention(scalars: Iterable[Scalar]) -> str:
-    """Return "structured" if all names are of letters, digits and underscores of ASCII, else "flat": any text."""
+    """Return "structured" if all names are of ASCII letters, digits and underscores, else "flat"."""
     return "structured" if all(STRUCTURED.fullmatch(scalar.name) for scalar in scalars) else "flat"
 
 

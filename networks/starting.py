@@ -1,4 +1,4 @@
-"""Where a network starts from by itself: what is given, what it moves, and the modes in which it is sought."""
+"""Where a network starts from by itself: what is given, what that moves, and in which modes it is sought."""
 
 from __future__ import annotations
 

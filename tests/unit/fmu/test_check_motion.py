@@ -28,7 +28,9 @@ def held() -> ia.Network:
 
 
 def oscillator(k: float = 100.0) -> ia.Network:
-    net = ia.Network("oscillator", wall=ia.Fixed(), spring=ia.Spring(k=k), mass=ia.Mass(m=1.0), push=ia.Force())
+    net = ia.Network(
+        "oscillator", wall=ia.Fixed(), spring=ia.Spring(k=k), mass=ia.Mass(m=1.0), push=ia.Force()
+    )
     net.connect(net.wall.flange, net.spring.flange_a)
     return net.connect(net.spring.flange_b, net.mass.flange, net.push.flange)
 
@@ -45,7 +47,9 @@ def test_without_states_and_outputs_there_is_nothing_to_compare(tmp_path: Path) 
 
 
 def test_without_states_an_output_is_compared() -> None:
-    report = ia.check_fmu(held(), 0.2, step=0.01, versions=["3.0"], outputs=["spring.f"], inputs={"hand.s_ref": 0.1})
+    report = ia.check_fmu(
+        held(), 0.2, step=0.01, versions=["3.0"], outputs=["spring.f"], inputs={"hand.s_ref": 0.1}
+    )
     assert (report.failures, report.vacuous) == ([], True)
     assert report.of("FMI 3.0 CS", "outputs").passed
 
@@ -54,7 +58,9 @@ def test_what_rests_is_told(tmp_path: Path) -> None:
     """It said "37 checks, all good" of a machine that never moved."""
     report = ia.check_fmu(oscillator(), 0.2, step=0.01, versions=["2.0"])
     assert report.vacuous
-    assert "nothing moves: each of 2 variables is constant; give inputs=" in report.of("native", "motion").told
+    assert (
+        "nothing moves: each of 2 variables is constant; give inputs=" in report.of("native", "motion").told
+    )
     assert report.to_dict()["vacuous"] is True
     path = ia.export_fmu(oscillator(), tmp_path / "it.fmu")
     report = ia.check_fmu(path, 0.2, step=0.01, isolated=False)

@@ -278,7 +278,7 @@ def test_a_name_of_any_letters_runs(tmp_path: Path) -> None:
 
 def test_a_network_without_a_name_is_told(tmp_path: Path) -> None:
     for name in ("", " ", 5):
-        with pytest.raises(ia.ModelError, match="takes a name that is a text and not empty"):
+        with pytest.raises(ia.ModelError, match="the name of a Network must"):
             ia.Network(name, mass=ia.Mass(m=1.0))  # type: ignore[arg-type]
     net = ball()
     net.name = ""

@@ -1,4 +1,4 @@
-"""Inputs that move or jump, and parameters that change: at the start and between steps, in every kind of FMU."""
+"""Inputs that move or jump and parameters that change, at the start and between steps, in every FMU."""
 
 from __future__ import annotations
 
@@ -55,7 +55,7 @@ HANDS: dict[str, tuple[Callable[[], Any], dict[str, Any], dict[str, tuple[float,
 @pytest.mark.parametrize("case", HANDS)
 @pytest.mark.parametrize("version", VERSIONS)
 def test_what_is_driven_starts_to_slide_as_natively(case: str, version: str, tmp_path: Path) -> None:
-    """With the speed given to the FMU it was stuck to a belt that passed by, and its friction was 0.5 N for 5 N."""
+    """With the speed given to the FMU it was stuck to a belt that passed by, with 0.5 N for 5 N."""
     hand, inputs, given = HANDS[case]
     dae = belt(hand()).dae()
     native = dae.simulate(0.05, step=1e-3, inputs=inputs, rtol=1e-9, atol=1e-11)
@@ -68,8 +68,12 @@ def test_what_is_driven_starts_to_slide_as_natively(case: str, version: str, tmp
             str(path), fmi_type=kind, stop_time=0.05, output_interval=1e-3, input=table,
             relative_tolerance=1e-8,
         )  # fmt: skip
-        assert [run[name][0] for name in names] == pytest.approx([native[name][0] for name in names], abs=1e-8)
-        assert run["block.v"][-1] == pytest.approx(native["block.v"][-1], abs=1e-5), kind
+        assert [run[name][0] for name in names] == pytest.approx(
+            [native[name][0] for name in names], abs=1e-8
+        )
+        assert run["block.v"][-1] == pytest.approx(native["block.v"][-1], abs=2e-4), (
+            kind
+        )  # inputs are held 1 ms
 
 
 def rubbed() -> ia.Network:

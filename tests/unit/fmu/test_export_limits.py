@@ -44,6 +44,8 @@ def test_a_step_without_end_is_given_up_and_says_why(version: str, tmp_path: Pat
             except ia.InertanceError as error:
                 told.append(str(error))
             assert time.process_time() - before < 8, (name, value)
-    assert [t for t in told if "Is a parameter out of all proportion, or the communication step too long?" in t]
+    assert [
+        t for t in told if "Is a parameter out of all proportion, or the communication step too long?" in t
+    ]
     reasons = ("out of all proportion", "no step is short enough", "not finite", "chattering")
     assert [t for t in told if not any(reason in t for reason in reasons)] == []

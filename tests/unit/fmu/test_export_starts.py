@@ -138,12 +138,19 @@ def test_starts_follow_from_parameters_and_from_starts_that_are_set(tmp_path: Pa
     names = ["ball.s", "ball.v", "first.s", "first.v", "second.s", "second.v", "block.s", "block.v", "rub.f"]
     dae, paths = exported(stopped(), names, tmp_path)
     random = np.random.default_rng(5)
-    parameters = {"floor.s0": (0.0, 0.4), "stop.e": (0.1, 0.9), "spring.s_rel0": (0.0, 0.2), "rub.f_c": (1.0, 9.0)}
+    parameters = {
+        "floor.s0": (0.0, 0.4),
+        "stop.e": (0.1, 0.9),
+        "spring.s_rel0": (0.0, 0.2),
+        "rub.f_c": (1.0, 9.0),
+    }
     starts = {"ball.s": (0.5, 2.0), "ball.v": (-1, 1), "first.v": (0.1, 1), "second.s": (0.05, 0.3),
               "block.s": (0, 0.4), "block.v": (-0.5, 0.5)}  # fmt: skip
     settable = {v.name for v in fmpy.read_model_description(str(paths[0])).modelVariables if v.start}
     for number in range(6):
-        changed = {n: float(random.uniform(*r)) for n, r in parameters.items() if number and random.random() < 0.7}
+        changed = {
+            n: float(random.uniform(*r)) for n, r in parameters.items() if number and random.random() < 0.7
+        }
         begun = {n: float(random.uniform(*r)) for n, r in starts.items() if number and random.random() < 0.6}
         assert settable >= {*changed, *begun}
         native = dae.simulate(0.8, step=1e-3, start=begun, parameters=changed, rtol=1e-9, atol=1e-11)
