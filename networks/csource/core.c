@@ -277,6 +277,10 @@ CoreStatus core_advance(Core *c, double stop, double rtol, double atol, double f
                         CoreStop *reached) {
     int happened, changed, due = core_any_due(c); /* inputs and parameters may have jumped since the last step */
     if (due < 0) return impossible(c, "indicators are not finite");
+    if (due && return_early) {
+        *reached = CORE_EVENT;
+        return CORE_OK;
+    }
     CoreStatus status = due ? core_fire(c, c->pending - 1, 0, &happened, &changed) : CORE_OK;
     if (status != CORE_OK) return status;
     c->interval = stop - c->t;
