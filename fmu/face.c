@@ -4,7 +4,7 @@
 #include <stdio.h>
 #include <string.h>
 
-#define ABSOLUTE 1e-2 /* of the relative tolerance, times the nominal value of each state */
+#define ABSOLUTE 1e-4 /* of the relative tolerance, times the nominal value of each state */
 #define LOCAL 1e-2 /* error of one step, of the tolerance asked for: what many steps add up to stays within that */
 #define FINEST 1e-12
 #define NEAR 1e-9 /* communication points closer than this, against their size, are one */

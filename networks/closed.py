@@ -18,9 +18,10 @@ from .dae import DAE, Input
 from .legs import Leg, legs_of
 from .polynomial import Polynomial
 from .splines import SMOOTHNESS, curvature, sampled_at, traced
-from .stepper import Stepper, Tolerance
+from .stepper import Stepper
 from .switchfunctions import SwitchFunctions
 from .time_signals import TimeSignals, timed_rows
+from .tolerance import Tolerance
 from .vectors import pick, stacked
 
 if TYPE_CHECKING:
@@ -321,7 +322,7 @@ def _traced(path: str, signal: Any, t: Any) -> Any:
 def _called(path: str, function: Any, t: Any) -> Any:
     try:
         with numpy_on_symbols():
-            value = type(t)(function(t))
+            value, again = type(t)(function(t)), type(t)(function(t))
     except Exception as error:
         told = f"{type(error).__name__}: {str(error).partition(chr(10))[0]}"
         raise ModelError(
@@ -334,4 +335,15 @@ def _called(path: str, function: Any, t: Any) -> Any:
         raise ModelError(
             f"input '{path}': the function of time must return a finite number, got {float(value)}"
         )
+    if not _same(value, again, t):
+        raise ModelError(
+            f"input '{path}': the function of time is read once, as a formula, and this one returns another "
+            "each time; draw random numbers beforehand and give them as Sampled(time, values)"
+        )
     return value
+
+
+def _same(one: Any, other: Any, t: Any) -> bool:
+    values = ca.Function("values", [t], [ca.densify(one), ca.densify(other)])
+    pairs = ([value.full() for value in values(at)] for at in (0.1, 1.7, 23.0))
+    return all(np.array_equal(first, second, equal_nan=True) for first, second in pairs)

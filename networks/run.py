@@ -27,7 +27,8 @@ from .initial import Decisions
 from .legs import Leg
 from .point import Point, solve_algebraic
 from .result import Segment
-from .stepper import SOLVERS, Array, IntegratorError, Stepper, Stretch, Tolerance
+from .stepper import SOLVERS, Array, IntegratorError, Stepper, Stretch
+from .tolerance import Tolerance
 
 FINEST, COARSEST = 1e-14, 0.1
 MOST_OUTPUTS = 20_000_000
