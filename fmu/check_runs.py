@@ -129,7 +129,8 @@ def _exchange_by_cvode(
                 run = simulate_fmu(
                     str(subject.files.folder), validate=False, fmi_type="ModelExchange",
                     start_time=experiment.begin, stop_time=experiment.stop,
-                    output_interval=experiment.step / parts, relative_tolerance=rtol, start_values=dict(experiment.inputs),
+                    output_interval=experiment.step / parts, relative_tolerance=rtol,
+                    start_values=dict(experiment.inputs),
                     output=list(names), model_description=probe.description, fmu_instance=probe.instance,
                     step_finished=finished,
                 )  # fmt: skip
