@@ -335,7 +335,7 @@ def _called(path: str, function: Any, t: Any) -> Any:
         raise ModelError(
             f"input '{path}': the function of time must return a finite number, got {float(value)}"
         )
-    if not _same(value, again, t):
+    if not _same(value, again):
         raise ModelError(
             f"input '{path}': the function of time is read once, as a formula, and this one returns another "
             "each time; draw random numbers beforehand and give them as Sampled(time, values)"
@@ -343,7 +343,13 @@ def _called(path: str, function: Any, t: Any) -> Any:
     return value
 
 
-def _same(one: Any, other: Any, t: Any) -> bool:
-    values = ca.Function("values", [t], [ca.densify(one), ca.densify(other)])
-    pairs = ([value.full() for value in values(at)] for at in (0.1, 1.7, 23.0))
+def _same(one: Any, other: Any) -> bool:
+    """Tell whether two expressions of time, and of the coefficients of a polynomial, are equal in numbers."""
+    both = [ca.densify(one), ca.densify(other)]
+    symbols = ca.symvar(ca.vertcat(*both))
+    values = ca.Function("values", symbols, both)
+    pairs = (
+        [m.full() for m in values.call([ca.DM(at + k) for k in range(len(symbols))])]
+        for at in (0.1, 1.7, 23.0)
+    )
     return all(np.array_equal(first, second, equal_nan=True) for first, second in pairs)

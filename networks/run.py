@@ -96,13 +96,17 @@ def _longest(step: Any) -> str:
 
 @dataclass(eq=False)
 class Run:
-    """A run in progress: where it stands and what it has recorded."""
+    """A run in progress: where it stands and what it has recorded.
+
+    `tried` is what q was when start values and modes were sought that agree.
+    """
 
     closed: Closed
     settings: Settings
     point: Point
     switcher: Switcher | None
     initial: Decisions
+    tried: Array = field(default_factory=lambda: np.zeros(0))
     legs: list[Leg] = field(default_factory=lambda: [Leg(-np.inf, np.inf)])
     leg_number: int = 0
     segments: list[Segment] = field(default_factory=list)

@@ -100,8 +100,11 @@ def started(closed: Closed, settings: Settings, q: Array, wanted: Wishes) -> Run
     """
     refusals = []
     for modes in _first_modes(closed, q, settings.begin, wanted):
+        tried = modes.copy()
         try:
-            return _agreed(closed, settings, modes, wanted)
+            run = _agreed(closed, settings, modes, wanted)
+            run.tried = tried
+            return run
         except InitialConditionError as error:
             refusals.append(error)
     raise refusals[min(1, len(refusals) - 1)]

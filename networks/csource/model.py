@@ -17,9 +17,11 @@ from ...components.base import Sampled
 from ..closed import input_value
 from ..dae import DAE, Input
 from ..legs import Leg
+from ..starting import Start
 from ..stepper import nominal_sizes
 from ..vectors import column, pick
 from .reduction import Reduction
+from .starts import start_functions, start_tables
 from .tables import Tables
 from .text import generated
 
@@ -35,6 +37,7 @@ class Model:
         variables: names of what is published besides the states.
         legs: parts of a run between instants at which signals switch; none if a run brings its own.
         products: whether derivative products are wanted, which are long.
+        start: where it starts from, if it is to find that by itself.
     """
 
     dae: DAE
@@ -42,6 +45,7 @@ class Model:
     variables: Sequence[str]
     legs: Sequence[Leg]
     products: bool = True
+    start: Start | None = None
 
     @property
     def free(self) -> list[Input]:
@@ -97,6 +101,7 @@ class Model:
             self._function("model_reset", [], [ca.densify(others), _sparse(ca.jacobian(others, dae.x))]),
             self._function("model_variables", [], [ca.densify(published)]),
             *(self._products(motion, published) if self.products else []),
+            *(start_functions(self.start, dae.arguments()) if self.start else []),
         ]
 
     def _moving(self) -> tuple[Any, Any, Any]:
@@ -172,6 +177,8 @@ class Model:
         self._changes(tables)
         self._blocks(tables)
         self._patterns(tables)
+        if self.start:
+            start_tables(tables, self.start, dae.modes.numel())
         return tables
 
     def _numbers(self, tables: Tables) -> None:
