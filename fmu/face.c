@@ -335,7 +335,8 @@ FaceStatus face_step(Instance *c, const char *function, double point, double siz
     if (!(size > 0) || !isfinite(stop)) return face_refuse(c, function, "the step must be positive and finite");
     if (stop > c->now.stop + slack(c->now.stop))
         return face_refuse(c, function, "the step leads beyond the stop time");
-    return face_outcome(c, function,
-                        core_advance(&c->now.core, stop, rtol, ABSOLUTE * rtol, FMU_FIXED_STEP,
-                                     c->event_mode_used && c->may_return_early, reached));
+    CoreStatus status = core_advance(&c->now.core, stop, rtol, ABSOLUTE * rtol, FMU_FIXED_STEP,
+                                     c->event_mode_used && c->may_return_early, reached);
+    /* With error control smaller steps were tried already: no other step of communication would help. */
+    return face_outcome(c, function, status == CORE_DISCARD && !(FMU_FIXED_STEP > 0) ? CORE_ERROR : status);
 }
