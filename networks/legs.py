@@ -150,7 +150,7 @@ def _blocks(signals: TimeSignals, starts: Array, ends: Array, size: Array) -> _B
     spent = 0
     while len(low):
         spent += len(low)
-        scale, shown = _looked_at(signals, low, high, size)
+        scale, shown = _looked_at(signals, low, high, size, whole=not kept)
         shown |= high <= np.nextafter(low, np.inf)
         if spent + 2 * np.count_nonzero(~shown) > MOST_BLOCKS:
             shown[:] = True
@@ -173,14 +173,20 @@ def _divided(starts: Array, ends: Array) -> tuple[Array, Array]:
     return np.concatenate(low), np.concatenate(high)
 
 
-def _looked_at(signals: TimeSignals, low: Array, high: Array, size: Array) -> tuple[Array, Flags]:
+def _looked_at(
+    signals: TimeSignals, low: Array, high: Array, size: Array, whole: bool
+) -> tuple[Array, Flags]:
     """Return how fine the course in each interval is, infinite at rest, and which show all that happens.
+
+    An interval that was never divided is at rest, too, where its course is a polynomial; parts of a pulse
+    look like polynomials, however small it is beside others.
 
     Args:
         signals: the signals.
         low: where the intervals begin [s].
         high: where they end [s].
         size: the range of each signal so far; updated.
+        whole: whether the intervals were never divided.
     """
     times = low[:, None] + (high - low)[:, None] * EIGHTHS
     values = signals(times.ravel()).reshape(len(low), 9, -1)
@@ -201,7 +207,7 @@ def _looked_at(signals: TimeSignals, low: Array, high: Array, size: Array) -> tu
         allowed = HIDDEN * ranges[unknown] + least
         known[unknown] |= between <= allowed
         scale[unknown] *= np.clip(allowed / np.maximum(between, least + TINY), 1 / 16, 1.0).min(axis=1)
-    quiet = ((missed <= least) & known).all(axis=1)
+    quiet = (((missed if whole else ranges) <= least) & known).all(axis=1)
     shown = ((missed <= FOLLOWED * ranges + least) & known).all(axis=1)
     return np.where(quiet, np.inf, scale), shown
 

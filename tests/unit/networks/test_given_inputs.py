@@ -273,3 +273,16 @@ def test_a_constant_force_does_not_shorten_steps(force):
 
     rounded = 2.0 ** np.round(np.log2(abs(force)))  # whose multiples are exact
     assert steps(force) < 2 * steps(rounded)
+
+
+@pytest.mark.parametrize("solver", ["cvodes", "rosenbrock", "compiled"])
+def test_a_low_wide_pulse_is_felt_beside_high_narrow_ones(solver):
+    """Cut into small parts, it looked like a polynomial in each, and was stepped over."""
+
+    def push(t):
+        return 4e4 * ca.exp(-(((t - 1.8) / 5e-4) ** 2)) + 40.0 * ca.exp(-(((t - 0.52) / 0.03) ** 2))
+
+    net = Network("wagon", push=Force(), mass=Mass(m=1.0))
+    net.connect(net.push.flange, net.mass.flange)
+    run = net.simulate(12.0, inputs={"push.f": push}, solver=solver, rtol=1e-8)
+    assert run["mass.v"][-1] == pytest.approx((4e4 * 5e-4 + 40.0 * 0.03) * np.sqrt(np.pi), rel=1e-6)
