@@ -14,6 +14,7 @@ from .vectors import stacked
 if TYPE_CHECKING:
     from .closed import Closed
     from .index import System
+    from .jumps import Jumps
     from .result import Result
     from .switching import Switching
     from .tearing import Torn
@@ -47,6 +48,7 @@ class DAE:
         completion: makes blocks that a mode leaves singular solvable (least norm), else zero.
         variables: every joined variable as an expression of the above.
         switching: the transitions between modes.
+        jumps: the equations while signals jump whose derivatives they hold, if there are any.
     """
 
     name: str
@@ -67,6 +69,7 @@ class DAE:
     switching: Switching
     variables: Any
     system: System
+    jumps: Jumps | None = None
     _closed: dict[tuple[object, ...], Closed] = field(default_factory=dict)
 
     @property

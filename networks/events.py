@@ -13,6 +13,7 @@ from .closed import Closed
 from .completion import Completion
 from .impacts import partners, solve_impact
 from .indicators import Indicators
+from .jumps import Motion
 from .point import Point as Point
 from .point import solve_algebraic
 from .switching import Change
@@ -20,6 +21,7 @@ from .switching import Change
 Array = NDArray[np.float64]
 INSIDE = 1e-9
 ROUNDS = 1000
+FELT = PRESSED = 1e-12
 
 
 @dataclass(frozen=True)
@@ -42,6 +44,7 @@ class Switcher:
 
     def __post_init__(self) -> None:
         self.switching, self.functions = self.closed.dae.switching, self.closed.switch_functions
+        self.shocks = self.closed.shocks
         self.indicators, self.completion = Indicators(self.closed), Completion(self.closed)
 
     @property
@@ -55,8 +58,14 @@ class Switcher:
         other.indicators, other.completion = self.indicators.copy(), Completion(self.closed)
         return other
 
-    def settle(self, point: Point, forced: int | None = None) -> list[Event]:
-        """Fire transitions at an instant until none is left, changing `point` in place."""
+    def settle(self, point: Point, forced: int | None = None, begins: bool = False) -> list[Event]:
+        """Fire transitions at an instant until none is left, changing `point` in place.
+
+        Args:
+            point: where the run stands.
+            forced: an indicator that has crossed here.
+            begins: whether a run begins here: what is prescribed begins then, and does not jump.
+        """
         happened: list[Event] = []
         visited: set[tuple[float, ...]] = set()
         adrift: list[str] = []
@@ -74,7 +83,7 @@ class Switcher:
                     break
                 one_by_one, visited = True, set()
             visited.add(key)
-            happened += self._apply(point, fired[:1] if one_by_one else fired)
+            happened += self._apply(point, fired[:1] if one_by_one else fired, begins)
             adrift = self.completion.adrift or adrift
         self.completion.adrift = adrift
         self.completion.check_adrift(point.t)
@@ -104,7 +113,8 @@ class Switcher:
             strongest[changes[i].mode] = int(i)
         return sorted(strongest.values())
 
-    def _apply(self, point: Point, fired: list[int]) -> list[Event]:
+    def _apply(self, point: Point, fired: list[int], begins: bool) -> list[Event]:
+        seen = None if begins or self.shocks is None else self.shocks.seen(point)
         changes = [self.switching.changes[i] for i in fired]
         shocks = [c for c in changes if c.impulse is not None]
         impulses: dict[int, float] = {}
@@ -122,7 +132,8 @@ class Switcher:
         if resets:
             self._reset(point, resets)
         solve_algebraic(self.closed, point)
-        return [self._event(point.t, c, impulses) for c in changes]
+        happened = [self._event(point.t, c, impulses) for c in changes]
+        return happened if seen is None else happened + self.jump(point, seen, resets)
 
     def _everything(self, point: Point) -> Array:
         return self.functions.everything(point.x, point.z, point.q, point.t)[0]
@@ -135,20 +146,43 @@ class Switcher:
 
     def _strike(self, point: Point, shocks: list[Change]) -> dict[int, float]:
         """Find the impulses that give the velocities wanted, and let them act."""
-        everything = self._everything(point)
+        everything, during = self._everything(point), self._during(point)
+        assert self.functions.shock is not None
+        shock = self.functions.shock(point.x, point.z, during.q, point.t)
+        response = shock[0].reshape(len(self.switching.impulse_names), len(point.x)).T
+        slopes = shock[1].reshape(len(point.x), len(everything)).T
+        impulses, step = solve_impact(shocks, response, slopes, everything)
+        point.x = point.x + step
+        return impulses
+
+    def _during(self, point: Point) -> Point:
+        """Return a point with the modes that hold while an impulse acts."""
         q = point.q.copy()
         modes = self.indicators.modes(q)
         for number, table in enumerate(self.switching.in_shock):
             modes[number] = table.get(int(modes[number]), modes[number])
         during = Point(point.t, point.x, point.z, q)
         self.completion.update(during)
-        assert self.functions.shock is not None
-        shock = self.functions.shock(point.x, point.z, q, point.t)
-        response = shock[0].reshape(len(self.switching.impulse_names), len(point.x)).T
-        slopes = shock[1].reshape(len(point.x), len(everything)).T
-        impulses, step = solve_impact(shocks, response, slopes, everything)
-        point.x = point.x + step
-        return impulses
+        return during
+
+    def jump(self, point: Point, seen: Array, resets: dict[int, float]) -> list[Event]:
+        """Let what jumps since it was `seen` act at a point, and the contacts that pass it on."""
+        assert self.shocks is not None
+        size = self.shocks.since(seen, point, resets)
+        if not size.any():
+            return []
+        before, during = self._everything(point), self._during(point)
+        pushes = self.shocks.act(during, size)
+        self._check_reach(before, self._everything(during))
+        point.x = during.x
+        contacts = partners(self.switching, self.indicators.modes(point.q), [])
+        everything = self._everything(during)
+        pressed = any(everything[c.after] > everything[c.velocity] + PRESSED for c in contacts)
+        passed = self._strike(point, contacts) if pressed else {}
+        self.completion.update(point)
+        solve_algebraic(self.closed, point)
+        told = [self._event(point.t, c, passed) for c in contacts if c.impulse in passed]
+        return [*pushed(point.t, pushes), *told]
 
     def _reset(self, point: Point, resets: dict[int, float]) -> None:
         """Give variables new values: states directly, others by the least change of states."""
@@ -175,6 +209,26 @@ class Switcher:
             )
             if change.impulse is not None and note not in self.notes:
                 self.notes.append(note)
+
+
+    def _check_reach(self, before: Array, after: Array) -> None:
+        """Raise if a position jumps onto a stop."""
+        for change in self.switching.changes:
+            if change.impulse is not None and before[change.indicator] <= INSIDE < after[change.indicator]:
+                raise SimulationError(
+                    f"{change.component} is struck at infinite speed: a prescribed position jumps, and takes it "
+                    f"{after[change.indicator]:.4g} beyond where it strikes; give a ramp instead of the jump"
+                )
+
+
+def pushed(t: float, pushes: list[tuple[Motion, float]]) -> list[Event]:
+    """Return the impulses of prescribed motions as events."""
+    largest = max((abs(impulse) for _, impulse in pushes), default=0.0)
+    return [
+        Event(t, motion.component, motion.reference, "before", "after", impulse)
+        for motion, impulse in pushes
+        if abs(impulse) > FELT * largest
+    ]
 
 
 def _allowed(change: Change, everything: Array) -> bool:

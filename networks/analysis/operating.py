@@ -189,7 +189,7 @@ def _settle(closed: Closed, point: Point, switcher: Switcher | None) -> list[str
         if switcher is None:
             return notes
         try:
-            events = switcher.settle(point)
+            events = switcher.settle(point, begins=True)
         except SimulationError as error:
             raise ModelError(f"'{closed.dae.name}': {error}") from error
         if not events:
