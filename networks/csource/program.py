@@ -25,7 +25,7 @@ HEADERS = ("core.h", "core_state.h")
 PRODUCTS = ("products.c",)
 SOURCES = (
     "algebra.c", "core.c", "events.c", "impacts.c", "legs.c", "linear.c", "locate.c", "message.c",
-    "rosenbrock.c", "stepper.c",
+    "rosenbrock.c", "shocks.c", "stepper.c",
 )  # fmt: skip
 
 
