@@ -6,13 +6,13 @@
 
 #define INSTANT 8.881784197001252e-16 /* 2^-50 s: a ramp so short that finite forces count for nothing */
 #define SHORTER 0.0625
-#define RELATIVE 1e-9
+#define ROUNDED 1e-9
 #define LOCATED 1e-10
 #define UNBOUNDED 1e-6
 #define ACCURATE 1e-10
 #define SMALLEST 9.094947017729282e-13 /* 2^-40 */
-#define NEWTON 50
-#define CLOSE 1e-12
+#define MOST_ROUNDS 50
+#define SETTLED 1e-12
 #define PRESSED 1e-12
 #define INSIDE 1e-9
 #define FELT 1e-12
@@ -51,7 +51,7 @@ static int since(Core *c, const double seen[], double jump[]) {
     for (int k = 0; k < NJ; k++) {
         int last = last_of_signal(k);
         double late = last ? 0 : LOCATED * fmax(1, fabs(c->t)) * fabs(raw[k + 1]);
-        jump[k] = last || fabs(raw[k]) <= RELATIVE * size[k] + late ? 0 : model_jump_sign[k] * raw[k];
+        jump[k] = last || fabs(raw[k]) <= ROUNDED * size[k] + late ? 0 : model_jump_sign[k] * raw[k];
         any |= jump[k] != 0;
     }
     return any;
@@ -64,7 +64,7 @@ static int rates_at(Core *c, const double x[], const double course[], double rat
     for (int k = 0; k < NJ; k++) signed_[k] = model_jump_sign[k] * course[k];
     memcpy(y, x, NX * sizeof *x);
     memcpy(y + NX, c->y + NX, NZ * sizeof *y);
-    for (int round = 0; round < NEWTON; round++) {
+    for (int round = 0; round < MOST_ROUNDS; round++) {
         double largest = 0, size = 0;
         core_arguments(c, c->t, y, arg);
         arg[4] = &c->t;
@@ -80,7 +80,7 @@ static int rates_at(Core *c, const double x[], const double course[], double rat
             largest = fmax(largest, fabs(c->value[i]));
             size = fmax(size, fabs(y[i]));
         }
-        if (!(largest > CLOSE * (1 + size))) break;
+        if (!(largest > SETTLED * (1 + size))) break;
     }
     for (int i = 0; i < NPATH; i++) sum += fabs(rates[i] = moved[i]);
     return isfinite(sum);
