@@ -81,7 +81,7 @@ class Shocks:
         Raises:
             SimulationError: if that takes forces beyond all bounds.
         """
-        self._check_bounded(point, jump)
+        self._far = self._thrown(point, jump)
         path = np.append(point.x, np.zeros(len(self.jumps.motions)))
         s, h = 0.0, 1.0
         while s < 1.0:
@@ -128,8 +128,9 @@ class Shocks:
         for part in self._parts:
             moving[part][1:] += jump[part][:-1] / e
         x = path[: self._nx]
-        at = self._at(point, x, still * self._signs), self._at(point, x, moving * self._signs)
-        return e * (at[1] - at[0])
+        far = x + INSTANT / e * self._far
+        moved: Array = self._at(point, far, moving * self._signs) - self._at(point, x, still * self._signs)
+        return e * moved
 
     def _at(self, point: Point, x: Array, course: Array) -> Array:
         """Return rates of states and forces while signals are off by a course."""
@@ -148,17 +149,20 @@ class Shocks:
                 break
         return moved
 
-    def _check_bounded(self, point: Point, jump: Array) -> None:
-        """Raise where the second derivative of what jumps is needed, an impulse there and back."""
-        x = point.x
+    def _thrown(self, point: Point, jump: Array) -> Array:
+        """Return how far states are off while a position jumps that relative velocities follow.
+
+        Raises:
+            SimulationError: if that takes forces, as where it moves what has inertia.
+        """
+        course = np.zeros(len(jump))
         for part in self._parts:
-            course = np.zeros(len(jump))
             course[part][2:] = jump[part][:-2] / INSTANT
-            if not course.any():
-                continue
-            moved = self._at(point, x, course * self._signs) - self._at(point, x, 0 * course)
-            if not (np.abs(moved) <= UNBOUNDED * self._sizes).all():
-                raise SimulationError(self._told(jump, "an infinite acceleration of what has inertia"))
+        thrown = self._at(point, point.x, course * self._signs) - self._at(point, point.x, 0 * course)
+        bound = thrown[self._nx :] if self.jumps.motions else thrown
+        if not (np.abs(bound) <= UNBOUNDED).all():
+            raise SimulationError(self._told(jump, "an infinite acceleration of what has inertia"))
+        return thrown[: self._nx]
 
     def _told(self, jump: Array, what: str) -> str:
         sizes = [

@@ -86,20 +86,35 @@ static int rates_at(Core *c, const double x[], const double course[], double rat
     return isfinite(sum);
 }
 
+/* How far states are off while a position jumps that relative velocities follow; 0 if that takes forces. */
+static int thrown(Core *c, const double jump[], const double x[], double far[]) {
+    double course[ROOM(NJ)] = {0}, at_rest[ROOM(NPATH)], away[ROOM(NPATH)];
+    if (!rates_at(c, x, course, at_rest)) return 0;
+    for (int s = 0; s < NSIGNAL; s++)
+        for (int k = model_jump_start[s] + 2; k < model_jump_start[s + 1]; k++) course[k] = jump[k - 2] / INSTANT;
+    if (!rates_at(c, x, course, away)) return 0;
+    for (int i = 0; i < NX; i++) far[i] = away[i] - at_rest[i];
+    for (int i = NPUSH > 0 ? NX : 0; i < NPATH; i++)
+        if (!(fabs(away[i] - at_rest[i]) <= UNBOUNDED)) return 0;
+    return 1;
+}
+
 static double least_size(int i) { return i < NX ? model_nominal[i] : 1; }
 
 static int moved(Core *c, const double jump[], const double path[], double s, double instant, double out[]) {
-    double still[ROOM(NJ)], course[ROOM(NJ)], at_rest[ROOM(NPATH)];
+    const double *far = jump + NJ;
+    double still[ROOM(NJ)], course[ROOM(NJ)], at_rest[ROOM(NPATH)], x[ROOM(NX)];
+    for (int i = 0; i < NX; i++) x[i] = path[i] + INSTANT / instant * far[i];
     for (int k = 0; k < NJ; k++) {
         still[k] = course[k] = (s - 1) * jump[k];
         if (k > 0 && !last_of_signal(k - 1)) course[k] += jump[k - 1] / instant;
     }
-    if (!rates_at(c, path, still, at_rest) || !rates_at(c, path, course, out)) return 0;
+    if (!rates_at(c, path, still, at_rest) || !rates_at(c, x, course, out)) return 0;
     for (int i = 0; i < NPATH; i++) out[i] = instant * (out[i] - at_rest[i]);
     return 1;
 }
 
-/* How states and impulses move with s; 0 if they move the faster, the shorter the ramp. */
+/* How states and impulses move with s; `jump` ends with how far states are off. 0 if they move the faster, the shorter the ramp. */
 static int path_rates(Core *c, const double jump[], const double path[], double s, double rates[]) {
     double shorter[ROOM(NPATH)], most = 0;
     if (!moved(c, jump, path, s, INSTANT, rates) || !moved(c, jump, path, s, INSTANT * SHORTER, shorter)) return 0;
@@ -139,25 +154,6 @@ static int follow(Core *c, const double jump[], double path[]) {
         memcpy(path, next, NPATH * sizeof *path);
         s += h;
         h *= 2;
-    }
-    return 1;
-}
-
-/* Whether a second derivative of what jumps is needed, an impulse there and back. */
-static int bounded(Core *c, const double jump[], const double x[]) {
-    double zero[ROOM(NJ)] = {0}, at_rest[ROOM(NPATH)], away[ROOM(NPATH)];
-    if (!rates_at(c, x, zero, at_rest)) return 0;
-    for (int s = 0; s < NSIGNAL; s++) {
-        double course[ROOM(NJ)] = {0};
-        int any = 0;
-        for (int k = model_jump_start[s] + 2; k < model_jump_start[s + 1]; k++) {
-            course[k] = jump[k - 2] / INSTANT;
-            any |= jump[k - 2] != 0;
-        }
-        if (!any) continue;
-        if (!rates_at(c, x, course, away)) return 0;
-        for (int i = 0; i < NPATH; i++)
-            if (!(fabs(away[i] - at_rest[i]) <= UNBOUNDED * least_size(i))) return 0;
     }
     return 1;
 }
@@ -217,7 +213,7 @@ static CoreStatus pass_on(Core *c, const Observer *told) {
 CoreStatus core_jump(Core *c, const double seen[], const Observer *told, int *changed) {
     (void)c, (void)seen, (void)told, (void)changed;
 #if NJ > 0
-    double jump[ROOM(NJ)], path[ROOM(NPATH)] = {0}, kept[ROOM(NM + NI + NK)], before[ROOM(NE)], largest = 0;
+    double jump[NJ + ROOM(NX)], path[ROOM(NPATH)] = {0}, kept[ROOM(NM + NI + NK)], before[ROOM(NE)], largest = 0;
     double *modes = core_modes(c);
     CoreStatus status = core_rates(c, 0);
     if (status != CORE_OK || !since(c, seen, jump)) return status;
@@ -227,7 +223,7 @@ CoreStatus core_jump(Core *c, const double seen[], const Observer *told, int *ch
     memcpy(kept, modes, (NM + NI + NK) * sizeof *kept);
     core_stand_in(c);
     status = core_complete(c);
-    if (status == CORE_OK && !(bounded(c, jump, path) && follow(c, jump, path))) status = unbounded(c, jump);
+    if (status == CORE_OK && !(thrown(c, jump, path, jump + NJ) && follow(c, jump, path))) status = unbounded(c, jump);
     memcpy(modes, kept, (NM + NI + NK) * sizeof *kept);
     if (status != CORE_OK) return status;
     memcpy(c->y, path, NX * sizeof *path);
