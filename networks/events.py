@@ -22,6 +22,7 @@ Array = NDArray[np.float64]
 INSIDE = 1e-9
 ROUNDS = 1000
 FELT = PRESSED = 1e-12
+ALIKE = 1e-9
 
 
 @dataclass(frozen=True)
@@ -172,8 +173,9 @@ class Switcher:
         if not size.any():
             return []
         before, during = self._everything(point), self._during(point)
+        self._check_modes(during, size)
         pushes = self.shocks.act(during, size)
-        self._check_reach(before, self._everything(during))
+        self._check_reach(point, before, self._everything(during))
         point.x = during.x
         contacts = partners(self.switching, self.indicators.modes(point.q), [])
         everything = self._everything(during)
@@ -211,13 +213,40 @@ class Switcher:
                 self.notes.append(note)
 
 
-    def _check_reach(self, before: Array, after: Array) -> None:
-        """Raise if a position jumps onto a stop."""
+    def _check_modes(self, during: Point, size: Array) -> None:
+        """Raise if a jump acts through what depends on modes, of which none is known to hold in a jump."""
+        assert self.shocks is not None
+        known = self.shocks.begins(during, size)
+        modes = self.indicators.modes(during.q)
+        for k, values in enumerate(self.switching.mode_values):
+            present = int(modes[k])
+            others = {*range(len(values))} - {present, *self.switching.in_shock[k]}
+            for value in others if k not in self.shocks.own_modes else ():
+                other = Point(during.t, during.x, during.z, during.q.copy())
+                self.indicators.modes(other.q)[k] = value
+                self.completion.update(other)
+                if not np.allclose(self.shocks.begins(other, size), known, rtol=ALIKE, atol=ALIKE):
+                    name = self.switching.mode_names[k].rpartition(".")[0]
+                    raise SimulationError(
+                        f"'{name}' passes a jump of a prescribed motion on, otherwise in its mode "
+                        f"'{values[value]}' than in '{values[present]}'; which one holds is not known: give a "
+                        "ramp instead of the jump"
+                    )
+        self.completion.update(during)
+
+    def _check_reach(self, point: Point, before: Array, after: Array) -> None:
+        """Raise if a position jumps onto a stop, or off it."""
+        modes = self.indicators.modes(point.q)
         for change in self.switching.changes:
-            if change.impulse is not None and before[change.indicator] <= INSIDE < after[change.indicator]:
+            was, now = before[change.indicator], after[change.indicator]
+            present = int(modes[change.mode])
+            holds = present in self.switching.in_shock[change.mode]
+            onto = not holds and present == change.source and was <= INSIDE < now
+            off = holds and present == change.target != change.source and abs(now - was) > INSIDE
+            if change.impulse is not None and (onto or off):
                 raise SimulationError(
-                    f"{change.component} is struck at infinite speed: a prescribed position jumps, and takes it "
-                    f"{after[change.indicator]:.4g} beyond where it strikes; give a ramp instead of the jump"
+                    f"{change.component} is struck or left at infinite speed, where a prescribed position "
+                    "jumps; give a ramp instead of the jump"
                 )
 
 

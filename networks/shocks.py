@@ -48,6 +48,8 @@ class Shocks:
         self._jump = Compiled(ca.Function("jump", told, dense(jumps.jump, jumps.size)))
         self._constants = dae.constants.numel()
         self._motion = _motion(closed, jumps)
+        self._far = np.zeros(dae.x.numel())
+        self.own_modes = set(ca.jacobian_sparsity(jumps.jump, dae.modes).get_col())
         self._nx, self._nz = dae.x.numel(), dae.z.numel()
         self._sizes = np.append(nominal_sizes(dae, dae.states), np.ones(jumps.forces.numel()))
 
@@ -75,13 +77,18 @@ class Shocks:
         jump[[part.stop - 1 for part in self._parts]] = 0.0
         return jump * self._signs
 
+    def begins(self, point: Point, jump: Array) -> Array:
+        """Return how states and impulses begin to move where signals have jumped."""
+        self._far = self._thrown(point, jump)
+        return self._rates(point, jump, np.append(point.x, np.zeros(len(self.jumps.motions))), 0.0)
+
     def act(self, point: Point, jump: Array) -> list[tuple[Motion, float]]:
         """Move the states of a point, where signals have jumped; return the impulses of the motions.
 
         Raises:
             SimulationError: if that takes forces beyond all bounds.
         """
-        self._far = self._thrown(point, jump)
+        self.begins(point, jump)
         path = np.append(point.x, np.zeros(len(self.jumps.motions)))
         s, h = 0.0, 1.0
         while s < 1.0:

@@ -237,6 +237,8 @@ class Model:
         tables.integers("model_jump_start", np.cumsum([0, *(len(s.signs) for s in signals)]))
         tables.integers("model_jump_sign", [sign for s in signals for sign in s.signs])
         tables.strings("model_jump_name", [s.name for s in signals])
+        moving = set(ca.jacobian_sparsity(jumps.jump, self.dae.modes).get_col()) if jumps else set()
+        tables.integers("model_jump_mode", [m in moving for m in range(self.dae.modes.numel())])
         place = {variable: k for k, variable in enumerate(reads)}
         resets = [r for change in self.dae.switching.changes for r in change.resets]
         tables.integers("model_reset_read", [place.get(r[0], -1) for r in resets])

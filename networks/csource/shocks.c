@@ -16,6 +16,7 @@
 #define PRESSED 1e-12
 #define INSIDE 1e-9
 #define FELT 1e-12
+#define ALIKE 1e-9
 #define NPATH (NX + NPUSH)
 
 void core_see(Core *c, double seen[]) {
@@ -136,6 +137,23 @@ static int runge_kutta(Core *c, const double jump[], const double path[], double
     return 1;
 }
 
+/* The mode through which a jump acts otherwise than through its others, of which none is known to hold; else -1. */
+static int uncertain(Core *c, const double jump[], const double path[], double rates[]) {
+    double other[ROOM(NPATH)], *modes = core_modes(c), kept[ROOM(NM + NI + NK)];
+    int found = -1;
+    memcpy(kept, modes, (NM + NI + NK) * sizeof *kept);
+    for (int m = 0; m < NM && found < 0; m++)
+        for (int value = 0; value < model_in_shock_start[m + 1] - model_in_shock_start[m] && found < 0; value++) {
+            if (model_jump_mode[m] || value == (int)kept[m] || core_stands_in(m, value) >= 0) continue;
+            modes[m] = value;
+            if (core_complete(c) != CORE_OK || !path_rates(c, jump, path, 0, other)) found = m;
+            for (int i = 0; i < NPATH && found < 0; i++)
+                if (!(fabs(other[i] - rates[i]) <= ALIKE * (1 + fabs(rates[i])))) found = m;
+            memcpy(modes, kept, (NM + NI + NK) * sizeof *kept);
+        }
+    return found;
+}
+
 /* Follow the jump, in steps halved until they are accurate; `path` holds states, then impulses. */
 static int follow(Core *c, const double jump[], double path[]) {
     double whole[ROOM(NPATH)], half[ROOM(NPATH)], next[ROOM(NPATH)];
@@ -178,14 +196,31 @@ static CoreStatus unbounded(Core *c, const double jump[]) {
     return CORE_ERROR;
 }
 
-/* Whether a position jumps onto a stop, from indicators before. */
+/* Move states and impulses by a jump, in the modes that hold in shocks. */
+static CoreStatus pass_through(Core *c, double jump[], double path[]) {
+    double rates[ROOM(NPATH)];
+    if (!thrown(c, jump, path, jump + NJ) || !path_rates(c, jump, path, 0, rates)) return unbounded(c, jump);
+    int mode = uncertain(c, jump, path, rates);
+    if (mode < 0) return follow(c, jump, path) ? CORE_OK : unbounded(c, jump);
+    core_say(c, model_mode_name[mode]);
+    core_say_more(c, ": a jump of a prescribed motion acts through this mode, and which one holds is not known: give a ramp "
+                "instead of the jump");
+    return CORE_ERROR;
+}
+
+/* Whether a position jumps onto a stop, or off it, from indicators before. */
 static CoreStatus check_reach(Core *c, const double before[]) {
     for (int i = 0; i < NG; i++) {
-        int indicator = model_change_indicator[i];
-        if (model_change_impulse[i] < 0 || !(before[indicator] <= INSIDE && c->expressions[indicator] > INSIDE)) continue;
+        int mode = model_change_mode[i], present = core_mode(c, mode), indicator = model_change_indicator[i];
+        double was = before[indicator], now = c->expressions[indicator];
+        int opens = model_change_source[i] != model_change_target[i] && present == model_change_target[i] &&
+                    core_stands_in(mode, present) >= 0;
+        int onto = present == model_change_source[i] && core_stands_in(mode, present) < 0 && was <= INSIDE && now > INSIDE;
+        if (model_change_impulse[i] < 0) continue;
+        if (!onto && !(opens && fabs(now - was) > INSIDE)) continue;
         core_say(c, model_component[i]);
-        core_say_more(c, " is struck at infinite speed: a prescribed position jumps, and takes it beyond where it strikes; "
-                    "give a ramp instead of the jump");
+        core_say_more(c, " is struck or left at infinite speed, where a prescribed position jumps; give a ramp instead of "
+                    "the jump");
         return CORE_ERROR;
     }
     return CORE_OK;
@@ -223,7 +258,7 @@ CoreStatus core_jump(Core *c, const double seen[], const Observer *told, int *ch
     memcpy(kept, modes, (NM + NI + NK) * sizeof *kept);
     core_stand_in(c);
     status = core_complete(c);
-    if (status == CORE_OK && !(thrown(c, jump, path, jump + NJ) && follow(c, jump, path))) status = unbounded(c, jump);
+    if (status == CORE_OK) status = pass_through(c, jump, path);
     memcpy(modes, kept, (NM + NI + NK) * sizeof *kept);
     if (status != CORE_OK) return status;
     memcpy(c->y, path, NX * sizeof *path);
