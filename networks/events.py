@@ -181,10 +181,12 @@ class Switcher:
         everything = self._everything(during)
         pressed = any(everything[c.after] > everything[c.velocity] + PRESSED for c in contacts)
         passed = self._strike(point, contacts) if pressed else {}
+        if passed:
+            pushes = pushes + self.shocks.passed(during, passed)
         self.completion.update(point)
         solve_algebraic(self.closed, point)
         told = [self._event(point.t, c, passed) for c in contacts if c.impulse in passed]
-        return [*pushed(point.t, pushes), *told]
+        return [*pushed(point.t, self.shocks.jumps.motions, pushes), *told]
 
     def _reset(self, point: Point, resets: dict[int, float]) -> None:
         """Give variables new values: states directly, others by the least change of states."""
@@ -250,13 +252,12 @@ class Switcher:
                 )
 
 
-def pushed(t: float, pushes: list[tuple[Motion, float]]) -> list[Event]:
-    """Return the impulses of prescribed motions as events."""
-    largest = max((abs(impulse) for _, impulse in pushes), default=0.0)
+def pushed(t: float, motions: list[Motion], impulses: Array) -> list[Event]:
+    """Return the impulses of prescribed motions as events, without those that are rounding."""
+    felt = np.abs(impulses) > FELT * np.abs(impulses).max(initial=0.0)
     return [
-        Event(t, motion.component, motion.reference, "before", "after", impulse)
-        for motion, impulse in pushes
-        if abs(impulse) > FELT * largest
+        Event(t, motions[k].component, motions[k].reference, "before", "after", float(impulses[k]))
+        for k in np.flatnonzero(felt)
     ]
 
 

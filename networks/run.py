@@ -177,7 +177,7 @@ def _shock(run: Run, seen: Array) -> list[Event]:
         return []
     pushes = shocks.act(run.point, size)
     solve_algebraic(run.closed, run.point)
-    return pushed(run.point.t, pushes)
+    return pushed(run.point.t, shocks.jumps.motions, pushes)
 
 
 def record_here(run: Run) -> None:

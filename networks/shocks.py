@@ -18,7 +18,7 @@ from numpy.typing import NDArray
 
 from ..components.base import SimulationError
 from .compiled import Compiled, dense
-from .jumps import Jumps, Motion
+from .jumps import Jumps
 from .point import Point
 from .stepper import nominal_sizes
 from .vectors import pick
@@ -47,6 +47,7 @@ class Shocks:
         told = [jumps.before, jumps.after, dae.constants, dae.time]
         self._jump = Compiled(ca.Function("jump", told, dense(jumps.jump, jumps.size)))
         self._constants = dae.constants.numel()
+        self._first_impulse = dae.p.numel() + dae.modes.numel()
         self._motion = _motion(closed, jumps)
         self._far = np.zeros(dae.x.numel())
         self.own_modes = set(ca.jacobian_sparsity(jumps.jump, dae.modes).get_col())
@@ -82,7 +83,7 @@ class Shocks:
         self._far = self._thrown(point, jump)
         return self._rates(point, jump, np.append(point.x, np.zeros(len(self.jumps.motions))), 0.0)
 
-    def act(self, point: Point, jump: Array) -> list[tuple[Motion, float]]:
+    def act(self, point: Point, jump: Array) -> Array:
         """Move the states of a point, where signals have jumped; return the impulses of the motions.
 
         Raises:
@@ -97,7 +98,14 @@ class Shocks:
             s += done
         self._rates(point, jump, path, 1.0)
         point.x = path[: self._nx]
-        return list(zip(self.jumps.motions, path[self._nx :].tolist(), strict=True))
+        return path[self._nx :]
+
+    def passed(self, point: Point, impulses: dict[int, float]) -> Array:
+        """Return what motions give when contacts pass a shock on, by the impulses of these."""
+        struck = Point(point.t, point.x, point.z, point.q.copy())
+        struck.q[self._first_impulse + np.array([*impulses])] = [*impulses.values()]
+        still = np.zeros(self.jumps.courses.numel())
+        return (self._at(struck, point.x, still) - self._at(point, point.x, still))[self._nx :]
 
     def _stride(self, point: Point, jump: Array, path: Array, s: float, h: float) -> tuple[Array, float, float]:
         """Take one step along the jump, halved until it is accurate; return where to, the next, and this."""

@@ -222,7 +222,7 @@ class _Store:
         switching, jumps = self.native.dae.switching, self.native.dae.jumps
         if jumps is not None and self.changes[k] >= len(switching.changes):
             motion = jumps.motions[self.changes[k] - len(switching.changes)]
-            return pushed(float(self.event_times[k]), [(motion, float(self.impulses[k]))])[0]
+            return pushed(float(self.event_times[k]), [motion], self.impulses[k : k + 1])[0]
         change = switching.changes[self.changes[k]]
         values = switching.mode_values[change.mode]
         source = change.target if self.stays[k] else change.source

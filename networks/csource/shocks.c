@@ -226,20 +226,44 @@ static CoreStatus check_reach(Core *c, const double before[]) {
     return CORE_OK;
 }
 
-/* Let the contacts that hold, where they are pressed together, pass a shock on. */
-static CoreStatus pass_on(Core *c, const Observer *told) {
-    int contacts[ROOM(NG)], stays[ROOM(NG)], count = 0, pressed = 0;
-    double impulses[ROOM(NG)];
+static int any_pressed(const Core *c) {
     for (int i = 0; i < NG; i++) {
         int mode = model_change_mode[i];
         if (model_change_impulse[i] < 0 || core_mode(c, mode) != model_change_target[i]) continue;
         if (core_stands_in(mode, model_change_target[i]) < 0) continue;
-        pressed |= c->expressions[model_change_after[i]] > c->expressions[model_change_velocity[i]] + PRESSED;
+        if (c->expressions[model_change_after[i]] > c->expressions[model_change_velocity[i]] + PRESSED) return 1;
     }
-    if (!pressed) return CORE_OK;
-    CoreStatus status = core_strike(c, contacts, stays, impulses, &count);
-    for (int k = 0; k < count && status == CORE_OK; k++)
-        if (told && told->fired) told->fired(told->context, c, contacts[k], 1, impulses[k]);
+    return 0;
+}
+
+/* Add what motions give when contacts pass a shock on, by the impulses of these. */
+static CoreStatus add_passed(Core *c, const int contacts[], const double impulses[], int count, double pushes[]) {
+    double kept[ROOM(NM + NI + NK)], still[ROOM(NJ)] = {0}, before[ROOM(NPATH)], after[ROOM(NPATH)], *modes = core_modes(c);
+    memcpy(kept, modes, (NM + NI + NK) * sizeof *kept);
+    core_stand_in(c);
+    CoreStatus status = core_complete(c);
+    int finite = status == CORE_OK && rates_at(c, c->y, still, before);
+    for (int k = 0; k < count; k++) modes[NM + model_change_impulse[contacts[k]]] = impulses[k];
+    finite = finite && rates_at(c, c->y, still, after);
+    for (int i = 0; i < NPUSH && finite; i++) pushes[i] += after[NX + i] - before[NX + i];
+    memcpy(modes, kept, (NM + NI + NK) * sizeof *kept);
+    return status;
+}
+
+/* Let the contacts that hold, where they are pressed together, pass a shock on, and tell of all impulses. */
+static CoreStatus pass_on(Core *c, double pushes[], const Observer *told) {
+    int contacts[ROOM(NG)], stays[ROOM(NG)], count = 0;
+    double impulses[ROOM(NG)], largest = 0;
+    CoreStatus status = CORE_OK;
+    if (any_pressed(c)) {
+        status = core_strike(c, contacts, stays, impulses, &count);
+        if (status == CORE_OK) status = add_passed(c, contacts, impulses, count, pushes);
+    }
+    if (status != CORE_OK || !told || !told->fired) return status;
+    for (int i = 0; i < NPUSH; i++) largest = fmax(largest, fabs(pushes[i]));
+    for (int i = 0; i < NPUSH; i++)
+        if (fabs(pushes[i]) > FELT * largest) told->fired(told->context, c, NG + i, 0, pushes[i]);
+    for (int k = 0; k < count; k++) told->fired(told->context, c, contacts[k], 1, impulses[k]);
     return status;
 }
 #endif
@@ -248,7 +272,7 @@ static CoreStatus pass_on(Core *c, const Observer *told) {
 CoreStatus core_jump(Core *c, const double seen[], const Observer *told, int *changed) {
     (void)c, (void)seen, (void)told, (void)changed;
 #if NJ > 0
-    double jump[NJ + ROOM(NX)], path[ROOM(NPATH)] = {0}, kept[ROOM(NM + NI + NK)], before[ROOM(NE)], largest = 0;
+    double jump[NJ + ROOM(NX)], path[ROOM(NPATH)] = {0}, kept[ROOM(NM + NI + NK)], before[ROOM(NE)];
     double *modes = core_modes(c);
     CoreStatus status = core_rates(c, 0);
     if (status != CORE_OK || !since(c, seen, jump)) return status;
@@ -263,13 +287,9 @@ CoreStatus core_jump(Core *c, const double seen[], const Observer *told, int *ch
     if (status != CORE_OK) return status;
     memcpy(c->y, path, NX * sizeof *path);
     *changed = 1;
-    for (int i = 0; i < NPUSH; i++) largest = fmax(largest, fabs(path[NX + i]));
-    for (int i = 0; i < NPUSH; i++)
-        if (fabs(path[NX + i]) > FELT * largest && told && told->fired)
-            told->fired(told->context, c, NG + i, 0, path[NX + i]);
     core_switching(c);
     status = check_reach(c, before);
-    if (status == CORE_OK) status = pass_on(c, told);
+    if (status == CORE_OK) status = pass_on(c, path + NX, told);
     if (status == CORE_OK) status = core_complete(c);
     core_stale(c);
     if (status != CORE_OK) return status;
