@@ -4,11 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
+from functools import cached_property
 from math import inf
 from threading import get_ident
 from typing import TYPE_CHECKING, Any, Never
 
-from ..components.base import Parameter, UnknownNameError, listed, named, nearest, text
+from ..components.base import Parameter, UnknownNameError, Variable, listed, named, nearest, text
 from .vectors import stacked
 
 if TYPE_CHECKING:
@@ -92,6 +93,19 @@ class DAE:
     def hybrid(self) -> bool:
         """Whether there are modes to switch."""
         return bool(self.switching.changes)
+
+    @cached_property
+    def followed(self) -> dict[int, tuple[int, int]]:
+        """By variable that starts where an input does: that input, and its sign against the variable."""
+        flat = self.system.flat
+        found = {}
+        for group in flat.groups:
+            for name, declared in type(group[0].component).fields.items():
+                leader = declared.follows if isinstance(declared, Variable) else ""
+                for instance in group if leader and name in group[0].template.place else ():
+                    (root, sign), (led, other) = (flat.joined.find(instance.index(n)) for n in (name, leader))
+                    found[root] = led, sign * other
+        return found
 
     def names(self) -> Iterable[str]:
         """Yield the full names of all variables."""

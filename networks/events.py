@@ -214,7 +214,6 @@ class Switcher:
             if change.impulse is not None and note not in self.notes:
                 self.notes.append(note)
 
-
     def _check_modes(self, during: Point, size: Array) -> None:
         """Raise if a jump acts through what depends on modes, of which none is known to hold in a jump."""
         assert self.shocks is not None

@@ -1,8 +1,8 @@
 """Jumps: what a network makes of signals that jump or bend while their derivatives are needed.
 
-Index reduction differentiates what prescribes a motion. Where that jumps, its derivative has an impulse, which
-the reduced equations do not hold. So each such signal is given a course: what is added to it and to its
-derivatives while it jumps.
+Index reduction differentiates what prescribes a motion. Where that jumps, its derivative has an impulse,
+which the reduced equations do not hold. So each such signal is given a course: what is added to it and to
+its derivatives while it jumps.
 """
 
 from __future__ import annotations
@@ -137,7 +137,12 @@ def _with_courses(family: Family, courses: dict[int, Any]) -> Family:
     form, course = family.form, ca.SX.sym("course")
     rows = ca.horzcat(*[courses.get(k, ca.SX(0)) for k in range(len(family))])
     moved = Form(
-        form.residual + course, form.locals, ca.vertcat(form.given, course), form.modes, form.time, form.slopes
+        form.residual + course,
+        form.locals,
+        ca.vertcat(form.given, course),
+        form.modes,
+        form.time,
+        form.slopes,
     )
     return Family(moved, family.columns, family.signs, ca.vertcat(family.arguments, rows), family.label)
 
@@ -152,7 +157,9 @@ def without_courses(signals: list[Signal], expressions: list[Any]) -> list[Any]:
     return plain
 
 
-def jumps_of(system: System, signals: list[Signal], values: Any, symbols: Any, ode: Any, alg: Any) -> Jumps | None:
+def jumps_of(
+    system: System, signals: list[Signal], values: Any, symbols: Any, ode: Any, alg: Any
+) -> Jumps | None:
     """Return the equations while signals jump, None if no signal moves anything by its derivatives.
 
     Args:

@@ -107,7 +107,9 @@ class Shocks:
         still = np.zeros(self.jumps.courses.numel())
         return (self._at(struck, point.x, still) - self._at(point, point.x, still))[self._nx :]
 
-    def _stride(self, point: Point, jump: Array, path: Array, s: float, h: float) -> tuple[Array, float, float]:
+    def _stride(
+        self, point: Point, jump: Array, path: Array, s: float, h: float
+    ) -> tuple[Array, float, float]:
         """Take one step along the jump, halved until it is accurate; return where to, the next, and this."""
         while True:
             whole = self._runge_kutta(point, jump, path, s, h)
@@ -135,7 +137,9 @@ class Shocks:
         rates, shorter = (self._moved(point, jump, path, s, e) for e in (INSTANT, INSTANT * SHORTER))
         bound = UNBOUNDED * (np.abs(rates).max(initial=0.0) + self._sizes)
         if not (np.abs(rates - shorter) <= bound).all():
-            raise SimulationError(self._told(jump, "a force that grows faster than the speed of what it drives"))
+            raise SimulationError(
+                self._told(jump, "a force that grows faster than the speed of what it drives")
+            )
         return rates
 
     def _moved(self, point: Point, jump: Array, path: Array, s: float, e: float) -> Array:

@@ -173,7 +173,9 @@ class _Store:
 
     def __init__(self, native: Native, outputs: NDArray[np.float64], tolerance: tuple[float, float]) -> None:
         self.native, self.outputs = native, np.ascontiguousarray(outputs)
-        modes = len(native.dae.switching.mode_names) + (len(native.dae.jumps.motions) if native.dae.jumps else 0)
+        modes = len(native.dae.switching.mode_names) + (
+            len(native.dae.jumps.motions) if native.dae.jumps else 0
+        )
         rows, events = len(outputs) + 2 * ROOM + 2, ROOM + ROUNDS * modes + 1
         self.times, self.points = np.empty(rows), np.empty((rows, native.nx + native.nz))
         self.constants, self.starts = np.empty((ROOM + 2, native.nq)), np.empty(ROOM + 2, dtype=np.int64)
