@@ -229,9 +229,9 @@ class Switcher:
                 if not np.allclose(self.shocks.begins(other, size), known, rtol=ALIKE, atol=ALIKE):
                     name = self.switching.mode_names[k].rpartition(".")[0]
                     raise SimulationError(
-                        f"'{name}' passes a jump of a prescribed motion on, otherwise in its mode "
-                        f"'{values[value]}' than in '{values[present]}'; which one holds is not known: give a "
-                        "ramp instead of the jump"
+                        f"at t = {during.t:.9g} s '{name}' passes a jump of a prescribed motion on, in its "
+                        f"mode '{values[value]}' otherwise than in '{values[present]}', and which one holds "
+                        "is not known; give a ramp instead of the jump"
                     )
         self.completion.update(during)
 
@@ -246,8 +246,8 @@ class Switcher:
             off = holds and present == change.target != change.source and abs(now - was) > INSIDE
             if change.impulse is not None and (onto or off):
                 raise SimulationError(
-                    f"{change.component} is struck or left at infinite speed, where a prescribed position "
-                    "jumps; give a ramp instead of the jump"
+                    f"at t = {point.t:.9g} s {change.component} is struck or left at infinite speed, where a "
+                    "prescribed position jumps; give a ramp instead of the jump"
                 )
 
 

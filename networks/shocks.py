@@ -56,7 +56,8 @@ class Shocks:
 
     def seen(self, point: Point) -> Array:
         """Return the variables that tell how far signals jump from here."""
-        return self._seen(point.x, point.z, point.q, point.t)[0]
+        seen: Array = self._seen(point.x, point.z, point.q, point.t)[0]
+        return seen
 
     def since(self, seen: Array, point: Point, resets: dict[int, float]) -> Array:
         """Return by how much signals and their derivatives have jumped, zero where that is rounding.
@@ -137,9 +138,7 @@ class Shocks:
         rates, shorter = (self._moved(point, jump, path, s, e) for e in (INSTANT, INSTANT * SHORTER))
         bound = UNBOUNDED * (np.abs(rates).max(initial=0.0) + self._sizes)
         if not (np.abs(rates - shorter) <= bound).all():
-            raise SimulationError(
-                self._told(jump, "a force that grows faster than the speed of what it drives")
-            )
+            raise SimulationError(self._told(point.t, jump, "a force that grows faster than speed"))
         return rates
 
     def _moved(self, point: Point, jump: Array, path: Array, s: float, e: float) -> Array:
@@ -180,10 +179,10 @@ class Shocks:
         thrown = self._at(point, point.x, course * self._signs) - self._at(point, point.x, 0 * course)
         bound = thrown[self._nx :] if self.jumps.motions else thrown
         if not (np.abs(bound) <= UNBOUNDED).all():
-            raise SimulationError(self._told(jump, "an infinite acceleration of what has inertia"))
+            raise SimulationError(self._told(point.t, jump, "an infinite acceleration of what has inertia"))
         return thrown[: self._nx]
 
-    def _told(self, jump: Array, what: str) -> str:
+    def _told(self, t: float, jump: Array, what: str) -> str:
         sizes = [
             (signal.name, float(np.abs(jump[part]).max()))
             for signal, part in zip(self.jumps.signals, self._parts, strict=True)
@@ -191,8 +190,8 @@ class Shocks:
         ]
         told = ", ".join(f"{name} (by {size:.6g})" for name, size in sizes)
         return (
-            f"what prescribes a motion jumps: {told}, which takes {what}; give a ramp instead of the jump, a Speed "
-            "instead of a Position, or exact=False, which filters it"
+            f"at t = {t:.9g} s what prescribes a motion jumps: {told}, which takes {what}; give a ramp "
+            "instead of the jump, a Speed instead of a Position, or exact=False, which filters it"
         )
 
 
