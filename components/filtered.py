@@ -25,13 +25,16 @@ def critical_frequency() -> Any:
     return parameter("Hz", "critical frequency of the filter with exact=False", default=50.0, above=0)
 
 
-def after_position(reference: Any, position: Any, speed: Any, f_crit: Any) -> Any:
-    """Return the acceleration of what follows a position by a Bessel filter of order 2.
+def after_position(reference: Any, position: Any, lead: Any, f_crit: Any) -> tuple[Any, Any]:
+    """Return the rates of a position that follows another by a Bessel filter of order 2, and of its lead.
+
+    The lead is where it would be after 1/(2 pi f_crit) at its present speed.
 
     Source: MSL Translational.Sources.Position with exact=false.
     """
     omega = 2 * ca.pi * f_crit
-    return ((reference - position) * omega - FIRST * speed) * omega / SECOND
+    speed = (lead - position) * omega
+    return speed, speed + ((reference - position) * omega - FIRST * speed) / SECOND
 
 
 def after_speed(reference: Any, speed: Any, f_crit: Any) -> Any:

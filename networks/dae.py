@@ -104,7 +104,8 @@ class DAE:
                 leader = declared.follows if isinstance(declared, Variable) else ""
                 for instance in group if leader and name in group[0].template.place else ():
                     (root, sign), (led, other) = (flat.joined.find(instance.index(n)) for n in (name, leader))
-                    found[root] = led, sign * other
+                    if root != led:
+                        found[root] = led, sign * other
         return found
 
     def names(self) -> Iterable[str]:

@@ -13,7 +13,7 @@ from .closed import Closed
 from .completion import Completion
 from .impacts import partners, solve_impact
 from .indicators import Indicators
-from .jumps import Motion
+from .jumps import Jumps
 from .point import Point as Point
 from .point import solve_algebraic
 from .switching import Change
@@ -23,11 +23,12 @@ INSIDE = 1e-9
 ROUNDS = 1000
 FELT = PRESSED = 1e-12
 ALIKE = 1e-9
+JUMP = "jump"
 
 
 @dataclass(frozen=True)
 class Event:
-    """A change of mode, or a shock."""
+    """A change of mode, or a shock; of a prescribed motion that jumps, `mode` is the signal it follows."""
 
     time: float
     component: str
@@ -175,6 +176,8 @@ class Switcher:
         before, during = self._everything(point), self._during(point)
         self._check_modes(during, size)
         pushes = self.shocks.act(during, size)
+        if np.array_equal(during.x, point.x) and not pushes.any():
+            return []
         self._check_reach(point, before, self._everything(during))
         point.x = during.x
         contacts = partners(self.switching, self.indicators.modes(point.q), [])
@@ -186,7 +189,7 @@ class Switcher:
         self.completion.update(point)
         solve_algebraic(self.closed, point)
         told = [self._event(point.t, c, passed) for c in contacts if c.impulse in passed]
-        return [*pushed(point.t, self.shocks.jumps.motions, pushes), *told]
+        return [*pushed(point.t, self.shocks.jumps, pushes), *told]
 
     def _reset(self, point: Point, resets: dict[int, float]) -> None:
         """Give variables new values: states directly, others by the least change of states."""
@@ -251,13 +254,21 @@ class Switcher:
                 )
 
 
-def pushed(t: float, motions: list[Motion], impulses: Array) -> list[Event]:
-    """Return the impulses of prescribed motions as events, without those that are rounding."""
-    felt = np.abs(impulses) > FELT * np.abs(impulses).max(initial=0.0)
-    return [
-        Event(t, motions[k].component, motions[k].reference, "before", "after", float(impulses[k]))
-        for k in np.flatnonzero(felt)
-    ]
+def pushed(t: float, jumps: Jumps, impulses: Array) -> list[Event]:
+    """Return what jumps as events, with the impulses of the motions that feel it."""
+    felt = np.flatnonzero(np.abs(impulses) > FELT * np.abs(impulses).max(initial=0.0))
+    if not len(felt):
+        return [jumped(t, jumps, len(jumps.motions))]
+    return [jumped(t, jumps, int(k), float(impulses[k])) for k in felt]
+
+
+def jumped(t: float, jumps: Jumps, number: int, impulse: float | None = None) -> Event:
+    """Return the event that a motion jumps, or, by the number after them, what no motion feels."""
+    if number < len(jumps.motions):
+        motion = jumps.motions[number]
+        return Event(t, motion.component, motion.reference, "before", "after", impulse)
+    name = ", ".join(signal.name for signal in jumps.signals)
+    return Event(t, name, JUMP, "before", "after")
 
 
 def _allowed(change: Change, everything: Array) -> bool:

@@ -175,9 +175,12 @@ def _shock(run: Run, seen: Array) -> list[Event]:
     size = shocks.since(seen, run.point, {})
     if not size.any():
         return []
+    states = run.point.x
     pushes = shocks.act(run.point, size)
+    if np.array_equal(run.point.x, states) and not pushes.any():
+        return []
     solve_algebraic(run.closed, run.point)
-    return pushed(run.point.t, shocks.jumps.motions, pushes)
+    return pushed(run.point.t, shocks.jumps, pushes)
 
 
 def record_here(run: Run) -> None:

@@ -47,7 +47,7 @@ class Position(_Driven):
     Where phi_ref bends or jumps, what that takes acts as a shock, whose impulse is an event of the run; a
     jump that takes infinite forces is refused. With `exact=False` a Bessel filter of order 2 follows
     phi_ref: der(w) = ((phi_ref - phi) o - 1.3617 w) o/0.6180 with w = der(phi), o = 2 pi f_crit, from
-    phi = phi_ref at rest.
+    phi = phi_ref at rest; lead = phi + w/o.
 
     Source: MSL Rotational.Sources.Position.
     """
@@ -55,16 +55,18 @@ class Position(_Driven):
     phi_ref = RealInput("rad", "angle")
     exact = exactness()
     f_crit = critical_frequency()
-    phi = variable("rad", "angle against the support, filtered", follows="phi_ref")
-    w = variable("rad/s", "speed against the support, filtered")
+    phi = variable("rad", "angle against the support", follows="phi_ref")
+    lead = variable("rad", "angle ahead, by which the filter moves", follows="phi_ref")
 
     def equations(self) -> Iterable[Any]:
-        if self.exact:
-            yield self.flange.phi - self.support.phi == self.phi_ref
-            return
         yield self.flange.phi - self.support.phi == self.phi
-        yield der(self.phi) == self.w
-        yield der(self.w) == after_position(self.phi_ref, self.phi, self.w, self.f_crit)
+        if self.exact:
+            yield self.phi == self.phi_ref
+            yield self.lead == self.phi_ref
+            return
+        rates = after_position(self.phi_ref, self.phi, self.lead, self.f_crit)
+        yield der(self.phi) == rates[0]
+        yield der(self.lead) == rates[1]
 
 
 class Speed(_Driven):
@@ -80,15 +82,15 @@ class Speed(_Driven):
     exact = exactness()
     f_crit = critical_frequency()
     phi = variable("rad", "angle against the support")
-    w = variable("rad/s", "speed against the support, filtered", follows="w_ref")
+    w = variable("rad/s", "speed against the support", follows="w_ref")
 
     def equations(self) -> Iterable[Any]:
         yield self.phi == self.flange.phi - self.support.phi
-        if self.exact:
-            yield der(self.phi) == self.w_ref
-            return
         yield der(self.phi) == self.w
-        yield der(self.w) == after_speed(self.w_ref, self.w, self.f_crit)
+        if self.exact:
+            yield self.w == self.w_ref
+        else:
+            yield der(self.w) == after_speed(self.w_ref, self.w, self.f_crit)
 
 
 class Accelerate(_Driven):

@@ -35,7 +35,7 @@ class Position(_Driven):
     Where s_ref bends or jumps, what that takes acts as a shock, whose impulse is an event of the run; a
     jump that takes infinite forces is refused. With `exact=False` a Bessel filter of order 2 follows
     s_ref: der(v) = ((s_ref - s) o - 1.3617 v) o/0.6180 with v = der(s), o = 2 pi f_crit, from
-    s = s_ref at rest.
+    s = s_ref at rest; lead = s + v/o.
 
     Source: MSL Translational.Sources.Position.
     """
@@ -43,16 +43,18 @@ class Position(_Driven):
     s_ref = RealInput("m", "position")
     exact = exactness()
     f_crit = critical_frequency()
-    s = variable("m", "position against the support, filtered", follows="s_ref")
-    v = variable("m/s", "velocity against the support, filtered")
+    s = variable("m", "position against the support", follows="s_ref")
+    lead = variable("m", "position ahead, by which the filter moves", follows="s_ref")
 
     def equations(self) -> Iterable[Any]:
-        if self.exact:
-            yield self.flange.s - self.support.s == self.s_ref
-            return
         yield self.flange.s - self.support.s == self.s
-        yield der(self.s) == self.v
-        yield der(self.v) == after_position(self.s_ref, self.s, self.v, self.f_crit)
+        if self.exact:
+            yield self.s == self.s_ref
+            yield self.lead == self.s_ref
+            return
+        rates = after_position(self.s_ref, self.s, self.lead, self.f_crit)
+        yield der(self.s) == rates[0]
+        yield der(self.lead) == rates[1]
 
 
 class Speed(_Driven):
@@ -68,15 +70,15 @@ class Speed(_Driven):
     exact = exactness()
     f_crit = critical_frequency()
     s = variable("m", "position against the support")
-    v = variable("m/s", "velocity against the support, filtered", follows="v_ref")
+    v = variable("m/s", "velocity against the support", follows="v_ref")
 
     def equations(self) -> Iterable[Any]:
         yield self.s == self.flange.s - self.support.s
-        if self.exact:
-            yield der(self.s) == self.v_ref
-            return
         yield der(self.s) == self.v
-        yield der(self.v) == after_speed(self.v_ref, self.v, self.f_crit)
+        if self.exact:
+            yield self.v == self.v_ref
+        else:
+            yield der(self.v) == after_speed(self.v_ref, self.v, self.f_crit)
 
 
 class Accelerate(_Driven):

@@ -102,7 +102,8 @@ typedef struct Legs {
 /* Told of what happens on the way. Any function may be absent. */
 typedef struct {
     void *context;
-    /* A change of mode, or a shock; `stays` for a contact that passes a shock on; from NG on, a motion that jumps. */
+    /* A change of mode, or a shock; `stays` for a contact that passes a shock on; from NG on, a
+     * motion that jumps, and NG + NPUSH for what none feels. */
     void (*fired)(void *context, const Core *c, int change, int stays, double impulse);
     /* A step was taken, of which [c->step.t, until] counts. Nonzero asks to stop there. */
     int (*stepped)(void *context, Core *c, double until);

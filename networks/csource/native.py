@@ -30,7 +30,7 @@ from numpy.typing import NDArray
 from ...components.base import ModelError, Sampled, SimulationError, heed
 from ..closed import Closed, Given
 from ..dae import DAE
-from ..events import Event, pushed
+from ..events import Event, jumped
 from ..index import System
 from ..point import Point
 from ..polynomial import Polynomial
@@ -223,8 +223,9 @@ class _Store:
     def _event(self, k: int) -> Event:
         switching, jumps = self.native.dae.switching, self.native.dae.jumps
         if jumps is not None and self.changes[k] >= len(switching.changes):
-            motion = jumps.motions[self.changes[k] - len(switching.changes)]
-            return pushed(float(self.event_times[k]), [motion], self.impulses[k : k + 1])[0]
+            number = int(self.changes[k]) - len(switching.changes)
+            impulse = float(self.impulses[k]) if number < len(jumps.motions) else None
+            return jumped(float(self.event_times[k]), jumps, number, impulse)
         change = switching.changes[self.changes[k]]
         values = switching.mode_values[change.mode]
         source = change.target if self.stays[k] else change.source

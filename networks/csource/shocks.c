@@ -236,6 +236,12 @@ static int any_pressed(const Core *c) {
     return 0;
 }
 
+static int is_still(const Core *c, const double path[]) {
+    int still = 1;
+    for (int i = 0; i < NPATH; i++) still &= path[i] == (i < NX ? c->y[i] : 0);
+    return still;
+}
+
 /* Add what motions give when contacts pass a shock on, by the impulses of these. */
 static CoreStatus add_passed(Core *c, const int contacts[], const double impulses[], int count, double pushes[]) {
     double kept[ROOM(NM + NI + NK)], still[ROOM(NJ)] = {0}, before[ROOM(NPATH)], after[ROOM(NPATH)], *modes = core_modes(c);
@@ -263,6 +269,7 @@ static CoreStatus pass_on(Core *c, double pushes[], const Observer *told) {
     for (int i = 0; i < NPUSH; i++) largest = fmax(largest, fabs(pushes[i]));
     for (int i = 0; i < NPUSH; i++)
         if (fabs(pushes[i]) > FELT * largest) told->fired(told->context, c, NG + i, 0, pushes[i]);
+    if (largest == 0) told->fired(told->context, c, NG + NPUSH, 0, 0);
     for (int k = 0; k < count; k++) told->fired(told->context, c, contacts[k], 1, impulses[k]);
     return status;
 }
@@ -284,7 +291,7 @@ CoreStatus core_jump(Core *c, const double seen[], const Observer *told, int *ch
     status = core_complete(c);
     if (status == CORE_OK) status = pass_through(c, jump, path);
     memcpy(modes, kept, (NM + NI + NK) * sizeof *kept);
-    if (status != CORE_OK) return status;
+    if (status != CORE_OK || is_still(c, path)) return status;
     memcpy(c->y, path, NX * sizeof *path);
     *changed = 1;
     core_switching(c);
