@@ -158,7 +158,7 @@ def enter_next_leg(run: Run) -> bool:
     point = run.point = Point(run.leg.begin, run.point.x.copy(), run.point.z.copy(), run.point.q)
     if jumps:
         solve_algebraic(run.closed, point)
-    happened = _shock(run, seen) if seen is not None else []
+    happened = shock(run, seen) if seen is not None else []
     happened += run.switcher.settle(point) if run.switcher else []
     run.events += happened
     if jumps or happened:
@@ -166,7 +166,7 @@ def enter_next_leg(run: Run) -> bool:
     return True
 
 
-def _shock(run: Run, seen: Array) -> list[Event]:
+def shock(run: Run, seen: Array) -> list[Event]:
     """Let what is given act where it has jumped."""
     if run.switcher:
         return run.switcher.jump(run.point, seen, {})
