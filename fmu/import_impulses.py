@@ -44,8 +44,8 @@ class Impulses:
             path = event.mode.rpartition(".")[0]
             if self._feels and event.mode not in self._network.modes:
                 raise FMUError(
-                    f"'{self._network.name}': {event.component} jumps at t = {event.time:.9g} s, and what that "
-                    f"does to the FMU '{self._feels[0]}' cannot be told; give a ramp, or exact=False"
+                    f"'{self._network.name}': {event.component} jumps at t = {event.time:.9g} s, and what "
+                    f"that does to the FMU '{self._feels[0]}' cannot be told; give a ramp, or exact=False"
                 )
             if event.impulse and path in self._answer:
                 raise FMUError(

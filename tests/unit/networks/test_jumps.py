@@ -257,7 +257,7 @@ def test_a_contact_that_holds_passes_a_shock_on_and_does_not_rebound(solver: str
 @pytest.mark.parametrize("solver", TWO)
 def test_a_contact_that_a_shock_pulls_apart_opens(solver: str) -> None:
     run = pressed(-1.0, 0.0).simulate(LATER + 1e-3, solver=solver)
-    assert run["mass.v"][-1] == pytest.approx(-2 / 3 + 5e-3)
+    assert run["mass.v"][-1] == pytest.approx(-2 / 3 + 5e-3 / 3)
     assert run["other.v"][-1] == pytest.approx(-5e-3 / 3)
     assert run["stop.mode"][-1] == 0
 
@@ -314,7 +314,7 @@ def test_a_shock_through_losses_that_depend_on_its_own_torque_is_refused(solver:
     net.connect(net.drive.flange, net.inerter.flange_a)
     net.connect(net.inerter.flange_b, net.near.flange, net.gear.flange_a)
     net.connect(net.gear.flange_b, net.far.flange)
-    with pytest.raises(ia.SimulationError, match="gear.*ramp"):
+    with pytest.raises(ia.SimulationError, match=r"gear.*ramp"):
         net.simulate(0.6, solver=solver)
 
 
