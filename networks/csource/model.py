@@ -19,6 +19,7 @@ from ..dae import DAE, Input
 from ..legs import Leg
 from ..stepper import nominal_sizes
 from ..vectors import column, pick
+from .jumping import jump_functions, jump_tables
 from .reduction import Reduction
 from .tables import Tables
 from .text import generated
@@ -96,21 +97,8 @@ class Model:
             ),
             self._function("model_reset", [], [ca.densify(others), _sparse(ca.jacobian(others, dae.x))]),
             self._function("model_variables", [], [ca.densify(published)]),
-            *self._jumping(),
+            *jump_functions(dae, self._function),
             *(self._products(motion, published) if self.products else []),
-        ]
-
-    def _jumping(self) -> list[Any]:
-        """Return what jumps of prescribed motions are told by, how far they go, and what they move."""
-        jumps, dae = self.dae.jumps, self.dae
-        if jumps is None:
-            return []
-        told = [jumps.before, jumps.after, dae.constants, dae.time]
-        moving = ca.vertcat(jumps.ode, jumps.forces, jumps.alg)
-        return [
-            self._function("model_seen", [], [ca.densify(pick(dae.variables, jumps.reads))]),
-            ca.Function("model_jump", told, [ca.densify(jumps.jump), ca.densify(jumps.size)], {"cse": True}),
-            self._function("model_moving", [jumps.courses], [ca.densify(moving)]),
         ]
 
     def _moving(self) -> tuple[Any, Any, Any]:
@@ -184,7 +172,7 @@ class Model:
         self._inputs_tables(tables)
         self._legs(tables)
         self._changes(tables)
-        self._jumps(tables)
+        jump_tables(dae, tables)
         self._blocks(tables)
         self._patterns(tables)
         return tables
@@ -226,22 +214,6 @@ class Model:
         tables.doubles("model_leg_end", [leg.end for leg in self.legs])
         tables.doubles("model_leg_longest", [leg.max_step for leg in self.legs])
         tables.integers("model_leg_jumps", [leg.jumps for leg in self.legs])
-
-    def _jumps(self, tables: Tables) -> None:
-        jumps = self.dae.jumps
-        signals, reads = (jumps.signals, jumps.reads) if jumps else ([], [])
-        tables.size("NREAD", len(reads))
-        tables.size("NSIGNAL", len(signals))
-        tables.size("NJ", sum(len(s.signs) for s in signals))
-        tables.size("NPUSH", len(jumps.motions) if jumps else 0)
-        tables.integers("model_jump_start", np.cumsum([0, *(len(s.signs) for s in signals)]))
-        tables.integers("model_jump_sign", [sign for s in signals for sign in s.signs])
-        tables.strings("model_jump_name", [s.name for s in signals])
-        moving = set(ca.jacobian_sparsity(jumps.jump, self.dae.modes).get_col()) if jumps else set()
-        tables.integers("model_jump_mode", [m in moving for m in range(self.dae.modes.numel())])
-        place = {variable: k for k, variable in enumerate(reads)}
-        resets = [r for change in self.dae.switching.changes for r in change.resets]
-        tables.integers("model_reset_read", [place.get(r[0], -1) for r in resets])
 
     def _changes(self, tables: Tables) -> None:
         switching, states = self.dae.switching, {v: k for k, v in enumerate(self.dae.states)}

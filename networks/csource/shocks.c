@@ -176,11 +176,16 @@ static int follow(Core *c, const double jump[], double path[]) {
     return 1;
 }
 
-static CoreStatus unbounded(Core *c, const double jump[]) {
-    int any = 0;
+static void say_when(Core *c) {
     core_say(c, "at t = ");
     core_say_number(c, c->t);
-    core_say_more(c, " s what prescribes a motion jumps: ");
+    core_say_more(c, " s ");
+}
+
+static CoreStatus unbounded(Core *c, const double jump[]) {
+    int any = 0;
+    say_when(c);
+    core_say_more(c, "what prescribes a motion jumps: ");
     for (int s = 0; s < NSIGNAL; s++) {
         double size = 0;
         for (int k = model_jump_start[s]; k < model_jump_start[s + 1]; k++) size = fmax(size, fabs(jump[k]));
@@ -202,7 +207,8 @@ static CoreStatus pass_through(Core *c, double jump[], double path[]) {
     if (!thrown(c, jump, path, jump + NJ) || !path_rates(c, jump, path, 0, rates)) return unbounded(c, jump);
     int mode = uncertain(c, jump, path, rates);
     if (mode < 0) return follow(c, jump, path) ? CORE_OK : unbounded(c, jump);
-    core_say(c, model_mode_name[mode]);
+    say_when(c);
+    core_say_more(c, model_mode_name[mode]);
     core_say_more(c, ": a jump of a prescribed motion acts through this mode, and which one holds is not known: give a ramp "
                 "instead of the jump");
     return CORE_ERROR;
@@ -218,7 +224,8 @@ static CoreStatus check_reach(Core *c, const double before[]) {
         int onto = present == model_change_source[i] && core_stands_in(mode, present) < 0 && was <= INSIDE && now > INSIDE;
         if (model_change_impulse[i] < 0) continue;
         if (!onto && !(opens && fabs(now - was) > INSIDE)) continue;
-        core_say(c, model_component[i]);
+        say_when(c);
+        core_say_more(c, model_component[i]);
         core_say_more(c, " is struck or left at infinite speed, where a prescribed position jumps; give a ramp instead of "
                     "the jump");
         return CORE_ERROR;
