@@ -127,6 +127,11 @@ static CoreStatus fire(Core *c, const Wanted *wanted, int forced) {
 static CoreStatus stride(Core *c, const Wanted *wanted, double stop, double *most, CoreStop *reached, int *halt) {
     double left = stop - c->t, h = fmin(fmin(c->h, *most), core_longest_step(c)), kept, error, t, begin, end;
     int indicator, hit;
+    if (left <= TINY * fabs(c->t)) { /* too short for a step: an event was next to the end */
+        c->t = stop;
+        core_stale(c);
+        return core_rates(c, 0) == CORE_OK && core_watch(c, c->t, c->y, c->rates, &c->left) ? CORE_OK : CORE_DISCARD;
+    }
     if (wanted->fixed > 0) h = left / ceil(left / wanted->fixed - 1e-9);
     if (h >= left * (1 - 1e-10)) h = left;
     else if (wanted->fixed <= 0 && h > 0.5 * left) h = 0.5 * left;
