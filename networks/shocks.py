@@ -77,7 +77,8 @@ class Shocks:
         late = LOCATED * max(1.0, abs(point.t)) * steeper
         jump[np.abs(jump) <= RELATIVE * size + late] = 0.0
         jump[[part.stop - 1 for part in self._parts]] = 0.0
-        return jump * self._signs
+        signed: Array = jump * self._signs
+        return signed
 
     def begins(self, point: Point, jump: Array) -> Array:
         """Return how states and impulses begin to move where signals have jumped."""
