@@ -62,6 +62,10 @@ def export(
     tolerance: Annotated[float, typer.Option(help="Of Co-Simulation, where the tool gives none.")] = 1e-6,
     fixed_step: Annotated[float | None, typer.Option(help="Own step of Co-Simulation [s].")] = None,
     sources: Annotated[bool, typer.Option(help="Whether the C sources go along.")] = True,
+    author: Annotated[str, typer.Option(help="Whose model it is.")] = "",
+    version: Annotated[str, typer.Option(help="Of the model.")] = "",
+    copyright: Annotated[str, typer.Option(help="Notice of the model.")] = "",
+    license: Annotated[str, typer.Option(help="Of the model: proprietary, CC-BY-4.0, ...")] = "",
 ) -> None:
     """Write the network that a function of a Python file returns as an FMU."""
     from ..fmu import export as write
@@ -74,7 +78,8 @@ def export(
         write(
             network, out, fmi_version=fmi, outputs=output or None, start=pairs("--start", start),
             terminals=dict(_texts("--terminal", terminal)), platforms=platform or ["native"], sources=sources,
-            tolerance=tolerance, fixed_step=fixed_step,
+            tolerance=tolerance, fixed_step=fixed_step, author=author, version=version, copyright=copyright,
+            license=license,
         )  # fmt: skip
     typer.echo(f"wrote {out} ({out.stat().st_size / 1e3:.0f} kB)")
 

@@ -65,7 +65,7 @@ def run(
             fail(f"--out {out} would overwrite what --input reads; choose another name", WRONG_USE)
     elif signals is not None:
         fail("--signals says what --out writes; give --out FILE too", WRONG_USE)
-    picture = (out or Path(model.rpartition(":")[2])).with_suffix(".png")
+    picture = out.with_suffix(".png") if out else Path(f"{Path(model.rpartition(':')[2]).name}.png")
     if plot is not None:
         expect("--plot", picture, PICTURES)
     dae = load_network(model).dae()

@@ -10,7 +10,7 @@ import sys
 import unicodedata
 from collections.abc import Iterator
 from contextlib import contextmanager, suppress
-from threading import Timer
+from threading import Timer, main_thread
 from typing import Any
 
 from rich.console import Console
@@ -55,6 +55,14 @@ def _in_other_words(error: UnicodeError) -> tuple[str | bytes, int]:
     return plain.encode("ascii", "ignore").decode() or "?", after
 
 
+def _send() -> None:
+    """Send Ctrl-C to the main thread, so that it also wakes from what it waits for."""
+    if sys.platform == "win32":
+        signal.raise_signal(signal.SIGINT)
+    else:
+        signal.pthread_kill(main_thread().ident or 0, signal.SIGINT)
+
+
 @contextmanager
 def insisting() -> Iterator[None]:
     """Send Ctrl-C again if it came where Python drops exceptions, such as the end of an import."""
@@ -62,7 +70,7 @@ def insisting() -> Iterator[None]:
 
     def told(dropped: Any) -> None:
         if issubclass(dropped.exc_type, KeyboardInterrupt):
-            Timer(AGAIN, signal.raise_signal, [signal.SIGINT]).start()
+            Timer(AGAIN, _send).start()
         else:
             before(dropped)
 

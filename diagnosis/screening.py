@@ -155,6 +155,8 @@ def _forces(
     widest = max(motions, key=lambda m: m.travel)
     at_rest = replace(motion, s=motion.s - site.rest)
     for effect in EFFECTS.values():
+        if site.domain not in effect.quantities:
+            continue
         stretched = effect.place == "series"
         if effect.basis is None or effect.place not in site.places or stretched != (probe == "stretch"):
             continue

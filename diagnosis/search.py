@@ -69,7 +69,7 @@ def diagnose(
     tell = report or (lambda line: None)
     campaign = thinned(Campaign.of(campaign))
     rtol = rtol or _unseen(campaign)
-    accuracy = Accuracy(_fastest() if solver == "auto" else solver, rtol, 1e-2 * rtol, STEPS)
+    accuracy = Accuracy(_fastest() if solver == "auto" else solver, rtol, steps=STEPS)
     tell("refitting the parameters")
     nominal = Joint(campaign, campaign.network, campaign.start, (), accuracy)
     start = nominal.seen(nominal.start)

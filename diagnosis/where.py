@@ -171,7 +171,7 @@ def moved(
     if site.domain == "channel":
         return [_signal(e.compared, site.path) for e in experiments]
     model = predictor(campaign, campaign.network, (), (), [site])
-    accuracy = accuracy or Accuracy(rtol=1e-5, atol=1e-7)
+    accuracy = accuracy or Accuracy(rtol=1e-5)
     motions = []
     for experiment in experiments:
         stand = model.stand(experiment)

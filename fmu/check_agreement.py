@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
 
 from .check_probe import Probe, Subject
-from .check_report import Finding, measured
+from .check_report import MOTION, Finding, measured
 from .check_runs import Course, Experiment
 
 Array = NDArray[np.float64]
@@ -16,6 +17,7 @@ EVENTS = 1e-6
 LONELY = 10 * EVENTS
 SEEN = 0.05
 MOST_BISECTED = 20
+STANDS = 1e-6
 
 
 @dataclass(frozen=True, eq=False)
@@ -43,6 +45,18 @@ def outputs_finding(subject: str, course: Course, reference: Reference, limit: f
     where = f"{course.names[int(column)]} at {course.time[row]:.6g} s"
     told = f"of size, {where}; {shares.shape[1]} variables{course.solver and f'; {course.solver}'}"
     return measured(subject, "outputs", shares.max(), limit, told)
+
+
+def motion_findings(subject: str, course: Course, size: Array) -> Iterator[Finding]:
+    """Yield a finding if nothing moves, so that there is little in what agrees."""
+    if not course.names:
+        told = "the FMU shows no output and no state: nothing is compared; give outputs= that move"
+        yield Finding(subject, MOTION, None, told=told)
+    elif not (np.ptp(course.values, axis=0) > STANDS * size).any():
+        told = (
+            f"nothing moves: each of {len(course.names)} variables is constant; give inputs=, start= or stop="
+        )
+        yield Finding(subject, MOTION, None, told=told)
 
 
 def modes_finding(

@@ -16,6 +16,7 @@ from .check_agreement import (
     bisected_finding,
     events_finding,
     modes_finding,
+    motion_findings,
     outputs_finding,
 )
 from .check_derivatives import Derivatives
@@ -55,6 +56,9 @@ def network_findings(
             with Subject(path) as subject:
                 if asked is not None:
                     yield _told(asked, native, subject)
+                    yield from motion_findings(
+                        "native", native.course(_names(subject)), native.sizes(subject)
+                    )
                     asked = None
                 yield from _exchanged(subject, native, limit)
                 yield from _communicated(subject, native, limit)
@@ -76,14 +80,23 @@ class _Native:
 
     def reference(self, names: list[str], nominals: Array) -> Reference:
         """Return the values of variables on the grid of output, and how large they get."""
-        largest = sizes(np.column_stack([self.run[name] for name in names]), nominals)
+        largest = sizes(self._table(names), nominals)
         return Reference(self.course(names), largest)
+
+    def sizes(self, subject: Subject) -> Array:
+        """Return how large outputs and states are."""
+        names = _names(subject)
+        return sizes(self._table(names), subject.nominals(names))
 
     def course(self, names: list[str]) -> Course:
         """Return the values of variables on the grid of output."""
         grid = self.experiment.grid
         near = np.searchsorted(self.run.time, grid + 1e-9 * self.experiment.step, side="right") - 1
-        return Course(names, grid, np.column_stack([self.run[name][near] for name in names]), self.events)
+        return Course(names, grid, self._table(names)[near], self.events)
+
+    def _table(self, names: list[str]) -> Array:
+        columns = [self.run[name] for name in names]
+        return np.column_stack(columns) if columns else np.zeros((len(self.run.time), 0))
 
     @property
     def events(self) -> Array:
@@ -97,7 +110,7 @@ class _Native:
         time = self.run.time
         places = np.abs(time[None, :] - self.events[:, None]) <= SAME_INSTANT
         first, last = places.argmax(axis=1), len(time) - 1 - places[:, ::-1].argmax(axis=1)
-        table = np.column_stack([self.run[name] for name in names])
+        table = self._table(names)
         return table[first], table[last]
 
 

@@ -8,6 +8,7 @@ from typing import Any
 
 from ..components import UnknownNameError
 
+MOTION = "motion"
 HEADINGS = ("", "FMU", "check", "error", "limit", "")
 
 
@@ -66,6 +67,11 @@ class CheckReport:
         """The findings that failed."""
         return [f for f in self.findings if f.passed is False]
 
+    @property
+    def vacuous(self) -> bool:
+        """Whether nothing moved, so that there is little in what agrees."""
+        return any(f.check == MOTION for f in self.findings)
+
     def of(self, subject: str, check: str) -> Finding:
         """Return one finding.
 
@@ -82,6 +88,7 @@ class CheckReport:
         return {
             "name": self.name,
             "passed": self.passed,
+            "vacuous": self.vacuous,
             "findings": [asdict(finding) for finding in self.findings],
             "notes": self.notes,
         }
@@ -92,9 +99,10 @@ class CheckReport:
         looked = sum(f.passed is not None for f in self.findings)
         if self.failures:
             return "\n".join([*lines, f"{len(self.failures)} of {looked} checks failed"])
-        return "\n".join(
-            [*lines, f"{looked} checks, all good" if self.passed else "nothing could be checked"]
-        )
+        told = f"{looked} checks, all good" if self.passed else "nothing could be checked"
+        if self.vacuous:
+            told += "; but nothing moved, so that agreement says little: see 'motion'"
+        return "\n".join([*lines, told])
 
 
 def _row(finding: Finding) -> tuple[str, ...]:

@@ -17,6 +17,8 @@ Array = NDArray[np.float64]
 DENSE = 300
 ACCURATE = 1e-5
 FINEST = 1e-12
+PARTS = 1, 30, 1000  # of an interval of output, where CVODE takes too many steps for one
+TOO_FEW = "mxstep"
 
 
 @dataclass(frozen=True)
@@ -78,21 +80,35 @@ def exchange(
     """Run Model Exchange; `visit` is called with the probe at instants of output and events.
 
     FMPy integrates with CVODE, which begins anew with order 1 after each event, so its tolerance is a tenth
-    of that of the native run, or the same where rounding errors keep it from a tenth. Its Jacobian is dense:
+    of that of the native run, or the same where rounding errors keep it from a tenth. It takes 500 steps from
+    one output to the next at most: where those are too few, outputs are put between. Its Jacobian is dense:
     beyond 300 states LSODA integrates, as in `FMU.simulate`, and `visit` sees the start only.
     """
     if len(subject.fmu.states) > DENSE:
         return _exchange_large(subject, names, experiment, visit)
-    try:
-        return _exchange_by_cvode(subject, names, experiment, visit, max(0.1 * experiment.accurate, FINEST))
-    except FMUError as error:
-        if "CVode error" not in str(error):
-            raise
-    return _exchange_by_cvode(subject, names, experiment, visit, experiment.accurate)
+    for parts in PARTS:
+        problem = None
+        for rtol in (max(0.1 * experiment.accurate, FINEST), experiment.accurate):
+            try:
+                return _exchange_by_cvode(subject, names, experiment, visit, rtol, parts)
+            except FMUError as error:
+                if "CVode error" not in str(error):
+                    raise
+                problem = error
+                if TOO_FEW in str(error):
+                    break
+        else:
+            raise problem or AssertionError
+    return _exchange_large(subject, names, experiment, visit)
 
 
 def _exchange_by_cvode(
-    subject: Subject, names: Sequence[str], experiment: Experiment, visit: Visit | None, rtol: float
+    subject: Subject,
+    names: Sequence[str],
+    experiment: Experiment,
+    visit: Visit | None,
+    rtol: float,
+    parts: int,
 ) -> Course:
     from fmpy import simulate_fmu
 
@@ -111,9 +127,10 @@ def _exchange_by_cvode(
         try:
             with interruptible():  # CVODE calls back into Python, which would lose Ctrl-C there
                 run = simulate_fmu(
-                    str(subject.files.folder), validate=False, start_time=experiment.begin,
-                    stop_time=experiment.stop, output_interval=experiment.step, fmi_type="ModelExchange",
-                    relative_tolerance=rtol, start_values=dict(experiment.inputs),
+                    str(subject.files.folder), validate=False, fmi_type="ModelExchange",
+                    start_time=experiment.begin, stop_time=experiment.stop,
+                    output_interval=experiment.step / parts, relative_tolerance=rtol,
+                    start_values=dict(experiment.inputs),
                     output=list(names), model_description=probe.description, fmu_instance=probe.instance,
                     step_finished=finished,
                 )  # fmt: skip

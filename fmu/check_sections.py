@@ -8,7 +8,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
-from .check_agreement import Reference, outputs_finding
+from .check_agreement import Reference, motion_findings, outputs_finding
 from .check_derivatives import Derivatives
 from .check_probe import Subject
 from .check_report import Finding
@@ -67,6 +67,8 @@ def runs(subject: Subject, plan: Plan) -> Iterator[Finding]:
             yield Finding(label, "run", False, told=str(error))
             continue
         yield _finite(label, courses[kind], experiment.stop)
+        size = sizes(courses[kind].values, subject.nominals(names))
+        yield from motion_findings(label, courses[kind], size)
     if len(courses) == 2:
         ends = [course.time[-1] for course in courses.values()]
         before = 0.5 * experiment.step if min(ends) < experiment.stop * (1 - 1e-9) else 0.0

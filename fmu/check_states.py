@@ -33,6 +33,7 @@ class Walk:
     def __init__(self, subject: Subject, kind: str, experiment: Experiment) -> None:
         self.subject, self.kind, self.experiment = subject, kind, experiment
         self.names = subject.shown()
+        self.step = min(experiment.step, (experiment.stop - experiment.begin) / STEPS)
         self.half = STEPS // 2
 
     def begin(self, probe: Probe) -> None:
@@ -44,7 +45,7 @@ class Walk:
         """Go from one step to another: by Co-Simulation, or by explicit Euler steps of Model Exchange."""
         seen = []
         for k in range(first, last):
-            t, stop = (self.experiment.begin + j * self.experiment.step for j in (k, k + 1))
+            t, stop = (self.experiment.begin + j * self.step for j in (k, k + 1))
             if self.kind == "CS":
                 probe.advance(t, stop)
                 seen.append(probe.values(self.names))
@@ -65,7 +66,8 @@ class Walk:
 def state_findings(subject: Subject, kind: str, experiment: Experiment) -> Iterator[Finding]:
     """Yield what is found about states and instances of one kind."""
     walk, label = Walk(subject, kind, experiment), subject.label(kind)
-    if kind == "CS" and not walk.names:
+    watched = kind == "ME" and bool(subject.fmu.states or subject.fmu.description.numberOfEventIndicators)
+    if not walk.names and not watched:
         yield Finding(
             label, "states", None, told="no output or state is one number: there is nothing to compare"
         )

@@ -9,7 +9,7 @@ from typing import Any
 import casadi as ca
 import numpy as np
 
-from ..networks import DAE
+from ..networks import DAE, Start
 
 Kinds = dict[int, str]
 
@@ -28,9 +28,14 @@ class Dependencies:
 
 
 def dependencies(
-    dae: DAE, free: Sequence[int], variables: Sequence[str], first: Sequence[int]
+    dae: DAE,
+    start: Start,
+    free: Sequence[int],
+    variables: Sequence[str],
+    first: Sequence[int],
+    aims: Sequence[int],
 ) -> Dependencies:
-    """Return the dependencies of rates and variables, references counted from `first`."""
+    """Return the dependencies of rates and variables, references counted from `first`, `aims` given."""
     results = ca.vertcat(dae.ode, *[dae.expression(name) for name in variables])
     unknowns = [*range(first[1], first[2]), *range(first[4], first[5])]
     moving = ca.vertcat(dae.x, dae.u, dae.time)
@@ -51,7 +56,26 @@ def dependencies(
         running[unknown] = dict(sorted(found.items()))
         by_parameters = parameters[tuned.indices[tuned.indptr[row] : tuned.indptr[row + 1]]]
         starting[unknown] = sorted({*found, *by_parameters.tolist()})
+    sought = {first[0] + k for k in start.moved}
+    if sought:
+        together = _together(start, known, parameters, aims) - sought
+        starting |= {unknown: sorted(together) for unknown in sought}
+        for unknown, found_there in starting.items():
+            if sought.intersection(found_there):
+                starting[unknown] = sorted({*found_there, *together} - sought)
     return Dependencies(running, starting)
+
+
+def _together(start: Start, known: Any, parameters: Any, aims: Sequence[int]) -> set[int]:
+    """Return what start values that are sought depend on, all of them alike."""
+    dae = start.dae
+    sought = ca.vertcat(*[dae.expression(aim.name) for aim in start.aims])
+    sought = ca.vertcat(ca.SX(0, 1), sought, dae.alg)
+    moving = ca.vertcat(dae.x, dae.u, dae.time)
+    by_motion, by_parameters = (
+        np.unique(ca.jacobian_sparsity(sought, s).get_col()).astype(int) for s in (moving, dae.p)
+    )
+    return {*aims, *known[by_motion].tolist(), *parameters[by_parameters].tolist()}
 
 
 def _inputs(dae: DAE, free: Sequence[int], first: int) -> Any:

@@ -31,6 +31,14 @@ static void clear_seeds(Instance *c)
     memset(c->w, 0, sizeof c->w);
 }
 
+/* What is sought follows from what is given in ways that are not told by these derivatives. */
+static int sought(Instance *c, const char *function)
+{
+    if (c->now.phase != INITIALIZATION || NLEAD + NFREE == 0) return face_ready(c, function) != FACE_OK;
+    face_refuse(c, function, "start values are sought here, and no derivatives of that are given");
+    return 1;
+}
+
 typedef double *(*Place)(Instance *c, uint32_t ref);
 
 static FaceStatus put(Instance *c, const char *function, Place place, const uint32_t refs[], size_t n,
@@ -61,6 +69,7 @@ FaceStatus face_forward(Instance *c, const char *function, const uint32_t unknow
 {
     if (face_missing(nu, unknowns, sensitivity) || face_missing(nk, knowns, seed))
         return face_refuse(c, function, "an array is missing");
+    if (sought(c, function)) return FACE_ERROR;
     clear_seeds(c);
     if (put(c, function, known, knowns, nk, seed) != FACE_OK) return FACE_ERROR;
     if (core_forward(&c->now.core, c->x, c->u, c->p, c->rates, c->w) != CORE_OK)
@@ -73,6 +82,7 @@ FaceStatus face_adjoint(Instance *c, const char *function, const uint32_t unknow
 {
     if (face_missing(nu, unknowns, seed) || face_missing(nk, knowns, sensitivity))
         return face_refuse(c, function, "an array is missing");
+    if (sought(c, function)) return FACE_ERROR;
     clear_seeds(c);
     if (put(c, function, unknown, unknowns, nu, seed) != FACE_OK) return FACE_ERROR;
     if (core_adjoint(&c->now.core, c->rates, c->w, c->x, c->u, c->p) != CORE_OK)

@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable
-from dataclasses import dataclass
+from dataclasses import asdict, dataclass
 from xml.etree import ElementTree as ET
 
 from .interface import Interface, Scalar
@@ -13,7 +14,18 @@ CATEGORIES = {
     "logStatusError": "refused calls and failed computations",
     "logStatusDiscard": "computations that are not possible where the model stands",
 }
-LICENSE = "BSD-3-Clause"
+PART = r"[A-Za-z_][A-Za-z0-9_]*(\[\d+\])?"
+STRUCTURED = re.compile(rf"{PART}(\.{PART})*|der\({PART}(\.{PART})*(,\d+)?\)")
+
+
+@dataclass(frozen=True)
+class Rights:
+    """Whose model it is and on which terms; what is empty is not told."""
+
+    author: str = ""
+    version: str = ""
+    copyright: str = ""
+    license: str = ""
 
 
 @dataclass(frozen=True)
@@ -23,6 +35,7 @@ class Model:
     Attributes:
         name: of the network; identifier: the same as a C identifier.
         token: GUID or instantiation token.
+        version: of inertance.
         step: communication step that suits it [s]; fixed_step: of its own stepper [s], 0 if it is free.
         sources: names of the C files to compile, empty without sources.
     """
@@ -37,6 +50,7 @@ class Model:
     fixed_step: float
     sources: tuple[str, ...]
     interface: Interface
+    rights: Rights
 
 
 def model_description(model: Model, fmi_version: str) -> bytes:
@@ -130,10 +144,15 @@ def _told(model: Model) -> dict[str, str]:
     return {
         "modelName": model.name,
         "description": f"{model.name}: a network of 1-D mechanics",
-        "license": LICENSE,
+        **{name: told for name, told in asdict(model.rights).items() if told},
         "generationTool": f"inertance {model.version}",
-        "variableNamingConvention": "structured",
+        "variableNamingConvention": _convention(model.interface.scalars),
     }
+
+
+def _convention(scalars: Iterable[Scalar]) -> str:
+    """Return "structured" if all names are of ASCII letters, digits and underscores, else "flat"."""
+    return "structured" if all(STRUCTURED.fullmatch(scalar.name) for scalar in scalars) else "flat"
 
 
 def _units(root: ET.Element, scalars: Iterable[Scalar]) -> None:

@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
 from html import escape
 from importlib import metadata
 from pathlib import Path
 
-from .description import Model
+from .description import Model, Rights
 from .interface import Scalar
 
 _PAGE = """<!DOCTYPE html>
@@ -22,15 +22,16 @@ th:nth-child(3), td:nth-child(3) {{ text-align: right; }}
 <h1>{name}</h1>
 <p>A network of 1-D mechanics, exported by inertance {version} as FMI {fmi}, for Model Exchange and
 Co-Simulation. All numbers are in SI units. {counts}</p>
+{rights}
 <p>Parameters and start values of states may be set before and during initialization; parameters also at
 events and between communication steps. Inputs are held, or go on with the derivatives given for them, over a
 communication step. Co-Simulation integrates {stepping}.</p>
 {tables}
-<p>Licences of the sources: <a href="licenses/license.txt">licenses/license.txt</a>.</p>
+<p>Licences of the program: <a href="licenses/license.txt">licenses/license.txt</a>.</p>
 </body>
 </html>
 """
-_NOTICE = """This FMU was exported by inertance. Its model is its author's. Its program is made of:
+_NOTICE = """This FMU was exported by inertance. Its model is its author's{terms}. Its program is made of:
 
 1. The runtime of inertance (core and FMI functions), BSD-3-Clause: see below.
 2. The FMI header files of the Modelica Association Project "FMI" (sources/fmi*.h), 2-Clause BSD: the licence
@@ -63,8 +64,16 @@ def page(model: Model, fmi_version: str) -> str:
         fmi=fmi_version,
         counts=f"{len(face.states)} states, {len(face.indicators)} event indicators.",
         stepping=stepping,
+        rights="\n".join(_rights(model.rights)),
         tables="\n".join(_table(title, scalars) for title, scalars in groups.items() if scalars),
     )
+
+
+def _rights(rights: Rights) -> Iterator[str]:
+    told = {"Author": rights.author, "Version": rights.version, "Copyright": rights.copyright}
+    for name, text in (told | {"Licence of the model": rights.license}).items():
+        if text:
+            yield f"<p>{name}: {escape(text)}</p>"
 
 
 def _table(title: str, scalars: Iterable[Scalar]) -> str:
@@ -81,10 +90,12 @@ def _number(value: float | None) -> str:
     return "" if value is None else f"{value:.6g}"
 
 
-def licences() -> str:
+def licences(rights: Rights) -> str:
     """Return documentation/licenses/license.txt: what the program is made of, and on which terms."""
+    terms = f", who licenses it under: {rights.license}" if rights.license else ""
+    notice = _NOTICE.format(terms=terms)
     beside = Path(__file__).parents[1] / "LICENSE"
     if beside.is_file():
-        return _NOTICE + beside.read_text(encoding="utf-8")
+        return notice + beside.read_text(encoding="utf-8")
     own = next(f for f in metadata.files("inertance") or () if f.name == "LICENSE")
-    return _NOTICE + own.read_text(encoding="utf-8")
+    return notice + own.read_text(encoding="utf-8")

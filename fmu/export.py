@@ -11,7 +11,7 @@ from importlib import metadata
 from pathlib import Path
 from tempfile import TemporaryDirectory
 
-from ..components.base import ModelError, check_output, nearest, path_of
+from ..components.base import ModelError, check_output, demand, nearest, path_of, text
 from ..networks import (
     DAE,
     CProgram,
@@ -22,7 +22,7 @@ from ..networks import (
     dae_of,
     starting_point,
 )
-from .description import Model, model_description
+from .description import Model, Rights, model_description
 from .documentation import licences, page
 from .interface import Interface, interface
 from .outputs import chosen_outputs, locals_of, state_names
@@ -48,6 +48,10 @@ def export(
     step: float = 1e-3,
     tolerance: float = 1e-6,
     fixed_step: float | None = None,
+    author: str = "",
+    version: str = "",
+    copyright: str = "",
+    license: str = "",
 ) -> Path:
     """Write a network as an FMU, for Model Exchange and Co-Simulation in one file.
 
@@ -71,6 +75,11 @@ def export(
         tolerance: relative tolerance where the importer gives none; a hundredth of it is absolute, times
             the nominal value of each state.
         fixed_step: step of the Co-Simulation's own stepper for real time [s]; else it controls its error.
+        author: whose model it is; nothing is told of what is not given.
+        version: of the model.
+        copyright: notice.
+        license: of the model, "proprietary" or "CC-BY-4.0"; that of the program around it stands in its
+            documentation.
 
     Returns:
         The path.
@@ -92,12 +101,15 @@ def export(
     """
     target = _target(path)
     _check(fmi_version, platforms, sources, stop, step, tolerance, fixed_step)
+    rights = _rights(author=author, version=version, copyright=copyright, license=license)
     published: list[Terminal] = []
     if terminals:
         if isinstance(model, DAE):
             raise ModelError(f"'{model.name}': terminals need the network, not its equations")
         model, published = publish(model, terminals)
     dae = dae_of(model)
+    if not dae.name.strip():
+        raise ModelError("an FMU is called after its network, whose name is empty; give Network(name)")
     program, face = _program(
         dae, inputs, outputs, [name for t in published for name in t.outputs], start or {}
     )
@@ -109,12 +121,12 @@ def export(
     compiled = tuple(sorted(name for name in texts if name.endswith(".c"))) if sources else ()
     told = Model(
         dae.name, identifier, token, metadata.version("inertance"), tolerance, step, stop, fixed_step or 0.0,
-        compiled, face,
+        compiled, face, rights,
     )  # fmt: skip
     files: dict[str, bytes] = {
         "modelDescription.xml": model_description(told, fmi_version),
         "documentation/index.html": page(told, fmi_version).encode(),
-        "documentation/licenses/license.txt": licences().encode(),
+        "documentation/licenses/license.txt": licences(rights).encode(),
     }
     if published and fmi_version == "3.0":
         files["terminalsAndIcons/terminalsAndIcons.xml"] = terminals_xml(
@@ -135,6 +147,11 @@ def _target(path: str | Path) -> Path:
         raise ModelError(f"an FMU is written to a file that ends in '.fmu', got '{path}'")
     check_output(target)
     return target
+
+
+def _rights(**told: str) -> Rights:
+    demand("export_fmu()", **{name: (value, text) for name, value in told.items()})
+    return Rights(**{name: " ".join(value.split()) for name, value in told.items()})
 
 
 def _check(
@@ -183,14 +200,16 @@ def _program(
         )
     bound = {i.path: i.signal for i in dae.inputs if i.signal is not None and i.path not in asked}
     free = [k for k, declared in enumerate(dae.inputs) if declared.path not in bound]
-    states = state_names(dae)
+    start = starting_point(dae, {dae.inputs[k].path: _resting(dae.inputs[k].signal) for k in free}, fixed)
+    states = state_names(dae, start.given)
     shown = list(dict.fromkeys([*chosen_outputs(dae, outputs, states), *more]))
     known = {*states, *dae.switching.mode_names, *(dae.inputs[k].path for k in free)}
     variables = [name for name in shown if name not in known]
     variables += locals_of(dae, [*states, *variables])
-    start = starting_point(dae, {dae.inputs[k].path: _resting(dae.inputs[k].signal) for k in free}, fixed)
+    named = {*states, *variables, *(f"der({name})" for name in states)}
+    variables += [aim.name for aim in start.aims if aim.name not in named]
     dae = corners_as_modes(dae)
-    program = c_program(dae, inputs=dict.fromkeys(asked), variables=variables)
+    program = c_program(dae, inputs=dict.fromkeys(asked), variables=variables, start=start)
     return program, interface(dae, start, free, states, variables, shown)
 
 

@@ -4,12 +4,12 @@
 #include <stdio.h>
 #include <string.h>
 
-#define ABSOLUTE 1e-2 /* of the relative tolerance, times the nominal value of each state */
+#define ABSOLUTE 1e-4 /* of the relative tolerance, times the nominal value of each state */
 #define LOCAL 1e-2 /* error of one step, of the tolerance asked for: what many steps add up to stays within that */
 #define FINEST 1e-12
 #define NEAR 1e-9 /* communication points closer than this, against their size, are one */
 
-static const double starts[ROOM(NX)] = FMU_STARTS;
+static const uint32_t aims[ROOM(NAIM)] = FMU_AIMS; /* what refers to them */
 static const double inputs[ROOM(NU)] = FMU_INPUTS;
 
 void face_start(Instance *c, Kind kind, Logger log)
@@ -23,7 +23,7 @@ void face_reset(Instance *c)
 {
     memset(&c->now, 0, sizeof c->now);
     core_reset(&c->now.core);
-    for (int i = 0; i < NX; i++) core_set_state(&c->now.core, i, starts[i]);
+    core_given(&c->now.given);
     for (int i = 0; i < NU; i++) core_set_input(&c->now.core, i, inputs[i]);
     c->now.phase = INSTANTIATED;
     c->now.tolerance = FMU_TOLERANCE;
@@ -101,6 +101,21 @@ FaceStatus face_no_such(Instance *c, const char *function, size_t n)
     return n ? face_refuse(c, function, "there are no variables of this type") : FACE_OK;
 }
 
+/* Find start values and modes, unless that is done. */
+static CoreStatus begin(Instance *c)
+{
+    CoreStatus status = CORE_OK;
+    if (!c->now.begun) status = core_begin(&c->now.core, &c->now.given, &c->room);
+    c->now.begun = status == CORE_OK;
+    return status;
+}
+
+FaceStatus face_ready(Instance *c, const char *function)
+{
+    if (c->now.phase != INITIALIZATION || begin(c) == CORE_OK) return FACE_OK;
+    return refused_number(c, function);
+}
+
 static FaceStatus get_real(Instance *c, const char *function, uint32_t ref, double *value)
 {
     Core *core = &c->now.core;
@@ -126,6 +141,7 @@ static FaceStatus get_real(Instance *c, const char *function, uint32_t ref, doub
 FaceStatus face_get_reals(Instance *c, const char *function, const uint32_t refs[], size_t n, double values[])
 {
     if (face_missing(n, refs, values)) return face_refuse(c, function, "an array is missing");
+    if (face_ready(c, function) != FACE_OK) return FACE_ERROR;
     for (size_t i = 0; i < n; i++) {
         FaceStatus status = get_real(c, function, refs[i], &values[i]);
         if (status != FACE_OK) return status;
@@ -157,16 +173,55 @@ static FaceStatus contradiction(Instance *c, const char *function)
     return FACE_OK;
 }
 
+/* Give a start value; what follows from it is found when it is asked for. */
+static void set_start(Instance *c, uint32_t ref, double value)
+{
+    Given *given = &c->now.given;
+    for (int i = 0; i < NAIM; i++)
+        if (aims[i] == ref) given->aim[i] = value;
+    if (ref >= REF_STATES && ref < REF_RATES) given->x[ref - REF_STATES] = value;
+}
+
+/* The state that only follows from other start values, or -1. */
+static int follower(uint32_t ref)
+{
+    for (int i = 0; i < NLEAD; i++)
+        if (ref == REF_STATES + (uint32_t)model_lead_state[i]) return model_lead_state[i];
+    return -1;
+}
+
+static FaceStatus refuse_follower(Instance *c, const char *function, int state)
+{
+    Core *core = &c->now.core;
+    core_say(core, model_unknown_name[state]);
+    core_say_more(core, " follows from other start values; set those of ");
+    for (int i = 0; i < NAIM && i < 6; i++) {
+        if (i) core_say_more(core, i < 5 ? ", " : ", ...");
+        if (i < 5) core_say_more(core, model_aim_name[i]);
+    }
+    return refused_number(c, function);
+}
+
+static int is_start(uint32_t ref)
+{
+    int found = ref >= REF_STATES && ref < REF_RATES;
+    for (int i = 0; i < NAIM; i++) found |= aims[i] == ref;
+    return found;
+}
+
 static FaceStatus set_real(Instance *c, const char *function, uint32_t ref, double value)
 {
     Core *core = &c->now.core;
     int phase = c->now.phase;
     int starting = phase & (INSTANTIATED | INITIALIZATION);
     int tuning = starting || phase == EVENT_MODE || (phase == STEP_MODE && !c->event_mode_used);
-    CoreStatus status;
-    if (ref >= REF_STATES && ref < REF_RATES && starting)
-        status = core_set_state(core, (int)(ref - REF_STATES), value);
-    else if (ref >= REF_INPUTS && ref < REF_PARAMETERS)
+    CoreStatus status = CORE_OK;
+    c->now.begun = c->now.begun && !starting;
+    if (starting && is_start(ref)) {
+        if (follower(ref) >= 0) return refuse_follower(c, function, follower(ref));
+        if (!isfinite(value)) return face_refuse(c, function, "a start value must be a finite number");
+        set_start(c, ref, value);
+    } else if (ref >= REF_INPUTS && ref < REF_PARAMETERS)
         status = set_input(c, (int)(ref - REF_INPUTS), value);
     else if (ref >= REF_PARAMETERS && ref < REF_VARIABLES && tuning)
         status = core_set_parameter(core, (int)(ref - REF_PARAMETERS), value);
@@ -188,6 +243,7 @@ FaceStatus face_set_reals(Instance *c, const char *function, const uint32_t refs
 FaceStatus face_get_mode(Instance *c, const char *function, uint32_t ref, int *value)
 {
     if (ref < REF_MODES || ref >= REF_INDICATORS) return face_bad_reference(c, function, ref);
+    if (face_ready(c, function) != FACE_OK) return FACE_ERROR;
     *value = core_mode(&c->now.core, (int)(ref - REF_MODES));
     return FACE_OK;
 }
@@ -209,6 +265,7 @@ FaceStatus face_set_slopes(Instance *c, const char *function, const uint32_t ref
                            const double slopes[])
 {
     if (face_missing(n, refs, slopes)) return face_refuse(c, function, "an array is missing");
+    c->now.begun = c->now.begun && !(c->now.phase & (INSTANTIATED | INITIALIZATION));
     for (size_t i = 0; i < n; i++) {
         if (refs[i] < REF_INPUTS || refs[i] >= REF_PARAMETERS) return face_bad_reference(c, function, refs[i]);
         int input = (int)(refs[i] - REF_INPUTS), rate = model_input_rate[input];
@@ -231,7 +288,7 @@ FaceStatus face_set_states(Instance *c, const char *function, const double x[], 
 
 FaceStatus face_get_states(Instance *c, const char *function, double x[], size_t n)
 {
-    if (misfit(c, function, x, n, NX)) return FACE_ERROR;
+    if (misfit(c, function, x, n, NX) || face_ready(c, function) != FACE_OK) return FACE_ERROR;
     for (size_t i = 0; i < n; i++) x[i] = core_state(&c->now.core, (int)i);
     return FACE_OK;
 }
@@ -245,7 +302,8 @@ FaceStatus face_get_nominals(Instance *c, const char *function, double x[], size
 FaceStatus face_get_rates(Instance *c, const char *function, double rates[], size_t n)
 {
     const double *computed = NULL;
-    if (misfit(c, function, rates, n, NX) || contradiction(c, function) != FACE_OK) return FACE_ERROR;
+    if (misfit(c, function, rates, n, NX) || face_ready(c, function) != FACE_OK || contradiction(c, function) != FACE_OK)
+        return FACE_ERROR;
     if (core_rates(&c->now.core, &computed) != CORE_OK) return face_outcome(c, function, CORE_DISCARD);
     return copied(computed, rates, n);
 }
@@ -253,7 +311,7 @@ FaceStatus face_get_rates(Instance *c, const char *function, double rates[], siz
 FaceStatus face_get_indicators(Instance *c, const char *function, double g[], size_t n)
 {
     const double *computed = NULL;
-    if (misfit(c, function, g, n, NG)) return FACE_ERROR;
+    if (misfit(c, function, g, n, NG) || face_ready(c, function) != FACE_OK) return FACE_ERROR;
     if (core_indicators(&c->now.core, &computed) != CORE_OK) return face_outcome(c, function, CORE_DISCARD);
     return copied(computed, g, n);
 }
@@ -274,7 +332,9 @@ FaceStatus face_experiment(Instance *c, const char *function, int tolerance_defi
 
 FaceStatus face_initialize(Instance *c, const char *function)
 {
-    return face_outcome(c, function, core_start(&c->now.core));
+    CoreStatus status = begin(c);
+    if (status == CORE_OK) status = core_start(&c->now.core);
+    return face_outcome(c, function, status == CORE_OK ? CORE_OK : CORE_ERROR);
 }
 
 FaceStatus face_settle(Instance *c, const char *function, int *states_changed)
@@ -302,7 +362,8 @@ FaceStatus face_step(Instance *c, const char *function, double point, double siz
     if (contradiction(c, function) != FACE_OK) return FACE_ERROR;
     if (stop > c->now.stop + slack(c->now.stop))
         return face_refuse(c, function, "the step leads beyond the stop time");
-    return face_outcome(c, function,
-                        core_advance(&c->now.core, stop, rtol, ABSOLUTE * rtol, FMU_FIXED_STEP,
-                                     c->event_mode_used && c->may_return_early, reached));
+    CoreStatus status = core_advance(&c->now.core, stop, rtol, ABSOLUTE * rtol, FMU_FIXED_STEP,
+                                     c->event_mode_used && c->may_return_early, reached);
+    /* With error control smaller steps were tried already: no other step of communication would help. */
+    return face_outcome(c, function, status == CORE_DISCARD && !(FMU_FIXED_STEP > 0) ? CORE_ERROR : status);
 }

@@ -7,7 +7,8 @@
 
 #include "core.h"
 #include "core_state.h"
-#include "fmu_model.h" /* generated: FMU_TOKEN, FMU_TOLERANCE, FMU_FIXED_STEP, FMU_STARTS, FMU_INPUTS */
+#include "fmu_model.h" /* generated: FMU_TOKEN, FMU_TOLERANCE, FMU_FIXED_STEP, FMU_AIMS, FMU_INPUTS */
+#include "start.h"
 
 /* Value references, the same in both standards: one range for each kind of number. */
 #define REF_TIME 0
@@ -43,6 +44,8 @@ typedef enum { MODEL_EXCHANGE = 1, CO_SIMULATION = 2, EITHER = 3 } Kind;
 /* All that a saved state keeps; numbers only. */
 typedef struct {
     Core core;
+    Given given;
+    int begun; /* whether the core stands where what is given leads */
     int phase;
     double tolerance;
     double start;
@@ -60,6 +63,7 @@ struct Instance {
     int event_mode_used;
     int may_return_early;
     Logger log;
+    StartRoom room;
     double x[ROOM(NX)], u[ROOM(NU)], p[ROOM(NP)], rates[ROOM(NX)], w[ROOM(NW)]; /* seeds and sensitivities */
 };
 
@@ -104,6 +108,9 @@ FaceStatus face_get_indicators(Instance *c, const char *function, double g[], si
 
 FaceStatus face_experiment(Instance *c, const char *function, int tolerance_defined, double tolerance,
                            double start, int stop_defined, double stop);
+
+/* Whether numbers can be told now: before a run, start values are found first. */
+FaceStatus face_ready(Instance *c, const char *function);
 FaceStatus face_initialize(Instance *c, const char *function);
 FaceStatus face_settle(Instance *c, const char *function, int *states_changed);
 FaceStatus face_due(Instance *c, const char *function, int *due);

@@ -8,15 +8,13 @@ typedef struct {
     Instance common;
     fmi3InstanceEnvironment environment;
     fmi3LogMessageCallback log;
-    bool logging;
 } Component;
 
 static void log_message(Instance *c, FaceStatus status, const char *message)
 {
     const Component *self = (const Component *)(const void *)c;
     const char *category = status == FACE_ERROR ? "logStatusError" : "logStatusDiscard";
-    if (self->log && (self->logging || status == FACE_ERROR))
-        self->log(self->environment, AS_FMI(status), category, message);
+    if (self->log) self->log(self->environment, AS_FMI(status), category, message);
 }
 
 const char *fmi3GetVersion(void)
@@ -24,8 +22,8 @@ const char *fmi3GetVersion(void)
     return fmi3Version;
 }
 
-static Component *instantiate(const char *name, const char *token, bool logging,
-                              fmi3InstanceEnvironment environment, fmi3LogMessageCallback log, Kind kind)
+static Component *instantiate(const char *name, const char *token, fmi3InstanceEnvironment environment,
+                              fmi3LogMessageCallback log, Kind kind)
 {
     Component *self = NULL;
     const char *why = NULL;
@@ -41,7 +39,6 @@ static Component *instantiate(const char *name, const char *token, bool logging,
     }
     self->environment = environment;
     self->log = log;
-    self->logging = logging;
     face_start(&self->common, kind, log_message);
     return self;
 }
@@ -53,8 +50,8 @@ fmi3Instance fmi3InstantiateModelExchange(fmi3String instanceName, fmi3String in
 {
     (void)resourcePath;
     (void)visible;
-    return instantiate(instanceName, instantiationToken, loggingOn, instanceEnvironment, logMessage,
-                       MODEL_EXCHANGE);
+    (void)loggingOn; /* there are only messages that say why something was not done */
+    return instantiate(instanceName, instantiationToken, instanceEnvironment, logMessage, MODEL_EXCHANGE);
 }
 
 fmi3Instance fmi3InstantiateCoSimulation(fmi3String instanceName, fmi3String instantiationToken,
@@ -66,10 +63,11 @@ fmi3Instance fmi3InstantiateCoSimulation(fmi3String instanceName, fmi3String ins
                                          fmi3LogMessageCallback logMessage,
                                          fmi3IntermediateUpdateCallback intermediateUpdate)
 {
-    Component *self = instantiate(instanceName, instantiationToken, loggingOn, instanceEnvironment, logMessage,
-                                  CO_SIMULATION);
+    Component *self =
+        instantiate(instanceName, instantiationToken, instanceEnvironment, logMessage, CO_SIMULATION);
     (void)resourcePath;
     (void)visible;
+    (void)loggingOn;
     (void)requiredIntermediateVariables;
     (void)intermediateUpdate;
     if (!self) return NULL;
@@ -93,7 +91,7 @@ fmi3Status fmi3SetDebugLogging(fmi3Instance instance, fmi3Boolean loggingOn, siz
 {
     ENTER(ANY_PHASE, EITHER);
     if (nCategories && !categories) return AS_FMI(face_refuse(c, HERE, "an array is missing"));
-    ((Component *)instance)->logging = loggingOn;
+    (void)loggingOn;
     return fmi3OK;
 }
 

@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 from ..components import ModelError
 from ..components.base import boolean, demand, finite, named, whole
 from ..networks import DAE, Network, Polynomial, Stepwise, dae_of
+from ..networks.tolerance import ATOL, RTOL
 from .errors import FMUError
 from .exchange import compare
 from .foreign import Values
@@ -41,8 +42,8 @@ def cosimulate(
     parameters: Mapping[str, float] | None = None,
     start: Mapping[str, float] | None = None,
     guess: Mapping[str, float] | None = None,
-    rtol: float = 1e-6,
-    atol: float = 1e-8,
+    rtol: float = RTOL,
+    atol: float = ATOL,
     solver: str = "rosenbrock",
 ) -> CoupledRun:
     """Run a network that has FMUs in it (`FMUBlock`, `FMUForce`, `FMUMotion`, ...).

@@ -55,7 +55,7 @@ class CoupledRun(ExchangeRun):
         """Return the unit of a signal of the network."""
         return self.network.unit(name)
 
-    def course(self, name: str, begin: float, end: float) -> Pieces:
+    def _course(self, name: str, begin: float, end: float) -> Pieces:
         """Return a signal of the network between its points."""
         return self.network.course(name, begin, end)
 

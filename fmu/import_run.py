@@ -11,6 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..components import UnknownNameError, nearest
+from ..components.base import text
 from ..networks import OverTime
 from .errors import FMUError
 from .foreign import Instance, Values, finite
@@ -81,16 +82,19 @@ class ForeignRun(OverTime):
         """
         if name == "time":
             return self.time
-        if name not in self.units:
-            raise UnknownNameError(
-                f"'{name}' of '{self.name}' was not recorded (record=[...]){nearest(name, self.units)}"
-            )
-        place = list(self.units).index(name)
+        place = list(self.units).index(self._known(name))
         return np.array([row[place] for row in self._rows])
 
     def unit(self, name: str) -> str:
-        """Return the unit of a variable."""
-        return "s" if name == "time" else self.units[name]
+        """Return the unit of a variable; errors as for its values."""
+        return "s" if name == "time" else self.units[self._known(name)]
+
+    def _known(self, name: str) -> str:
+        if not text(name) and name in self.units:
+            return name
+        raise UnknownNameError(
+            f"'{name}' of '{self.name}' was not recorded (record=[...]){nearest(name, self.units)}"
+        )
 
     def to_dataframe(self) -> pd.DataFrame:
         """Return everything as a pandas DataFrame indexed by time."""

@@ -13,6 +13,7 @@ from .errors import FMUError
 from .foreign import Instance, Update, Values, finite
 
 Array = NDArray[np.float64]
+SMALLEST = 1e-6
 MANY_STEPS = 25
 INSIDE = (0.25, 0.5, 0.75, 1.0)
 CHATTER, MOMENT = 200, 1e-9
@@ -124,7 +125,7 @@ class Solver:
     def _begun(self, limit: float) -> Any:
         from scipy.integrate import LSODA, RK45
 
-        options: dict[str, Any] = {"rtol": self.rtol, "atol": 0.01 * self.rtol * self.nominals}
+        options: dict[str, Any] = {"rtol": self.rtol, "atol": SMALLEST * self.rtol * self.nominals}
         options["max_step"] = self.longest
         if not self.intervals:
             return LSODA(self._rates, self.t, self.x, limit, **options)

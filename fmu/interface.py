@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 
 from ..networks import DAE, Input, Start, is_corner
 from .dependencies import Dependencies, dependencies
@@ -30,12 +30,16 @@ class Scalar:
 
 @dataclass(frozen=True)
 class Interface:
-    """All variables: time, states, rates, inputs, parameters, other variables, modes, indicators."""
+    """All variables: time, states, rates, inputs, parameters, other variables, modes, indicators.
+
+    `aims` are the references of start values that are no states.
+    """
 
     scalars: list[Scalar]
     states: range
     rates: range
     indicators: range
+    aims: list[int]
     jumps: bool
     dependencies: Dependencies = field(repr=False)
 
@@ -47,8 +51,8 @@ class Interface:
     @property
     def initial_unknowns(self) -> list[int]:
         """References of what is computed during initialization."""
-        computed = [s.reference for s in self.outputs if s.initial == "calculated"]
-        return sorted({*computed, *self.rates})
+        moving = {*self.states, *self.rates, *(s.reference for s in self.outputs)}
+        return sorted(s.reference for s in self.scalars if s.initial != "exact" and s.reference in moving)
 
     def scalar(self, name: str) -> Scalar:
         """Return a variable by name."""
@@ -91,14 +95,25 @@ def interface(
         if not is_corner(name)
     ]
     scalars += [_indicator(dae, k, first[6] + k) for k in range(len(dae.switching.changes))]
+    aims = _aimed(scalars, start)
     return Interface(
         scalars,
         range(first[0], first[1]),
         range(first[1], first[2]),
         range(first[6], first[6] + len(dae.switching.changes)),
+        aims,
         any(c.resets or c.impulse is not None for c in dae.switching.changes),
-        dependencies(dae, free, variables, first),
+        dependencies(dae, start, free, variables, first, aims),
     )
+
+
+def _aimed(scalars: list[Scalar], start: Start) -> list[int]:
+    """Give start values to the variables that have one and are no states; return their references."""
+    place = {scalar.name: k for k, scalar in enumerate(scalars)}
+    for aim in start.aims:
+        k = place[aim.name]
+        scalars[k] = replace(scalars[k], initial="exact" if aim.fixed else "approx", start=aim.value)
+    return [scalars[place[aim.name]].reference for aim in start.aims]
 
 
 def _firsts(*counts: int) -> list[int]:
@@ -114,8 +129,10 @@ def _causality(name: str, shown: frozenset[str]) -> str:
 
 
 def _state(dae: DAE, name: str, reference: int, start: Start, k: int, shown: frozenset[str]) -> Scalar:
+    initial = "calculated" if k in start.led else "approx" if k in start.free else "exact"
+    value = None if k in start.led else float(start.x[k])
     return Scalar(
-        name, reference, _causality(name, shown), "continuous", "exact", float(start.x[k]), dae.unit(name),
+        name, reference, _causality(name, shown), "continuous", initial, value, dae.unit(name),
         described(dae, name), nominal=float(start.nominal[k]),
     )  # fmt: skip
 

@@ -8,9 +8,13 @@ from ..components.base import ModelError, Port, RealInput, RealOutput
 from ..networks import DAE, chosen_signals
 
 
-def state_names(dae: DAE) -> list[str]:
-    """Return a name for each state that has its sign."""
+def state_names(dae: DAE, given: Iterable[str] = ()) -> list[str]:
+    """Return a name for each state that has its sign; the one by which its start was given goes first."""
     names = dae.state_names
+    place = {(variable, 1): k for k, variable in enumerate(dae.states)}
+    for name in given:
+        if (k := place.get(dae.root(name))) is not None:
+            names[k] = name
     wrong = {
         v: k for k, (v, name) in enumerate(zip(dae.states, names, strict=True)) if dae.root(name) != (v, 1)
     }

@@ -29,7 +29,6 @@ def face_sources(fmi_version: str) -> dict[str, str]:
 
 def model_header(token: str, tolerance: float, fixed_step: float, face: Interface) -> str:
     """Return fmu_model.h: what the FMI functions know of the model."""
-    starts = [s.start for s in face.scalars[face.states.start : face.states.stop]]
     inputs = [s.start for s in face.scalars if s.causality == "input"]
     lines = [
         "#ifndef FMU_MODEL_H",
@@ -38,7 +37,7 @@ def model_header(token: str, tolerance: float, fixed_step: float, face: Interfac
         f'#define FMU_TOKEN "{token}"',
         f"#define FMU_TOLERANCE {tolerance!r}",
         f"#define FMU_FIXED_STEP {fixed_step!r}",
-        f"#define FMU_STARTS {_numbers(starts)}",
+        f"#define FMU_AIMS {{{', '.join(map(str, face.aims)) or '0'}}}",
         f"#define FMU_INPUTS {_numbers(inputs)}",
         "",
         "#endif",

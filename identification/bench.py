@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 
 from ..components import ModelError
 from ..networks import DAE, Network, Result, Variations, dae_of
+from ..networks.tolerance import ATOL, RTOL
 from .channels import Channel
 from .experiments import Experiment
 
@@ -22,8 +23,8 @@ class Accuracy:
     """How runs are computed: `solver` as in `DAE.simulate`, tolerances, and steps granted for each sample."""
 
     solver: str = "auto"
-    rtol: float = 1e-6
-    atol: float = 1e-8
+    rtol: float = RTOL
+    atol: float = ATOL
     steps: int | None = None
 
 

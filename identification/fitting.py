@@ -86,7 +86,7 @@ def fit(
             f"{campaign.source}: no parameter is uncertain, so there is nothing to fit; name some under "
             '[parameters], such as "spring.k" = { rel = 0.1 }'
         )
-    accuracy = Accuracy(_fastest(campaign) if solver == "auto" else solver, rtol, 1e-2 * rtol)
+    accuracy = Accuracy(_fastest(campaign) if solver == "auto" else solver, rtol)
     tell = report or (lambda line: None)
     values = dict(campaign.start)
     tried: list[Start] = []

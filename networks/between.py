@@ -16,8 +16,9 @@ from .legs import Leg
 from .pieces import Pieces
 from .point import Point, solve_algebraic
 from .slopes import Points
-from .stepper import Array, IntegratorError, Stepper, Tolerance
+from .stepper import Array, IntegratorError, Stepper
 from .switchfunctions import NODES
+from .tolerance import Tolerance
 
 BENT, STRAY, MANY = 0.03, 0.6, 0.2
 AROUND, DEPTH, MOST_PIECES, MOST_STEPS = 8, 3, 10_000, 500

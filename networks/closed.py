@@ -19,9 +19,10 @@ from .legs import Leg, legs_of
 from .polynomial import Polynomial
 from .shocks import Shocks
 from .splines import SMOOTHNESS, curvature, sampled_at, traced
-from .stepper import Stepper, Tolerance
+from .stepper import Stepper
 from .switchfunctions import SwitchFunctions
 from .time_signals import TimeSignals, timed_rows
+from .tolerance import Tolerance
 from .vectors import pick, stacked
 
 if TYPE_CHECKING:
@@ -327,7 +328,7 @@ def _traced(path: str, signal: Any, t: Any) -> Any:
 def _called(path: str, function: Any, t: Any) -> Any:
     try:
         with numpy_on_symbols():
-            value = type(t)(function(t))
+            value, again = type(t)(function(t)), type(t)(function(t))
     except Exception as error:
         told = f"{type(error).__name__}: {str(error).partition(chr(10))[0]}"
         raise ModelError(
@@ -340,4 +341,21 @@ def _called(path: str, function: Any, t: Any) -> Any:
         raise ModelError(
             f"input '{path}': the function of time must return a finite number, got {float(value)}"
         )
+    if not _same(value, again):
+        raise ModelError(
+            f"input '{path}': the function of time is read once, as a formula, and this one returns another "
+            "each time; draw random numbers beforehand and give them as Sampled(time, values)"
+        )
     return value
+
+
+def _same(one: Any, other: Any) -> bool:
+    """Tell whether two expressions of time, and of the coefficients of a polynomial, are equal in numbers."""
+    both = [ca.densify(one), ca.densify(other)]
+    symbols = ca.symvar(ca.vertcat(*both))
+    values = ca.Function("values", symbols, both)
+    pairs = (
+        [m.full() for m in values.call([ca.DM(at + k) for k in range(len(symbols))])]
+        for at in (0.1, 1.7, 23.0)
+    )
+    return all(np.array_equal(first, second, equal_nan=True) for first, second in pairs)

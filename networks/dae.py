@@ -10,6 +10,7 @@ from threading import get_ident
 from typing import TYPE_CHECKING, Any, Never
 
 from ..components.base import Parameter, UnknownNameError, Variable, listed, named, nearest, text
+from .tolerance import ATOL, RTOL
 from .vectors import stacked
 
 if TYPE_CHECKING:
@@ -185,8 +186,8 @@ class DAE:
         parameters: Mapping[str, float] | None = None,
         begin: float = 0.0,
         step: float | None = None,
-        rtol: float = 1e-6,
-        atol: float = 1e-8,
+        rtol: float = RTOL,
+        atol: float = ATOL,
         solver: str = "auto",
         sensitivities: Iterable[str] = (),
         progress: bool | None = None,

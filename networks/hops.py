@@ -7,7 +7,7 @@ from numpy.typing import NDArray
 
 from .indicators import Indicators
 from .point import Point, solve_algebraic
-from .stepper import Tolerance
+from .tolerance import Tolerance
 
 Array = NDArray[np.float64]
 

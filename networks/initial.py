@@ -130,7 +130,7 @@ def initial_values(closed: Closed, q: Array, t: float, wanted: Wishes) -> tuple[
     """
     dae = closed.dae
     wanted = _following(closed, q, t, wanted)
-    x, z = (_guessed(dae, wanted, variables) for variables in (dae.states, dae.algebraic))
+    x, z = (guessed(dae, wanted, variables) for variables in (dae.states, dae.algebraic))
     free = [i for i, s in enumerate(dae.states) if s not in wanted.fixed]
     states = set(dae.states)
     others = [v for v in wanted.fixed if v not in states]
@@ -138,17 +138,20 @@ def initial_values(closed: Closed, q: Array, t: float, wanted: Wishes) -> tuple[
     related, moved = np.zeros((2, len(x)), dtype=bool)
     for _ in range(2 if others else 1):
         before = x.copy()
-        for soft, movable in _leading(dae, wanted):
+        for soft, movable in leading(dae, wanted):
             x = _nearer(closed, q, t, (x, z), hard, soft, movable)
         related |= x != before
         before = x.copy()
-        if others or len(z):
+        followed = None if others else _followed(closed, q, t, x, z)
+        if followed is not None:
+            z = followed
+        else:
             x, z = _solve(closed, q, t, (x, z), free, hard, wanted)
         moved |= x != before
     return x, z, Decisions(dae, x.copy(), np.select([moved, related], [SOLVED, RELATED], KEPT), wanted)
 
 
-def _leading(dae: DAE, wanted: Wishes) -> Iterator[tuple[dict[int, float], list[int]]]:
+def leading(dae: DAE, wanted: Wishes) -> Iterator[tuple[dict[int, float], list[int]]]:
     """Yield variables that are no states but whose start values lead, and the states they move."""
     names, states = dae.system.names, set(dae.states)
     given = {*wanted.fixed, *wanted.guesses}
@@ -193,7 +196,8 @@ def _nearer(
     return x
 
 
-def _guessed(dae: DAE, wanted: Wishes, variables: list[int]) -> Array:
+def guessed(dae: DAE, wanted: Wishes, variables: list[int]) -> Array:
+    """Return where the search for start values begins."""
     starts = dae.system.names.start
     values = []
     for v in variables:
@@ -209,12 +213,26 @@ def _following(closed: Closed, q: Array, t: float, wanted: Wishes) -> Wishes:
     followed = {v: leader for v, leader in dae.followed.items() if v not in known}
     if not followed:
         return wanted
-    x, z = (_guessed(dae, wanted, variables) for variables in (dae.states, dae.algebraic))
+    x, z = (guessed(dae, wanted, variables) for variables in (dae.states, dae.algebraic))
     values = closed.tangent(tuple(leader for leader, _ in followed.values()), False)(x, z, q, t)[0].full()[
         :, 0
     ]
     signs = [sign for _, sign in followed.values()]
     return Wishes(wanted.fixed, wanted.guesses | dict(zip(followed, (values * signs).tolist(), strict=True)))
+
+
+def _followed(closed: Closed, q: Array, t: float, x: Array, start: Array) -> Array | None:
+    """Return where algebraic unknowns follow the states; None if Newton finds no place."""
+    z = start.copy()
+    for _ in range(50 if len(z) else 0):
+        value, _, slope = _missed(closed, {}, x, z, q, t, algebraic=True)
+        if not (np.isfinite(value).all() and np.isfinite(slope).all()):
+            return None
+        step = np.linalg.lstsq(slope, -value, rcond=1e-12)[0]
+        z += step
+        if np.abs(step).max() <= 1e-13 * (1 + np.abs(z).max()):
+            return z
+    return None if len(z) else z
 
 
 def _solve(

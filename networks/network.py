@@ -7,7 +7,7 @@ from collections.abc import Iterable, Iterator, Mapping
 from contextlib import contextmanager
 from typing import TYPE_CHECKING, Any, Self
 
-from ..components.base import Component, ModelError, PortRef, nearest
+from ..components.base import Component, ModelError, PortRef, nearest, text
 
 if TYPE_CHECKING:
     from .dae import DAE
@@ -33,6 +33,9 @@ class Network(Component):
 
     def __init__(self, name: str = "network", /, **components: Component) -> None:
         super().__init__()
+        problem = text(name) or ("" if name.strip() else "must not be empty")
+        if problem:
+            raise ModelError(f"the name of a Network {problem}, got {name!r}")
         self.name = name
         self._joined: list[tuple[PortRef, ...]] = []
         self._inserted: list[tuple[PortRef, str]] = []

@@ -2,13 +2,12 @@
 
 from __future__ import annotations
 
-from numbers import Real
 from typing import TYPE_CHECKING, Any, overload
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from ..components.base import ModelError, nearest
+from ..components.base import ModelError, above, demand, finite, nearest, number, optional, shown
 from .pieces import Pieces
 
 if TYPE_CHECKING:
@@ -52,7 +51,17 @@ class OverTime:
             ...
 
     def course(self, name: str, begin: float, end: float) -> Pieces:
-        """Return a signal between the points, at least from `begin` to `end` [s]: straight lines here."""
+        """Return a signal between the points, at least from `begin` to `end` [s].
+
+        Raises:
+            UnknownNameError: for an unknown name, with the nearest one.
+            ModelError: for instants that are no finite numbers.
+        """
+        demand("course()", begin=(begin, finite("s")), end=(end, finite("s")))
+        return self._course(name, begin, end)
+
+    def _course(self, name: str, begin: float, end: float) -> Pieces:
+        """Return it: straight lines here."""
         return Pieces.lines(self.time, np.asarray(self[name], dtype=float))
 
     def values_of(self, name: str) -> tuple[str, ...]:
@@ -76,7 +85,7 @@ class OverTime:
         found = np.full(times.shape, float(points[-1]))
         before = times < self.time[-1]
         if before.any():
-            course = self.course(name, float(times[before].min()), float(times[before].max()))
+            course = self._course(name, float(times[before].min()), float(times[before].max()))
             found[before] = course.at(times[before])
         return found if found.ndim else float(found)
 
@@ -127,7 +136,7 @@ class OverTime:
         points = self[name]
         if first == last:
             return float(abs(points[-1]))
-        return float(np.abs(self.course(name, first, last).extremes(first, last)).max())
+        return float(np.abs(self._course(name, first, last).extremes(first, last)).max())
 
     def share(
         self,
@@ -154,14 +163,14 @@ class OverTime:
         first, last = self._window(name, begin, end)
         if first == last:
             return float(self[name][-1] == wanted)
-        return self.course(name, first, last).lasting(lambda y: y == wanted, first, last) / (last - first)
+        return self._course(name, first, last).lasting(lambda y: y == wanted, first, last) / (last - first)
 
     def _moment(self, name: str, begin: float | None, end: float | None, power: int, about: float) -> float:
         first, last = self._window(name, begin, end)
         self._refuse_mode(name, "mean")
         if first == last:
             return float((self[name][-1] - about) ** power)
-        course = self.course(name, first, last)
+        course = self._course(name, first, last)
         return course.integral(lambda y: (y - about) ** power, first, last) / (last - first)
 
     def _wanted(self, name: str, value: str | float | None) -> float:
@@ -192,8 +201,7 @@ class OverTime:
 
     def _equal_steps(self, step: Any) -> Array:
         """Return the instants that are a step apart, from the first on."""
-        if not (isinstance(step, Real) and 0 < float(step) < np.inf):
-            raise ModelError(f"'{self.name}' is resampled at a step above 0 s, got {step!r}")
+        demand("resample()", step=(step, above(0, "s")))
         first, last = (float(t) for t in self.time[[0, -1]])
         steps = (last - first) / float(step) * (1 + 1e-12) + 1e-9
         if steps > MOST_ROWS:
@@ -207,8 +215,8 @@ class OverTime:
     def _instants(self, name: str, time: ArrayLike) -> Array:
         try:
             times = np.asarray(time, dtype=float)
-        except (TypeError, ValueError):
-            raise ModelError(f"'{name}' is asked for at instants [s], got {time!r}") from None
+        except (TypeError, ValueError, OverflowError):
+            raise ModelError(f"'{name}' is asked for at instants [s], got {shown(time)}") from None
         first, last = (float(t) for t in self.time[[0, -1]])
         outside = ~(np.abs(times - (first + last) / 2) <= (last - first) * (0.5 + SLACK))
         if outside.any():
@@ -221,6 +229,7 @@ class OverTime:
 
     def _window(self, name: str, begin: float | None, end: float | None) -> tuple[float, float]:
         """Return begin and end of a window of the run, checked."""
+        demand(f"a window of '{name}'", begin=(begin, optional(number)), end=(end, optional(number)))
         first, last = (float(t) for t in self.time[[0, -1]])
         window = [edge if given is None else given for given, edge in ((begin, first), (end, last))]
         low, high = (float(t) for t in self._instants(name, window))

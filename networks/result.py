@@ -22,7 +22,7 @@ from .legs import Leg
 from .overtime import OverTime
 from .pieces import Pieces
 from .slopes import Points
-from .stepper import Tolerance
+from .tolerance import Tolerance
 
 if TYPE_CHECKING:
     import pandas as pd
@@ -160,17 +160,21 @@ class Result(OverTime):
         """Return the unit of a signal."""
         return self.dae.unit(name)
 
-    def course(self, name: str, begin: float, end: float) -> Pieces:
-        """Return a signal between the points, at least from `begin` to `end` [s].
-
-        Cubic pieces meet its values and rates; where these are too far apart, the run is followed again.
-        """
+    def _course(self, name: str, begin: float, end: float) -> Pieces:
+        """Return cubics through values and rates; where points are too far apart, follow the run again."""
         return self._between.course(name, self[name], begin, end)
 
     def values_of(self, name: str) -> tuple[str, ...]:
-        """Return what the values 0, 1, ... of a mode are called; nothing for any other signal."""
+        """Return what the values 0, 1, ... of a mode are called; nothing for any other signal.
+
+        Raises:
+            UnknownNameError: for an unknown name, with the nearest one.
+        """
         modes = self.dae.switching
-        return modes.mode_values[modes.mode_names.index(name)] if name in modes.mode_names else ()
+        if name in modes.mode_names:
+            return modes.mode_values[modes.mode_names.index(name)]
+        self.dae.expression(name)
+        return ()
 
     @cached_property
     def _between(self) -> Between:

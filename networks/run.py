@@ -27,7 +27,8 @@ from .initial import Decisions
 from .legs import Leg
 from .point import Point, solve_algebraic
 from .result import Segment
-from .stepper import SOLVERS, Array, IntegratorError, Stepper, Stretch, Tolerance
+from .stepper import SOLVERS, Array, IntegratorError, Stepper, Stretch
+from .tolerance import Tolerance
 
 FINEST, COARSEST = 1e-14, 0.1
 MOST_OUTPUTS = 20_000_000
@@ -95,13 +96,17 @@ def _longest(step: Any) -> str:
 
 @dataclass(eq=False)
 class Run:
-    """A run in progress: where it stands and what it has recorded."""
+    """A run in progress: where it stands and what it has recorded.
+
+    `tried` is what q was when start values and modes were sought that agree.
+    """
 
     closed: Closed
     settings: Settings
     point: Point
     switcher: Switcher | None
     initial: Decisions
+    tried: Array = field(default_factory=lambda: np.zeros(0))
     legs: list[Leg] = field(default_factory=lambda: [Leg(-np.inf, np.inf)])
     leg_number: int = 0
     segments: list[Segment] = field(default_factory=list)

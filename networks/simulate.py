@@ -26,6 +26,7 @@ from .hybrid import MOST_STEPS, NODES, run_hybrid
 from .initial import Wishes, initial_values, wishes
 from .point import Point
 from .progress import Progress
+from .resolution import resolution_notes
 from .result import Result
 from .run import Run, Settings, failure, interruption, limiting_state
 from .sensitivity import Sensitivities
@@ -99,8 +100,11 @@ def started(closed: Closed, settings: Settings, q: Array, wanted: Wishes) -> Run
     """
     refusals = []
     for modes in _first_modes(closed, q, settings.begin, wanted):
+        tried = modes.copy()
         try:
-            return _agreed(closed, settings, modes, wanted)
+            run = _agreed(closed, settings, modes, wanted)
+            run.tried = tried
+            return run
         except InitialConditionError as error:
             refusals.append(error)
     raise refusals[min(1, len(refusals) - 1)]
@@ -181,6 +185,9 @@ def collected(run: Run, solver: str, began: float, follow: Sensitivities | None)
     }
     closed, notes = run.closed, list(run.switcher.notes if run.switcher else [])
     notes += data_notes(closed.dae.inputs, closed.signals, run.settings.begin, run.settings.stop)
+    if closed.dae.states:
+        states = np.vstack([block for segment in run.segments for block in segment.states])
+        notes += resolution_notes(closed.dae, states, run.settings.tolerance)
     sensitivities = follow.collected(sum(map(len, run.segments))) if follow else {}
     return Result(
         run.closed,

@@ -12,29 +12,13 @@ from numpy.typing import NDArray
 
 from ..components.base import ModelError, foreign
 from .compiled import Compiled
+from .tolerance import Tolerance
 
 if TYPE_CHECKING:
     from .closed import Closed
 
 Array = NDArray[np.float64]
-SHARE, FINEST = 0.01, 1e-10
 SOLVERS = ("auto", "cvodes", "idas", "rosenbrock", "compiled")
-
-
-@dataclass(frozen=True)
-class Tolerance:
-    """Relative and absolute tolerance of a run."""
-
-    rtol: float
-    atol: float
-
-    def between_events(self) -> Tolerance:
-        """Return what a multistep method keeps to: each event makes it start anew at order 1.
-
-        Not so little that rounding errors rule its steps, unless that was asked for.
-        """
-        share = min(1.0, max(SHARE, FINEST / self.rtol))
-        return Tolerance(share * self.rtol, share * self.atol)
 
 
 class IntegratorError(Exception):

@@ -40,6 +40,7 @@ from .simulate import collected, started
 from .smooth import MOST_STEPS as SMOOTH_STEPS
 from .smooth import run_smooth
 from .stepper import Array, IntegratorError
+from .tolerance import ATOL, RTOL
 
 WIDE = 4
 
@@ -65,7 +66,7 @@ class Stepwise:
         self, dae: DAE, begin: float, stop: float, inputs: Mapping[str, Any],
         courses: Mapping[str, Sequence[float]], *, start: Mapping[str, float] | None = None,
         guess: Mapping[str, float] | None = None, parameters: Mapping[str, float] | None = None,
-        rtol: float = 1e-6, atol: float = 1e-8, solver: str = "auto",
+        rtol: float = RTOL, atol: float = ATOL, solver: str = "auto",
     ) -> None:  # fmt: skip
         self._began = clock.perf_counter()
         demand("Stepwise", dae=(dae, instance(DAE)), courses=(courses, by_name(numbers(number))))
@@ -228,12 +229,11 @@ class Stepwise:
         """Go on to time t, with the events on the way.
 
         Raises:
-            ModelError: if sampled inputs end before.
+            ModelError: for a time before where the run stands, or after its `stop`.
             SimulationError: if that fails; its `result` keeps what was computed.
         """
         run = self.run
         demand("advance()", t=(t, between(self.time, self.settings.stop, "s")))
-        check_covered(self.closed.dae.name, self.closed.signals, self.settings.begin, t)
         try:
             with interruptible():
                 self._go(t)

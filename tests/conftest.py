@@ -1,5 +1,9 @@
-"""What all tests share: small programs compile sooner than they are optimised."""
+"""What all tests share: they run alike however, and wherever, they were started."""
 
 import os
+import signal
 
-os.environ.setdefault("CFLAGS", "-O0")
+os.environ.setdefault("CFLAGS", "-O0")  # small programs compile sooner than they are optimised
+os.environ["MPLBACKEND"] = "Agg"
+if signal.getsignal(signal.SIGINT) is signal.SIG_IGN:  # as in the background, for all processes begun there
+    signal.signal(signal.SIGINT, signal.default_int_handler)

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from typing import Any, ClassVar, Self
 
 from .checks import is_number, number
-from .errors import UnknownPartError, nearest
+from .errors import ModelError, UnknownPartError, nearest
 from .fields import (
     MISSING,
     Field,
@@ -209,6 +209,38 @@ class Component:
             return value if owner is None else owner._get(value)
         return value(owner) if callable(value) and owner is not None else value
 
+    def __setattr__(self, name: str, value: Any) -> None:
+        if name.startswith("_"):
+            object.__setattr__(self, name, value)
+        elif isinstance(type(self).fields.get(name), _SETTABLE):
+            self._assign(name, value)
+        else:
+            self._refuse(name, value)
+            object.__setattr__(self, name, value)
+
+    def _assign(self, name: str, value: Any) -> None:
+        """Set a value later on, as `with_values` sets it on a copy.
+
+        Raises:
+            ModelError: for a value that cannot be; the one before is kept.
+        """
+        copy = self.with_values(**{name: value})
+        if name in copy._problems:
+            raise ModelError(f"{type(self).__name__}.{name}: {copy._problems[name]}")
+        self._values, self._problems = copy._values, copy._problems
+
+    def _refuse(self, name: str, value: Any) -> None:
+        """Raise for what would be set without any effect: parts, ports, and names that are nearly known."""
+        fields = type(self).fields
+        known = name in fields or name in self.__dict__.get("_parts", {})
+        if known or isinstance(value, Component):
+            raise ModelError(
+                f"{type(self).__name__}.{name} cannot be assigned: parts are given when a component is made, "
+                "added to a network by add(), and exchanged by with_values()"
+            )
+        if is_number(value) and not hasattr(self, name) and nearest(name, fields):
+            raise ModelError(f"{type(self).__name__} {self._unknown(name)}")
+
     def __getattr__(self, name: str) -> Any:
         parts = self.__dict__.get("_parts", {})
         if name in parts:
@@ -219,6 +251,9 @@ class Component:
     def __repr__(self) -> str:
         values = ", ".join(f"{name}={value!r}" for name, value in self._values.items())
         return f"{type(self).__name__}({values})"
+
+
+_SETTABLE = (Parameter, Option, Variable, RealInput)
 
 
 def _parameter_problem(field: Parameter, value: Any) -> str:

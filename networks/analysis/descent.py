@@ -3,13 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from typing import Any, Protocol
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from ...components.base import (
-    InertanceError,
     ModelError,
     by_name,
     demand,
@@ -22,22 +21,16 @@ from ...components.base import (
     shown,
 )
 from ..dae import DAE
+from .measuring import BAD, Measure, measured
 from .norms import Norm
 from .varied import Varied
 
 Array = NDArray[np.float64]
 Bounds = Mapping[str, tuple[float, float]]
-BAD, WIDE = 1e30, 100.0
+WIDE = 100.0
 PEAKS, ROUNDS = 4, 8
 DIFFERENCE, AGREEMENT = 1e-6, 1e-2
-
-
-class Measure(Protocol):
-    """What is to be small: a function of the equations and of changed parameters, such as `ride_j1`."""
-
-    def __call__(self, dae: DAE, /, *, parameters: Mapping[str, float]) -> float:
-        """Return the measure for some parameters."""
-        ...
+INSIDE, EDGE, ROUNDING = 2.0**-33, 1e-6, 1e-9
 
 
 def check_names(dae: DAE, names: Mapping[str, Any]) -> None:
@@ -46,41 +39,6 @@ def check_names(dae: DAE, names: Mapping[str, Any]) -> None:
     problems = [f"there is no parameter '{n}'{nearest(n, known)}" for n in names if n not in known]
     if problems:
         raise ModelError(f"'{dae.name}' cannot be tuned:", problems)
-
-
-def measured(measure: Measure, dae: DAE, parameters: Mapping[str, float]) -> float:
-    """Return a measure for some parameters, a large number where the library finds none."""
-    try:
-        return of_design(measure, dae, parameters)
-    except BadMeasureError:
-        raise
-    except (InertanceError, np.linalg.LinAlgError):
-        return BAD
-
-
-class BadMeasureError(ModelError):
-    """A measure that raises an error of its own, or returns no number."""
-
-
-def of_design(measure: Measure, dae: DAE, parameters: Mapping[str, float]) -> float:
-    """Return a measure for some parameters.
-
-    Raises:
-        BadMeasureError: for a measure that raises an error of its own, or returns no number.
-    """
-    name = getattr(measure, "__name__", repr(measure))
-    try:
-        found = measure(dae, parameters=parameters)
-    except (InertanceError, np.linalg.LinAlgError):
-        raise
-    except Exception as error:
-        told = ", ".join(f"{n} = {v:g}" for n, v in parameters.items())
-        raise BadMeasureError(
-            f"measure '{name}' failed at {told}: {type(error).__name__}: {error}"
-        ) from error
-    if number(found):
-        raise BadMeasureError(f"measure '{name}' must return a number, got {shown(found)}")
-    return found
 
 
 def _is_limit(given: Any) -> bool:
@@ -232,16 +190,19 @@ class Problem:
         return [one(measure, limit) for measure, limit in self.limits]
 
     def _minimum(self, function: Any, slope: Any, y: Array, constraints: list[dict[str, Any]]) -> Array:
+        """Return what SLSQP finds within the bounds; on a bound of 0 there may be nothing to solve for."""
         from scipy.optimize import minimize
 
-        bounds: Any = [(0.0, 1.0)] * len(self.names) + [(None, None)] * (len(y) - len(self.names))
+        bounds: Any = [(INSIDE, 1 - INSIDE)] * len(self.names) + [(None, None)] * (len(y) - len(self.names))
         differences = {"maxiter": 60, "ftol": 1e-11, "eps": 1e-7}
         options: Any = {"maxiter": 100, "ftol": 1e-12} if self.exact else differences
         limits: Any = constraints
         found: Any = minimize(
             function, y, jac=slope, method="SLSQP", bounds=bounds, constraints=limits, options=options
         )
-        best: Array = np.r_[np.clip(found.x[: len(self.names)], 0.0, 1.0), found.x[len(self.names) :]]
+        best: Array = np.r_[
+            np.clip(found.x[: len(self.names)], INSIDE, 1 - INSIDE), found.x[len(self.names) :]
+        ]
         return best
 
     def gradient(self, measure: Measure, x: Array) -> Array:
@@ -269,6 +230,18 @@ class Problem:
         return bool(
             abs(ahead - expected) <= AGREEMENT * float(np.abs(slope) @ np.abs(along)) + 1e-9 * abs(found)
         )
+
+    def on_bounds(self, x: Array) -> tuple[float, Array]:
+        """Return a point with what lies next to a bound on it, unless it is worse there."""
+        for k in np.flatnonzero(np.abs(x - np.round(x)) < EDGE):
+            bound = np.round(x[k])
+            for place in (bound, abs(bound - INSIDE)):
+                moved, value = x.copy(), self.value(x)
+                moved[k] = place
+                if self.value(moved) <= value + ROUNDING * abs(value) and self.allowed(moved):
+                    x = moved
+                    break
+        return self.value(x), x
 
     def refine(self, x: Array) -> tuple[float, Array]:
         """Return a point as good or better, found without derivatives."""

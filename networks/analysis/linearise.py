@@ -17,13 +17,15 @@ from ..dae import DAE
 from ..given import dae_of
 from ..network import Network
 from ..result import Result
-from .operating import HOLDING, OperatingPoint, operating_point
+from .operating import OperatingPoint, operating_point
 from .realise import Channel, drop_held, realised
+from .resting import HOLDING
 from .statespace import StateSpace
 from .varied import Varied
 
 Array = NDArray[np.float64]
 STEP = 1e-100
+INCONSISTENT = 1e-6
 _KNOWN: WeakKeyDictionary[DAE, dict[tuple[tuple[str, ...], ...], Linearisation]] = WeakKeyDictionary()
 
 
@@ -194,6 +196,7 @@ class Linearisation:
         states, algebraic, outputs = np.split(np.arange(len(of_x)), [n, n + m])
         whole = np.hstack([of_x, of_u, of_p])
         follow = _following(of_z[algebraic], whole[algebraic], notes)
+        self._check_followed(of_z[algebraic], whole[algebraic], follow)
         whole[np.r_[states, outputs]] += of_z[np.r_[states, outputs]] @ follow
         of_x, of_u, of_p = np.split(whole, [n, n + of_u.shape[1]], axis=1)
         A, C = of_x[states], of_x[outputs]
@@ -205,13 +208,26 @@ class Linearisation:
             notes.append(f"held, and therefore no states: {', '.join(np.delete(names, keep))}")
             A, C = A[keep] @ restore, C @ restore
             names, units = [names[k] for k in keep], [units[k] for k in keep]
-        of_u, of_p = (part[np.r_[keep, outputs]] for part in (of_u, of_p))
+        rows = np.concatenate([keep, outputs]).astype(int)
+        of_u, of_p = of_u[rows], of_p[rows]
         channels = [self._columns(c, of_u, of_p) for c in self.inputs]
         inputs = [c.name for c in self.inputs], [c.unit for c in self.inputs]
         told = [self.dae.unit(name) for name in self.outputs]
         return realised(
             self.dae.name, (A, C), channels, (names, units), inputs, (self.outputs, told), notes, point
         )
+
+    def _check_followed(self, of_z: Any, of_others: Any, follow: Any) -> None:
+        """Raise where an algebraic unknown would have to move at an infinite rate."""
+        left = np.abs((of_z @ follow + of_others).real).max(axis=1, initial=0.0)
+        stiff = np.flatnonzero(left > INCONSISTENT * np.abs(of_others.real).max(axis=1, initial=0.0))
+        if len(stiff):
+            names = ", ".join(self.dae.system.name(self.dae.algebraic[k]) for k in stiff)
+            raise ModelError(
+                f"'{self.dae.name}' is not linear here: what balances {names} has no slope, as a "
+                "clearance or a quadratic damper at rest; linearise elsewhere (at=, start=, signals=), "
+                "or put a little stiffness or damping beside it"
+            )
 
     def _columns(self, channel: Channel, of_u: Array, of_p: Array) -> tuple[Channel, dict[int, Array]]:
         """Return the slopes in a channel and its derivatives, by order."""

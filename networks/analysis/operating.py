@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import Any
-from weakref import WeakKeyDictionary
 
 import casadi as ca
 import numpy as np
@@ -13,30 +12,25 @@ from numpy.typing import NDArray
 
 from ...components.base import (
     ModelError,
-    SimulationError,
     between,
     demand,
     finite,
-    instance,
     named,
     text,
     whole,
 )
-from ..blame import GUARD, told_without_value
 from ..closed import Closed
 from ..coverage import check_covered
 from ..dae import DAE
-from ..events import Point, Switcher
+from ..given import dae_of
 from ..initial import wishes
 from ..keywords import check_keywords
+from ..network import Network
+from ..point import Point
 from ..result import Result
-from ..run import Settings
-from ..simulate import started
+from .resting import HOLDING, begun, mode_values, settle
 
 Array = NDArray[np.float64]
-TINY = 1e-9
-HOLDING = ("stuck", "contact")
-_KNOWN: WeakKeyDictionary[Closed, Any] = WeakKeyDictionary()
 
 
 @dataclass(eq=False)
@@ -65,11 +59,11 @@ class OperatingPoint:
     @property
     def modes(self) -> dict[str, str]:
         """Name of each mode's present value."""
-        return _mode_values(self.dae, self.q)
+        return mode_values(self.dae, self.q)
 
 
 def operating_point(
-    dae: DAE,
+    dae: Network | DAE,
     at: str | Result = "equilibrium",
     *,
     time: float = 0.0,
@@ -80,7 +74,7 @@ def operating_point(
     """Return where a network stands still, where it starts, or where a run was.
 
     Args:
-        dae: the equations.
+        dae: the equations, or their network.
         at: "equilibrium" (nearest to the start), "start", or a `Result` to look at.
         time: instant [s], of a run or of the signals.
         start: start values by name, from which the equilibrium is looked for.
@@ -90,7 +84,8 @@ def operating_point(
     Raises:
         ModelError: for an unknown `at`, or if there is no equilibrium.
     """
-    demand("operating_point()", dae=(dae, instance(DAE)), time=(time, finite("s")))
+    dae = dae_of(dae)
+    demand("operating_point()", time=(time, finite("s")))
     if isinstance(at, Result):
         return _of_run(at, time)
     if text(at) or at not in ("equilibrium", "start"):
@@ -102,22 +97,21 @@ def operating_point(
     closed = dae.closed(signals)
     numbers = dae.system.flat.table.values(named("parameters", parameters))
     q = np.concatenate([numbers, np.zeros(closed.q.numel() - len(numbers))])
-    settings = Settings(time, time + 1.0, 1.0, 1e-6, 1e-8, "auto", False)
-    run = started(closed, settings, q, wishes(dae, named("start", start), {}))
+    run = begun(closed, q, time, wishes(dae, named("start", start), {}))
     notes = list(run.switcher.notes) if run.switcher else []
     if at == "equilibrium":
-        notes += _settle(closed, run.point, run.switcher)
+        notes += settle(closed, run.point, run.switcher)
     notes += _holding(dae, run.point.q)
     return _point(closed, run.point, notes)
 
 
 def equilibria(
-    dae: DAE, starts: int = 30, spread: float = 1.0, *, seed: int = 0, **options: Any
+    dae: Network | DAE, starts: int = 30, spread: float = 1.0, *, seed: int = 0, **options: Any
 ) -> list[OperatingPoint]:
     """Return the equilibria that a search from several starts finds, each once, nearest first.
 
     Args:
-        dae: the equations.
+        dae: the equations, or their network.
         starts: number of random starts.
         spread: their standard deviation about the start, in the SI unit of each state.
         seed: of the random starts.
@@ -126,9 +120,9 @@ def equilibria(
     Raises:
         ModelError: if none is found.
     """
+    dae = dae_of(dae)
     demand(
         "equilibria()",
-        dae=(dae, instance(DAE)),
         starts=(starts, whole(0)),
         spread=(spread, between(0, 1e100)),
         seed=(seed, whole(0)),
@@ -182,136 +176,9 @@ def _point(closed: Closed, point: Point, notes: list[str]) -> OperatingPoint:
     return OperatingPoint(closed.dae, point.t, point.x, point.z, u, point.q, notes)
 
 
-def _settle(closed: Closed, point: Point, switcher: Switcher | None) -> list[str]:
-    """Move a point to the nearest equilibrium, in modes that are consistent there."""
-    for _ in range(20):
-        notes = _rest(closed, point)
-        if switcher is None:
-            return notes
-        try:
-            events = switcher.settle(point, begins=True)
-        except SimulationError as error:
-            raise ModelError(f"'{closed.dae.name}': {error}") from error
-        if not events:
-            return notes
-    raise ModelError(
-        f"'{closed.dae.name}': no equilibrium in consistent modes was found; what holds breaks away. "
-        "Give start= nearer to it"
-    )
-
-
-def _rest(closed: Closed, point: Point) -> list[str]:
-    """Solve ode = 0, alg = 0 by damped Gauss-Newton steps of least norm."""
-    dae = closed.dae
-    function = _rest_function(closed)
-    split = len(point.x)
-    held = _held_states(dae, point.q)
-    y = np.concatenate([point.x, point.z])
-
-    def at(y: Array) -> tuple[Array, Array]:
-        value, slope = function(y[:split], y[split:], point.q, point.t)
-        slope = slope.full()
-        slope[:, held] = 0.0
-        return value.full().ravel(), slope
-
-    value, slope = at(y)
-    if not (np.isfinite(value).all() and np.isfinite(slope).all()):
-        blamed = told_without_value(closed, point.x, point.z, point.q, point.t)
-        raise ModelError(
-            f"'{dae.name}': its equations have no value or slope at the start: "
-            f"{blamed or 'a parameter of 0 may remove what they are solved for'}; {GUARD}"
-        )
-    for _ in range(100):
-        step = _least_step(value, slope)
-        length = 1.0
-        while length > 1e-6:
-            trial = at(y + length * step)
-            if np.isfinite(trial[0]).all() and _size(trial[0], slope) <= _size(value, slope) * (
-                1 - 0.1 * length
-            ):
-                break
-            length /= 2
-        y, (value, slope) = y + length * step, at(y + length * step)
-        if np.abs(length * step).max(initial=0.0) <= 1e-14 * (1 + np.abs(y).max(initial=0.0)):
-            break
-    _check_rest(dae, value, slope, y)
-    point.x, point.z = y[:split], y[split:]
-    return _free_directions(dae, slope, held)
-
-
-def _rest_function(closed: Closed) -> Any:
-    """Return what must vanish at rest, and its slopes; compiled once."""
-    if closed not in _KNOWN:
-        residual = closed.close(ca.vertcat(closed.dae.ode, closed.dae.alg))
-        slopes = ca.horzcat(ca.jacobian(residual, closed.x), ca.jacobian(residual, closed.z))
-        _KNOWN[closed] = closed.function("rest", residual, slopes)
-    return _KNOWN[closed]
-
-
-def _scales(slope: Array) -> Array:
-    rows: Array = np.abs(slope).max(axis=1, initial=0.0)
-    rows[rows == 0] = 1.0
-    return rows
-
-
-def _size(value: Array, slope: Array) -> float:
-    return float(np.abs(value / _scales(slope)).max(initial=0.0))
-
-
-def _least_step(value: Array, slope: Array) -> Array:
-    if not slope.size:
-        return np.zeros(slope.shape[1])
-    rows = _scales(slope)
-    step: Any = np.linalg.lstsq(slope / rows[:, None], -value / rows, rcond=1e-12)[0]
-    return np.asarray(step, dtype=float)
-
-
-def _check_rest(dae: DAE, value: Array, slope: Array, y: Array) -> None:
-    left = np.abs(value / _scales(slope))
-    moving = np.flatnonzero(~(left <= TINY * (1 + np.abs(y).max(initial=0.0))))
-    if not len(moving):
-        return
-    names = dae.state_names
-    told = ", ".join(f"der({names[i]}) = {value[i]:.4g}" for i in moving if i < len(names)) or "its equations"
-    raise ModelError(
-        f"'{dae.name}' has no equilibrium near its start: {told} remains. A force or speed drives it "
-        "on; give start= nearer to rest, other inputs=, or linearise at='start' or at a run"
-    )
-
-
-def _held_states(dae: DAE, q: Array) -> list[int]:
-    """Return the states of what holds: they stay where they are."""
-    holding = {name.rpartition(".")[0] for name, value in _mode_values(dae, q).items() if value in HOLDING}
-    return [k for k, name in enumerate(dae.state_names) if name.rpartition(".")[0] in holding]
-
-
-def _free_directions(dae: DAE, slope: Array, held: list[int]) -> list[str]:
-    """Tell motions along which the equilibrium may be shifted."""
-    if not slope.size:
-        return []
-    slope = np.vstack([slope, np.eye(slope.shape[1])[held]])
-    _, strength, right = np.linalg.svd(slope / _scales(slope)[:, None])
-    rank = int(np.count_nonzero(strength > 1e-12 * strength.max(initial=1e-300)))
-    free = np.abs(right[rank:, : len(dae.state_names)])
-    notes = []
-    for direction in free:
-        names = [n for n, c in zip(dae.state_names, direction, strict=True) if c > 1e-3 * direction.max()]
-        notes.append(
-            f"the equilibrium is free along {', '.join(names)}; the one nearest to the start is taken"
-        )
-    return notes
-
-
-def _mode_values(dae: DAE, q: Array) -> dict[str, str]:
-    switching, at = dae.switching, dae.p.numel()
-    numbers = q[at : at + len(switching.mode_names)]
-    named = zip(switching.mode_names, switching.mode_values, numbers, strict=True)
-    return {name: values[int(number)] for name, values, number in named}
-
-
 def _holding(dae: DAE, q: Array) -> list[str]:
     return [
         f"{name} is '{value}': linear only while it holds"
-        for name, value in _mode_values(dae, q).items()
+        for name, value in mode_values(dae, q).items()
         if value in HOLDING
     ]

@@ -14,10 +14,10 @@ from ..dae import DAE
 from ..given import dae_of
 from ..keywords import check_keywords
 from ..network import Network
-from .descent import BAD, Bounds, Measure, Problem, check_names, of_design
+from .descent import INSIDE, Bounds, Problem, check_names
+from .measuring import BAD, Measure, of_design
 
 Array = NDArray[np.float64]
-EDGE = 1e-6
 
 
 @dataclass(frozen=True)
@@ -28,7 +28,7 @@ class Tuned:
         parameters: values by name.
         value: the measure there.
         evaluations: how often it was computed.
-        at_bound: parameters that lie on one of their bounds.
+        at_bound: parameters that lie on one of their bounds, or next to one where the measure has no value.
         exact: whether the search had exact derivatives.
     """
 
@@ -89,7 +89,8 @@ def tune(
     value, x = min(allowed, key=lambda found: found[0])
     if not (limits or problem.exact):
         value, x = problem.refine(x)
-    at_bound = tuple(n for n, c in zip(bounds, x, strict=True) if c < EDGE or c > 1 - EDGE)
+    value, x = problem.on_bounds(x)
+    at_bound = tuple(n for n, c in zip(bounds, x, strict=True) if abs(c - round(c)) <= INSIDE)
     return Tuned(problem.parameters(x), value, problem.count, at_bound, problem.exact)
 
 

@@ -139,6 +139,7 @@ void core_inputs_at(Core *c, double t) {
 
 void core_arguments(Core *c, double t, const double y[], const double *arg[]) {
     core_inputs_at(c, t);
+    c->work++;
     arg[0] = y;
     arg[1] = y + NX;
     arg[2] = c->u;
@@ -278,6 +279,14 @@ CoreStatus core_due(Core *c, int *due) {
 
 CoreStatus core_advance(Core *c, double stop, double rtol, double atol, double fixed_step, int return_early,
                         CoreStop *reached) {
+    int happened, changed, due = core_any_due(c); /* inputs and parameters may have jumped since the last step */
+    if (due < 0) return impossible(c, "indicators are not finite");
+    if (due && return_early) {
+        *reached = CORE_EVENT;
+        return CORE_OK;
+    }
+    CoreStatus status = due ? core_fire(c, c->pending - 1, 0, 0, &happened, &changed) : CORE_OK;
+    if (status != CORE_OK) return status;
     c->interval = stop - c->t;
     return core_travel(c, stop, rtol, atol, fixed_step, return_early, 0, reached);
 }

@@ -65,7 +65,7 @@ struct Core {
     int crowd;       /* events in an interval that are more than can be meant */
     double recent[RECENT], mark;
     int recent_count, mark_count;
-    long long steps, rejected;
+    long long steps, rejected, work; /* work: how often anything of the model was evaluated */
     int slope_fresh, worst; /* unknown with the greatest error in the last step */
     int limits[ROOM(NY)]; /* steps that each unknown limited */
 

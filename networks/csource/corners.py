@@ -14,7 +14,7 @@ import casadi as ca
 
 from ..dae import DAE
 from ..switching import Change
-from ..vectors import column
+from ..vectors import column, pick
 
 VALUES = ("below", "above")
 NAME = "corner"
@@ -29,17 +29,21 @@ def corners_as_modes(dae: DAE) -> DAE:
     """Return a DAE in which max(a, b) and min(a, b) are chosen by a mode that says whether a is above b.
 
     A step may lead a little beyond a corner before it is noticed. So what goes into powers, roots, logarithms
-    and denominators, which may know no beyond, stays as it is; so do bounds of parameters alone. The new
-    modes follow the others.
+    and denominators, which may know no beyond, stays as it is; so do bounds of parameters alone, and the
+    values that events give, which are of one instant. The new modes follow the others.
     """
     matrices = [block.matrix for block in dae.blocks]
-    parts = [dae.ode, dae.alg, dae.variables, dae.switching.expressions, *matrices]
+    watched = sorted({change.indicator for change in dae.switching.changes})
+    parts = [dae.ode, dae.alg, dae.variables, pick(dae.switching.expressions, watched), *matrices]
     known = ca.Function("known", dae.arguments(), parts, {"cse": True, "allow_free": True})
     chosen = _without_limits(known)
     if not chosen:
         return dae
     corners = _Corners(dae, known, chosen)
-    ode, alg, variables, expressions, *matrices = corners.results
+    ode, alg, variables, indicators, *matrices = corners.results
+    expressions = ca.densify(ca.SX(dae.switching.expressions))
+    if watched:
+        expressions[watched] = indicators
     first = expressions.numel()
     count, modes = len(corners.modes), len(dae.switching.mode_names)
     switching = replace(

@@ -17,10 +17,12 @@ from ...components.base import Sampled
 from ..closed import input_value
 from ..dae import DAE, Input
 from ..legs import Leg
+from ..starting import Start
 from ..stepper import nominal_sizes
 from ..vectors import column, pick
 from .jumping import jump_functions, jump_tables
 from .reduction import Reduction
+from .starts import start_functions, start_tables
 from .tables import Tables
 from .text import generated
 
@@ -36,6 +38,7 @@ class Model:
         variables: names of what is published besides the states.
         legs: parts of a run between instants at which signals switch; none if a run brings its own.
         products: whether derivative products are wanted, which are long.
+        start: where it starts from, if it is to find that by itself.
     """
 
     dae: DAE
@@ -43,6 +46,7 @@ class Model:
     variables: Sequence[str]
     legs: Sequence[Leg]
     products: bool = True
+    start: Start | None = None
 
     @property
     def free(self) -> list[Input]:
@@ -99,6 +103,7 @@ class Model:
             self._function("model_variables", [], [ca.densify(published)]),
             *jump_functions(dae, self._function),
             *(self._products(motion, published) if self.products else []),
+            *(start_functions(self.start, dae.arguments()) if self.start else []),
         ]
 
     def _moving(self) -> tuple[Any, Any, Any]:
@@ -175,6 +180,8 @@ class Model:
         jump_tables(dae, tables)
         self._blocks(tables)
         self._patterns(tables)
+        if self.start:
+            start_tables(tables, self.start, dae.modes.numel())
         return tables
 
     def _numbers(self, tables: Tables) -> None:

@@ -15,6 +15,7 @@ from ..closed import Closed, chosen_signals
 from ..dae import DAE, Input
 from ..legs import Leg, endless_legs
 from ..polynomial import Polynomial
+from ..starting import Start
 from ..time_signals import TimeSignals
 from ..vectors import column
 from .model import Model
@@ -23,6 +24,7 @@ HORIZON = 1e5
 HERE = Path(__file__).parent
 HEADERS = ("core.h", "core_state.h")
 PRODUCTS = ("products.c",)
+STARTS = ("start.h", "start.c")
 SOURCES = (
     "algebra.c", "core.c", "events.c", "impacts.c", "legs.c", "linear.c", "locate.c", "message.c",
     "rosenbrock.c", "shocks.c", "stepper.c",
@@ -134,7 +136,12 @@ def _by_row(pattern: Any, count: int) -> list[set[int]]:
     return rows
 
 
-def c_program(dae: DAE, inputs: Mapping[str, Any] | None = None, variables: Sequence[str] = ()) -> CProgram:
+def c_program(
+    dae: DAE,
+    inputs: Mapping[str, Any] | None = None,
+    variables: Sequence[str] = (),
+    start: Start | None = None,
+) -> CProgram:
     """Return a network as a C program.
 
     Args:
@@ -142,14 +149,16 @@ def c_program(dae: DAE, inputs: Mapping[str, Any] | None = None, variables: Sequ
         inputs: signals to build in, by name; those bound to components are built in too. All others are
             free, to be set from outside.
         variables: what to publish besides the states.
+        start: where it starts from, if it is to find start values by itself, as `start.h` offers.
 
     Raises:
         ModelError: for unknown inputs, or signals that are none.
         UnknownNameError: for unknown variables, with the nearest name.
     """
     signals = chosen_signals(dae, dict(inputs or {}), free=True)
-    model = Model(dae, signals, list(variables), _built_in_legs(dae, signals))
-    return CProgram(dae, model, model.texts() | sources((*SOURCES, *PRODUCTS)))
+    model = Model(dae, signals, list(variables), _built_in_legs(dae, signals), start=start)
+    more = STARTS if start else ()
+    return CProgram(dae, model, model.texts() | sources((*SOURCES, *PRODUCTS, *more)))
 
 
 def _built_in_legs(dae: DAE, signals: Mapping[str, Any]) -> list[Leg]:

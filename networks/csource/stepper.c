@@ -10,6 +10,8 @@
 #define ORDER 5.0
 #define TINY 1e-15
 #define MOST_STEPS 10000000
+#define MOST_WORK 5e7
+#define PATIENCE 1e6
 
 typedef struct {
     double rtol, atol, fixed;
@@ -17,18 +19,24 @@ typedef struct {
     const Observer *told;
 } Wanted;
 
-static CoreStatus failed(Core *c, const char *reason) {
-    int worst = c->worst;
+static void fail_because(Core *c, const char *reason) {
     core_say(c, "integration failed at t = ");
     core_say_number(c, c->t);
     core_say_more(c, " s: ");
     core_say_more(c, reason);
-    if (NY > 0) {
-        core_say_more(c, "; the state that limited the step is ");
-        core_say_more(c, model_unknown_name[worst]);
-        core_say_more(c, " = ");
-        core_say_number(c, c->y[worst]);
-    }
+}
+
+static void name_worst(Core *c) {
+    if (NY == 0) return;
+    core_say_more(c, "; the state that limited the step is ");
+    core_say_more(c, model_unknown_name[c->worst]);
+    core_say_more(c, " = ");
+    core_say_number(c, c->y[c->worst]);
+}
+
+static CoreStatus failed(Core *c, const char *reason) {
+    fail_because(c, reason);
+    name_worst(c);
     return CORE_DISCARD;
 }
 
@@ -54,7 +62,10 @@ static CoreStatus accepted_step(Core *c, const Wanted *wanted, double *h, double
     int again = 0;
     if (status != CORE_OK) return status;
     for (;; again = 1) {
-        if (!(*h > TINY * fabs(c->t)) || !(*h > 1e-290)) return failed(c, "no step is short enough");
+        if (!(*h > TINY * fabs(c->t)) || !(*h > 1e-290)) {
+            failed(c, "no step is short enough");
+            return wanted->told ? CORE_DISCARD : CORE_ERROR; /* no step of communication would be either */
+        }
         int finite = core_step_begin(c) && core_step_try(c, *h, wanted->rtol, wanted->atol, error) &&
                      core_motion_at(c, c->t + *h, c->step.end, c->end_rates);
         if (finite && (wanted->fixed > 0 || *error <= 1)) break;
@@ -123,18 +134,24 @@ static CoreStatus fire(Core *c, const Wanted *wanted, int forced) {
     return status;
 }
 
+/* Go on to an instant that only rounding tells from the present one. */
+static CoreStatus arrive(Core *c, double t) {
+    core_stale(c);
+    c->t = t;
+    CoreStatus status = core_rates(c, 0);
+    if (status != CORE_OK) return status;
+    return core_watch(c, t, c->y, c->rates, &c->left) ? CORE_OK : failed(c, "indicators are not finite");
+}
+
 /* Take one step, not beyond `stop`, up to the first event. Nonzero `halt` ends the advance. */
 static CoreStatus stride(Core *c, const Wanted *wanted, double stop, double *most, CoreStop *reached, int *halt) {
     double left = stop - c->t, h = fmin(fmin(c->h, *most), core_longest_step(c)), kept, error, t, begin, end;
     int indicator, hit;
-    if (left <= TINY * fabs(c->t)) { /* too short for a step: an event was next to the end */
-        c->t = stop;
-        core_stale(c);
-        return core_rates(c, 0) == CORE_OK && core_watch(c, c->t, c->y, c->rates, &c->left) ? CORE_OK : CORE_DISCARD;
-    }
+    if (left <= 4 * TINY * fabs(stop)) return arrive(c, stop);
     if (wanted->fixed > 0) h = left / ceil(left / wanted->fixed - 1e-9);
     if (h >= left * (1 - 1e-10)) h = left;
     else if (wanted->fixed <= 0 && h > 0.5 * left) h = 0.5 * left;
+    h = fmin(left, fmax(h, 8 * TINY * fabs(stop))); /* a leg may be as short as rounding */
     kept = c->h;
     double tried = h;
     CoreStatus status = accepted_step(c, wanted, &h, &error);
@@ -175,7 +192,7 @@ static CoreStatus stride(Core *c, const Wanted *wanted, double stop, double *mos
         c->pending = hit ? indicator + 1 : 0;
         *reached = CORE_EVENT;
         *halt = 1;
-        return CORE_OK;
+        return watch_chatter(c);
     }
     status = fire(c, wanted, hit ? indicator : -1);
     if (status != CORE_OK) return status;
@@ -201,6 +218,22 @@ static CoreStatus enter_next_leg(Core *c, const Wanted *wanted, CoreStop *reache
     return core_watch(c, c->t, c->y, c->rates, &c->left) ? CORE_OK : failed(c, "indicators are not finite");
 }
 
+/* Give up a step of communication that at this pace has no end; large models get less patience at once. */
+static CoreStatus check_pace(Core *c, double begin, double stop, long long before) {
+    double work = (double)(c->work - before), done = c->t - begin, whole = stop - begin;
+    if (work <= PATIENCE / (1 + NY / 10.0) + MOST_WORK * done / whole) return CORE_OK;
+    fail_because(c, "a step of ");
+    core_say_number(c, whole);
+    core_say_more(c, " s is given up, as so far the model was evaluated ");
+    core_say_number(c, work);
+    core_say_more(c, " times for ");
+    core_say_number(c, done);
+    core_say_more(c, " s of it");
+    name_worst(c);
+    core_say_more(c, ". Is a parameter out of all proportion, or the communication step too long?");
+    return CORE_ERROR;
+}
+
 /* Let free inputs, which went on by their derivatives, start from where they are. */
 static void rebase(Core *c) {
     for (int i = 0; i < NU; i++) c->trial_free[i] = core_free_at(c, i, c->t);
@@ -217,7 +250,8 @@ CoreStatus core_travel(Core *c, double stop, double rtol, double atol, double fi
     Wanted wanted = {rtol, atol, fixed_step, return_early, told};
     double most = INFINITY;
     int halt = 0;
-    long long begin = c->steps;
+    long long begin = c->steps, before = c->work;
+    double from = c->t;
     *reached = CORE_ARRIVED;
     if (!isfinite(stop) || stop < c->t) {
         core_say(c, "time can only advance, from ");
@@ -239,6 +273,7 @@ CoreStatus core_travel(Core *c, double stop, double rtol, double atol, double fi
         status = core_at_end_of_leg(c) ? enter_next_leg(c, &wanted, reached, &halt)
                                        : stride(c, &wanted, fmin(stop, core_end_of_leg(c)), &most, reached, &halt);
         if (status == CORE_OK && c->steps - begin > MOST_STEPS) status = failed(c, "there is no end of steps");
+        if (status == CORE_OK && !told && !(fixed_step > 0)) status = check_pace(c, from, stop, before);
     }
     rebase(c);
     return status;

@@ -40,8 +40,12 @@ def run(*words: str) -> tuple[int, str]:
 
 @needs_compiler
 def test_export_info_and_import_test(folder: Path) -> None:
-    code, told = run("export", "model.py:build", "it.fmu", "--fmi", "3.0", "--output", "mass.*")
+    rights = "--author", "A. Mueller", "--version", "1.2", "--license", "proprietary"
+    code, told = run("export", "model.py:build", "it.fmu", "--fmi", "3.0", "--output", "mass.*", *rights)
     assert (code, "wrote it.fmu" in told) == (0, True), told
+    with zipfile.ZipFile("it.fmu") as archive:
+        described = archive.read("modelDescription.xml").decode()
+    assert 'author="A. Mueller" version="1.2" license="proprietary"' in described
     code, told = run("info", "it.fmu")
     assert code == 0
     assert "oscillator: FMI 3.0, ME and CS" in told
@@ -117,3 +121,14 @@ def test_bad_fmus_are_clear_errors(folder: Path, name: str, command: str) -> Non
     assert (code, told in output) == (1, True), output
     assert sorted(p.name for p in inside.iterdir()) == ["bad.fmu"]
     assert not (folder / "out.txt").exists()
+
+
+@needs_compiler
+def test_a_model_file_may_hold_dataclasses(folder: Path) -> None:
+    """The machines of examples/fmu_models.py could not be checked on the command line."""
+    case = "\n\n@dataclass\nclass Case:\n    name: str\n"
+    (folder / "model.py").write_text(
+        f"from __future__ import annotations\nfrom dataclasses import dataclass\n{MODEL}{case}"
+    )
+    code, told = run("export", "model.py:build", "it.fmu")
+    assert (code, "wrote it.fmu" in told) == (0, True), told

@@ -223,3 +223,40 @@ def test_samples_are_met_and_smooth_in_between() -> None:
     run = net.connect(net.drive.flange, net.mass.flange).simulate(2.0, step=0.01)
     assert run["mass.s"][::5] == pytest.approx(np.sin(4 * t), abs=1e-9)
     assert abs(np.diff(run["mass.a"])).max() < 16 * 0.01 * 4 * 3
+
+
+def test_a_value_set_later_acts_as_one_given_at_once() -> None:
+    """It changed what was shown, and nothing of the run."""
+    net: Any = hung(ia.Spring(k=100.0), s=0.1)
+    net.element.k = 400.0
+    net.mass.s = 0.2
+    assert net.element.k == 400.0
+    assert net.simulate(1.0, rtol=1e-9)["mass.s"][-1] == pytest.approx(0.2 * np.cos(20.0), abs=1e-6)
+
+
+@pytest.mark.parametrize(
+    ("owner", "name", "value", "told"),
+    [
+        ("element", "k", -5.0, r"Spring\.k: k must be at least 0 N/m, got -5\.0"),
+        ("element", "k", "x", r"k must be a number \[N/m\], got 'x'"),
+        ("element", "kk", 3.0, r"Spring has no parameter 'kk'; did you mean 'k'\?"),
+        ("element", "flange_a", 3.0, "cannot be assigned"),
+        ("", "element", ia.Spring(k=1.0), r"Network\.element cannot be assigned: .* with_values\(\)"),
+        ("", "damper", ia.Damper(d=1.0), r"Network\.damper cannot be assigned: .* add\(\)"),
+    ],
+)
+def test_what_cannot_be_set_is_refused_and_the_value_before_is_kept(
+    owner: str, name: str, value: Any, told: str
+) -> None:
+    net: Any = hung(ia.Spring(k=100.0))
+    with pytest.raises(ia.ModelError, match=told):
+        setattr(getattr(net, owner) if owner else net, name, value)
+    assert net.element.k == 100.0
+    assert "damper" not in net._parts
+
+
+def test_components_may_keep_things_of_their_own() -> None:
+    spring: Any = ia.Spring(k=1.0)
+    spring.supplier = "A. Smith"
+    spring.delivered = 3
+    assert (spring.supplier, spring.delivered) == ("A. Smith", 3)

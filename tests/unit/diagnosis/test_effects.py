@@ -1,14 +1,16 @@
 """Effects: where they can be, and that each can be put in and taken for what it is."""
 
 from dataclasses import replace
+from unittest.mock import patch
 
 import inertance as ia
 import numpy as np
 import pytest
 from inertance import ge_wang
 from inertance.diagnosis.edits import edited
-from inertance.diagnosis.effects import EFFECTS, Effect, Motion, effect_of, register
+from inertance.diagnosis.effects import EFFECTS, Effect, Motion, Quantity, effect_of, register
 from inertance.diagnosis.probes import scaled
+from inertance.diagnosis.screening import _forces
 from inertance.diagnosis.sites import GROUND, Site, sites_of
 
 
@@ -122,3 +124,18 @@ def test_an_effect_of_ones_own_and_unknown_ones() -> None:
     mine = register(Effect("my_own", "node", {}))
     assert effect_of("my_own") is mine
     del EFFECTS["my_own"]
+
+
+def test_an_effect_of_one_kind_of_motion_is_tried_at_its_sites_alone() -> None:
+    turning = next(
+        site for site in sites_of(rig()) if site.domain == "rotational" and "across" in site.places
+    )
+    t = np.linspace(0.0, 1.0, 50)
+    motion = Motion(t, np.sin(t), np.cos(t), np.sin(t), -np.sin(t))
+    kinds = {effect.kind for effect, _, _ in _forces(turning, motion, [motion], "push")}
+    viscous = effect_of("viscous_damping")
+    straight = replace(viscous, kind="straight", quantities={"translational": (Quantity("d", "N.s/m"),)})
+    with patch.dict(EFFECTS):
+        register(straight)
+        tried = {effect.kind for effect, _, _ in _forces(turning, motion, [motion], "push")}
+    assert tried == kinds != set()

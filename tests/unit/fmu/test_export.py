@@ -87,8 +87,8 @@ def test_variables_carry_units_starts_and_limits(sources_only: Path) -> None:
     assert (mass.causality, mass.variability, mass.unit) == ("parameter", "tunable", "kg")
     assert (float(mass.start), float(mass.min)) == (0.5, 0.0)
     assert float(by_name["stop.e"].max) == 1.0
-    state = by_name["stop.s_rel"]
-    assert (state.initial, float(state.start)) == ("exact", 1.0)
+    assert (by_name["ball.s"].initial, float(by_name["ball.s"].start)) == ("exact", 1.0)
+    assert (by_name["stop.s_rel"].initial, by_name["stop.s_rel"].start) == ("calculated", None)
     with zipfile.ZipFile(sources_only) as archive:
         text = archive.read("modelDescription.xml").decode()
     assert text.count('reinit="true"') == 2  # a shock changes velocities, contact sets them
@@ -228,3 +228,59 @@ def test_without_a_compiler_the_remedy_is_told(tmp_path: Path, monkeypatch: pyte
     monkeypatch.setattr("importlib.util.find_spec", lambda name: None)
     with pytest.raises(ia.ModelError, match="install a C compiler"):
         ia.export_fmu(ball(), tmp_path / "ball.fmu")
+
+
+@pytest.mark.parametrize("version", VERSIONS)
+def test_the_licence_is_the_authors(version: str, tmp_path: Path) -> None:
+    """Every FMU said that it is under BSD-3-Clause, whosever model it was."""
+    silent = ia.export_fmu(ball(), tmp_path / "silent.fmu", fmi_version=version, platforms=[])
+    told = told_by(silent)
+    assert (told.author, told.version, told.copyright, told.license) == (None, None, None, None)
+    path = ia.export_fmu(
+        ball(), tmp_path / "told.fmu", fmi_version=version, platforms=[], author="A. <Müller>", version="1.2",
+        copyright="© 2026 A. Müller", license="proprietary",
+    )  # fmt: skip
+    told = told_by(path)
+    assert (told.author, told.version) == ("A. <Müller>", "1.2")
+    assert (told.copyright, told.license) == ("© 2026 A. Müller", "proprietary")
+    with zipfile.ZipFile(path) as archive:
+        licences = archive.read("documentation/licenses/license.txt").decode()
+        page = archive.read("documentation/index.html").decode()
+    assert "author's, who licenses it under: proprietary." in licences
+    assert "Redistribution and use" in licences  # of the program around the model
+    assert "A. &lt;Müller&gt;" in page
+    with pytest.raises(ia.ModelError, match="license must be a text"):
+        ia.export_fmu(ball(), tmp_path / "wrong.fmu", platforms=[], license=3)  # type: ignore[arg-type]
+
+
+@pytest.mark.parametrize("version", VERSIONS)
+@pytest.mark.parametrize("name", ["größe", "große masse", "it's", "1st", "質量", 'a"b'])
+def test_names_keep_to_the_convention_that_is_told(name: str, version: str, tmp_path: Path) -> None:
+    """Names that are not structured as the standard says were told to be so."""
+    net = ia.Network(f"netz {name}", **{name: ia.Mass(m=1.0, v=2.0)})
+    path = ia.export_fmu(net, tmp_path / "it.fmu", fmi_version=version, outputs=[f"{name}.s"], platforms=[])
+    assert validate_fmu(str(path)) == []
+    told = told_by(path)
+    assert told.variableNamingConvention == "flat"
+    assert f"{name}.m" in {v.name for v in told.modelVariables}
+    assert told.coSimulation.modelIdentifier.isascii()
+    plain = ia.export_fmu(ball(), tmp_path / "ball.fmu", fmi_version=version, platforms=[])
+    assert told_by(plain).variableNamingConvention == "structured"
+
+
+@needs_compiler
+def test_a_name_of_any_letters_runs(tmp_path: Path) -> None:
+    net = ia.Network("größe", größe=ia.Mass(m=1.0, v=2.0))
+    for version in VERSIONS:
+        path = ia.export_fmu(net, tmp_path / "it.fmu", fmi_version=version, outputs=["größe.s"])
+        assert ia.FMU(path).simulate(1.0, parameters={"größe.m": 3.0})["größe.s"][-1] == pytest.approx(2.0)
+
+
+def test_a_network_without_a_name_is_told(tmp_path: Path) -> None:
+    for name in ("", " ", 5):
+        with pytest.raises(ia.ModelError, match="the name of a Network must"):
+            ia.Network(name, mass=ia.Mass(m=1.0))  # type: ignore[arg-type]
+    net = ball()
+    net.name = ""
+    with pytest.raises(ia.ModelError, match="name is empty"):
+        ia.export_fmu(net, tmp_path / "it.fmu", platforms=[])

@@ -169,7 +169,7 @@ def test_refused_calls_leave_the_instance_as_it_was(fmu: Box) -> None:
 
 def test_parameters_and_starts_can_be_set(fmu: Box) -> None:
     made = fmu.instance(running=False)
-    fmu.set(made, stop__s_rel=2.0, weight__f_constant=-1.0)
+    fmu.set(made, ball__s=2.0, weight__f_constant=-1.0)
     fmu.begin(made)
     assert fmu.step(made, 50)[0] == pytest.approx(2.0 - 0.5 * 2.0 * 0.25, rel=1e-9)
     fmu.set(made, weight__f_constant=0.0)
@@ -182,7 +182,7 @@ def test_parameters_and_starts_can_be_set(fmu: Box) -> None:
 def test_directional_derivatives_are_those_of_differences(fmu: Box, contact: bool) -> None:
     made = fmu.instance("me", running=False)
     if contact:
-        fmu.set(made, stop__s_rel=0.0)
+        fmu.set(made, ball__s=0.0)
     fmu.begin(made)
     made.updateDiscreteStates() if fmu.new else made.newDiscreteStates()
     made.enterContinuousTimeMode()
@@ -222,7 +222,7 @@ def test_an_input_follows_the_slope_it_is_given(fmu: Box) -> None:
     if fmu.new:
         pytest.skip("FMI 3 has no derivatives of inputs")
     made = fmu.instance(running=False)
-    fmu.set(made, stop__s_rel=100.0, weight__f_constant=0.0)
+    fmu.set(made, ball__s=100.0, weight__f_constant=0.0)
     fmu.begin(made)
     for k in range(100):
         fmu.set(made, push__f=0.03 * k)

@@ -186,3 +186,22 @@ def test_a_force_is_told_with_the_sign_it_was_given(start: dict[str, float], mes
     assert (
         oscillator().simulate(0.1, start={"wall.flange.f": 3.0, "spring.flange_a.f": -3.0})["mass.s"][0] > 0
     )
+
+
+def test_a_default_start_does_not_give_way_to_an_algebraic_loop() -> None:
+    """The mass moved by 6 mm, as if something were fixed, so that the loop of the two springs closed."""
+    net = ia.Network(
+        "loop",
+        wall=ia.Fixed(),
+        inner=ia.CubicSpring(k=100.0, k3=1e4, s_rel0=0.1),
+        outer=ia.CubicSpring(k=50.0, k3=3e4),
+        mass=ia.Mass(m=1.0),
+    )
+    net.connect(net.wall.flange, net.inner.flange_a)
+    net.connect(net.inner.flange_b, net.outer.flange_a)
+    run = net.connect(net.outer.flange_b, net.mass.flange).simulate(0.01)
+    assert run["mass.s"][0] == 0.0
+    assert [decision.reason for decision in run.initial] == ["guess kept"] * 2
+    assert run["inner.f"][0] == pytest.approx(run["outer.f"][0])
+    held = net.simulate(0.01, start={"mass.a": 1.0})
+    assert held["mass.a"][0] == pytest.approx(1.0)

@@ -7,7 +7,7 @@ import casadi as ca
 import inertance as ia
 import numpy as np
 import pytest
-from inertance.networks.stepper import Tolerance
+from inertance.networks.tolerance import Tolerance
 
 TIGHT: dict[str, Any] = {"rtol": 1e-9, "atol": 1e-11}
 SOLVERS = ["cvodes", "idas", "rosenbrock"]

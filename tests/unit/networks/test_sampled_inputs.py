@@ -92,9 +92,11 @@ def test_operating_points_and_stepwise_runs_keep_to_the_data() -> None:
     assert ia.operating_point(dae, time=2.5).values["mass.s"] == pytest.approx(-1 / K, rel=1e-6)
     from inertance.networks import Stepwise
 
+    with pytest.raises(ia.ModelError, match=r"wanted are 2 to 3\.5 s"):
+        Stepwise(dae, 2.0, 3.5, {}, {})
     going = Stepwise(dae, 2.0, 3.0, {}, {})
     going.advance(3.0)
-    with pytest.raises(ia.ModelError, match=r"wanted are 2 to 3\.5 s"):
+    with pytest.raises(ia.ModelError, match=r"t must be from 3 to 3 s, got 3\.5"):
         going.advance(3.5)
 
 

@@ -140,10 +140,10 @@ def test_a_record_of_columns_that_do_not_fit_is_told(time: Any, values: Any, tol
 
 @pytest.mark.parametrize("solver", ["auto", "compiled"])
 def test_a_run_that_is_far_too_long_for_its_machine_ends_soon(solver: str) -> None:
-    began = time.monotonic()
+    began = time.process_time()
     with pytest.raises(ia.SimulationError, match=r"or a shorter run than 1e\+12 s"):
         run(stop=1e12, inputs={"push.f": ca.sin}, solver=solver)
-    assert time.monotonic() - began < 30.0
+    assert time.process_time() - began < 30.0
 
 
 def test_a_machine_that_comes_to_rest_may_run_for_very_long() -> None:

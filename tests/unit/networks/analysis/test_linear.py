@@ -151,6 +151,45 @@ def test_stuck_friction_is_linear_in_its_mode_and_told() -> None:
     assert any("held" in note and "rub.v_rel" in note for note in system.notes)
 
 
+def test_what_slid_to_its_rest_holds_there() -> None:
+    """From a stretched spring it slides up to where friction holds, where it was taken to slide on."""
+    net = ia.Network(
+        "o", wall=ia.Fixed(), spring=ia.Spring(k=400.0), rub=ia.CoulombFriction(f_c=5.0),
+        mass=ia.Mass(m=1.0, s=0.1), push=ia.Force(),
+    )  # fmt: skip
+    net.connect(net.wall.flange, net.spring.flange_a, net.rub.flange_a)
+    net.connect(net.spring.flange_b, net.rub.flange_b, net.mass.flange, net.push.flange)
+    system = ia.linearise(net, ["push.f"], ["mass.s"])
+    assert system.point is not None
+    assert system.point.modes == {"rub.mode": "stuck"}
+    assert system.point.values["rub.s_rel"] == pytest.approx(5.0 / 400.0)
+    assert system.states == ()
+    assert system(0j).item() == 0.0
+    assert any("rub.mode is 'stuck'" in note for note in system.notes)
+
+
+def test_a_mass_pressed_on_a_stop_rests_on_it() -> None:
+    """Its equilibrium was taken 50 mm inside the stop, where the spring is relaxed."""
+    net = ia.Network(
+        "rest", wall=ia.Fixed(), spring=ia.Spring(k=400.0), stop=ia.HardStop(s_min=0.05),
+        mass=ia.Mass(m=1.0, s=0.1), push=ia.Force(),
+    )  # fmt: skip
+    net.connect(net.wall.flange, net.spring.flange_a, net.stop.flange_a)
+    net.connect(net.spring.flange_b, net.stop.flange_b, net.mass.flange, net.push.flange)
+    system = ia.linearise(net, ["push.f"], ["mass.s"])
+    assert system.point is not None
+    assert system.point.modes == {"stop.mode": "contact"}
+    assert system.states == ()
+    assert ia.operating_point(net).values["stop.s_rel"] == pytest.approx(0.05)
+
+
+@pytest.mark.parametrize("law", [ia.Backlash(k=1.0, d=1.0, eps=0.1), ia.QuadraticDamper(c=1.0)])
+def test_what_has_no_slope_in_series_with_a_spring_has_no_admittance(law: ia.Component) -> None:
+    """A clearance passes no force on; the admittance of the spring alone was returned."""
+    with pytest.raises(ia.ModelError, match=r"not linear here: .*\.v_rel has no slope"):
+        ia.admittance(ia.series(law, ia.Spring(k=1.0)))
+
+
 def test_a_force_past_break_away_leaves_no_equilibrium() -> None:
     with pytest.raises(ia.ModelError, match=r"no equilibrium near its start: der\(.*remains"):
         ia.linearise(rubbing(), signals={"push.f": 7.0})

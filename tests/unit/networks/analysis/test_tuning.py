@@ -29,6 +29,23 @@ def test_a_limit_is_kept_and_costs() -> None:
     assert K in bound.at_bound
 
 
+@pytest.mark.parametrize("missing", [False, True], ids=["value on the bound", "none on the bound"])
+@pytest.mark.parametrize("seed", range(3))
+def test_a_parameter_is_driven_to_its_bound_whatever_the_last_bits(seed: int, missing: bool) -> None:
+    noise = np.random.default_rng(seed)
+
+    def softness(dae: ia.DAE, /, *, parameters: Mapping[str, float]) -> float:
+        if missing and parameters[K] <= 20e3:
+            raise ia.ModelError("there is nothing to solve for")
+        bits = 1 + 1e-15 * noise.standard_normal()
+        return bits * (parameters[K] / 20e3 + (parameters[D] / 1e3 - 2) ** 2)
+
+    found = ia.tune(car(), softness, {K: (20e3, 60e3), **BOUNDS}, starts=1)
+    assert found.at_bound == (K,)
+    assert found.parameters[K] == pytest.approx(20e3, rel=1e-9 if missing else 0, abs=0)
+    assert found.parameters[D] == pytest.approx(2e3, rel=1e-4)
+
+
 def test_a_front_goes_from_one_optimum_to_the_other() -> None:
     dae = car()
     designs = ia.front(dae, ia.ride_j1, ia.suspension_travel, {D: (1500.0, 6e3)}, points=4, starts=1)

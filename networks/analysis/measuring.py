@@ -1,0 +1,56 @@
+"""Measures of a design, and what comes of those that fail."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Protocol
+
+import numpy as np
+
+from ...components.base import InertanceError, ModelError, number, shown
+from ..dae import DAE
+
+BAD = 1e30
+
+
+class Measure(Protocol):
+    """What is to be small: a function of the equations and of changed parameters, such as `ride_j1`."""
+
+    def __call__(self, dae: DAE, /, *, parameters: Mapping[str, float]) -> float:
+        """Return the measure for some parameters."""
+        ...
+
+
+def measured(measure: Measure, dae: DAE, parameters: Mapping[str, float]) -> float:
+    """Return a measure for some parameters, a large number where the library finds none."""
+    try:
+        return of_design(measure, dae, parameters)
+    except BadMeasureError:
+        raise
+    except (InertanceError, np.linalg.LinAlgError):
+        return BAD
+
+
+class BadMeasureError(ModelError):
+    """A measure that raises an error of its own, or returns no number."""
+
+
+def of_design(measure: Measure, dae: DAE, parameters: Mapping[str, float]) -> float:
+    """Return a measure for some parameters.
+
+    Raises:
+        BadMeasureError: for a measure that raises an error of its own, or returns no number.
+    """
+    name = getattr(measure, "__name__", repr(measure))
+    try:
+        found = measure(dae, parameters=parameters)
+    except (InertanceError, np.linalg.LinAlgError):
+        raise
+    except Exception as error:
+        told = ", ".join(f"{n} = {v:g}" for n, v in parameters.items())
+        raise BadMeasureError(
+            f"measure '{name}' failed at {told}: {type(error).__name__}: {error}"
+        ) from error
+    if number(found):
+        raise BadMeasureError(f"measure '{name}' must return a number, got {shown(found)}")
+    return found

@@ -1,0 +1,187 @@
+/* Start values that satisfy the equations and what is given, and the modes that go with them. */
+#include "start.h"
+
+#include <math.h>
+#include <string.h>
+
+#define START_ROUNDS 10
+#define LEAD_ROUNDS 20
+#define MEET_ROUNDS 50
+#define START_CLOSE 1e-13
+#define START_MISSED 1e-8
+#define START_WEAK 1e-12
+
+void core_given(Given *given) {
+    for (int i = 0; i < NX; i++) given->x[i] = model_guess[i];
+    for (int i = 0; i < NAIM; i++) given->aim[i] = model_aim[i];
+}
+
+typedef int (*Law)(const double **arg, double **res, int *iw, double *w, int mem);
+
+/* By how much aims (and then algebraic equations) are missed, and the slopes of that, one column for each. */
+static int missed(Core *c, const Given *given, Law law, int aims, int rows, StartRoom *room) {
+    const double *arg[ROOM(MODEL_ARGS)] = {0};
+    double *res[ROOM(MODEL_RESULTS)] = {room->value, room->slope}, sum = 0;
+    core_arguments(c, c->t, c->y, arg);
+    arg[4] = &c->t;
+    law(arg, res, c->iw, c->w, 0);
+    for (int i = 0; i < aims; i++) room->value[i] -= given->aim[i];
+    for (int i = 0; i < rows; i++) sum += fabs(room->value[i]);
+    return isfinite(sum);
+}
+
+static double inner(const double a[], const double b[], int n) {
+    double sum = 0;
+    for (int i = 0; i < n; i++) sum += a[i] * b[i];
+    return sum;
+}
+
+/* The step of least norm that does what some columns ask for; the columns become orthogonal. */
+static void least_step(StartRoom *room, double columns[], int length, int count, const double wanted[], double step[]) {
+    core_least_norm(columns, room->turn, length, count, 1, wanted, step);
+}
+
+/* Take out of a column what lies along others, which are orthogonal. */
+static void take_out(double column[], const double others[], int length, int count) {
+    double strongest = 0;
+    for (int k = 0; k < count; k++) strongest = fmax(strongest, inner(others + k * length, others + k * length, length));
+    for (int k = 0; k < count; k++) {
+        const double *other = others + k * length;
+        double strength = inner(other, other, length);
+        if (!(strength > START_WEAK * START_WEAK * strongest)) continue;
+        double share = inner(column, other, length) / strength;
+        for (int i = 0; i < length; i++) column[i] -= share * other[i];
+    }
+}
+
+/* Move states that have no start of their own so that fixed aims are met and others are nearest. */
+static void lead(Core *c, const Given *given, StartRoom *room) {
+    double before[ROOM(NX)];
+    memcpy(before, c->y, NX * sizeof *before);
+    for (int round = 0; round < LEAD_ROUNDS; round++) {
+        double *soft = room->slope + NFIXED * NLEAD, largest = 0, size = 0, further[ROOM(NLEAD)];
+        if (!missed(c, given, model_lead, NAIM, NAIM, room)) break;
+        memcpy(room->kept, room->slope, sizeof room->kept);
+        for (int i = 0; i < NFIXED; i++) room->missing[i] = -room->value[i];
+        least_step(room, room->slope, NLEAD, NFIXED, room->missing, room->step);
+        for (int i = 0; i < NAIM - NFIXED; i++) {
+            const double *column = room->kept + (NFIXED + i) * NLEAD;
+            room->missing[i] = -room->value[NFIXED + i] - inner(column, room->step, NLEAD);
+            take_out(soft + i * NLEAD, room->slope, NLEAD, NFIXED);
+            if (inner(soft + i * NLEAD, soft + i * NLEAD, NLEAD) <= START_WEAK * START_WEAK * inner(column, column, NLEAD))
+                memset(soft + i * NLEAD, 0, NLEAD * sizeof *soft);
+        }
+        least_step(room, soft, NLEAD, NAIM - NFIXED, room->missing, further);
+        for (int i = 0; i < NLEAD; i++) {
+            double step = room->step[i] + further[i];
+            c->y[model_lead_state[i]] += step;
+            largest = fmax(largest, fabs(step));
+        }
+        for (int i = 0; i < NX; i++) size = fmax(size, fabs(c->y[i]));
+        if (!isfinite(largest) || !isfinite(size)) break;
+        if (largest <= START_CLOSE * (1 + size)) return;
+        if (round == LEAD_ROUNDS - 1) return;
+    }
+    memcpy(c->y, before, NX * sizeof *before);
+}
+
+static CoreStatus contradiction(Core *c, const Given *given, const StartRoom *room, double size) {
+    int any = 0;
+    for (int i = 0; i < NFIXED; i++) {
+        if (fabs(room->value[i]) <= START_MISSED * (1 + size)) continue;
+        if (any++) core_say_more(c, ", ");
+        else core_say(c, "start values: ");
+        core_say_more(c, model_aim_name[i]);
+        core_say_more(c, " = ");
+        core_say_number(c, given->aim[i]);
+        core_say_more(c, " ");
+        core_say_more(c, model_aim_unit[i]);
+    }
+    if (!any) core_say(c, "no start values satisfy the equations");
+    else core_say_more(c, " cannot be reached by any choice of the states that are not fixed");
+    return CORE_ERROR;
+}
+
+/* Gauss and Newton, with steps of least norm in the states that are not fixed and the algebraic unknowns. */
+static CoreStatus meet(Core *c, const Given *given, StartRoom *room) {
+    double size = 0;
+    for (int round = 0; round < MEET_ROUNDS; round++) {
+        double largest = 0;
+        if (!missed(c, given, model_meet, NFIXED, NMET, room)) break;
+        for (int i = 0; i < NMET; i++) room->missing[i] = -room->value[i];
+        least_step(room, room->slope, NFREE + NZ, NMET, room->missing, room->step);
+        for (int i = 0; i < NFREE + NZ; i++) {
+            c->y[i < NFREE ? model_free_state[i] : NX + i - NFREE] += room->step[i];
+            largest = fmax(largest, fabs(room->step[i]));
+        }
+        size = 0;
+        for (int i = 0; i < NY; i++) size = fmax(size, fabs(c->y[i]));
+        if (largest <= START_CLOSE * (1 + size)) break;
+    }
+    size = 0;
+    for (int i = 0; i < NX; i++) size = fmax(size, fabs(c->y[i]));
+    int finite = missed(c, given, model_meet, NFIXED, NMET, room), met = finite;
+    for (int i = 0; i < NMET && met; i++) met = fabs(room->value[i]) <= START_MISSED * (1 + size);
+    if (met) return CORE_OK;
+    if (finite) return contradiction(c, given, room, size);
+    core_say(c, "the equations have no value at the start");
+    return CORE_ERROR;
+}
+
+/* Seek start values in the present modes. */
+static CoreStatus seek(Core *c, const Given *given, StartRoom *room) {
+    memcpy(c->y, given->x, NX * sizeof *c->y);
+    memcpy(c->y + NX, model_guess + NX, NZ * sizeof *c->y);
+    for (int i = 0; i < NFIXED; i++)
+        if (model_aim_unknown[i] >= 0) c->y[NX + model_aim_unknown[i]] = given->aim[i];
+    core_stale(c);
+    for (int again = 0; again < (NFIXED ? 2 : 1); again++) {
+        if (NLEAD) lead(c, given, room);
+        if (!NFIXED) break;
+        CoreStatus status = meet(c, given, room);
+        if (status != CORE_OK) return status;
+    }
+    core_stale(c);
+    return CORE_OK;
+}
+
+/* Forget what has been seen of events. */
+static void forget(Core *c) {
+    memset(c->seen, 0, sizeof c->seen);
+    memset(c->raised, 0, sizeof c->raised);
+    memset(c->muted, 0, sizeof c->muted);
+    for (int i = 0; i < NG; i++) c->fastest[i] = 1;
+}
+
+static void note_shock(void *context, const Core *c, int change, int stays, double impulse) {
+    (void)c;
+    (void)stays;
+    (void)impulse;
+    if (model_change_impulse[change] >= 0) *(int *)context = 1;
+}
+
+CoreStatus core_begin(Core *c, const Given *given, StartRoom *room) {
+    double settled[ROOM(NY)];
+    memcpy(c->q + NP, model_first_mode, NM * sizeof *c->q);
+    memset(c->q + NP + NM, 0, (NI + NK) * sizeof *c->q);
+    for (int round = 0; round < START_ROUNDS; round++) {
+        int struck = 0, happened, changed, agree = 1;
+        Observer observer = {&struck, note_shock, 0, 0};
+        forget(c);
+        memset(c->y, 0, sizeof c->y);
+        CoreStatus status = core_complete(c);
+        if (status == CORE_OK) status = seek(c, given, room);
+        if (status == CORE_OK) status = core_fire(c, -1, &observer, 1, &happened, &changed);
+        if (status != CORE_OK || !happened || !NFIXED || struck) return status;
+        memcpy(settled, c->y, sizeof settled);
+        status = seek(c, given, room);
+        if (status != CORE_OK) return status;
+        for (int i = 0; i < NX; i++) agree &= fabs(c->y[i] - settled[i]) <= 1e-12 * fabs(settled[i]) + 1e-14;
+        if (!agree) continue;
+        memcpy(c->y, settled, sizeof settled);
+        core_stale(c);
+        return CORE_OK;
+    }
+    core_say(c, "start values and modes do not agree with each other; fix states instead of accelerations or forces");
+    return CORE_ERROR;
+}

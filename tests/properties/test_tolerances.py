@@ -1,0 +1,82 @@
+"""A finer tolerance moves a result by no more than the coarser one promised (docs/networks.md)."""
+
+from collections.abc import Callable
+from functools import cache
+from typing import Any
+
+import casadi as ca
+import inertance as ia
+import numpy as np
+import pytest
+from numpy.typing import NDArray
+
+Array = NDArray[np.float64]
+PROMISED = {"cvodes": 1000.0, "idas": 1000.0, "rosenbrock": 30.0, "compiled": 30.0}
+STOP = 2.0
+TIME = np.linspace(0.0, STOP, 201)
+
+
+def road(t: Any) -> Any:
+    return 0.02 * ca.sin(8 * t) + 0.05 * ca.exp(-((6 * (t - 1)) ** 2))
+
+
+def force(t: Any) -> Any:
+    return 100 * ca.sin(20 * t)
+
+
+def strut() -> ia.Component:
+    return ia.suspension("S6", 20e3, d=1500.0, b=50.0)
+
+
+def frame(absorber: ia.Component) -> ia.Network:
+    return ia.shear_frame([1e3] * 3, [1e6] * 3, [1e3] * 3, absorbers={(0, 1): absorber})
+
+
+def on_a_rig(inerter: ia.Component) -> ia.Network:
+    return ia.inerter_rig(inerter, ia.Sinusoid(0.01, 2.0))
+
+
+MACHINES: dict[str, Callable[[], ia.Network]] = {
+    "quarter car": lambda: ia.quarter_car(strut()),
+    "half car": lambda: ia.half_car(strut(), strut()),
+    "full car": lambda: ia.full_car(strut(), strut()),
+    "isolated machine": lambda: ia.isolated_machine(ia.SpringDamper(k=1e5, d=50.0)),
+    "seat": lambda: ia.seat_in_cab(ia.SpringDamper(k=5e3, d=300.0), ia.SpringDamper(k=1e5, d=3e3)),
+    "frame with TMDI": lambda: frame(ia.TMDI(m=20.0, k=1e4, d=50.0, b=100.0)),
+    "frame with TID": lambda: frame(ia.tid(k=1e4, d=50.0, b=100.0)),
+    "frame with TVMD": lambda: frame(ia.tvmd(k=1e4, d=50.0, b=100.0)),
+    "cable": lambda: ia.taut_cable(100.0, 1e6, 50.0, parts=10, damper=ia.Damper(d=1e4)),
+    "ball-screw inerter": lambda: on_a_rig(ia.ge_wang.disk_inerter()),
+    "planetary inerter": lambda: on_a_rig(ia.ge_wang.planetary_inerter()),
+}
+
+
+@cache
+def machine(name: str) -> ia.DAE:
+    return MACHINES[name]().dae()
+
+
+def courses(name: str, **options: Any) -> Array:
+    """Return every state at TIME."""
+    dae = machine(name)
+    inputs = {path: road if path.endswith("s_ref") else force for path in dae.input_names}
+    run = dae.simulate(STOP, step=0.01, inputs=inputs, **options)
+    return np.array([run.at(state, TIME) for state in dae.state_names])
+
+
+@cache
+def exact(name: str) -> Array:
+    return courses(name, rtol=1e-10, atol=1e-14)
+
+
+@pytest.mark.parametrize("solver", PROMISED)
+@pytest.mark.parametrize("name", MACHINES)
+def test_a_tolerance_keeps_what_it_promises(name: str, solver: str) -> None:
+    if solver == "cvodes" and machine(name).z.numel():
+        pytest.skip("cvodes takes no algebraic unknowns")
+    ranges = np.ptp(exact(name), axis=1)
+    moving = ranges > 1e-9
+    for rtol in (1e-5, 1e-6, 5e-7):
+        found = courses(name, rtol=rtol, solver=solver)
+        off = np.abs(found - exact(name)).max(axis=1)[moving] / ranges[moving]
+        assert off.max() < PROMISED[solver] * rtol
