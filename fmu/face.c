@@ -158,7 +158,7 @@ static CoreStatus set_input(Instance *c, int i, double value)
 }
 
 /* An input that moves while its derivative, which the equations hold, was never anything but zero. */
-static FaceStatus contradiction(Instance *c, const char *function)
+static FaceStatus untold_rate(Instance *c, const char *function)
 {
     char why[512];
     for (int i = 0; i < NU; i++) {
@@ -302,7 +302,7 @@ FaceStatus face_get_nominals(Instance *c, const char *function, double x[], size
 FaceStatus face_get_rates(Instance *c, const char *function, double rates[], size_t n)
 {
     const double *computed = NULL;
-    if (misfit(c, function, rates, n, NX) || face_ready(c, function) != FACE_OK || contradiction(c, function) != FACE_OK)
+    if (misfit(c, function, rates, n, NX) || face_ready(c, function) != FACE_OK || untold_rate(c, function) != FACE_OK)
         return FACE_ERROR;
     if (core_rates(&c->now.core, &computed) != CORE_OK) return face_outcome(c, function, CORE_DISCARD);
     return copied(computed, rates, n);
@@ -359,7 +359,7 @@ FaceStatus face_step(Instance *c, const char *function, double point, double siz
     if (!isfinite(point) || fabs(point - core_time(&c->now.core)) > slack(point))
         return face_refuse(c, function, "the communication point is not where the last step ended");
     if (!(size > 0) || !isfinite(stop)) return face_refuse(c, function, "the step must be positive and finite");
-    if (contradiction(c, function) != FACE_OK) return FACE_ERROR;
+    if (untold_rate(c, function) != FACE_OK) return FACE_ERROR;
     if (stop > c->now.stop + slack(c->now.stop))
         return face_refuse(c, function, "the step leads beyond the stop time");
     CoreStatus status = core_advance(&c->now.core, stop, rtol, ABSOLUTE * rtol, FMU_FIXED_STEP,

@@ -20,7 +20,7 @@
 #define NPATH (NX + NPUSH)
 
 void core_see(Core *c, double seen[]) {
-    (void)seen;
+    (void)c, (void)seen;
 #if NJ > 0
     const double *arg[ROOM(MODEL_ARGS)] = {0};
     double *res[ROOM(MODEL_RESULTS)] = {seen};
