@@ -80,8 +80,12 @@ def test_an_input_that_moves_without_its_derivative_ends_the_run(
     short = "ME" if kind == "ModelExchange" else "CS"
     ramp: dict[str, Any] = {"drive.v_ref": lambda t: min(t, 1.0)}
     slope: dict[str, Any] = {"der(drive.v_ref)": lambda t: 1.0 * (t < 1.0)}
-    with pytest.raises(ia.FMUError, match=r"derivative.*exact=False"):
-        made.simulate(2.0, kind=short, inputs=ramp, step=0.01)
+    if (version, short) == ("2.0", "CS"):  # whose slopes are told by fmi2SetRealInputDerivatives
+        run = made.simulate(2.0, kind=short, inputs=ramp, step=0.01)
+        assert run["mass.v"][-1] == pytest.approx(1 / 3, rel=5e-3)
+    else:
+        with pytest.raises(ia.FMUError, match=r"derivative.*exact=False"):
+            made.simulate(2.0, kind=short, inputs=ramp, step=0.01)
     if short == "CS":
         run = made.simulate(2.0, kind=short, inputs=ramp | slope, step=0.01)
         assert run["mass.v"][-1] == pytest.approx(1 / 3, rel=5e-3)
