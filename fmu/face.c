@@ -149,6 +149,30 @@ FaceStatus face_get_reals(Instance *c, const char *function, const uint32_t refs
     return FACE_OK;
 }
 
+static CoreStatus set_input(Instance *c, int i, double value)
+{
+    Core *core = &c->now.core;
+    c->now.moved[i] |= core_time(core) > c->now.start && value != core_input(core, i);
+    c->now.told[i] |= value != 0;
+    return core_set_input(core, i, value);
+}
+
+/* An input that moves while its derivative, which the equations hold, was never anything but zero. */
+static FaceStatus untold_rate(Instance *c, const char *function)
+{
+    char why[512];
+    for (int i = 0; i < NU; i++) {
+        int rate = model_input_rate[i];
+        if (rate < 0 || !c->now.moved[i] || c->now.told[rate]) continue;
+        snprintf(why, sizeof why,
+                 "input %.128s (derivative %d of it) changes, but its own derivative, an input too, was never anything but "
+                 "zero; set it as well, or export the network with exact=False where it prescribes a motion",
+                 model_input_name[i], model_input_order[i]);
+        return face_refuse(c, function, why);
+    }
+    return FACE_OK;
+}
+
 /* Give a start value; what follows from it is found when it is asked for. */
 static void set_start(Instance *c, uint32_t ref, double value)
 {
@@ -198,7 +222,7 @@ static FaceStatus set_real(Instance *c, const char *function, uint32_t ref, doub
         if (!isfinite(value)) return face_refuse(c, function, "a start value must be a finite number");
         set_start(c, ref, value);
     } else if (ref >= REF_INPUTS && ref < REF_PARAMETERS)
-        status = core_set_input(core, (int)(ref - REF_INPUTS), value);
+        status = set_input(c, (int)(ref - REF_INPUTS), value);
     else if (ref >= REF_PARAMETERS && ref < REF_VARIABLES && tuning)
         status = core_set_parameter(core, (int)(ref - REF_PARAMETERS), value);
     else return face_bad_reference(c, function, ref);
@@ -244,8 +268,9 @@ FaceStatus face_set_slopes(Instance *c, const char *function, const uint32_t ref
     c->now.begun = c->now.begun && !(c->now.phase & (INSTANTIATED | INITIALIZATION));
     for (size_t i = 0; i < n; i++) {
         if (refs[i] < REF_INPUTS || refs[i] >= REF_PARAMETERS) return face_bad_reference(c, function, refs[i]);
-        if (core_set_slope(&c->now.core, (int)(refs[i] - REF_INPUTS), slopes[i]) != CORE_OK)
-            return refused_number(c, function);
+        int input = (int)(refs[i] - REF_INPUTS), rate = model_input_rate[input];
+        if (rate >= 0) c->now.told[rate] |= slopes[i] != 0;
+        if (core_set_slope(&c->now.core, input, slopes[i]) != CORE_OK) return refused_number(c, function);
     }
     return FACE_OK;
 }
@@ -277,7 +302,8 @@ FaceStatus face_get_nominals(Instance *c, const char *function, double x[], size
 FaceStatus face_get_rates(Instance *c, const char *function, double rates[], size_t n)
 {
     const double *computed = NULL;
-    if (misfit(c, function, rates, n, NX) || face_ready(c, function) != FACE_OK) return FACE_ERROR;
+    if (misfit(c, function, rates, n, NX) || face_ready(c, function) != FACE_OK || untold_rate(c, function) != FACE_OK)
+        return FACE_ERROR;
     if (core_rates(&c->now.core, &computed) != CORE_OK) return face_outcome(c, function, CORE_DISCARD);
     return copied(computed, rates, n);
 }
@@ -333,6 +359,7 @@ FaceStatus face_step(Instance *c, const char *function, double point, double siz
     if (!isfinite(point) || fabs(point - core_time(&c->now.core)) > slack(point))
         return face_refuse(c, function, "the communication point is not where the last step ended");
     if (!(size > 0) || !isfinite(stop)) return face_refuse(c, function, "the step must be positive and finite");
+    if (untold_rate(c, function) != FACE_OK) return FACE_ERROR;
     if (stop > c->now.stop + slack(c->now.stop))
         return face_refuse(c, function, "the step leads beyond the stop time");
     CoreStatus status = core_advance(&c->now.core, stop, rtol, ABSOLUTE * rtol, FMU_FIXED_STEP,

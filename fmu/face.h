@@ -50,6 +50,7 @@ typedef struct {
     double tolerance;
     double start;
     double stop; /* infinite if not defined */
+    char moved[ROOM(NU)], told[ROOM(NU)]; /* inputs that changed after the start; that were ever not zero */
 } Situation;
 
 typedef struct Instance Instance;

@@ -25,6 +25,7 @@ class Impulses:
     def __init__(self, network: Stepwise, everyone: Sequence[Coupled]) -> None:
         self._network = network
         self._everyone = list(everyone)
+        self._feels = [one.path for one in everyone if not isinstance(one.component, FMUBlock)]
         self._answer = {
             shock: one.path
             for one in everyone
@@ -41,6 +42,11 @@ class Impulses:
         """
         for event in events:
             path = event.mode.rpartition(".")[0]
+            if self._feels and event.mode not in self._network.modes:
+                raise FMUError(
+                    f"'{self._network.name}': {event.component} jumps at t = {event.time:.9g} s, and what "
+                    f"that does to the FMU '{self._feels[0]}' cannot be told; give a ramp, or exact=False"
+                )
             if event.impulse and path in self._answer:
                 raise FMUError(
                     f"'{self._network.name}': the impulse of {event.component} at t = {event.time:.9g} s "

@@ -17,6 +17,7 @@ from .compiled import Compiled, dense
 from .dae import DAE, Input
 from .legs import Leg, legs_of
 from .polynomial import Polynomial
+from .shocks import Shocks
 from .splines import SMOOTHNESS, curvature, sampled_at, traced
 from .stepper import Stepper
 from .switchfunctions import SwitchFunctions
@@ -160,6 +161,11 @@ class Closed:
     def switch_functions(self) -> SwitchFunctions:
         """The compiled functions of the event loop."""
         return SwitchFunctions(self)
+
+    @cached_property
+    def shocks(self) -> Shocks | None:
+        """What jumps of prescribed motions do, if there are motions that may jump."""
+        return Shocks(self, self.dae.jumps) if self.dae.jumps is not None else None
 
     @cached_property
     def native(self) -> Native:

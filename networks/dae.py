@@ -4,17 +4,19 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
+from functools import cached_property
 from math import inf
 from threading import get_ident
 from typing import TYPE_CHECKING, Any, Never
 
-from ..components.base import Parameter, UnknownNameError, listed, named, nearest, text
+from ..components.base import Parameter, UnknownNameError, Variable, listed, named, nearest, text
 from .tolerance import ATOL, RTOL
 from .vectors import stacked
 
 if TYPE_CHECKING:
     from .closed import Closed
     from .index import System
+    from .jumps import Jumps
     from .result import Result
     from .switching import Switching
     from .tearing import Torn
@@ -48,6 +50,7 @@ class DAE:
         completion: makes blocks that a mode leaves singular solvable (least norm), else zero.
         variables: every joined variable as an expression of the above.
         switching: the transitions between modes.
+        jumps: the equations while signals jump whose derivatives they hold, if there are any.
     """
 
     name: str
@@ -68,6 +71,7 @@ class DAE:
     switching: Switching
     variables: Any
     system: System
+    jumps: Jumps | None = None
     _closed: dict[tuple[object, ...], Closed] = field(default_factory=dict)
 
     @property
@@ -90,6 +94,20 @@ class DAE:
     def hybrid(self) -> bool:
         """Whether there are modes to switch."""
         return bool(self.switching.changes)
+
+    @cached_property
+    def followed(self) -> dict[int, tuple[int, int]]:
+        """By variable that starts where an input does: that input, and its sign against the variable."""
+        flat = self.system.flat
+        found = {}
+        for group in flat.groups:
+            for name, declared in type(group[0].component).fields.items():
+                leader = declared.follows if isinstance(declared, Variable) else ""
+                for instance in group if leader and name in group[0].template.place else ():
+                    (root, sign), (led, other) = (flat.joined.find(instance.index(n)) for n in (name, leader))
+                    if root != led:
+                        found[root] = led, sign * other
+        return found
 
     def names(self) -> Iterable[str]:
         """Yield the full names of all variables."""

@@ -129,6 +129,7 @@ def initial_values(closed: Closed, q: Array, t: float, wanted: Wishes) -> tuple[
         InitialConditionError: if no start satisfies the fixed values.
     """
     dae = closed.dae
+    wanted = _following(closed, q, t, wanted)
     x, z = (guessed(dae, wanted, variables) for variables in (dae.states, dae.algebraic))
     free = [i for i, s in enumerate(dae.states) if s not in wanted.fixed]
     states = set(dae.states)
@@ -203,6 +204,21 @@ def guessed(dae: DAE, wanted: Wishes, variables: list[int]) -> Array:
         default = float(starts[v]) if v < len(starts) else 0.0
         values.append(wanted.fixed[v][1] if v in wanted.fixed else wanted.guesses.get(v, default))
     return np.array(values)
+
+
+def _following(closed: Closed, q: Array, t: float, wanted: Wishes) -> Wishes:
+    """Return wishes with guesses for what starts where an input does."""
+    dae = closed.dae
+    known = {*wanted.fixed, *wanted.guesses}
+    followed = {v: leader for v, leader in dae.followed.items() if v not in known}
+    if not followed:
+        return wanted
+    x, z = (guessed(dae, wanted, variables) for variables in (dae.states, dae.algebraic))
+    values = closed.tangent(tuple(leader for leader, _ in followed.values()), False)(x, z, q, t)[0].full()[
+        :, 0
+    ]
+    signs = [sign for _, sign in followed.values()]
+    return Wishes(wanted.fixed, wanted.guesses | dict(zip(followed, (values * signs).tolist(), strict=True)))
 
 
 def _followed(closed: Closed, q: Array, t: float, x: Array, start: Array) -> Array | None:

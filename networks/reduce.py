@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 import casadi as ca
 
 from ..components.base import ModelError
@@ -10,6 +12,7 @@ from .dae import DAE, Input
 from .families import padded
 from .flat import Flat
 from .index import System, joined_system, reduce_index
+from .jumps import Signal, jumping_signals, jumps_of, without_courses
 from .loops import close_loops
 from .selection import select_states
 from .structure import check_structure
@@ -29,9 +32,11 @@ def reduce(flat: Flat) -> DAE:
     symbols = ca.SX.sym("v", system.size)
     values = padded(symbols)
     switch = switching(system, values)
-    solution = causalise(system, select_states(system), symbols, values, switch.expressions)
+    states = select_states(system)
+    signals = jumping_signals(system, values)
+    solution = causalise(system, states, symbols, values, switch.expressions)
     switch.expressions = solution.also
-    return _dae(system, solution, switch)
+    return _dae(system, solution, switch, signals)
 
 
 def _checked(flat: Flat) -> System:
@@ -50,13 +55,12 @@ def _checked(flat: Flat) -> System:
     return system
 
 
-def _dae(system: System, solution: Solution, switch: Switching) -> DAE:
+def _dae(system: System, solution: Solution, switch: Switching, signals: list[Signal]) -> DAE:
     flat = system.flat
-    values, symbols = solution.values, solution.symbols
-    rates = [system.derivative[s] for s in solution.states]
-    ode = pick(values, [d for d, _ in rates])
-    if any(sign < 0 for _, sign in rates):
-        ode = ode * ca.DM([sign for _, sign in rates])
+    symbols = solution.symbols
+    ode = _rates(system, solution)
+    jumps = jumps_of(system, signals, solution.values, symbols, ode, column(solution.residuals))
+    ode, values = _between_jumps(signals, ode, solution, switch)
     known = sorted(system.known.items(), key=lambda item: (item[1], item[0]))
     inputs = [_input(flat, number, *fact) for number, fact in known]
     return DAE(
@@ -78,7 +82,27 @@ def _dae(system: System, solution: Solution, switch: Switching) -> DAE:
         switching=switch,
         variables=values,
         system=system,
+        jumps=jumps,
     )
+
+
+def _rates(system: System, solution: Solution) -> Any:
+    """Return the rates of the states."""
+    rates = [system.derivative[s] for s in solution.states]
+    ode = pick(solution.values, [d for d, _ in rates])
+    return ode * ca.DM([sign for _, sign in rates]) if any(sign < 0 for _, sign in rates) else ode
+
+
+def _between_jumps(signals: list[Signal], ode: Any, solution: Solution, switch: Switching) -> tuple[Any, Any]:
+    """Return rates and variables without what is added to signals in a jump, and leave it out elsewhere."""
+    matrices = [block.matrix for block in solution.blocks]
+    given = [ode, solution.values, switch.expressions, *solution.residuals, *matrices]
+    ode, values, switch.expressions, *others = without_courses(signals, given)
+    count = len(solution.residuals)
+    solution.residuals = others[:count]
+    for block, matrix in zip(solution.blocks, others[count:], strict=True):
+        block.matrix = matrix
+    return ode, values
 
 
 def _input(flat: Flat, number: int, path: str, order: int, sign: int) -> Input:

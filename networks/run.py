@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import Any
 
 import numpy as np
@@ -22,7 +22,7 @@ from ..components.base import (
 )
 from .blame import GUARD, told_without_value
 from .closed import Closed
-from .events import Event, Switcher
+from .events import Event, Switcher, pushed
 from .initial import Decisions
 from .legs import Leg
 from .point import Point, solve_algebraic
@@ -154,18 +154,38 @@ def enter_next_leg(run: Run) -> bool:
     """
     if run.point.t < run.leg.end or run.leg_number + 1 == len(run.legs):
         return False
+    shocks, last = run.closed.shocks, run.leg.end
     run.leg_number += 1
     jumps = run.leg.jumps
     if jumps:
         record_here(run)
+    seen = shocks.seen(replace(run.point, t=last)) if shocks and jumps else None
     point = run.point = Point(run.leg.begin, run.point.x.copy(), run.point.z.copy(), run.point.q)
     if jumps:
         solve_algebraic(run.closed, point)
-    happened = run.switcher.settle(point) if run.switcher else []
+    happened = shock(run, seen) if seen is not None else []
+    happened += run.switcher.settle(point) if run.switcher else []
     run.events += happened
     if jumps or happened:
         run.open_segment()
     return True
+
+
+def shock(run: Run, seen: Array) -> list[Event]:
+    """Let what is given act where it has jumped."""
+    if run.switcher:
+        return run.switcher.jump(run.point, seen, {})
+    shocks = run.closed.shocks
+    assert shocks is not None
+    size = shocks.since(seen, run.point, {})
+    if not size.any():
+        return []
+    states = run.point.x
+    pushes = shocks.act(run.point, size)
+    if np.array_equal(run.point.x, states) and not pushes.any():
+        return []
+    solve_algebraic(run.closed, run.point)
+    return pushed(run.point.t, shocks.jumps, pushes)
 
 
 def record_here(run: Run) -> None:

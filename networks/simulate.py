@@ -163,7 +163,7 @@ def _first_modes(closed: Closed, q: Array, t: float, wanted: Wishes) -> Iterator
 def _settled(switcher: Switcher, point: Point) -> list[Event]:
     """Find the modes in which a run begins."""
     try:
-        return switcher.settle(point)
+        return switcher.settle(point, begins=True)
     except SimulationError as error:
         raise SimulationError(f"'{switcher.closed.dae.name}': {error}") from error
 

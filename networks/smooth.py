@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
+from ..components.base import SimulationError
 from .point import Point
 from .progress import Progress
 from .run import Run, enter_next_leg, integrate, record_here
@@ -73,6 +74,11 @@ def _in_legs(run: Run, outputs: Array, progress: Progress, follow: Sensitivities
             if follow is not None:
                 record_here(run)
             enter_next_leg(run)
+            if follow is not None and run.events:
+                raise SimulationError(
+                    f"{run.events[0].component} jumps at t = {run.point.t:.9g} s, and sensitivities are not "
+                    "followed through its shock; give a ramp instead of the jump, or exact=False"
+                )
             if outputs[done] <= run.point.t:
                 record_here(run)
                 done += 1

@@ -35,7 +35,7 @@ from .initial import wishes
 from .point import Point, solve_algebraic
 from .progress import Progress
 from .result import Result
-from .run import Settings, failure, interruption
+from .run import Settings, failure, interruption, shock
 from .simulate import collected, started
 from .smooth import MOST_STEPS as SMOOTH_STEPS
 from .smooth import run_smooth
@@ -110,6 +110,11 @@ class Stepwise:
         return self.closed.dae.name
 
     @property
+    def modes(self) -> Sequence[str]:
+        """Full names of its modes."""
+        return self.closed.dae.switching.mode_names
+
+    @property
     def events(self) -> Sequence[Event]:
         """Its events so far."""
         return self.run.events
@@ -120,11 +125,25 @@ class Stepwise:
         run = self.run
         return len(run.events) + sum(leg.jumps for leg in run.legs[: run.leg_number + 1])
 
-    def set(self, courses: Mapping[str, Sequence[float]]) -> None:
-        """Set the course of inputs from now on: c0 + c1 (t - now) + c2 (t - now)^2 + ..."""
-        demand("set()", courses=(courses, by_name(numbers(number))))
-        self._write(self.run.point.q, self.time, courses)
-        solve_algebraic(self.closed, self.run.point)
+    def set(self, courses: Mapping[str, Sequence[float]], *, jumps: bool = False) -> None:
+        """Set the course of inputs from now on: c0 + c1 (t - now) + c2 (t - now)^2 + ...
+
+        Args:
+            courses: coefficients by input.
+            jumps: whether they jump here. A motion they prescribe then acts as a shock; else they are pieces
+                of one smooth course, and what they miss of it counts for nothing.
+
+        Raises:
+            SimulationError: for a jump that takes infinite forces.
+        """
+        demand("set()", courses=(courses, by_name(numbers(number))), jumps=(jumps, instance(bool)))
+        run, shocks = self.run, self.closed.shocks
+        seen = shocks.seen(run.point) if shocks and jumps else None
+        self._write(run.point.q, self.time, courses)
+        solve_algebraic(self.closed, run.point)
+        if seen is not None:
+            run.events += shock(run, seen)
+            run.open_segment()
 
     def settle(self, jumped: bool = False) -> bool:
         """Fire the transitions that are due where the run stands; tell whether there were any.

@@ -184,8 +184,9 @@ def timed_rows(dae: DAE, given: Sequence[int], watched: bool = False) -> Any:
         given: places of the inputs that are known before a run.
         watched: whether these themselves count, as they are looked at from outside.
     """
+    jumping = dae.jumps.watched if dae.jumps else ca.SX(0, 1)
     indicators = pick(dae.switching.expressions, [c.indicator for c in dae.switching.changes])
-    equations = stacked(dae.ode, dae.alg, indicators, pick(dae.u, given if watched else []))
+    equations = stacked(dae.ode, dae.alg, indicators, pick(dae.u, given if watched else []), jumping)
     moved = ca.jacobian_sparsity(equations, ca.vertcat(pick(dae.u, given), dae.time)).row()
     if not moved:
         return ca.SX(0, 1)
@@ -193,7 +194,8 @@ def timed_rows(dae: DAE, given: Sequence[int], watched: bool = False) -> Any:
 
 
 def _largest(dae: DAE, equations: Any, given: set[int]) -> Any:
-    function = ca.Function("equations", dae.arguments(), [equations])
+    read = dae.jumps.before if dae.jumps else ca.SX(0, 1)
+    function = ca.Function("equations", [*dae.arguments(), read], [equations])
     arguments = [argument.nz[:] for argument in dae.arguments()]
     parameters = dae.p.numel()
     work: dict[int, tuple[int, Any, int]] = {}

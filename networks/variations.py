@@ -45,7 +45,8 @@ class Variations:
         parameters: the parameters in which.
 
     Raises:
-        ModelError: for unknown parameters, and for networks with shocks.
+        ModelError: for unknown parameters, and for networks with shocks; later for runs in which a prescribed
+            motion jumps.
         UnknownNameError: for unknown signals, with the nearest name.
 
     Limits: as accurate as the points of the run resolve what happens between them.
@@ -167,6 +168,7 @@ class Variations:
     def _linearised(self, result: Result) -> _Line:
         """Return the slopes along a run; those of the last run are kept."""
         if self._line is None or self._line.result is not result:
+            self._check_jumps(result)
             points = result.points
             to_x, to_p, to_u = self._slopes(points)
             steps = steps_along(points, self._slopes, to_x, to_p)
@@ -179,6 +181,16 @@ class Variations:
                 steps.map[edges], steps.own[edges], steps.weight[edges] = by_x, by_p, 0.0
             self._line = _Line(result, to_x, to_p, to_u, steps, edges, by_u)
         return self._line
+
+    def _check_jumps(self, result: Result) -> None:
+        """Raise where a prescribed motion jumps, which moves states by what has no slopes here."""
+        for event in result.events:
+            if event.mode not in self.dae.switching.mode_names:
+                raise ModelError(
+                    f"'{self.dae.name}': {event.component} jumps at t = {event.time:.9g} s, and variations "
+                    "are not known through its shock; give a ramp instead of the jump, or exact=False, or "
+                    "compare runs"
+                )
 
     def _held(self, segment: Segment, moved: Array) -> Array:
         """Take out changes of what the modes hold at the start, such as the speed of what sticks."""

@@ -98,9 +98,10 @@ class Variable(Field):
         start: float = 0.0,
         nominal: float = float("nan"),
         state: str = "default",
+        follows: str = "",
     ) -> None:
         super().__init__(unit, doc)
-        self.start, self.nominal, self.state = start, nominal, state
+        self.start, self.nominal, self.state, self.follows = start, nominal, state, follows
 
 
 class RealInput(Field):
@@ -224,6 +225,7 @@ def variable(
     start: float = 0.0,
     nominal: float = float("nan"),
     state: str = "default",
+    follows: str = "",
 ) -> Any:
     """Declare a variable.
 
@@ -233,8 +235,9 @@ def variable(
         start: the guess of its start value; a user's own start value is fixed, this one never is.
         nominal: its usual size, which scales the absolute tolerance (1 if nothing is said).
         state: `"prefer"`, `"default"` or `"avoid"` when states are chosen.
+        follows: an input of the component at which it starts if nobody says otherwise.
     """
-    return Variable(unit, doc, start, nominal, state)
+    return Variable(unit, doc, start, nominal, state, follows)
 
 
 def mode(*values: str, doc: str = "mode", in_shock: dict[str, str] | None = None) -> Any:

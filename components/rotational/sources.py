@@ -6,6 +6,7 @@ from collections.abc import Iterable
 from typing import Any
 
 from ..base import Component, RealInput, RotationalFlange, der, parameter, variable
+from ..filtered import after_position, after_speed, critical_frequency, exactness
 
 
 class _Driven(Component):
@@ -43,27 +44,53 @@ class ConstantTorque(_Driven):
 class Position(_Driven):
     """A prescribed angle: flange.phi - support.phi = phi_ref. Its speed and acceleration follow.
 
-    Source: MSL Rotational.Sources.Position with exact=true.
+    Where phi_ref bends or jumps, what that takes acts as a shock, whose impulse is an event of the run; a
+    jump that takes infinite forces is refused. With `exact=False` a Bessel filter of order 2 follows
+    phi_ref: der(w) = ((phi_ref - phi) o - 1.3617 w) o/0.6180 with w = der(phi), o = 2 pi f_crit, from
+    phi = phi_ref at rest; lead = phi + w/o.
+
+    Source: MSL Rotational.Sources.Position.
     """
 
     phi_ref = RealInput("rad", "angle")
+    exact = exactness()
+    f_crit = critical_frequency()
+    phi = variable("rad", "angle against the support", follows="phi_ref")
+    lead = variable("rad", "angle ahead, by which the filter moves", follows="phi_ref")
 
     def equations(self) -> Iterable[Any]:
-        yield self.flange.phi - self.support.phi == self.phi_ref
+        yield self.flange.phi - self.support.phi == self.phi
+        if self.exact:
+            yield self.phi == self.phi_ref
+            yield self.lead == self.phi_ref
+            return
+        rates = after_position(self.phi_ref, self.phi, self.lead, self.f_crit)
+        yield der(self.phi) == rates[0]
+        yield der(self.lead) == rates[1]
 
 
 class Speed(_Driven):
     """A prescribed speed: der(phi) = w_ref, from the start angle phi.
 
-    Source: MSL Rotational.Sources.Speed with exact=true.
+    Where w_ref jumps, what that takes acts as a shock, whose impulse is an event of the run. With
+    `exact=False` a filter of order 1 follows w_ref: der(w) = 2 pi f_crit (w_ref - w), from w = w_ref.
+
+    Source: MSL Rotational.Sources.Speed.
     """
 
     w_ref = RealInput("rad/s", "speed")
+    exact = exactness()
+    f_crit = critical_frequency()
     phi = variable("rad", "angle against the support")
+    w = variable("rad/s", "speed against the support", follows="w_ref")
 
     def equations(self) -> Iterable[Any]:
         yield self.phi == self.flange.phi - self.support.phi
-        yield der(self.phi) == self.w_ref
+        yield der(self.phi) == self.w
+        if self.exact:
+            yield self.w == self.w_ref
+        else:
+            yield der(self.w) == after_speed(self.w_ref, self.w, self.f_crit)
 
 
 class Accelerate(_Driven):

@@ -18,7 +18,7 @@ class Periodic(Source):
     period = parameter("s", "period", above=0)
     offset = parameter("", "value between the pulses", default=0.0)
     start_time = parameter("s", "when the first period begins", default=0.0)
-    count = variable("1", "periods begun")
+    count = variable("1", "periods begun", state="prefer")
 
     @property
     def next_period(self) -> Any:

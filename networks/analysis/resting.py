@@ -42,7 +42,7 @@ def settle(closed: Closed, point: Point, switcher: Switcher | None) -> list[str]
             return notes
         _keep_this_side(closed, before, point, switcher)
         try:
-            events = switcher.settle(point)
+            events = switcher.settle(point, begins=True)
         except SimulationError as error:
             raise ModelError(f"'{closed.dae.name}': {error}") from error
         if not events and not _holds_at_rest(closed, point):

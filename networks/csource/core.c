@@ -242,14 +242,6 @@ int core_knows_inputs(Core *c, double t) {
     return 0;
 }
 
-CoreStatus core_start(Core *c) {
-    int changed;
-    if (!core_knows_inputs(c, c->t)) return CORE_ERROR;
-    core_stale(c);
-    c->h = 0;
-    return core_settle(c, &changed);
-}
-
 /* An integrator outside sees only signs at the ends of its steps: what falls now must count as negative,
  * or a short hop, down and up again within one step, goes unseen. */
 static void raise_falling(Core *c) {
@@ -258,11 +250,23 @@ static void raise_falling(Core *c) {
     c->fresh &= ~FRESH_INDICATORS;
 }
 
-CoreStatus core_settle(Core *c, int *changed) {
-    int happened, forced = c->pending - 1;
+/* What begins does not jump. */
+CoreStatus core_start(Core *c) {
+    int happened, changed;
+    if (!core_knows_inputs(c, c->t)) return CORE_ERROR;
+    core_stale(c);
+    c->h = 0;
     core_find_leg(c);
-    if (core_at_end_of_leg(c)) core_next_leg(c);
-    CoreStatus status = core_fire(c, forced, 0, &happened, changed);
+    CoreStatus status = core_fire(c, -1, 0, 1, &happened, &changed);
+    if (status == CORE_OK) raise_falling(c);
+    return status;
+}
+
+CoreStatus core_settle(Core *c, int *changed) {
+    int happened, jumped = 0, forced = c->pending - 1;
+    CoreStatus status = core_enter_legs(c, &jumped);
+    if (status == CORE_OK) status = core_fire(c, forced, 0, 0, &happened, changed);
+    *changed |= jumped;
     if (status == CORE_OK) raise_falling(c);
     return status;
 }
@@ -281,7 +285,7 @@ CoreStatus core_advance(Core *c, double stop, double rtol, double atol, double f
         *reached = CORE_EVENT;
         return CORE_OK;
     }
-    CoreStatus status = due ? core_fire(c, c->pending - 1, 0, &happened, &changed) : CORE_OK;
+    CoreStatus status = due ? core_fire(c, c->pending - 1, 0, 0, &happened, &changed) : CORE_OK;
     if (status != CORE_OK) return status;
     c->interval = stop - c->t;
     return core_travel(c, stop, rtol, atol, fixed_step, return_early, 0, reached);

@@ -102,7 +102,8 @@ typedef struct Legs {
 /* Told of what happens on the way. Any function may be absent. */
 typedef struct {
     void *context;
-    /* A change of mode, or a shock; `stays` for a contact that passes a shock on. */
+    /* A change of mode, or a shock; `stays` for a contact that passes a shock on; from NG on, a
+     * motion that jumps, and NG + NPUSH for what none feels. */
     void (*fired)(void *context, const Core *c, int change, int stays, double impulse);
     /* A step was taken, of which [c->step.t, until] counts. Nonzero asks to stop there. */
     int (*stepped)(void *context, Core *c, double until);
@@ -127,7 +128,8 @@ int core_at_end_of_leg(const Core *c);
 int core_jumps_next(const Core *c);
 double core_end_of_leg(const Core *c);
 double core_longest_step(const Core *c);
-void core_next_leg(Core *c);
+CoreStatus core_next_leg(Core *c, const Observer *told, int *changed);
+CoreStatus core_enter_legs(Core *c, int *changed);
 int core_next_time(Core *c, double *time);
 
 /* core.c */
@@ -160,12 +162,19 @@ double core_near_zero(const Core *c, int i);
 int core_can_fire(const Core *c, int i);
 int core_leavable(const Core *c, int i);
 int core_any_due(Core *c);
-CoreStatus core_fire(Core *c, int forced, const Observer *told, int *happened, int *changed);
+void core_switching(Core *c);
+CoreStatus core_fire(Core *c, int forced, const Observer *told, int begins, int *happened, int *changed);
 
 /* impacts.c */
 CoreStatus core_complete(Core *c);
 CoreStatus core_strike(Core *c, int shocks[], int stays[], double impulses[], int *count);
-void core_reset_variables(Core *c, const int changes[], int count);
+void core_reset_variables(Core *c, const int changes[], int count, double seen[]);
+int core_stands_in(int mode, int value);
+void core_stand_in(Core *c);
+
+/* shocks.c */
+void core_see(Core *c, double seen[]);
+CoreStatus core_jump(Core *c, const double seen[], const Observer *told, int *changed);
 
 /* rosenbrock.c */
 int core_step_begin(Core *c);

@@ -34,7 +34,7 @@ int core_watch(Core *c, double t, const double y[], const double rates[], Watche
     return isfinite(sum);
 }
 
-static void switching(Core *c) {
+void core_switching(Core *c) {
     const double *arg[ROOM(MODEL_ARGS)] = {0};
     double *res[ROOM(MODEL_RESULTS)] = {c->expressions};
     core_arguments(c, c->t, c->y, arg);
@@ -59,7 +59,7 @@ static int firing(Core *c, int forced, int fired[]) {
     if (core_rates(c, &rates) != CORE_OK || !core_watch(c, c->t, c->y, rates, &c->left)) return -1;
     for (int i = 0; i < NG && !any; i++) any = is_ready(c, i, forced);
     if (!any) return 0;
-    switching(c);
+    core_switching(c);
     for (int m = 0; m < NM; m++) strongest[m] = -1;
     for (int i = 0; i < NG; i++) {
         int allowed = model_change_allowed[i], *best = strongest + model_change_mode[i];
@@ -90,10 +90,11 @@ static uint64_t situation(Core *c, const int fired[], int count) {
 }
 
 /* Apply changes: shocks first, then modes, then resets. */
-static CoreStatus apply(Core *c, const int fired[], int count, const Observer *told, int *changed) {
+static CoreStatus apply(Core *c, const int fired[], int count, const Observer *told, int begins, int *changed) {
     int changes[ROOM(NG)], stays[ROOM(NG)] = {0}, kept = 0, shocks[ROOM(NG)], held[ROOM(NG)], shocked = 0;
-    double impulses[ROOM(NG)] = {0}, size[ROOM(NG)];
+    double impulses[ROOM(NG)] = {0}, size[ROOM(NG)], seen[ROOM(NREAD)];
     CoreStatus status;
+    core_see(c, seen);
     for (int k = 0; k < count; k++)
         if (model_change_impulse[fired[k]] < 0) changes[kept++] = fired[k];
         else shocks[shocked++] = fired[k];
@@ -101,7 +102,7 @@ static CoreStatus apply(Core *c, const int fired[], int count, const Observer *t
         status = core_strike(c, shocks, held, size, &shocked);
         if (status != CORE_OK) return status;
         *changed = 1;
-        switching(c);
+        core_switching(c);
         for (int k = 0; k < shocked; k++, kept++) {
             changes[kept] = shocks[k];
             stays[kept] = held[k];
@@ -117,11 +118,11 @@ static CoreStatus apply(Core *c, const int fired[], int count, const Observer *t
     }
     status = core_complete(c);
     if (status != CORE_OK) return status;
-    core_reset_variables(c, changes, kept);
+    core_reset_variables(c, changes, kept, seen);
     core_stale(c);
     for (int k = 0; k < kept; k++)
         if (told && told->fired) told->fired(told->context, c, changes[k], stays[k], impulses[k]);
-    return core_rates(c, 0);
+    return begins ? core_rates(c, 0) : core_jump(c, seen, told, changed);
 }
 
 static CoreStatus check_adrift(Core *c) {
@@ -145,7 +146,7 @@ static CoreStatus forever(Core *c, const int fired[], int count) {
     return CORE_ERROR;
 }
 
-CoreStatus core_fire(Core *c, int forced, const Observer *told, int *happened, int *changed) {
+CoreStatus core_fire(Core *c, int forced, const Observer *told, int begins, int *happened, int *changed) {
     uint64_t visited[ROUNDS];
     int fired[ROOM(NG)], count = 0, one_by_one = 0, since = 0, adrift = 0, waited = forced;
     CoreStatus status = core_complete(c);
@@ -172,7 +173,7 @@ CoreStatus core_fire(Core *c, int forced, const Observer *told, int *happened, i
             one_by_one = 1;
             since = round;
         }
-        status = apply(c, fired, one_by_one ? 1 : count, told, changed);
+        status = apply(c, fired, one_by_one ? 1 : count, told, begins, changed);
         if (status != CORE_OK) return status;
         if (c->adrift) adrift = c->adrift;
         *happened = 1;

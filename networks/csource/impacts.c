@@ -106,7 +106,8 @@ CoreStatus core_complete(Core *c) {
     return CORE_OK;
 }
 
-static int stands_in(int mode, int value) { return model_in_shock[model_in_shock_start[mode] + value]; }
+/* What stands in for a mode while an impulse acts, -1 if it is itself. */
+int core_stands_in(int mode, int value) { return model_in_shock[model_in_shock_start[mode] + value]; }
 
 /* Contacts that already hold and pass a shock on; none if a blow rebounds, which strikes one after the other. */
 static int partners(Core *c, int shocks[], int stays[], int count) {
@@ -116,11 +117,11 @@ static int partners(Core *c, int shocks[], int stays[], int count) {
         struck[model_change_mode[shocks[k]]] = 1;
     }
     for (int k = 0; k < count; k++)
-        if (stands_in(model_change_mode[shocks[k]], model_change_target[shocks[k]]) < 0) return count;
+        if (core_stands_in(model_change_mode[shocks[k]], model_change_target[shocks[k]]) < 0) return count;
     for (int i = 0; i < NG; i++) {
         int mode = model_change_mode[i], target = model_change_target[i];
         if (model_change_impulse[i] < 0 || struck[mode] || target != core_mode(c, mode)) continue;
-        if (stands_in(mode, target) < 0) continue;
+        if (core_stands_in(mode, target) < 0) continue;
         shocks[total] = i;
         stays[total++] = 1;
     }
@@ -190,6 +191,12 @@ static CoreStatus collide(Core *c, int shocks[], int stays[], double size[], int
     return CORE_OK;
 }
 
+void core_stand_in(Core *c) {
+    double *modes = core_modes(c);
+    for (int m = 0; m < NM; m++)
+        if (core_stands_in(m, (int)modes[m]) >= 0) modes[m] = core_stands_in(m, (int)modes[m]);
+}
+
 /* Let shocks act, and the contacts that pass them on, which are added to the list. */
 CoreStatus core_strike(Core *c, int shocks[], int stays[], double impulses[], int *count) {
     double kept[ROOM(NM + NI + NK)], *modes = core_modes(c);
@@ -197,8 +204,7 @@ CoreStatus core_strike(Core *c, int shocks[], int stays[], double impulses[], in
     double *res[ROOM(MODEL_RESULTS)] = {c->response, c->velocity};
     *count = partners(c, shocks, stays, *count);
     memcpy(kept, modes, (NM + NI + NK) * sizeof *kept);
-    for (int m = 0; m < NM; m++)
-        if (stands_in(m, (int)modes[m]) >= 0) modes[m] = stands_in(m, (int)modes[m]);
+    core_stand_in(c);
     CoreStatus status = core_complete(c);
     core_arguments(c, c->t, c->y, arg);
     arg[4] = &c->t;
@@ -212,14 +218,15 @@ CoreStatus core_strike(Core *c, int shocks[], int stays[], double impulses[], in
     return status;
 }
 
-/* Give variables new values: states directly, others by the least change of states. */
-void core_reset_variables(Core *c, const int changes[], int count) {
+/* Give variables new values: states directly, others by the least change of states; what was seen follows. */
+void core_reset_variables(Core *c, const int changes[], int count, double seen[]) {
     double given[ROOM(NO)] = {0}, wanted[ROOM(NO)], step[ROOM(NX)];
     int row[ROOM(NO)] = {0}, rows = 0;
     for (int i = 0; i < NO; i++) row[i] = -1;
     for (int k = 0; k < count; k++)
         for (int r = model_reset_start[changes[k]]; r < model_reset_start[changes[k] + 1]; r++) {
             double value = model_reset_sign[r] * c->expressions[model_reset_value[r]];
+            if (model_reset_read[r] >= 0) seen[model_reset_read[r]] = value;
             if (model_reset_state[r] >= 0) c->y[model_reset_state[r]] = value;
             else {
                 int other = model_reset_other[r];

@@ -20,6 +20,7 @@ from ..legs import Leg
 from ..starting import Start
 from ..stepper import nominal_sizes
 from ..vectors import column, pick
+from .jumping import jump_functions, jump_tables
 from .reduction import Reduction
 from .starts import start_functions, start_tables
 from .tables import Tables
@@ -100,6 +101,7 @@ class Model:
             ),
             self._function("model_reset", [], [ca.densify(others), _sparse(ca.jacobian(others, dae.x))]),
             self._function("model_variables", [], [ca.densify(published)]),
+            *jump_functions(dae, self._function),
             *(self._products(motion, published) if self.products else []),
             *(start_functions(self.start, dae.arguments()) if self.start else []),
         ]
@@ -175,6 +177,7 @@ class Model:
         self._inputs_tables(tables)
         self._legs(tables)
         self._changes(tables)
+        jump_tables(dae, tables)
         self._blocks(tables)
         self._patterns(tables)
         if self.start:

@@ -30,7 +30,7 @@ from numpy.typing import NDArray
 from ...components.base import ModelError, Sampled, SimulationError, heed
 from ..closed import Closed, Given
 from ..dae import DAE
-from ..events import Event
+from ..events import Event, jumped
 from ..index import System
 from ..point import Point
 from ..polynomial import Polynomial
@@ -173,7 +173,9 @@ class _Store:
 
     def __init__(self, native: Native, outputs: NDArray[np.float64], tolerance: tuple[float, float]) -> None:
         self.native, self.outputs = native, np.ascontiguousarray(outputs)
-        modes = len(native.dae.switching.mode_names)
+        modes = len(native.dae.switching.mode_names) + (
+            len(native.dae.jumps.motions) if native.dae.jumps else 0
+        )
         rows, events = len(outputs) + 2 * ROOM + 2, ROOM + ROUNDS * modes + 1
         self.times, self.points = np.empty(rows), np.empty((rows, native.nx + native.nz))
         self.constants, self.starts = np.empty((ROOM + 2, native.nq)), np.empty(ROOM + 2, dtype=np.int64)
@@ -219,7 +221,11 @@ class _Store:
         run.count(shared.steps - run.steps)
 
     def _event(self, k: int) -> Event:
-        switching = self.native.dae.switching
+        switching, jumps = self.native.dae.switching, self.native.dae.jumps
+        if jumps is not None and self.changes[k] >= len(switching.changes):
+            number = int(self.changes[k]) - len(switching.changes)
+            impulse = float(self.impulses[k]) if number < len(jumps.motions) else None
+            return jumped(float(self.event_times[k]), jumps, number, impulse)
         change = switching.changes[self.changes[k]]
         values = switching.mode_values[change.mode]
         source = change.target if self.stays[k] else change.source

@@ -27,7 +27,7 @@ PRODUCTS = ("products.c",)
 STARTS = ("start.h", "start.c")
 SOURCES = (
     "algebra.c", "core.c", "events.c", "impacts.c", "legs.c", "linear.c", "locate.c", "message.c",
-    "rosenbrock.c", "stepper.c",
+    "rosenbrock.c", "shocks.c", "stepper.c",
 )  # fmt: skip
 
 

@@ -171,7 +171,7 @@ CoreStatus core_begin(Core *c, const Given *given, StartRoom *room) {
         memset(c->y, 0, sizeof c->y);
         CoreStatus status = core_complete(c);
         if (status == CORE_OK) status = seek(c, given, room);
-        if (status == CORE_OK) status = core_fire(c, -1, &observer, &happened, &changed);
+        if (status == CORE_OK) status = core_fire(c, -1, &observer, 1, &happened, &changed);
         if (status != CORE_OK || !happened || !NFIXED || struck) return status;
         memcpy(settled, c->y, sizeof settled);
         status = seek(c, given, room);

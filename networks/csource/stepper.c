@@ -126,7 +126,7 @@ static CoreStatus fire(Core *c, const Wanted *wanted, int forced) {
     const Observer *told = wanted->told;
     int happened, changed;
     if (told && told->landed) told->landed(told->context, c, 0, 0);
-    CoreStatus status = core_fire(c, forced, told, &happened, &changed);
+    CoreStatus status = core_fire(c, forced, told, 0, &happened, &changed);
     if (status == CORE_OK && told && told->landed) told->landed(told->context, c, 1, happened);
     if (happened) c->last_h = 0;
     if (status == CORE_OK) status = watch_chatter(c);
@@ -203,15 +203,15 @@ static CoreStatus stride(Core *c, const Wanted *wanted, double stop, double *mos
 static CoreStatus enter_next_leg(Core *c, const Wanted *wanted, CoreStop *reached, int *halt) {
     const Observer *told = wanted->told;
     int happened, changed, jumps = core_jumps_next(c);
-    CoreStatus status = CORE_OK;
+    CoreStatus status;
     if (jumps && wanted->early) {
         *reached = CORE_EVENT;
         *halt = 1;
         return CORE_OK;
     }
     if (jumps && told && told->landed) told->landed(told->context, c, 0, 0);
-    core_next_leg(c);
-    if (jumps) status = core_fire(c, -1, told, &happened, &changed);
+    status = core_next_leg(c, told, &changed);
+    if (status == CORE_OK && jumps) status = core_fire(c, -1, told, 0, &happened, &changed);
     if (status == CORE_OK && jumps && told && told->landed) told->landed(told->context, c, 1, 1);
     if (status == CORE_OK) status = core_rates(c, 0);
     if (status != CORE_OK) return status;
