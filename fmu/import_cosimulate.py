@@ -11,8 +11,7 @@ from numpy.typing import NDArray
 
 from ..components import ModelError
 from ..components.base import boolean, demand, finite, named, whole
-from ..networks import DAE, Network, Polynomial, Stepwise, dae_of
-from ..networks.tolerance import ATOL, RTOL
+from ..networks import ATOL, DAE, RTOL, Network, Polynomial, Stepwise, dae_of
 from .errors import FMUError
 from .exchange import compare
 from .foreign import Values

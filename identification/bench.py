@@ -10,8 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..components import ModelError
-from ..networks import DAE, Network, Result, Variations, dae_of
-from ..networks.tolerance import ATOL, RTOL
+from ..networks import ATOL, DAE, RTOL, Network, Result, Variations, dae_of
 from .channels import Channel
 from .experiments import Experiment
 

@@ -67,6 +67,8 @@ from .stepper import SOLVERS as SOLVERS
 from .stepwise import Stepwise as Stepwise
 from .storage import check_table_path as check_table_path
 from .storage import load_table as load_table
+from .tolerance import ATOL as ATOL
+from .tolerance import RTOL as RTOL
 from .variations import Variations as Variations
 
 if TYPE_CHECKING:
