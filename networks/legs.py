@@ -150,7 +150,7 @@ def _blocks(signals: TimeSignals, starts: Array, ends: Array, size: Array) -> _B
     spent = 0
     while len(low):
         spent += len(low)
-        scale, shown = _looked_at(signals, low, high, size, whole=not kept)
+        scale, shown = _looked_at(signals, low, high, size)
         shown |= high <= np.nextafter(low, np.inf)
         if spent + 2 * np.count_nonzero(~shown) > MOST_BLOCKS:
             shown[:] = True
@@ -158,7 +158,8 @@ def _blocks(signals: TimeSignals, starts: Array, ends: Array, size: Array) -> _B
         low, high = _split(low[~shown], high[~shown], 2)
     columns = [np.concatenate(column) for column in zip(*kept, strict=True)]
     order = np.argsort(columns[0], kind="stable")
-    return _Blocks(*(column[order] for column in columns))
+    first, last, scale = (column[order] for column in columns)
+    return _Blocks(first, last, _after_rest(first, last, scale))
 
 
 def _divided(starts: Array, ends: Array) -> tuple[Array, Array]:
@@ -173,20 +174,33 @@ def _divided(starts: Array, ends: Array) -> tuple[Array, Array]:
     return np.concatenate(low), np.concatenate(high)
 
 
-def _looked_at(
-    signals: TimeSignals, low: Array, high: Array, size: Array, whole: bool
-) -> tuple[Array, Flags]:
-    """Return how fine the course in each interval is, infinite at rest, and which show all that happens.
+def _after_rest(low: Array, high: Array, scale: Array) -> Array:
+    """Return how fine courses are that are polynomials (NaN): a share of all that moves there without rest.
 
-    An interval that was never divided is at rest, too, where its course is a polynomial; parts of a pulse
-    look like polynomials, however small it is beside others.
+    However small a pulse is beside others, its parts look like polynomials, and a step from rest passes over
+    it. Where a course moves from the start or from a switch on, an integrator sees it.
+    """
+    moves = ~np.isinf(scale)
+    cut = np.append(True, low[1:] > high[:-1])
+    begins = np.flatnonzero(moves & (cut | np.append(True, ~moves[:-1])))
+    if not len(begins):
+        return scale
+    group = np.searchsorted(begins, np.arange(len(low)), side="right") - 1
+    last = np.maximum.reduceat(np.where(moves, high, -np.inf), begins)
+    share = np.where(cut[begins], np.inf, (last - low[begins]) / PARTS)
+    return np.where(np.isnan(scale), share[group], scale)
+
+
+def _looked_at(signals: TimeSignals, low: Array, high: Array, size: Array) -> tuple[Array, Flags]:
+    """Return how fine the course in each interval is, and which show all that happens.
+
+    It is infinite at rest, and NaN where the course is a polynomial.
 
     Args:
         signals: the signals.
         low: where the intervals begin [s].
         high: where they end [s].
         size: the range of each signal so far; updated.
-        whole: whether the intervals were never divided.
     """
     times = low[:, None] + (high - low)[:, None] * EIGHTHS
     values = signals(times.ravel()).reshape(len(low), 9, -1)
@@ -207,9 +221,9 @@ def _looked_at(
         allowed = HIDDEN * ranges[unknown] + least
         known[unknown] |= between <= allowed
         scale[unknown] *= np.clip(allowed / np.maximum(between, least + TINY), 1 / 16, 1.0).min(axis=1)
-    quiet = (((missed if whole else ranges) <= least) & known).all(axis=1)
+    rests, even = (((what <= least) & known).all(axis=1) for what in (ranges, missed))
     shown = ((missed <= FOLLOWED * ranges + least) & known).all(axis=1)
-    return np.where(quiet, np.inf, scale), shown
+    return np.select([rests, even], [np.inf, np.nan], scale), shown
 
 
 def _joined(low: Array, high: Array, scale: Array) -> Iterator[Leg]:
