@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import time as clock
 from collections.abc import Callable, Iterator, Mapping
+from dataclasses import replace
 from functools import partial
 from typing import Any
 
@@ -24,7 +25,7 @@ from .dae import DAE
 from .events import Event, Switcher
 from .hybrid import MOST_STEPS, NODES, run_hybrid
 from .initial import Wishes, initial_values, wishes
-from .point import Point
+from .point import Point, solve_algebraic
 from .progress import Progress
 from .resolution import resolution_notes
 from .result import Result
@@ -32,6 +33,8 @@ from .run import Run, Settings, failure, interruption, limiting_state
 from .sensitivity import Sensitivities
 from .smooth import run_smooth, smooth_stepper
 from .stepper import Array, IntegratorError
+
+JUST_BEFORE = 1e-9
 
 
 def simulate(
@@ -161,9 +164,14 @@ def _first_modes(closed: Closed, q: Array, t: float, wanted: Wishes) -> Iterator
 
 
 def _settled(switcher: Switcher, point: Point) -> list[Event]:
-    """Find the modes in which a run begins."""
+    """Find the modes in which a run begins: those just before, where nothing jumps, then what happens at once."""
+    before = replace(point, t=point.t - JUST_BEFORE * max(1.0, abs(point.t)))
     try:
-        return switcher.settle(point, begins=True)
+        happened = [replace(event, time=point.t) for event in switcher.settle(before, begins=True)]
+        if happened:
+            point.x, point.z, point.q = before.x, before.z, before.q
+            solve_algebraic(switcher.closed, point)
+        return [*happened, *switcher.settle(point)]
     except SimulationError as error:
         raise SimulationError(f"'{switcher.closed.dae.name}': {error}") from error
 

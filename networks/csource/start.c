@@ -10,6 +10,7 @@
 #define START_CLOSE 1e-13
 #define START_MISSED 1e-8
 #define START_WEAK 1e-12
+#define START_BEFORE 1e-9
 
 void core_given(Given *given) {
     for (int i = 0; i < NX; i++) given->x[i] = model_guess[i];
@@ -157,7 +158,21 @@ static void note_shock(void *context, const Core *c, int change, int stays, doub
     (void)c;
     (void)stays;
     (void)impulse;
-    if (model_change_impulse[change] >= 0) *(int *)context = 1;
+    if (change >= NG || model_change_impulse[change] >= 0) *(int *)context = 1;
+}
+
+/* Fire what has happened just before the first instant, where nothing jumps, then what happens in it. */
+static CoreStatus fire_first(Core *c, const Observer *told, int *happened) {
+    int before = 0, changed, at_once = 0;
+    double t = c->t;
+    c->t = t - START_BEFORE * fmax(1, fabs(t));
+    core_stale(c);
+    CoreStatus status = core_fire(c, -1, told, 1, &before, &changed);
+    c->t = t;
+    core_stale(c);
+    if (status == CORE_OK) status = core_fire(c, -1, told, 0, &at_once, &changed);
+    *happened = before || at_once;
+    return status;
 }
 
 CoreStatus core_begin(Core *c, const Given *given, StartRoom *room) {
@@ -165,13 +180,13 @@ CoreStatus core_begin(Core *c, const Given *given, StartRoom *room) {
     memcpy(c->q + NP, model_first_mode, NM * sizeof *c->q);
     memset(c->q + NP + NM, 0, (NI + NK) * sizeof *c->q);
     for (int round = 0; round < START_ROUNDS; round++) {
-        int struck = 0, happened, changed, agree = 1;
+        int struck = 0, happened, agree = 1;
         Observer observer = {&struck, note_shock, 0, 0};
         forget(c);
         memset(c->y, 0, sizeof c->y);
         CoreStatus status = core_complete(c);
         if (status == CORE_OK) status = seek(c, given, room);
-        if (status == CORE_OK) status = core_fire(c, -1, &observer, 1, &happened, &changed);
+        if (status == CORE_OK) status = fire_first(c, &observer, &happened);
         if (status != CORE_OK || !happened || !NFIXED || struck) return status;
         memcpy(settled, c->y, sizeof settled);
         status = seek(c, given, room);
