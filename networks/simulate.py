@@ -164,7 +164,7 @@ def _first_modes(closed: Closed, q: Array, t: float, wanted: Wishes) -> Iterator
 
 
 def _settled(switcher: Switcher, point: Point) -> list[Event]:
-    """Find the modes in which a run begins: those just before, where nothing jumps, then what happens at once."""
+    """Find the modes just before a run begins, where nothing jumps, then let happen what happens at once."""
     before = replace(point, t=point.t - JUST_BEFORE * max(1.0, abs(point.t)))
     try:
         happened = [replace(event, time=point.t) for event in switcher.settle(before, begins=True)]

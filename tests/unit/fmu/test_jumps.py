@@ -25,6 +25,8 @@ def dragged(drive: Any, source: Any = None) -> Network:
 
 CASES = {
     "step": lambda: dragged(Speed(), signals.Step(start_time=0.4)),
+    "step at once": lambda: dragged(Speed(), signals.Step()),
+    "kink at once": lambda: dragged(Position(), signals.Ramp(duration=0.3)),
     "pulse": lambda: dragged(Speed(), signals.Pulse(period=0.3, start_time=0.05)),
     "kink": lambda: dragged(Position(), signals.Ramp(start_time=0.3, duration=0.3)),
     "function": lambda: dragged(Speed(v_ref=lambda t: ca.if_else(t < 0.4, 0, 1))),

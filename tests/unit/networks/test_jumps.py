@@ -325,8 +325,17 @@ def test_a_position_may_step_where_a_spring_yields() -> None:
 
 
 @pytest.mark.parametrize("solver", TWO)
-def test_what_moves_as_a_run_begins_is_no_shock(solver: str) -> None:
-    for source in (signals.Step(), None):
+def test_what_jumps_in_the_first_instant_is_a_shock(solver: str) -> None:
+    for drive, source in ((Speed(), signals.Step()), (Position(), signals.Ramp(duration=2.0, height=2.0))):
+        net = driven(drive, source, Inerter(b=50.0), Mass(m=100.0))
+        run = net.simulate(1.0, start={"mass.v": 0.0}, solver=solver)
+        assert run["mass.v"] == pytest.approx(1 / 3, rel=1e-9)
+        assert pushes(run)[0][1] == pytest.approx(100 / 3)
+
+
+@pytest.mark.parametrize("solver", TWO)
+def test_what_moved_before_a_run_begins_is_no_shock(solver: str) -> None:
+    for source in (signals.Step(start_time=-0.1), None):
         net = driven(Speed(), source, Inerter(b=50.0), Mass(m=100.0))
         inputs = {} if source else {"drive.v_ref": 1.0}
         run = net.simulate(1.0, inputs=inputs, start={"mass.v": 0.0}, solver=solver)
@@ -340,6 +349,9 @@ def test_sensitivities_and_variations_through_a_shock_are_refused() -> None:
         net.simulate(0.6, inputs={"drive.v_ref": JUMPING["if_else"]}, sensitivities=["mass.m"])
     dae = driven(Speed(), step(), Inerter(b=50.0), Mass(m=100.0)).dae()
     with pytest.raises(ia.ModelError, match=r"drive.*t = 0\.4 s.*variations"):
+        Variations(dae, ["mass.v"], ["mass.m"]).along(dae.simulate(0.6))
+    dae = driven(Speed(), signals.Step(), Inerter(b=50.0), Mass(m=100.0)).dae()
+    with pytest.raises(ia.ModelError, match=r"drive.*t = 0 s.*variations"):
         Variations(dae, ["mass.v"], ["mass.m"]).along(dae.simulate(0.6))
 
 
