@@ -22,4 +22,4 @@ class Tolerance:
         Not so little that rounding errors rule its steps, unless that was asked for.
         """
         share = min(1.0, max(SHARE, FINEST / self.rtol))
-        return Tolerance(share * self.rtol, share * self.atol)
+        return Tolerance(share * self.rtol, max(share * self.atol, min(self.atol, ATOL)))
