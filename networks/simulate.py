@@ -164,16 +164,35 @@ def _first_modes(closed: Closed, q: Array, t: float, wanted: Wishes) -> Iterator
 
 
 def _settled(switcher: Switcher, point: Point) -> list[Event]:
-    """Find the modes just before a run begins, where nothing jumps, then let happen what happens at once."""
-    before = replace(point, t=point.t - JUST_BEFORE * max(1.0, abs(point.t)))
+    """Find the modes in which a run begins; a signal that jumps in its first instant acts on the start."""
     try:
-        happened = [replace(event, time=point.t) for event in switcher.settle(before, begins=True)]
-        if happened:
-            point.x, point.z, point.q = before.x, before.z, before.q
-            solve_algebraic(switcher.closed, point)
+        before = _just_before(switcher, point)
+        if before is None:
+            return switcher.settle(point, begins=True)
+        there, happened = before
+        point.x, point.z, point.q = there.x, there.z, there.q
+        solve_algebraic(switcher.closed, point)
         return [*happened, *switcher.settle(point)]
     except SimulationError as error:
         raise SimulationError(f"'{switcher.closed.dae.name}': {error}") from error
+
+
+def _just_before(switcher: Switcher, point: Point) -> tuple[Point, list[Event]] | None:
+    """Return where a run stands just before it begins, and what had happened, if a signal jumps then."""
+    own = sorted(switcher.shocks.own_modes) if switcher.shocks else []
+    if not own:
+        return None
+    instants = point.t - JUST_BEFORE * max(1.0, abs(point.t)), point.t
+    earlier, now = (Point(t, point.x.copy(), point.z.copy(), point.q.copy()) for t in instants)
+    try:
+        happened = switcher.copy().settle(earlier, begins=True)
+        switcher.copy().settle(now, begins=True)
+    except SimulationError:
+        return None
+    modes = switcher.indicators.modes
+    if np.array_equal(modes(earlier.q)[own], modes(now.q)[own]):
+        return None
+    return earlier, [replace(event, time=point.t) for event in happened]
 
 
 def collected(run: Run, solver: str, began: float, follow: Sensitivities | None) -> Result:

@@ -161,17 +161,42 @@ static void note_shock(void *context, const Core *c, int change, int stays, doub
     if (change >= NG || model_change_impulse[change] >= 0) *(int *)context = 1;
 }
 
-/* Fire what has happened just before the first instant, where nothing jumps, then what happens in it. */
-static CoreStatus fire_first(Core *c, const Observer *told, int *happened) {
-    int before = 0, changed, at_once = 0;
-    double t = c->t;
-    c->t = t - START_BEFORE * fmax(1, fabs(t));
-    core_stale(c);
-    CoreStatus status = core_fire(c, -1, told, 1, &before, &changed);
+static CoreStatus fire_at(Core *c, double t, const Observer *told, int begins, int *happened) {
+    int changed;
     c->t = t;
     core_stale(c);
-    if (status == CORE_OK) status = core_fire(c, -1, told, 0, &at_once, &changed);
-    *happened = before || at_once;
+    return core_fire(c, -1, told, begins, happened, &changed);
+}
+
+/* Go back to where start values were sought, in modes that were tried. */
+static CoreStatus go_back(Core *c, const double y[], const double modes[]) {
+    forget(c);
+    memcpy(c->y, y, NY * sizeof *y);
+    memcpy(core_modes(c), modes, NM * sizeof *modes);
+    memset(c->q + NP + NM, 0, (NI + NK) * sizeof *c->q);
+    core_stale(c);
+    return core_complete(c);
+}
+
+/* Fire what happens at the start. A signal that jumps in the first instant acts on what was just before. */
+static CoreStatus fire_first(Core *c, const Observer *told, int *happened) {
+    double y[ROOM(NY)], modes[ROOM(NM)], earlier[ROOM(NM)], t = c->t, before = t - START_BEFORE * fmax(1, fabs(t));
+    int jumps = 0, had = 0;
+    if (!NSIGNAL) return fire_at(c, t, told, 1, happened);
+    memcpy(y, c->y, NY * sizeof *y);
+    memcpy(modes, core_modes(c), NM * sizeof *modes);
+    int known = fire_at(c, before, 0, 1, happened) == CORE_OK;
+    memcpy(earlier, core_modes(c), NM * sizeof *earlier);
+    c->t = t;
+    CoreStatus status = go_back(c, y, modes);
+    if (status == CORE_OK) status = fire_at(c, t, told, 1, happened);
+    for (int i = 0; i < NM; i++) jumps |= known && model_jump_mode[i] && core_modes(c)[i] != earlier[i];
+    if (status != CORE_OK || !jumps) return status;
+    status = go_back(c, y, modes);
+    if (status == CORE_OK) status = fire_at(c, before, told, 1, &had);
+    if (status == CORE_OK) status = fire_at(c, t, told, 0, happened);
+    c->t = t;
+    *happened |= had;
     return status;
 }
 
