@@ -39,13 +39,14 @@ class Train:
     widths: np.ndarray
 
     def __call__(self, t: Any) -> Any:
-        shape = SHAPES[self.shape][0]
+        shape: Any = SHAPES[self.shape][0]
         pulses = zip(self.heights, self.centres, self.widths, strict=True)
         return sum(height * shape((t - centre) / width) for height, centre, width in pulses)
 
     @property
     def areas(self) -> np.ndarray:
-        return self.heights * self.widths * SHAPES[self.shape][1]
+        areas: np.ndarray = self.heights * self.widths * SHAPES[self.shape][1]
+        return areas
 
 
 def drawn(rng: np.random.Generator, begin: float, span: float, narrowest: float) -> Train:
@@ -118,7 +119,8 @@ def missed(case: Case, machines: dict[str, Any]) -> float:
         stop, begin=case.begin, inputs={name: signal}, solver=case.solver, rtol=1e-8, atol=1e-13
     )
     size = float(np.abs(areas).sum())
-    return max(abs(run["mass.v"][-1] - speed) / size, abs(run["mass.s"][-1] - place) / (size * case.span))
+    off = abs(run["mass.v"][-1] - speed) / size, abs(run["mass.s"][-1] - place) / (size * case.span)
+    return float(max(off))
 
 
 def main() -> None:

@@ -54,14 +54,16 @@ def course(build: Callable[..., ia.Network], length: float, mass: float, kind: s
         5.0, step=0.01, inputs={"push.f": push(length * mass, kind)}, solver=solver
     )
     assert run.notes == []
-    return run.at("mass.s", TIME) / length
+    found: Array = run.at("mass.s", TIME) / length
+    return found
 
 
 @cache
 def wanted(build: Callable[..., ia.Network], kind: str) -> Array:
     net = build()
     run = net.simulate(5.0, step=0.01, inputs={"push.f": push(1.0, kind)}, rtol=1e-10, atol=1e-14)
-    return run.at("mass.s", TIME)
+    found: Array = run.at("mass.s", TIME)
+    return found
 
 
 @pytest.mark.parametrize("solver", SOLVERS)

@@ -24,7 +24,7 @@ def force(t: Any) -> Any:
     return 100 * ca.sin(20 * t)
 
 
-def strut() -> ia.Component:
+def strut() -> Any:
     return ia.suspension("S6", 20e3, d=1500.0, b=50.0)
 
 

@@ -1,5 +1,7 @@
 """What is given is seen, whenever it comes and however short it is."""
 
+from typing import Any
+
 import casadi as ca
 import numpy as np
 import pytest
@@ -34,19 +36,19 @@ class Bump(Component):
     start_time = parameter("s", "when it begins")
     y = RealOutput("m", "height")
 
-    def equations(self):
+    def equations(self) -> Any:
         since = self.time - self.start_time
         inside = ca.logic_and(since >= 0, since < 0.4)
         yield self.y == ca.if_else(inside, 0.025 * (1 - ca.cos(5 * ca.pi * since)), 0.0)
 
 
-def bump(start):
+def bump(start: float) -> Any:
     return lambda t: ca.if_else(
         ca.logic_and(t >= start, t < start + 0.4), 0.025 * (1 - ca.cos(5 * ca.pi * (t - start))), 0.0
     )
 
 
-def quarter_car(**road):
+def quarter_car(**road: Any) -> Network:
     tid = series(SpringDamper(k=24e3, d=2400.0), Inerter(b=190.0))
     strut = parallel(Spring(k=60e3), tid)
     car = Network(
@@ -64,7 +66,7 @@ def quarter_car(**road):
     return car
 
 
-def oscillator(**source):
+def oscillator(**source: Any) -> Network:
     net = Network(
         "oscillator",
         wall=Fixed(),
@@ -77,7 +79,7 @@ def oscillator(**source):
     return net.connect(net.spring.flange_b, net.damper.flange_b, net.mass.flange, net.push.flange)
 
 
-def pulse(begin, end):
+def pulse(begin: float, end: float) -> Any:
     return lambda t: ca.if_else(ca.logic_and(t > begin, t < end), 1.0, 0.0)
 
 
@@ -85,7 +87,7 @@ PEAK = 8.2225
 
 
 @pytest.mark.parametrize("solver", SOLVERS)
-def test_a_bump_gives_the_same_peak_whenever_it_comes(solver):
+def test_a_bump_gives_the_same_peak_whenever_it_comes(solver: Any) -> None:
     dae = quarter_car().dae()
     for start in (0, 0.25, 1, 10, 100):
         run = dae.simulate(start + 3.0, step=1e-3, inputs={"road.s_ref": bump(start)}, solver=solver)
@@ -95,7 +97,7 @@ def test_a_bump_gives_the_same_peak_whenever_it_comes(solver):
 
 
 @pytest.mark.parametrize("solver", SOLVERS)
-def test_a_bump_in_data_gives_the_same_peak_whenever_it_comes(solver):
+def test_a_bump_in_data_gives_the_same_peak_whenever_it_comes(solver: Any) -> None:
     dae = quarter_car().dae()
     for start in (0, 0.25, 1, 10, 100):
         t = np.arange(0, start + 3.001, 1e-3)
@@ -106,7 +108,7 @@ def test_a_bump_in_data_gives_the_same_peak_whenever_it_comes(solver):
 
 
 @pytest.mark.parametrize("start", [0.0, 1.0, 100.0])
-def test_a_bump_from_a_block_gives_the_same_peak_whenever_it_comes(start):
+def test_a_bump_from_a_block_gives_the_same_peak_whenever_it_comes(start: Any) -> None:
     car = quarter_car(profile=Bump(start_time=start))
     car.connect(car.profile.y, car.road.s_ref)
     run = car.simulate(start + 3.0, step=1e-3)
@@ -115,7 +117,7 @@ def test_a_bump_from_a_block_gives_the_same_peak_whenever_it_comes(start):
 
 @pytest.mark.parametrize("solver", SOLVERS)
 @pytest.mark.parametrize("step", [None, 2e-3])
-def test_a_pulse_of_force_is_seen_with_any_output_step(solver, step):
+def test_a_pulse_of_force_is_seen_with_any_output_step(solver: Any, step: Any) -> None:
     signal = pulse(5.0, 5.5)
     run = oscillator().simulate(10.0, inputs={"push.f": signal}, solver=solver, step=step)
     exact = oscillator().simulate(10.0, inputs={"push.f": signal}, solver="rosenbrock", max_step=1e-3)
@@ -136,7 +138,7 @@ def test_a_pulse_of_force_is_seen_with_any_output_step(solver, step):
     ],
     ids=["smooth", "smooth on another", "triangle", "rectangle", "periodic"],
 )
-def test_a_blow_of_a_tenth_of_a_millionth_of_the_run_is_seen(signal):
+def test_a_blow_of_a_tenth_of_a_millionth_of_the_run_is_seen(signal: Any) -> None:
     net = Network("wagon", push=Force(), mass=Mass(m=1.0))
     net.connect(net.push.flange, net.mass.flange)
     run = net.simulate(1000.0, inputs={"push.f": signal})
@@ -144,8 +146,8 @@ def test_a_blow_of_a_tenth_of_a_millionth_of_the_run_is_seen(signal):
 
 
 @pytest.mark.parametrize("solver", ["auto", "compiled"])
-def test_a_block_held_by_friction_slips_at_each_short_pulse(solver):
-    def pulses(t):
+def test_a_block_held_by_friction_slips_at_each_short_pulse(solver: Any) -> None:
+    def pulses(t: Any) -> Any:
         return 20.0 * (pulse(3.0, 3.001)(t) + pulse(7.0, 7.001)(t))
 
     net = Network("block", floor=Fixed(), friction=CoulombFriction(f_c=1.0), mass=Mass(m=1.0), push=Force())
@@ -160,7 +162,7 @@ def test_a_block_held_by_friction_slips_at_each_short_pulse(solver):
 
 
 @pytest.mark.parametrize("solver", SOLVERS)
-def test_before_and_after_a_jump_are_two_points(solver):
+def test_before_and_after_a_jump_are_two_points(solver: Any) -> None:
     net = Network("wagon", push=Force(), mass=Mass(m=2.0))
     net.connect(net.push.flange, net.mass.flange)
     run = net.simulate(
@@ -171,7 +173,7 @@ def test_before_and_after_a_jump_are_two_points(solver):
     assert run["mass.v"][-1] == pytest.approx(2.6, rel=1e-9)
 
 
-def test_a_jump_at_an_output_takes_the_place_of_the_output():
+def test_a_jump_at_an_output_takes_the_place_of_the_output() -> None:
     net = Network("wagon", push=Force(), mass=Mass(m=2.0))
     net.connect(net.push.flange, net.mass.flange)
     for solver in SOLVERS:
@@ -181,13 +183,13 @@ def test_a_jump_at_an_output_takes_the_place_of_the_output():
         assert run["mass.a"].tolist() == [0, 0, 0, 2, 2, 2]
 
 
-def test_a_kink_adds_no_point():
+def test_a_kink_adds_no_point() -> None:
     ramp = lambda t: ca.fmax(0.0, t - 0.37)  # noqa: E731
     run = oscillator().simulate(1.0, step=0.01, inputs={"push.f": ramp})
     assert run.time == pytest.approx(np.linspace(0, 1, 101), abs=0)
 
 
-def test_sensitivities_are_followed_over_jumps():
+def test_sensitivities_are_followed_over_jumps() -> None:
     signal = pulse(0.33, 0.5)
     net = oscillator()
     run = net.simulate(1.0, inputs={"push.f": signal}, sensitivities=["spring.k"], rtol=1e-9, atol=1e-12)
@@ -203,7 +205,7 @@ def test_sensitivities_are_followed_over_jumps():
     assert np.interp(times, run.time, followed) == pytest.approx(np.array(slope), abs=1e-8)
 
 
-def test_a_run_that_begins_within_or_after_a_pulse_sees_what_is_left():
+def test_a_run_that_begins_within_or_after_a_pulse_sees_what_is_left() -> None:
     net = Network("wagon", push=Force(), mass=Mass(m=1.0))
     net.connect(net.push.flange, net.mass.flange)
     for begin, seen in ((-5.0, 1.0), (4.0, 1.0), (4.5, 0.5), (5.0, 0.0)):
@@ -211,7 +213,7 @@ def test_a_run_that_begins_within_or_after_a_pulse_sees_what_is_left():
         assert run["mass.v"][-1] == pytest.approx(seen, abs=1e-8)
 
 
-def test_a_prescribed_speed_is_seen_late():
+def test_a_prescribed_speed_is_seen_late() -> None:
     net = Network(
         "drive",
         drive=Speed(v_ref=lambda t: ca.exp(-(((t - 80) / 0.01) ** 2))),
@@ -225,7 +227,7 @@ def test_a_prescribed_speed_is_seen_late():
     assert run["mass.s"][-1] == pytest.approx(0.01 * np.sqrt(np.pi), rel=1e-4)
 
 
-def test_a_function_of_numbers_alone_is_seen_by_its_numbers():
+def test_a_function_of_numbers_alone_is_seen_by_its_numbers() -> None:
     t = np.linspace(0, 100, 10_001)
     table = ca.interpolant("table", "linear", [t], np.where((t > 50.005) & (t < 50.195), 1.0, 0.0))
     net = Network("wagon", push=Force(f=Sampled(t, 0 * t)), pull=Force(), mass=Mass(m=1.0))
@@ -234,18 +236,18 @@ def test_a_function_of_numbers_alone_is_seen_by_its_numbers():
     assert run["mass.v"][-1] == pytest.approx(0.19, rel=1e-4)
 
 
-def test_a_signal_need_not_be_hashable():
+def test_a_signal_need_not_be_hashable() -> None:
     class Pull:
-        __hash__ = None
+        __hash__ = None  # type: ignore[assignment]
 
-        def __call__(self, t):
+        def __call__(self, t: Any) -> Any:
             return 0 * t + 1.0
 
     run = oscillator().simulate(1.0, inputs={"push.f": Pull()})
     assert run["mass.s"][-1] > 0
 
 
-def test_the_longest_step_is_kept():
+def test_the_longest_step_is_kept() -> None:
     runs = [oscillator().simulate(10.0, inputs={"push.f": 1.0}, max_step=h) for h in (1e-2, 1e-3)]
     assert runs[0].stats["steps"] >= 1000
     assert runs[1].stats["steps"] >= 10_000
@@ -263,23 +265,23 @@ def test_a_function_that_returns_another_formula_each_time_is_refused() -> None:
 
 
 @pytest.mark.parametrize("force", [0.3, -4.905, 1e6 / 3])
-def test_a_constant_force_does_not_shorten_steps(force):
-    def steps(given):
+def test_a_constant_force_does_not_shorten_steps(force: Any) -> None:
+    def steps(given: float) -> int:
         net = Network("held", wall=Fixed(), spring=Spring(k=100.0), mass=Mass(m=1.0))
         net.add(push=ConstantForce(f_constant=given), pull=Force(f=given))
         net.connect(net.wall.flange, net.spring.flange_a)
         net.connect(net.spring.flange_b, net.mass.flange, net.push.flange, net.pull.flange)
-        return net.simulate(2.0).stats["steps"]
+        return int(net.simulate(2.0).stats["steps"])
 
     rounded = 2.0 ** np.round(np.log2(abs(force)))  # whose multiples are exact
     assert steps(force) < 2 * steps(rounded)
 
 
 @pytest.mark.parametrize("solver", ["cvodes", "rosenbrock", "compiled"])
-def test_a_low_wide_pulse_is_felt_beside_high_narrow_ones(solver):
+def test_a_low_wide_pulse_is_felt_beside_high_narrow_ones(solver: Any) -> None:
     """Cut into small parts, it looked like a polynomial in each, and was stepped over."""
 
-    def push(t):
+    def push(t: Any) -> Any:
         return 4e4 * ca.exp(-(((t - 1.8) / 5e-4) ** 2)) + 40.0 * ca.exp(-(((t - 0.52) / 0.03) ** 2))
 
     net = Network("wagon", push=Force(), mass=Mass(m=1.0))

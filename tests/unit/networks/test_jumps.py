@@ -60,7 +60,7 @@ def ramp(height: float = 1.0, duration: float = 1e-6) -> Component:
     return signals.Ramp(height=height, duration=duration, start_time=LATER)
 
 
-def pushes(run: ia.Result) -> list[tuple[str, float]]:
+def pushes(run: ia.Result) -> list[tuple[str, Any]]:
     return [(event.mode, event.impulse) for event in run.events if event.impulse is not None]
 
 
@@ -162,7 +162,7 @@ class Kicked(Component):
 
     flange = TranslationalFlange("what is moved")
 
-    def equations(self):
+    def equations(self) -> Any:
         yield self.flange.s == ca.if_else(self.time > LATER, self.time - LATER, 0)
 
 
