@@ -1,5 +1,8 @@
 """Participants: FMUs that advance in communication steps, whatever their kind."""
 
+# pyright: reportAssignmentType=false
+# pyright: reportIncompatibleMethodOverride=false
+
 from __future__ import annotations
 
 from typing import Any

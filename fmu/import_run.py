@@ -1,5 +1,7 @@
 """Running an FMU alone."""
 
+# pyright: reportIncompatibleMethodOverride=false
+
 from __future__ import annotations
 
 import time as clock

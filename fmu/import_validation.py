@@ -1,5 +1,7 @@
 """Validation of foreign descriptions: what harms nothing is mended and told, what harms is refused."""
 
+# pyright: reportAttributeAccessIssue=false
+
 from __future__ import annotations
 
 import re

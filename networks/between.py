@@ -1,5 +1,7 @@
 """`Between`: signals between the points of a run, where need be from running that piece again, finely."""
 
+# pyright: reportPossiblyUnboundVariable=false
+
 from __future__ import annotations
 
 from collections.abc import Sequence

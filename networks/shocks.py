@@ -7,6 +7,8 @@ A jump d is a ramp that takes no time. While signals pass through it, states and
 d/e being the slope of a ramp of e seconds, so short that finite forces count for nothing.
 """
 
+# pyright: reportPossiblyUnboundVariable=false
+
 from __future__ import annotations
 
 from itertools import pairwise

@@ -1,5 +1,7 @@
 """Signals of time: what enters a network's equations and depends on time alone, wherever it stands."""
 
+# pyright: reportReturnType=false
+
 from __future__ import annotations
 
 from collections.abc import Sequence

@@ -1,5 +1,7 @@
 """What holds for every signal of time: bounds hold it, pulses are seen, a later input acts later."""
 
+# pyright: reportArgumentType=false
+
 import casadi as ca
 import numpy as np
 import pytest

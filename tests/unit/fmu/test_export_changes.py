@@ -1,5 +1,9 @@
 """Inputs that move or jump and parameters that change, at the start and between steps, in every FMU."""
 
+# pyright: reportArgumentType=false
+# pyright: reportAttributeAccessIssue=false
+# pyright: reportOptionalMemberAccess=false
+
 from __future__ import annotations
 
 import shutil

@@ -1,5 +1,7 @@
 """Averages, peaks and shares of a run are over time, whatever its points are."""
 
+# pyright: reportGeneralTypeIssues=false
+
 from __future__ import annotations
 
 from pathlib import Path
