@@ -11,6 +11,7 @@ import unicodedata
 from collections.abc import Iterator
 from contextlib import contextmanager, suppress
 from threading import Timer, main_thread
+from types import TracebackType
 from typing import Any
 
 from rich.console import Console
@@ -65,8 +66,11 @@ def _send() -> None:
 
 @contextmanager
 def insisting() -> Iterator[None]:
-    """Send Ctrl-C again if it came where Python drops exceptions, such as the end of an import."""
-    before = sys.unraisablehook
+    """Send Ctrl-C again if it came where Python drops exceptions, such as the end of an import.
+
+    Compiled libraries print what they drop before they drop it: of Ctrl-C, nothing is printed.
+    """
+    before, before_printed = sys.unraisablehook, sys.excepthook
 
     def told(dropped: Any) -> None:
         if issubclass(dropped.exc_type, KeyboardInterrupt):
@@ -74,11 +78,15 @@ def insisting() -> Iterator[None]:
         else:
             before(dropped)
 
-    sys.unraisablehook = told
+    def printed(kind: type[BaseException], error: BaseException, trace: TracebackType | None) -> None:
+        if not issubclass(kind, KeyboardInterrupt):
+            before_printed(kind, error, trace)
+
+    sys.unraisablehook, sys.excepthook = told, printed
     try:
         yield
     finally:
-        sys.unraisablehook = before
+        sys.unraisablehook, sys.excepthook = before, before_printed
 
 
 def forget() -> None:

@@ -36,20 +36,20 @@ _RISING: dict[int, Callable[[Any], Any]] = {
     ca.OP_LIFT: lambda x: x,
 }
 _STEPS = {ca.OP_FLOOR: np.floor, ca.OP_CEIL: np.ceil, ca.OP_SIGN: np.sign}
-_LIMITS = {ca.OP_ERF: (-1.0, 1.0), ca.OP_ATAN2: (-np.pi, np.pi), ca.OP_ACOS: (0.0, np.pi)}
+_LIMITS = {ca.OP_ERF: (-1.0, 1.0), ca.OP_ACOS: (0.0, np.pi)}
 
 
 class Enclosure:
     """Bounds of a function's results over boxes of its arguments, for many boxes at once.
 
-    Wherever a comparison, a rounding, a corner or a sign can go either way within a box, the box counts as
-    undecided: what the function does there is not one smooth course.
+    Wherever a comparison, a rounding, a corner or a sign can go either way within a box, or a pole lies in
+    it, the box counts as undecided: what the function does there is not one smooth course.
 
     Args:
         function: an SX function of columns.
 
     Limits: bounds are rounded to nearest, not outwards; where an operation has no tight rule they are
-        wider than need be.
+        wider than need be. They do not hold what fmin and fmax make of a NaN, which is the other argument.
     """
 
     def __init__(self, function: Any) -> None:
@@ -121,12 +121,12 @@ def _even(function: Callable[[Any], Any]) -> Callable[[Array, Array], tuple[Arra
     return bounds
 
 
-def _wave(shift: float) -> Callable[[Array, Array], tuple[Array, Array, Any]]:
-    """Return bounds of sin(x + shift)."""
+def _wave(function: Callable[[Any], Any], shift: float) -> Callable[[Array, Array], tuple[Array, Array, Any]]:
+    """Return bounds of a function that is sin(x + shift)."""
 
     def bounds(low: Array, high: Array) -> tuple[Array, Array, Any]:
         first, last = low + shift, high + shift
-        ends = np.sin(first), np.sin(last)
+        ends = function(low), function(high)
         crest = np.floor((last - np.pi / 2) / (2 * np.pi)) > np.floor((first - np.pi / 2) / (2 * np.pi))
         trough = np.floor((last + np.pi / 2) / (2 * np.pi)) > np.floor((first + np.pi / 2) / (2 * np.pi))
         return np.where(trough, -1.0, np.minimum(*ends)), np.where(crest, 1.0, np.maximum(*ends)), False
@@ -136,12 +136,12 @@ def _wave(shift: float) -> Callable[[Array, Array], tuple[Array, Array, Any]]:
 
 def _tangent(low: Array, high: Array) -> tuple[Array, Array, Any]:
     pole = np.floor(high / np.pi + 0.5) > np.floor(low / np.pi + 0.5)
-    return np.where(pole, -np.inf, np.tan(low)), np.where(pole, np.inf, np.tan(high)), False
+    return np.where(pole, -np.inf, np.tan(low)), np.where(pole, np.inf, np.tan(high)), pole
 
 
 def _inverse(low: Array, high: Array) -> tuple[Array, Array, Any]:
     through = (low <= 0) & (high >= 0)
-    return np.where(through, -np.inf, 1 / high), np.where(through, np.inf, 1 / low), False
+    return np.where(through, -np.inf, 1 / high), np.where(through, np.inf, 1 / low), through
 
 
 def _fabs(low: Array, high: Array) -> tuple[Array, Array, Any]:
@@ -189,6 +189,11 @@ def _product(a: Bounds, b: Bounds) -> tuple[Array, Array, Any]:
     return np.minimum.reduce(corners), np.maximum.reduce(corners), False
 
 
+def _quotient(a: Bounds, b: Bounds) -> tuple[Array, Array, Any]:
+    low, high, pole = _inverse(*b)
+    return *_product(a, (low, high))[:2], pole
+
+
 def _power(a: Bounds, b: Bounds) -> tuple[Array, Array, Any]:
     corners = [x**y for x in a for y in b]
     low, high = np.minimum.reduce(corners), np.maximum.reduce(corners)
@@ -208,9 +213,18 @@ def _lesser(a: Bounds, b: Bounds) -> tuple[Array, Array, Any]:
 
 
 def _copysign(a: Bounds, b: Bounds) -> tuple[Array, Array, Any]:
-    size = _even(lambda x: x)(*a)
-    low, high, _ = _product((size[0], size[1]), (np.copysign(1.0, b[0]), np.copysign(1.0, b[1])))
-    return low, high, np.signbit(b[0]) != np.signbit(b[1])
+    least, most, _ = _even(lambda x: x)(*a)
+    positive, negative = b[0] > 0, b[1] < 0
+    low = np.where(positive, least, -most)
+    return low, np.where(negative, -least, most), ~(positive | negative)
+
+
+def _angle(a: Bounds, b: Bounds) -> tuple[Array, Array, Any]:
+    """Return bounds of atan2(a, b), which jumps where a changes its sign beside a negative b, and at zero."""
+    cut = (a[0] <= 0) & (a[1] >= 0) & (b[0] <= 0)
+    corners = [np.arctan2(y, x) for y in a for x in b]
+    low, high = np.minimum.reduce(corners), np.maximum.reduce(corners)
+    return np.where(cut, -np.pi, low), np.where(cut, np.pi, high), cut
 
 
 def _remains(rounded: Callable[[Any], Any]) -> Callable[[Bounds, Bounds], tuple[Array, Array, Any]]:
@@ -218,8 +232,9 @@ def _remains(rounded: Callable[[Any], Any]) -> Callable[[Bounds, Bounds], tuple[
 
     def bounds(a: Bounds, b: Bounds) -> tuple[Array, Array, Any]:
         first, last = rounded(a[0] / b[0]), rounded(a[1] / b[0])
-        one = (first == last) & (b[0] == b[1])
-        size = np.maximum(np.abs(b[0]), np.abs(b[1]))
+        one = (first == last) & (b[0] == b[1]) & (np.abs(first) < 2**53)
+        known = ((b[0] > 0) | (b[1] < 0)) & np.isfinite(a[0]) & np.isfinite(a[1])
+        size = np.where(known, np.maximum(np.abs(b[0]), np.abs(b[1])), np.inf)
         low, high = np.where(one, a[0] - first * b[0], -size), np.where(one, a[1] - last * b[0], size)
         return low, high, ~one
 
@@ -231,8 +246,8 @@ _UNARY: dict[int, Callable[[Array, Array], tuple[Array, Array, Any]]] = {
     ca.OP_SQ: _even(np.square),
     ca.OP_COSH: _even(np.cosh),
     ca.OP_FABS: _fabs,
-    ca.OP_SIN: _wave(0.0),
-    ca.OP_COS: _wave(np.pi / 2),
+    ca.OP_SIN: _wave(np.sin, 0.0),
+    ca.OP_COS: _wave(np.cos, np.pi / 2),
     ca.OP_TAN: _tangent,
     ca.OP_INV: _inverse,
     ca.OP_NOT: _not,
@@ -241,7 +256,7 @@ _BINARY: dict[int, Callable[[Bounds, Bounds], tuple[Array, Array, Any]]] = {
     ca.OP_ADD: lambda a, b: (a[0] + b[0], a[1] + b[1], False),
     ca.OP_SUB: lambda a, b: (a[0] - b[1], a[1] - b[0], False),
     ca.OP_MUL: _product,
-    ca.OP_DIV: lambda a, b: _product(a, _inverse(*b)[:2]),
+    ca.OP_DIV: _quotient,
     ca.OP_POW: _power,
     ca.OP_CONSTPOW: _power,
     ca.OP_LT: lambda a, b: _logical(a[1] < b[0], a[0] >= b[1]),
@@ -254,6 +269,7 @@ _BINARY: dict[int, Callable[[Bounds, Bounds], tuple[Array, Array, Any]]] = {
     ca.OP_FMAX: _greater,
     ca.OP_FMIN: _lesser,
     ca.OP_COPYSIGN: _copysign,
+    ca.OP_ATAN2: _angle,
     ca.OP_FMOD: _remains(np.trunc),
     ca.OP_REMAINDER: _remains(np.rint),
 }

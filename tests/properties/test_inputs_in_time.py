@@ -1,22 +1,28 @@
 """What holds for every signal of time: bounds hold it, pulses are seen, a later input acts later."""
 
-# pyright: reportArgumentType=false
+from collections.abc import Callable
+from typing import Any
 
 import casadi as ca
 import numpy as np
 import pytest
 from hypothesis import assume, given, settings
 from hypothesis import strategies as st
-from inertance import Damper, Fixed, Force, Mass, Network, Sampled, Spring
+from hypothesis.strategies import DrawFn
+from inertance import DAE, Damper, Fixed, Force, Mass, Network, Sampled, Spring
 from inertance.networks.intervals import Enclosure
+from numpy.typing import NDArray
 from scipy.interpolate import CubicSpline
 
-UNARY = (
+Array = NDArray[np.float64]
+Operation = Callable[..., Any]
+
+UNARY: tuple[Operation, ...] = (
     ca.sin, ca.cos, ca.tan, ca.exp, ca.fabs, ca.floor, ca.ceil, ca.sign, ca.sqrt, ca.atan, ca.tanh, ca.log,
     ca.cosh, ca.asinh, ca.erf, lambda x: 1 / x, lambda x: x**2, lambda x: x**3, lambda x: -x,
     lambda x: ca.logic_not(x > 1),
 )  # fmt: skip
-BINARY = (
+BINARY: tuple[Operation, ...] = (
     lambda a, b: a + b, lambda a, b: a - b, lambda a, b: a * b, lambda a, b: a / b, ca.fmin, ca.fmax, ca.fmod,
     lambda a, b: ca.if_else(a < b, a, 2 * b), lambda a, b: ca.if_else(a <= b, b, a),
     lambda a, b: ca.fabs(a) ** b, lambda a, b: ca.if_else(ca.logic_and(a > 0, b > 0), a, b),
@@ -26,11 +32,12 @@ BINARY = (
 
 
 @st.composite
-def expressions(draw, depth=3):
+def expressions(draw: DrawFn, depth: int = 3) -> Operation:
     """A random expression of t, as a function of an SX."""
     if depth == 0:
         number = draw(st.floats(-3, 3))
-        return draw(st.sampled_from([lambda t: t, lambda t: ca.SX(number), lambda t: t - number]))
+        leaves: list[Operation] = [lambda t: t, lambda t: ca.SX(number), lambda t: t - number]
+        return draw(st.sampled_from(leaves))
     if draw(st.booleans()):
         operation, of = draw(st.sampled_from(UNARY)), draw(expressions(depth - 1))
         return lambda t: operation(of(t))
@@ -42,55 +49,79 @@ def expressions(draw, depth=3):
     return lambda t: operation(a(t), b(t))
 
 
-def along(function, times):
-    """Values at instants, through a buffer, which is faster than through matrices."""
-    times, values = np.ascontiguousarray(times), np.empty(len(times))
-    buffer, evaluate = function.map(len(times)).buffer()
-    buffer.set_arg(0, memoryview(times))
-    buffer.set_res(0, memoryview(values))
-    evaluate()
-    return values
+def along(function: ca.Function, times: Array) -> Array:
+    """Values at instants."""
+    return np.array(function(times[None, :])).ravel()
 
 
-def steps_on_the_way(function, low, high):
-    """Largest step between instants, and what is left of it ever closer to where it is."""
+def parts(expression: ca.SX) -> list[ca.SX]:
+    """Return an expression and all that it is made of."""
+    return [expression, *(part for i in range(expression.n_dep()) for part in parts(expression.dep(i)))]
+
+
+def steps_on_the_way(function: ca.Function, low: float, high: float) -> tuple[float, float]:
+    """Largest step between instants, and what is left of it between neighbouring numbers there."""
     times = np.linspace(low, high, 20_001)
-    left = []
-    for _ in range(10):
-        values = along(function, times)
-        steps = np.abs(np.diff(values))
+    coarse = None
+    while True:
+        steps = np.abs(np.diff(along(function, times)))
         widest = steps.argmax()
-        left.append(steps[widest])
-        times = np.linspace(times[widest], times[widest + 1], 11)
-    return left[0], left[-1]
+        coarse = steps[widest] if coarse is None else coarse
+        if len(times) == 2:
+            return float(coarse), float(steps[widest])
+        times = np.unique(np.linspace(times[widest], times[widest + 1], 11))
 
 
-def is_noise(function, low, high):
+def rounding(function: ca.Function, times: Array) -> Array:
+    """How far values at neighbouring numbers are apart."""
+    with np.errstate(all="ignore"):
+        return np.abs(along(function, np.nextafter(times, np.inf)) - along(function, times))
+
+
+def is_noise(function: ca.Function, low: float, high: float) -> bool:
     """Whether a function is so steep that values at neighbouring numbers have nothing in common."""
     times = np.linspace(low, high, 1001)
-    values = along(function, times)
-    return np.median(np.abs(along(function, np.nextafter(times, np.inf)) - values)) > 1e-3 * np.ptp(values)
+    return bool(rounding(function, times).mean() > 1e-2 * np.ptp(along(function, times)))
 
 
-@settings(max_examples=100, deadline=None)
+@settings(max_examples=200, deadline=None)
 @given(expressions(), st.floats(-5, 5), st.floats(0, 2))
-def test_bounds_hold_every_value(expression, low, width):
+def test_bounds_hold_every_value(expression: Operation, low: float, width: float) -> None:
     t = ca.SX.sym("t")
-    function = ca.Function("f", [t], [ca.densify(expression(t))])
+    value = ca.densify(expression(t))
+    function = ca.Function("f", [t], [value])
+    sizes = ca.Function("sizes", [t], [ca.sum1(ca.fabs(ca.vertcat(*parts(value))))])
     high = low + width
     below, above, undecided = Enclosure(function)([(np.array([low]), np.array([high]))])
-    values = along(function, np.linspace(low, high, 101))
-    values = values[np.isfinite(values)]
-    slack = 1e-9 * (1 + np.abs(values))
-    assert (below[0, 0] - slack <= values).all()
-    assert (values <= above[0, 0] + slack).all()
-    whole = np.isfinite([below, above]).all() and len(values) == 101 and width > 1e-9
+    times = np.linspace(low, high, 101)
+    values = along(function, times)
+    slack = 1e-9 * (1 + np.abs(values)) + 100 * rounding(function, times)
+    sound = np.isfinite(slack) & (along(sizes, times) < 1e5)  # beyond, sines lose their digits
+    assert (below[0, 0] <= values[sound] + slack[sound]).all()
+    assert (values[sound] - slack[sound] <= above[0, 0]).all()
+    whole = np.isfinite([below, above]).all() and sound.all() and width > 1e-9
     if not undecided[0] and whole and not is_noise(function, low, high):
         coarse, closest = steps_on_the_way(function, low, high)
         assert closest <= 0.5 * coarse + 1e-6, "what is decided has no jump"
 
 
-def wagon():
+@pytest.mark.parametrize(
+    "jumping",
+    [
+        lambda t: ca.atan2(ca.sin(5 * t), ca.cos(5 * t)),
+        lambda t: ca.atan(1 / (t - 0.7)),
+        lambda t: ca.tanh(ca.tan(2 * t)),
+        lambda t: ca.copysign(t, t * (t - 0.7)),
+    ],
+    ids=["sawtooth", "inverse", "tangent", "sign"],
+)
+def test_what_jumps_is_not_decided(jumping: Operation) -> None:
+    t = ca.SX.sym("t")
+    box = (np.array([0.5]), np.array([1.0]))
+    assert Enclosure(ca.Function("f", [t], [jumping(t)]))([box])[2].all()
+
+
+def wagon() -> DAE:
     net = Network("wagon", push=Force(), mass=Mass(m=1.0))
     net.connect(net.push.flange, net.mass.flange)
     return net.dae()
@@ -107,15 +138,18 @@ WAGON = wagon()
     st.sampled_from([-7.0, 0.0, 1e3]),
     st.booleans(),
 )
-def test_no_pulse_of_a_random_train_is_missed(pulses, solver, scale, begin, as_data):
+def test_no_pulse_of_a_random_train_is_missed(
+    pulses: list[tuple[float, float, bool]], solver: str, scale: float, begin: float, as_data: bool
+) -> None:
     span = 10**scale
     areas = [(-1.0 if negative else 1.0) for *_, negative in pulses]
     drawn = [(begin + place * span, span * 10**width) for place, width, _ in pulses]
 
-    def force(t):
+    def force(t: Any) -> Any:
         return sum(a / w * ca.fmax(0, 1 - ca.fabs(t - c) / w) for a, (c, w) in zip(areas, drawn, strict=True))
 
-    signal, expected = force, sum(areas)
+    signal: Operation | Sampled = force
+    expected = sum(areas)
     if as_data:
         times = np.unique(
             np.concatenate(
@@ -129,8 +163,9 @@ def test_no_pulse_of_a_random_train_is_missed(pulses, solver, scale, begin, as_d
         times = times[np.append(True, np.diff(times) > 1e-9 * span)]
         assume(len(times) > 3)
         t = ca.SX.sym("t")
-        signal = Sampled(times, np.array(ca.Function("f", [t], [force(t)])(times[None, :])).ravel())
-        expected = CubicSpline(signal.time, signal.values).integrate(begin, begin + span)
+        values = np.array(ca.Function("f", [t], [force(t)])(times[None, :])).ravel()
+        signal = Sampled(times, values)
+        expected = CubicSpline(times, values).integrate(begin, begin + span)
     run = WAGON.simulate(
         begin + span, begin=begin, inputs={"push.f": signal}, solver=solver, rtol=1e-8, atol=1e-12
     )
@@ -139,7 +174,9 @@ def test_no_pulse_of_a_random_train_is_missed(pulses, solver, scale, begin, as_d
 
 @settings(max_examples=8, deadline=None)
 @given(st.floats(0.0, 200.0), st.floats(1e-3, 2.0), st.sampled_from(["auto", "rosenbrock"]))
-def test_an_input_that_comes_later_gives_the_same_response_later(delay, width, solver):
+def test_an_input_that_comes_later_gives_the_same_response_later(
+    delay: float, width: float, solver: str
+) -> None:
     net = Network(
         "oscillator",
         wall=Fixed(),
@@ -151,7 +188,10 @@ def test_an_input_that_comes_later_gives_the_same_response_later(delay, width, s
     net.connect(net.wall.flange, net.spring.flange_a, net.damper.flange_a)
     net.connect(net.spring.flange_b, net.damper.flange_b, net.mass.flange, net.push.flange)
     dae = net.dae()
-    shape = lambda s: ca.if_else(ca.logic_and(s > 0, s < width), ca.sin(ca.pi * s / width), 0.0)  # noqa: E731
+
+    def shape(s: Any) -> Any:
+        return ca.if_else(ca.logic_and(s > 0, s < width), ca.sin(ca.pi * s / width), 0.0)
+
     for since in (0.5 * width, width, 2.0 * width + 0.1):
         later = dae.simulate(
             delay + since, begin=0.0, inputs={"push.f": lambda t: shape(t - delay)}, solver=solver, rtol=1e-8

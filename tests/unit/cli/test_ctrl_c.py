@@ -93,6 +93,14 @@ def test_ctrl_c_that_python_drops_is_sent_again() -> None:
     assert time.monotonic() - began < LONGEST
 
 
+def test_ctrl_c_that_a_compiled_library_drops_is_not_printed(capsys: pytest.CaptureFixture[str]) -> None:
+    with insisting():
+        sys.excepthook(KeyboardInterrupt, KeyboardInterrupt(), None)
+        assert capsys.readouterr().err == ""
+        sys.excepthook(ValueError, ValueError("seven"), None)
+    assert "seven" in capsys.readouterr().err
+
+
 def drop_and_wait() -> None:
     with insisting():
         Dropping()
