@@ -182,7 +182,7 @@ def _just_before(switcher: Switcher, point: Point) -> tuple[Point, list[Event]] 
     own = sorted(switcher.shocks.own_modes) if switcher.shocks else []
     if not own:
         return None
-    instants = point.t - JUST_BEFORE * max(1.0, abs(point.t)), point.t
+    instants = point.t - max(JUST_BEFORE, 8 * float(np.spacing(abs(point.t)))), point.t
     earlier, now = (Point(t, point.x.copy(), point.z.copy(), point.q.copy()) for t in instants)
     try:
         happened = switcher.copy().settle(earlier, begins=True)

@@ -1,6 +1,7 @@
 /* Start values that satisfy the equations and what is given, and the modes that go with them. */
 #include "start.h"
 
+#include <float.h>
 #include <math.h>
 #include <string.h>
 
@@ -180,7 +181,8 @@ static CoreStatus go_back(Core *c, const double y[], const double modes[]) {
 
 /* Fire what happens at the start. A signal that jumps in the first instant acts on what was just before. */
 static CoreStatus fire_first(Core *c, const Observer *told, int *happened) {
-    double y[ROOM(NY)], modes[ROOM(NM)], earlier[ROOM(NM)], t = c->t, before = t - START_BEFORE * fmax(1, fabs(t));
+    double y[ROOM(NY)], modes[ROOM(NM)], earlier[ROOM(NM)];
+    double t = c->t, before = t - fmax(START_BEFORE, 8 * DBL_EPSILON * fabs(t));
     int jumps = 0, had = 0;
     if (!NSIGNAL) return fire_at(c, t, told, 1, happened);
     memcpy(y, c->y, NY * sizeof *y);

@@ -343,6 +343,15 @@ def test_what_moved_before_a_run_begins_is_no_shock(solver: str) -> None:
         assert not pushes(run)
 
 
+@pytest.mark.parametrize("begin", [1e3, 1e6])
+@pytest.mark.parametrize("solver", TWO)
+def test_a_late_beginning_tells_its_first_instant_from_shortly_before(solver: str, begin: float) -> None:
+    for late, speed in ((0.0, 1 / 3), (-1e-4, 0.0), (1e-4, 1 / 3)):
+        net = driven(Speed(), signals.Step(start_time=begin + late), Inerter(b=50.0), Mass(m=100.0))
+        run = net.simulate(begin + 1.0, begin=begin, start={"mass.v": 0.0}, solver=solver)
+        assert run["mass.v"][-1] == pytest.approx(speed, rel=1e-9, abs=1e-12)
+
+
 def test_sensitivities_and_variations_through_a_shock_are_refused() -> None:
     net = driven(Speed(), None, Inerter(b=50.0), Mass(m=100.0))
     with pytest.raises(ia.SimulationError, match=r"drive.*t = 0\.4 s.*sensitivities"):
