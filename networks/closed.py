@@ -67,6 +67,10 @@ class Closed:
             signal = signal.along(self.q[self.courses[declared.path]])
         return input_value(declared, signal, self.t)
 
+    def blank(self, numbers: Array) -> Array:
+        """Return the constants of a run that has not begun: numbers of the parameters, then zeros."""
+        return np.concatenate([numbers, np.zeros(self.q.numel() - len(numbers))])
+
     def close(self, expression: Any) -> Any:
         """Put the inputs into an expression of the DAE's symbols."""
         dae = self.dae

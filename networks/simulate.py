@@ -33,6 +33,7 @@ from .run import Run, Settings, failure, interruption, limiting_state
 from .sensitivity import Sensitivities
 from .smooth import run_smooth, smooth_stepper
 from .stepper import Array, IntegratorError
+from .tolerance import ATOL, RTOL
 
 JUST_BEFORE = 1e-9
 
@@ -50,9 +51,7 @@ def simulate(
     began = clock.perf_counter()
     closed = dae.closed(inputs)
     check_covered(dae.name, closed.signals, settings.begin, settings.stop)
-    numbers = dae.system.flat.table.values(dict(parameters))
-    others = closed.q.numel() - len(numbers)
-    q = np.concatenate([numbers, np.zeros(others)])
+    q = closed.blank(dae.system.flat.table.values(dict(parameters)))
     wanted = wishes(dae, start, guess)
     run = started(closed, settings, q, wanted)
     run.legs = closed.legs(q, settings.begin, settings.stop)
@@ -111,6 +110,11 @@ def started(closed: Closed, settings: Settings, q: Array, wanted: Wishes) -> Run
         except InitialConditionError as error:
             refusals.append(error)
     raise refusals[min(1, len(refusals) - 1)]
+
+
+def begun(closed: Closed, q: Array, time: float, wanted: Wishes) -> Run:
+    """Return a run that stands where it begins, at `time` [s]."""
+    return started(closed, Settings(time, time + 1.0, 1.0, RTOL, ATOL, "auto", False), q, wanted)
 
 
 def _agreed(closed: Closed, settings: Settings, q: Array, wanted: Wishes) -> Run:

@@ -12,8 +12,7 @@ import numpy as np
 from .coverage import check_covered
 from .dae import DAE
 from .initial import Wishes, guessed, leading, wishes
-from .run import Settings
-from .simulate import started
+from .simulate import begun
 from .stepper import Array, nominal_sizes
 from .vectors import column
 
@@ -76,10 +75,8 @@ def starting_point(dae: DAE, inputs: Mapping[str, Any], start: Mapping[str, floa
     closed = dae.closed(inputs)
     check_covered(dae.name, closed.signals, 0.0, 0.0)
     numbers = dae.system.flat.table.values({})
-    q = np.concatenate([numbers, np.zeros(closed.q.numel() - len(numbers))])
-    settings = Settings(0.0, 1.0, 1.0, 1e-6, 1e-8, "auto", False)
     wanted = wishes(dae, start, {})
-    run = started(closed, settings, q, wanted)
+    run = begun(closed, closed.blank(numbers), 0.0, wanted)
     begin = len(numbers)
     modes, sizes = run.tried[begin : begin + dae.modes.numel()], nominal_sizes(dae, dae.states)
     aims, led = _aims(dae, wanted), [i for _, movable in leading(dae, wanted) for i in movable]

@@ -73,8 +73,7 @@ class Stepwise:
         settings = Settings(begin, stop, None, rtol, atol, solver, False)
         self.closed, self.settings = dae.closed(inputs), settings
         check_covered(dae.name, self.closed.signals, begin, stop)
-        numbers_ = dae.system.flat.table.values(named("parameters", parameters))
-        q = np.concatenate([numbers_, np.zeros(self.closed.q.numel() - len(numbers_))])
+        q = self.closed.blank(dae.system.flat.table.values(named("parameters", parameters)))
         self._write(q, settings.begin, courses)
         self.run = started(
             self.closed, settings, q, wishes(dae, named("start", start), named("guess", guess))

@@ -28,7 +28,8 @@ from ..keywords import check_keywords
 from ..network import Network
 from ..point import Point
 from ..result import Result
-from .resting import HOLDING, begun, mode_values, settle
+from ..simulate import begun
+from .resting import HOLDING, mode_values, settle
 
 Array = NDArray[np.float64]
 
@@ -95,8 +96,7 @@ def operating_point(
     if at == "equilibrium":
         signals = _held(dae, signals, time)
     closed = dae.closed(signals)
-    numbers = dae.system.flat.table.values(named("parameters", parameters))
-    q = np.concatenate([numbers, np.zeros(closed.q.numel() - len(numbers))])
+    q = closed.blank(dae.system.flat.table.values(named("parameters", parameters)))
     run = begun(closed, q, time, wishes(dae, named("start", start), {}))
     notes = list(run.switcher.notes) if run.switcher else []
     if at == "equilibrium":

@@ -16,9 +16,7 @@ from ..dae import DAE
 from ..events import Switcher
 from ..initial import Wishes
 from ..point import Point, solve_algebraic
-from ..run import Run, Settings
-from ..simulate import started
-from ..tolerance import ATOL, RTOL
+from ..simulate import begun
 
 Array = NDArray[np.float64]
 TINY = 1e-9
@@ -26,11 +24,6 @@ STILL = 1e-12
 ON_THE_WAY = (0.25, 0.5, 0.75, 0.999)
 HOLDING = ("stuck", "contact")
 _KNOWN: WeakKeyDictionary[Closed, Any] = WeakKeyDictionary()
-
-
-def begun(closed: Closed, q: Array, time: float, wanted: Wishes) -> Run:
-    """Return a run that stands where it begins, at `time` [s]."""
-    return started(closed, Settings(time, time + 1.0, 1.0, RTOL, ATOL, "auto", False), q, wanted)
 
 
 def settle(closed: Closed, point: Point, switcher: Switcher | None) -> list[str]:
@@ -81,8 +74,7 @@ def _keep_this_side(closed: Closed, before: Point, point: Point, switcher: Switc
 def _holds_at_rest(closed: Closed, point: Point) -> bool:
     """Let what slid up to an equilibrium hold there, as if it had stood there; tell whether it does."""
     dae = closed.dae
-    numbers = point.q[: dae.p.numel()]
-    blank = np.concatenate([numbers, np.zeros(len(point.q) - len(numbers))])
+    blank = closed.blank(point.q[: dae.p.numel()])
     standing = np.where(np.abs(point.x) < STILL, 0.0, point.x).tolist()
     fixed = zip(dae.states, zip(dae.state_names, standing, strict=True), strict=True)
     try:

@@ -88,7 +88,7 @@ def is_noise(function: ca.Function, low: float, high: float) -> bool:
 @given(expressions(), st.floats(-5, 5), st.floats(0, 2))
 def test_bounds_hold_every_value(expression: Operation, low: float, width: float) -> None:
     t = ca.SX.sym("t")
-    value = ca.densify(expression(t))
+    value = ca.densify(ca.SX(expression(t)))
     function = ca.Function("f", [t], [value])
     sizes = ca.Function("sizes", [t], [ca.sum1(ca.fabs(ca.vertcat(*parts(value))))])
     high = low + width
