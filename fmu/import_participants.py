@@ -1,8 +1,5 @@
 """Participants: FMUs that advance in communication steps, whatever their kind."""
 
-# pyright: reportAssignmentType=false
-# pyright: reportIncompatibleMethodOverride=false
-
 from __future__ import annotations
 
 from typing import Any
@@ -148,7 +145,13 @@ class Participant:
 class ExchangeParticipant(Participant):
     """A Model Exchange FMU, integrated here with error control and event location."""
 
-    switches = flexible = True
+    @property
+    def switches(self) -> bool:
+        return True
+
+    @property
+    def flexible(self) -> bool:
+        return True
 
     def _first(self, inputs: Values) -> None:
         update = self.instance.update()

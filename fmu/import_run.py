@@ -1,7 +1,5 @@
 """Running an FMU alone."""
 
-# pyright: reportIncompatibleMethodOverride=false
-
 from __future__ import annotations
 
 import time as clock
@@ -45,19 +43,24 @@ class ForeignRun(OverTime):
     At an event two points share one time: before and after.
 
     Attributes:
-        name: of the FMU.
+        fmu: its name.
         events: its events, in order.
         stats: solver, steps, evaluations, seconds.
         notes: what is to be known, such as an end that the FMU asked for.
     """
 
-    name: str
+    fmu: str
     units: dict[str, str]
     events: list[ForeignEvent] = field(default_factory=list)
     stats: dict[str, Any] = field(default_factory=dict)
     notes: list[str] = field(default_factory=list)
     _times: list[float] = field(default_factory=list)
     _rows: list[Values] = field(default_factory=list)
+
+    @property
+    def name(self) -> str:
+        """Name of the FMU."""
+        return self.fmu
 
     def record(self, t: float, values: Values) -> None:
         """Append a point."""

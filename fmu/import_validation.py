@@ -1,7 +1,5 @@
 """Validation of foreign descriptions: what harms nothing is mended and told, what harms is refused."""
 
-# pyright: reportAttributeAccessIssue=false
-
 from __future__ import annotations
 
 import re
@@ -80,9 +78,15 @@ def checked(path: Path, text: bytes, validate: bool) -> tuple[bytes, list[str]]:
     return _plain(root), [*problems, *notes]
 
 
-def _parsed(path: Path, text: bytes) -> Any:
+def _etree() -> Any:
+    """Return lxml's etree, which is imported only where an FMU is."""
     from lxml import etree  # type: ignore[import-untyped]
 
+    return etree
+
+
+def _parsed(path: Path, text: bytes) -> Any:
+    etree = _etree()
     reader = etree.XMLParser(resolve_entities=False, no_network=True, remove_comments=True, remove_pis=True)
     try:
         return etree.fromstring(text, reader)
@@ -92,18 +96,15 @@ def _parsed(path: Path, text: bytes) -> Any:
 
 def _plain(root: Any) -> bytes:
     """Return XML without a document type, whose entities could lead elsewhere."""
-    from lxml import etree
-
-    text: bytes = etree.tostring(root, encoding="utf-8", xml_declaration=True)
+    text: bytes = _etree().tostring(root, encoding="utf-8", xml_declaration=True)
     return text
 
 
 @cache
 def _schema(major: str) -> Any:
     import fmpy
-    from lxml import etree
 
-    return etree.XMLSchema(
+    return _etree().XMLSchema(
         file=str(Path(fmpy.__file__).parent / "schema" / f"fmi{major}" / f"fmi{major}ModelDescription.xsd")
     )
 

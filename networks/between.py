@@ -1,7 +1,5 @@
 """`Between`: signals between the points of a run, where need be from running that piece again, finely."""
 
-# pyright: reportPossiblyUnboundVariable=false
-
 from __future__ import annotations
 
 from collections.abc import Sequence
@@ -111,7 +109,8 @@ class Between:
         """Return a signal between the points that enclose a window; `values` are those at all points."""
         known, ranges = Range.of(values, self.tolerance), self._ranges
         gaps, done, budget = Gaps.of(self.points, self._pieces(begin, end)), list[Pieces](), MOST_PIECES
-        for level in range(DEPTH + 1):
+        level = 0
+        while True:
             course = self._cubics(name, gaps)
             known, ranges = known.widened(course.ends), ranges.widened(gaps.last.x)
             doubtful = course.bend > BENT * known.size
@@ -122,7 +121,7 @@ class Between:
             if level == DEPTH or budget < 0 or not wanted.any():
                 break
             done.append(course[~wanted])
-            gaps = self._again(gaps.only(wanted))
+            gaps, level = self._again(gaps.only(wanted)), level + 1
         whole = course.straight(doubtful).merged(*done)
         self._tell(name, course[doubtful], float(known.size * whole.length.sum()))
         return whole

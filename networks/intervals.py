@@ -3,8 +3,6 @@
 Source: Moore, Kearfott, Cloud, Introduction to Interval Analysis, SIAM 2009, chapters 2 and 5.
 """
 
-# pyright: reportArgumentType=false
-
 from __future__ import annotations
 
 from collections.abc import Callable
@@ -83,7 +81,8 @@ class Enclosure:
                 elif operation == ca.OP_INPUT:
                     work[into[0]] = columns[of[0]][of[1]]
                 elif operation == ca.OP_CONST:
-                    work[into[0]] = (np.full(count, number),) * 2
+                    constant = np.full(count, number)
+                    work[into[0]] = constant, constant
                 else:
                     low, high, unsure = _bounds(operation, *(work[place] for place in of))
                     work[into[0]] = _whole_where_nan(low, high)
@@ -178,6 +177,11 @@ def _same(a: Bounds, b: Bounds) -> tuple[Flags, Flags]:
     return (a[0] == a[1]) & (b[0] == b[1]) & (a[0] == b[0]), apart
 
 
+def _different(a: Bounds, b: Bounds) -> tuple[Array, Array, Any]:
+    same, apart = _same(a, b)
+    return _logical(apart, same)
+
+
 def _if_else_zero(a: Bounds, b: Bounds) -> tuple[Array, Array, Any]:
     true, false = _truth(*a)
     low, high = np.where(false, 0.0, b[0]), np.where(false, 0.0, b[1])
@@ -262,7 +266,7 @@ _BINARY: dict[int, Callable[[Bounds, Bounds], tuple[Array, Array, Any]]] = {
     ca.OP_LT: lambda a, b: _logical(a[1] < b[0], a[0] >= b[1]),
     ca.OP_LE: lambda a, b: _logical(a[1] <= b[0], a[0] > b[1]),
     ca.OP_EQ: lambda a, b: _logical(*_same(a, b)),
-    ca.OP_NE: lambda a, b: _logical(*_same(a, b)[::-1]),
+    ca.OP_NE: _different,
     ca.OP_AND: _and,
     ca.OP_OR: _or,
     ca.OP_IF_ELSE_ZERO: _if_else_zero,

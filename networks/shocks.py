@@ -7,8 +7,6 @@ A jump d is a ramp that takes no time. While signals pass through it, states and
 d/e being the slope of a ramp of e seconds, so short that finite forces count for nothing.
 """
 
-# pyright: reportPossiblyUnboundVariable=false
-
 from __future__ import annotations
 
 from itertools import pairwise
@@ -156,17 +154,15 @@ class Shocks:
     def _at(self, point: Point, x: Array, course: Array) -> Array:
         """Return rates of states and forces while signals are off by a course."""
         z = point.z
-        for _ in range(NEWTON):
-            moved, missed, slope = self._motion(x, z, point.q, point.t, course)
-            if not self._nz:
-                break
+        moved, missed, slope = self._motion(x, z, point.q, point.t, course)
+        for _ in range(NEWTON if self._nz else 0):
             slope = slope.reshape(self._nz, self._nz).T
             if not (np.isfinite(missed).all() and np.isfinite(slope).all()):
                 break
             change = np.linalg.lstsq(slope, -missed, rcond=1e-12)[0]
             z = z + change
+            moved, missed, slope = self._motion(x, z, point.q, point.t, course)
             if np.abs(change).max() <= CLOSE * (1 + np.abs(z).max()):
-                moved = self._motion(x, z, point.q, point.t, course)[0]
                 break
         return moved
 

@@ -1,7 +1,5 @@
 """Signals of time: what enters a network's equations and depends on time alone, wherever it stands."""
 
-# pyright: reportReturnType=false
-
 from __future__ import annotations
 
 from collections.abc import Sequence
@@ -98,7 +96,7 @@ class TimeSignals:
 
     def _boxes(self, low: Array, high: Array) -> tuple[list[Bounds], list[Bounds], list[Bounds]]:
         data = [_range(*self._tables[k], low, high) for k in self._drawn]
-        constants = [(np.full_like(low, value),) * 2 for value in self._parameters]
+        constants = [(value, value) for value in (np.full_like(low, number) for number in self._parameters)]
         return data, constants, [(low, high)]
 
     @cached_property

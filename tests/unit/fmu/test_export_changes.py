@@ -1,9 +1,5 @@
 """Inputs that move or jump and parameters that change, at the start and between steps, in every FMU."""
 
-# pyright: reportArgumentType=false
-# pyright: reportAttributeAccessIssue=false
-# pyright: reportOptionalMemberAccess=false
-
 from __future__ import annotations
 
 import shutil
@@ -66,7 +62,9 @@ def test_what_is_driven_starts_to_slide_as_natively(case: str, version: str, tmp
     names = ["rub.mode", "rub.f", "block.v"]
     path = ia.export_fmu(dae, tmp_path / "it.fmu", fmi_version=version, outputs=names)
     rows = [(t, *(values[k] for values in given.values())) for k, t in enumerate((0.0, 0.05))]
-    table = np.array(rows, dtype=[("time", float), *((name, float) for name in given)]) if given else None
+    table: Any = (
+        np.array(rows, dtype=[("time", float), *((name, float) for name in given)]) if given else None
+    )
     for kind in KINDS:
         run = fmpy.simulate_fmu(
             str(path), fmi_type=kind, stop_time=0.05, output_interval=1e-3, input=table,
@@ -103,8 +101,8 @@ def test_a_push_that_jumps_between_steps_breaks_away(kind: str, version: str, tm
 @pytest.mark.parametrize("version", VERSIONS)
 def test_a_parameter_that_changes_between_steps_counts_at_once(version: str, tmp_path: Path) -> None:
     path = ia.export_fmu(rubbed(), tmp_path / "it.fmu", fmi_version=version, outputs=["block.v", "rub.mode"])
-    told = fmpy.read_model_description(str(path))
-    made = (FMU2Slave if version == "2.0" else FMU3Slave)(
+    told: Any = fmpy.read_model_description(str(path))
+    made: Any = (FMU2Slave if version == "2.0" else FMU3Slave)(
         guid=told.guid, unzipDirectory=fmpy.extract(str(path), unzipdir=str(tmp_path / "inside")),
         modelIdentifier=told.coSimulation.modelIdentifier, instanceName="it",
     )  # fmt: skip

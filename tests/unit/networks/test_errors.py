@@ -133,7 +133,7 @@ class Silent(ia.Compliant):
     """Compares and yields nothing."""
 
     def equations(self) -> Any:
-        self.f == self.s_rel  # noqa: B015
+        _ = self.f == self.s_rel
 
 
 @pytest.mark.parametrize("kind", [Returned, Silent])

@@ -1,7 +1,5 @@
 """Averages, peaks and shares of a run are over time, whatever its points are."""
 
-# pyright: reportGeneralTypeIssues=false
-
 from __future__ import annotations
 
 from pathlib import Path
@@ -305,5 +303,5 @@ def test_a_sweep_measures_over_time() -> None:
 
     done = ia.sweep(belt(), {"spring.k": [50.0, 100.0]}, ride, workers=0).table
     fine = belt().simulate(5.0, start={"rub.v_rel": 0.0}, step=1e-3)
-    assert done["rms"][1] == pytest.approx(fine.rms("block.v"), rel=1e-3)
-    assert done["stuck"][1] == pytest.approx(fine.share("rub.mode", "stuck"), rel=1e-3)
+    assert done["rms"].to_list()[1] == pytest.approx(fine.rms("block.v"), rel=1e-3)
+    assert done["stuck"].to_list()[1] == pytest.approx(fine.share("rub.mode", "stuck"), rel=1e-3)
