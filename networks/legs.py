@@ -213,7 +213,8 @@ def _looked_at(signals: TimeSignals, low: Array, high: Array, size: Array) -> tu
     below, above = signals.bounds(low, high)
     with np.errstate(invalid="ignore"):
         known = above - below <= np.where(signals.formal, 0.0, BEYOND * ranges) + least
-    known |= broken | (~signals.formal & signals.within_data(low, high)[:, None])
+    few = ~signals.formal & signals.within_data(low, high)[:, None]
+    known |= broken | few
     unknown = np.flatnonzero(~known.all(axis=1))
     scale = high - low
     if len(unknown):
@@ -222,7 +223,7 @@ def _looked_at(signals: TimeSignals, low: Array, high: Array, size: Array) -> tu
         known[unknown] |= between <= allowed
         scale[unknown] *= np.clip(allowed / np.maximum(between, least + TINY), 1 / 16, 1.0).min(axis=1)
     rests, even = (((what <= least) & known).all(axis=1) for what in (ranges, missed))
-    shown = ((missed <= FOLLOWED * ranges + least) & known).all(axis=1)
+    shown = (few | (missed <= FOLLOWED * ranges + least) & known).all(axis=1)
     return np.select([rests, even], [np.inf, np.nan], scale), shown
 
 

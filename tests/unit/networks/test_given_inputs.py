@@ -288,3 +288,18 @@ def test_a_low_wide_pulse_is_felt_beside_high_narrow_ones(solver: Any) -> None:
     net.connect(net.push.flange, net.mass.flange)
     run = net.simulate(12.0, inputs={"push.f": push}, solver=solver, rtol=1e-8)
     assert run["mass.v"][-1] == pytest.approx((4e4 * 5e-4 + 40.0 * 0.03) * np.sqrt(np.pi), rel=1e-6)
+
+
+@pytest.mark.parametrize("interpolation", ["linear", "cubic"])
+def test_corners_of_noisy_data_do_not_shorten_steps_below_their_own(interpolation: Any) -> None:
+    """The second derivative of a cubic has a corner at each instant, and corners stay corners when enlarged."""
+    noise = np.random.default_rng(1).normal(size=2001)
+    time = np.linspace(0.0, 2.0, len(noise))
+    net = Network("shaken", drive=Position(), inerter=Inerter(b=2.0), mass=Mass(m=1.0), push=Force())
+    net.connect(net.drive.flange, net.inerter.flange_a)
+    net.connect(net.inerter.flange_b, net.mass.flange, net.push.flange)
+    data = Sampled(time, noise, interpolation=interpolation)
+    moved = Sampled(time, 1e-6 * np.cumsum(np.cumsum(noise)))
+    given = {"push.f": data, "drive.s_ref": moved if interpolation == "cubic" else 0.0}
+    run = net.simulate(2.0, inputs=given, solver="compiled")
+    assert run.stats["steps"] < 15 * len(noise)
