@@ -292,7 +292,7 @@ def test_a_low_wide_pulse_is_felt_beside_high_narrow_ones(solver: Any) -> None:
 
 @pytest.mark.parametrize("interpolation", ["linear", "cubic"])
 def test_corners_of_noisy_data_do_not_shorten_steps_below_their_own(interpolation: Any) -> None:
-    """The second derivative of a cubic has a corner at each instant, and corners stay corners when enlarged."""
+    """A cubic has corners in its second derivative, and corners stay corners however close one looks."""
     noise = np.random.default_rng(1).normal(size=2001)
     time = np.linspace(0.0, 2.0, len(noise))
     net = Network("shaken", drive=Position(), inerter=Inerter(b=2.0), mass=Mass(m=1.0), push=Force())
