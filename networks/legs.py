@@ -27,7 +27,6 @@ ADJACENT = 1e-25
 FOLLOWED = 0.1
 NEGLIGIBLE = 1e-7
 ROUNDING = 8 * np.finfo(float).eps
-TINY = np.finfo(float).tiny
 HIDDEN, BEYOND = 0.25, 3.0
 SHARE = 0.5
 FINER, COARSER, WORTHWHILE = 0.25, 8.0, 64.0
@@ -220,8 +219,10 @@ def _looked_at(signals: TimeSignals, low: Array, high: Array, size: Array) -> tu
     if len(unknown):
         between = signals.steepest(low[unknown], high[unknown]) * scale[unknown, None] / 16
         allowed = HIDDEN * ranges[unknown] + least
-        known[unknown] |= between <= allowed
-        scale[unknown] *= np.clip(allowed / np.maximum(between, least + TINY), 1 / 16, 1.0).min(axis=1)
+        bound = between <= allowed
+        known[unknown] |= bound
+        share = np.where(bound, 1.0, allowed / np.where(bound, 1.0, between))
+        scale[unknown] *= np.maximum(share.min(axis=1), 1 / 16)
     rests, even = (((what <= least) & known).all(axis=1) for what in (ranges, missed))
     shown = (few | (missed <= FOLLOWED * ranges + least) & known).all(axis=1)
     return np.select([rests, even], [np.inf, np.nan], scale), shown
