@@ -74,7 +74,7 @@ class DAE:
     jumps: Jumps | None = None
     _closed: dict[tuple[object, ...], Closed] = field(default_factory=dict)
 
-    @property
+    @cached_property
     def state_names(self) -> list[str]:
         """Full names of the states."""
         return [self.system.name(v) for v in self.states]

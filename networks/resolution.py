@@ -35,15 +35,14 @@ def resolution_notes(dae: DAE, states: Array, tolerance: Tolerance) -> Iterator[
     lost = (off > max(LOST, TIMES * tolerance.rtol) * moved) & (moved > np.maximum(ROUNDING * sizes, AT_REST))
     if not lost.any():
         return
-    names = dae.state_names
-    units = np.array([dae.unit(name) for name in names])
+    facts = dae.system.names.facts
+    units = np.array([facts[v].unit if v < len(facts) else dae.unit(dae.system.name(v)) for v in dae.states])
     for unit in dict.fromkeys(units[lost].tolist()):
         group = np.flatnonzero(units == unit)
         most = int(group[np.argmax(moved[group])])
         if lost[most]:
-            yield _told(
-                names[most], unit, float(moved[most]), float(sizes[most]), float(off[most]), tolerance
-            )
+            name = dae.system.name(dae.states[most])
+            yield _told(name, unit, float(moved[most]), float(sizes[most]), float(off[most]), tolerance)
 
 
 def _told(name: str, unit: str, moved: float, size: float, off: float, tolerance: Tolerance) -> str:
