@@ -91,7 +91,7 @@ class Enclosure:
 
 
 def _whole_where_nan(low: Array, high: Array) -> Bounds:
-    unknown = np.isnan(low) | np.isnan(high)
+    unknown = ~((low < np.inf) & (high > -np.inf))
     return np.where(unknown, -np.inf, low), np.where(unknown, np.inf, high)
 
 
@@ -205,7 +205,8 @@ def _power(a: Bounds, b: Bounds) -> tuple[Array, Array, Any]:
     through = (a[0] < 0) & (a[1] > 0)
     low = np.where(whole & through & (b[0] % 2 == 0), 0.0, low)
     tight = (a[0] >= 0) | whole
-    return np.where(tight, low, -np.inf), np.where(tight, high, np.inf), False
+    corner = (a[0] <= 0) & (a[1] >= 0) & (b[0] <= 0) & (b[1] >= 0)
+    return np.where(tight, low, -np.inf), np.where(tight, high, np.inf), corner
 
 
 def _greater(a: Bounds, b: Bounds) -> tuple[Array, Array, Any]:

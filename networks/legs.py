@@ -26,6 +26,7 @@ MOST_KEPT = 4096
 ADJACENT = 1e-25
 FOLLOWED = 0.1
 NEGLIGIBLE = 1e-7
+UNSEEN = 1e-8  # of a value that samples show at rest: what may hide between them
 ROUNDING = 8 * np.finfo(float).eps
 HIDDEN, BEYOND = 0.25, 3.0
 SHARE = 0.5
@@ -208,7 +209,8 @@ def _looked_at(signals: TimeSignals, low: Array, high: Array, size: Array) -> tu
     ranges = np.ptp(values, axis=1)
     np.maximum(size, ranges.max(axis=0, initial=0.0), out=size)
     missed = np.abs(np.einsum("oe,ber->bor", _QUARTIC, values[:, ::2]) - values[:, 1::2]).max(axis=1)
-    least = NEGLIGIBLE * size + ROUNDING * np.abs(values).max(axis=(0, 1), initial=0.0)
+    largest = np.abs(values).max(axis=(0, 1), initial=0.0)
+    least = NEGLIGIBLE * size + ROUNDING * largest
     below, above = signals.bounds(low, high)
     with np.errstate(invalid="ignore"):
         known = above - below <= np.where(signals.formal, 0.0, BEYOND * ranges) + least
@@ -218,7 +220,7 @@ def _looked_at(signals: TimeSignals, low: Array, high: Array, size: Array) -> tu
     scale = high - low
     if len(unknown):
         between = signals.steepest(low[unknown], high[unknown]) * scale[unknown, None] / 16
-        allowed = HIDDEN * ranges[unknown] + least
+        allowed = HIDDEN * ranges[unknown] + least + UNSEEN * largest
         bound = between <= allowed
         known[unknown] |= bound
         share = np.where(bound, 1.0, allowed / np.where(bound, 1.0, between))

@@ -211,3 +211,8 @@ def test_the_generator_does_not_know_the_library() -> None:
         [sys.executable, "-c", program], cwd=BLIND, capture_output=True, text=True, check=True
     )
     assert done.stdout.split() == ["False", "False"]
+
+
+def test_what_integrates_leaves_small_numbers_to_the_process(blind: Any) -> None:
+    blind.stepper._library()
+    assert np.nextafter(np.zeros(1), 1.0)[0] * np.ones(1)[0] > 0.0

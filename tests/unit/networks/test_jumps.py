@@ -343,6 +343,18 @@ def test_what_moved_before_a_run_begins_is_no_shock(solver: str) -> None:
         assert not pushes(run)
 
 
+@pytest.mark.parametrize("solver", TWO)
+def test_a_sawtooth_of_angles_is_a_shock_at_each_tooth(solver: str) -> None:
+    net = driven(Speed(), None, Inerter(b=50.0), Mass(m=100.0))
+    teeth = {"drive.v_ref": lambda t: ca.atan2(ca.sin(2 * t), ca.cos(2 * t))}
+    run = net.simulate(5.0, inputs=teeth, solver=solver)
+    assert run["mass.v"] == pytest.approx(
+        np.arctan2(np.sin(2 * run.time), np.cos(2 * run.time)) / 3, abs=1e-6
+    )
+    assert [e.time for e in run.events] == pytest.approx([np.pi / 2, 3 * np.pi / 2])
+    assert [e.impulse for e in run.events] == pytest.approx([-200 * np.pi / 3] * 2)
+
+
 @pytest.mark.parametrize("begin", [1e3, 1e6])
 @pytest.mark.parametrize("solver", TWO)
 def test_a_late_beginning_tells_its_first_instant_from_shortly_before(solver: str, begin: float) -> None:
