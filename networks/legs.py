@@ -28,7 +28,7 @@ FOLLOWED = 0.1
 NEGLIGIBLE = 1e-7
 UNSEEN = 1e-8  # of a value that samples show at rest: what may hide between them
 ROUNDING = 8 * np.finfo(float).eps
-HIDDEN, BEYOND = 0.25, 3.0
+HIDDEN = 0.25
 SHARE = 0.5
 FINER, COARSER, WORTHWHILE = 0.25, 8.0, 64.0
 # Values of a quartic through 0, 2, 4, 6 and 8 at 1, 3, 5 and 7.
@@ -211,9 +211,9 @@ def _looked_at(signals: TimeSignals, low: Array, high: Array, size: Array) -> tu
     missed = np.abs(np.einsum("oe,ber->bor", _QUARTIC, values[:, ::2]) - values[:, 1::2]).max(axis=1)
     largest = np.abs(values).max(axis=(0, 1), initial=0.0)
     least = NEGLIGIBLE * size + ROUNDING * largest
-    below, above = signals.bounds(low, high)
     with np.errstate(invalid="ignore"):
-        known = above - below <= np.where(signals.formal, 0.0, BEYOND * ranges) + least
+        hidden = _hidden(signals, times, values)
+        known = hidden <= np.where(signals.formal, 0.0, HIDDEN * ranges) + least
     few = ~signals.formal & signals.within_data(low, high)[:, None]
     known |= broken | few
     unknown = np.flatnonzero(~known.all(axis=1))
@@ -228,6 +228,21 @@ def _looked_at(signals: TimeSignals, low: Array, high: Array, size: Array) -> tu
     rests, even = (((what <= least) & known).all(axis=1) for what in (ranges, missed))
     shown = (few | (missed <= FOLLOWED * ranges + least) & known).all(axis=1)
     return np.select([rests, even], [np.inf, np.nan], scale), shown
+
+
+def _hidden(signals: TimeSignals, times: Array, values: Array) -> Array:
+    """Return how far signals can go beyond neighbouring samples, (intervals, signals).
+
+    Formulas alone are asked for how far they go at all, which is as telling of what does not move.
+    """
+    if signals.formal.all():
+        below, above = signals.bounds(times[:, 0], times[:, -1])
+        return above - below
+    bounds = signals.bounds(times[:, :-1].ravel(), times[:, 1:].ravel())
+    below, above = (bound.reshape(len(times), 8, -1) for bound in bounds)
+    least, most = np.minimum(values[:, :-1], values[:, 1:]), np.maximum(values[:, :-1], values[:, 1:])
+    beyond: Array = np.maximum(above - most, least - below).max(axis=1)
+    return beyond
 
 
 def _joined(low: Array, high: Array, scale: Array) -> Iterator[Leg]:

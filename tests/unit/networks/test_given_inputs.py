@@ -311,3 +311,17 @@ def test_a_slow_course_does_not_shorten_steps() -> None:
     car = ready_car(suspension("S1", k=60e3, d=2000.0))
     run = car.simulate(10.0, inputs={"road.s_ref": lambda t: 0.01 * ca.sin(6 * t)}, rtol=1e-4, atol=1e-6)
     assert run.stats["steps"] < 700  # 1057 where an input that stays 0 counted as the finest of courses
+
+
+@pytest.mark.parametrize("solver", ["cvodes", "rosenbrock"])
+def test_a_pulse_in_data_is_felt_before_a_wider_one_that_samples_show(solver: Any) -> None:
+    """A few samples of the end of this interval lie on a parabola, by chance, and the first pulse between."""
+    end, triangles = 0.6667152623591912, ((2901.0, 0.62006107, 0.00035169), (2652.0, 0.62411032, 0.00373779))
+    near = [np.linspace(at - 1.2 * width, at + 1.2 * width, 401) for _, at, width in triangles]
+    time = np.unique(np.concatenate([np.linspace(0.0, end, 50), *near]).round(13))
+    force = sum(size * np.maximum(0.0, 1 - 2 * np.abs(time - at) / width) for size, at, width in triangles)
+    net = Network("wagon", push=Force(), mass=Mass(m=1.0))
+    net.connect(net.push.flange, net.mass.flange)
+    data = Sampled(time, force, interpolation="linear")
+    run = net.simulate(end, inputs={"push.f": data}, solver=solver, rtol=1e-8)
+    assert run["mass.v"][-1] == pytest.approx(np.trapezoid(force, time), rel=1e-5)
