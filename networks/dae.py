@@ -255,7 +255,7 @@ class DAE:
         """Return the symbols every expression depends on: x, z, u, q, time."""
         return [self.x, self.z, self.u, self.constants, self.time]
 
-    @property
+    @cached_property
     def constants(self) -> Any:
         """All that is constant within a segment: p, modes, impulses, completion."""
         return stacked(self.p, self.modes, self.impulses, self.completion)

@@ -93,7 +93,7 @@ def wishes(dae: DAE, start: Mapping[str, float], guess: Mapping[str, float]) -> 
     for name, value in {**given, **start}.items():
         root, sign = dae.root(name)
         known, wanted = fixed.setdefault(root, (name, sign * float(value)))
-        if not np.isclose(wanted, sign * float(value), rtol=1e-12, atol=1e-12):
+        if known != name and not np.isclose(wanted, sign * float(value), rtol=1e-12, atol=1e-12):
             other = dae.root(known)[1]
             clashes.append(
                 f"'{known}' and '{name}' are {'one variable' if sign == other else 'opposite'}, fixed at two "

@@ -7,7 +7,6 @@ arithmetic, which misses no switch, and by samples, which tell how fine a course
 
 from __future__ import annotations
 
-from collections.abc import Iterator
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -30,7 +29,7 @@ UNSEEN = 1e-8  # of a value that samples show at rest: what may hide between the
 ROUNDING = 8 * np.finfo(float).eps
 HIDDEN = 0.25
 SHARE = 0.5
-FINER, COARSER, WORTHWHILE = 0.25, 8.0, 64.0
+FINER, COARSER, WORTHWHILE = 0.25, 8.0, 256
 # Values of a quartic through 0, 2, 4, 6 and 8 at 1, 3, 5 and 7.
 _QUARTIC = np.array(
     [[35, 140, -70, 28, -5], [-5, 60, 90, -20, 3], [3, -20, 90, 60, -5], [-5, 28, -70, 140, 35]]
@@ -90,7 +89,7 @@ def _legs_between(
     blocks = _blocks(signals, starts, ends, size)
     for number, (first, last, jumps) in enumerate(zip(starts, ends, jumped, strict=True)):
         inside = (blocks.low >= first) & (blocks.high <= last) if len(starts) > 1 else slice(None)
-        part = list(_joined(blocks.low[inside], blocks.high[inside], blocks.scale[inside]))
+        part = _joined(blocks.low[inside], blocks.high[inside], blocks.scale[inside])
         part = part or [Leg(first, last)]
         part[0] = replace(part[0], begin=float(first), jumps=bool(jumps))
         part[-1] = replace(part[-1], end=float(last))
@@ -245,24 +244,29 @@ def _hidden(signals: TimeSignals, times: Array, values: Array) -> Array:
     return beyond
 
 
-def _joined(low: Array, high: Array, scale: Array) -> Iterator[Leg]:
-    """Join neighbouring intervals of like scale; where it gets finer, a leg begins."""
-    if not len(low):
-        return
-    first = 0
-    finest = float(scale[0])
-    for k in range(1, len(low) + 1):
-        ended = k == len(low)
-        if not ended and finest * FINER < scale[k] < finest * COARSER:
-            finest = min(finest, float(scale[k]))
-            continue
-        if not ended and scale[k] == finest:
-            continue
-        if not ended and scale[k] >= finest * COARSER and high[k] - low[k] < WORTHWHILE * finest:
-            continue
-        yield Leg(float(low[first]), float(high[k - 1]), SHARE * finest)
-        if not ended:
-            first, finest = k, float(scale[k])
+def _joined(low: Array, high: Array, scale: Array) -> list[Leg]:
+    """Join neighbouring intervals of like scale, then those in which too few steps are saved to start anew."""
+    legs = [Leg(*part) for part in zip(low.tolist(), high.tolist(), (SHARE * scale).tolist(), strict=True)]
+    for belong in _alike, _hardly_worthwhile:
+        joined: list[Leg] = []
+        for leg in legs:
+            while joined and belong(joined[-1], leg):
+                before = joined.pop()
+                leg = Leg(before.begin, leg.end, min(before.max_step, leg.max_step))
+            joined.append(leg)
+        legs = joined
+    return legs
+
+
+def _alike(before: Leg, after: Leg) -> bool:
+    if before.max_step == after.max_step:
+        return True
+    return before.max_step * FINER < after.max_step < before.max_step * COARSER
+
+
+def _hardly_worthwhile(before: Leg, after: Leg) -> bool:
+    finer, coarser = sorted((before, after), key=lambda leg: leg.max_step)
+    return coarser.end - coarser.begin < WORTHWHILE * finer.max_step
 
 
 def _split(low: Array, high: Array, parts: int) -> tuple[Array, Array]:
