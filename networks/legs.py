@@ -29,7 +29,7 @@ UNSEEN = 1e-8  # of a value that samples show at rest: what may hide between the
 ROUNDING = 8 * np.finfo(float).eps
 HIDDEN = 0.25
 SHARE = 0.5
-FINER, COARSER, WORTHWHILE = 0.25, 8.0, 256
+FINER, COARSER, WORTHWHILE = 0.25, 8.0, 256  # the last: steps that starting anew may cost
 # Values of a quartic through 0, 2, 4, 6 and 8 at 1, 3, 5 and 7.
 _QUARTIC = np.array(
     [[35, 140, -70, 28, -5], [-5, 60, 90, -20, 3], [3, -20, 90, 60, -5], [-5, 28, -70, 140, 35]]
@@ -245,7 +245,7 @@ def _hidden(signals: TimeSignals, times: Array, values: Array) -> Array:
 
 
 def _joined(low: Array, high: Array, scale: Array) -> list[Leg]:
-    """Join neighbouring intervals of like scale, then those in which too few steps are saved to start anew."""
+    """Join neighbouring intervals of like scale, then parts that save fewer steps than a new start costs."""
     legs = [Leg(*part) for part in zip(low.tolist(), high.tolist(), (SHARE * scale).tolist(), strict=True)]
     for belong in _alike, _hardly_worthwhile:
         joined: list[Leg] = []
