@@ -341,3 +341,19 @@ def test_steps_are_short_only_near_what_is_short() -> None:
     run = net.simulate(1000.0, inputs={"push.f": lambda t: ca.exp(-(((t - 50) / 0.03) ** 2))})
     assert run["mass.v"][-1] == pytest.approx(0.03 * np.sqrt(np.pi), rel=1e-5)
     assert run.stats["steps"] < 1000
+
+
+@pytest.mark.parametrize("solver", ["cvodes", "idas", "rosenbrock"])
+@pytest.mark.parametrize(("centre", "width"), [(0.7188376, 0.0029295), (0.3749989, 0.0003554)])
+def test_a_pulse_in_data_is_felt_that_two_parts_of_the_run_share(
+    solver: Any, centre: float, width: float
+) -> None:
+    """Each part saw a flank at its end, where a quartic is a tenth off, and steps were as long as the pulse."""
+    near = np.linspace(centre - 1.2 * width, centre + 1.2 * width, 401)
+    time = np.unique(np.concatenate([np.linspace(0.0, 1.0, 50), near]).round(13))
+    phase = (time - centre) / width
+    force = np.where(np.abs(phase) < 0.5, 0.5 + 0.5 * np.cos(2 * np.pi * phase), 0.0) / width
+    net = Network("wagon", push=Force(), mass=Mass(m=1.0))
+    net.connect(net.push.flange, net.mass.flange)
+    run = net.simulate(1.0, inputs={"push.f": Sampled(time, force)}, solver=solver, rtol=1e-8)
+    assert run["mass.v"][-1] == pytest.approx(0.5, rel=1e-4)
