@@ -348,7 +348,7 @@ def test_steps_are_short_only_near_what_is_short() -> None:
 def test_a_pulse_in_data_is_felt_that_two_parts_of_the_run_share(
     solver: Any, centre: float, width: float
 ) -> None:
-    """Each part saw a flank at its end, where a quartic is a tenth off, and steps were as long as the pulse."""
+    """Each part saw a flank at its end, a tenth off a quartic, and steps were as long as the pulse."""
     near = np.linspace(centre - 1.2 * width, centre + 1.2 * width, 401)
     time = np.unique(np.concatenate([np.linspace(0.0, 1.0, 50), near]).round(13))
     phase = (time - centre) / width
