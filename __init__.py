@@ -2,6 +2,7 @@
 
 from typing import TYPE_CHECKING, Any
 
+from inertance.base import Later
 from inertance.components import Accelerate as Accelerate
 from inertance.components import AccelerationSensor as AccelerationSensor
 from inertance.components import AsymmetricFriction as AsymmetricFriction
@@ -79,7 +80,6 @@ from inertance.components import parameter as parameter
 from inertance.components import rotational as rotational
 from inertance.components import signals as signals
 from inertance.components import variable as variable
-from inertance.components.base import Later
 from inertance.networks import DAE as DAE
 from inertance.networks import TMD as TMD
 from inertance.networks import TMDI as TMDI

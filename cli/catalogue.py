@@ -9,7 +9,7 @@ from importlib import import_module
 from types import ModuleType
 
 from ..components import Component, ModelError, RealInput, UnknownNameError, nearest
-from ..components.base import Part, template_of
+from ..components.language import Part, template_of
 
 Kind = type[Component]
 

@@ -11,7 +11,7 @@ from rich.table import Table
 from rich.text import Text
 
 from ..components import Component
-from ..components.base import (
+from ..components.language import (
     MISSING,
     Field,
     Impulse,

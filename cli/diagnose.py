@@ -9,8 +9,8 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 from rich.table import Table
 
+from ..base import Processes
 from ..components import InertanceError, ModelError
-from ..components.base import Processes
 from .failure import FAILED, INTERRUPTED, WRONG_USE, fail, failing
 from .outputs import JSON, PAGES, expect
 from .terminal import Terminal

@@ -7,8 +7,8 @@ from typing import Annotated
 
 import typer
 
+from ..base import Processes
 from ..components import ModelError
-from ..components.base import Processes
 from ..identification import Campaign, Fit, FitInterruptedError
 from ..identification import fit as fitted
 from .failure import INTERRUPTED, WRONG_USE, fail, failing

@@ -6,7 +6,7 @@ from collections.abc import Iterable
 from pathlib import Path
 from typing import Any
 
-from ..components.base import OutputError, check_output, writing
+from ..base import OutputError, check_output, writing
 from .failure import WRONG_USE, fail
 
 PAGES, JSON, PICTURES = (".html", ".htm"), (".json",), (".png", ".pdf", ".svg")

@@ -6,7 +6,7 @@ import re
 from collections.abc import Iterator
 
 from ..components import Component, RealInput, RotationalFlange, TranslationalFlange
-from ..components.base import MISSING, Parameter, Part, Port
+from ..components.language import MISSING, Parameter, Part, Port
 from ..networks import Network
 from .catalogue import full_name
 

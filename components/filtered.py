@@ -6,7 +6,7 @@ from typing import Any
 
 import casadi as ca
 
-from .base import option, parameter
+from .language import option, parameter
 
 FIRST, SECOND = 1.3617, 0.6180
 

@@ -7,7 +7,7 @@ from typing import Any
 
 import casadi as ca
 
-from .base import Component, RealInput, mode, option, parameter
+from .language import Component, RealInput, mode, option, parameter
 from .stickslip import StickSlip
 from .tables import interpolated, over_speed
 

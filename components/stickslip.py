@@ -7,7 +7,8 @@ from typing import Any
 
 import casadi as ca
 
-from .base import Component, mode, option, parameter, smoothing
+from ..base import smoothing
+from .language import Component, mode, option, parameter
 
 SLOW = 1e-9
 HOLD = 1e-10

@@ -8,7 +8,7 @@ from typing import Any
 
 import casadi as ca
 
-from .base import rows
+from ..base import rows
 
 Table = tuple[tuple[float, ...], ...]
 

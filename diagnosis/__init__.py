@@ -1,16 +1,16 @@
 """Where measured data and a model part, and which missing effect parts them."""
 
-from . import across as across
-from . import blackbox as blackbox
-from . import channels as channels
-from . import joined as joined
-from . import series as series
-from .edits import between as between
-from .effects import Effect as Effect
-from .effects import Quantity as Quantity
-from .effects import register as register
-from .search import diagnose as diagnose
-from .verdict import DiagnosisInterruptedError as DiagnosisInterruptedError
-from .verdict import Gap as Gap
-from .verdict import Ranked as Ranked
-from .verdict import Verdict as Verdict
+from .diagnose import diagnose as diagnose
+from .effects import across as across
+from .effects import in_series as in_series
+from .effects import on_channels as on_channels
+from .effects.edits import between as between
+from .effects.effect import Effect as Effect
+from .effects.effect import Quantity as Quantity
+from .effects.effect import register as register
+from .models import fmu_model as fmu_model
+from .models import fmu_network as fmu_network
+from .verdict.verdict import DiagnosisInterruptedError as DiagnosisInterruptedError
+from .verdict.verdict import Gap as Gap
+from .verdict.verdict import Ranked as Ranked
+from .verdict.verdict import Verdict as Verdict

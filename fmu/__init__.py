@@ -1,32 +1,32 @@
 """Every network a block for any tool, every tool's FMU a part of a network."""
 
-from .check import check as check
-from .check_report import CheckReport as CheckReport
-from .check_report import Finding as Finding
+from .check.check import check as check
+from .check.report import CheckReport as CheckReport
+from .check.report import Finding as Finding
+from .cosimulation.components import FMUBlock as FMUBlock
+from .cosimulation.components import FMUForce as FMUForce
+from .cosimulation.components import FMUMotion as FMUMotion
+from .cosimulation.components import FMURotation as FMURotation
+from .cosimulation.components import FMUTorque as FMUTorque
+from .cosimulation.cosimulate import cosimulate as cosimulate
+from .cosimulation.coupling import CoupledRun as CoupledRun
 from .errors import FMUError as FMUError
-from .export import VERSIONS as VERSIONS
-from .export import export as export
-from .import_blocks import FMUBlock as FMUBlock
-from .import_blocks import FMUForce as FMUForce
-from .import_blocks import FMUMotion as FMUMotion
-from .import_blocks import FMURotation as FMURotation
-from .import_blocks import FMUTorque as FMUTorque
-from .import_cosimulate import cosimulate as cosimulate
-from .import_coupling import CoupledRun as CoupledRun
-from .import_load import Law as Law
-from .import_load import Load as Load
-from .import_replay import Replay as Replay
-from .import_run import ForeignEvent as ForeignEvent
-from .import_run import ForeignRun as ForeignRun
-from .imported import FMU as FMU
-from .ssp import Connection as Connection
-from .ssp import SystemStructure as SystemStructure
-from .ssp_read import read_ssp as read_ssp
-from .ssp_run import SystemRun as SystemRun
-from .ssp_split import Split as Split
-from .ssp_split import split as split
-from .terminals import Terminal as Terminal
-from .terminals import publish as publish
+from .export.export import VERSIONS as VERSIONS
+from .export.export import export as export
+from .export.terminals import Terminal as Terminal
+from .export.terminals import publish as publish
+from .fmu import FMU as FMU
+from .foreign.port_force import Law as Law
+from .foreign.port_force import Load as Load
+from .foreign.replay import Replay as Replay
+from .foreign.simulate import ForeignEvent as ForeignEvent
+from .foreign.simulate import ForeignRun as ForeignRun
+from .ssp.read import read_ssp as read_ssp
+from .ssp.run import SystemRun as SystemRun
+from .ssp.split import Split as Split
+from .ssp.split import split as split
+from .ssp.system import Connection as Connection
+from .ssp.system import SystemStructure as SystemStructure
 
 check_fmu = check
 export_fmu = export

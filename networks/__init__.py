@@ -2,17 +2,9 @@
 
 from typing import TYPE_CHECKING, Any
 
-from ..components.base import Later
-from .algebra import TwoTerminal as TwoTerminal
-from .algebra import bridge as bridge
-from .algebra import parallel as parallel
-from .algebra import series as series
-from .coverage import between_samples as between_samples
-from .coverage import check_covered as check_covered
-from .coverage import jump_remedy as jump_remedy
+from ..base import Later
 from .dae import DAE as DAE
 from .dae import Input as Input
-from .events import Event as Event
 from .given import dae_of as dae_of
 from .given import element_of as element_of
 from .given import network_of as network_of
@@ -46,30 +38,38 @@ from .machines import suspension as suspension
 from .machines import taut_cable as taut_cable
 from .machines import tid as tid
 from .machines import tvmd as tvmd
-from .modelfile import UserCodeError as UserCodeError
-from .modelfile import load_model as load_model
+from .model_file import UserCodeError as UserCodeError
+from .model_file import load_model as load_model
 from .network import Network as Network
-from .overtime import OverTime as OverTime
-from .pieces import Pieces as Pieces
-from .plotting import pretty_unit as pretty_unit
-from .polynomial import Polynomial as Polynomial
-from .recorded import Recorded as Recorded
-from .result import Result as Result
-from .run import COARSEST as COARSEST
-from .run import FINEST as FINEST
-from .signals import chosen_signals as chosen_signals
-from .sketch import svg_sketch as svg_sketch
-from .splines import piecewise as piecewise
-from .splines import sampled_at as sampled_at
-from .starting import Start as Start
-from .starting import starting_point as starting_point
-from .stepper import SOLVERS as SOLVERS
-from .stepwise import Stepwise as Stepwise
-from .storage import check_table_path as check_table_path
-from .storage import load_table as load_table
-from .tolerance import ATOL as ATOL
-from .tolerance import RTOL as RTOL
-from .variations import Variations as Variations
+from .results.network_drawing import svg_sketch as svg_sketch
+from .results.over_time import OverTime as OverTime
+from .results.pieces import Pieces as Pieces
+from .results.plotting import pretty_unit as pretty_unit
+from .results.recorded import Recorded as Recorded
+from .results.result import Result as Result
+from .results.signals import chosen_signals as chosen_signals
+from .results.storage import check_table_path as check_table_path
+from .results.storage import load_table as load_table
+from .simulation.coverage import between_samples as between_samples
+from .simulation.coverage import check_covered as check_covered
+from .simulation.coverage import jump_remedy as jump_remedy
+from .simulation.events.switcher import Event as Event
+from .simulation.integrator import SOLVERS as SOLVERS
+from .simulation.polynomial import Polynomial as Polynomial
+from .simulation.run import COARSEST as COARSEST
+from .simulation.run import FINEST as FINEST
+from .simulation.splines import piecewise as piecewise
+from .simulation.splines import sampled_at as sampled_at
+from .simulation.starting import Start as Start
+from .simulation.starting import starting_point as starting_point
+from .simulation.stepwise import Stepwise as Stepwise
+from .simulation.tolerance import ATOL as ATOL
+from .simulation.tolerance import RTOL as RTOL
+from .two_terminal import TwoTerminal as TwoTerminal
+from .two_terminal import bridge as bridge
+from .two_terminal import parallel as parallel
+from .two_terminal import series as series
+from .variational.variations import Variations as Variations
 
 if TYPE_CHECKING:
     from .analysis import Linearisation as Linearisation
@@ -128,16 +128,16 @@ if TYPE_CHECKING:
     from .csource import compiler as compiler
     from .csource import corners_as_modes as corners_as_modes
     from .csource import is_corner as is_corner
-    from .sweep_design import Design as Design
-    from .sweep_design import grid as grid
-    from .sweep_design import latin_hypercube as latin_hypercube
-    from .sweep_design import monte_carlo as monte_carlo
-    from .sweep_design import saltelli as saltelli
-    from .sweep_design import sobol_sequence as sobol_sequence
-    from .sweep_indices import sobol_indices as sobol_indices
-    from .sweeps import Sweep as Sweep
-    from .sweeps import SweepInterruptedError as SweepInterruptedError
-    from .sweeps import sweep as sweep
+    from .sweeps.design import Design as Design
+    from .sweeps.design import grid as grid
+    from .sweeps.design import latin_hypercube as latin_hypercube
+    from .sweeps.design import monte_carlo as monte_carlo
+    from .sweeps.design import saltelli as saltelli
+    from .sweeps.design import sobol_sequence as sobol_sequence
+    from .sweeps.sobol_indices import sobol_indices as sobol_indices
+    from .sweeps.sweep import Sweep as Sweep
+    from .sweeps.sweep import SweepInterruptedError as SweepInterruptedError
+    from .sweeps.sweep import sweep as sweep
     from .synthesis import NotPositiveRealError as NotPositiveRealError
     from .synthesis import PositiveReal as PositiveReal
     from .synthesis import RationalFunction as RationalFunction

@@ -9,17 +9,18 @@ from math import inf
 from threading import get_ident
 from typing import TYPE_CHECKING, Any, Never
 
-from ..components.base import Parameter, UnknownNameError, Variable, listed, named, nearest, text
-from .tolerance import ATOL, RTOL
-from .vectors import stacked
+from ..base import UnknownNameError, listed, named, nearest, text
+from ..components.language import Parameter, Variable
+from .flattening.vectors import stacked
+from .simulation.tolerance import ATOL, RTOL
 
 if TYPE_CHECKING:
-    from .closed import Closed
-    from .index import System
-    from .jumps import Jumps
-    from .result import Result
-    from .switching import Switching
-    from .tearing import Torn
+    from .reduction.jumps import Jumps
+    from .reduction.pantelides import System
+    from .reduction.tearing import Torn
+    from .reduction.transitions import Switching
+    from .results.result import Result
+    from .simulation.bound_dae import Closed
 
 
 KEPT = 4
@@ -224,9 +225,9 @@ class DAE:
             SimulationError: if the run cannot be finished; its `result` keeps what was computed.
             RunInterruptedError: on Ctrl-C; its `result` likewise.
         """
-        from .keywords import check_keywords
-        from .run import Settings
-        from .simulate import simulate
+        from ..base.keywords import check_keywords
+        from .simulation.run import Settings
+        from .simulation.simulate import simulate
 
         check_keywords("simulate()", unknown, DAE.simulate)
         settings = Settings(begin, stop, step, rtol, atol, solver, progress, max_steps, max_step)
@@ -241,7 +242,7 @@ class DAE:
         Raises:
             ModelError: for unknown inputs and for inputs without a signal.
         """
-        from .closed import Closed, Given, chosen_signals
+        from .simulation.bound_dae import Closed, Given, chosen_signals
 
         chosen = chosen_signals(self, named("inputs", signals))
         key = get_ident(), Given(chosen)

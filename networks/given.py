@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from typing import Any
 
-from ..components.base import Component, ModelError, shown
+from ..base import ModelError, shown
+from ..components.language import Component
 from .dae import DAE
 from .network import Network
 

@@ -7,11 +7,12 @@ from collections.abc import Iterable, Iterator, Mapping
 from contextlib import contextmanager
 from typing import TYPE_CHECKING, Any, Self
 
-from ..components.base import Component, ModelError, PortRef, nearest, text
+from ..base import ModelError, nearest, text
+from ..components.language import Component, PortRef
 
 if TYPE_CHECKING:
     from .dae import DAE
-    from .result import Result
+    from .results.result import Result
 
 
 class Network(Component):
@@ -154,8 +155,8 @@ class Network(Component):
 
     def dae(self) -> DAE:
         """Return the network's equations: flattened, reduced to index 1, states chosen."""
-        from .flatten import flatten
-        from .reduce import reduce
+        from .flattening.flatten import flatten
+        from .reduction.reduce import reduce
 
         with _uncollected():
             return reduce(flatten(self))
@@ -171,8 +172,8 @@ class Network(Component):
         **options: Any,
     ) -> Result:
         """Assemble and run the network; see `DAE.simulate` for the arguments and errors."""
+        from ..base.keywords import check_keywords
         from .dae import DAE
-        from .keywords import check_keywords
 
         check_keywords("simulate()", options, DAE.simulate)
         return self.dae().simulate(
@@ -184,7 +185,7 @@ class Network(Component):
         return f"<Network '{self.name}': {parts}>"
 
     def _repr_html_(self) -> str:
-        from .notebook import network_html
+        from .results.notebook import network_html
 
         return network_html(self)
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 from typing import Any
 
-from ..base import Component, RotationalFlange, der, variable
+from ..language import Component, RotationalFlange, der, variable
 
 
 class TwoFlanges(Component):

@@ -7,7 +7,7 @@ from typing import Any
 
 import casadi as ca
 
-from ..base import RotationalFlange, Shock, der, impulse, mode, parameter, variable
+from ..language import RotationalFlange, Shock, der, impulse, mode, parameter, variable
 from ..pressed import Pressed, PressedStickSlip
 from ..stickslip import SLOW
 from ..tables import interpolated

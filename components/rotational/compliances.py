@@ -8,7 +8,7 @@ from typing import Any
 
 import casadi as ca
 
-from ..base import der, parameter, variable
+from ..language import der, parameter, variable
 from .bases import Compliant, CompliantWithSpeed
 
 REST = 1e-300  # rad

@@ -7,7 +7,7 @@ from typing import Any
 
 import casadi as ca
 
-from ..base import Component, RotationalFlange, der, option, parameter, variable
+from ..language import Component, RotationalFlange, der, option, parameter, variable
 from ..stickslip import StickSlip
 from ..tables import interpolated, over_speed
 from .bases import Compliant

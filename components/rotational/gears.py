@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterable
 from typing import Any
 
-from ..base import Component, RotationalFlange, der, option, parameter, variable
-from ..clearance import past_clearance
+from ..contact import past_clearance
+from ..language import Component, RotationalFlange, der, option, parameter, variable
 
 
 class IdealGear(Component):

@@ -6,7 +6,7 @@ from collections.abc import Iterable
 from math import pi
 from typing import Any
 
-from ..base import Component, RotationalFlange, der, parameter, variable
+from ..language import Component, RotationalFlange, der, parameter, variable
 
 
 class Fixed(Component):

@@ -7,7 +7,7 @@ from typing import Any
 
 import casadi as ca
 
-from ..base import Component, RotationalFlange, der, mode, option, parameter, variable
+from ..language import Component, RotationalFlange, der, mode, option, parameter, variable
 from ..stickslip import SLOW, breakaways, reversals
 from ..tables import interpolated, over_speed_with_losses
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 from typing import Any
 
-from ..base import Component, RealOutput, RotationalFlange, der, variable
+from ..language import Component, RealOutput, RotationalFlange, der, variable
 
 
 class _Absolute(Component):

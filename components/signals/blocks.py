@@ -7,7 +7,7 @@ from typing import Any
 
 import casadi as ca
 
-from ..base import Component, RealInput, RealOutput, parameter
+from ..language import Component, RealInput, RealOutput, parameter
 
 
 class Block(Component):

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 from typing import Any
 
-from ..base import Component, RealInput, RealOutput, der, parameter, variable
+from ..language import Component, RealInput, RealOutput, der, parameter, variable
 from .blocks import Block, limited
 
 

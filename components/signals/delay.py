@@ -5,7 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterable
 from typing import Any
 
-from ..base import Component, counting, der, option, parameter, variable
+from ...base import counting
+from ..language import Component, der, option, parameter, variable
 from .blocks import Block
 
 

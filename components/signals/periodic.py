@@ -7,7 +7,7 @@ from typing import Any
 
 import casadi as ca
 
-from ..base import der, mode, parameter, variable
+from ..language import der, mode, parameter, variable
 from .sources import Source, portion
 
 

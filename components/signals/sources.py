@@ -8,7 +8,8 @@ from typing import Any
 
 import casadi as ca
 
-from ..base import Component, RealOutput, instant, mode, option, parameter, rows
+from ...base import instant, rows
+from ..language import Component, RealOutput, mode, option, parameter
 
 
 class Source(Component):

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 from typing import Any
 
-from ..base import TranslationalFlange, der, parameter, variable
+from ..language import TranslationalFlange, der, parameter, variable
 from ..pressed import PressedStickSlip
 
 

@@ -6,7 +6,7 @@ from typing import Any
 
 import casadi as ca
 
-from ..base import RealInput, parameter
+from ..language import RealInput, parameter
 from .friction import Friction
 
 

@@ -7,8 +7,8 @@ from typing import Any
 
 import casadi as ca
 
-from ..base import parameter
-from ..clearance import past_clearance
+from ..contact import past_clearance
+from ..language import parameter
 from .bases import CompliantWithSpeed
 
 TOUCH = 1e-300  # m

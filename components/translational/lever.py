@@ -7,7 +7,7 @@ from typing import Any
 
 import casadi as ca
 
-from ..base import Component, TranslationalFlange, der, parameter, variable
+from ..language import Component, TranslationalFlange, der, parameter, variable
 
 
 class _Levered(Component):

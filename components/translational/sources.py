@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterable
 from typing import Any
 
-from ..base import Component, RealInput, TranslationalFlange, der, parameter, variable
 from ..filtered import after_position, after_speed, critical_frequency, exactness
+from ..language import Component, RealInput, TranslationalFlange, der, parameter, variable
 
 
 class _Driven(Component):

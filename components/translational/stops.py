@@ -7,7 +7,7 @@ from typing import Any
 
 import casadi as ca
 
-from ..base import Component, Shock, TranslationalFlange, der, impulse, mode, parameter, variable
+from ..language import Component, Shock, TranslationalFlange, der, impulse, mode, parameter, variable
 from .bases import Compliant
 from .friction import StribeckFriction
 from .masses import Mass

@@ -5,7 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterable
 from typing import Any
 
-from ..base import Component, RotationalFlange, counting, der, option, parameter, variable
+from ...base import counting
+from ..language import Component, RotationalFlange, der, option, parameter, variable
 
 
 class Flywheel(Component):

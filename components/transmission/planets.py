@@ -8,8 +8,9 @@ from typing import Any
 
 import casadi as ca
 
-from ..base import Component, RotationalFlange, counting, der, option, parameter, smoothing, variable
-from ..clearance import past_clearance
+from ...base import counting, smoothing
+from ..contact import past_clearance
+from ..language import Component, RotationalFlange, der, option, parameter, variable
 from ..rotational import Inertia
 from ..stickslip import StickSlip
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 from typing import Any
 
-from ..base import Component, RotationalFlange, TranslationalFlange, parameter
+from ..language import Component, RotationalFlange, TranslationalFlange, parameter
 from ..rotational import Damper
 from ..translational import Backlash, Mass
 from .ideal import NutScrew

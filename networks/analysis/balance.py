@@ -16,7 +16,7 @@ import casadi as ca
 import numpy as np
 from numpy.typing import NDArray
 
-from ...components.base import ModelError, above, between, demand, listed, nearest, text, whole
+from ...base import ModelError, above, between, demand, listed, nearest, text, whole
 from ..dae import DAE
 from .operating import operating_point
 from .orbits import Orbit

@@ -7,8 +7,8 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from ...components.base import ModelError
-from ..plotting import pretty_unit
+from ...base import ModelError
+from ..results.plotting import pretty_unit
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from math import pi, sqrt
 
-from ...components.base import ModelError, above, between, demand
+from ...base import ModelError, above, between, demand
 
 MOST = 1e60
 

@@ -9,8 +9,8 @@ from math import ceil, pi, sqrt
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from ...components.base import ModelError, demand, instance, number, numbers, one_of
-from ..overtime import OverTime
+from ...base import ModelError, demand, instance, number, numbers, one_of
+from ..results.over_time import OverTime
 from .statespace import StateSpace
 
 Array = NDArray[np.float64]

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ...components.base import ModelError, SimulationError, between, demand, named, numbers, shown, whole
+from ...base import ModelError, SimulationError, between, demand, named, numbers, shown, whole
 from ..dae import DAE
 from ..given import dae_of
 from ..network import Network
@@ -52,7 +52,7 @@ class ResponseCurve:
         """Draw the amplitude of an output over frequency: full where stable, dashed where not."""
         from matplotlib import pyplot
 
-        from ..plotting import pretty_unit
+        from ..results.plotting import pretty_unit
 
         if not (axes is None or hasattr(axes, "plot")):
             raise ModelError(f"axes are matplotlib axes, got {shown(axes)}")

@@ -8,18 +8,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ...components.base import (
-    ModelError,
-    by_name,
-    demand,
-    finite,
-    instance,
-    named,
-    nearest,
-    number,
-    numbers,
-    shown,
-)
+from ...base import ModelError, by_name, demand, finite, instance, named, nearest, number, numbers, shown
 from ..dae import DAE
 from .measuring import BAD, Measure, measured
 from .norms import Norm

@@ -6,7 +6,7 @@ from typing import Any
 
 import numpy as np
 
-from ...components.base import ModelError
+from ...base import ModelError
 from .statespace import StateSpace
 
 

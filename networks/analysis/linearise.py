@@ -12,11 +12,11 @@ import casadi as ca
 import numpy as np
 from numpy.typing import NDArray
 
-from ...components.base import ModelError, listed, named, nearest
+from ...base import ModelError, listed, named, nearest
 from ..dae import DAE
 from ..given import dae_of
 from ..network import Network
-from ..result import Result
+from ..results.result import Result
 from .operating import OperatingPoint, operating_point
 from .realise import Channel, drop_held, realised
 from .resting import HOLDING

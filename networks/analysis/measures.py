@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from math import pi, sqrt
 
-from ...components.base import above, at_least, demand, one_of
+from ...base import above, at_least, demand, one_of
 from ..dae import DAE
 from ..network import Network
 from .comfort import BAND, weighted

@@ -7,7 +7,7 @@ from typing import Protocol
 
 import numpy as np
 
-from ...components.base import InertanceError, ModelError, number, shown
+from ...base import InertanceError, ModelError, number, shown
 from ..dae import DAE
 
 BAD = 1e30

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ...components.base import ModelError, demand, finite, shown, whole
+from ...base import ModelError, demand, finite, shown, whole
 from ..dae import DAE
 from ..given import dae_of
 from ..network import Network

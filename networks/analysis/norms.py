@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
-from ...components.base import ModelError, demand, finite
+from ...base import ModelError, demand, finite
 from .minimal import balanced, minimal
 
 if TYPE_CHECKING:

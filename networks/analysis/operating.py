@@ -10,25 +10,17 @@ import casadi as ca
 import numpy as np
 from numpy.typing import NDArray
 
-from ...components.base import (
-    ModelError,
-    between,
-    demand,
-    finite,
-    named,
-    text,
-    whole,
-)
-from ..closed import Closed
-from ..coverage import check_covered
+from ...base import ModelError, between, demand, finite, named, text, whole
+from ...base.keywords import check_keywords
 from ..dae import DAE
 from ..given import dae_of
-from ..initial import wishes
-from ..keywords import check_keywords
 from ..network import Network
-from ..point import Point
-from ..result import Result
-from ..simulate import begun
+from ..results.result import Result
+from ..simulation.bound_dae import Closed
+from ..simulation.coverage import check_covered
+from ..simulation.initialization import wishes
+from ..simulation.point import Point
+from ..simulation.simulate import begun
 from .resting import HOLDING, mode_values, settle
 
 Array = NDArray[np.float64]

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from ...components.base import UnknownNameError, between, demand, nearest, shown, text, whole
+from ...base import UnknownNameError, between, demand, nearest, shown, text, whole
 from ..dae import DAE
 
 Array = NDArray[np.float64]

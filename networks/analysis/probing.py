@@ -5,8 +5,9 @@ from __future__ import annotations
 from dataclasses import replace
 from typing import Any
 
+from ...base import ModelError, nearest, shown
 from ...components import Fixed, Force, Position, RelativeSpeedSensor, rotational
-from ...components.base import Component, ModelError, Port, PortRef, RealInput, nearest, shown
+from ...components.language import Component, Port, PortRef, RealInput
 from ..given import element_of
 from ..network import Network
 from .linearise import linearise

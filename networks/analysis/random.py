@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from ...components.base import ModelError, at_least, demand, finite, instance, number, numbers, shown, whole
+from ...base import ModelError, at_least, demand, finite, instance, number, numbers, shown, whole
 from .norms import stable_part
 from .statespace import StateSpace
 

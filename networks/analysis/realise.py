@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
-from ...components.base import ModelError
+from ...base import ModelError
 from .statespace import StateSpace
 
 if TYPE_CHECKING:

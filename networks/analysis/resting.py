@@ -9,14 +9,14 @@ import casadi as ca
 import numpy as np
 from numpy.typing import NDArray
 
-from ...components.base import InitialConditionError, ModelError, SimulationError
-from ..blame import GUARD, told_without_value
-from ..closed import Closed
+from ...base import InitialConditionError, ModelError, SimulationError
 from ..dae import DAE
-from ..events import Switcher
-from ..initial import Wishes
-from ..point import Point, solve_algebraic
-from ..simulate import begun
+from ..simulation.blame import GUARD, told_without_value
+from ..simulation.bound_dae import Closed
+from ..simulation.events.switcher import Switcher
+from ..simulation.initialization import Wishes
+from ..simulation.point import Point, solve_algebraic
+from ..simulation.simulate import begun
 
 Array = NDArray[np.float64]
 TINY = 1e-9

@@ -14,9 +14,8 @@ import casadi as ca
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from ...components.base import (
+from ...base import (
     ModelError,
-    Sampled,
     above,
     between,
     demand,
@@ -30,6 +29,7 @@ from ...components.base import (
     there_is_file,
     whole,
 )
+from ...components.language import Sampled
 
 Array = NDArray[np.float64]
 N_0 = 0.1

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from ...components.base import (
+from ...base import (
     ModelError,
     UnknownNameError,
     between,

@@ -9,23 +9,13 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from ...base import ModelError, SimulationError, above, between, demand, listed, named, numbers, whole
+from ...base.keywords import check_keywords
 from ...components import Component, Fixed, Position, rotational, signals
-from ...components.base import (
-    ModelError,
-    SimulationError,
-    above,
-    between,
-    demand,
-    listed,
-    named,
-    numbers,
-    whole,
-)
 from ..dae import DAE
 from ..given import element_of, network_of
-from ..keywords import check_keywords
 from ..network import Network
-from ..result import Result
+from ..results.result import Result
 from .orbits import harmonics_of
 from .probing import port
 

@@ -9,10 +9,10 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ...components.base import ModelError, at_least, between, demand, function, named, shown, whole
+from ...base import ModelError, at_least, between, demand, function, named, shown, whole
+from ...base.keywords import check_keywords
 from ..dae import DAE
 from ..given import dae_of
-from ..keywords import check_keywords
 from ..network import Network
 from .descent import INSIDE, Bounds, Problem, check_names
 from .measuring import BAD, Measure, of_design

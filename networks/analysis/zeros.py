@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
-from ...components.base import ModelError
+from ...base import ModelError
 
 if TYPE_CHECKING:
     from .statespace import StateSpace

@@ -13,8 +13,8 @@ from typing import Any
 import casadi as ca
 
 from ..dae import DAE
-from ..switching import Change
-from ..vectors import column, pick
+from ..flattening.vectors import column, pick
+from ..reduction.transitions import Change
 
 VALUES = ("below", "above")
 NAME = "corner"

@@ -9,7 +9,7 @@ import casadi as ca
 import numpy as np
 
 from ..dae import DAE
-from ..vectors import pick
+from ..flattening.vectors import pick
 from .tables import Tables
 
 

@@ -13,13 +13,13 @@ from typing import Any
 import casadi as ca
 import numpy as np
 
-from ...components.base import Sampled
-from ..closed import input_value
+from ...components.language import Sampled
 from ..dae import DAE, Input
-from ..legs import Leg
-from ..starting import Start
-from ..stepper import nominal_sizes
-from ..vectors import column, pick
+from ..flattening.vectors import column, pick
+from ..simulation.bound_dae import input_value
+from ..simulation.integrator import nominal_sizes
+from ..simulation.legs import Leg
+from ..simulation.starting import Start
 from .jumping import jump_functions, jump_tables
 from .reduction import Reduction
 from .starts import start_functions, start_tables

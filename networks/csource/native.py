@@ -27,23 +27,24 @@ from weakref import WeakKeyDictionary, finalize
 import numpy as np
 from numpy.typing import NDArray
 
-from ...components.base import ModelError, Sampled, SimulationError, heed
-from ..closed import Closed, Given
+from ...base import ModelError, SimulationError, heed
+from ...components.language import Sampled
 from ..dae import DAE
-from ..events import Event, jumped
-from ..index import System
-from ..point import Point
-from ..polynomial import Polynomial
-from ..result import Segment
-from ..splines import piecewise
-from ..stepper import IntegratorError
+from ..reduction.pantelides import System
+from ..results.result import Segment
+from ..simulation.bound_dae import Closed, Given
+from ..simulation.events.switcher import Event, jumped
+from ..simulation.integrator import IntegratorError
+from ..simulation.point import Point
+from ..simulation.polynomial import Polynomial
+from ..simulation.splines import piecewise
 from .model import Model
 from .program import SOURCES, sources
 from .toolchain import compile_shared
 
 if TYPE_CHECKING:
-    from ..progress import Progress
-    from ..run import Run
+    from ..simulation.progress import Progress
+    from ..simulation.run import Run
 
 ARRIVED, PAUSED, STUCK, FAILED = range(4)
 ROOM, ROUNDS = 512, 1000

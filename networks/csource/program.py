@@ -11,13 +11,13 @@ from typing import Any
 
 import casadi as ca
 
-from ..closed import Closed, chosen_signals
 from ..dae import DAE, Input
-from ..legs import Leg, endless_legs
-from ..polynomial import Polynomial
-from ..starting import Start
-from ..time_signals import TimeSignals
-from ..vectors import column
+from ..flattening.vectors import column
+from ..simulation.bound_dae import Closed, chosen_signals
+from ..simulation.legs import Leg, endless_legs
+from ..simulation.polynomial import Polynomial
+from ..simulation.starting import Start
+from ..simulation.time_signals import TimeSignals
 from .model import Model
 
 HORIZON = 1e5

@@ -6,8 +6,8 @@ from typing import Any
 
 import casadi as ca
 
-from ..starting import Start
-from ..vectors import column, pick
+from ..flattening.vectors import column, pick
+from ..simulation.starting import Start
 from .tables import Tables
 
 

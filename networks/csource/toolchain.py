@@ -11,7 +11,7 @@ import sys
 from collections.abc import Iterable
 from pathlib import Path
 
-from ...components.base import ModelError, nearest
+from ...base import ModelError, nearest
 
 PLATFORMS = {
     "x86_64-linux": "x86_64-linux-gnu.2.17",

@@ -16,7 +16,7 @@ from ...components import (
     parameter,
     variable,
 )
-from ..algebra import parallel, series
+from ..two_terminal import parallel, series
 
 
 class TMD(TwoFlanges):

@@ -7,8 +7,8 @@ from typing import Any
 
 import numpy as np
 
+from ...base import above, between, demand, finite, number, numbers, shown, whole
 from ...components import Component, Fixed, Force, Mass, ModelError, Position, Spring, SpringDamper
-from ...components.base import above, between, demand, finite, number, numbers, shown, whole
 from ..given import element_of
 from ..network import Network
 

@@ -12,7 +12,7 @@ from typing import Any
 
 import numpy as np
 
-from ...components.base import demand, quantity, quantity_above_0
+from ...base import demand, quantity, quantity_above_0
 
 
 def screw_inertance(J_e: Any, lead: Any) -> Any:

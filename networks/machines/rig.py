@@ -11,10 +11,10 @@ import casadi as ca
 import numpy as np
 from numpy.typing import NDArray
 
+from ...base import ModelError, above, at_least, demand, finite, function, instance, shown, whole
 from ...components import Backlash, Component, Fixed, Planet, Position
-from ...components.base import ModelError, above, at_least, demand, finite, function, instance, shown, whole
 from ..network import Network
-from ..result import Result
+from ..results.result import Result
 
 Array = NDArray[np.float64]
 MOST_LINES = 100_000

@@ -10,9 +10,9 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import Any
 
+from ...base import demand, finite, text
 from ...components import Component, Damper, Inerter, ModelError, Spring
-from ...components.base import demand, finite, text
-from ..algebra import parallel, series
+from ..two_terminal import parallel, series
 
 LAYOUTS: dict[str, Callable[..., Any]] = {
     "S1": lambda damper, **_: damper,

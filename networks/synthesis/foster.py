@@ -5,8 +5,8 @@ from __future__ import annotations
 from decimal import Decimal
 from typing import Any
 
-from ...components.base import ModelError, whole
-from ..algebra import TwoTerminal
+from ...base import ModelError, whole
+from ..two_terminal import TwoTerminal
 from .bott_duffin import Side
 from .polynomials import derivative, many_digits, positive_roots, value
 from .positive import required_positive_real

@@ -9,7 +9,7 @@ from typing import Any
 
 import numpy as np
 
-from ...components.base import ModelError
+from ...base import ModelError
 from .polynomials import many_digits
 from .ratio import AxisPole, Ratio, Scale, hertz, right_half_plane_roots
 from .rational import RationalFunction

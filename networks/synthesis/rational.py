@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from ...components.base import ModelError, between, demand, finite, numbers, shown, text
+from ...base import ModelError, between, demand, finite, numbers, shown, text
 from ..analysis import StateSpace
 
 Array = NDArray[np.float64]

@@ -6,8 +6,8 @@ from typing import Any
 
 import numpy as np
 
-from ...components.base import ModelError
-from ..algebra import TwoTerminal, parallel
+from ...base import ModelError
+from ..two_terminal import TwoTerminal, parallel
 from .bott_duffin import Side, realise
 from .polynomials import many_digits
 from .positive import required_positive_real

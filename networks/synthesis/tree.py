@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from ...components import Component, Damper, Inerter, Spring
-from ..algebra import bridge, parallel, series
+from ..two_terminal import bridge, parallel, series
 from .ratio import Scale
 
 

@@ -17,7 +17,7 @@ from unittest.mock import patch
 
 import inertance
 import pytest
-from inertance.diagnosis.effects import EFFECTS
+from inertance.diagnosis.effects.effect import EFFECTS
 from matplotlib import pyplot
 
 ROOT = Path(__file__).parents[2]

@@ -10,7 +10,7 @@ from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 from hypothesis.strategies import DrawFn
 from inertance import DAE, Damper, Fixed, Force, Mass, Network, Sampled, Spring
-from inertance.networks.intervals import Enclosure
+from inertance.networks.simulation.intervals import Enclosure
 from numpy.typing import NDArray
 from scipy.interpolate import CubicSpline
 

@@ -55,7 +55,7 @@ def graphs(draw: st.DrawFn) -> Graph:
 
 def network(graph: Graph, order: list[int] | None = None) -> ia.Network:
     """Build a graph, its components added and its nodes joined in the order given."""
-    at: dict[int, list[ia.components.base.PortRef]] = {i: [] for i in range(graph.nodes + 1)}
+    at: dict[int, list[ia.components.language.PortRef]] = {i: [] for i in range(graph.nodes + 1)}
     parts: dict[str, ia.Component] = {"ground": ia.Fixed()}
     at[0].append(parts["ground"].flange)
     for number, (kind, a, b, size) in enumerate(graph.edges):

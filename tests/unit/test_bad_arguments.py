@@ -22,7 +22,7 @@ import numpy as np
 import pandas  # noqa: F401
 import pytest
 import scipy.signal  # noqa: F401
-from inertance.components.base import Field, Option, Parameter, RealInput, Variable
+from inertance.components.language import Field, Option, Parameter, RealInput, Variable
 
 SECONDS = 60
 BAD: dict[str, Callable[[], Any]] = {

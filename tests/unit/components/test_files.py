@@ -10,12 +10,12 @@ from pathlib import Path
 from tempfile import TemporaryDirectory
 
 import pytest
-from inertance.components.base import OutputError, check_output, write_text, writing
+from inertance.base import OutputError, check_output, write_text, writing
 
 FULL = """
 import resource, sys
 from pathlib import Path
-from inertance.components.base import OutputError, write_text
+from inertance.base import OutputError, write_text
 resource.setrlimit(resource.RLIMIT_FSIZE, (1000, 1000))  # as a disk that is full after 1000 bytes
 try:
     write_text(sys.argv[1], "new" * 1000)
@@ -81,7 +81,7 @@ def test_a_pipe_is_filled_and_stays_a_pipe(tmp_path: Path) -> None:
 
 
 def test_standard_output_can_be_named() -> None:
-    code = "from inertance.components.base import write_text; write_text('/dev/stdout', 'told')"
+    code = "from inertance.base import write_text; write_text('/dev/stdout', 'told')"
     told = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True).stdout
     assert told == "told"
 
@@ -99,7 +99,7 @@ def shared() -> Iterator[Path]:
 
 def as_a_user(code: str, path: Path) -> str:
     """Run code that may not write everywhere."""
-    start = "import os, sys\nfrom inertance.components.base import OutputError, check_output, write_text\n"
+    start = "import os, sys\nfrom inertance.base import OutputError, check_output, write_text\n"
     start += "if os.getuid() == 0:\n    os.setgroups([]); os.setgid(65534); os.setuid(65534)\n"
     script = [sys.executable, "-c", start + code, str(path)]
     return subprocess.run(script, capture_output=True, text=True, check=True).stdout

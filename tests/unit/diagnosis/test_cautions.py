@@ -9,10 +9,10 @@ import numpy as np
 import pytest
 from inertance.cli.diagnose import show
 from inertance.diagnosis import Verdict, diagnose
-from inertance.diagnosis.cautions import cautions
-from inertance.diagnosis.effects import effect_of
-from inertance.diagnosis.placed import Placed
-from inertance.diagnosis.sites import Site
+from inertance.diagnosis.effects.effect import effect_of
+from inertance.diagnosis.effects.hypothesis import Placed
+from inertance.diagnosis.effects.sites import Site
+from inertance.diagnosis.verdict.cautions import cautions
 
 RIGS: dict[str, tuple[float, float]] = {"mm": (1e3, 1.0), "prior": (1.0, 0.05)}
 

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 from inertance import SimulationError
-from inertance.diagnosis.descent import descend
+from inertance.diagnosis.search.least_squares import descend
 from numpy.typing import NDArray
 
 Array = NDArray[np.float64]

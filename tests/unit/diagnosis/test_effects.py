@@ -7,11 +7,11 @@ import inertance as ia
 import numpy as np
 import pytest
 from inertance import ge_wang
-from inertance.diagnosis.edits import edited
-from inertance.diagnosis.effects import EFFECTS, Effect, Motion, Quantity, effect_of, register
-from inertance.diagnosis.probes import scaled
-from inertance.diagnosis.screening import _forces
-from inertance.diagnosis.sites import GROUND, Site, sites_of
+from inertance.diagnosis.effects.edits import edited
+from inertance.diagnosis.effects.effect import EFFECTS, Effect, Motion, Quantity, effect_of, register
+from inertance.diagnosis.effects.sites import GROUND, Site, sites_of
+from inertance.diagnosis.models.probes import scaled
+from inertance.diagnosis.search.score_test import _forces
 
 
 def rig() -> ia.Network:

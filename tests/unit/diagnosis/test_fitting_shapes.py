@@ -3,13 +3,13 @@
 import inertance as ia
 import numpy as np
 import pytest
-from inertance.diagnosis.comparing import clearness
-from inertance.diagnosis.effects import effect_of
-from inertance.diagnosis.placed import Placed
-from inertance.diagnosis.refit import Refit
-from inertance.diagnosis.search import _worth_it
-from inertance.diagnosis.shaping import Shapes
-from inertance.diagnosis.sites import BETWEEN, Site
+from inertance.diagnosis.diagnose import _worth_it
+from inertance.diagnosis.effects.effect import effect_of
+from inertance.diagnosis.effects.hypothesis import Placed
+from inertance.diagnosis.effects.shaping import Shapes
+from inertance.diagnosis.effects.sites import BETWEEN, Site
+from inertance.diagnosis.search.joint_fit import Refit
+from inertance.diagnosis.search.model_comparison import clearness
 from inertance.identification import Campaign, Record
 from numpy.typing import NDArray
 

@@ -14,17 +14,17 @@ from typing import Any
 import inertance as ia
 import numpy as np
 import pytest
-from inertance.diagnosis.drawing import drawings, marks_of
-from inertance.diagnosis.edits import Insert
-from inertance.diagnosis.effects import EFFECTS, effect_of
-from inertance.diagnosis.evidence import Evidence
-from inertance.diagnosis.placed import Placed
-from inertance.diagnosis.refit import Joint, Refit, refit
-from inertance.diagnosis.screening import screen
-from inertance.diagnosis.sites import sites_of
-from inertance.diagnosis.telling import advice, code, ruled_out, screened_out
-from inertance.diagnosis.verdict import Gap, Ranked, Verdict
-from inertance.diagnosis.where import located, shares
+from inertance.diagnosis.effects.edits import Insert
+from inertance.diagnosis.effects.effect import EFFECTS, effect_of
+from inertance.diagnosis.effects.hypothesis import Placed
+from inertance.diagnosis.effects.sites import sites_of
+from inertance.diagnosis.report.network_drawing import drawings, marks_of
+from inertance.diagnosis.report.text import advice, code, ruled_out, screened_out
+from inertance.diagnosis.search.joint_fit import Joint, Refit, refit
+from inertance.diagnosis.search.score_test import screen
+from inertance.diagnosis.verdict.evidence import Evidence
+from inertance.diagnosis.verdict.localisation import located, shares
+from inertance.diagnosis.verdict.verdict import Gap, Ranked, Verdict
 from inertance.identification import Accuracy, Campaign, Record
 
 RATE, NOISE, SECONDS = 200.0, 2e-4, 4.0

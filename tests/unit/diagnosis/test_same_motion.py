@@ -1,12 +1,12 @@
 """What screening cannot tell apart: one motion of two sites is fitted once, each channel for itself."""
 
-from inertance.diagnosis.contest import Round, _leading, _reserve, same_motion
-from inertance.diagnosis.deciding import _class
-from inertance.diagnosis.effects import effect_of
-from inertance.diagnosis.placed import Placed
-from inertance.diagnosis.refit import Refit
-from inertance.diagnosis.screening import Candidate
-from inertance.diagnosis.sites import BETWEEN, Site
+from inertance.diagnosis.effects.effect import effect_of
+from inertance.diagnosis.effects.hypothesis import Placed
+from inertance.diagnosis.effects.sites import BETWEEN, Site
+from inertance.diagnosis.search.joint_fit import Refit
+from inertance.diagnosis.search.round import Round, _leading, _reserve, same_motion
+from inertance.diagnosis.search.score_test import Candidate
+from inertance.diagnosis.verdict.decide import _class
 
 
 def across(path: str, rank: int, gain: float) -> Candidate:

@@ -11,7 +11,7 @@ import inertance as ia
 import numpy as np
 import pytest
 from inertance.diagnosis import Verdict, diagnose
-from inertance.diagnosis.refit import Joint
+from inertance.diagnosis.search.joint_fit import Joint
 from inertance.identification import Campaign
 from numpy.typing import NDArray
 

@@ -12,9 +12,9 @@ import inertance as ia
 import numpy as np
 import pytest
 from inertance.fmu import check_agreement, check_derivatives, check_probe, check_states
-from inertance.fmu.check_agreement import Reference, events_finding, modes_finding, outputs_finding
-from inertance.fmu.check_report import measured
-from inertance.fmu.check_runs import Course
+from inertance.fmu.check.agreement import Reference, events_finding, modes_finding, outputs_finding
+from inertance.fmu.check.report import measured
+from inertance.fmu.check.runs import Course
 
 pytestmark = pytest.mark.skipif(
     not any(shutil.which(name) for name in ("cc", "gcc", "clang")), reason="there is no C compiler"
@@ -93,7 +93,7 @@ def test_another_network_is_found(monkeypatch: pytest.MonkeyPatch) -> None:
     heavier = ball().with_values(weight=ia.ConstantForce(f_constant=-4.906))
     write = ia.export_fmu
     monkeypatch.setattr(
-        "inertance.fmu.check_network.export", lambda dae, *a, **k: write(heavier.dae(), *a, **k)
+        "inertance.fmu.check.against_network.export", lambda dae, *a, **k: write(heavier.dae(), *a, **k)
     )
     report = ia.check_fmu(ball(), 0.6, step=0.01, versions=["2.0"])
     assert not report.passed

@@ -7,7 +7,7 @@ from pathlib import Path
 
 import inertance as ia
 import pytest
-from inertance.fmu.check_sections import SECTIONS
+from inertance.fmu.check.sections import SECTIONS
 
 MakeFMU = Callable[..., Path]
 

@@ -7,7 +7,7 @@ import casadi as ca
 import inertance as ia
 import numpy as np
 import pytest
-from inertance.networks.tolerance import Tolerance
+from inertance.networks.simulation.tolerance import Tolerance
 
 TIGHT: dict[str, Any] = {"rtol": 1e-9, "atol": 1e-11}
 SOLVERS = ["cvodes", "idas", "rosenbrock"]
@@ -344,8 +344,8 @@ def test_progress_advances_within_one_call_of_the_integrator(
     solver: str, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     told: list[float] = []
-    monkeypatch.setattr("inertance.networks.progress.EVERY", 0.005)
-    monkeypatch.setattr("inertance.networks.progress.Progress.at", lambda _, t: told.append(t))
+    monkeypatch.setattr("inertance.networks.simulation.progress.EVERY", 0.005)
+    monkeypatch.setattr("inertance.networks.simulation.progress.Progress.at", lambda _, t: told.append(t))
     net = smooth()
     run = net.simulate(100.0, step=0.1, progress=True, solver=solver, **TIGHT)
     assert run.stats["integrator calls"] == 1

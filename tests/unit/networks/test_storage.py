@@ -75,7 +75,7 @@ def test_parquet_without_pyarrow(run: ia.Result, tmp_path: Path, monkeypatch: py
     def without_pyarrow(name: str, *rest: Any) -> Any:
         return None if name == "pyarrow" else find(name, *rest)
 
-    monkeypatch.setattr("inertance.networks.storage.find_spec", without_pyarrow)
+    monkeypatch.setattr("inertance.networks.results.storage.find_spec", without_pyarrow)
     with pytest.raises(ModuleNotFoundError, match=r"pip install 'inertance\[parquet\]'"):
         run.save(tmp_path / "run.parquet")
 

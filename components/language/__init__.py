@@ -1,0 +1,30 @@
+"""The language of components: what they declare, and how their equations are read."""
+
+from .component import Component as Component
+from .component import PortRef as PortRef
+from .fields import MISSING as MISSING
+from .fields import Field as Field
+from .fields import Impulse as Impulse
+from .fields import Mode as Mode
+from .fields import Option as Option
+from .fields import Parameter as Parameter
+from .fields import Part as Part
+from .fields import Port as Port
+from .fields import RealInput as RealInput
+from .fields import RealOutput as RealOutput
+from .fields import RotationalFlange as RotationalFlange
+from .fields import TranslationalFlange as TranslationalFlange
+from .fields import Variable as Variable
+from .fields import impulse as impulse
+from .fields import mode as mode
+from .fields import option as option
+from .fields import parameter as parameter
+from .fields import variable as variable
+from .reading import declared_template as declared_template
+from .reading import der as der
+from .reading import template_of as template_of
+from .sampled import INTERPOLATIONS as INTERPOLATIONS
+from .sampled import Sampled as Sampled
+from .template import Shock as Shock
+from .template import Template as Template
+from .template import Transition as Transition

@@ -1,0 +1,254 @@
+"""`Component`: the declarative base of every element and every composite."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Iterator
+from dataclasses import dataclass
+from typing import Any, ClassVar, Self
+
+from ...base.checks import is_number, number
+from ...base.errors import ModelError, UnknownPartError, nearest
+from .fields import MISSING, Field, Option, Parameter, Part, Port, RealInput, RealOutput, Variable
+from .sampled import Sampled
+
+_PORTS = (Port, RealInput, RealOutput)
+
+
+@dataclass(slots=True, eq=False)
+class PortRef:
+    """A port of one component, to be connected."""
+
+    component: Component
+    name: str
+
+    def __repr__(self) -> str:
+        return f"<{self.name} of {type(self.component).__name__}>"
+
+
+class Component:
+    """An element (fields and `equations`) or a composite (parts and `connections`), or both.
+
+    Args:
+        values: parameters, options, fixed start values of variables, signals of inputs, and parts
+            that replace the declared ones, all by name.
+
+    Problems with the values are told when the network is assembled, all at once and by path.
+    """
+
+    fields: ClassVar[dict[str, Field]] = {}
+    _options: ClassVar[tuple[Option, ...]] = ()
+    _required: ClassVar[tuple[Parameter, ...]] = ()
+    _declared_parts: ClassVar[tuple[Part, ...]] = ()
+    _parameters: ClassVar[tuple[Parameter, ...]] = ()
+    _ports: ClassVar[tuple[Port, ...]] = ()
+    _inputs: ClassVar[tuple[RealInput, ...]] = ()
+
+    def __init_subclass__(cls) -> None:
+        super().__init_subclass__()
+        for name, value in list(vars(cls).items()):
+            if isinstance(value, Component):
+                declared = Part(value)
+                declared.name = name
+                setattr(cls, name, declared)
+        cls.fields = {
+            name: value
+            for klass in reversed(cls.__mro__)
+            for name, value in vars(klass).items()
+            if isinstance(value, Field)
+        }
+        declared_fields = cls.fields.values()
+        cls._options = tuple(f for f in declared_fields if isinstance(f, Option))
+        cls._parameters = tuple(f for f in declared_fields if isinstance(f, Parameter))
+        cls._required = tuple(f for f in cls._parameters if f.default is MISSING)
+        cls._declared_parts = tuple(f for f in declared_fields if isinstance(f, Part))
+        cls._ports = tuple(f for f in declared_fields if isinstance(f, Port))
+        cls._inputs = tuple(f for f in declared_fields if isinstance(f, RealInput))
+
+    def __init__(self, **values: Any) -> None:
+        self._values: dict[str, Any] = {}
+        self._parts: dict[str, Component] = {}
+        self._problems: dict[str, str] = {}
+        self._owner: Component | None = None
+        cls = type(self)
+        replacements: dict[str, Component] = {}
+        for name, value in values.items():
+            if isinstance(value, Component):
+                replacements[name] = value
+            else:
+                self._set(name, value)
+        for declared in cls._declared_parts:
+            self._parts[declared.name] = declared.default.clone()
+        if cls.parts is not Component.parts and not self._shapeless:
+            self._parts.update(self.parts())
+        self._own_parts()
+        for name, replacement in replacements.items():
+            self._replace(name, replacement)
+
+    @property
+    def _shapeless(self) -> bool:
+        """Whether an option is wrong, so that neither parts nor equations can be told."""
+        problems = self._problems
+        return bool(problems) and any(option.name in problems for option in type(self)._options)
+
+    def _own_parts(self) -> None:
+        for component in self._parts.values():
+            component._owner = self
+
+    def parts(self) -> dict[str, Component]:
+        """Return parts that depend on options (a number of planets); called once, at creation."""
+        return {}
+
+    def equations(self) -> Iterable[Any]:
+        """Yield the equations, each `left == right`; those of base classes are added by themselves."""
+        return ()
+
+    def transitions(self) -> Iterable[Any]:
+        """Yield the mode transitions, each `self.mode.goes(source, target, when=...)`."""
+        return ()
+
+    def connections(self) -> Iterable[tuple[PortRef, ...]]:
+        """Yield tuples of ports (own and of parts) that are joined at one node."""
+        return ()
+
+    def insertions(self) -> Iterable[tuple[PortRef, PortRef, PortRef]]:
+        """Yield (port, near, far): the flanges of an element that stands between a port and its node."""
+        return ()
+
+    def clone(self) -> Self:
+        """Return an independent copy; its parts are copied too."""
+        copy: Self = object.__new__(type(self))
+        copy.__dict__.update(self.__dict__)
+        copy._values, copy._problems = dict(self._values), dict(self._problems)
+        copy._parts = {name: component.clone() for name, component in self._parts.items()}
+        copy._own_parts()
+        return copy
+
+    def with_values(self, **values: Any) -> Self:
+        """Return a copy with some values changed."""
+        copy = self.clone()
+        shaped = type(self).parts is not Component.parts
+        for name, value in values.items():
+            if isinstance(value, Component):
+                copy._replace(name, value)
+            else:
+                copy._set(name, value)
+                if shaped and isinstance(type(self).fields.get(name), Option):
+                    copy._problems[name] = f"{name} shapes its parts; create another one with it"
+        return copy
+
+    def _replace(self, name: str, part: Component) -> None:
+        if name not in self._parts:
+            self._problems[name] = self._unknown(name)
+            return
+        self._parts[name] = part
+        part._owner = self
+
+    def _set(self, name: str, value: Any) -> None:
+        field = type(self).fields.get(name)
+        if isinstance(field, Parameter):
+            problem = _parameter_problem(field, value)
+        elif isinstance(field, Option):
+            problem = field.problem(value)
+        elif isinstance(field, Variable):
+            problem = "" if is_number(value) else f"start value of {name} must be a number, got {value!r}"
+        elif isinstance(field, RealInput):
+            good = is_number(value) or isinstance(value, Sampled | Callable)
+            problem = (
+                "" if good else f"{name} takes a number, a function of time or Sampled data, got {value!r}"
+            )
+        else:
+            problem = self._unknown(name)
+        self._problems.pop(name, None)
+        if problem:
+            self._problems[name] = problem
+        self._values[name] = value
+
+    def _unknown(self, name: str) -> str:
+        fields = type(self).fields.items()
+        known = [n for n, f in fields if not isinstance(f, Port | RealOutput)] + list(self._parts)
+        return f"has no parameter '{name}'{nearest(name, known)}"
+
+    def problems(self) -> Iterator[str]:
+        """Yield what is wrong with this component's own values."""
+        yield from self._problems.values()
+        for field in type(self)._required:
+            if field.name not in self._values:
+                yield f"{field.name} [{field.unit}] ({field.doc}) must be given"
+
+    def _get(self, field: Field) -> Any:
+        if isinstance(field, _PORTS):
+            return PortRef(self, field.name)
+        if isinstance(field, Part):
+            return self._parts[field.name]
+        if isinstance(field, Parameter):
+            return self._parameter_value(field)
+        if field.name in self._values:
+            return self._values[field.name]
+        if isinstance(field, Option):
+            return field.default
+        return field
+
+    def _parameter_value(self, field: Parameter) -> Any:
+        value = self._values.get(field.name, MISSING)
+        if value is MISSING:
+            return field.default(self) if callable(field.default) else field.default
+        owner = self._owner
+        if isinstance(value, Parameter):
+            while owner is not None and type(owner).fields.get(value.name) is not value:
+                owner = owner._owner
+            return value if owner is None else owner._get(value)
+        return value(owner) if callable(value) and owner is not None else value
+
+    def __setattr__(self, name: str, value: Any) -> None:
+        if name.startswith("_"):
+            object.__setattr__(self, name, value)
+        elif isinstance(type(self).fields.get(name), _SETTABLE):
+            self._assign(name, value)
+        else:
+            self._refuse(name, value)
+            object.__setattr__(self, name, value)
+
+    def _assign(self, name: str, value: Any) -> None:
+        """Set a value later on, as `with_values` sets it on a copy.
+
+        Raises:
+            ModelError: for a value that cannot be; the one before is kept.
+        """
+        copy = self.with_values(**{name: value})
+        if name in copy._problems:
+            raise ModelError(f"{type(self).__name__}.{name}: {copy._problems[name]}")
+        self._values, self._problems = copy._values, copy._problems
+
+    def _refuse(self, name: str, value: Any) -> None:
+        """Raise for what would be set without any effect: parts, ports, and names that are nearly known."""
+        fields = type(self).fields
+        known = name in fields or name in self.__dict__.get("_parts", {})
+        if known or isinstance(value, Component):
+            raise ModelError(
+                f"{type(self).__name__}.{name} cannot be assigned: parts are given when a component is made, "
+                "added to a network by add(), and exchanged by with_values()"
+            )
+        if is_number(value) and not hasattr(self, name) and nearest(name, fields):
+            raise ModelError(f"{type(self).__name__} {self._unknown(name)}")
+
+    def __getattr__(self, name: str) -> Any:
+        parts = self.__dict__.get("_parts", {})
+        if name in parts:
+            return parts[name]
+        known = [*type(self).fields, *parts]
+        raise UnknownPartError(f"{type(self).__name__} has no '{name}'{nearest(name, known)}")
+
+    def __repr__(self) -> str:
+        values = ", ".join(f"{name}={value!r}" for name, value in self._values.items())
+        return f"{type(self).__name__}({values})"
+
+
+_SETTABLE = (Parameter, Option, Variable, RealInput)
+
+
+def _parameter_problem(field: Parameter, value: Any) -> str:
+    if type(value) is not float and (isinstance(value, Parameter) or callable(value)):
+        return ""
+    if type(value) is not float and number(value):
+        return f"{field.name} must be a number [{field.unit}], got {value!r}"
+    return field.problem(float(value))

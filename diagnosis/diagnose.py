@@ -1,0 +1,182 @@
+"""`diagnose`: find what parts the records of a campaign and its model."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from concurrent.futures import Executor
+from pathlib import Path
+
+import numpy as np
+
+from ..base import between, demand, function, instance, one_of, optional
+from ..components import InertanceError
+from ..identification import Accuracy, Campaign
+from ..networks import COARSEST, FINEST, SOLVERS, ToolchainError, compiler
+from .effects.hypothesis import Placed
+from .models.predictor import limits
+from .search.decimation import thinned
+from .search.joint_fit import Joint, Refit, refit
+from .search.model_comparison import COLOURED, are_alike, blocks, clearness, is_simpler, misfit, unexplained
+from .search.round import Report, Round, held
+from .verdict.decide import decided
+from .verdict.verdict import DiagnosisInterruptedError, Verdict
+
+MOST_EFFECTS = 2
+CLEAR = 3.0  # standard errors by which an effect must beat the model without it
+WORTH = 0.25  # share of what a special case leaves that its generalisation must take away
+LEAST_DROP = 0.01  # share of the squared test residual that an effect must take away
+LEAST_FURTHER = 0.05  # the same for a second effect: less but mends the shape of the first
+STEPS = 50  # granted to a run for each sample; a model that needs more is none to be fitted
+EARLY = 0.9  # share of its sum of squares to which a fit may still fall that has come to its end
+PART = 4.0  # drop of chi squared by which a part of an assembly must be likelier than the whole
+FINE = 1e-3  # relative tolerance of runs, over the share of noise in what is measured
+TOLERANCES = 1e-7, 1e-5
+NOISE = 1.03  # misfit over noise at which there is nothing left to find
+
+
+def diagnose(
+    campaign: Campaign | str | Path,
+    *,
+    executor: Executor | None = None,
+    solver: str = "auto",
+    rtol: float | None = None,
+    report: Report | None = None,
+) -> Verdict:
+    """Say what parts measured data and model: where, why, and how much of it goes away.
+
+    The parameters are refitted; every effect at every site is screened by a one-sided score test; the
+    leading ones are fitted together with the parameters and ranked by the test records, which are never
+    fitted; what cannot be told apart forms a class.
+
+    Args:
+        campaign: records, channels, priors and model, or the path of the TOML file that tells them.
+        executor: fits candidates; any `concurrent.futures.Executor`.
+        solver: as for `DAE.simulate`; "auto" compiles models where there is a C compiler.
+        rtol: relative tolerance of the runs; small beside the noise if not given.
+        report: called with a line of progress.
+
+    Raises:
+        DiagnosisInterruptedError: on Ctrl-C, once the parameters are refitted; its `verdict`, "interrupted",
+            tells what is known so far.
+    """
+    demand(
+        "diagnose()",
+        solver=(solver, one_of(SOLVERS)),
+        rtol=(rtol, optional(between(FINEST, COARSEST))),
+        report=(report, optional(function)),
+        executor=(executor, optional(instance(Executor))),
+    )
+    tell = report or (lambda line: None)
+    campaign = thinned(Campaign.of(campaign))
+    rtol = rtol or _unseen(campaign)
+    accuracy = Accuracy(_fastest() if solver == "auto" else solver, rtol, steps=STEPS)
+    tell("refitting the parameters")
+    nominal = Joint(campaign, campaign.network, campaign.start, (), accuracy)
+    start = nominal.seen(nominal.start)
+    base = nominal.fitted()
+    rounds: list[Round] = []
+    notes = limits(campaign)
+    best = base
+    try:
+        while len(best.effects) < MOST_EFFECTS and _misses_much(best, base):
+            done = held(campaign, best, accuracy, executor, tell, rounds)
+            chosen = _chosen(done, base, campaign)
+            if chosen is None:
+                break
+            without = _without(chosen.effects[-1], chosen, campaign, accuracy)
+            if without is not None and without.cost < EARLY * best.cost:
+                tell("the fit before had ended early: once more from where this one led")
+                best, base = without, base if best.effects else without
+                rounds.pop()
+                continue
+            best = _pruned(chosen, campaign, accuracy)
+        return decided(campaign, accuracy, start, base, best, rounds, notes)
+    except KeyboardInterrupt:
+        verdict = decided(campaign, accuracy, start, base, best, rounds, notes, interrupted=True)
+        raise DiagnosisInterruptedError(
+            "interrupted; what is known so far is the error's `verdict`", verdict
+        ) from None
+
+
+def _unseen(campaign: Campaign) -> float:
+    """Return a relative tolerance at which errors of runs, friction and all, do not show in the noise."""
+    moved = {n: max(float(np.std(e.record.values[n])) for e in campaign.training) for n in campaign.outputs}
+    share = min(sigma / (moved[name] or sigma) for name, sigma in campaign.sigma.items())
+    return float(np.clip(FINE * share, *TOLERANCES))
+
+
+def _fastest() -> str:
+    """Return the solver for thousands of runs: the compiled one, if there is a compiler."""
+    try:
+        compiler()
+    except ToolchainError:
+        return "auto"
+    return "compiled"
+
+
+def _misses_much(best: Refit, base: Refit) -> bool:
+    """Tell whether another effect could take away enough to be believed."""
+    if not best.effects:
+        return misfit(best) > NOISE
+    return misfit(best) > COLOURED and unexplained(best, base) > LEAST_FURTHER
+
+
+def _chosen(done: Round, base: Refit, campaign: Campaign) -> Refit | None:
+    """Return the best model of a round among those clearly better than the first, the simplest of equals.
+
+    How much it must take away is counted in what the model without effects misses.
+    """
+    clear = [found for found in done.fitted if clearness(done.base, found, campaign) > CLEAR]
+    if not clear:
+        return None
+    best = _sited(min(clear, key=lambda f: blocks(f, campaign).sum()), clear, campaign)
+    for other in clear:
+        if is_simpler(other, best) and not _worth_it(other, best, campaign):
+            best = other
+    drop = blocks(done.base, campaign).sum() - blocks(best, campaign).sum()
+    least = LEAST_FURTHER if done.base.effects else LEAST_DROP
+    return best if drop > least * blocks(base, campaign).sum() else None
+
+
+def _sited(best: Refit, clear: Sequence[Refit], campaign: Campaign) -> Refit:
+    """Return a model or its like with the same effect elsewhere, if test records cannot tell them apart.
+
+    Those have equally many parameters, so that what was fitted tells more; what it does not tell of a part
+    is told of the whole.
+    """
+    kind = best.effects[-1].effect.kind
+    alike = [f for f in clear if f.effects[-1].effect.kind == kind and are_alike(f, best, campaign)]
+    best = min(alike, key=lambda f: f.cost)
+    for other in alike:
+        if other.effects[-1].site.holds(best.effects[-1].site) and other.cost < best.cost + PART:
+            best = other
+    return best
+
+
+def _worth_it(plain: Refit, richer: Refit, campaign: Campaign) -> bool:
+    """Tell whether a generalisation does clearly better, and not only mends what no law has quite right.
+
+    One that leaves nothing but noise, where its special case leaves more, does clearly better.
+    """
+    left = misfit(plain) ** 2 - 1.0
+    taken = misfit(plain) ** 2 - misfit(richer) ** 2
+    clear = misfit(richer) <= NOISE < misfit(plain) or clearness(plain, richer, campaign) >= CLEAR
+    return taken > WORTH * left and clear
+
+
+def _pruned(best: Refit, campaign: Campaign, accuracy: Accuracy) -> Refit:
+    """Return the model without those effects that a later one has made needless."""
+    for placed in best.effects[:-1]:
+        less = _without(placed, best, campaign, accuracy)
+        if less is not None and clearness(less, best, campaign) < CLEAR:
+            best = less
+    return best
+
+
+def _without(placed: Placed, model: Refit, campaign: Campaign, accuracy: Accuracy) -> Refit | None:
+    """Return a model without one of its effects, fitted again from where it is; None if it cannot be run."""
+    others = [p for p in model.effects if p is not placed]
+    try:
+        return refit(campaign, campaign.network, model.parameters, others, accuracy)
+    except InertanceError:
+        return None

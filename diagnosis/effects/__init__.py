@@ -1,0 +1,1 @@
+"""What a model may be missing, and where it may be missing."""

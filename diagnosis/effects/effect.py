@@ -1,0 +1,177 @@
+"""Effects: what a model may be missing, each a library component and a way to insert it."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field
+from typing import Any, Protocol
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ...components import ModelError, nearest
+from ...networks import Pieces
+from .edits import Edit
+from .sites import Site
+
+Array = NDArray[np.float64]
+Values = Mapping[str, float]
+
+
+class Extent(Protocol):
+    """How far and how fast a site moves."""
+
+    @property
+    def travel(self) -> float:
+        """Half of the range of the distance."""
+        ...
+
+    @property
+    def speed(self) -> float:
+        """Root mean square of the speed."""
+        ...
+
+
+@dataclass(frozen=True)
+class Motion:
+    """How a site moves in the nominal model: time [s], distance, speed, force through it, acceleration."""
+
+    t: Array
+    s: Array
+    v: Array
+    f: Array
+    a: Array
+
+    @property
+    def travel(self) -> float:
+        """Half of the range of the distance."""
+        return float(np.ptp(self.s)) / 2
+
+    @property
+    def speed(self) -> float:
+        """Root mean square of the speed over time."""
+        return float(np.sqrt(self.squared / (self.t[-1] - self.t[0])))
+
+    @property
+    def squared(self) -> float:
+        """Integral of the squared speed over time."""
+        return Pieces.lines(self.t, self.v).integral(np.square, float(self.t[0]), float(self.t[-1]))
+
+    @property
+    def direction(self) -> Array:
+        """Sign of the speed, smooth within a hundredth of its usual size."""
+        return np.tanh(self.v / max(0.01 * self.speed, 1e-12))
+
+
+@dataclass(frozen=True)
+class Quantity:
+    """A parameter of an effect.
+
+    Attributes:
+        name: as in the component or, for channels, in the report.
+        low: least value; the effect is absent where all sizes are 0.
+        shape: whether it shapes the effect rather than being its size; shapes have no meaning without a size.
+    """
+
+    name: str
+    unit: str
+    low: float = 0.0
+    shape: bool = False
+
+
+@dataclass(frozen=True)
+class Effect:
+    """A kind of effect.
+
+    Attributes:
+        kind: its name, in code, JSON and report.
+        place: "across", "loaded", "series", "node" (as of `Site`), or "channel".
+        quantities: its parameters, by domain ("translational", "rotational") or for a "channel".
+        edits: what inserts it: (site, name, values) -> edits of the network.
+        basis: (motion, shape) -> what each size adds for its unit: a force across, a stretch in series.
+        shapes: (motion or site) -> values of the shape parameters worth trying.
+        change: channel only: (time, signal, values) -> the signal as the channel passes it on.
+        parameters: (name, values) -> the network's parameters, if they are not `name.quantity`.
+        step: share of a quantity over which its slopes are differences; 0 for slopes along the run, which
+            channels do not have, and which say little of where impacts end up.
+        memory: whether its force depends on how the site moved before.
+        absolute: whether its force depends on where the site is, not on how far it is from where it rests.
+        credible: whether values are those of such an effect, and do not only bend its law into another.
+        plain: a special case of one size: its kind, and what each size is then, over that one.
+    """
+
+    kind: str
+    place: str
+    quantities: Mapping[str, tuple[Quantity, ...]]
+    edits: Callable[[Site, str, Values], list[Edit]] | None = None
+    basis: Callable[[Motion, Values], list[Array]] | None = None
+    shapes: Callable[[Extent], list[dict[str, float]]] = field(default=lambda motion: [dict[str, float]()])
+    change: Callable[[Array, Array, Values], Array] | None = None
+    parameters: Callable[[Site, str, Values], dict[str, float]] | None = None
+    step: float = 0.0
+    memory: bool = False
+    absolute: bool = False
+    credible: Callable[[Values], bool] = field(default=lambda values: True)
+    plain: tuple[str, tuple[float, ...]] | None = None
+
+    def generalises(self, kind: str) -> bool:
+        """Tell whether a kind is a special case of this one."""
+        return self.plain is not None and self.plain[0] == kind
+
+    def shaped(self, domain: str, extent: Extent) -> list[dict[str, float]]:
+        """Return values of the shape parameters worth trying, by their names in a domain."""
+        names = [q.name for q in self.quantities[domain] if q.shape]
+        return [dict(zip(names, shape.values(), strict=True)) for shape in self.shapes(extent)]
+
+    def sizes(self, domain: str) -> list[Quantity]:
+        """Return the parameters that vanish with the effect."""
+        return [q for q in self.quantities[domain] if not q.shape]
+
+    def network_parameters(self, site: Site, name: str, values: Values) -> dict[str, float]:
+        """Return the parameters of the inserted component, by full name."""
+        if self.parameters is not None:
+            return self.parameters(site, name, values)
+        return {f"{name}.{quantity}": value for quantity, value in values.items()}
+
+    def __reduce__(self) -> tuple[Callable[[str], Effect], tuple[str]]:
+        """Go to other processes by name: functions do not travel."""
+        return effect_of, (self.kind,)
+
+
+EFFECTS: dict[str, Effect] = {}
+
+
+def register(effect: Effect) -> Effect:
+    """Make an effect known to every diagnosis.
+
+    Raises:
+        ModelError: if its kind is taken.
+    """
+    if effect.kind in EFFECTS:
+        raise ModelError(f"there is an effect '{effect.kind}' already; choose another kind")
+    EFFECTS[effect.kind] = effect
+    return effect
+
+
+def effect_of(kind: str) -> Effect:
+    """Return an effect by its kind.
+
+    Raises:
+        ModelError: for an unknown kind, with the nearest one.
+    """
+    if kind not in EFFECTS:
+        raise ModelError(f"there is no effect '{kind}'{nearest(kind, EFFECTS)}")
+    return EFFECTS[kind]
+
+
+def both(**names: Any) -> dict[str, tuple[Quantity, ...]]:
+    """Return quantities for both domains.
+
+    Args:
+        names: each ((translational name, unit), (rotational name, unit), low, shape), the last two optional.
+    """
+    given = names.values()
+    return {
+        domain: tuple(Quantity(*entry[number], *entry[2:]) for entry in given)
+        for number, domain in enumerate(("translational", "rotational"))
+    }

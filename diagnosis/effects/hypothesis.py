@@ -1,0 +1,109 @@
+"""Effects in their places, and the model that has them."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ...identification import Campaign, Experiment
+from ...networks import Network
+from .edits import Edit, edited
+from .effect import Effect, Quantity
+from .sites import Site
+
+Array = NDArray[np.float64]
+
+
+@dataclass(frozen=True)
+class Placed:
+    """An effect at a site with values, and the name of what is inserted for it."""
+
+    effect: Effect
+    site: Site
+    name: str
+    values: Mapping[str, float]
+
+    @property
+    def label(self) -> str:
+        """Kind and site."""
+        return f"{self.effect.kind} at {self.site.path}"
+
+    @property
+    def quantities(self) -> tuple[Quantity, ...]:
+        """The parameters of the effect."""
+        return self.effect.quantities[self.site.domain]
+
+    def units(self, campaign: Campaign) -> dict[str, str]:
+        """Return the units of its parameters; of an effect on a channel, in that channel's."""
+        si = campaign.measured[self.site.path].si if self.site.domain == "channel" else ""
+        return {quantity.name: quantity.unit.replace("unit", si) for quantity in self.quantities}
+
+    @property
+    def edits(self) -> list[Edit]:
+        """What inserts it; nothing for a channel."""
+        if self.effect.edits is None:
+            return []
+        return self.effect.edits(self.site, self.name, self.values)
+
+    @property
+    def network_parameters(self) -> dict[str, float]:
+        """The parameters of what is inserted, by full name."""
+        if self.effect.edits is None:
+            return {}
+        return self.effect.network_parameters(self.site, self.name, self.values)
+
+    @property
+    def scales(self) -> Array:
+        """What each quantity may be expected to be: its value, at least a tenth of its like."""
+        sizes = []
+        for quantity in self.quantities:
+            alike = [abs(self.values[q.name]) for q in self.quantities if q.unit == quantity.unit]
+            sizes.append(max(abs(self.values[quantity.name]), 0.1 * max(alike)) or 1.0)
+        return np.array(sizes)
+
+    def with_values(self, values: Array) -> Placed:
+        """Return it with other values, in the order of its quantities."""
+        names = [quantity.name for quantity in self.quantities]
+        return replace(self, values=dict(zip(names, values.tolist(), strict=True)))
+
+    def slopes(self, scales: Array) -> Array:
+        """Return d(network parameters)/d(quantities), by central differences of the scales given."""
+        base = np.array([self.values[q.name] for q in self.quantities])
+        columns = []
+        for i, scale in enumerate(scales):
+            step = 1e-6 * scale
+            both = []
+            for sign in (1, -1):
+                moved = base.copy()
+                moved[i] += sign * step
+                both.append(np.array(list(self.with_values(moved).network_parameters.values())))
+            columns.append((both[0] - both[1]) / (2 * step))
+        slopes: Array = np.column_stack(columns)
+        return slopes
+
+
+def with_effects(network: Network, effects: Sequence[Placed]) -> Network:
+    """Return a copy of a network with effects inserted."""
+    return edited(network, [edit for placed in effects for edit in placed.edits])
+
+
+def driven(experiment: Experiment, effects: Sequence[Placed]) -> Experiment:
+    """Return an experiment with its inputs as the actuators pass them on."""
+    record = experiment.record
+    values = dict(record.values)
+    for placed in effects:
+        if placed.effect.change and placed.effect.kind.startswith("actuator"):
+            name = placed.site.path
+            values[name] = placed.effect.change(record.time, values[name], placed.values)
+    return replace(experiment, record=replace(record, values=values))
+
+
+def sensed(time: Array, channel: str, values: Array, effects: Sequence[Placed]) -> Array:
+    """Return a channel as its sensor passes it on."""
+    for placed in effects:
+        if placed.site.path == channel and placed.effect.change and placed.effect.kind.startswith("sensor"):
+            values = placed.effect.change(time, values, placed.values)
+    return values

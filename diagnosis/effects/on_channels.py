@@ -1,0 +1,47 @@
+"""Effects on a channel: what sensors and actuators do to a signal."""
+
+from __future__ import annotations
+
+from math import inf
+
+import numpy as np
+
+from .effect import Array, Effect, Quantity, Values, register
+
+SMALL = 1e-3  # change of a size by which its effect is judged
+
+
+def _delayed(t: Array, y: Array, p: Values) -> Array:
+    return np.interp(t - p["delay"], t, y)
+
+
+def _lagging(t: Array, y: Array, p: Values) -> Array:
+    """Return what follows y with time constant T, y being straight between its samples."""
+    from scipy.signal import lfilter
+
+    if p["T"] <= 0:
+        return y
+    step = float(t[1] - t[0])
+    a = np.exp(-step / p["T"])
+    share = p["T"] / step * (1 - a)
+    y0 = y - y[0]
+    lagging: Array = y[0] + lfilter([1 - share, share - a], [1, -a], y0)
+    return lagging
+
+
+def _dead_zone(t: Array, y: Array, p: Values) -> Array:
+    middle = float(np.median(y))
+    return middle + np.sign(y - middle) * np.maximum(np.abs(y - middle) - p["width"], 0)
+
+
+def _sensor(kind: str, name: str, unit: str, low: float, change: object) -> Effect:
+    quantities = {"channel": (Quantity(name, unit, low),)}
+    return register(Effect(kind, "channel", quantities, change=change, step=SMALL))  # type: ignore[arg-type]
+
+
+DELAY = _sensor("sensor_delay", "delay", "s", 0.0, _delayed)
+BIAS = _sensor("sensor_bias", "bias", "unit", -inf, lambda t, y, p: y + p["bias"])
+GAIN = _sensor("sensor_gain", "gain", "1", -inf, lambda t, y, p: y * (1 + p["gain"]))
+DRIFT = _sensor("sensor_drift", "rate", "unit/s", -inf, lambda t, y, p: y + p["rate"] * (t - t[0]))
+LAG = _sensor("actuator_lag", "T", "s", 0.0, _lagging)
+DEAD_ZONE = _sensor("actuator_dead_zone", "width", "unit", 0.0, _dead_zone)

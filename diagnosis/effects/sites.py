@@ -1,0 +1,149 @@
+"""Sites: where in a network an effect may hide."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass, replace
+
+from ...components import Component, Fixed, Friction, RotationalFlange, TranslationalFlange, rotational
+from ...networks import Network
+
+# Pairs of ports that face each other: the one that reacts and the one that moves.
+_PAIRS = (
+    ("support", "flange_b"),
+    ("flange_a", "flange_b"),
+    ("support_t", "flange_t"),
+    ("support_r", "flange_r"),
+    ("support", "flange"),
+)
+_NO_SITES = ("Sensor", "Position", "Speed", "Accelerate", "Force", "Torque", "Fixed", "Rod")
+GROUND = "ground"
+BETWEEN = frozenset({"across", "loaded", "series"})
+
+
+@dataclass(frozen=True)
+class Site:
+    """Two flanges between which something may act, or the flange of what has inertia.
+
+    Attributes:
+        path: the component's path, by which the site is named.
+        domain: "translational" or "rotational".
+        moving: path of the flange to which an effect in series, or an inertia, is joined.
+        fixed: path of the flange that faces it, "ground" if there is none.
+        places: what may be put here: "across", "loaded" (across, by the force through it), "series", "node".
+        rank: 2 if the component dissipates, 1 if it lies between two flanges; such a name says most.
+        same: paths of other components between the same two nodes.
+        sticks: whether it is dry friction, beside which something must have inertia.
+        rest: distance at the start of the nominal model's run.
+        speed, travel: usual relative speed, and half the range of the distance, in it.
+        force: largest force through the site in it.
+        instant: whether only forces that depend on the present motion can act here.
+    """
+
+    path: str
+    domain: str
+    moving: str
+    fixed: str
+    places: frozenset[str]
+    rank: int = 0
+    same: tuple[str, ...] = ()
+    sticks: bool = False
+    rest: float = 0.0
+    speed: float = 1.0
+    force: float = 1.0
+    travel: float = 1.0
+    instant: bool = False
+
+    def holds(self, other: Site) -> bool:
+        """Tell whether another site is a part of this one."""
+        return other.path.startswith(f"{self.path}.")
+
+
+def sites_of(network: Network) -> list[Site]:
+    """Return the sites of a network; components between the same two nodes are one, named by the deepest."""
+    parts = dict(walk(network, ""))
+    nodes = _nodes(network, parts)
+    held = {path for path, part in _ports(parts) if _is_held(path, part, network, parts)}
+    node_of = {port: -1 if node & held else number for number, node in enumerate(nodes) for port in node}
+    found: dict[frozenset[object], list[Site]] = {}
+    for path, part in parts.items():
+        site = _site(path, part, node_of)
+        if site is not None:
+            ends = frozenset(
+                node_of.get(port, -1 if port == GROUND else port) for port in (site.fixed, site.moving)
+            )
+            if len(ends) == 2:
+                found.setdefault(ends, []).append(site)
+    return [site for group in found.values() for site in _merged(group)]
+
+
+def _merged(group: list[Site]) -> Iterator[Site]:
+    """Yield one site for what acts between two nodes, one in series with each part, one for each inertia."""
+    acting = [site for site in group if "series" in site.places]
+    inert = [site for site in group if "node" in site.places]
+    if acting:
+        chosen = max(acting, key=lambda site: (site.path.count("."), site.rank))
+        yield replace(chosen, same=tuple(site.path for site in group if site is not chosen))
+        for site in acting:
+            if site is not chosen and not site.holds(chosen):
+                yield replace(site, places=frozenset({"series", "loaded"}))
+    for number, site in enumerate(inert):
+        yield site if number == 0 and not acting else replace(site, places=site.places - {"across"})
+
+
+def _site(path: str, component: Component, node_of: dict[str, int]) -> Site | None:
+    if any(part in type(component).__name__ for part in _NO_SITES):
+        return None
+    fields = type(component).fields
+    for fixed, moving in _PAIRS:
+        port, facing = fields.get(moving), fields.get(fixed)
+        if not isinstance(port, TranslationalFlange | RotationalFlange):
+            continue
+        if facing is None and moving == "flange":
+            places = frozenset({"across", "node"})
+            return Site(path, port.domain, f"{path}.{moving}", GROUND, places)
+        if type(facing) is type(port):
+            far = f"{path}.{fixed}" if f"{path}.{fixed}" in node_of else GROUND
+            rank = 2 if "d" in fields else int("s_rel" in fields or "phi_rel" in fields)
+            sticks = isinstance(component, Friction | rotational.Friction)
+            return Site(path, port.domain, f"{path}.{moving}", far, BETWEEN, rank, sticks=sticks)
+    return None
+
+
+def walk(component: Component, path: str) -> Iterator[tuple[str, Component]]:
+    """Yield path and component of all parts, outer ones first."""
+    for name, part in component._parts.items():
+        inner = f"{path}.{name}" if path else name
+        yield inner, part
+        yield from walk(part, inner)
+
+
+def _ports(parts: dict[str, Component]) -> Iterator[tuple[str, Component]]:
+    for path, part in parts.items():
+        for name, declared in type(part).fields.items():
+            if isinstance(declared, TranslationalFlange | RotationalFlange):
+                yield f"{path}.{name}", part
+
+
+def _is_held(port: str, part: Component, network: Network, parts: dict[str, Component]) -> bool:
+    """Tell whether a port is the ground's: of a Fixed, or a housing that nothing outside is joined to."""
+    if isinstance(part, Fixed | rotational.Fixed):
+        return True
+    path, _, name = port.rpartition(".")
+    owner = parts.get(path.rpartition(".")[0], network)
+    joined = {(id(p.component), p.name) for ports in owner.connections() for p in ports}
+    deep = {(id(p.component), p.name) for ports in network.connections() for p in ports}
+    optional: bool = type(part).fields[name].optional  # type: ignore[attr-defined]
+    return optional and (id(part), name) not in joined | deep
+
+
+def _nodes(network: Network, parts: dict[str, Component]) -> list[set[str]]:
+    """Return the sets of port paths that are one node."""
+    paths = {id(part): path for path, part in parts.items()}
+    nodes: list[set[str]] = []
+    for component in (network, *parts.values()):
+        for ports in component.connections():
+            node = {f"{paths.get(id(p.component), '')}.{p.name}" for p in ports}
+            apart = [other for other in nodes if not other & node]
+            nodes = [*apart, node.union(*(other for other in nodes if other & node))]
+    return nodes

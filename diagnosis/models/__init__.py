@@ -1,0 +1,1 @@
+"""What predicts the outputs of a campaign: networks by their equations, FMUs by their runs."""

@@ -1,0 +1,221 @@
+"""`BlackBox`: an FMU as the model of a campaign."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable, Mapping, Sequence
+from functools import cached_property
+from pathlib import Path
+from typing import Any
+
+from ...components import Fixed, Force, ModelError, Position, nearest, rotational
+from ...components.language import Parameter
+from ...fmu import FMU, FMUBlock, FMUError, FMUForce, FMUMotion, FMURotation, FMUTorque
+from ...identification import READERS, Machine
+from ...networks import Input, Network
+from ..effects.sites import GROUND, Site
+from .fmu_port import SI, read_port
+
+
+class BlackBox:
+    """An FMU, of which nothing is known but what it does.
+
+    Channels and parameters go by the names of its variables. Channels are in SI units, parameters in the unit
+    that the FMU declares. Inputs that are not measured keep their start values.
+
+    Args:
+        fmu: which.
+        kind: "ME" or "CS".
+        port: where other parts may be joined; names of variables by "force", "position" and "velocity".
+
+    Attributes:
+        refined: communication steps between compared instants, 0 while that is not known.
+
+    Raises:
+        ModelError: telling everything that is wrong with the port.
+    """
+
+    def __init__(self, fmu: FMU, kind: str, port: Mapping[str, str] | None = None) -> None:
+        self.fmu, self.kind, self.name = fmu, kind, fmu.name
+        self.port = read_port(fmu, port) if port else None
+        self.place = _identifier(fmu.name)
+        self.refined = 0
+        known = fmu.parameters.items()
+        self._values = {n: float(v.start or 0.0) for n, v in known if v.real and v.size == 1}
+        self._network: Network | None = None
+
+    @property
+    def inputs(self) -> Sequence[Input]:
+        """What needs a signal: nothing, as the inputs of an FMU have start values."""
+        return ()
+
+    @property
+    def input_names(self) -> list[str]:
+        """What can be driven."""
+        return [name for name, v in self.fmu.inputs.items() if v.real and v.size == 1]
+
+    @property
+    def parameter_values(self) -> dict[str, float]:
+        """Every real parameter with its value, in the unit that the FMU declares."""
+        return self._values
+
+    def own(self, parameters: Mapping[str, float]) -> dict[str, Any]:
+        """Return those of some parameters that are the FMU's."""
+        return {name: value for name, value in parameters.items() if name in self.parameter_values}
+
+    @property
+    def started(self) -> dict[str, Any]:
+        """Start values that are not the FMU's own."""
+        return {}
+
+    def wired(self, path: str) -> tuple[str, float]:
+        """Return the FMU's variable behind the name of a channel, and its sign."""
+        return path, 1.0
+
+    def part(self, path: str) -> str:
+        """Return the component of the network that a variable belongs to."""
+        return self.place
+
+    def names(self) -> Iterable[str]:
+        """Return the names of all real variables."""
+        return [name for name, v in self.fmu.variables.items() if v.real and v.size == 1]
+
+    def expression(self, path: str) -> str:
+        """Return the name of what can be measured.
+
+        Raises:
+            FMUError: if nothing can.
+        """
+        variable = self.fmu.variable(path)
+        if not variable.real or variable.size != 1:
+            raise FMUError(
+                f"FMU '{self.name}': '{path}' is {variable.type} of size {variable.size}, no signal"
+            )
+        return path
+
+    def unit(self, path: str) -> str:
+        """Return the SI unit of a variable, the declared unit of a parameter."""
+        if path in self.parameter_values:
+            return self.fmu.unit(path)
+        if self.port is not None and path in self.port.units:
+            return self.port.units[path]
+        if not self.fmu.unit(path):
+            return ""
+        measure = self.fmu.measure(self.fmu.variable(path))
+        mass, length, time = measure.exponents[:3]
+        return measure.name if measure.name in SI.values() else SI.get((mass, length, time), measure.si_name)
+
+    def field(self, path: str) -> Parameter:
+        """Return what is declared of a parameter."""
+        v = self.fmu.parameters[path]
+        low, high = (x if abs(x) < float("inf") else None for x in (v.minimum, v.maximum))
+        return Parameter(v.unit, v.text, min=low, max=high)
+
+    @property
+    def network(self) -> Network:
+        """The FMU in a network that does the same, to be changed, drawn and co-simulated."""
+        if self._network is None:
+            self._network = _network(self)
+        return self._network
+
+    @cached_property
+    def sites(self) -> list[Site]:
+        """The port, if there is one."""
+        if self.port is None:
+            return []
+        moving, fixed = f"{self.place}.flange", GROUND
+        if not self.port.takes_force:
+            moving, fixed = f"{self.place}.flange_b", f"{self.place}.flange_a"
+        return [
+            Site(self.place, self.port.domain, moving, fixed, frozenset({"across", "node"}), instant=True)
+        ]
+
+    def limits(self, driven: Iterable[str]) -> list[str]:
+        """Return what a diagnosis of it cannot see, in words; `driven` are its inputs that are set."""
+        told = [f"'{self.fmu.name}' is an FMU, run as {self.kind}: effects inside of it are not looked for"]
+        if self.port is None:
+            told.append(
+                "no [port] with force, position and velocity is named, so only effects on channels were tried"
+            )
+        else:
+            told.append(
+                f"at its port '{self.port.force}' all effects were tried that answer to its motion at once"
+            )
+        idle = sorted({name for name, v in self.fmu.inputs.items() if v.real} - {*driven})
+        if idle:
+            told.append(f"inputs that are not measured keep their start values: {', '.join(idle)}")
+        return told
+
+
+def _network(box: BlackBox) -> Network:
+    if box.port is None:
+        return Network(box.name, **{box.place: FMUBlock(box.fmu, kind=box.kind)})
+    return _driven(box) if box.port.takes_force else _moved(box)
+
+
+def _driven(box: BlackBox) -> Network:
+    port = box.port
+    assert port is not None
+    if port.domain == "rotational":
+        turning = FMURotation(
+            box.fmu, kind=box.kind, torque=port.signed_force, angle=port.position, speed=port.velocity
+        )
+        net = Network(box.name, **{box.place: turning}, push=rotational.Torque())
+    else:
+        body = FMUMotion(
+            box.fmu, kind=box.kind, force=port.signed_force, position=port.position, velocity=port.velocity
+        )
+        net = Network(box.name, **{box.place: body}, push=Force())
+    return net.connect(net.push.flange, getattr(net, box.place).flange)
+
+
+def _moved(box: BlackBox) -> Network:
+    port = box.port
+    assert port is not None
+    speed = port.velocity if port.velocity in box.fmu.inputs else None
+    if port.domain == "rotational":
+        between = FMUTorque(
+            box.fmu, kind=box.kind, angle=port.position, speed=speed, torque=port.signed_force
+        )
+        net = Network(box.name, wall=rotational.Fixed(), **{box.place: between}, motion=rotational.Position())
+    else:
+        strut = FMUForce(
+            box.fmu, kind=box.kind, position=port.position, velocity=speed, force=port.signed_force
+        )
+        net = Network(box.name, wall=Fixed(), **{box.place: strut}, motion=Position())
+    part = getattr(net, box.place)
+    net.connect(net.wall.flange, part.flange_a)
+    return net.connect(net.motion.flange, part.flange_b)
+
+
+def _identifier(name: str) -> str:
+    """Return a name by which a network can hold the FMU."""
+    cleaned = re.sub(r"\W", "_", name).strip("_")
+    taken = hasattr(Network, cleaned) or cleaned in ("push", "motion", "wall", "name") or not cleaned
+    return "rig" if taken or cleaned[0].isdigit() else cleaned
+
+
+def read_fmu(
+    path: Path, kind: str, port: Mapping[str, str], validate: bool = True
+) -> tuple[Network, Machine]:
+    """Return an FMU as the model of a campaign.
+
+    Args:
+        path: the file.
+        kind: "ME" or "CS"; Co-Simulation first if empty and it has both, which is several times faster.
+        port: names of variables by "force", "position" and "velocity"; empty for none.
+        validate: whether to refuse a description that its schema does not allow.
+
+    Raises:
+        ModelError: if there is no such file, or the port is wrong.
+        FMUError: if the file is no FMU that can be run.
+    """
+    if not path.is_file():
+        others = [p.name for p in path.parent.glob("*.fmu")] if path.parent.is_dir() else []
+        raise ModelError(f"model: there is no file '{path}'{nearest(path.name, others)}")
+    fmu = FMU(path, validate=validate)
+    box = BlackBox(fmu, fmu.kind(kind or ("CS" if "CS" in fmu.kinds else None)), port)
+    return box.network, box
+
+
+READERS[".fmu"] = read_fmu

@@ -1,0 +1,178 @@
+"""`Joined`: a network of one FMU and sources as the model of a campaign."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Any
+
+import casadi as ca
+
+from ...components import ModelError, nearest
+from ...components.language import Parameter
+from ...fmu import FMUBlock, FMUForce, FMUMotion, FMURotation, FMUTorque
+from ...identification import RECOGNISERS, Machine
+from ...networks import DAE, Input, Network
+from ..effects.sites import walk
+from .fmu_model import BlackBox
+
+Foreign = FMUMotion | FMURotation | FMUForce | FMUTorque
+REMEDY = (
+    "a diagnosis takes one FMUMotion, FMURotation, FMUForce or FMUTorque with sources and sensors on its "
+    "flanges; put the rest into the FMU"
+)
+
+
+class Joined(BlackBox):
+    """A network of one FMU, and sources and sensors on its flanges.
+
+    Channels go by the names of the network, or, as parameters do, by those of the FMU after the name of its
+    component: `rig.spring.k`. What the FMU takes must be one input of the network, up to its sign.
+
+    Args:
+        network: the network.
+        place: name of the FMU's component in it.
+        part: that component.
+
+    Raises:
+        ModelError: if anything else is in the network.
+    """
+
+    def __init__(self, network: Network, place: str, part: Foreign) -> None:
+        super().__init__(part.fmu, part.kind, _port(part))
+        self.name, self.place, self._network, self._part = network.name, place, network, part
+        chosen = {n: float(part.fmu.converted(part.fmu.variable(n), v)) for n, v in part.chosen.items()}
+        self._values = {f"{place}.{name}": value for name, value in (self._values | chosen).items()}
+        self._dae: DAE = network.dae()
+        self._given = {f"{place}.{g.name}": g for g in part.given}
+        self._sources = self._found_sources()
+
+    def _found_sources(self) -> dict[str, tuple[str, float]]:
+        """Return what drives the FMU: input of the network -> variable of the FMU, and the sign of it."""
+        found = {}
+        for taken in self._part.taken:
+            if taken.order == 2:
+                raise ModelError(f"'{self.name}': '{self.place}' takes an acceleration; {REMEDY}")
+            if taken.order:
+                continue
+            source = self._linear(f"{self.place}.{taken.name}")
+            if source is None or source[0].path in self._given or self._dae.states:
+                raise ModelError(
+                    f"'{self.name}': what the FMU '{self.place}' takes at '{taken.input}' is not one input "
+                    f"of the network; {REMEDY}"
+                )
+            found[source[0].path] = taken.input, source[1] * taken.sign
+        return found
+
+    def _linear(self, path: str) -> tuple[Input, float] | None:
+        """Return the one input, and its sign, that a variable of the network equals; None if it does not."""
+        dae = self._dae
+        value = ca.substitute(ca.SX(dae.expression(path)), dae.p, ca.DM(dae.system.flat.table.defaults))
+        slopes = ca.simplify(ca.jacobian(value, dae.u))
+        offset = ca.simplify(ca.substitute(value, dae.u, ca.DM.zeros(dae.u.shape)))
+        if slopes.nnz() != 1 or not slopes.is_constant() or not offset.is_zero():
+            return None
+        column = slopes.sparsity().get_triplet()[1][0]
+        source, slope = dae.inputs[column], float(slopes[0, column])
+        return (source, slope * source.sign) if abs(slope) == 1.0 else None
+
+    def wired(self, path: str) -> tuple[str, float]:
+        """Return the FMU's variable behind a name, and its sign."""
+        own = path.removeprefix(f"{self.place}.")
+        if path in self._sources:
+            return self._sources[path]
+        if own != path and own in self.fmu.variables:
+            return own, 1.0
+        source = self._linear(path)
+        if source is not None and source[0].path in self._given and source[0].order < 2:
+            given = self._given[source[0].path]
+            variable = given.rate if source[0].order else given.value
+            if variable is not None:
+                return variable, source[1] * given.sign
+        if source is not None and source[0].path in self._sources and not source[0].order:
+            variable, sign = self._sources[source[0].path]
+            return variable, sign * source[1]
+        raise ModelError(f"'{self.name}': '{path}' is no variable of the FMU; measure one, or {REMEDY}")
+
+    @property
+    def inputs(self) -> Sequence[Input]:
+        """What needs a signal: sources without one."""
+        return [i for i in self._dae.inputs if i.path not in self._given]
+
+    @property
+    def input_names(self) -> list[str]:
+        """What can be driven."""
+        return list(self._sources)
+
+    def own(self, parameters: Any) -> dict[str, Any]:
+        """Return parameters by the names of the FMU, those of the component included."""
+        changed = {
+            n.removeprefix(f"{self.place}."): v for n, v in parameters.items() if n in self.parameter_values
+        }
+        return {**self._part.chosen, **changed}
+
+    @property
+    def started(self) -> dict[str, Any]:
+        """Start values."""
+        return self._part.started
+
+    def names(self) -> list[str]:
+        """Return the names of all variables."""
+        return [*self._dae.names(), *(f"{self.place}.{name}" for name in super().names())]
+
+    def expression(self, path: str) -> str:
+        """Return the FMU's variable that is measured under a name; see `wired`."""
+        known = list(self.names())
+        if path not in known:
+            raise ModelError(f"'{self.name}' has no variable '{path}'{nearest(path, known)}")
+        return super().expression(self.wired(path)[0])
+
+    def unit(self, path: str) -> str:
+        """Return the SI unit of a variable, the declared unit of a parameter."""
+        own = path.removeprefix(f"{self.place}.")
+        if path in self.parameter_values:
+            return self.fmu.unit(own)
+        return self._dae.unit(path) if path in self._dae.names() else super().unit(own)
+
+    def field(self, path: str) -> Parameter:
+        """Return what is declared of a parameter."""
+        return super().field(path.removeprefix(f"{self.place}."))
+
+    def part(self, path: str) -> str:
+        """Return the component that a variable belongs to."""
+        return path.partition(".")[0]
+
+
+def _port(part: Foreign) -> dict[str, str]:
+    """Return force, position and velocity of an FMU's component, as [port] names them."""
+    by_order = {taken.order: taken for taken in part.taken}
+    (given,) = part.given
+    if isinstance(part, FMUMotion | FMURotation):
+        force, position, velocity = by_order[0], given, given.rate
+        signed, turned = (force.input, force.sign), position.sign
+        names = {"position": position.value, "velocity": velocity or ""}
+    else:
+        if 0 not in by_order or 1 not in by_order:
+            raise ModelError("an FMU that is moved must take position and velocity; " + REMEDY)
+        signed, turned = (given.value, given.sign), min(by_order[0].sign, by_order[1].sign)
+        names = {"position": by_order[0].input, "velocity": by_order[1].input}
+    if turned < 0:
+        raise ModelError("an FMU whose position counts the other way cannot be diagnosed; turn its flanges")
+    return {"force": signed[0] if signed[1] > 0 else f"-{signed[0]}", **names}
+
+
+def recognised(network: Network) -> Machine | None:
+    """Return the model that a network with an FMU in it is; None for one without.
+
+    Raises:
+        ModelError: for a network with an FMU that cannot be diagnosed.
+    """
+    foreign = {path: part for path, part in walk(network, "") if isinstance(part, Foreign | FMUBlock)}
+    if not foreign:
+        return None
+    ((place, part), *others) = foreign.items()
+    if others or isinstance(part, FMUBlock):
+        raise ModelError(f"'{network.name}' has {', '.join(foreign)}; {REMEDY}")
+    return Joined(network, place, part)
+
+
+RECOGNISERS.append(recognised)

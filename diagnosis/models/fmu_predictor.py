@@ -1,0 +1,284 @@
+"""Runs of a black box on records: what it predicts, and what changes when a little else does."""
+
+from __future__ import annotations
+
+import re
+import weakref
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ...components import SimulationError
+from ...fmu import FMUError, Load, Replay
+from ...identification import Accuracy, Campaign, Experiment
+from ...networks import sampled_at
+from ..effects.effect import Motion
+from ..effects.hypothesis import Placed
+from ..effects.sites import Site
+from .fmu_model import BlackBox
+from .fmu_port_force import Acting, Reaction
+
+Array = NDArray[np.float64]
+STEP = 0.03  # change of a parameter, in units of what it may be expected to be, by which slopes are judged
+COARSEST, FINEST = 2, 8  # communication steps from one compared instant to the next
+CLOSE = 0.1  # of the noise, by which half the communication step may change a run
+SMALL = 0.01  # of what is there already, by which something is pushed
+TRIAL = 1e-3  # force [N or N.m] of a first push where there is no other
+RTOL = 1e-6
+
+
+@dataclass(frozen=True, eq=False)
+class Seen:
+    """What a run shows: the output channels, their slopes, and how the port moves, in SI units."""
+
+    time: Array
+    values: dict[str, Array]
+    slopes: dict[str, Array]
+    start_slopes: dict[str, Array]
+    given: Mapping[str, float]
+    port: Motion | None
+
+
+class Replayed:
+    """A black box with effects at its port; slopes are differences of runs.
+
+    Args:
+        box: the FMU.
+        campaign: the channels, and what is known of the parameters.
+        effects: what acts at its port besides.
+        parameters: in which slopes are wanted, those of effects included.
+    """
+
+    def __init__(
+        self, box: BlackBox, campaign: Campaign, effects: Sequence[Placed], parameters: Sequence[str]
+    ) -> None:
+        self.box, self.channels, self.sigma = box, campaign.measured, campaign.sigma
+        self.effects = [placed for placed in effects if placed.effect.basis is not None]
+        sizes = {name: STEP * prior.scale for name, prior in campaign.priors.items()}
+        for placed in self.effects:
+            names = placed.network_parameters
+            sizes |= dict(zip(names, (STEP * placed.scales).tolist(), strict=True))
+        self.steps = {name: sizes[name] for name in parameters}
+        self.highest = {name: prior.max for name, prior in campaign.priors.items()}
+        self.driven = {c.path: box.wired(c.path) for c in self.channels.values() if c.driven}
+        self.outputs = {name: box.wired(c.path) for name, c in self.channels.items() if not c.driven}
+        self.taken = [variable for variable, _ in self.driven.values()]
+        self.follows = _follows(box, self.taken)
+        self.taken += self.follows
+        port = box.port
+        self.read = list(dict.fromkeys(variable for variable, _ in self.outputs.values()))
+        if port is not None:
+            self.read = list(dict.fromkeys([*self.read, *port.units]))
+            if port.takes_force and port.force not in self.taken:
+                self.taken.append(port.force)
+        variables = box.fmu.variables
+        self.measures = {n: box.fmu.measure(variables[n]) for n in {*self.taken, *self.read}}
+        self.replay = Replay(box.fmu, box.kind, self.taken, self.read)
+        weakref.finalize(self, self.replay.close)
+        self.refined = _refined(self, campaign)
+
+    def stand(self, experiment: Experiment) -> ReplayedStand:
+        """Return the FMU on a record."""
+        return ReplayedStand(self, experiment, self.refined)
+
+    def instants(self, found: Seen) -> Array:
+        """Return the instants of the record [s]."""
+        return found.time
+
+    def motion(self, found: Seen, number: int, site: Site) -> Motion:
+        """Return how the port moves."""
+        assert found.port is not None
+        return found.port
+
+
+def _follows(box: BlackBox, taken: Sequence[str]) -> dict[str, tuple[str, int]]:
+    """Return inputs that are derivatives of others that are driven: name -> (of which, order)."""
+    found = {}
+    for name in box.fmu.inputs:
+        match = re.fullmatch(r"der\((.+?)(?:,\s*(\d+))?\)", name)
+        if match is not None and match[1] in taken and name not in taken:
+            found[name] = match[1], int(match[2] or 1)
+    port = box.port
+    if port is not None and not port.takes_force and port.position in taken and port.velocity not in taken:
+        found[port.velocity] = port.position, 1
+    return found
+
+
+def _refined(model: Replayed, campaign: Campaign) -> int:
+    """Return how many communication steps there must be between compared instants, effects included."""
+    box = model.box
+    if box.kind == "ME":
+        return 1
+    if box.refined and not model.effects:
+        return box.refined
+    count = box.refined or COARSEST
+    coarse = ReplayedStand(model, campaign.training[0], count).predicted(campaign.start)
+    while count < FINEST:
+        fine = ReplayedStand(model, campaign.training[0], 2 * count).predicted(campaign.start)
+        if all(float((fine[n] - coarse[n]).std()) < CLOSE * model.sigma[n] for n in fine):
+            break
+        count, coarse = 2 * count, fine
+    if not model.effects:
+        box.refined = count
+    return count
+
+
+class ReplayedStand:
+    """A black box on one record."""
+
+    def __init__(self, model: Replayed, experiment: Experiment, refined: int) -> None:
+        self.model, self.experiment, self.refined = model, experiment, refined
+        record = experiment.record
+        self.time = experiment.compared.time
+        self.fine = np.linspace(self.time[0], self.time[-1], refined * (len(self.time) - 1) + 1)
+        self.given = np.zeros((len(self.fine), len(model.taken)))
+        for name, channel in model.channels.items():
+            if channel.driven:
+                smooth = sampled_at(record.sampled(name, channel.interpolation), self.fine)
+                variable, sign = model.driven[channel.path]
+                measure = model.measures[variable]
+                self.given[:, model.taken.index(variable)] = (sign * smooth - measure.offset) / measure.factor
+        self._follow(self.given)
+
+    def _follow(self, given: Array) -> None:
+        """Set the inputs that are derivatives of others."""
+        from scipy.interpolate import CubicSpline
+
+        model = self.model
+        for name, (source, order) in model.follows.items():
+            rates = CubicSpline(self.fine, given[:, model.taken.index(source)])(self.fine, order)
+            size = model.measures[source].factor / model.measures[name].factor
+            given[:, model.taken.index(name)] = size * rates
+
+    def rest(self, parameters: Mapping[str, float], accuracy: Accuracy) -> Array:
+        """Return the states at the start: those of the FMU are its own."""
+        return np.zeros(0)
+
+    def run(
+        self, parameters: Mapping[str, float], start: Array | None, accuracy: Accuracy, slopes: bool = True
+    ) -> Seen:
+        """Run the record; see `Stand.run`."""
+        model, table = self.model, self._table(parameters, self.given)
+        values = self._channels(table)
+        columns: dict[str, list[Array]] = {name: [] for name in values}
+        for name, step in model.steps.items() if slopes else ():
+            step = step if parameters[name] + step <= model.highest.get(name, np.inf) else -step
+            moved = self.predicted({**parameters, name: parameters[name] + step})
+            for channel, column in columns.items():
+                column.append((moved[channel] - values[channel]) / step)
+        none = np.zeros((len(self.time), 0))
+        by_p = {name: np.column_stack(found) if found else none for name, found in columns.items()}
+        return Seen(self.time, values, by_p, dict.fromkeys(values, none), dict(parameters), self._port(table))
+
+    def predicted(self, parameters: Mapping[str, float]) -> dict[str, Array]:
+        """Return the output channels."""
+        return self._channels(self._table(parameters, self.given))
+
+    def _channels(self, table: Mapping[str, Array]) -> dict[str, Array]:
+        return {name: sign * table[variable] for name, (variable, sign) in self.model.outputs.items()}
+
+    def _port(self, table: Mapping[str, Array]) -> Motion | None:
+        port = self.model.box.port
+        if port is None:
+            return None
+        v = table[port.velocity]
+        return Motion(
+            self.time, table[port.position], v, port.sign * table[port.force], np.gradient(v, self.time)
+        )
+
+    def _table(
+        self, parameters: Mapping[str, float], given: Array, push: Array | None = None
+    ) -> dict[str, Array]:
+        """Return all that is read, in SI units.
+
+        Args:
+            parameters: of the FMU and of effects.
+            given: the inputs, in the FMU's units.
+            push: a further force at a port whose motion is given, as a spring's [N or N.m].
+        """
+        model, box = self.model, self.model.box
+        port, acting = box.port, Acting([_valued(placed, parameters) for placed in model.effects])
+        load = None
+        if port is not None and port.takes_force and acting.effects:
+            load = Load(port.force, port.position, port.velocity, Reaction(acting, port, box))
+        try:
+            rows = model.replay.run(
+                self.fine, given, box.own(parameters), box.started, load, self.refined, RTOL
+            )
+        except FMUError as error:
+            raise SimulationError(str(error)) from error
+        measures = [model.measures[name] for name in model.read]
+        table: dict[str, Array] = {
+            name: measure.factor * rows[:, k] + measure.offset
+            for k, (name, measure) in enumerate(zip(model.read, measures, strict=True))
+        }
+        if port is not None and not port.takes_force:
+            motion = self._port(table)
+            assert motion is not None
+            more = acting.along(motion) if push is None else acting.along(motion) + push
+            table[port.force] = table[port.force] + port.sign * more
+        return table
+
+    def pushed(self, found: Seen, changes: Mapping[str, Array]) -> Array:
+        """Return what small changes of inputs, or of the force at the port, change in the outputs.
+
+        Communication steps are as long as the samples, here and in the run that it is compared to.
+
+        Args:
+            found: the run.
+            changes: columns of changes of one input, or of "push_0.u" at the port, at the record's instants.
+        """
+        if self.refined > 1 and self.model.box.kind == "CS":
+            return ReplayedStand(self.model, self.experiment, 1).pushed(found, changes)
+        ((name, columns),) = changes.items()
+        before, moved = self._channels(self._table(found.given, self.given)), list[Array]()
+        size = self._size(name, found, columns, before)
+        for column in columns.T:
+            width = float(np.sqrt(np.mean(column**2)))
+            scale = size / width if width else 1.0
+            after = self._changed(found, name, scale * column) if width else before
+            moved.append(np.column_stack([(after[n] - before[n]) / scale for n in before]))
+        return np.stack(moved, axis=2)
+
+    def _size(self, name: str, found: Seen, columns: Array, before: Mapping[str, Array]) -> float:
+        """Return by how much, root mean square, something is pushed: a little of what is there already.
+
+        Where there is nothing, as at a port that is free, so much that outputs change a little.
+        """
+        if name in self.model.driven:
+            variable, _ = self.model.driven[name]
+            given = self.given[:, self.model.taken.index(variable)]
+            return SMALL * self.model.measures[variable].factor * float(given.std())
+        assert found.port is not None
+        force = SMALL * float(np.sqrt(np.mean(found.port.f**2)))
+        if force:
+            return force
+        width = max(float(np.sqrt(np.mean(columns[:, 0] ** 2))), 1e-300)
+        after, size = self._changed(found, name, TRIAL * columns[:, 0] / width), 0.0
+        for channel, values in before.items():
+            size = max(size, float((after[channel] - values).std()) / max(float(values.std()), 1e-300))
+        return TRIAL * SMALL / size if size else TRIAL
+
+    def _changed(self, found: Seen, name: str, change: Array) -> dict[str, Array]:
+        model, port = self.model, self.model.box.port
+        fine = np.interp(self.fine, self.time, change)
+        if name in model.driven:
+            name, sign = model.driven[name]
+            fine = sign * fine
+        else:
+            assert port is not None
+            if not port.takes_force:
+                return self._channels(self._table(found.given, self.given, change))
+            name, fine = port.force, -port.sign * fine
+        given = self.given.copy()
+        given[:, model.taken.index(name)] += fine / model.measures[name].factor
+        self._follow(given)
+        return self._channels(self._table(found.given, given))
+
+
+def _valued(placed: Placed, parameters: Mapping[str, float]) -> Placed:
+    """Return an effect with the values that parameters have for it."""
+    values = [parameters.get(f"{placed.name}.{q.name}", placed.values[q.name]) for q in placed.quantities]
+    return placed.with_values(np.array(values))

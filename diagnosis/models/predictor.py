@@ -1,0 +1,158 @@
+"""What predicts the outputs of a campaign: a network by its equations, or an FMU by its runs."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from typing import Any, Protocol
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ...identification import Accuracy, Campaign, Experiment, Stand
+from ...networks import Network, Variations
+from ..effects.effect import Motion
+from ..effects.hypothesis import Placed, with_effects
+from ..effects.sites import Site, sites_of
+from .fmu_model import BlackBox
+from .fmu_predictor import Replayed
+from .probes import motion_at, probed
+
+Array = NDArray[np.float64]
+ACTIVE = 0.05  # share of the power at a port that may come out of it without a word
+
+
+class Predicted(Protocol):
+    """The outputs in a run, by channel, and their slopes in parameters and start values."""
+
+    time: Array
+    values: dict[str, Array]
+    slopes: dict[str, Array]
+    start_slopes: dict[str, Array]
+
+
+class Standing(Protocol):
+    """A model on one record."""
+
+    def rest(self, parameters: Mapping[str, float], accuracy: Accuracy) -> Array:
+        """Return the states from which it starts."""
+        ...
+
+    def run(
+        self, parameters: Mapping[str, float], start: Array | None, accuracy: Accuracy, slopes: bool = True
+    ) -> Any:
+        """Run the record and return what is `Predicted`."""
+        ...
+
+    def pushed(self, found: Any, changes: Mapping[str, Array]) -> Array:
+        """Return what small changes of inputs, or at sites, change: (instants, outputs, changes)."""
+        ...
+
+
+class Predictor(Protocol):
+    """A model with effects in it, and probes at sites."""
+
+    def stand(self, experiment: Experiment) -> Standing:
+        """Return the model on a record."""
+        ...
+
+    def instants(self, found: Any) -> Array:
+        """Return at which instants of a run changes are to be given [s]."""
+        ...
+
+    def motion(self, found: Any, number: int, site: Site) -> Motion:
+        """Return how a site moves in a run."""
+        ...
+
+
+class Equations:
+    """A network; slopes come from the variational equations along its runs."""
+
+    def __init__(
+        self,
+        campaign: Campaign,
+        network: Network,
+        effects: Sequence[Placed],
+        parameters: Sequence[str],
+        sites: Sequence[Site],
+    ) -> None:
+        changed = with_effects(network, effects)
+        self.dae = (probed(changed, sites) if sites else changed).dae()
+        self.channels = campaign.measured
+        outputs = [c.path for c in self.channels.values() if not c.driven]
+        self.variations = Variations(self.dae, outputs, parameters)
+
+    def stand(self, experiment: Experiment) -> Stand:
+        """Return the network on a record."""
+        return Stand(self.dae, experiment, self.channels, self.variations)
+
+    def instants(self, found: Any) -> Array:
+        """Return the points of a run [s]."""
+        time: Array = found.run.time
+        return time
+
+    def motion(self, found: Any, number: int, site: Site) -> Motion:
+        """Return how a probed site moves."""
+        return motion_at(found.run, number, site)
+
+
+def predictor(
+    campaign: Campaign,
+    network: Network,
+    effects: Sequence[Placed],
+    parameters: Sequence[str],
+    sites: Sequence[Site] = (),
+) -> Predictor:
+    """Return what predicts the outputs of a campaign.
+
+    Args:
+        campaign: the channels, and the model.
+        network: the network without effects, if the model is one.
+        effects: what is in it besides.
+        parameters: names of the parameters, those of effects included, in which slopes are wanted.
+        sites: where it will be pushed.
+    """
+    if isinstance(campaign.machine, BlackBox):
+        return Replayed(campaign.machine, campaign, effects, parameters)
+    return Equations(campaign, network, effects, parameters, sites)
+
+
+def sites_in(campaign: Campaign, network: Network) -> list[Site]:
+    """Return where in the model of a campaign effects may hide."""
+    return campaign.machine.sites if isinstance(campaign.machine, BlackBox) else sites_of(network)
+
+
+def screened(campaign: Campaign) -> tuple[list[Experiment], dict[str, float]]:
+    """Return the training records by which effects are screened, and the noise that makes them count for all.
+
+    Of a black box, each signature of which takes a run, the first record has to do.
+    """
+    if not isinstance(campaign.machine, BlackBox):
+        return campaign.training, campaign.sigma
+    weight = len(campaign.training) ** -0.5
+    return campaign.training[:1], {name: weight * sigma for name, sigma in campaign.sigma.items()}
+
+
+def part_of(campaign: Campaign, path: str) -> str:
+    """Return the component of the network that a variable or parameter belongs to."""
+    if isinstance(campaign.machine, BlackBox):
+        return campaign.machine.part(path)
+    return path.rpartition(".")[0]
+
+
+def limits(campaign: Campaign) -> list[str]:
+    """Return what the kind of model keeps a diagnosis from seeing, in words."""
+    if not isinstance(campaign.machine, BlackBox):
+        return []
+    box = campaign.machine
+    model = Replayed(box, campaign, (), ())
+    told = box.limits(model.taken)
+    port = model.stand(campaign.training[0]).run(campaign.start, None, Accuracy(), False).port
+    if box.port is None or port is None:
+        return told
+    power = float(np.trapezoid(port.f * port.v, port.t))
+    if power < -ACTIVE * float(np.trapezoid(np.abs(port.f * port.v), port.t)):
+        told.append(
+            f"at the port the FMU gives energy off; if it should take it, '{box.port.force}' counts the "
+            "other way: put a minus before it"
+        )
+    return told

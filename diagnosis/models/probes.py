@@ -1,0 +1,98 @@
+"""Probes: a network with a force across, and a stretch in series with, each site, both zero until asked."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from dataclasses import replace
+from typing import Any
+
+import numpy as np
+
+from ...components import CompliantWithSpeed, RealInput, TwoFlanges, der, rotational, variable
+from ...networks import Network, Result
+from ..effects.edits import Edit, Insert, between, edited
+from ..effects.effect import Motion
+from ..effects.sites import GROUND, Site
+
+
+class Push(CompliantWithSpeed):
+    """A force between two flanges from a signal, and how they move: f = u."""
+
+    u = RealInput("N", "force")
+    a_rel = variable("m/s2", "relative acceleration")
+
+    def equations(self) -> Iterable[Any]:
+        """State the force and the acceleration."""
+        yield self.f == self.u
+        yield self.a_rel == der(self.v_rel)
+
+
+class Twist(rotational.CompliantWithSpeed):
+    """A torque between two flanges from a signal, and how they turn: tau = u."""
+
+    u = RealInput("N.m", "torque")
+    a_rel = variable("rad/s2", "relative acceleration")
+
+    def equations(self) -> Iterable[Any]:
+        """State the torque and the acceleration."""
+        yield self.tau == self.u
+        yield self.a_rel == der(self.w_rel)
+
+
+class Stretch(TwoFlanges):
+    """A distance between two flanges from a signal: s_rel = u; the force goes through."""
+
+    u = RealInput("m", "distance")
+    f = variable("N", "force through it")
+
+    def equations(self) -> Iterable[Any]:
+        """State the distance and the force."""
+        yield self.s_rel == self.u
+        yield self.flange_b.f == self.f
+        yield self.flange_a.f == -self.f
+
+
+class Turn(rotational.TwoFlanges):
+    """An angle between two flanges from a signal: phi_rel = u; the torque goes through."""
+
+    u = RealInput("rad", "angle")
+    tau = variable("N.m", "torque through it")
+
+    def equations(self) -> Iterable[Any]:
+        """State the angle and the torque."""
+        yield self.phi_rel == self.u
+        yield self.flange_b.tau == self.tau
+        yield self.flange_a.tau == -self.tau
+
+
+def probed(network: Network, sites: Sequence[Site]) -> Network:
+    """Return the network with probes at its sites."""
+    edits: list[Edit] = []
+    for number, site in enumerate(sites):
+        turning = site.domain == "rotational"
+        if "series" in site.places:
+            edits.append(Insert(site.moving, f"stretch_{number}", Turn(u=0.0) if turning else Stretch(u=0.0)))
+    for number, site in enumerate(sites):
+        turning = site.domain == "rotational"
+        far = GROUND if site.places <= {"series", "node"} else site.fixed
+        edits += between(f"push_{number}", Twist(u=0.0) if turning else Push(u=0.0), far, site.moving)
+    return edited(network, edits)
+
+
+def motion_at(run: Result, number: int, site: Site) -> Motion:
+    """Return how a site moved in a run of the probed network."""
+    turning = site.domain == "rotational"
+    push = f"push_{number}"
+    s, v = (f"{push}.phi_rel", f"{push}.w_rel") if turning else (f"{push}.s_rel", f"{push}.v_rel")
+    force = f"{site.moving}.{'tau' if turning else 'f'}"
+    through = f"stretch_{number}.{'tau' if turning else 'f'}" if "series" in site.places else force
+    return Motion(run.time, run[s], run[v], run[through], run[f"{push}.a_rel"])
+
+
+def scaled(site: Site, motions: Sequence[Motion]) -> Site:
+    """Return a site with the scales of how it moves."""
+    lasting = sum(float(m.t[-1] - m.t[0]) for m in motions)
+    speed = float(np.sqrt(sum(m.squared for m in motions) / lasting))
+    force = float(np.abs(np.concatenate([m.f for m in motions])).max())
+    travel = max(m.travel for m in motions)
+    return replace(site, rest=float(motions[0].s[0]), speed=speed, force=force, travel=travel)

@@ -1,0 +1,100 @@
+"""The network of a verdict, drawn with what is guilty marked."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from html import escape
+
+from ...components import Component
+from ...networks import svg_sketch
+from ..effects.edits import part_at
+from ..models.predictor import part_of
+from ..verdict.verdict import Verdict
+
+MARKED = 2.0  # prior deviations by which a parameter must have moved to be marked
+
+
+def drawings(verdict: Verdict) -> Iterator[str]:
+    """Yield what is known of the place, and the corrected network, outermost first."""
+    if verdict.where:
+        shares = ", ".join(
+            f"{escape(site)} {share:.0%}" for site, share in verdict.where.items() if share >= 0.01
+        )
+        yield f"<p>What the best effect at each site would explain, as shares: {shares}.</p>"
+    for placed in verdict.effects:
+        if placed.site.same:
+            same = escape(", ".join(placed.site.same))
+            yield f"<p>{escape(placed.site.path)} shares its motion with {same}: one site to these data.</p>"
+    if verdict.windows:
+        yield f"<p>{escape(_located(verdict))}</p>"
+    network, marks = verdict.corrected(), marks_of(verdict)
+    for owner in _owners(marks):
+        composite = part_at(network, owner) if owner else network
+        here = _within(marks, owner)
+        title = f"Inside {owner}" if owner else network.name
+        drawn = svg_sketch(composite, here) or _listed(here, composite)
+        yield f'<figure class="wide"><figcaption class="faint">{escape(title)}</figcaption>{drawn}</figure>'
+
+
+def marks_of(verdict: Verdict) -> dict[str, str]:
+    """Return path of a component -> what it is marked with."""
+    campaign = verdict.evidence.campaign
+    channels = campaign.measured
+    marks: dict[str, str] = {}
+
+    def mark(path: str, told: str) -> None:
+        if path in channels:
+            path, told = part_of(campaign, channels[path].path), f"{path}: {told}"
+        if path:
+            marks[path] = f"{marks[path]}, {told}" if path in marks else told
+
+    for placed in verdict.effects:
+        mark(placed.site.path, placed.effect.kind.replace("_", " "))
+        if placed.edits:
+            mark(placed.name, "added")
+    for kind, site in verdict.equivalent if verdict.effects else ():
+        mark(site, f"or {kind.replace('_', ' ')}")
+    if verdict.verdict == "unknown" and verdict.where:
+        mark(next(iter(verdict.where)), "most of the gap")
+    if verdict.verdict == "parameters":
+        for name, value in verdict.parameters.items():
+            prior = campaign.priors[name]
+            if abs(value - prior.center) > MARKED * prior.scale:
+                path = part_of(campaign, name)
+                mark(path, name.removeprefix(f"{path}."))
+    return marks
+
+
+def _owners(marks: dict[str, str]) -> list[str]:
+    """Return the composites that hold something marked, the network ("") first."""
+    owners = {""}
+    for path in marks:
+        names = path.split(".")
+        owners |= {".".join(names[:depth]) for depth in range(len(names))}
+    return sorted(owners, key=lambda owner: (owner.count(".") + bool(owner), owner))
+
+
+def _within(marks: dict[str, str], owner: str) -> dict[str, str]:
+    """Return the marks of a composite's parts; a part takes those of what is in it."""
+    here: dict[str, str] = {}
+    prefix = f"{owner}." if owner else ""
+    for path, told in marks.items():
+        if path.startswith(prefix):
+            name, _, inner = path.removeprefix(prefix).partition(".")
+            here[name] = told if not inner or name in here else f"in {inner}"
+    return here
+
+
+def _listed(here: dict[str, str], composite: Component) -> str:
+    marked = "; ".join(f"{escape(name)}: {escape(told)}" for name, told in here.items())
+    return f"<p>{len(composite._parts)} components, too many to draw. {marked}</p>"
+
+
+def _located(verdict: Verdict) -> str:
+    """Return when, in which band and in which motion the gap is largest."""
+    found = verdict.windows
+    spans = [f"{w['record']} {w['from']:g} to {w['to']:g} s ({w['share']:.0%})" for w in found["windows"]]
+    told = f"The gap lies in {', '.join(spans[:8])}{' and further' if len(spans) > 8 else ''}; "
+    told += "between {:.3g} and {:.3g} Hz".format(*found["band"])
+    regime = found.get("regime", "any")
+    return f"{told}; {'in any regime of motion' if regime == 'any' else f'most at {regime}'}."

@@ -1,0 +1,237 @@
+"""The report of a verdict: one HTML file with everything in it, plotly included."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Iterator, Sequence
+from html import escape
+from math import copysign
+from pathlib import Path
+from string import Template
+from typing import Any
+
+from ...base import check_output, write_text
+from ...networks import pretty_unit
+from ..verdict.localisation import moved
+from ..verdict.verdict import Verdict
+from .figures import COLOURS, MEASURED, Figure, Stages, bars, clouds, over_time, spectra
+from .network_drawing import drawings
+from .text import advice, chance, code, conclusion, methods, number, ruled_out, screened_out, sure
+
+HERE = Path(__file__).parent
+PAGES = (".html", ".htm")
+UNITS = {"translational": ("m", "m/s", "m/s2"), "rotational": ("rad", "rad/s", "rad/s2")}
+
+
+def write_report(verdict: Verdict, path: str | Path) -> Path:
+    """Write the report of a verdict and return its path."""
+    from plotly.offline import get_plotlyjs
+
+    check_output(path, PAGES)
+    figures = dict[str, Figure]()
+    body = "\n".join(_sections(verdict, figures))
+    page = Template((HERE / "report.html").read_text(encoding="utf-8"))
+    return write_text(
+        path,
+        page.substitute(
+            title=escape(f"Sim-to-real gap of {verdict.network.name}"),
+            css=(HERE / "report.css").read_text(encoding="utf-8"),
+            js=(HERE / "report.js").read_text(encoding="utf-8"),
+            plotly=get_plotlyjs(),
+            body=body,
+            figures=json.dumps(figures, separators=(",", ":")).replace("</", "<\\/"),
+        ),
+    )
+
+
+def stages_of(verdict: Verdict) -> Stages:
+    """Return the models that were held against the records, by what they are called in the report."""
+    evidence = verdict.evidence
+    stages = {"nominal": evidence.nominal, "refit": evidence.refit}
+    if evidence.after is not evidence.refit:
+        stages["with the effect" if verdict.effects else "with the best candidate"] = evidence.after
+    return stages
+
+
+def _sections(verdict: Verdict, figures: dict[str, Figure]) -> Iterator[str]:
+    stages = stages_of(verdict)
+    yield _verdict(verdict)
+    yield _section("where", "Where", drawings(verdict))
+    yield _section("gap", "Gap before and after", _gap(verdict, stages, figures))
+    yield _section("signals", "Measured and simulated", _signals(verdict, stages, figures))
+    yield _section("residual", "What is left, before and after", _residual(verdict, stages, figures))
+    yield _section("ranking", "Ranking", _ranking(verdict))
+    yield _section("ruled-out", "Ruled out", _ruled_out(verdict))
+    yield _section("correction", "The correction", _correction(verdict))
+    yield _section("next", "What to measure next", [f"<p>{escape(advice(verdict))}</p>"])
+    yield _section("parameters", "Parameters", _parameters(verdict))
+    yield _section("notes", "Notes", _notes(verdict))
+
+
+def _section(name: str, title: str, blocks: Iterator[str] | Sequence[str]) -> str:
+    return f'<section id="{name}"><h2>{title}</h2>{"".join(blocks)}</section>'
+
+
+def _verdict(verdict: Verdict) -> str:
+    told = "".join(f"<p>{escape(line)}</p>" for line in conclusion(verdict))
+    return f'<section id="verdict" class="verdict {verdict.verdict}">{told}</section>'
+
+
+def _gap(verdict: Verdict, stages: Stages, figures: dict[str, Figure]) -> Iterator[str]:
+    campaign = verdict.evidence.campaign
+    tested = "test" if campaign.testing else "training"
+    yield f"<p>Root mean square of what the model misses on the {tested} runs, over that of the noise.</p>"
+    yield _figure("gap", bars(verdict, stages), figures, width=220 + 160 * len(verdict.gap))
+    rows = []
+    for name, gap in verdict.gap.items():
+        values = [gap.nominal, gap.refit, gap.after][: len(stages)]
+        size = campaign.floors[name].sigma / gap.floor
+        unit = pretty_unit(campaign.measured[name].si)
+        cells = [f"{value:.3%}<br>{number(value * size)} {unit}" for value in (*values, gap.floor)]
+        rows.append([escape(name), *cells])
+    yield _table(["channel", *stages, "noise"], rows, numbers=range(1, len(stages) + 2))
+    yield '<p class="faint">First line: share of the root mean square of the measured signal (NRMSE). '
+    closed = f" Closed: {verdict.closed:.1%} of what lies between refit and noise." if verdict.effects else ""
+    yield f"Second line: in the unit of the channel.{closed}</p>"
+
+
+def _signals(verdict: Verdict, stages: Stages, figures: dict[str, Figure]) -> Iterator[str]:
+    keys = {f"record-{n}": record for n, record in enumerate(over_time(verdict, stages))}
+    figures |= {key: figure for key, (_, figure) in keys.items()}
+    yield "<p>Drag over a stretch to look closer (on a touch screen, choose the magnifier first); a double "
+    yield "click shows all again. The grey band is twice the noise.</p>"
+    options = "".join(f'<option value="{key}">{escape(name)}</option>' for key, (name, _) in keys.items())
+    yield f'<p><label>Record <select data-shows="figure-record-0">{options}</select></label></p>'
+    yield _figure("record-0", figures["record-0"], figures)
+
+
+def _residual(verdict: Verdict, stages: Stages, figures: dict[str, Figure]) -> Iterator[str]:
+    evidence = verdict.evidence
+    campaign = evidence.campaign
+    place = next((c.site for c in evidence.screened if c.site.path == _leading(verdict)), None)
+    motions, units = [], ("", "", "")
+    if place is not None:
+        records, fitted = campaign.testing or campaign.training, evidence.refit.parameters
+        motions = moved(campaign, fitted, place, records, evidence.accuracy)
+        si = campaign.measured[place.path].si if place.domain == "channel" else ""
+        units = UNITS.get(place.domain, (si, f"{si}/s", f"{si}/s2"))
+    shown = list(zip(stages, COLOURS, strict=False))[-2:]
+    yield f'<p class="key">{"".join(_key(*entry) for entry in [*shown, ("noise (dashed)", MEASURED)])}</p>'
+    at = f" against how {escape(place.path)} moves in the refitted model and" if place is not None else ""
+    yield f"<p>Measured minus simulated{at} over frequency; thick lines are means. Over time it stands "
+    yield "above.</p>"
+    for name in campaign.outputs:
+        yield f'<h3>{escape(name)}</h3><div class="grid">'
+        plots = {**clouds(verdict, stages, name, motions, units), "frequency": spectra(verdict, stages, name)}
+        for against, figure in plots.items():
+            yield _figure(f"{against}-{campaign.outputs.index(name)}", figure, figures)
+        yield "</div>"
+
+
+def _leading(verdict: Verdict) -> str:
+    """Return the site at which to look."""
+    if verdict.effects:
+        return verdict.effects[0].site.path
+    return next(iter(verdict.where), "") if verdict.verdict == "unknown" else ""
+
+
+def _key(name: str, colour: str) -> str:
+    return f'<span><i style="background:{colour}"></i>{escape(name)}</span>'
+
+
+def _ranking(verdict: Verdict) -> Iterator[str]:
+    if not verdict.ranking:
+        yield "<p>No effect was worth a fit.</p>"
+        return
+    chosen = [(p.effect.kind, p.site.path) for p in verdict.effects]
+    rows, marked = [], []
+    for n, ranked in enumerate(verdict.ranking, start=1):
+        values = ", ".join(f"{escape(k)} = {number(v)}" for k, v in ranked.values.items())
+        gain = f"{ranked.test_gain:.2%}"
+        rows.append([str(n), _kind(ranked.kind), escape(ranked.site), gain, chance(ranked.p), values])
+        marked.append((ranked.kind, ranked.site) in chosen)
+    yield "<p>Effects that were fitted together with the parameters, by what they take off the squared "
+    yield f"residual of the {verdict.evidence.judged}; p is the chance of as much without the effect.</p>"
+    yield _table(["", "effect", "site", "test gain", "p", "parameters"], rows, (0, 3, 4), marked)
+
+
+def _ruled_out(verdict: Verdict) -> Iterator[str]:
+    if verdict.verdict == "interrupted":
+        yield "<p>Nothing: the diagnosis was stopped before its end.</p>"
+        return
+    fitted = [
+        [_kind(k), escape(site), f"{gain:.2%}", chance(p), why]
+        for k, site, gain, p, why in ruled_out(verdict)
+    ]
+    if fitted:
+        yield "<h3>After a fit</h3>"
+        yield _table(["effect", "site", "test gain", "p", "why"], fitted, (2, 3))
+    screened = [[_kind(kind), escape(site), gain, why] for kind, site, gain, why in screened_out(verdict)]
+    if screened:
+        yield "<h3>On screening, at the best of all sites</h3>"
+        yield _table(["effect", "site", "gain", "why"], screened, (2,))
+        yield '<p class="faint">Gain: the share of the squared residual of the training runs that it would '
+        yield "take off, by the one-sided score test, beyond what the parameters can.</p>"
+    if not fitted and not screened:
+        yield "<p>Nothing was screened.</p>"
+
+
+def _correction(verdict: Verdict) -> Iterator[str]:
+    lines = escape("\n".join(code(verdict)))
+    yield "<p>For the network <code>net</code> of this campaign:</p>"
+    yield '<div class="code"><button type="button" data-copies="lines">Copy</button>'
+    yield f'<pre id="lines">{lines}</pre></div>'
+
+
+def _parameters(verdict: Verdict) -> Iterator[str]:
+    campaign = verdict.evidence.campaign
+    rows = []
+    for name, after in verdict.parameters.items():
+        prior, unit = campaign.priors[name], pretty_unit(campaign.machine.unit(name))
+        before, fitted = campaign.start[name], verdict.evidence.refit.parameters[name]
+        change = f"{after / before - 1:+.2%}" if before else ""
+        deviations = (
+            f"{copysign(prior.moved(after), after - prior.center):+.2f}"
+            if prior.sd < float("inf")
+            else "bounds only"
+        )
+        rows.append([escape(name), number(before), number(fitted), number(after), unit, change, deviations])
+    for placed, confidence in zip(verdict.effects, verdict.confidence, strict=True):
+        for quantity, unit in placed.units(campaign).items():
+            named, value = f"{escape(placed.name)}.{escape(quantity)}", number(placed.values[quantity])
+            rows.append([named, "", "", value, pretty_unit(unit), f"confidence {sure(confidence)}", ""])
+    headers = ["parameter", "before", "refit", "after", "unit", "change", "in prior deviations"]
+    yield _table(headers, rows, (1, 2, 3, 5, 6)) if rows else "<p>None is uncertain.</p>"
+
+
+def _notes(verdict: Verdict) -> Iterator[str]:
+    notes = [*verdict.notes, *verdict.evidence.campaign.notes, *methods(verdict)]
+    yield f"<ul>{''.join(f'<li>{escape(note)}</li>' for note in notes)}</ul>"
+
+
+def _figure(name: str, figure: Figure, figures: dict[str, Figure], width: int | None = None) -> str:
+    figures[name] = figure
+    style = f"height:{figure['layout']['height']}px" + (f";width:{width}px" if width else "")
+    return f'<div class="figure" id="figure-{name}" data-figure="{name}" style="{style}"></div>'
+
+
+def _kind(kind: str) -> str:
+    return escape(kind.replace("_", " "))
+
+
+def _table(
+    headers: Sequence[str], rows: Sequence[Sequence[str]], numbers: Any = (), marked: Sequence[bool] = ()
+) -> str:
+    """Return a table; the columns of `numbers` are aligned right, rows that are marked stand out."""
+
+    def row(cells: Sequence[str], tag: str) -> str:
+        kinds = [' class="number"' if n in numbers else "" for n in range(len(cells))]
+        return "".join(f"<{tag}{kind}>{cell}</{tag}>" for cell, kind in zip(cells, kinds, strict=True))
+
+    flags = [*marked, *[False] * (len(rows) - len(marked))]
+    body = "".join(
+        f"<tr{' class=chosen' if flag else ''}>{row(cells, 'td')}</tr>"
+        for cells, flag in zip(rows, flags, strict=True)
+    )
+    head = f"<thead><tr>{row(headers, 'th')}</tr></thead>"
+    return f'<div class="wide"><table>{head}<tbody>{body}</tbody></table></div>'

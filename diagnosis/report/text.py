@@ -1,0 +1,154 @@
+"""What a report says in words."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator, Sequence
+
+import numpy as np
+
+from ...identification import Experiment
+from ...networks import pretty_unit
+from ..effects.effect import EFFECTS
+from ..effects.hypothesis import Placed
+from ..verdict.verdict import Verdict
+
+CHANCE = 0.05
+UNSEEN = 0.02  # share of a signature below which the parameters hide it
+
+
+def number(value: float) -> str:
+    """Return a value with the digits that count."""
+    return f"{value:.4g}"
+
+
+def chance(p: float) -> str:
+    """Return a probability with the digits that count."""
+    return f"{p:.2g}" if p > 1e-6 else "< 1e-6"
+
+
+def sure(confidence: float) -> str:
+    """Return a confidence in per cent; nothing is certain."""
+    return f"{confidence:.0%}" if confidence < 0.995 else "> 99%"
+
+
+def conclusion(verdict: Verdict) -> Iterator[str]:
+    """Yield the verdict in a sentence, its confidence, and what it rests on."""
+    yield verdict.sentence
+    if verdict.effects:
+        each = [f"{_told(p)}: {sure(c)}" for p, c in zip(verdict.effects, verdict.confidence, strict=True)]
+        yield f"Confidence: {'; '.join(each)}."
+    campaign = verdict.evidence.campaign
+    told = _runs("training", campaign.training)
+    told += f" and {_runs('test', campaign.testing)}" if campaign.testing else ", no test runs"
+    driven, measured = ", ".join(campaign.inputs) or "nothing", ", ".join(campaign.outputs)
+    yield f"From {told}; driven by {driven}, measured {measured}."
+
+
+def _runs(kind: str, experiments: Sequence[Experiment]) -> str:
+    seconds = sum(float(np.ptp(e.record.time)) for e in experiments)
+    return f"{len(experiments)} {kind} run{'s' * (len(experiments) > 1)} ({seconds:.4g} s)"
+
+
+def ruled_out(verdict: Verdict) -> Iterator[tuple[str, str, float, float, str]]:
+    """Yield kind, site, test gain, p and the reason of each fitted effect that is not the verdict."""
+    chosen = [(p.effect.kind, p.site.path) for p in verdict.effects]
+    kept = {*chosen, *verdict.equivalent}
+    gains = [r.test_gain for r in verdict.ranking if (r.kind, r.site) in chosen]
+    for ranked in verdict.ranking:
+        if (ranked.kind, ranked.site) not in kept:
+            why = _reason(ranked.test_gain, ranked.p, max(gains, default=None))
+            yield ranked.kind, ranked.site, ranked.test_gain, ranked.p, why
+
+
+def _reason(gain: float, p: float, best: float | None) -> str:
+    if gain <= 0:
+        return "makes the test runs worse"
+    if p > CHANCE:
+        return "no more than chance would do"
+    if best is None:
+        return "takes too little off"
+    if gain >= best:
+        return "better than the verdict by no more than the scatter of the test runs"
+    return f"takes {best - gain:.2%} less off than the verdict"
+
+
+def screened_out(verdict: Verdict) -> Iterator[tuple[str, str, str, str]]:
+    """Yield kind, best site, predicted gain and the reason of each kind that was not worth a fit."""
+    fitted = {ranked.kind for ranked in verdict.ranking}
+    places = {(ranked.kind, ranked.site) for ranked in verdict.ranking}
+    gains = [c.gain for c in verdict.evidence.screened if (c.effect.kind, c.site.path) in places]
+    least = min(gains, default=float("inf"))
+    total = sum(float(r @ r) for record in verdict.evidence.refit.train for r in record.values())
+    best: dict[str, tuple[float, float, str]] = {}
+    for candidate in verdict.evidence.screened:
+        if candidate.gain >= best.get(candidate.effect.kind, (-1.0, 0.0, ""))[0]:
+            best[candidate.effect.kind] = candidate.gain, candidate.share, candidate.site.path
+    for kind, (gain, share, site) in sorted(best.items(), key=lambda entry: -entry[1][0]):
+        if kind in fitted:
+            continue
+        why = "explains less than those fitted" if gain < least else "not fitted, or its fit failed"
+        if share < UNSEEN:
+            why = f"the parameters mimic it: {share:.1%} of its signature is its own"
+        elif gain / total < 1e-3:
+            why = "explains next to nothing with its physical sign"
+        yield kind, site, f"{max(gain / total, 0.0):.2%}", why
+    if best:
+        for kind in EFFECTS:
+            if kind not in best and kind not in fitted:
+                yield kind, "", "", "there is no site for it, or nothing moves there"
+
+
+def code(verdict: Verdict) -> list[str]:
+    """Return Python lines that make the correction for good, imports and fitted parameters included."""
+    lines = verdict.lines
+    called = {name for line in lines for name in re.findall(r"(?<![\w.])([A-Za-z]\w*)(?=[.(])", line)}
+    names = sorted(called - {"net"}) if any(line.startswith("net.") for line in lines) else []
+    made = [f"from inertance import {', '.join(names)}", ""] if names else []
+    fitted = [f"    {name!r}: {value:.6g}," for name, value in verdict.parameters.items()]
+    made += [*lines, ""] if lines else []
+    return [*made, "parameters = {", *fitted, "}  # as in net.simulate(..., parameters=parameters)"]
+
+
+def advice(verdict: Verdict) -> str:
+    """Return what to measure next."""
+    if verdict.verdict == "interrupted":
+        return "Nothing yet: the diagnosis was stopped before its end; run it to its end."
+    if verdict.next_experiment:
+        return verdict.next_experiment
+    if verdict.verdict == "unknown":
+        place = f" at {next(iter(verdict.where))}" if verdict.where else ""
+        band = verdict.windows.get("band")
+        told = f" from {band[0]:.3g} to {band[1]:.3g} Hz" if band else ""
+        return (
+            f"The force and the relative motion{place}, each with a sensor of its own, in runs that "
+            f"dwell{told} at several amplitudes: then the law can be read off."
+        )
+    if verdict.verdict == "ambiguous":
+        return (
+            "Runs at other amplitudes, with rests and slow reversals, which these effects answer differently."
+        )
+    if verdict.verdict == "effect":
+        return "Nothing is needed to name the cause. A run of yet another excitation would confirm it."
+    return "Nothing. The verdict holds for amplitudes and frequencies such as those of these records."
+
+
+def methods(verdict: Verdict) -> Iterator[str]:
+    """Yield how the figures came about."""
+    campaign = verdict.evidence.campaign
+    for name, floor in campaign.floors.items():
+        unit = pretty_unit(campaign.measured[name].si)
+        yield f"Noise of {name}: {number(floor.sigma)} {unit}, {_source(floor.source)}."
+    yield "Test runs are never fitted, except for start values where these are unknown."
+    if not campaign.testing:
+        yield "There are no test runs: all figures are those of the training runs and favour richer effects."
+
+
+def _source(source: str) -> str:
+    return {"stated": "as stated", "repeats": "from repeats", "spectrum": "from the top of the spectrum"}.get(
+        source, f"from {source}"
+    )
+
+
+def _told(placed: Placed) -> str:
+    return f"{placed.effect.kind.replace('_', ' ')} at {placed.site.path}"

@@ -1,0 +1,1 @@
+"""The search: effects screened, fitted together, compared."""

@@ -1,0 +1,45 @@
+"""Records as often as machines need, and no more often."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from copy import copy
+from dataclasses import replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ...identification import Campaign, Experiment, Filter
+
+Array = NDArray[np.float64]
+ENOUGH = 250.0  # Hz, at which outputs are compared
+LARGEST = 6.0  # standard deviations that noise does not exceed, as what belongs to steps does
+
+
+def thinned(campaign: Campaign) -> Campaign:
+    """Return a campaign whose outputs are compared as often as machines need, and no more often.
+
+    Inputs lose what is too fast to be compared where that is noise, which their second derivatives feel.
+    """
+    thin = copy(campaign)
+    driven = [name for name, channel in campaign.measured.items() if channel.driven]
+    for name in ("training", "testing"):
+        setattr(thin, name, [_slowed(experiment, driven) for experiment in getattr(campaign, name)])
+    return thin
+
+
+def _slowed(experiment: Experiment, driven: Sequence[str]) -> Experiment:
+    record = experiment.record
+    every = max(1, int(record.rate / ENOUGH))
+    if every > 1:
+        smooth = Filter(cutoff=0.5 * record.rate / every)
+        slow = {name: _quiet(record.values[name], smooth, record.rate) for name in driven}
+        record = replace(record, values={**record.values, **slow})
+    return replace(experiment, record=record, every=every)
+
+
+def _quiet(values: Array, smooth: Filter, rate: float) -> Array:
+    """Return a signal without its fast noise; as it is, if it has steps."""
+    slow = smooth.apply(values, rate)
+    fast = values - slow
+    return slow if float(np.abs(fast).max()) < LARGEST * float(fast.std()) else values

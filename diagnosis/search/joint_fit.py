@@ -1,0 +1,275 @@
+"""Refit: uncertain parameters and effects fitted together to the training records."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from math import inf
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ...components import SimulationError
+from ...identification import Accuracy, Campaign, Experiment
+from ...networks import Network
+from ..effects.hypothesis import Placed, driven, sensed
+from ..effects.shaping import Bounds, Shapes
+from ..models.predictor import Predicted, Standing, predictor
+from .least_squares import descend
+
+Array = NDArray[np.float64]
+Start = tuple[Mapping[str, float], Mapping[str, float]]
+MOST_RESHAPED = 3  # times that a fit goes on from where a shape is held
+
+
+@dataclass(frozen=True, eq=False)
+class Refit:
+    """A model fitted to the training records.
+
+    Attributes:
+        parameters: the network's uncertain parameters, fitted.
+        effects: the effects in it, fitted.
+        train, test: weighted residuals of each record, each a dictionary by channel.
+        cost: sum of squares of the training residuals and the priors.
+    """
+
+    parameters: dict[str, float]
+    effects: tuple[Placed, ...]
+    train: list[dict[str, Array]]
+    test: list[dict[str, Array]]
+    cost: float
+
+
+class Joint:
+    """Parameters and effects as one vector, in units of what they may be expected to be."""
+
+    def __init__(
+        self,
+        campaign: Campaign,
+        network: Network,
+        parameters: Mapping[str, float],
+        effects: Sequence[Placed],
+        accuracy: Accuracy,
+    ) -> None:
+        self.campaign, self.effects, self.accuracy = campaign, tuple(effects), accuracy
+        self.names = list(parameters)
+        self.sigma = campaign.sigma
+        priors = [campaign.priors[name] for name in self.names]
+        self.center = np.array([prior.center for prior in priors])
+        self.scale = np.array([prior.scale for prior in priors])
+        self.limits = np.array([prior.min for prior in priors]), np.array([prior.max for prior in priors])
+        self.pull = np.array([1.0 if np.isfinite(prior.sd) else 0.0 for prior in priors])
+        self.sizes = [placed.scales for placed in self.effects]
+        low, high = ((limit - self.center) / self.scale for limit in self.limits)
+        quantities = [q for p in self.effects for q in p.quantities]
+        bounds = np.array([*low, *[q.low for q in quantities]]), np.array([*high, *[inf] * len(quantities)])
+        self.shapes = Shapes(bounds, self.effects, self.sizes)
+        self.start = self.vector(parameters, [placed.values for placed in self.effects])
+        paths = [path for placed in self.effects for path in placed.network_parameters]
+        self.predictor = predictor(campaign, network, effects, [*self.names, *paths])
+        self.stands = {id(e): self.predictor.stand(e) for e in campaign.experiments}
+
+    def vector(self, parameters: Mapping[str, float], values: Sequence[Mapping[str, float]]) -> Array:
+        """Return parameters and values of the effects as a vector."""
+        own = (np.array([parameters[name] for name in self.names]) - self.center) / self.scale
+        sizes = [
+            np.array([v[q.name] for q in p.quantities]) / s
+            for p, s, v in zip(self.effects, self.sizes, values, strict=True)
+        ]
+        return np.concatenate([own, *sizes])
+
+    def unpacked(self, vector: Array) -> tuple[dict[str, float], tuple[Placed, ...]]:
+        """Return parameters and effects of a vector."""
+        count = len(self.names)
+        values = np.clip(self.center + vector[:count] * self.scale, *self.limits)
+        placed, at = [], count
+        for effect, size in zip(self.effects, self.sizes, strict=True):
+            placed.append(effect.with_values(vector[at : at + len(size)] * size))
+            at += len(size)
+        return dict(zip(self.names, values.tolist(), strict=True)), tuple(placed)
+
+    def fitted(self, starts: Sequence[Start] = ()) -> Refit:
+        """Return the model fitted to the training records.
+
+        Args:
+            starts: parameters, and values of the last effect, to start from; a step is taken from each, and
+                the one that comes out best is followed. The values that were given if there are none.
+
+        Raises:
+            SimulationError: if the model cannot be run with any of them.
+        """
+        earlier = [placed.values for placed in self.effects[:-1]]
+        vectors = [self.vector(parameters, [*earlier, values]) for parameters, values in starts]
+        if len(vectors) < 2:
+            vector = vectors[0] if vectors else self.start
+            bounds = self.shapes.bounds(vector)
+        else:
+            vector, bounds = min((self._begun(vector) for vector in vectors), key=lambda begun: begun[0])[1:]
+        vector = descend(self.stacked, vector, bounds)[0]
+        for _ in range(MOST_RESHAPED):
+            if not self.shapes.are_held(vector, bounds):
+                break
+            bounds = self.shapes.bounds(vector)
+            vector = descend(self.stacked, vector, bounds)[0]
+        return self.seen(vector)
+
+    def _begun(self, start: Array) -> tuple[float, Array, Bounds]:
+        """Return the sum of squares after a step from a start, where that leads, and the bounds."""
+        bounds = self.shapes.bounds(start)
+        try:
+            vector, cost = descend(self.stacked, start, bounds, steps=1)
+        except SimulationError:
+            return inf, start, bounds
+        return cost, vector, bounds
+
+    def seen(self, vector: Array) -> Refit:
+        """Return the model with the values of a vector, held against all records."""
+        fitted, placed = self.unpacked(vector)
+        train = [self.linearise(vector, e, False)[0] for e in self.campaign.training]
+        test = [self.linearise(vector, e, False)[0] for e in self.campaign.testing]
+        cost = sum(float(r @ r) for record in train for r in record.values())
+        prior = self.pull * vector[: len(self.names)]
+        return Refit(fitted, placed, train, test, cost + float(prior @ prior))
+
+    def stacked(self, vector: Array, slopes: bool) -> tuple[Array, Array | None]:
+        """Return residuals of all training records and of the priors, and their slopes if wanted.
+
+        Raises:
+            SimulationError: if the model cannot be run with these values.
+        """
+        found = [self.linearise(vector, e, slopes) for e in self.campaign.training]
+        count = len(self.names)
+        residuals = [r for record, _ in found for r in record.values()]
+        stacked = np.concatenate([*residuals, self.pull * vector[:count]])
+        if not slopes:
+            return stacked, None
+        prior = np.eye(count, len(vector)) * self.pull[:, None]
+        return stacked, np.concatenate([*(-columns for _, columns in found), prior])
+
+    def linearise(
+        self, vector: Array, experiment: Experiment, slopes: bool
+    ) -> tuple[dict[str, Array], Array]:
+        """Return the weighted residual of a record by channel, and its slopes in the vector."""
+        accuracy = self.accuracy
+        parameters, effects = self.unpacked(vector)
+        given = {**parameters}
+        for placed in effects:
+            given |= placed.network_parameters
+        stand = self._driven(experiment, effects)
+        free = experiment.initial == "fit"
+        start = stand.rest(given, accuracy) if free else None
+        found = stand.run(given, start, accuracy, slopes or free)
+        values = {name: sensed(found.time, name, found.values[name], effects) for name in found.values}
+        record = experiment.compared
+        residuals = {n: (record.values[n] - values[n]) / self.sigma[n] for n in values}
+        count = sum(len(r) for r in residuals.values())
+        columns = np.zeros((count, 0))
+        if slopes:
+            columns = self._slopes(found, effects, experiment, given, start, accuracy)
+        to_start = np.concatenate([found.start_slopes[n] / self.sigma[n] for n in values]) if free else None
+        return _freed(residuals, columns, to_start)
+
+    def _driven(self, experiment: Experiment, effects: Sequence[Placed]) -> Standing:
+        """Return the stand of a record, its inputs as the actuators pass them on."""
+        if any(placed.effect.kind.startswith("actuator") for placed in effects):
+            return self.predictor.stand(driven(experiment, effects))
+        return self.stands[id(experiment)]
+
+    def _slopes(
+        self,
+        found: Predicted,
+        effects: Sequence[Placed],
+        experiment: Experiment,
+        given: Mapping[str, float],
+        start: Array | None,
+        accuracy: Accuracy,
+    ) -> Array:
+        """Return d(weighted prediction)/d(vector), channels one below the other."""
+        rows = {name: _sensed_slopes(found, name, effects) for name in found.values}
+        at = len(self.names)
+        parts = {name: [row[:, :at] * self.scale] for name, row in rows.items()}
+        for placed, size in zip(effects, self.sizes, strict=True):
+            paths = len(placed.network_parameters)
+            if placed.effect.step:
+                moved = self._differences(placed, size, found, effects, experiment, given, start, accuracy)
+            else:
+                inner = placed.slopes(size) * size
+                moved = {name: row[:, at : at + paths] @ inner for name, row in rows.items()}
+            for name, columns in moved.items():
+                parts[name].append(columns)
+            at += paths
+        return np.concatenate([np.hstack(parts[name]) / self.sigma[name] for name in rows])
+
+    def _differences(
+        self,
+        placed: Placed,
+        size: Array,
+        found: Predicted,
+        effects: Sequence[Placed],
+        experiment: Experiment,
+        given: Mapping[str, float],
+        start: Array | None,
+        accuracy: Accuracy,
+    ) -> dict[str, Array]:
+        """Return how each channel changes with an effect, per unit of its sizes, by differences."""
+        base = {name: sensed(found.time, name, values, effects) for name, values in found.values.items()}
+        values = np.array([placed.values[q.name] for q in placed.quantities])
+        columns: dict[str, list[Array]] = {name: [] for name in base}
+        for i, scale in enumerate(size):
+            step = placed.effect.step * max(abs(values[i]), scale)
+            other = placed.with_values(values + step * np.eye(len(values))[i])
+            changed = [other if p is placed else p for p in effects]
+            again = found
+            if not placed.effect.kind.startswith("sensor"):
+                stand = self._driven(experiment, changed)
+                again = stand.run({**given, **other.network_parameters}, start, accuracy, False)
+            for name in base:
+                now = sensed(again.time, name, again.values[name], changed)
+                columns[name].append((now - base[name]) / step * scale)
+        return {name: np.column_stack(found) for name, found in columns.items()}
+
+
+def refit(
+    campaign: Campaign,
+    network: Network,
+    parameters: Mapping[str, float],
+    effects: Sequence[Placed] = (),
+    accuracy: Accuracy | None = None,
+    starts: Sequence[Start] = (),
+) -> Refit:
+    """Fit parameters and effects to the training records and hold them against the test records.
+
+    Args:
+        campaign: records, priors, noise.
+        network: the nominal model, without effects.
+        parameters: values of the uncertain parameters to start from.
+        effects: effects to insert, with values to start from.
+        accuracy: solver and tolerances.
+        starts: parameters, and values of the last effect, of which the most promising is taken instead.
+
+    Raises:
+        SimulationError: if the model cannot be run with the values to start from.
+    """
+    return Joint(campaign, network, parameters, effects, accuracy or Accuracy()).fitted(starts)
+
+
+def _sensed_slopes(found: Predicted, name: str, effects: Sequence[Placed]) -> Array:
+    """Return slopes of a channel as its sensor passes them on; sensors are linear but for a constant."""
+    slopes = found.slopes[name]
+    nothing = sensed(found.time, name, np.zeros(len(found.time)), effects)
+    if not any(placed.site.path == name for placed in effects):
+        return slopes
+    return np.column_stack([sensed(found.time, name, column, effects) - nothing for column in slopes.T])
+
+
+def _freed(
+    residuals: dict[str, Array], columns: Array, to_start: Array | None
+) -> tuple[dict[str, Array], Array]:
+    """Take off what start values can explain."""
+    if to_start is None:
+        return residuals, columns
+    stacked = np.concatenate(list(residuals.values()))
+    both = np.column_stack([stacked, columns])
+    left = both - to_start @ np.linalg.lstsq(to_start, both, rcond=1e-8)[0]
+    parts = np.split(left[:, 0], np.cumsum([len(r) for r in residuals.values()])[:-1])
+    return dict(zip(residuals, parts, strict=True)), left[:, 1:]

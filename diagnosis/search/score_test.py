@@ -1,0 +1,226 @@
+"""Screening: what each effect at each site would explain of the residual, from one linear response each.
+
+With residual r, slopes J of the uncertain parameters (in units of their prior standard deviation) and
+signature G of an effect, all in units of noise, the score is the drop of
+
+    |r - J p - G a|^2 + |p|^2
+
+by sizes a on their physical side. It is the one-sided Lagrange multiplier test, with priors.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass, field, replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ...identification import Accuracy, Campaign
+from ...networks import Network
+from ..effects.effect import EFFECTS, Effect, Motion
+from ..effects.hypothesis import Placed
+from ..effects.sites import Site
+from ..models.predictor import predictor, screened, sites_in
+from ..models.probes import scaled
+from .whitened_record import Sight
+
+Array = NDArray[np.float64]
+FREE = 10.0  # how far, in its own size, an effect that was found may still change
+
+
+@dataclass(frozen=True, eq=False)
+class Candidate:
+    """An effect at a site (or on a channel) with the values that explain most.
+
+    Attributes:
+        gain: drop of the squared residual, in units of noise, over what the nominal parameters can do.
+        share: what is left of its signature once the parameters' slopes are taken off, 0 to 1.
+        parameters: those of the model that it was screened on.
+    """
+
+    effect: Effect
+    site: Site
+    values: dict[str, float]
+    gain: float
+    share: float
+    parameters: Mapping[str, float]
+
+    @property
+    def label(self) -> str:
+        """Kind and site."""
+        return f"{self.effect.kind} at {self.site.path}"
+
+
+@dataclass(eq=False)
+class _Tally:
+    """Sums over records for one effect, site and shape."""
+
+    effect: Effect
+    site: Site
+    shape: dict[str, float]
+    own: Array
+    crossed: Array
+    seen: Array
+
+
+@dataclass(eq=False)
+class _Sums:
+    """Sums over records that all candidates share, and theirs."""
+
+    count: int
+    slopes: Array = field(init=False)
+    residual: Array = field(init=False)
+    tallies: dict[tuple[str, str, tuple[float, ...]], _Tally] = field(default_factory=dict)
+
+    def __post_init__(self) -> None:
+        self.slopes, self.residual = np.zeros((self.count, self.count)), np.zeros(self.count)
+
+
+def screen(
+    campaign: Campaign,
+    network: Network,
+    parameters: Mapping[str, float],
+    effects: Sequence[Placed] = (),
+    accuracy: Accuracy | None = None,
+) -> list[Candidate]:
+    """Return candidates, the most explaining first.
+
+    Args:
+        campaign: records, channels, priors, noise.
+        network: the nominal model.
+        parameters: its uncertain parameters, refitted.
+        effects: what has been found already.
+        accuracy: solver and tolerances.
+    """
+    sites = sites_in(campaign, network)
+    found = {name: value for placed in effects for name, value in placed.network_parameters.items()}
+    names = [*parameters, *found]
+    experiments, sigma = screened(campaign)
+    given, accuracy = {**parameters, **found}, accuracy or Accuracy()
+    model = predictor(campaign, network, effects, names, sites)
+    sights = [Sight(model, e, campaign.measured, sigma, given, effects, accuracy) for e in experiments]
+    motions = [[sight.motion(number, site) for sight in sights] for number, site in enumerate(sites)]
+    sites = [scaled(site, moved) for site, moved in zip(sites, motions, strict=True)]
+    deviations = [campaign.priors[name].scale for name in parameters]
+    deviations += [FREE * (abs(value) or 1.0) for value in found.values()]
+    sums = _Sums(len(names))
+    for index, sight in enumerate(sights):
+        slopes = sight.slopes * np.array(deviations)
+        _add(sums, sight, slopes, sites, [moved[index] for moved in motions], motions)
+    return sorted(_scored(sums, parameters), key=lambda candidate: -candidate.gain)
+
+
+def _add(
+    sums: _Sums,
+    sight: Sight,
+    slopes: Array,
+    sites: Sequence[Site],
+    moved: Sequence[Motion],
+    motions: Sequence[Sequence[Motion]],
+) -> None:
+    """Add what one record says of every candidate."""
+    residual = sight.residual
+    sums.slopes += slopes.T @ slopes
+    sums.residual += slopes.T @ residual
+
+    def count(site: Site, found: Sequence[tuple[Effect, dict[str, float], int]], columns: Array) -> None:
+        products = columns.T @ np.column_stack([slopes, residual, columns])
+        begin, first = 0, slopes.shape[1] + 1
+        for effect, shape, width in found:
+            own = products[begin : begin + width]
+            parts = own[:, first + begin : first + begin + width], own[:, : first - 1], own[:, first - 1]
+            key = effect.kind, site.path, tuple(shape.values())
+            empty = (np.zeros_like(part) for part in parts)
+            tally = sums.tallies.setdefault(key, _Tally(effect, site, shape, *empty))
+            tally.own += parts[0]
+            tally.crossed += parts[1]
+            tally.seen += parts[2]
+            begin += width
+
+    for number, site in enumerate(sites):
+        for probe in ("push", "stretch"):
+            found = list(_forces(site, moved[number], motions[number], probe))
+            if found:
+                columns = sight.to_inputs({f"{probe}_{number}.u": np.hstack([c for _, _, c in found])})
+                count(site, [(effect, shape, c.shape[1]) for effect, shape, c in found], columns)
+    for effect, site, own in _channel_changes(sight):
+        count(site, [(effect, {}, own.shape[1])], own)
+
+
+def _forces(
+    site: Site, motion: Motion, motions: Sequence[Motion], probe: str
+) -> Iterator[tuple[Effect, dict[str, float], Array]]:
+    """Yield, for each effect and shape, the force or stretch of a unit of each size at a site."""
+    widest = max(motions, key=lambda m: m.travel)
+    at_rest = replace(motion, s=motion.s - site.rest)
+    for effect in EFFECTS.values():
+        if site.domain not in effect.quantities:
+            continue
+        stretched = effect.place == "series"
+        if effect.basis is None or effect.place not in site.places or stretched != (probe == "stretch"):
+            continue
+        if effect.memory and site.instant:
+            continue
+        if not motion.travel or (stretched and not motion.f.any()):
+            continue
+        about = motion if effect.absolute else at_rest
+        for shape in effect.shaped(site.domain, widest):
+            yield effect, shape, np.column_stack(effect.basis(about, shape))
+
+
+def _channel_changes(sight: Sight) -> Iterator[tuple[Effect, Site, Array]]:
+    """Yield what a small effect on each channel changes, per unit of its size."""
+    time = sight.record.time
+    for effect in EFFECTS.values():
+        if effect.change is None:
+            continue
+        driven = effect.kind.startswith("actuator")
+        quantity = effect.quantities["channel"][0]
+        for name, path in (sight.inputs if driven else sight.outputs).items():
+            signal = sight.record.values[name] if driven else sight.predicted[name]
+            if not np.ptp(signal):
+                continue
+            small = {"s": 1 / sight.record.rate, "unit": 0.01 * float(np.ptp(signal))}.get(quantity.unit, 1.0)
+            change = (effect.change(time, signal, {quantity.name: small}) - signal) / small
+            site = Site(name, "channel", path, "", frozenset({"channel"}))
+            if driven:
+                given = np.interp(sight.time, time, change)[:, None]
+                yield effect, site, sight.to_inputs({path: given})
+            else:
+                yield effect, site, sight.to_output(name, change)
+
+
+def _scored(sums: _Sums, parameters: Mapping[str, float]) -> Iterator[Candidate]:
+    """Yield the best shape of each effect at each site."""
+    prior = np.linalg.inv(sums.slopes + np.eye(sums.count)) if sums.count else np.zeros((0, 0))
+    best: dict[tuple[str, str], Candidate] = {}
+    for (kind, path, _), tally in sums.tallies.items():
+        matrix = tally.own - tally.crossed @ prior @ tally.crossed.T
+        seen = tally.seen - tally.crossed @ prior @ sums.residual
+        sizes = tally.effect.sizes(tally.site.domain)
+        values, gain = _least(matrix, seen, np.array([q.low for q in sizes]))
+        size = np.trace(tally.own)
+        share = float(np.trace(matrix) / size) if size > 0 else 0.0
+        chosen = dict(zip([q.name for q in sizes], values.tolist(), strict=True)) | tally.shape
+        candidate = Candidate(tally.effect, tally.site, chosen, gain, share, parameters)
+        if (kind, path) not in best or gain > best[kind, path].gain:
+            best[kind, path] = candidate
+    yield from best.values()
+
+
+def _least(matrix: Array, seen: Array, low: Array) -> tuple[Array, float]:
+    """Return sizes a that minimise a'Ma - 2 a'c above their lower bounds, and the drop."""
+    from scipy.optimize import lsq_linear
+
+    sizes = np.diag(matrix)
+    scale = np.sqrt(np.where(sizes > 0, sizes, 1.0))
+    strength, vectors = np.linalg.eigh(matrix / np.outer(scale, scale))
+    kept = strength > 1e-9
+    root = np.sqrt(strength[kept])[:, None] * vectors[:, kept].T
+    wanted = (vectors[:, kept].T @ (seen / scale)) / np.sqrt(strength[kept])
+    bounds = np.where(np.isfinite(low), 0.0, -np.inf), np.full(len(low), np.inf)
+    found = lsq_linear(root, wanted, bounds) if kept.any() else None
+    if found is None:
+        return np.zeros(len(low)), 0.0
+    return found.x / scale, float(wanted @ wanted - 2 * found.cost)

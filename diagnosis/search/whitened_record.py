@@ -1,0 +1,89 @@
+"""A record as the nominal model sees it: residual, slopes, and the answer to small changes anywhere."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ...identification import Accuracy, Channel, Experiment
+from ..effects.effect import Motion
+from ..effects.hypothesis import Placed, driven, sensed
+from ..effects.sites import Site
+from ..models.predictor import Predictor
+
+Array = NDArray[np.float64]
+
+
+class Sight:
+    """One record beside a prediction, in units of noise, with what its start can explain taken off.
+
+    Args:
+        predictor: the model, with probes at its sites.
+        experiment: the record.
+        channels: what is measured.
+        sigma: noise of each output channel.
+        parameters: values to run with.
+        effects: what has been found on channels.
+        accuracy: solver and tolerances.
+    """
+
+    def __init__(
+        self,
+        predictor: Predictor,
+        experiment: Experiment,
+        channels: Mapping[str, Channel],
+        sigma: Mapping[str, float],
+        parameters: Mapping[str, float],
+        effects: Sequence[Placed],
+        accuracy: Accuracy,
+    ) -> None:
+        self.outputs = {name: c.path for name, c in channels.items() if not c.driven}
+        self.inputs = {name: c.path for name, c in channels.items() if c.driven}
+        self.sigma = sigma
+        self._predictor = predictor
+        self._stand = stand = predictor.stand(driven(experiment, effects))
+        self.record = experiment.compared
+        start = None if experiment.initial == "rest" else stand.rest(parameters, accuracy)
+        found = stand.run(parameters, start, accuracy)
+        self._found = found
+        self.predicted = {n: sensed(found.time, n, v, effects) for n, v in found.values.items()}
+        free = np.concatenate([found.start_slopes[n] / sigma[n] for n in self.outputs])
+        self._basis = _orthonormal(free if experiment.initial == "fit" else free[:, :0])
+        missed = [(self.record.values[n] - self.predicted[n]) / sigma[n] for n in self.outputs]
+        self.residual = self.off(np.concatenate(missed))
+        self.slopes = self.off(np.concatenate([found.slopes[n] / sigma[n] for n in self.outputs]))
+
+    @property
+    def time(self) -> Array:
+        """Instants at which changes of inputs are to be given [s]."""
+        return self._predictor.instants(self._found)
+
+    def motion(self, number: int, site: Site) -> Motion:
+        """Return how one of the predictor's sites moves."""
+        return self._predictor.motion(self._found, number, site)
+
+    def off(self, columns: Array) -> Array:
+        """Take off what the start values can explain."""
+        left: Array = columns - self._basis @ (self._basis.T @ columns)
+        return left
+
+    def to_inputs(self, changes: Mapping[str, Array]) -> Array:
+        """Return what changes of inputs, given at the instants `time`, change in the outputs."""
+        moved = self._stand.pushed(self._found, changes)
+        weighted = [moved[:, n] / self.sigma[name] for n, name in enumerate(self.outputs)]
+        return self.off(np.concatenate(weighted))
+
+    def to_output(self, channel: str, change: Array) -> Array:
+        """Return a change of one output channel, given at the instants of the record, as a column."""
+        parts = [change / self.sigma[n] if n == channel else np.zeros(len(change)) for n in self.outputs]
+        return self.off(np.concatenate(parts)[:, None])
+
+
+def _orthonormal(columns: Array) -> Array:
+    if not columns.shape[1]:
+        return columns
+    left, strength, _ = np.linalg.svd(columns / np.maximum(np.linalg.norm(columns, axis=0), 1e-300), False)
+    kept: Array = left[:, strength > 1e-8 * strength.max()]
+    return kept

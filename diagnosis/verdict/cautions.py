@@ -1,0 +1,62 @@
+"""Cautions: what one should know before believing the figures of a verdict."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from math import isclose
+
+import numpy as np
+
+from ...identification import Accuracy, Campaign, left_prior, likely_unit, told_of
+from ...identification.fitting import suspects
+from ...networks import DAE
+from ..effects.hypothesis import Placed
+from ..search.joint_fit import Refit
+
+MUCH = 0.3  # share of a signal that is left, above which channels are suspected
+NEAR_UNIT = 0.02  # share by which a gain may miss the ratio of two units
+
+
+def cautions(campaign: Campaign, best: Refit) -> Iterator[str]:
+    """Yield gains that are units, and parameters that are far from what was assumed or at a bound."""
+    for placed in best.effects:
+        if placed.effect.kind == "sensor_gain":
+            yield from _gain(campaign, placed)
+    for name, value in best.parameters.items():
+        prior = campaign.priors[name]
+        told = left_prior(name, value, prior, campaign.machine.unit(name))
+        if told:
+            yield told
+        for side in (prior.min, prior.max):
+            if isclose(value, side, rel_tol=1e-6, abs_tol=1e-9 * prior.scale):
+                yield f"{name}: ends at its bound {side:.6g}; the bound or the model is wrong"
+
+
+def suspicions(campaign: Campaign, best: Refit, accuracy: Accuracy) -> Iterator[str]:
+    """Yield what channels would explain what no effect does, if they were in another unit or exchanged."""
+    if not isinstance(campaign.machine, DAE) or max(_shares(campaign, best)) <= MUCH:
+        return
+    told = told_of(suspects(campaign, best.parameters, accuracy))
+    if told:
+        yield told
+
+
+def _shares(campaign: Campaign, best: Refit) -> Iterator[float]:
+    """Yield which share of a channel of a training record is left."""
+    for experiment, residuals in zip(campaign.training, best.train, strict=True):
+        for name, residual in residuals.items():
+            left = campaign.sigma[name] * float(np.sqrt(np.mean(residual**2)))
+            yield left / float(np.std(experiment.record.values[name]))
+
+
+def _gain(campaign: Campaign, placed: Placed) -> Iterator[str]:
+    name, gain = placed.site.path, 1 + placed.values["gain"]
+    channel = campaign.measured[name]
+    if isclose(gain, -1.0, rel_tol=NEAR_UNIT):
+        yield f"{name}: a gain of {gain:.4g} is a wrong sign rather than a fault of the sensor"
+    unit = likely_unit(channel.unit or "1", 1 / gain, NEAR_UNIT) if gain else None
+    if unit:
+        yield (
+            f"{name}: a gain of {gain:.4g} is a wrong unit rather than a fault of the sensor: the column is "
+            f"likely in {unit}, not in {channel.unit}"
+        )

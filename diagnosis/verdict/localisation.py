@@ -1,0 +1,189 @@
+"""Where a gap lies: at which sites, in which seconds, in which band, in which regime of motion."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from itertools import pairwise
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ...identification import Accuracy, Campaign, Experiment, Record
+from ..effects.effect import Motion
+from ..effects.sites import Site
+from ..models.predictor import predictor
+from ..search.joint_fit import Refit
+from ..search.score_test import Candidate
+
+Array = NDArray[np.float64]
+
+MOST_SITES = 8
+STRETCH = 0.25  # s, by which the residual is looked at
+MOST = 0.8  # share of the gap that windows hold
+BAND = (0.1, 0.9)  # shares of the gap's power below the band's ends
+NARROW = 0.4  # share of the time within which a gap is local
+SLOW, LARGE = 0.1, 0.7  # of the largest speed or travel
+BRIEF = 0.1  # share of the time below which a gap is an episode that tells of no regime
+MARKED = 1.5  # times the average gap that makes a regime
+
+
+def shares(candidates: Sequence[Candidate]) -> dict[str, float]:
+    """Return shares of what the best effect at each site would explain, the largest first."""
+    best: dict[str, float] = {}
+    for candidate in candidates:
+        best[candidate.site.path] = max(best.get(candidate.site.path, 0.0), candidate.gain)
+    total = sum(best.values())
+    ordered = sorted(((site, gain / total) for site, gain in best.items() if total), key=lambda s: -s[1])
+    return {site: round(share, 4) for site, share in ordered[:MOST_SITES]}
+
+
+def located(
+    campaign: Campaign, fitted: Refit, candidates: Sequence[Candidate], accuracy: Accuracy | None = None
+) -> dict[str, Any]:
+    """Return windows of time, the band of frequency and the regime of motion that hold a model's gap."""
+    records = campaign.experiments
+    missed = [*fitted.train, *fitted.test]
+    spans = windows(records, missed)
+    found: dict[str, Any] = {
+        "windows": spans,
+        "band": band(records, missed),
+        "unit": "windows in s, band in Hz",
+    }
+    if candidates:
+        motions = moved(campaign, fitted.parameters, candidates[0].site, records, accuracy)
+        ratios = regimes(motions, missed)
+        regime = max(ratios, key=lambda name: ratios[name])
+        lasting = sum(float(w["to"]) - float(w["from"]) for w in spans)
+        brief = lasting < BRIEF * sum(float(np.ptp(e.compared.time)) for e in records)
+        found["regime"] = "any" if brief or ratios[regime] < MARKED else regime
+        found["regimes"] = ratios
+    return found
+
+
+def excess(residuals: Mapping[str, Array]) -> Array:
+    """Return the squared residual of a record above that of noise, at each instant, over all channels."""
+    above: Array = np.sum([r**2 - 1.0 for r in residuals.values()], axis=0)
+    return above
+
+
+def windows(
+    experiments: Sequence[Experiment], missed: Sequence[Mapping[str, Array]]
+) -> list[dict[str, float | str]]:
+    """Return the stretches that hold most of the gap; all of each record where it is spread out.
+
+    Each is {"record", "from", "to", "share"}, its instants in s.
+    """
+    stretches: list[tuple[Record, int, int, float]] = []
+    for experiment, residuals in zip(experiments, missed, strict=True):
+        record = experiment.compared
+        above = excess(residuals)
+        count = max(1, round(len(above) / (record.rate * STRETCH)))
+        ends = np.linspace(0, len(above), count + 1).astype(int)
+        stretches += [(record, a, b, max(float(above[a:b].sum()), 0.0)) for a, b in pairwise(ends)]
+    sizes = np.array([size for *_, size in stretches])
+    order = np.argsort(-sizes)
+    held = np.cumsum(sizes[order]) / max(float(sizes.sum()), 1e-300)
+    count = int(np.searchsorted(held, MOST)) + 1
+    chosen = set(order[:count].tolist()) if count < NARROW * len(sizes) else set(range(len(sizes)))
+    return _merged([s for number, s in enumerate(stretches) if number in chosen], float(sizes.sum()))
+
+
+def _merged(
+    stretches: Sequence[tuple[Record, int, int, float]], total: float
+) -> list[dict[str, float | str]]:
+    """Join stretches that follow one another."""
+    joined: list[tuple[Record, int, int, float]] = []
+    for record, a, b, size in stretches:
+        if joined and joined[-1][0] is record and joined[-1][2] == a:
+            _, first, _, before = joined.pop()
+            joined.append((record, first, b, before + size))
+        else:
+            joined.append((record, a, b, size))
+    return [
+        {
+            "record": record.name,
+            "from": round(float(record.time[a]), 4),
+            "to": round(float(record.time[min(b, len(record.time) - 1)]), 4),
+            "share": round(size / total, 4) if total else 0.0,
+        }
+        for record, a, b, size in joined
+    ]
+
+
+def band(experiments: Sequence[Experiment], missed: Sequence[Mapping[str, Array]]) -> list[float]:
+    """Return the frequencies [Hz] between which most of the power of the gap above noise lies."""
+    rate = min(e.compared.rate for e in experiments)
+    common = np.linspace(0, rate / 2, 1000)
+    above = np.zeros(len(common))
+    for experiment, residuals in zip(experiments, missed, strict=True):
+        for residual in residuals.values():
+            segment = min(len(residual), 4096)
+            f, density = spectrum(residual, experiment.compared.rate, segment)
+            above += np.interp(common, f, density - 2 / experiment.compared.rate) * len(residual)
+    power = np.cumsum(np.maximum(above, 0.0))
+    power /= max(float(power[-1]), 1e-300)
+    return [round(float(common[np.searchsorted(power, share)]), 3) for share in BAND]
+
+
+def spectrum(values: Array, rate: float, segment: int) -> tuple[Array, Array]:
+    """Return frequencies [Hz] and the power spectral density by Welch's method; the mean stays in."""
+    from scipy.signal import welch
+
+    f, density = welch(values, rate, nperseg=segment, detrend=False)  # pyright: ignore[reportArgumentType]
+    return f, density
+
+
+def regimes(motions: Sequence[Motion], missed: Sequence[Mapping[str, Array]]) -> dict[str, float]:
+    """Return the gap in each regime of motion over the average gap."""
+    v, s, above = (
+        np.concatenate(parts)
+        for parts in (
+            [m.v for m in motions],
+            [m.s - 0.5 * (m.s.max() + m.s.min()) for m in motions],
+            [excess(residuals) for residuals in missed],
+        )
+    )
+    mean = float(above.mean())
+    fastest, furthest = float(np.abs(v).max()), float(np.abs(s).max())
+    inside = {
+        "reversals": np.abs(v) < SLOW * fastest,
+        "high speed": np.abs(v) > LARGE * fastest,
+        "large travel": np.abs(s) > LARGE * furthest,
+    }
+    return {
+        name: round(float(above[at].mean()) / mean, 3) if at.any() and mean > 0 else 0.0
+        for name, at in inside.items()
+    }
+
+
+def moved(
+    campaign: Campaign,
+    parameters: Mapping[str, float],
+    site: Site,
+    experiments: Sequence[Experiment],
+    accuracy: Accuracy | None = None,
+) -> list[Motion]:
+    """Return how a site moves in the nominal model with these parameters, at the instants of records.
+
+    Of a channel, its value and its rates.
+    """
+    if site.domain == "channel":
+        return [_signal(e.compared, site.path) for e in experiments]
+    model = predictor(campaign, campaign.network, (), (), [site])
+    accuracy = accuracy or Accuracy(rtol=1e-5)
+    motions = []
+    for experiment in experiments:
+        stand = model.stand(experiment)
+        start = None if experiment.initial == "rest" else stand.rest(parameters, accuracy)
+        motion = model.motion(stand.run(parameters, start, accuracy, False), 0, site)
+        t = experiment.compared.time
+        signals = (np.interp(t, motion.t, x) for x in (motion.s, motion.v, motion.f, motion.a))
+        motions.append(Motion(t, *signals))
+    return motions
+
+
+def _signal(record: Record, channel: str) -> Motion:
+    values = record.values[channel]
+    rate = np.gradient(values, record.time)
+    return Motion(record.time, values, rate, np.zeros(len(values)), np.gradient(rate, record.time))

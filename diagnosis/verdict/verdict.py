@@ -1,0 +1,165 @@
+"""`Verdict`: what parts data and model, with the evidence, the correction and what to measure next."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Any
+
+from ...base import check_output, write_text
+from ...networks import Network
+from ..effects.hypothesis import Placed, with_effects
+from .evidence import Evidence
+
+WORDS = {
+    "none": "Nothing is missing: the model explains the data down to the noise.",
+    "parameters": "No effect is missing; parameters were wrong.",
+    "unknown": "Something is missing that is none of the known effects.",
+    "interrupted": "The diagnosis was stopped before its end; no effect had been accepted by then.",
+}
+
+
+@dataclass(frozen=True)
+class Ranked:
+    """A candidate that was fitted: what it does for the test runs, and the chance of that without it."""
+
+    kind: str
+    site: str
+    test_gain: float
+    p: float
+    values: Mapping[str, float] = field(default_factory=dict)
+
+
+@dataclass(frozen=True)
+class Gap:
+    """Misfit of a channel on the test runs, as NRMSE: nominal, refitted, with the effect, and of noise."""
+
+    nominal: float
+    refit: float
+    after: float
+    floor: float
+    unit: str
+
+
+class DiagnosisInterruptedError(KeyboardInterrupt):
+    """Ctrl-C during a diagnosis; `verdict` tells what is known so far."""
+
+    def __init__(self, message: str, verdict: Verdict) -> None:
+        self.verdict = verdict
+        super().__init__(message)
+
+
+@dataclass(frozen=True, eq=False)
+class Verdict:
+    """What a diagnosis found.
+
+    Attributes:
+        verdict: "effect", "parameters", "none", "ambiguous", "unknown" or "interrupted".
+        effects: what is missing, with its parameters; for "unknown", what explains a part of the gap.
+        confidence: of each effect.
+        equivalent: (kind, site) of what these data cannot tell from it.
+        next_experiment: the excitation that would tell them apart, in words.
+        where: shares of the gap by site.
+        windows: for "unknown": when, in which band, in which motion.
+        ranking: all candidates that were fitted.
+        gap: misfit by channel.
+        closed: (refit - after)/(refit - floor) over all channels of the test runs.
+        parameters: the network's uncertain parameters, fitted.
+        network: the corrected network.
+        evidence: the records, the fitted models and what was screened, for the report.
+        notes: what limits the verdict.
+    """
+
+    verdict: str
+    effects: tuple[Placed, ...]
+    confidence: tuple[float, ...]
+    equivalent: tuple[tuple[str, str], ...]
+    next_experiment: str | None
+    where: Mapping[str, float]
+    windows: Mapping[str, Any]
+    ranking: tuple[Ranked, ...]
+    gap: Mapping[str, Gap]
+    closed: float
+    parameters: Mapping[str, float]
+    network: Network = field(repr=False)
+    evidence: Evidence = field(repr=False)
+    notes: tuple[str, ...] = ()
+
+    @property
+    def sentence(self) -> str:
+        """The verdict in a sentence."""
+        named = " and ".join(f"{p.effect.kind.replace('_', ' ')} at {p.site.path}" for p in self.effects)
+        if self.verdict == "unknown" and named:
+            return (
+                f"Part of what is missing is {named}, which closes {self.closed:.0%} of the gap; the rest is "
+                "none of the known effects."
+            )
+        if self.verdict == "interrupted" and named:
+            return (
+                "The diagnosis was stopped before its end; what had been accepted by then is "
+                f"{named}, which closes {self.closed:.0%} of the gap."
+            )
+        if self.verdict in WORDS:
+            return WORDS[self.verdict]
+        told = f"What is missing is {named}; adding it closes {self.closed:.0%} of the gap."
+        if self.equivalent:
+            others = ", ".join(f"{kind.replace('_', ' ')} at {site}" for kind, site in self.equivalent)
+            told += f" These data cannot tell it from {others}."
+        return told
+
+    @property
+    def lines(self) -> list[str]:
+        """Python lines that add the effects to the network `net` for good."""
+        made = [str(edit) for placed in self.effects for edit in placed.edits]
+        for placed in self.effects:
+            if not placed.edits:
+                values = ", ".join(f"{name} = {value:.6g}" for name, value in placed.values.items())
+                made.append(f"# {placed.effect.kind} on channel {placed.site.path}: {values}")
+        return made
+
+    def to_dict(self) -> dict[str, Any]:
+        """Return the verdict as plain values, as in the JSON file."""
+        effects = [
+            {
+                "kind": p.effect.kind,
+                "site": p.site.path,
+                "parameters": dict(p.values),
+                "confidence": round(c, 4),
+                "same_motion": list(p.site.same),
+            }
+            for p, c in zip(self.effects, self.confidence, strict=True)
+        ]
+        return {
+            "verdict": self.verdict,
+            "effects": effects,
+            "equivalent": [{"kind": kind, "site": site} for kind, site in self.equivalent],
+            "next_experiment": self.next_experiment,
+            "where": [
+                {"site": site, "share": share, **({} if number else self.windows)}
+                for number, (site, share) in enumerate(self.where.items())
+            ],
+            "ranking": [
+                {"kind": r.kind, "site": r.site, "test_gain": r.test_gain, "p": r.p} for r in self.ranking
+            ],
+            "gap": {name: vars(gap) for name, gap in self.gap.items()},
+            "closed": self.closed,
+            "parameters": dict(self.parameters),
+            "notes": list(self.notes),
+        }
+
+    def save(self, path: str | Path) -> Path:
+        """Write the JSON file."""
+        check_output(path, [".json"])
+        return write_text(path, json.dumps(self.to_dict(), indent=1) + "\n")
+
+    def corrected(self) -> Network:
+        """Return the network with the effects inserted."""
+        return with_effects(self.network, self.effects)
+
+    def report(self, path: str | Path) -> Path:
+        """Write the report: one HTML file that needs nothing else."""
+        from ..report.report import write_report
+
+        return write_report(self, path)

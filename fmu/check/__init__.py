@@ -1,0 +1,1 @@
+"""FMUs held against their network, against the standard and against themselves."""

@@ -1,0 +1,1 @@
+"""FMUs beside each other and inside networks, exchanging at communication points."""

@@ -1,0 +1,179 @@
+"""Terminals: flanges of a network as signals of an FMU, and what FMI 3 is told of them.
+
+A flange that is asked for as `force-in` takes a force and shows its motion, one as `motion-in` takes
+a motion and shows the force it answers with; two FMUs are coupled by joining the one to the other.
+One as `motion-out` only shows its motion.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Iterable, Mapping
+from dataclasses import dataclass
+from typing import Any
+from xml.etree import ElementTree as ET
+
+from ...base import UnknownNameError, nearest
+from ...components import (
+    AccelerationSensor,
+    Component,
+    Force,
+    ForceSensor,
+    ModelError,
+    Position,
+    PositionSensor,
+    SpeedSensor,
+    rotational,
+)
+from ...components.language import Port, PortRef
+from ...networks import Network
+from .model_description import text
+
+CAUSALITIES = ("force-in", "motion-in", "motion-out")
+
+
+@dataclass(frozen=True)
+class Terminal:
+    """A published flange: which variable stands for which member."""
+
+    flange: str
+    causality: str
+    domain: str
+    members: dict[str, str]
+
+    @property
+    def outputs(self) -> list[str]:
+        """The members that leave the FMU."""
+        through = "f" if self.domain == "translational" else "tau"
+        leaving = {"motion-in": [through]}.get(self.causality, [m for m in self.members if m != through])
+        return [self.members[m] for m in leaving]
+
+
+def publish(network: Network, flanges: Mapping[str, str]) -> tuple[Network, list[Terminal]]:
+    """Return a copy of a network with flanges turned into signals.
+
+    Args:
+        network: stays as it is.
+        flanges: `"force-in"`, `"motion-in"` or `"motion-out"` by path of a flange, such as `"body.flange"`.
+
+    A source and sensors are joined to each flange, as a part named after it (`body_flange`). Force-in:
+    input f [N], outputs s [m], v [m/s], a [m/s2]; motion-in: input s (with v and a where the network
+    needs them), output f, the force that the network puts on what moves it; motion-out: outputs s, v, a.
+    Rotational: tau; phi, w, a.
+
+    Raises:
+        ModelError: for unknown flanges and causalities.
+
+    Example:
+        >>> from inertance import Mass, Network
+        >>> from inertance.fmu import publish
+        >>> net, terminals = publish(Network("body", mass=Mass(m=2.0)), {"mass.flange": "force-in"})
+        >>> terminals[0].members["f"]
+        'mass_flange.force.f'
+    """
+    edited, terminals, problems = network.clone(), [], []
+    for path, causality in flanges.items():
+        try:
+            port, domain = _flange(edited, path)
+        except KeyError as error:
+            problems.append(str(error.args[0]))
+            continue
+        if causality not in CAUSALITIES:
+            problems.append(f"terminal '{path}' must be one of {', '.join(CAUSALITIES)}, got {causality!r}")
+            continue
+        name = path.replace(".", "_")
+        part, inner = _PARTS[domain, causality]()
+        edited.add(**{name: part})
+        edited.connect(port, *inner)
+        members = {member: f"{name}.{where}" for member, where in _MEMBERS[domain, causality].items()}
+        terminals.append(Terminal(path, causality, domain, members))
+    if problems:
+        raise ModelError(f"'{network.name}': these flanges cannot be published:", problems)
+    return edited, terminals
+
+
+def _flange(network: Network, path: str) -> tuple[PortRef, str]:
+    owner: Component = network
+    *parts, last = path.split(".")
+    for part in parts:
+        known = owner._parts
+        if part not in known:
+            raise UnknownNameError(
+                f"there is no flange '{path}': no component '{part}'{nearest(part, known)}"
+            )
+        owner = known[part]
+    flanges = {n: f for n, f in type(owner).fields.items() if isinstance(f, Port)}
+    if last not in flanges:
+        raise UnknownNameError(f"there is no flange '{path}'{nearest(last, flanges)}")
+    return PortRef(owner, last), flanges[last].domain
+
+
+def _moved(**parts: Any) -> tuple[Network, list[PortRef]]:
+    part = Network("terminal", **parts)
+    return part, [PortRef(one, "flange") for one in parts.values()]
+
+
+def _moving(sensor: Any, position: Any) -> tuple[Network, list[PortRef]]:
+    part = Network("terminal", sensor=sensor, motion=position)
+    part.connect(part.sensor.flange_b, part.motion.flange)
+    return part, [part.sensor.flange_a]
+
+
+def _seen() -> dict[str, Any]:
+    return {"position": PositionSensor(), "speed": SpeedSensor(), "acceleration": AccelerationSensor()}
+
+
+def _seen_turning() -> dict[str, Any]:
+    return {
+        "position": rotational.AngleSensor(),
+        "speed": rotational.SpeedSensor(),
+        "acceleration": rotational.AccelerationSensor(),
+    }
+
+
+_PARTS = {
+    ("translational", "force-in"): lambda: _moved(force=Force(), **_seen()),
+    ("translational", "motion-in"): lambda: _moving(ForceSensor(), Position()),
+    ("translational", "motion-out"): lambda: _moved(**_seen()),
+    ("rotational", "force-in"): lambda: _moved(force=rotational.Torque(), **_seen_turning()),
+    ("rotational", "motion-in"): lambda: _moving(rotational.TorqueSensor(), rotational.Position()),
+    ("rotational", "motion-out"): lambda: _moved(**_seen_turning()),
+}
+_MOTION = {
+    "translational": {"s": "position.s", "v": "speed.v", "a": "acceleration.a"},
+    "rotational": {"phi": "position.phi", "w": "speed.w", "a": "acceleration.a"},
+}
+_MEMBERS = {
+    ("translational", "force-in"): {"f": "force.f", **_MOTION["translational"]},
+    ("translational", "motion-in"): {"f": "sensor.f", "s": "motion.s_ref"},
+    ("translational", "motion-out"): _MOTION["translational"],
+    ("rotational", "force-in"): {"tau": "force.tau", **_MOTION["rotational"]},
+    ("rotational", "motion-in"): {"tau": "sensor.tau", "phi": "motion.phi_ref"},
+    ("rotational", "motion-out"): _MOTION["rotational"],
+}
+
+
+def terminals_xml(terminals: Iterable[Terminal], names: Iterable[str]) -> bytes:
+    """Return terminalsAndIcons.xml; derivatives of a prescribed motion are members where they are inputs."""
+    known = set(names)
+    root = ET.Element("fmiTerminalsAndIcons", fmiVersion="3.0")
+    listed = ET.SubElement(root, "Terminals")
+    for terminal in terminals:
+        kind = f"{terminal.domain} flange, {terminal.causality}"
+        entry = ET.SubElement(
+            listed, "Terminal", name=terminal.flange, matchingRule="plug", terminalKind=kind
+        )
+        for member, name in members(terminal, known).items():
+            ET.SubElement(
+                entry, "TerminalMemberVariable", variableName=name, memberName=member, variableKind="signal"
+            )
+    return text(root)
+
+
+def members(terminal: Terminal, known: Collection[str]) -> dict[str, str]:
+    """Return the members of a terminal among known variables; a prescribed motion may come with its rates."""
+    told = dict(terminal.members)
+    if terminal.causality == "motion-in":
+        across, rate = ("s", "v") if terminal.domain == "translational" else ("phi", "w")
+        motion = told[across]
+        told |= {rate: f"der({motion})", "a": f"der({motion},2)"}
+    return {member: name for member, name in told.items() if name in known}

@@ -1,0 +1,1 @@
+"""FMUs of any tool: read, checked, loaded, run."""

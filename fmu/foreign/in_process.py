@@ -1,0 +1,289 @@
+"""Local instances: a loaded binary of an FMU in this process, FMI 2 and 3 alike."""
+
+from __future__ import annotations
+
+import ctypes
+from collections.abc import Callable, Sequence
+from contextlib import chdir, suppress
+from pathlib import Path
+from threading import Lock
+from typing import Any, Self
+
+from ..errors import FMUError
+from .archive import library_name
+from .description import KINDS
+from .instance import Group, Stepped, Update, Values
+from .unpacked import Unpacked
+
+KEPT_MESSAGES = 5
+_LOADING = Lock()
+
+
+class LocalInstance:
+    """An instance in this process; see `Instance`.
+
+    Its files are its own, in a temporary folder, or those given; `events` asks for event mode.
+    """
+
+    def __init__(
+        self, path: Path, kind: str, *, files: Unpacked | None = None, events: bool = True
+    ) -> None:  # fmt: skip
+        self.kind, self.messages = kind, list[str]()
+        self._files, self._shared = files or Unpacked(path), files is not None
+        self.description = self._files.description
+        self.name, self.major = self.description.modelName, self.description.fmiMajorVersion
+        self._kept: Any = None
+        self._slave: Any = None
+        self._inputs: list[int] = []
+        face = getattr(self.description, KINDS[kind])
+        self._steps_completed = kind == "ME" and face.needsCompletedIntegratorStep
+        self.event_mode = events and kind == "CS" and bool(face.hasEventMode)
+        self.interpolates = kind == "CS" and self.major == 2 and bool(face.canInterpolateInputs)
+        try:
+            self._load(face)
+        except BaseException:
+            self._leave()
+            raise
+        nx, nz = self.description.numberOfContinuousStates, self.description.numberOfEventIndicators
+        self._x, self._dx, self._z = ((ctypes.c_double * n)() for n in (nx, nx, nz))
+
+    @property
+    def instance(self) -> Any:
+        """FMPy's object."""
+        return self._slave
+
+    def _leave(self) -> None:
+        if not self._shared:
+            self._files.remove()
+
+    def _load(self, face: Any) -> None:
+        from fmpy import instantiate_fmu
+
+        folder = self._files.folder
+        library = folder / "binaries" / self._files.binaries / library_name(face.modelIdentifier)
+        _check_symbols(self.name, library, self.major, self.kind)
+        kind = {"ME": "ModelExchange", "CS": "CoSimulation"}[self.kind]
+        try:
+            with _LOADING, chdir("."):  # FMPy goes into the folder of the library meanwhile
+                self._slave = instantiate_fmu(
+                    str(folder), self.description, kind, logger=self._log,
+                    early_return_allowed=self.event_mode, event_mode_used=self.event_mode,
+                )  # fmt: skip
+        except Exception as error:
+            tool = self.description.generationTool or "the tool that made it"
+            needed = f"; it needs {tool} installed here" if face.needsExecutionTool else ""
+            raise FMUError(
+                f"FMU '{self.name}' could not be instantiated: {error}{self._said()}{needed}"
+            ) from error
+
+    def _log(self, *told: Any) -> None:
+        texts = [t.decode("utf-8", "replace") for t in told if isinstance(t, bytes)]
+        self.messages = [*self.messages[1 - KEPT_MESSAGES :], texts[-1] if texts else ""]
+
+    def _said(self) -> str:
+        said = " | ".join(message.strip() for message in self.messages if message.strip())
+        return f"; it says: {said}" if said else ""
+
+    def _call(self, method: str, *arguments: Any) -> Any:
+        from fmpy.fmi1 import FMICallException
+
+        try:
+            return getattr(self._slave, method)(*arguments)
+        except FMICallException as error:
+            raise FMUError(f"FMU '{self.name}': {error}{self._said()}") from error
+
+    def start(
+        self, begin: float, stop: float, rtol: float, values: list[tuple[Group, Values]], inputs: list[int]
+    ) -> None:
+        """Set values and enter initialization mode."""
+        self._inputs = inputs
+        tolerance = rtol if self.kind == "CS" else None
+        if self.major == 2:
+            self._call("setupExperiment", tolerance, begin, stop)
+        for group, numbers in values:
+            self.set(group, numbers)
+        self._call("enterInitializationMode", *(() if self.major == 2 else (tolerance, begin, stop)))
+
+    def started(self) -> None:
+        """Leave initialization mode."""
+        self._call("exitInitializationMode")
+
+    def set(self, group: Group, values: Values) -> None:
+        """Set variables of one type."""
+        kind, references, _ = group
+        cast = _CASTS.get(kind, int)
+        self._call(f"set{_method(kind, self.major)}", references, [cast(value) for value in values])
+
+    def get(self, groups: list[Group]) -> Values:
+        """Return the values of variables, group after group, as numbers."""
+        found: Values = []
+        for kind, references, count in groups:
+            extra = (count,) if self.major == 3 else ()
+            values = self._call(f"get{_method(kind, self.major)}", references, *extra)
+            found += [float(value) for value in values]
+        return found
+
+    def drive(self, inputs: Values) -> None:
+        """Set the inputs chosen at the start."""
+        if self._inputs:
+            self.set((_real(self.major), self._inputs, len(inputs)), inputs)
+
+    def _at(self, t: float, x: Values, inputs: Values) -> None:
+        self._call("setTime", t)
+        if len(x):
+            self._x[:] = x
+            self._call("setContinuousStates", self._x, len(x))
+        self.drive(inputs)
+
+    def states(self) -> Values:
+        """Return the continuous states."""
+        if len(self._x):
+            self._call("getContinuousStates", self._x, len(self._x))
+        return list(self._x)
+
+    def nominals(self) -> Values:
+        """Return the sizes of the continuous states."""
+        if len(self._dx):
+            self._call("getNominalsOfContinuousStates", self._dx, len(self._dx))
+        return list(self._dx)
+
+    def derivatives(self, t: float, x: Values, inputs: Values) -> Values:
+        """Return the rates of the states at a point."""
+        self._at(t, x, inputs)
+        self._call("getDerivatives" if self.major == 2 else "getContinuousStateDerivatives", self._dx, len(x))
+        return list(self._dx)
+
+    def indicators(self, t: float, x: Values, inputs: Values) -> Values:
+        """Return the event indicators at a point."""
+        self._at(t, x, inputs)
+        return self.watched()
+
+    def watched(self) -> Values:
+        """Return the event indicators where it stands."""
+        if len(self._z):
+            self._call("getEventIndicators", self._z, len(self._z))
+        return list(self._z)
+
+    def look(self, t: float, x: Values, inputs: Values, groups: list[Group]) -> Values:
+        """Return variables at a point."""
+        self._at(t, x, inputs)
+        return self.get(groups)
+
+    def completed_step(self) -> tuple[bool, bool]:
+        """Tell the FMU that a step was accepted; return whether it wants event mode, or an end."""
+        if not self._steps_completed:
+            return False, False
+        enter, terminate = self._call("completedIntegratorStep", self._kept is None)
+        return bool(enter), bool(terminate)
+
+    def enter_events(self) -> None:
+        """Enter event mode."""
+        self._call("enterEventMode")
+
+    def update(self) -> Update:
+        """Iterate events until none is left and leave event mode."""
+        nominals = states = False
+        for _ in range(1000):
+            update = "newDiscreteStates" if self.major == 2 else "updateDiscreteStates"
+            again, terminate, renamed, moved, timed, following = self._call(update)
+            nominals, states = nominals or renamed, states or moved
+            if terminate or not again:
+                break
+        else:
+            raise FMUError(f"FMU '{self.name}': its event iteration has no end{self._said()}")
+        if not terminate:
+            self._call("enterContinuousTimeMode" if self.kind == "ME" else "enterStepMode")
+        return Update(bool(terminate), bool(nominals), bool(states), float(following) if timed else None)
+
+    def step(self, t: float, duration: float, inputs: Values, rates: Values) -> Stepped:
+        """Advance a Co-Simulation FMU; rates of the inputs are used if it interpolates, else ignored."""
+        self.drive(inputs)
+        if self.interpolates and self._inputs and len(rates):
+            self._call("setRealInputDerivatives", self._inputs, [1] * len(self._inputs), rates)
+        if self.major == 2:
+            return self._step_2(t, duration)
+        event, terminate, early, reached = self._call("doStep", t, duration, self._kept is None)
+        return Stepped(reached if early else t + duration, bool(event), bool(terminate))
+
+    def _step_2(self, t: float, duration: float) -> Stepped:
+        from fmpy.fmi1 import FMICallException
+        from fmpy.fmi2 import fmi2Discard, fmi2LastSuccessfulTime, fmi2Terminated
+
+        try:
+            self._slave.doStep(t, duration, self._kept is None)
+        except FMICallException as error:
+            if error.status != fmi2Discard:
+                raise FMUError(f"FMU '{self.name}' at t = {t:g} s: {error}{self._said()}") from error
+            reached = self._call("getRealStatus", fmi2LastSuccessfulTime)
+            if self._call("getBooleanStatus", fmi2Terminated):
+                return Stepped(reached, False, True)
+            raise FMUError(
+                f"FMU '{self.name}' refused the communication step of {duration:g} s at t = {t:g} s and "
+                f"came to {reached:g} s; give a smaller step"
+            ) from error
+        return Stepped(t + duration, False, False)
+
+    def save(self) -> None:
+        """Keep the present state; a new one replaces it."""
+        if self._kept is not None:
+            self._call("freeFMUState", self._kept)
+        self._kept = self._call("getFMUState")
+
+    def restore(self) -> None:
+        """Go back to the state kept."""
+        self._call("setFMUState", self._kept)
+
+    def close(self) -> None:
+        """Free the instance and remove its files."""
+        slave, self._slave = self._slave, None
+        if slave is None:
+            return
+        with suppress(Exception):
+            if self._kept is not None:
+                slave.freeFMUState(self._kept)
+        with suppress(Exception):
+            slave.terminate()
+        slave.freeInstance()
+        self._leave()
+
+    def __enter__(self) -> Self:
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        self.close()
+
+
+_CASTS: dict[str, Callable[[Any], Any]] = {
+    "Real": float, "Float64": float, "Float32": float, "String": str, "Boolean": bool,
+}  # fmt: skip
+
+
+def _real(major: int) -> str:
+    return "Real" if major == 2 else "Float64"
+
+
+def _method(kind: str, major: int) -> str:
+    return kind if kind != "Enumeration" else "Integer" if major == 2 else "Int64"
+
+
+def _check_symbols(name: str, library: Path, major: int, kind: str) -> None:
+    """Load a library and refuse it if a function that FMI demands is not in it, before any is called."""
+    from fmpy import freeLibrary
+    from fmpy.fmi2 import FMU2Model, FMU2Slave
+    from fmpy.fmi3 import FMU3Model, FMU3Slave
+
+    if not library.is_file():
+        raise FMUError(f"FMU '{name}' has no library '{library.name}' among its binaries for this machine")
+    try:
+        loaded = ctypes.CDLL(str(library))
+    except OSError as error:
+        raise FMUError(f"FMU '{name}': its binary does not load: {error}") from error
+    faces: dict[tuple[int, str], type] = {
+        (2, "ME"): FMU2Model, (2, "CS"): FMU2Slave, (3, "ME"): FMU3Model, (3, "CS"): FMU3Slave,
+    }  # fmt: skip
+    wanted = [n for n in dir(faces[major, kind]) if n.startswith(f"fmi{major}")]
+    missing = [n for n in wanted if not hasattr(loaded, n)]
+    freeLibrary(loaded._handle)
+    if missing:
+        told: Sequence[str] = missing if len(missing) <= 6 else [*missing[:6], f"{len(missing) - 6} more"]
+        raise FMUError(f"FMU '{name}': its binary lacks FMI functions: {', '.join(told)}")

@@ -1,0 +1,144 @@
+"""Writing a system as an .ssp file: SystemStructure.ssd, and the FMUs in resources/."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+from xml.etree import ElementTree as ET
+
+from ...base import check_output
+from ...components import ModelError
+from ..export.model_description import text
+from ..export.package import write_archive
+from ..fmu import FMU
+from ..foreign.description import ForeignVariable
+from ..foreign.units import BASES, Unit
+
+if TYPE_CHECKING:
+    from .system import Connection, SystemStructure
+
+NAMESPACES = {
+    "ssd": "http://ssp-standard.org/SSP1/SystemStructureDescription",
+    "ssc": "http://ssp-standard.org/SSP1/SystemStructureCommon",
+    "ssv": "http://ssp-standard.org/SSP1/SystemStructureParameterValues",
+}
+DESCRIPTION = "SystemStructure.ssd"
+TYPES = {"Real": "Real", "Float64": "Real", "Float32": "Real", "Boolean": "Boolean", "String": "String"}
+
+
+def write_ssp(system: SystemStructure, path: Path) -> Path:
+    """Write a system; see `SystemStructure.write`."""
+    if path.suffix != ".ssp":
+        raise ModelError(f"a system is written to a file that ends in '.ssp', got '{path}'")
+    check_output(path)
+    files = {DESCRIPTION: description(system)}
+    files |= {_resource(name): fmu.path.read_bytes() for name, fmu in system.components.items()}
+    write_archive(path, files)
+    return path
+
+
+def _resource(component: str) -> str:
+    return f"resources/{component}.fmu"
+
+
+def description(system: SystemStructure) -> bytes:
+    """Return SystemStructure.ssd."""
+    for prefix, uri in NAMESPACES.items():
+        ET.register_namespace(prefix, uri)
+    root = _element(None, "ssd:SystemStructureDescription", version="1.0", name=system.name)
+    whole = _element(root, "ssd:System", name="system", description=system.name)
+    free, units = system.free_inputs(), dict[str, Unit]()
+    if free:
+        listed = _element(whole, "ssd:Connectors")
+        for path in free:
+            name, variable = system.variable(path)
+            _connector(listed, path.replace(".", ":", 1), "input", system.components[name], variable, units)
+    elements = _element(whole, "ssd:Elements")
+    for name, fmu in system.components.items():
+        _component(elements, name, fmu, system.parameters.get(name, {}), units)
+    _connections(whole, system.connections, free)
+    if units:
+        listed = _element(root, "ssd:Units")
+        for unit in units.values():
+            _unit(listed, unit)
+    _element(root, "ssd:DefaultExperiment", startTime=repr(system.begin), stopTime=repr(system.stop))
+    return text(root)
+
+
+def _element(parent: ET.Element | None, tag: str, **attributes: str) -> ET.Element:
+    prefix, _, name = tag.partition(":")
+    full = f"{{{NAMESPACES[prefix]}}}{name}"
+    return ET.Element(full, attributes) if parent is None else ET.SubElement(parent, full, attributes)
+
+
+def _component(
+    elements: ET.Element, name: str, fmu: FMU, values: dict[str, Any], units: dict[str, Unit]
+) -> None:
+    both = len(fmu.kinds) > 1
+    implementation = "any" if both else {"ME": "ModelExchange", "CS": "CoSimulation"}[fmu.kind()]
+    component = _element(
+        elements, "ssd:Component", name=name, type="application/x-fmu-sharedlibrary",
+        source=_resource(name), implementation=implementation,
+    )  # fmt: skip
+    shown = {**fmu.inputs, **fmu.outputs, **{n: fmu.variables[n] for n in values if n in fmu.parameters}}
+    if shown:
+        connectors = _element(component, "ssd:Connectors")
+        for variable in shown.values():
+            _connector(connectors, variable.name, variable.causality, fmu, variable, units)
+    if values:
+        binding = _element(_element(component, "ssd:ParameterBindings"), "ssd:ParameterBinding")
+        given = _element(binding, "ssd:ParameterValues")
+        listed = _element(_element(given, "ssv:ParameterSet", version="1.0", name=name), "ssv:Parameters")
+        for parameter, value in values.items():
+            _parameter(listed, fmu, fmu.variables[parameter], value)
+
+
+def _connector(
+    listed: ET.Element, name: str, kind: str, fmu: FMU, variable: ForeignVariable, units: dict[str, Unit]
+) -> None:
+    connector = _element(listed, "ssd:Connector", name=name, kind=kind)
+    _element(connector, f"ssc:{TYPES.get(variable.type, 'Integer')}", **_measured(variable))
+    if variable.unit:
+        units.setdefault(variable.unit, fmu.measure(variable))
+
+
+def _measured(variable: ForeignVariable) -> dict[str, str]:
+    return {"unit": variable.unit} if variable.unit and TYPES.get(variable.type) == "Real" else {}
+
+
+def _parameter(listed: ET.Element, fmu: FMU, variable: ForeignVariable, value: Any) -> None:
+    kind, number = TYPES.get(variable.type, "Integer"), fmu.converted(variable, value)
+    written = {"Real": lambda: repr(float(number)), "Boolean": lambda: str(bool(number)).lower()}
+    entry = _element(listed, "ssv:Parameter", name=variable.name)
+    _element(entry, f"ssv:{kind}", value=written.get(kind, lambda: str(number))(), **_measured(variable))
+
+
+def _connections(whole: ET.Element, connections: list[Connection], free: list[str]) -> None:
+    if not connections and not free:
+        return
+    listed = _element(whole, "ssd:Connections")
+    for path in free:
+        component, _, name = path.partition(".")
+        _element(
+            listed, "ssd:Connection", startConnector=path.replace(".", ":", 1), endElement=component,
+            endConnector=name,
+        )  # fmt: skip
+    for connection in connections:
+        (a, _, source), (b, _, target) = connection.start.partition("."), connection.end.partition(".")
+        attributes = {} if connection.convert else {"suppressUnitConversion": "true"}
+        entry = _element(
+            listed, "ssd:Connection", startElement=a, startConnector=source, endElement=b,
+            endConnector=target, **attributes,
+        )  # fmt: skip
+        if (connection.factor, connection.offset) != (1.0, 0.0):
+            factor, offset = repr(connection.factor), repr(connection.offset)
+            _element(entry, "ssc:LinearTransformation", factor=factor, offset=offset)
+
+
+def _unit(listed: ET.Element, unit: Unit) -> None:
+    base = {name: str(power) for name, power in zip(BASES, unit.exponents, strict=True) if power}
+    if unit.factor != 1.0:
+        base["factor"] = repr(unit.factor)
+    if unit.offset:
+        base["offset"] = repr(unit.offset)
+    _element(_element(listed, "ssc:Unit", name=unit.name), "ssc:BaseUnit", **base)

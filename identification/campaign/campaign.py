@@ -1,0 +1,280 @@
+"""`Campaign`: what was measured on which machine, and what is uncertain about its model."""
+
+from __future__ import annotations
+
+import pickle
+import tomllib
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
+from itertools import combinations
+from pathlib import Path
+from typing import Any, Self
+
+import numpy as np
+
+from ...base import instance, path_of, shown, text_of, there_is_file
+from ...components import ModelError
+from ...networks import DAE, Network
+from ..records.channels import Channel, outputs_of, read_channels, read_noise
+from ..records.noise import Floor, repeated_floor, spectral_floor
+from ..records.units import factor
+from .experiment import Experiment, read_experiments, repeat_problems, strange
+from .machine import Machine, read_model
+from .priors import Prior, read_priors
+from .problems import TEXT, Kind, Problems
+from .stages import Stage, read_stages
+
+NEEDED = ("model", "channels", "parameters", "train")
+KINDS = {
+    "model": TEXT,
+    "port": Kind("a table [port]", lambda v: isinstance(v, Mapping)),
+    "channels": Kind("a table [channels]", lambda v: isinstance(v, Mapping)),
+    "parameters": Kind("a table [parameters]", lambda v: isinstance(v, Mapping)),
+    "train": Kind("tables [[train]]", lambda v: isinstance(v, list | tuple)),
+    "test": Kind("tables [[test]]", lambda v: isinstance(v, list | tuple)),
+    "noise": Kind("a table [noise]", lambda v: isinstance(v, Mapping)),
+    "stage": Kind("tables [[stage]]", lambda v: isinstance(v, list | tuple)),
+}
+
+
+@dataclass(eq=False)
+class Campaign:
+    """Measurements of one machine and the model they are held against.
+
+    Made by `Campaign.load("campaign.toml")`, or from the same entries in Python:
+
+    Args:
+        model: the network, "path/to/file.py:function" that returns it, or "path/to/file.fmu".
+        channels: column of the data -> {"input" or "output": path, "unit": unit}.
+        parameters: path -> {"rel": relative standard deviation} or {"min": ..., "max": ...}.
+        train: records to fit, each {"file": path} or {"record": `Record`}, with what may be added: "initial"
+            ("fit", the default, or "rest"), "window" [s], "repeat_of", "temperature", "offset",
+            "shooting" [s].
+        test: records never fitted.
+        noise: standard deviation of an output channel, in its unit.
+        stage: stages of the fit, each {"parameters", "channels", "train", "filter"}; one of everything if
+            empty.
+        port: of an FMU: {"force", "position", "velocity"} -> its variables where other parts may act on it.
+        base: folder that relative paths start from.
+        validate: whether to refuse an FMU whose description its schema does not allow.
+
+    Raises:
+        ModelError: telling everything that is wrong at once, with file and key.
+
+    Example:
+        >>> import numpy as np
+        >>> import inertance as ia
+        >>> net = ia.Network("swing", push=ia.Force(), mass=ia.Mass(m=1.0))
+        >>> _ = net.add(spring=ia.Spring(k=90.0), wall=ia.Fixed())
+        >>> _ = net.connect(net.wall.flange, net.spring.flange_a)
+        >>> _ = net.connect(net.spring.flange_b, net.mass.flange, net.push.flange)
+        >>> t = np.linspace(0, 10, 1001)
+        >>> run = ia.Record("chirp", t, {"F": np.sin(t**2), "x": 1e-3 * np.sin(9 * t)})
+        >>> campaign = ia.Campaign(
+        ...     net,
+        ...     channels={"F": {"input": "push.f", "unit": "N"}, "x": {"output": "mass.s", "unit": "m"}},
+        ...     parameters={"spring.k": {"rel": 0.2}},
+        ...     train=[{"record": run}],
+        ... )
+        >>> campaign.outputs
+        ['x']
+    """
+
+    model: Network | str
+    channels: Mapping[str, Mapping[str, Any]]
+    parameters: Mapping[str, Mapping[str, float]]
+    train: Sequence[Mapping[str, Any]]
+    test: Sequence[Mapping[str, Any]] = ()
+    noise: Mapping[str, float] = field(default_factory=dict)
+    stage: Sequence[Mapping[str, Any]] = ()
+    port: Mapping[str, str] = field(default_factory=dict)
+    base: Path = field(default_factory=Path)
+    source: str = "campaign"
+    validate: bool = True
+    network: Network = field(init=False, repr=False)
+    machine: Machine = field(init=False, repr=False)
+    measured: dict[str, Channel] = field(init=False, repr=False)
+    priors: dict[str, Prior] = field(init=False, repr=False)
+    training: list[Experiment] = field(init=False, repr=False)
+    testing: list[Experiment] = field(init=False, repr=False)
+    stages: list[Stage] = field(init=False, repr=False)
+    floors: dict[str, Floor] = field(init=False, repr=False)
+    notes: list[str] = field(init=False, repr=False)
+
+    def __post_init__(self) -> None:
+        self.source = str(self.source)
+        problems = Problems(self.source)
+        entries = {key: getattr(self, key) for key in KINDS}
+        kinds = {**KINDS, "model": Kind("a Network or a text in quotes", lambda v: True)}
+        problems.sound("", entries, kinds)
+        if instance(str, Path)(self.base):
+            problems.add(f"base must be the folder that relative paths start from, got {shown(self.base)}")
+        problems.stop()
+        self.base = Path(self.base)
+        with problems.of("model"):
+            self.network, self.machine = read_model(self.model, self.port, self.base, self.validate)
+        problems.stop()
+        self.measured = read_channels(self.channels, self.machine, problems)
+        self.priors = read_priors(self.parameters, self.machine, problems)
+        channels = self.measured
+        self.training = read_experiments("train", self.train, channels, self.base, problems)
+        self.testing = read_experiments("test", self.test, channels, self.base, problems)
+        self._check_apart(problems)
+        self._check_starts(problems)
+        problems.found += repeat_problems(self.experiments, channels)
+        stated = read_noise(self.noise, channels, self.channels, problems)
+        self._check_noise(stated, problems)
+        if self.training and len(self.training) == len(self.train):
+            self.stages = read_stages(self.stage, list(self.priors), self.outputs, self.training, problems)
+            self._check_once(problems)
+        problems.stop()
+        self.notes = [f"{e.name}: {note}" for e in self.experiments for note in e.record.notes]
+        self._note_rates()
+        self.notes += [note for e in self.experiments for note in strange(e, channels, self.machine.inputs)]
+        self.floors = {name: self._floor(name, stated) for name in self.outputs}
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        entries = (self.channels, self.parameters, self.train, self.test, self.noise, self.stage)
+        return Campaign, (self.model, *entries, self.port, self.base, self.source, self.validate)
+
+    def pickled(self) -> bytes:
+        """Return what other processes make the same campaign of.
+
+        Raises:
+            ModelError: for a model that lives in this process only.
+        """
+        try:
+            return pickle.dumps(self)
+        except (pickle.PicklingError, TypeError, AttributeError) as error:
+            raise ModelError(
+                f"{self.source}: the model cannot be sent to other processes ({error}); give it as "
+                "model = 'path/to/file.py:function'"
+            ) from error
+
+    @classmethod
+    def load(cls, path: str | Path, *, validate: bool = True) -> Self:
+        """Read a campaign from a TOML file; `validate` as above.
+
+        Raises:
+            ModelError: telling everything that is wrong at once.
+        """
+        path = path_of(path, "a campaign")
+        there_is_file(path)
+        try:
+            entries = tomllib.loads(text_of(path))
+        except tomllib.TOMLDecodeError as error:
+            raise ModelError(f"{path}: this is not TOML ({error})") from error
+        problems = Problems(str(path))
+        problems.sound("", entries, KINDS)
+        problems.found += [f"{key}: {KINDS[key].told} must be given" for key in NEEDED if key not in entries]
+        problems.stop()
+        return cls(**entries, base=path.parent, source=str(path), validate=validate)
+
+    @classmethod
+    def of(cls, given: Campaign | str | Path) -> Campaign:
+        """Return a campaign that was given as one, or as the path of its TOML file.
+
+        Raises:
+            ModelError: for anything else, and telling everything that is wrong at once.
+        """
+        if isinstance(given, Campaign):
+            return given
+        if isinstance(given, str | Path):
+            return cls.load(given)
+        raise ModelError(f"a Campaign or the path of its TOML file is needed, got {shown(given)}")
+
+    @property
+    def dae(self) -> DAE:
+        """The equations of the network.
+
+        Raises:
+            ModelError: for an FMU, whose equations nobody knows.
+        """
+        if not isinstance(self.machine, DAE):
+            raise ModelError(
+                f"{self.source}: '{self.machine.name}' is an FMU, whose equations are not known; "
+                "`inertance diagnose` fits its parameters, too"
+            )
+        return self.machine
+
+    @property
+    def inputs(self) -> list[str]:
+        """Channels that drive the network."""
+        return [name for name, channel in self.measured.items() if channel.driven]
+
+    @property
+    def outputs(self) -> list[str]:
+        """Channels that the network predicts."""
+        return outputs_of(self.measured)
+
+    @property
+    def sigma(self) -> dict[str, float]:
+        """Noise of each output, standard deviation in SI units."""
+        return {name: floor.sigma for name, floor in self.floors.items()}
+
+    @property
+    def experiments(self) -> list[Experiment]:
+        """All records, those to fit first."""
+        return [*self.training, *self.testing]
+
+    @property
+    def start(self) -> dict[str, float]:
+        """Values of the uncertain parameters before any fit."""
+        values = self.machine.parameter_values
+        return {name: values[name] for name in self.priors}
+
+    def _check_apart(self, problems: Problems) -> None:
+        for number, experiment in enumerate(self.testing, start=1):
+            twins = [n for n, e in enumerate(self.training, start=1) if experiment.overlaps(e)]
+            if twins:
+                problems.add(
+                    f"[[test]] {number}: '{experiment.name}' is also [[train]] {twins[0]}; what was "
+                    "fitted tests nothing: give a record of another excitation, or another window"
+                )
+
+    def _check_once(self, problems: Problems) -> None:
+        """Note records that one stage would count twice."""
+        pairs = {pair for stage in self.stages for pair in combinations(sorted(stage.train), 2)}
+        for one, other in sorted(pairs):
+            if self.training[other].overlaps(self.training[one]):
+                name = self.training[other].name
+                problems.add(
+                    f"[[train]] {other + 1}: '{name}' is also [[train]] {one + 1}; what is fitted twice "
+                    "seems known better than it is: keep one of them, or windows that do not overlap"
+                )
+
+    def _check_starts(self, problems: Problems) -> None:
+        if isinstance(self.machine, DAE):
+            return
+        for experiment in self.experiments:
+            if experiment.initial != "rest":
+                problems.add(
+                    f'{experiment.name}: initial = "rest" is needed, as an FMU begins from its own start '
+                    "values; give a record that begins at rest"
+                )
+
+    def _check_noise(self, stated: Mapping[str, float], problems: Problems) -> None:
+        for name, sigma in stated.items():
+            moved = [float(np.std(e.record.values[name])) for e in self.training]
+            if moved and sigma > max(moved):
+                channel = self.measured[name]
+                size = factor(channel.unit or "1", channel.si)
+                problems.add(
+                    f"noise.{name}: {sigma / size:g} {channel.unit} is more than all that was measured "
+                    f"({max(moved) / size:.3g} {channel.unit}, standard deviation); correct it or its unit"
+                )
+
+    def _note_rates(self) -> None:
+        rates = {e.name: e.record.rate for e in self.experiments}
+        if max(rates.values()) > 1.01 * min(rates.values()):
+            told = ", ".join(f"{name} {rate:g} Hz" for name, rate in rates.items())
+            self.notes.append(f"sampling rates differ ({told}); each record is simulated at its own")
+
+    def _floor(self, channel: str, stated: Mapping[str, float]) -> Floor:
+        if channel in stated:
+            return Floor(stated[channel], "stated")
+        by_source = {str(e.source): e.record for e in self.experiments}
+        pairs = [(e.record, by_source[e.repeat_of]) for e in self.experiments if e.repeat_of in by_source]
+        floors = [repeated_floor(*pair, channel) for pair in pairs]
+        floors = floors or [spectral_floor(e.record.values[channel]) for e in self.training]
+        return sorted(floors, key=lambda floor: floor.sigma)[len(floors) // 2]

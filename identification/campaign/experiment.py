@@ -1,0 +1,199 @@
+"""`Experiment`: a record and how it is simulated."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from ...components import ModelError, nearest
+from ...networks import Input, between_samples, jump_remedy
+from ..records.channels import Channel, outputs_of
+from ..records.columns import stuck
+from ..records.record import Record, read_record
+from .problems import FILE, INTERVAL, NUMBER, TEXT, TEXTS, Kind, Problems
+
+INITIALS = ("fit", "rest")
+SHORTEST_PIECE = 10
+UNLIKE = 0.1
+KINDS = {
+    "file": FILE,
+    "record": Kind("a Record, which only Python can give", lambda v: isinstance(v, Record)),
+    "initial": TEXT,
+    "window": INTERVAL,
+    "repeat_of": FILE,
+    "temperature": TEXT,
+    "offset": TEXTS,
+    "shooting": NUMBER,
+}
+
+
+@dataclass(frozen=True, eq=False)
+class Experiment:
+    """A record and how it is simulated.
+
+    Attributes:
+        record: what was measured.
+        source: the file, or the name of a record given in Python.
+        initial: "fit" for a start to be estimated, "rest" for the start values of the model.
+        window: the part of the file that is used [s].
+        repeat_of: the file that this one repeats.
+        offset: outputs whose zero is unknown.
+        shooting: length of the pieces of multiple shooting [s]; None for one run.
+        every: outputs are compared at every so many samples; inputs keep all of theirs.
+    """
+
+    record: Record
+    source: str
+    initial: str = "fit"
+    window: tuple[float, float] | None = None
+    repeat_of: str | None = None
+    offset: tuple[str, ...] = ()
+    shooting: float | None = None
+    every: int = 1
+
+    @property
+    def name(self) -> str:
+        """What it is called in reports."""
+        return self.record.name
+
+    @property
+    def compared(self) -> Record:
+        """The record at the instants at which outputs are compared."""
+        return self.record.thinned(self.every)
+
+    def overlaps(self, other: Experiment) -> bool:
+        """Return whether both hold the same measurement, or parts of it that overlap."""
+        if self.source != other.source:
+            mine, theirs = self.record.values, other.record.values
+            return all(name in theirs and np.array_equal(mine[name], theirs[name]) for name in mine)
+        mine_from, mine_to = self.window or (-np.inf, np.inf)
+        other_from, other_to = other.window or (-np.inf, np.inf)
+        return mine_from < other_to and other_from < mine_to
+
+
+def read_experiments(
+    kind: str, entries: Any, channels: Mapping[str, Channel], base: Path, problems: Problems
+) -> list[Experiment]:
+    """Return the records of [[train]] or [[test]], read and checked."""
+    if not isinstance(entries, list | tuple):
+        problems.add(f"{kind}: tables [[{kind}]] with two brackets are needed, got {entries!r}")
+        return []
+    if kind == "train" and not entries:
+        problems.add("train: at least one record is needed")
+    experiments = []
+    for number, entry in enumerate(entries, start=1):
+        where = f"[[{kind}]] {number}"
+        if not problems.sound(where, entry, KINDS):
+            continue
+        told = list(_experiment_problems(entry, channels))
+        problems.found += [f"{where}: {problem}" for problem in told]
+        if not told:
+            with problems.of(where):
+                experiments.append(_experiment(entry, channels, base))
+    return experiments
+
+
+def _experiment_problems(entry: Mapping[str, Any], channels: Mapping[str, Channel]) -> Iterator[str]:
+    if ("file" in entry) == ("record" in entry):
+        yield 'file = "..." must be given'
+    initial = entry.get("initial", "fit")
+    if initial not in INITIALS:
+        yield f"initial is 'fit' or 'rest', got '{initial}'{nearest(initial, INITIALS)}"
+    if "shooting" in entry and initial == "rest":
+        yield "shooting needs initial = 'fit', since only the first piece starts from rest"
+    outputs = outputs_of(channels)
+    for name in entry.get("offset", ()):
+        if name not in outputs:
+            yield f"offset: there is no output channel '{name}'{nearest(name, outputs)}"
+
+
+def _experiment(entry: Mapping[str, Any], channels: Mapping[str, Channel], base: Path) -> Experiment:
+    window = (float(entry["window"][0]), float(entry["window"][1])) if "window" in entry else None
+    if "file" in entry:
+        path = base / entry["file"]
+        source = str(path)
+        record = read_record(path, channels, window, entry.get("temperature"))
+    else:
+        record = entry["record"]
+        source = record.name
+        missing = [name for name in channels if name not in record.values]
+        if missing:
+            raise ModelError(
+                f"record '{source}' has no channel '{missing[0]}'{nearest(missing[0], record.values)}"
+            )
+        record = record.window(*window) if window else record
+        dead = [name for name in outputs_of(channels) if not np.ptp(record.values[name])]
+        if dead:
+            value = record.values[dead[0]][0]
+            raise ModelError(
+                f"record '{source}': '{dead[0]}' is {value:g} throughout; is the sensor connected?"
+            )
+    repeat = entry.get("repeat_of")
+    if repeat is not None and "file" in entry:
+        repeat = str(base / repeat)
+    shooting = entry.get("shooting")
+    if shooting is not None and shooting * record.rate < SHORTEST_PIECE:
+        raise ModelError(
+            f"shooting: pieces of {shooting:g} s hold {max(0.0, shooting * record.rate):.3g} samples at "
+            f"{record.rate:g} Hz; at least {SHORTEST_PIECE} are needed"
+        )
+    return Experiment(
+        record, source, entry.get("initial", "fit"), window, repeat, tuple(entry.get("offset", ())), shooting
+    )
+
+
+def strange(
+    experiment: Experiment, channels: Mapping[str, Channel], inputs: Sequence[Input]
+) -> Iterator[str]:
+    """Yield inputs of which splines make something else, and outputs that stand still as no sensor does."""
+    time = experiment.record.time
+    for name, channel in channels.items():
+        if channel.driven:
+            told = between_samples(experiment.record.sampled(name, channel.interpolation))
+            if told:
+                yield f"{experiment.name}: '{name}': {told}; {jump_remedy(inputs, channel.path)}"
+            continue
+        span = stuck(experiment.record.values[name])
+        if span is not None:
+            begin, end = time[span[0]], time[span[1]]
+            yield (
+                f"{experiment.name}: '{name}' repeats one value from {begin:g} to {end:g} s, and hardly ever "
+                "elsewhere; if the sensor was stuck, cut the record with window = [from, to]"
+            )
+
+
+def repeat_problems(experiments: list[Experiment], channels: Mapping[str, Channel]) -> Iterator[str]:
+    """Yield repeats that do not repeat what they say."""
+    by_source = {experiment.source: experiment for experiment in experiments}
+    for experiment in experiments:
+        if experiment.repeat_of is None:
+            continue
+        told, known = Path(experiment.repeat_of).name, [Path(source).name for source in by_source]
+        other = by_source.get(experiment.repeat_of)
+        if other is None:
+            near = nearest(told, known) or f"; there are {', '.join(known)}"
+            yield f"{experiment.name}: repeat_of: no record of the campaign is '{told}'{near}"
+        elif other is experiment:
+            yield f"{experiment.name}: repeat_of names the record itself; name the other run"
+        else:
+            yield from _unlike(experiment, other, channels)
+
+
+def _unlike(one: Experiment, other: Experiment, channels: Mapping[str, Channel]) -> Iterator[str]:
+    if abs(one.record.rate / other.record.rate - 1) > 1e-3:
+        rates = f"{one.record.rate:g} and {other.record.rate:g} Hz"
+        yield f"{one.name}: repeat_of: sampled otherwise than '{other.name}' ({rates}); resample one of them"
+        return
+    count = min(len(one.record.time), len(other.record.time))
+    for name in (name for name, channel in channels.items() if channel.driven):
+        mine, theirs = one.record.values[name][:count], other.record.values[name][:count]
+        apart = float(np.std(mine - theirs)) / max(float(np.std(theirs)), 1e-300)
+        if apart > UNLIKE:
+            yield (
+                f"{one.name}: repeat_of: input '{name}' differs from that of '{other.name}' by {apart:.0%}; "
+                "repeats have one excitation and begin at the same instant of it"
+            )

@@ -1,0 +1,89 @@
+"""`Prior`: what is known of a parameter before the fit."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from ...components import nearest
+from .machine import Machine
+from .problems import NUMBER, Problems
+
+KINDS = {"rel": NUMBER, "min": NUMBER, "max": NUMBER}
+
+
+@dataclass(frozen=True)
+class Prior:
+    """What is known of a parameter before the fit.
+
+    Args:
+        center: the value in the model.
+        sd: standard deviation; infinite if only bounds are given.
+        min, max: bounds.
+    """
+
+    center: float
+    sd: float
+    min: float
+    max: float
+
+    @property
+    def scale(self) -> float:
+        """A change of the parameter that counts."""
+        if np.isfinite(self.sd):
+            return self.sd
+        width = self.max - self.min
+        return 0.25 * width if np.isfinite(width) else abs(self.center) or 1.0
+
+    def moved(self, value: float) -> float:
+        """Return how far a value is from the center in standard deviations, by difference or by ratio.
+
+        By ratio since a thousandth of what was assumed is far off, but 2 deviations only if rel = 0.5.
+        """
+        away = abs(value - self.center) / self.sd
+        if not away or not value * self.center > 0:
+            return away
+        by_ratio = abs(np.log(value / self.center)) / np.log1p(self.sd / abs(self.center))
+        return float(max(away, by_ratio)) if abs(value) < abs(self.center) else away
+
+
+def read_priors(entries: Mapping[str, Any], machine: Machine, problems: Problems) -> dict[str, Prior]:
+    """Return what is known of the uncertain parameters."""
+    values = machine.parameter_values
+    priors: dict[str, Prior] = {}
+    for path, entry in entries.items():
+        where = f'parameters."{path}"'
+        if path not in values:
+            problems.add(f"{where}: the model has no parameter '{path}'{nearest(path, values)}")
+        elif not isinstance(entry, Mapping) or not set(entry) & set(KINDS):
+            problems.add(f"{where}: give rel (relative standard deviation), or min and max")
+        elif problems.sound(where, entry, KINDS):
+            prior = _prior(machine, path, values[path], entry)
+            problems.found += [f"{where}: {problem}" for problem in _prior_problems(prior, entry)]
+            priors[path] = prior
+    return priors
+
+
+def _prior(machine: Machine, path: str, value: float, entry: Mapping[str, float]) -> Prior:
+    declared = machine.field(path)
+    sd = entry["rel"] * abs(value) if "rel" in entry else np.inf
+    tiny = 1e-9 * (abs(value) or 1.0)
+    lowest = declared.min if declared.min is not None else -np.inf
+    lowest = declared.above + tiny if declared.above is not None else lowest
+    highest = declared.max if declared.max is not None else np.inf
+    least, most = entry.get("min", -np.inf), entry.get("max", np.inf)
+    return Prior(value, sd, max(least, lowest), min(most, highest))
+
+
+def _prior_problems(prior: Prior, entry: Mapping[str, float]) -> Iterator[str]:
+    if entry.get("rel", 1.0) <= 0:
+        yield f"rel must be above 0, got {entry['rel']:g}"
+    elif "rel" in entry and prior.center == 0:
+        yield "rel of a value that is 0 leaves no freedom; give min and max"
+    if not prior.min < prior.max:
+        yield f"min {prior.min:g} must be below max {prior.max:g}"
+    elif not prior.min <= prior.center <= prior.max:
+        yield f"the model's value {prior.center:g} is outside {prior.min:g} to {prior.max:g}"

@@ -1,0 +1,1 @@
+"""Uncertain parameters fitted to records, and how well they are known then."""

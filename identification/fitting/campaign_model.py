@@ -1,0 +1,210 @@
+"""`Bench`: a network run on the records of a campaign, with the slopes of what it predicts."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field, replace
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ...components import ModelError
+from ...networks import ATOL, DAE, RTOL, Network, Result, Variations, dae_of
+from ..campaign.experiment import Experiment
+from ..records.channels import Channel
+
+Array = NDArray[np.float64]
+
+
+@dataclass(frozen=True)
+class Accuracy:
+    """How runs are computed: `solver` as in `DAE.simulate`, tolerances, and steps granted for each sample."""
+
+    solver: str = "auto"
+    rtol: float = RTOL
+    atol: float = ATOL
+    steps: int | None = None
+
+
+@dataclass(frozen=True, eq=False)
+class Prediction:
+    """What a network predicts for one stretch of a record.
+
+    Attributes:
+        time: instants of the record [s].
+        at: the points of the run at these instants.
+        values: output channels at these instants, SI units.
+        slopes: d(channel)/d(parameters), (instants, parameters), if asked for.
+        start_slopes: d(channel)/d(states at the start), (instants, states), if asked for.
+        start, end: the states at the first and the last instant.
+        end_slopes: d(states at the end)/d(parameters, states at the start), if they are followed.
+        run: the whole run, with its events and every other signal.
+    """
+
+    time: Array
+    at: NDArray[np.intp]
+    values: dict[str, Array]
+    slopes: dict[str, Array]
+    start_slopes: dict[str, Array]
+    start: Array
+    end: Array
+    end_slopes: Array
+    run: Result = field(repr=False)
+
+
+class Stand:
+    """A network on one record: its own equations with the record's inputs, compiled once."""
+
+    def __init__(
+        self,
+        dae: DAE,
+        experiment: Experiment,
+        channels: Mapping[str, Channel],
+        variations: Variations | None = None,
+    ) -> None:
+        self.dae = replace(dae, _closed={})
+        self.experiment, self.record = experiment, experiment.compared
+        whole = experiment.record
+        self.outputs = {name: c.path for name, c in channels.items() if not c.driven}
+        driven = {name: channel for name, channel in channels.items() if channel.driven}
+        self.inputs: dict[str, Any] = {c.path: whole.sampled(n, c.interpolation) for n, c in driven.items()}
+        self.variations = variations or Variations(dae, list(self.outputs.values()), ())
+
+    def rest(self, parameters: Mapping[str, float], accuracy: Accuracy, at: float | None = None) -> Array:
+        """Return the model's start values; motions that are measured start where they were measured."""
+        time = self.record.time
+        begin = float(time[0]) if at is None else at
+        step = float(time[1] - time[0])
+        guess = self._measured_start(begin) if self.experiment.initial == "fit" else {}
+        options: dict[str, Any] = {"rtol": accuracy.rtol, "atol": accuracy.atol}
+        run = self.dae.simulate(
+            begin + step, begin=begin, step=step, guess=guess, inputs=self.inputs, parameters=parameters,
+            progress=False, **options,
+        )  # fmt: skip
+        return run.initial.values.copy()
+
+    def _measured_start(self, begin: float) -> dict[str, float]:
+        first = int(np.searchsorted(self.record.time, begin - 0.5 / self.record.rate))
+        count = min(20, len(self.record.time) - first)
+        t = self.record.time[first : first + count] - begin
+        guess = {}
+        for name, path in self.outputs.items():
+            if self.dae.unit(path) in ("m", "rad") and count > 3:
+                slope, value = np.polyfit(t, self.record.values[name][first : first + count], 1)
+                guess[path] = float(value)
+                if self._moves(path):
+                    guess[f"der({path})"] = float(slope)
+        return guess
+
+    def _moves(self, path: str) -> bool:
+        try:
+            self.dae.root(f"der({path})")
+        except KeyError:
+            return False
+        return True
+
+    def run(
+        self,
+        parameters: Mapping[str, float],
+        start: Array | None,
+        accuracy: Accuracy,
+        slopes: bool = True,
+        span: tuple[int, int] | None = None,
+    ) -> Prediction:
+        """Run the record, or the samples from `span[0]` to `span[1]` of it.
+
+        Args:
+            parameters: changed parameters by name.
+            start: states at the start; the model's own if None.
+            accuracy: solver and tolerances.
+            slopes: whether slopes are wanted.
+            span: first and last sample.
+        """
+        first, last = span or (0, len(self.record.time) - 1)
+        time = self.record.time[first : last + 1]
+        step = float(time[-1] - time[0]) / (len(time) - 1)
+        names = self.dae.state_names
+        given = {} if start is None else {n: float(v) for n, v in zip(names, start, strict=True)}
+        run = self.dae.simulate(
+            float(time[-1]), begin=float(time[0]), step=step, guess=given, inputs=self.inputs,
+            parameters=parameters, solver=accuracy.solver, rtol=accuracy.rtol, atol=accuracy.atol,
+            progress=False, max_steps=accuracy.steps and accuracy.steps * len(time),
+        )  # fmt: skip
+        # An event at a sample ends a hair's breadth after it: what holds from there on is taken.
+        at = np.searchsorted(run.time, time + 1e-3 * step, side="right") - 1
+        seen = self.variations.values(run, at)
+        values = {name: seen[:, n] for n, name in enumerate(self.outputs)}
+        first_point, last_point = run._segments[0].states[0][0], run._segments[-1].states[-1][-1]
+        by_p: dict[str, Array] = {}
+        by_x: dict[str, Array] = {}
+        end = np.zeros((len(names), 0))
+        if slopes:
+            began = self.variations.start_slopes(run, {}) if start is None else None
+            moved = self.variations.along(run, began)
+            count = len(self.variations.parameters)
+            for n, name in enumerate(self.outputs):
+                by_p[name], by_x[name] = moved[at, n, :count], moved[at, n, count:]
+            end = moved[-1, len(self.outputs) :]
+        return Prediction(time, at, values, by_p, by_x, first_point, last_point, end, run)
+
+    def pushed(self, found: Prediction, changes: Mapping[str, Array]) -> Array:
+        """Return what small changes of inputs change in the outputs: (instants, outputs, changes).
+
+        Args:
+            found: the run.
+            changes: columns of changes by input, at the points of the run.
+        """
+        moved: Array = self.variations.pushed(found.run, changes)[found.at]
+        return moved
+
+
+class Bench:
+    """A network on the records of several experiments, ready to run again and again.
+
+    Args:
+        network: the machine, or its `DAE`; with or without further effects in it.
+        channels: what is measured.
+        experiments: records and how they are run.
+        parameters: in which slopes are wanted; any parameter of the network.
+
+    Example:
+        >>> def slopes(campaign, k):
+        ...     bench = Bench(campaign.dae, campaign.measured, campaign.training, ["spring.k"])
+        ...     return [prediction.slopes["F"] for prediction in bench.simulate({"spring.k": k})]
+    """
+
+    def __init__(
+        self,
+        network: Network | DAE,
+        channels: Mapping[str, Channel],
+        experiments: Sequence[Experiment],
+        parameters: Sequence[str] = (),
+    ) -> None:
+        self.dae = dae_of(network)
+        self.channels = dict(channels)
+        self.parameters = list(parameters)
+        outputs = [c.path for c in channels.values() if not c.driven]
+        self.smooth = not self.dae.impulses.numel()
+        if not self.smooth:
+            raise ModelError(
+                f"'{self.dae.name}' has shocks, through which slopes are not computed; replace its stops "
+                "by ElastoGap to fit it"
+            )
+        variations = Variations(self.dae, [*outputs, *self.dae.state_names], self.parameters)
+        self.stands = [Stand(self.dae, e, channels, variations) for e in experiments]
+
+    def simulate(
+        self,
+        parameters: Mapping[str, float],
+        starts: Sequence[Array | None] | None = None,
+        accuracy: Accuracy | None = None,
+        slopes: bool = True,
+    ) -> list[Prediction]:
+        """Return what is predicted for each record, each in one run."""
+        chosen = starts if starts is not None else [None] * len(self.stands)
+        accuracy = accuracy or Accuracy()
+        return [
+            stand.run(parameters, start, accuracy, slopes)
+            for stand, start in zip(self.stands, chosen, strict=True)
+        ]

@@ -1,0 +1,165 @@
+"""`Block`: one record in a fit: its nuisances, its weighted residual and the slopes of that."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from itertools import pairwise
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..records.filters import Filter
+from .campaign_model import Accuracy, Prediction, Stand
+
+Array = NDArray[np.float64]
+CONTINUITY = 1e-3
+
+
+@dataclass(frozen=True, eq=False)
+class Linearised:
+    """A weighted residual (measured less predicted, over noise) and its slopes, and what it came from.
+
+    `residual` counts per sample; `to_p` and `to_n` are its slopes in parameters and nuisances.
+    """
+
+    residual: Array
+    to_p: Array
+    to_n: Array
+    predictions: list[Prediction]
+
+    @property
+    def cost(self) -> float:
+        """Sum of squares."""
+        return float(self.residual @ self.residual)
+
+
+class Block:
+    """A record, the channels of it that count, the filter both sides pass and the noise they are weighted by.
+
+    Nuisances are the states at the start of every piece (one piece unless multiple shooting is asked for) and
+    the offsets of channels, each in units of what it may be expected to be.
+    """
+
+    def __init__(
+        self, stand: Stand, channels: Sequence[str], sigma: Mapping[str, float], filtered: Filter | None
+    ) -> None:
+        self.stand, self.channels, self.filter = stand, list(channels), filtered
+        self.sigma = {name: sigma[name] for name in channels}
+        self.record = stand.record
+        self.offsets = [name for name in stand.experiment.offset if name in channels]
+        self.free = stand.experiment.initial == "fit"
+        self.pieces = _pieces(len(self.record.time), self.record.rate, stand.experiment.shooting)
+        self.center = np.zeros((0, 0))
+        self.width = np.zeros(0)
+        self.share = filtered.share(self.record.rate) if filtered else 1.0
+
+    @property
+    def samples(self) -> float:
+        """Number of independent samples: what passes the filter, of all channels."""
+        return self.share * len(self.channels) * len(self.record.time)
+
+    @property
+    def nuisances(self) -> int:
+        """Number of nuisances."""
+        return (len(self.pieces) * self.center.shape[1] if self.free else 0) + len(self.offsets)
+
+    def prepare(self, parameters: Mapping[str, float], accuracy: Accuracy) -> None:
+        """Find where the pieces start, as a first guess, and how far states move."""
+        if not self.free:
+            self.center = np.zeros((len(self.pieces), len(self.stand.dae.states)))
+            return
+        starts = [
+            self.stand.rest(parameters, accuracy, float(self.record.time[first])) for first, _ in self.pieces
+        ]
+        self.center = np.array(starts).reshape(len(self.pieces), -1)
+        runs = [
+            self.stand.run(parameters, start, accuracy, False, span).run
+            for start, span in zip(starts, self.pieces, strict=True)
+        ]
+        moved = [[np.ptp(run[name]) for run in runs] for name in self.stand.dae.state_names]
+        self.width = np.array([max(m) if max(m) > 0 else 1.0 for m in moved])
+
+    def linearise(
+        self, parameters: Mapping[str, float], nuisances: Array, accuracy: Accuracy, slopes: bool = True
+    ) -> Linearised:
+        """Return the weighted residual and its slopes."""
+        starts = self._starts(nuisances)
+        predictions = [
+            self.stand.run(parameters, start if self.free else None, accuracy, slopes, span)
+            for start, span in zip(starts, self.pieces, strict=True)
+        ]
+        parts = [self._channel(name, predictions, nuisances, slopes) for name in self.channels]
+        parts += self._joints(predictions, starts, slopes)
+        stacked: list[Array] = [np.concatenate(column) for column in zip(*parts, strict=True)]
+        return Linearised(stacked[0], stacked[1], stacked[2], predictions)
+
+    def residual(self, name: str, predictions: Sequence[Prediction], nuisances: Array) -> Array:
+        """Return measured less predicted of a channel, not filtered, in SI units."""
+        predicted = np.concatenate([p.values[name][n > 0 :] for n, p in enumerate(predictions)])
+        rest: Array = self.record.values[name] - predicted - self._offset(name, nuisances)
+        return rest
+
+    def _offset(self, name: str, nuisances: Array) -> float:
+        if name not in self.offsets:
+            return 0.0
+        return float(nuisances[len(nuisances) - len(self.offsets) + self.offsets.index(name)]) * self._span(
+            name
+        )
+
+    def _span(self, name: str) -> float:
+        return float(np.ptp(self.record.values[name]))
+
+    def _starts(self, nuisances: Array) -> Array:
+        if not self.free:
+            return self.center
+        moved = nuisances[: self.center.size].reshape(self.center.shape)
+        starts: Array = self.center + moved * self.width
+        return starts
+
+    def _channel(
+        self, name: str, predictions: list[Prediction], nuisances: Array, slopes: bool
+    ) -> tuple[Array, Array, Array]:
+        residual = self.residual(name, predictions, nuisances)[:, None]
+        to_p, to_n = np.zeros((len(residual), 0)), np.zeros((len(residual), self.nuisances))
+        if slopes:
+            to_p = -np.concatenate([p.slopes[name][n > 0 :] for n, p in enumerate(predictions)])
+            if self.free:
+                self._fill(to_n, [p.start_slopes[name] for p in predictions])
+            if name in self.offsets:
+                to_n[:, self.offsets.index(name) - len(self.offsets)] = -self._span(name)
+        both = np.hstack([residual, to_p, to_n])
+        if self.filter is not None:
+            both = self.filter.apply(both, self.record.rate)
+        both = both / self.sigma[name]
+        split = 1 + to_p.shape[1]
+        return both[:, 0], both[:, 1:split], both[:, split:]
+
+    def _fill(self, to_n: Array, slopes: list[Array]) -> None:
+        nx = self.center.shape[1]
+        for n, ((first, last), slope) in enumerate(zip(self.pieces, slopes, strict=True)):
+            rows = slice(first + (n > 0), last + 1)
+            to_n[rows, n * nx : (n + 1) * nx] = -slope[n > 0 :] * self.width
+
+    def _joints(
+        self, predictions: list[Prediction], starts: Array, slopes: bool
+    ) -> Iterator[tuple[Array, Array, Array]]:
+        """Yield by how much pieces miss each other, in thousandths of how far the states move."""
+        nx = self.center.shape[1]
+        for n in range(len(predictions) - 1) if self.free else ():
+            weight = 1 / (CONTINUITY * self.width)
+            missed = weight * (predictions[n].end - starts[n + 1])
+            to_p, to_n = np.zeros((nx, 0)), np.zeros((nx, self.nuisances))
+            if slopes:
+                end = predictions[n].end_slopes
+                to_p = weight[:, None] * end[:, : end.shape[1] - nx]
+                to_n[:, n * nx : (n + 1) * nx] = weight[:, None] * end[:, end.shape[1] - nx :] * self.width
+                to_n[:, (n + 1) * nx : (n + 2) * nx] = -np.diag(weight * self.width)
+            yield missed, to_p, to_n
+
+
+def _pieces(samples: int, rate: float, length: float | None) -> list[tuple[int, int]]:
+    """Return first and last sample of each piece; neighbours share one."""
+    count = 1 if length is None else max(1, round((samples - 1) / rate / length))
+    edges = np.linspace(0, samples - 1, count + 1).round().astype(int)
+    return [(int(a), int(b)) for a, b in pairwise(edges)]

@@ -1,0 +1,133 @@
+"""How well a fit knows its parameters: standard errors, correlations, and what cannot be told apart."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..campaign.priors import Prior
+from .least_squares import Optimum
+from .residual_block import Block, Linearised
+
+Array = NDArray[np.float64]
+UNTOLD = 0.7
+TIED = 0.95
+AT_BOUND = 1e-6
+MEMORY = 0.1
+
+
+@dataclass(frozen=True, eq=False)
+class Uncertainty:
+    """Standard errors and correlations of fitted parameters, and warnings in words.
+
+    Standard errors allow for residuals that are not white: the covariance is H^-1 G H^-1, with H the
+    information under white noise and G the scatter of the scores under the autocorrelation of the residuals.
+
+    Source: W. K. Newey, K. D. West, Econometrica 55 (1987) 703-708.
+    """
+
+    errors: dict[str, float]
+    correlation: Array
+    warnings: list[str]
+
+
+def uncertainty(
+    optimum: Optimum, blocks: Sequence[Block], priors: Mapping[str, Prior], columns: Sequence[int]
+) -> Uncertainty:
+    """Return what is known of the parameters at an optimum."""
+    count = len(priors)
+    inverse = np.linalg.pinv(optimum.matrix.T @ optimum.matrix, rcond=1e-14, hermitian=True)
+    scatter = _scatter(optimum, blocks, priors, columns)
+    covariance = (inverse @ scatter @ inverse)[:count, :count]
+    sd = np.sqrt(np.maximum(np.diag(covariance), 0.0))
+    safe = np.where(sd > 0, sd, 1.0)
+    correlation = covariance / np.outer(safe, safe)
+    np.fill_diagonal(correlation, 1.0)
+    errors = {name: float(e * s) for name, e, s in zip(priors, sd, optimum.scales, strict=True)}
+    white = np.sqrt(np.maximum(np.diag(inverse)[:count], 0.0)) * optimum.scales
+    warnings = list(_warnings(optimum, priors, errors, correlation, white))
+    return Uncertainty(errors, correlation, warnings)
+
+
+def _scatter(
+    optimum: Optimum, blocks: Sequence[Block], priors: Mapping[str, Prior], columns: Sequence[int]
+) -> Array:
+    """Return the covariance of the scores: of residuals as coloured as they are, and of the priors."""
+    width, count = optimum.matrix.shape[1], len(priors)
+    scatter = np.zeros((width, width))
+    begin = count
+    for one, block in zip(optimum.linearised, blocks, strict=True):
+        own = [*range(count), *range(begin, begin + one.to_n.shape[1])]
+        slopes = np.hstack([one.to_p[:, list(columns)] * optimum.scales, one.to_n])
+        scatter[np.ix_(own, own)] += _coloured(one, slopes, block)
+        begin += one.to_n.shape[1]
+    weight = [prior.scale / prior.sd for prior in priors.values()]
+    return scatter + np.diag(np.concatenate([np.square(weight), np.ones(width - count)]))
+
+
+def _coloured(one: Linearised, slopes: Array, block: Block) -> Array:
+    """Return slopes' covariance under the autocorrelation of the residual, channel by channel."""
+    from scipy.signal import fftconvolve
+
+    samples = len(block.record.time)
+    total = np.zeros((slopes.shape[1], slopes.shape[1]))
+    for number in range(len(block.channels)):
+        rows = slice(number * samples, (number + 1) * samples)
+        own = slopes[rows]
+        kernel = autocovariance(one.residual[rows])
+        total += own.T @ fftconvolve(own, kernel[:, None], mode="same", axes=0)
+    joints = slopes[len(block.channels) * samples :]
+    return total + joints.T @ joints
+
+
+def autocovariance(residual: Array) -> Array:
+    """Return the autocovariance at lags from -L to L, tapered; L where it sinks into its own scatter."""
+    count = len(residual)
+    spectrum = np.fft.rfft(residual, 2 * count)
+    covariance = np.fft.irfft(np.abs(spectrum) ** 2)[: max(2, int(MEMORY * count))] / count
+    small = np.abs(covariance) < 2 * covariance[0] / np.sqrt(count)
+    quiet = np.flatnonzero(small[:-1] & small[1:])
+    last = int(quiet[0]) if len(quiet) else len(covariance)
+    half = covariance[: max(1, 2 * last)]
+    half = half * (1 - np.arange(len(half)) / len(half))
+    both: Array = np.concatenate([half[:0:-1], half])
+    return both
+
+
+def _warnings(
+    optimum: Optimum,
+    priors: Mapping[str, Prior],
+    errors: Mapping[str, float],
+    correlation: Array,
+    white: Array,
+) -> Iterator[str]:
+    names = list(priors)
+    for name, own in zip(names, white, strict=True):
+        prior, value = priors[name], optimum.values[name]
+        width = prior.max - prior.min
+        if np.isfinite(prior.sd) and own > UNTOLD * prior.sd:
+            assumed = abs(value - prior.center) <= prior.sd
+            led = f"it went from {prior.center:.4g} to {value:.4g} all the same, which means nothing"
+            led = f"it stays near the {prior.center:.4g} that was assumed" if assumed else led
+            yield (
+                f"{name}: the records say next to nothing about it; {led}. Measure a motion in which it "
+                "matters, or leave it out of the fit"
+            )
+        elif not np.isfinite(prior.sd) and np.isfinite(width) and own > 0.25 * width:
+            yield f"{name}: the records cannot tell it between {prior.min:.4g} and {prior.max:.4g}"
+        elif not np.isfinite(prior.sd) and own > abs(value) > 0:
+            yield f"{name}: the records do not tell {value:.4g} from 0; it is known to within {own:.2g}"
+        for side in (prior.min, prior.max):
+            if np.isfinite(side) and abs(value - side) <= AT_BOUND * max(prior.scale, abs(side)):
+                yield f"{name}: ends at its bound {side:.6g}; the model lacks something or the bound is wrong"
+    for i, first in enumerate(names):
+        for j in range(i):
+            if abs(correlation[i, j]) > TIED and errors[first] > 0:
+                how = "together" if correlation[i, j] > 0 else "against each other"
+                yield (
+                    f"{names[j]} and {first} move {how} (correlation {correlation[i, j]:.3f}): the records "
+                    "know a combination of them better than each"
+                )

@@ -1,0 +1,123 @@
+"""`Channel`: a column of the data and the quantity of the network that it measures."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+from typing import Any
+
+from ...base import is_number
+from ...components import nearest
+from ...components.language import INTERPOLATIONS
+from ..campaign.machine import Machine
+from ..campaign.problems import TEXT, Problems
+from .units import factor
+
+KINDS = {"input": TEXT, "output": TEXT, "unit": TEXT, "interpolation": TEXT}
+
+
+@dataclass(frozen=True)
+class Channel:
+    """A column of the data and the quantity of the network that it measures.
+
+    Args:
+        path: full name of the quantity.
+        driven: whether it is an input of the network; an output otherwise.
+        unit: of the column.
+        si: unit of the quantity in the network.
+        interpolation: of an input between its samples, as of `Sampled`.
+    """
+
+    path: str
+    driven: bool
+    unit: str
+    si: str
+    interpolation: str = "cubic"
+
+
+def outputs_of(channels: Mapping[str, Channel]) -> list[str]:
+    """Return the channels that the network predicts."""
+    return [name for name, channel in channels.items() if not channel.driven]
+
+
+def read_channels(entries: Mapping[str, Any], machine: Machine, problems: Problems) -> dict[str, Channel]:
+    """Return the channels; every input that has no signal needs one."""
+    channels: dict[str, Channel] = {}
+    before = len(problems.found)
+    for name, entry in entries.items():
+        where = f"channels.{name}"
+        if not isinstance(entry, Mapping) or ("input" in entry) == ("output" in entry):
+            problems.add(f'{where}: give either input = "path" or output = "path"')
+        elif problems.sound(where, entry, KINDS):
+            with problems.of(where):
+                channel = _channel(entry, machine)
+                told = list(_channel_problems(channel, channels, machine))
+                problems.found += [f"{where}: {problem}" for problem in told]
+                if not told:
+                    factor(channel.unit or "1", channel.si)
+                    channels[name] = channel
+    problems.found += _missing(entries, channels, machine)
+    if not outputs_of(channels) and len(problems.found) == before:
+        problems.add("channels: no output is measured, so there is nothing to compare")
+    return channels
+
+
+def _channel(entry: Mapping[str, str], machine: Machine) -> Channel:
+    driven = "input" in entry
+    path = entry["input"] if driven else entry["output"]
+    known = machine.names() if not driven or path in machine.input_names else ()
+    si = machine.unit(path) if path in known else ""
+    return Channel(path, driven, entry.get("unit", si), si, entry.get("interpolation", "cubic"))
+
+
+def _channel_problems(channel: Channel, others: Mapping[str, Channel], machine: Machine) -> Iterator[str]:
+    path = channel.path
+    if channel.driven and path not in machine.input_names:
+        known = machine.input_names
+        told = nearest(path, known) or f"; the inputs are {', '.join(known) or 'none'}"
+        yield f"the model has no input '{path}'{told}"
+        return
+    if not channel.driven:
+        machine.expression(path)
+    if path in machine.parameter_values:
+        yield f"'{path}' is a parameter, which no sensor measures; give a motion or a force"
+    if channel.interpolation not in INTERPOLATIONS:
+        known_ones = " or ".join(f"'{one}'" for one in INTERPOLATIONS)
+        yield f"interpolation is {known_ones}, got '{channel.interpolation}'"
+    for name, other in others.items():
+        if other.path == path and channel.driven and other.driven:
+            yield f"'{path}' is driven by channel '{name}' already; keep one of them"
+        elif other.path == path and channel.driven != other.driven:
+            yield f"'{path}' is channel '{name}' already, once as input and once as output; keep one of them"
+
+
+def _missing(entries: Mapping[str, Any], channels: Mapping[str, Channel], machine: Machine) -> Iterator[str]:
+    """Yield inputs that nothing drives, unless a faulty channel was meant to."""
+    meant = {entry.get("input") for entry in entries.values() if isinstance(entry, Mapping)}
+    given = {channel.path for channel in channels.values() if channel.driven} | meant
+    for declared in machine.inputs:
+        if declared.order == 0 and declared.signal is None and declared.path not in given:
+            yield f"channels: input '{declared.path}' [{declared.unit}] has no signal; measure it or bind it"
+
+
+def read_noise(
+    entries: Any, channels: Mapping[str, Channel], declared: Mapping[str, Any], problems: Problems
+) -> dict[str, float]:
+    """Return the stated noise of output channels in SI units."""
+    if not isinstance(entries, Mapping):
+        problems.add(f"noise: a table [noise] of channel = standard deviation is needed, got {entries!r}")
+        return {}
+    outputs = outputs_of(channels)
+    stated = {}
+    for name, value in entries.items():
+        if name in declared and name not in channels:
+            continue
+        if name not in outputs:
+            problems.add(f"noise.{name}: there is no output channel '{name}'{nearest(name, outputs)}")
+        elif not is_number(value) or not float(value) > 0:
+            problems.add(
+                f"noise.{name}: the standard deviation must be above 0 {channels[name].unit}, got {value!r}"
+            )
+        else:
+            stated[name] = float(value) * factor(channels[name].unit or "1", channels[name].si)
+    return stated

@@ -1,0 +1,55 @@
+"""The noise floor of a channel: stated, from repeats, or from the top of its spectrum."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from .record import Record
+
+Array = NDArray[np.float64]
+BAND = (0.6, 0.95)
+LEAST_SHARE = 1e-6
+
+
+@dataclass(frozen=True)
+class Floor:
+    """Standard deviation of what is noise in a channel, as white noise, in SI units, and how it is known."""
+
+    sigma: float
+    source: str
+
+
+def spectral_floor(values: Array) -> Floor:
+    """Estimate white noise from the spectrum between 60 and 95 % of its top, where machines hardly move.
+
+    Not below what the steps of a digital sensor make.
+    """
+    from scipy.signal import welch
+
+    length = min(1024, max(16, len(values) // 8))
+    density: Array = np.asarray(welch(np.asarray(values, dtype=np.float64), nperseg=length)[1], dtype=float)
+    top = density[int(BAND[0] * len(density)) : int(BAND[1] * len(density))]
+    sigma = float(np.sqrt(0.5 * np.median(top)))
+    quantum = _quantum(values) / np.sqrt(12)
+    least = LEAST_SHARE * float(np.ptp(values))
+    return Floor(max(sigma, quantum, least), "steps of the sensor" if quantum > sigma else "spectrum")
+
+
+def repeated_floor(record: Record, other: Record, channel: str) -> Floor:
+    """Estimate noise from two runs under one excitation: their difference over the root of two."""
+    count = min(len(record.time), len(other.time))
+    difference = record.values[channel][:count] - other.values[channel][:count]
+    return Floor(max(float(difference.std() / np.sqrt(2)), 1e-300), "repeats")
+
+
+def _quantum(values: Array) -> float:
+    """Return the step of a digital sensor, 0 if values are not on a grid."""
+    levels = np.unique(values)
+    if len(levels) < 2 or len(levels) > len(values) / 4:
+        return 0.0
+    steps = np.diff(levels)
+    step = float(np.median(steps))
+    return step if float(np.abs(steps / step - np.round(steps / step)).max()) < 0.05 else 0.0

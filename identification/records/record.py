@@ -1,0 +1,268 @@
+"""Records: what was measured in one run, as channels in SI units over evenly spaced time."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field, replace
+from pathlib import Path
+from typing import Any, Self
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ...base import above, demand, finite, instance, one_of, path_of, shown, text, whole
+from ...components import ModelError, Sampled, UnknownNameError, nearest
+from ...components.language import INTERPOLATIONS
+from .channels import Channel
+from .columns import JITTER, LEAST, number_problems, time_problems, value_problems
+from .filters import decimated
+from .tables import Table, read_table
+from .units import converted, factor
+
+Array = NDArray[np.float64]
+EVEN = 1e-4
+ROUNDED = 1e-2
+
+
+@dataclass(frozen=True, eq=False)
+class Record:
+    """What was measured in one run.
+
+    Attributes:
+        name: what it is called in reports.
+        time: instants, evenly spaced [s].
+        values: channels by name, in SI units.
+        notes: what was tolerated or changed on reading.
+        temperature: a channel for effects that follow it, if there is one.
+
+    Raises:
+        ModelError: for instants that are not even, and columns of other lengths or with values that are no
+            finite numbers.
+    """
+
+    name: str
+    time: Array
+    values: dict[str, Array]
+    notes: tuple[str, ...] = ()
+    temperature: Array | None = field(default=None, repr=False)
+    _signals: dict[tuple[str, str], Sampled] = field(default_factory=dict, init=False, repr=False)
+
+    def __post_init__(self) -> None:
+        demand("a Record", name=(self.name, text))
+        if instance(Mapping)(self.values):
+            told = f"values map channels to columns, such as {{'F': force}}, got {shown(self.values)}"
+            raise ModelError(f"record '{self.name}': {told}")
+        problems: list[str] = []
+        columns = {"time": self.time, **self.values}
+        if self.temperature is not None:
+            columns["temperature"] = self.temperature
+        sound = {name: _column(name, column, problems) for name, column in columns.items()}
+        time = sound["time"]
+        if not problems:
+            lengths = {name: len(column) for name, column in sound.items() if len(column) != len(time)}
+            problems = [f"'{n}' has {count} samples, time has {len(time)}" for n, count in lengths.items()]
+        if not problems:
+            problems = _uneven(time)
+        if problems:
+            raise ModelError(f"record '{self.name}' cannot be used:", problems)
+        object.__setattr__(self, "time", time)
+        object.__setattr__(self, "values", {name: sound[name] for name in self.values})
+
+    @property
+    def rate(self) -> float:
+        """Samples a second [Hz]."""
+        return (len(self.time) - 1) / float(self.time[-1] - self.time[0])
+
+    def sampled(self, channel: str, interpolation: str = "cubic") -> Sampled:
+        """Return a channel as an input signal.
+
+        Raises:
+            UnknownNameError: for an unknown channel, with the nearest one.
+        """
+        if text(channel) or channel not in self.values:
+            told = nearest(channel, self.values)
+            raise UnknownNameError(f"record '{self.name}' has no channel '{channel}'{told}")
+        demand("sampled()", interpolation=(interpolation, one_of(INTERPOLATIONS)))
+        key = channel, interpolation
+        if key not in self._signals:
+            self._signals[key] = Sampled(self.time, self.values[channel], interpolation=interpolation)
+        return self._signals[key]
+
+    def window(self, begin: float, end: float) -> Self:
+        """Return the part between two instants [s].
+
+        Raises:
+            ModelError: if too little is left.
+        """
+        demand("window()", begin=(begin, finite("s")), end=(end, finite("s")))
+        inside = (self.time >= begin - 0.5 / self.rate) & (self.time <= end + 0.5 / self.rate)
+        if np.count_nonzero(inside) < LEAST:
+            raise ModelError(
+                f"{self.name}: window {begin:g} to {end:g} s holds {np.count_nonzero(inside)} samples of "
+                f"{self.time[0]:g} to {self.time[-1]:g} s; at least {LEAST} are needed"
+            )
+        values = {name: v[inside] for name, v in self.values.items()}
+        temperature = None if self.temperature is None else self.temperature[inside]
+        return replace(self, time=self.time[inside], values=values, temperature=temperature)
+
+    def thinned(self, every: int) -> Self:
+        """Return every so many samples as they are, noise and all."""
+        demand("thinned()", every=(every, whole(1)))
+        if every == 1:
+            return self
+        values = {name: v[::every] for name, v in self.values.items()}
+        temperature = None if self.temperature is None else self.temperature[::every]
+        return replace(self, time=self.time[::every], values=values, temperature=temperature)
+
+    def resampled(self, rate: float) -> Self:
+        """Return the record at a lower rate [Hz], aliases removed without phase."""
+        demand("resampled()", rate=(rate, above(0, "Hz")))
+        values = {name: decimated(v, self.rate, rate)[0] for name, v in self.values.items()}
+        stride = max(1, round(self.rate / rate))
+        temperature = None if self.temperature is None else self.temperature[::stride]
+        note = f"resampled from {self.rate:g} to {self.rate / stride:g} Hz"
+        return replace(
+            self, time=self.time[::stride], values=values, temperature=temperature, notes=(*self.notes, note)
+        )
+
+
+def _column(name: str, given: Any, problems: list[str]) -> Array:
+    """Return a column as numbers; note what is wrong with it."""
+    try:
+        column = np.asarray(given, dtype=float)
+    except (TypeError, ValueError, OverflowError):
+        problems.append(f"'{name}' must be a column of numbers, got {shown(given)}")
+        return np.zeros(0)
+    wrong = np.flatnonzero(~np.isfinite(column))
+    if column.ndim != 1:
+        problems.append(f"'{name}' must be one column, got an array of shape {column.shape}")
+    elif len(wrong):
+        problems.append(f"'{name}' is {column[wrong[0]]} at sample {wrong[0]}; fill it or cut it out")
+    return column
+
+
+def _uneven(time: Array) -> list[str]:
+    """Say why instants are not those of a record."""
+    if len(time) < 2:
+        return [f"at least 2 samples are needed, got {len(time)}"]
+    step = (time[-1] - time[0]) / (len(time) - 1)
+    if not (np.diff(time) > 0).all():
+        row = int(np.argmin(np.diff(time) > 0)) + 1
+        return [
+            f"time does not increase at sample {row} ({time[row]:g} s after {time[row - 1]:g} s); sort it"
+        ]
+    if np.abs(np.diff(time) - step).max() > JITTER * step:
+        row = int(np.abs(np.diff(time) - step).argmax()) + 1
+        told = f"{time[row] - time[row - 1]:g} s before sample {row}, {step:g} s on average"
+        return [f"samples are not evenly spaced ({told}); resample them"]
+    return []
+
+
+def read_record(
+    path: str | Path,
+    channels: Mapping[str, Channel],
+    window: tuple[float, float] | None = None,
+    temperature: str | None = None,
+) -> Record:
+    """Read a record and check it.
+
+    Args:
+        path: .csv, .txt, .parquet, .mat (to version 7) or .npz; a column 'time' or 't' is needed.
+        channels: the columns wanted.
+        window: the part of it that counts [s].
+        temperature: the column of a temperature.
+
+    Raises:
+        ModelError: telling all that is wrong, with file, line, column and remedy.
+    """
+    path = path_of(path, "a record")
+    table = read_table(path)
+    problems: list[str] = []
+    time = _time(table, window, problems)
+    columns = _columns(table, channels, temperature, problems)
+    if problems:
+        raise ModelError(f"record {path.name} cannot be used:", problems)
+    rows = _rows(time, window)
+    if np.count_nonzero(rows) < LEAST:
+        of = f" in the window {window[0]:g} to {window[1]:g} s" if window else ""
+        there = f", from {time[0]:g} to {time[-1]:g} s" if len(time) else ""
+        raise ModelError(f"{path}: {np.count_nonzero(rows)} samples{of}{there}; at least {LEAST} are needed")
+    for name, channel in channels.items():
+        problems += value_problems(_part(table, rows), name, columns[name][rows], channel.driven)
+    if temperature is not None:
+        problems += number_problems(_part(table, rows), temperature, columns[temperature][rows])
+    problems += [] if window is None else list(time_problems(_part(table, rows), table.time_name, time[rows]))
+    if problems:
+        raise ModelError(f"record {path.name} cannot be used:", problems)
+    values = {name: converted(columns[name][rows], c.unit, c.si) for name, c in channels.items()}
+    extra = columns[temperature][rows] if temperature else None
+    return _even(path.name, time[rows], values, extra)
+
+
+def _time(table: Table, window: tuple[float, float] | None, problems: list[str]) -> Array:
+    name = table.time_name
+    try:
+        time = table.columns[name] * factor(table.units.get(name) or "s", "s")
+    except ModelError as error:
+        raise ModelError(f"{table.path}, column '{name}': {error}") from error
+    told = list(time_problems(table, name, time))
+    if window is None or not np.isfinite(time).all() or (np.diff(time) <= 0).any():
+        problems += told
+    return time
+
+
+def _rows(time: Array, window: tuple[float, float] | None) -> NDArray[np.bool_]:
+    if window is None:
+        return np.ones(len(time), dtype=bool)
+    slack = 0.5 * float(np.median(np.diff(time))) if len(time) > 1 else 0.0
+    inside: NDArray[np.bool_] = (time >= window[0] - slack) & (time <= window[1] + slack)
+    return inside
+
+
+def _columns(
+    table: Table, channels: Mapping[str, Channel], temperature: str | None, problems: list[str]
+) -> dict[str, Array]:
+    """Return the columns wanted; note what is missing, or in another unit than the campaign says."""
+    columns: dict[str, Array] = {}
+    for name in [*channels, *([temperature] if temperature else [])]:
+        try:
+            columns[name] = table.column(name)
+        except ModelError as error:
+            problems.append(str(error))
+            continue
+        written = table.units.get(name, "")
+        if name in channels and written and channels[name].unit:
+            problems += _clash(table, name, written, channels[name])
+    return columns
+
+
+def _clash(table: Table, name: str, written: str, channel: Channel) -> list[str]:
+    try:
+        same = np.isclose(factor(written, channel.si), factor(channel.unit, channel.si))
+    except ModelError as error:
+        return [f"{table.path}, column '{name}': {error}"]
+    told = f"the file says [{written}], the campaign unit = '{channel.unit}'; correct one"
+    return [] if same else [f"{table.path}, column '{name}': {told}"]
+
+
+def _part(table: Table, rows: NDArray[np.bool_]) -> Table:
+    first = int(np.argmax(rows))
+    return replace(table, first_line=table.first_line + first if table.first_line else 0)
+
+
+def _even(name: str, time: Array, values: dict[str, Array], temperature: Array | None) -> Record:
+    """Return a record on evenly spaced instants; small jitter is evened out and told."""
+    from scipy.interpolate import make_interp_spline
+
+    even = np.linspace(time[0], time[-1], len(time))
+    step = even[1] - even[0]
+    worst = float(np.abs(time - even).max())
+    if worst <= EVEN * step:
+        return Record(name, even, values, (), temperature)
+    uneven = float(np.abs(np.diff(time) - step).max())
+    if worst <= ROUNDED * step:
+        return Record(name, even, values, (f"instants rounded to steps of {step:g} s",), temperature)
+    note = f"instants jitter by up to {uneven / step:.1%} of {step:g} s; values interpolated onto even steps"
+    values = {key: make_interp_spline(time, v, k=3)(even) for key, v in values.items()}
+    temperature = None if temperature is None else np.interp(even, time, temperature)
+    return Record(name, even, values, (note,), temperature)

@@ -1,0 +1,201 @@
+"""Connections: ports joined at nodes, and what is wrong with them."""
+
+from __future__ import annotations
+
+from collections import defaultdict
+from dataclasses import dataclass, field
+from typing import Any
+
+from ...components.language import Port, PortRef, RealInput, RealOutput
+from .flat import Flat, Instance
+from .problems import Illegible
+
+_Member = tuple[Instance, str, int]
+
+
+@dataclass(eq=False, slots=True)
+class Node:
+    """Joined ports; a composite's own port, seen from inside, counts negatively.
+
+    Attributes:
+        flange: the kind of flange, if they are flanges.
+    """
+
+    ports: list[_Member] = field(default_factory=list)
+    flange: type[Port] | None = None
+
+    def ending(self, kind: str) -> str:
+        """Return what follows the ports' names in those of their across or through variables."""
+        return f".{getattr(self.flange, kind)}" if self.flange else ""
+
+
+@dataclass(eq=False, slots=True)
+class Unconnected:
+    """Variables of flanges that are connected to nothing.
+
+    Attributes:
+        grounded: across variables of supports.
+        free: through variables of bodies.
+        loose: across and through variables of others, which is a problem.
+    """
+
+    grounded: list[int] = field(default_factory=list)
+    free: list[int] = field(default_factory=list)
+    loose: list[tuple[int, int]] = field(default_factory=list)
+
+
+def connect_ports(flat: Flat, problems: list[str]) -> tuple[list[Node], Unconnected]:
+    """Join what connections join; return the nodes, and what is connected to nothing."""
+    by_component = {id(i.component): i for i in flat.instances.values()}
+    node_of: dict[_Member, Node] = {}
+    insertions = [(o, *ports) for o in flat.instances.values() for ports in o.component.insertions()]
+    moved = {(id(port.component), port.name): near for _, port, _, near in insertions}
+    for owner in flat.instances.values():
+        try:
+            for ports in owner.component.connections():
+                members = _members(owner, ports, by_component, problems)
+                if moved:
+                    members = [_moved(member, moved, by_component) for member in members]
+                _merge(members, node_of)
+        except AttributeError as error:
+            problems.append(Illegible(f"{owner}: its connections cannot be made: {error}"))
+    for owner, port, far, _ in insertions:
+        _merge(_members(owner, (port, far), by_component, problems), node_of)
+    outside = {(instance, name) for instance, name, sign in node_of if sign > 0}
+    nodes = list({id(node): node for node in node_of.values()}.values())
+    for node in nodes:
+        _check_node(node, problems)
+    if not any(isinstance(p, Illegible) for p in problems):
+        _join_nodes(flat, nodes)
+    return nodes, _unconnected(flat, outside, problems)
+
+
+def _members(
+    owner: Instance,
+    ports: tuple[PortRef, ...],
+    by_component: dict[int, Instance],
+    problems: list[str],
+) -> list[_Member]:
+    members = []
+    for port in ports:
+        instance = by_component.get(id(port.component))
+        if instance is None or (instance.parent is not owner and not _belongs(instance, owner)):
+            told = (
+                f"{port!r} is connected in {owner if owner.path else 'the network'} but belongs to no "
+                "component of it; add the component, or connect it where it lives"
+            )
+            problems.append(Illegible(told))
+            continue
+        members.append((instance, port.name, -1 if instance is owner else 1))
+    return members
+
+
+def _moved(
+    member: _Member, moved: dict[tuple[int, str], PortRef], by_component: dict[int, Instance]
+) -> _Member:
+    """Return the flange of what is inserted at a port, if anything is, in the port's stead."""
+    instance, name, sign = member
+    near = moved.get((id(instance.component), name)) if sign > 0 else None
+    if near is None:
+        return member
+    return _moved((by_component[id(near.component)], near.name, 1), moved, by_component)
+
+
+def _belongs(instance: Instance | None, owner: Instance) -> bool:
+    while instance is not None and instance is not owner:
+        instance = instance.parent
+    return instance is owner
+
+
+def _merge(members: list[_Member], node_of: dict[_Member, Node]) -> None:
+    node = Node()
+    for member in members:
+        present = node_of.get(member)
+        if present is None:
+            node.ports.append(member)
+            node_of[member] = node
+        elif present is not node:
+            small, large = sorted((node, present), key=lambda n: len(n.ports))
+            large.ports += small.ports
+            for other in small.ports:
+                node_of[other] = large
+            node = large
+
+
+def port_of(instance: Instance, name: str) -> Any:
+    """Return the declaration of a port."""
+    return type(instance.component).fields[name]
+
+
+def _check_node(node: Node, problems: list[str]) -> None:
+    kind, *others = {type(port_of(instance, name)) for instance, name, _ in node.ports}
+    if not others and issubclass(kind, Port):
+        node.flange = kind
+        return
+    kinds = defaultdict(list)
+    drivers = []
+    for instance, name, sign in node.ports:
+        declared = port_of(instance, name)
+        where = f"{instance.path}.{name}".lstrip(".")
+        kinds[getattr(declared, "domain", "signal")].append(where)
+        if isinstance(declared, RealOutput if sign > 0 else RealInput):
+            drivers.append(where)
+    if len(kinds) > 1:
+        told = "; ".join(f"{kind}: {', '.join(where)}" for kind, where in kinds.items())
+        wrong = f"one node joins ports of different kinds ({told}); connect like with like"
+        problems.append(Illegible(wrong))
+    elif "signal" in kinds and len(drivers) > 1:
+        problems.append(Illegible(f"one signal has several sources: {', '.join(drivers)}; keep one"))
+    for instance, name, sign in node.ports if drivers else ():
+        if sign > 0 and instance.component._values.get(name) is not None:
+            wrong = f"{instance}: {name} has a signal of its own and that of {drivers[0]}; keep one"
+            problems.append(Illegible(wrong))
+
+
+def _join_nodes(flat: Flat, nodes: list[Node]) -> None:
+    for node in nodes:
+        ending = node.ending("across")
+        first, name, _ = node.ports[0]
+        anchor = first.index(name + ending)
+        for instance, name, _ in node.ports[1:]:
+            flat.joined.join(anchor, instance.index(name + ending))
+
+
+def _unconnected(flat: Flat, outside: set[tuple[Instance, str]], problems: list[str]) -> Unconnected:
+    found = Unconnected()
+    for instance in flat.instances.values():
+        if instance.parent is None:
+            continue
+        for declared in type(instance.component)._ports:
+            if (instance, declared.name) in outside:
+                continue
+            across, through = (
+                instance.index(f"{declared.name}.{kind}") for kind in (declared.across, declared.through)
+            )
+            if declared.optional:
+                found.grounded.append(across)
+            elif declared.free:
+                found.free.append(through)
+            else:
+                others = [p for p in type(instance.component)._ports if not p.optional and p is not declared]
+                remedy = "connect it (to a Fixed if it is held, alone if its end is free)"
+                remedy = remedy if others else "connect it, or leave it out"
+                problems.append(f"{instance}: {declared.name} is not connected; {remedy}")
+                found.loose.append((across, through))
+    return found
+
+
+def find_inputs(flat: Flat, nodes: list[Node]) -> None:
+    """Note the signals that no connection drives: the inputs of the whole network."""
+    driven: set[tuple[int, str]] = set()
+    for node in nodes:
+        for instance, name, sign in () if node.flange else node.ports:
+            declared = port_of(instance, name)
+            source = RealOutput if sign > 0 else RealInput
+            if isinstance(declared, source) and (sign > 0 or instance.parent is not None):
+                driven.update((id(i), n) for i, n, _ in node.ports)
+    for instance in flat.instances.values():
+        for declared in type(instance.component)._inputs:
+            if (id(instance), declared.name) not in driven:
+                path = f"{instance.path}.{declared.name}" if instance.path else declared.name
+                flat.inputs[path] = instance.index(declared.name)

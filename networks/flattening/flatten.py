@@ -1,0 +1,164 @@
+"""Flatten: from a tree of components to one set of variables and families of equations.
+
+Paths, templates and connections become integers here; equal variables are joined before any
+symbolic work, so the cost is linear in the number of elements.
+"""
+
+from __future__ import annotations
+
+import traceback
+from collections import defaultdict
+from collections.abc import Iterator
+from pathlib import Path
+
+import casadi as ca
+
+from ...base import ModelError
+from ...components.language import Component, Template, declared_template, template_of
+from .connections import connect_ports, find_inputs
+from .equations import component_families, node_families, open_family, zero_family
+from .flat import Flat, Instance
+from .parameters import ParameterTable
+from .problems import Illegible
+from .union import SignedUnion
+
+
+def flatten(network: Component) -> Flat:
+    """Return the network's variables and equations, equal variables joined.
+
+    `Flat.problems` lists what is wrong with values and connections by component path.
+
+    Raises:
+        ModelError: with these problems, if they leave no structure to look at.
+    """
+    name = getattr(network, "name", type(network).__name__)
+    problems: list[str] = []
+    instances = {i.path: i for i in _walk(network, "", None, problems, {})}
+    if len(instances) == 1 and not instances[""].template.variables:
+        problems.append(Illegible("it has no components; give some to Network(...) or add()"))
+    groups = _grouped(instances)
+    size = sum(len(group) * len(group[0].template.variables) for group in groups)
+    flat = Flat(name, instances, groups, SignedUnion(size), ParameterTable(instances, problems))
+    _collect_modes(flat)
+    flat.problems = problems
+    nodes, unconnected = connect_ports(flat, problems)
+    if any(isinstance(p, Illegible) for p in problems) or any(
+        i.component._shapeless for i in instances.values()
+    ):
+        raise ModelError(f"'{name}' cannot be assembled:", problems)
+    _join_aliases(flat)
+    find_inputs(flat, nodes)
+    component_families(flat)
+    node_families(flat, nodes)
+    zero_family(flat, unconnected.grounded, "grounded support")
+    zero_family(flat, unconnected.free, "free flange")
+    open_family(flat, unconnected.loose)
+    zero_family(flat, flat.joined.contradictions, "contradiction")
+    return flat
+
+
+def _walk(
+    component: Component,
+    path: str,
+    parent: Instance | None,
+    problems: list[str],
+    seen: dict[int, str],
+) -> Iterator[Instance]:
+    if id(component) in seen:
+        problems.append(
+            Illegible(
+                f"{type(component).__name__} '{path}' is the same object as '{seen[id(component)]}'; "
+                "give each place its own (`.clone()`)"
+            )
+        )
+        return
+    seen[id(component)] = path
+    instance = Instance(path, component, parent, _template(component, path, problems))
+    problems += [f"{instance}: {problem}" for problem in component.problems()]
+    yield instance
+    for name, part in component._parts.items():
+        yield from _walk(part, f"{path}.{name}" if path else name, instance, problems, seen)
+
+
+def _template(component: Component, path: str, problems: list[str]) -> Template:
+    if component._shapeless:
+        return declared_template(component)
+    try:
+        return template_of(component)
+    except ModelError as error:
+        problems.append(Illegible(f"{type(component).__name__} '{path}': {error}"))
+    except Exception as error:
+        told = f"{type(component).__name__} '{path}': its equations cannot be read: {_told(error)}"
+        problems.append(Illegible(told))
+    return declared_template(component)
+
+
+def _told(error: Exception) -> str:
+    """Say what went wrong in a component's own lines, and where."""
+    frames = traceback.extract_tb(error.__traceback__)
+    place = next(
+        (f for f in reversed(frames) if Path(f.filename).name not in ("casadi.py", "quiet.py")), frames[-1]
+    )
+    what = f"{type(error).__name__}: {error}"
+    if "truth value" in what:
+        what = "Python decides here by a symbol; write ca.if_else, ca.logic_and, ca.fmin or ca.fmax"
+    return f"{what} ({place.name}(), line {place.lineno} of {Path(place.filename).name})"
+
+
+def _grouped(instances: dict[str, Instance]) -> list[list[Instance]]:
+    groups: dict[int, list[Instance]] = defaultdict(list)
+    for instance in instances.values():
+        groups[id(instance.template)].append(instance)
+    base = 0
+    for group in groups.values():
+        for row, instance in enumerate(group):
+            instance.base, instance.row = base, row
+            base += len(instance.template.variables)
+    return list(groups.values())
+
+
+def _collect_modes(flat: Flat) -> None:
+    for instance in flat.instances.values():
+        if not (instance.template.modes or instance.template.impulses):
+            continue
+        fields = type(instance.component).fields
+        for name in instance.template.modes:
+            flat.modes.append((instance, fields[name]))  # type: ignore[arg-type]
+        flat.impulses.extend((instance, name) for name in instance.template.impulses)
+    flat.mode_symbols = ca.SX.sym("mode", len(flat.modes))
+    flat.impulse_symbols = ca.SX.sym("impulse", len(flat.impulses))
+
+
+def _join_aliases(flat: Flat) -> None:
+    for group in flat.groups:
+        template = group[0].template
+        place = template.place
+        pairs = [(place[x], place[dx]) for x, dx in template.derivatives.items()]
+        aliases = [(place[a], place[b], sign) for a, b, sign in template.aliases]
+        for instance in group:
+            base = instance.base
+            for x, dx in pairs:
+                flat.joined.set_derivative(base + x, base + dx)
+            for a, b, sign in aliases:
+                flat.joined.join(base + a, base + b, sign)
+            if instance.component._parts:
+                _join_used_parts(flat, instance)
+
+
+def _join_used_parts(flat: Flat, instance: Instance) -> None:
+    """Tie the symbols by which equations use variables of parts to the parts' own."""
+    for local in instance.template.variables:
+        head = local.split(".")[0]
+        if head in instance.component._parts and not local.startswith("der("):
+            path = f"{instance.path}.{local}" if instance.path else local
+            owner, _, rest = _owner(flat, path)
+            flat.joined.join(instance.index(local), owner.index(rest))
+
+
+def _owner(flat: Flat, path: str) -> tuple[Instance, str, str]:
+    pieces = path.split(".")
+    for cut in range(len(pieces) - 1, 0, -1):
+        head = ".".join(pieces[:cut])
+        if head in flat.instances:
+            return flat.instances[head], head, ".".join(pieces[cut:])
+    raise KeyError(path)

@@ -1,0 +1,184 @@
+"""The parameters of a network: one symbol each, and what depends on them."""
+
+from __future__ import annotations
+
+import types
+from collections.abc import Iterator
+from typing import TYPE_CHECKING, Any
+
+import casadi as ca
+import numpy as np
+
+from ...base import ModelError, nearest, number, numpy_on_symbols, shown, text
+from ...components.language import MISSING, Component, Option, Parameter
+from .problems import Illegible
+from .vectors import column, pick_matrix
+
+if TYPE_CHECKING:
+    from .flat import Instance
+
+
+class ParameterTable:
+    """Numbers that can be set, and expressions of them for the parameters that follow from others."""
+
+    def __init__(self, instances: dict[str, Instance], problems: list[str]) -> None:
+        self.instances = instances
+        self.index: dict[str, int] = {}
+        self.fields: list[Parameter] = []
+        self.defaults: list[float] = []
+        self._bound: dict[str, Any] = {}
+        for instance in instances.values():
+            instance.given = [self._enter(instance, field) for field in type(instance.component)._parameters]
+        self.symbols = ca.SX.sym("p", len(self.defaults))
+        self._dependent = self._read_dependent(problems) if self._bound else _none_dependent
+        if not problems:
+            problems += self._out_of_range(self.defaults)
+
+    def _enter(self, instance: Instance, field: Parameter) -> int:
+        """Note a parameter and return its number, negative if it follows from others."""
+        given = instance.component._values.get(field.name, MISSING)
+        value = field.default if given is MISSING else given
+        path = f"{instance.path}.{field.name}" if instance.path else field.name
+        if isinstance(value, Parameter) or callable(value):
+            own = given is MISSING
+            self._bound[path] = (instance if own else instance.parent, value)
+            return -1
+        entry = self.index[path] = len(self.defaults)
+        self.fields.append(field)
+        usable = value is not MISSING and not number(value)
+        self.defaults.append(float(value) if usable else np.nan)
+        return entry
+
+    def expression(self, instance: Instance, name: str) -> Any:
+        """Return a parameter as an expression of the symbols."""
+        path = f"{instance.path}.{name}" if instance.path else name
+        if path in self.index:
+            return self.symbols[self.index[path]]
+        scope, value = self._bound[path]
+        if isinstance(value, Parameter):
+            owner = _owner_of(value, scope)
+            if owner is None:
+                raise ModelError(f"{instance}: {name} refers to a parameter of no enclosing component")
+            return self.expression(owner, value.name)
+        if scope is None:
+            raise ModelError(f"{instance}: {name} is a function, but no component encloses it")
+        with numpy_on_symbols():
+            return ca.SX(value(_View(self, scope)))
+
+    def at(self, path: str) -> Any | None:
+        """Return a parameter by its full name as an expression of the symbols, None if there is none."""
+        if text(path) or (path not in self.index and path not in self._bound):
+            return None
+        owner, _, name = path.rpartition(".")
+        return self.expression(self.instances[owner], name)
+
+    def field(self, path: str) -> Parameter | None:
+        """Return the declaration of a parameter by its full name, None if there is none."""
+        if text(path):
+            return None
+        if path in self.index:
+            return self.fields[self.index[path]]
+        owner, _, name = path.rpartition(".")
+        return type(self.instances[owner].component).fields[name] if path in self._bound else None  # type: ignore[return-value]
+
+    def matrix(self, group: list[Instance]) -> Any:
+        """Return the parameters of like instances, (parameters, instances)."""
+        names = list(group[0].template.parameters)
+        if not names:
+            return ca.SX(0, len(group))
+        numbers = np.array([instance.given for instance in group])
+        values = ca.SX(len(names), len(group))
+        if self.defaults:
+            values = pick_matrix(self.symbols, np.maximum(numbers, 0))
+        for place, line in np.argwhere(numbers < 0).tolist():
+            values[line, place] = self.expression(group[place], names[line])
+        return values
+
+    def values(self, changed: dict[str, float]) -> np.ndarray[Any, np.dtype[np.float64]]:
+        """Return all numbers, some of them changed by name.
+
+        Raises:
+            ModelError: listing unknown names and values out of range.
+        """
+        numbers = np.array(self.defaults)
+        problems = []
+        for path, value in changed.items():
+            if path in self._bound:
+                problems.append(f"parameter '{path}' follows from others; change those")
+            elif path not in self.index:
+                problems.append(f"there is no parameter '{path}'{nearest(str(path), self.index)}")
+            else:
+                problem = _problem(self.fields[self.index[path]], value)
+                problems += [f"'{path}': {problem}"] if problem else []
+                numbers[self.index[path]] = np.nan if problem else value
+        if changed and not problems:
+            problems += self._out_of_range(numbers)
+        if problems:
+            raise ModelError("these parameters cannot be set:", problems)
+        return numbers
+
+    def _read_dependent(self, problems: list[str]) -> Any:
+        """Return the parameters that follow from others, as a function of the numbers."""
+        expressions = []
+        for path in self._bound:
+            try:
+                expressions.append(self.at(path))
+            except ModelError as error:
+                problems.append(Illegible(error))
+            except Exception as error:
+                owner, _, name = path.rpartition(".")
+                told = f"cannot be computed: {type(error).__name__}: {str(error).partition(chr(10))[0]}"
+                if isinstance(error, RecursionError):
+                    told = "depends on itself; give it a number"
+                problems.append(Illegible(f"{self.instances[owner]}: {name} {told}"))
+        return ca.Function("dependent", [self.symbols], [column(expressions)])
+
+    def _out_of_range(self, numbers: Any) -> Iterator[str]:
+        values = self._dependent(numbers).full().ravel()
+        for path, value in zip(self._bound, values, strict=True):
+            declared = self.field(path)
+            problem = declared.problem(float(value)) if declared else ""
+            if problem:
+                yield f"{self.instances[path.rpartition('.')[0]]}: {problem}"
+
+
+def _none_dependent(numbers: Any) -> Any:
+    return ca.DM(0, 1)
+
+
+def _problem(declared: Parameter, value: Any) -> str:
+    if not number(value):
+        return declared.problem(float(value))
+    return f"{declared.name} must be a number [{declared.unit}], got {shown(value)}"
+
+
+class _View:
+    """A component as a formula of a dependent parameter sees it."""
+
+    def __init__(self, table: ParameterTable, instance: Instance) -> None:
+        self._table, self._instance = table, instance
+
+    def __getattr__(self, name: str) -> Any:
+        component: Component = self._instance.component
+        field = type(component).fields.get(name)
+        if isinstance(field, Parameter):
+            return self._table.expression(self._instance, name)
+        if isinstance(field, Option):
+            return component._get(field)
+        if name in component._parts:
+            path = f"{self._instance.path}.{name}" if self._instance.path else name
+            return _View(self._table, self._table.instances[path])
+        value = getattr(type(component), name, None)
+        if isinstance(value, property) and value.fget:
+            return value.fget(self)
+        if isinstance(value, types.FunctionType):
+            return types.MethodType(value, self)
+        raise ModelError(f"{self._instance} has no parameter '{name}'")
+
+
+def _owner_of(declared: Parameter, instance: Instance | None) -> Instance | None:
+    while instance is not None:
+        if type(instance.component).fields.get(declared.name) is declared:
+            return instance
+        instance = instance.parent
+    return None

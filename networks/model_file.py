@@ -1,0 +1,90 @@
+"""The network that `path/to/file.py:function` stands for."""
+
+from __future__ import annotations
+
+import sys
+import traceback
+from importlib.util import module_from_spec, spec_from_file_location
+from pathlib import Path
+from types import ModuleType
+from typing import Any
+
+from ..base import InertanceError, ModelError, is_utf_16, nearest, there_is_file
+from .network import Network
+
+
+class UserCodeError(ModelError):
+    """What a file of a model raised; the message has file and line."""
+
+
+def load_model(model: str, base: Path = Path(), asked: str = "model") -> Network:
+    """Return the network that a function of a Python file returns.
+
+    Args:
+        model: `path/to/file.py:function`.
+        base: the folder that a relative path starts from.
+        asked: what the file is called where it is asked for.
+
+    Raises:
+        ModelError: telling what is wrong; a UserCodeError, with file and line, for what the file raises.
+    """
+    file, _, name = model.rpartition(":")
+    path = base / file
+    if not file or path.suffix != ".py":
+        raise ModelError(f"{asked} is 'path/to/file.py:function', got '{model}'")
+    there_is_file(path)
+    if is_utf_16(path):
+        raise ModelError(f"{path}: Python reads UTF-8, and this file is UTF-16; save it as UTF-8")
+    sys.path.insert(0, str(path.parent.resolve()))
+    try:
+        network = _called(path, name)
+    except _UnknownError as error:
+        raise ModelError(f"{path} has no function '{name}'{error}") from None
+    except InertanceError as error:
+        raise UserCodeError(f"{_place(path, error)}: {error}") from error
+    except SystemExit as error:
+        told = f"the model ends Python (sys.exit({error.code!r})); let it return a Network"
+        raise UserCodeError(f"{_place(path, error)}: {told}") from error
+    except Exception as error:
+        raise UserCodeError(f"{_place(path, error)}: {type(error).__name__}: {error}") from error
+    finally:
+        sys.path.remove(str(path.parent.resolve()))
+    if not isinstance(network, Network):
+        raise ModelError(f"{model} returned {type(network).__name__}, but {asked} returns a Network")
+    return network
+
+
+class _UnknownError(Exception):
+    """A function that a file does not have; the message tells which it has."""
+
+
+def _called(path: Path, name: str) -> Any:
+    module = _module(path)
+    function = getattr(module, name, None)
+    if not callable(function):
+        own = [
+            key
+            for key, value in vars(module).items()
+            if callable(value) and getattr(value, "__module__", "") == module.__name__
+        ]
+        known = f"; it has {', '.join(own)}" if own else ""
+        raise _UnknownError(nearest(name, own) or known)
+    return function()
+
+
+def _module(path: Path) -> ModuleType:
+    spec = spec_from_file_location(f"model of {path.stem}", path)
+    assert spec is not None
+    assert spec.loader is not None
+    module = sys.modules[spec.name] = module_from_spec(spec)  # dataclasses look themselves up there
+    spec.loader.exec_module(module)
+    return module
+
+
+def _place(path: Path, error: BaseException) -> str:
+    """Return file and line of the deepest frame in the user's file."""
+    if isinstance(error, SyntaxError):
+        return f"{error.filename or path}, line {error.lineno or 1}"
+    frames = traceback.extract_tb(error.__traceback__)
+    lines = [frame.lineno for frame in frames if Path(frame.filename).resolve() == path.resolve()]
+    return f"{path}, line {lines[-1]}" if lines else str(path)

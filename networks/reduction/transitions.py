@@ -1,0 +1,137 @@
+"""Switching: every transition of every mode in one list, its expressions in one vector."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from typing import Any
+
+import casadi as ca
+import numpy as np
+
+from ...components.language import Template
+from ..flattening.equations import local_arguments
+from ..flattening.families import Family
+from ..flattening.flat import Instance
+from ..flattening.forms import Form
+from ..flattening.vectors import column
+from .pantelides import System
+
+
+@dataclass(eq=False)
+class Change:
+    """One transition of one mode of one component; the integers point into `Switching.expressions`."""
+
+    component: str
+    mode: int
+    source: int
+    target: int
+    indicator: int
+    allowed: int | None = None
+    resets: list[tuple[int, int, int]] = field(default_factory=list)
+    impulse: int | None = None
+    velocity: int = 0
+    after: int = 0
+
+
+@dataclass(eq=False)
+class Switching:
+    """All transitions.
+
+    Attributes:
+        changes: the transitions.
+        expressions: SX vector of indicators, conditions, new values and velocities.
+        mode_names: full name of each mode.
+        mode_values: the names of its values.
+        in_shock: per mode, the value that stands in for another while an impulse acts.
+        impulse_names: full name of each impulse.
+    """
+
+    changes: list[Change]
+    expressions: Any
+    mode_names: list[str]
+    mode_values: list[tuple[str, ...]]
+    in_shock: list[dict[int, int]]
+    impulse_names: list[str]
+
+
+def switching(system: System, values: Any) -> Switching:
+    """Collect the transitions of a network, in terms of its joined variables as `padded` returns them."""
+    flat = system.flat
+    mode_of = {(id(i), m.name): k for k, (i, m) in enumerate(flat.modes)}
+    impulse_of = {(id(i), name): k for k, (i, name) in enumerate(flat.impulses)}
+    changes: list[Change] = []
+    expressions: list[Any] = []
+    count = 0
+    for group in flat.groups:
+        template = group[0].template
+        if not template.transitions:
+            continue
+        listed = _listed(template)
+        rows = _evaluate(system, group, ca.vertcat(*listed), values)
+        for instance, listing in zip(group, ca.horzsplit(rows), strict=True):
+            expressions.append(listing)
+            changes += _changes(system, instance, count, mode_of, impulse_of)
+            count += len(listed)
+    return Switching(
+        changes,
+        column(expressions),
+        [f"{i.path}.{m.name}".lstrip(".") for i, m in flat.modes],
+        [m.values for _, m in flat.modes],
+        [{m.values.index(a): m.values.index(b) for a, b in m.in_shock.items()} for _, m in flat.modes],
+        [f"{i.path}.{name}".lstrip(".") for i, name in flat.impulses],
+    )
+
+
+def _listed(template: Template) -> list[Any]:
+    """Return the expressions of a template's transitions, in the order `_changes` counts them."""
+    listed: list[Any] = []
+    for transition in template.transitions:
+        listed.append(transition.indicator)
+        if transition.allowed is not None:
+            listed.append(transition.allowed)
+        listed += transition.reset.values()
+        if transition.shock is not None:
+            listed += [transition.shock.velocity, transition.shock.after]
+    return [ca.SX(expression) for expression in listed]
+
+
+def _changes(
+    system: System,
+    instance: Instance,
+    start: int,
+    mode_of: dict[tuple[int, str], int],
+    impulse_of: dict[tuple[int, str], int],
+) -> list[Change]:
+    changes = []
+    place = start
+    template = instance.template
+    shock_names = {id(symbol): name for name, symbol in template.impulses.items()}
+    for transition in template.transitions:
+        mode = mode_of[id(instance), transition.mode]
+        change = Change(str(instance), mode, transition.source, transition.target, place)
+        place += 1
+        if transition.allowed is not None:
+            change.allowed, place = place, place + 1
+        for name in transition.reset:
+            root, sign = system.flat.joined.find(instance.index(name))
+            change.resets.append((root, sign, place))
+            place += 1
+        if transition.shock is not None:
+            name = shock_names[id(transition.shock.impulse)]
+            change.impulse = impulse_of[id(instance), name]
+            change.velocity, change.after, place = place, place + 1, place + 2
+        changes.append(change)
+    return changes
+
+
+def _evaluate(system: System, group: list[Instance], expression: Any, values: Any) -> Any:
+    """Return an expression of local symbols for all instances, as SX columns."""
+    flat, template = system.flat, group[0].template
+    locals_ = ca.vertcat(*template.variables.values())
+    size = locals_.numel()
+    found = np.array([flat.joined.find(i.base + k) for i in group for k in range(size)])
+    columns, signs = (found[:, k].reshape(len(group), size) for k in (0, 1))
+    given, arguments = local_arguments(flat, group)
+    form = Form(ca.SX(0), locals_, given, time=template.time)
+    family = Family(form, columns, signs, arguments, str)
+    return family.evaluate(expression, np.arange(len(group)), values, flat.time)

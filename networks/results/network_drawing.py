@@ -1,0 +1,231 @@
+"""A sketch of a network in SVG: components as boxes, joined from left to right."""
+
+from __future__ import annotations
+
+from collections import defaultdict
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, field
+from html import escape
+
+from ...components.language import Component, Port, PortRef
+
+MOST_BOXES = 60
+ROW, GAP, BOX = 52, 46, 36
+COLOURS = {"translational": "#4477aa", "rotational": "#ee6677", "both": "#aa3377", "": "#228833"}
+MARK = "#cc3311"
+
+
+@dataclass(eq=False)
+class _Box:
+    """What is drawn: a component, a port of the composite itself, or a node (no label)."""
+
+    label: str = ""
+    kind: str = ""
+    colour: str = ""
+    mark: str = ""
+    joined: list[_Box] = field(default_factory=list)
+    layer: int = -1
+    x: float = 0.0
+    y: float = 0.0
+
+    @property
+    def width(self) -> float:
+        """Width in pixels, by the longest text."""
+        longest = max(len(self.label), 0.85 * len(self.kind), 0.85 * len(self.mark))
+        return 16 + 7.2 * longest if self.label else 8.0
+
+
+@dataclass(frozen=True, eq=False)
+class _Line:
+    left: _Box
+    right: _Box
+    told: str
+    signal: bool
+
+
+def svg_sketch(component: Component, marks: Mapping[str, str] | None = None) -> str:
+    """Return the parts of a composite and how they are joined, as SVG; empty if too many.
+
+    Args:
+        component: the composite.
+        marks: name of a part -> a word that marks it.
+    """
+    boxes, lines = _graph(component, marks or {})
+    if not boxes or len(boxes) > MOST_BOXES:
+        return ""
+    _lay_out(boxes)
+    width = max(box.x + box.width / 2 for box in boxes) + GAP / 2
+    height = max(box.y for box in boxes) + BOX / 2 + 10
+    drawn = [_drawn_line(line) for line in lines] + [_drawn_box(box) for box in boxes]
+    return (
+        f'<svg width="{width:.0f}" height="{height:.0f}" viewBox="0 0 {width:.0f} {height:.0f}" '
+        f'role="img" style="font:12px sans-serif;fill:currentColor">{"".join(drawn)}</svg>'
+    )
+
+
+def _graph(component: Component, marks: Mapping[str, str]) -> tuple[list[_Box], list[_Line]]:
+    parts = {
+        name: _Box(name, type(part).__name__, _colour(part), marks.get(name, ""))
+        for name, part in component._parts.items()
+    }
+    paths = {id(part): path for path, part in _inner(component, "")}
+    outer: dict[str, _Box] = {}
+    nodes: list[_Box] = []
+    lines: list[_Line] = []
+    for ports in _nodes(component):
+        told = " — ".join(f"{paths.get(id(p.component), '')}.{p.name}".lstrip(".") for p in ports)
+        ends = []
+        for port in ports:
+            if port.component is component:
+                ends.append(outer.setdefault(port.name, _Box(port.name)))
+            elif id(port.component) in paths:
+                ends.append(parts[paths[id(port.component)].partition(".")[0]])
+        ends = list(dict.fromkeys(ends))
+        signal = not isinstance(type(ports[0].component).fields.get(ports[0].name), Port)
+        if len(ends) > 2:
+            nodes.append(_Box())
+            lines += [_Line(nodes[-1], end, told, signal) for end in ends]
+        else:
+            lines += [_Line(ends[0], end, told, signal) for end in ends[1:]]
+    for line in lines:
+        line.left.joined.append(line.right)
+        line.right.joined.append(line.left)
+    return [*outer.values(), *parts.values(), *nodes], lines
+
+
+def _inner(component: Component, path: str) -> Iterator[tuple[str, Component]]:
+    """Yield parts at any depth with their paths: a node may reach into a part."""
+    for name, part in component._parts.items():
+        yield f"{path}{name}", part
+        yield from _inner(part, f"{path}{name}.")
+
+
+def _nodes(component: Component) -> list[list[PortRef]]:
+    """Return the ports of each node; connections that share a port make one node."""
+    node_of: dict[tuple[int, str], dict[tuple[int, str], PortRef]] = {}
+    for ports in _joined(component):
+        node = {(id(port.component), port.name): port for port in ports}
+        for key in list(node):
+            node |= node_of.get(key, {})
+        node_of |= dict.fromkeys(node, node)
+    return [list(node.values()) for node in {id(n): n for n in node_of.values()}.values()]
+
+
+def _joined(component: Component) -> Iterator[tuple[PortRef, ...]]:
+    """Yield connections, those of a port at which an element was inserted going to its far flange."""
+    far_of = {}
+    joined = {(id(p.component), p.name) for ports in component.connections() for p in ports}
+    for port, near, far in component.insertions():
+        key = id(port.component), port.name
+        yield port, near
+        if key in joined:
+            far_of[key] = far
+            joined.add((id(far.component), far.name))
+        else:
+            yield port, far
+
+    def end_of(port: PortRef) -> PortRef:
+        far = far_of.get((id(port.component), port.name))
+        return port if far is None else end_of(far)
+
+    for ports in component.connections():
+        yield tuple(end_of(port) for port in ports)
+
+
+def _colour(component: Component) -> str:
+    domains = {f.domain for f in type(component).fields.values() if isinstance(f, Port)}
+    return COLOURS["both" if len(domains) > 1 else "".join(domains)]
+
+
+def _lay_out(boxes: list[_Box]) -> None:
+    """Place boxes in layers by their distance from the ground (or the first), each piece below."""
+    top = 8.0
+    roots = sorted(boxes, key=lambda box: (box.kind != "Fixed", not box.label))
+    for root in roots:
+        if root.layer < 0:
+            top = _place(_layers(root), top)
+
+
+def _layers(root: _Box) -> list[list[_Box]]:
+    root.layer = 0
+    layers, current = [[root]], [root]
+    while current:
+        following: list[_Box] = []
+        for box in current:
+            for other in box.joined:
+                if other.layer < 0:
+                    other.layer = len(layers)
+                    following.append(other)
+        if following:
+            layers.append(following)
+        current = following
+    return layers
+
+
+def _place(layers: list[list[_Box]], top: float) -> float:
+    height = ROW * max(len(layer) for layer in layers)
+    x = 10.0
+    for layer in layers:
+        width = max(box.width for box in layer)
+        _order(layer)
+        first = top + (height - ROW * len(layer)) / 2 + ROW / 2
+        for row, box in enumerate(layer):
+            box.x, box.y = x + width / 2, first + ROW * row
+        x += width + GAP
+    return top + height
+
+
+def _order(layer: list[_Box]) -> None:
+    """Sort a layer by the mean height of what it is joined to on its left, so few lines cross."""
+    heights: dict[int, float] = defaultdict(float)
+    for box in layer:
+        left = [other.y for other in box.joined if other.layer == box.layer - 1]
+        heights[id(box)] = sum(left) / len(left) if left else 0.0
+    layer.sort(key=lambda box: heights[id(box)])
+
+
+def _drawn_line(line: _Line) -> str:
+    a, b = sorted((line.left, line.right), key=lambda box: box.x)
+    x1, x2 = a.x + a.width / 2, b.x - b.width / 2
+    bend = GAP / 2
+    if a.layer == b.layer:
+        x2, path_end = b.x + b.width / 2, b.x + b.width / 2 + bend
+    else:
+        path_end = x2 - bend
+    dashes = ' stroke-dasharray="4 3"' if line.signal else ""
+    return (
+        f'<path d="M{x1:.1f} {a.y:.1f} C{x1 + bend:.1f} {a.y:.1f} {path_end:.1f} {b.y:.1f} '
+        f'{x2:.1f} {b.y:.1f}" fill="none" stroke="currentColor" stroke-opacity="0.55" '
+        f'stroke-width="1.4"{dashes}><title>{escape(line.told)}</title></path>'
+    )
+
+
+def _drawn_box(box: _Box) -> str:
+    return "".join(_node(box) if not box.label else _labelled(box))
+
+
+def _node(box: _Box) -> Iterator[str]:
+    yield f'<circle cx="{box.x:.1f}" cy="{box.y:.1f}" r="4"/>'
+
+
+def _labelled(box: _Box) -> Iterator[str]:
+    left, up = box.x - box.width / 2, box.y - BOX / 2
+    frame = MARK if box.mark else box.colour or "currentColor"
+    yield (
+        f'<rect x="{left:.1f}" y="{up:.1f}" width="{box.width:.1f}" height="{BOX}" rx="4" '
+        f'fill="{box.colour or "none"}" fill-opacity="0.12" '
+        f'stroke="{frame}" stroke-width="{3 if box.mark else 1.3}"/>'
+    )
+    if box.mark:
+        yield (
+            f'<text x="{box.x:.1f}" y="{up - 4:.1f}" text-anchor="middle" font-size="10" fill="{MARK}">'
+            f"{escape(box.mark)}</text>"
+        )
+    lines = [(box.label, box.y - 2, 1.0), (box.kind, box.y + 12, 0.65)] if box.kind else [
+        (box.label, box.y + 4, 1.0)
+    ]  # fmt: skip
+    for text, y, strength in lines:
+        yield (
+            f'<text x="{box.x:.1f}" y="{y:.1f}" text-anchor="middle" '
+            f'fill-opacity="{strength}">{escape(text)}</text>'
+        )

@@ -1,0 +1,134 @@
+"""What a notebook shows of a network and of a result: compact HTML with inline SVG."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Sequence
+from html import escape
+from typing import TYPE_CHECKING, Any
+
+from ...components.language import MISSING, Component, Field, Option, Parameter, RealInput, Variable
+from .chart import line_chart
+from .network_drawing import svg_sketch
+from .plotting import pretty_unit
+from .summary import EVENT_HEADERS, STATE_HEADERS, event_rows, state_rows
+
+if TYPE_CHECKING:
+    from ..network import Network
+    from .result import Result
+
+MOST_STATES = 12
+MOST_CHARTS = 4
+MOST_ROWS = 40
+CELL = 'style="text-align:left;vertical-align:top;padding:1px 8px"'
+MUTED = "opacity:0.65"
+
+
+def result_html(result: Result) -> str:
+    """Return a run as HTML: charts of its states, statistics, start values, events and notes."""
+    stats = result.stats
+    title = (
+        f"{result.time[0]:g} to {result.time[-1]:g} s · {len(result.time)} points · "
+        f"{stats['solver']} · {stats['steps']} steps · {stats['events']} events · "
+        f"{stats['seconds']:.3g} s"
+    )
+    notes = "".join(f"<li>{escape(note)}</li>" for note in result.notes)
+    return _page(
+        result.name,
+        title,
+        f'<div style="display:flex;flex-wrap:wrap;gap:12px">{"".join(_charts(result))}</div>',
+        f"<ul>{notes}</ul>" if notes else "",
+        _rows("states", STATE_HEADERS, state_rows(result), len(result.initial)),
+        _rows("events", EVENT_HEADERS, event_rows(result), len(result.events)),
+    )
+
+
+def network_html(network: Network) -> str:
+    """Return a network as HTML: a sketch of what is joined, and its components with their values."""
+    parts = network._parts
+    too_many = f'<span style="{MUTED}">(no sketch of so many)</span>' if parts else ""
+    return _page(
+        network.name,
+        f"{len(parts)} components",
+        f'<div style="overflow-x:auto">{svg_sketch(network) or too_many}</div>',
+        _components(network),
+    )
+
+
+def _page(name: str, title: str, *blocks: str) -> str:
+    heading = f'<b>{escape(name)}</b> <span style="{MUTED}">{escape(title)}</span>'
+    return f'<div style="font:13px sans-serif">{heading}{"".join(blocks)}</div>'
+
+
+def _charts(result: Result) -> Iterator[str]:
+    by_unit: dict[str, list[str]] = {}
+    for name in result.dae.state_names[:MOST_STATES]:
+        by_unit.setdefault(result.unit(name), []).append(name)
+    for unit, names in list(by_unit.items())[:MOST_CHARTS]:
+        yield line_chart(result.time, {name: result[name] for name in names}, pretty_unit(unit))
+
+
+def _folded(title: str, content: str) -> str:
+    return f"<details><summary>{escape(title)}</summary>{content}</details>"
+
+
+def _rows(what: str, headers: Sequence[str], rows: Sequence[Sequence[str]], count: int) -> str:
+    """Return rows that fold away, with the number of those that are left out."""
+    escaped = [[escape(cell) for cell in row] for row in rows]
+    table = _table(headers, escaped) + _more(count - len(rows))
+    return _folded(f"{count} {what}", table) if rows else ""
+
+
+def _more(count: int) -> str:
+    return f'<span style="{MUTED}">and {count} more</span>' if count > 0 else ""
+
+
+def _table(headers: Sequence[str], rows: Iterable[Sequence[str]]) -> str:
+    head = "".join(f"<th {CELL}>{escape(header)}</th>" for header in headers)
+    body = "".join(f"<tr>{''.join(f'<td {CELL}>{cell}</td>' for cell in row)}</tr>" for row in rows)
+    return f'<table style="font:inherit"><thead><tr>{head}</tr></thead><tbody>{body}</tbody></table>'
+
+
+def _components(*owners: Component) -> str:
+    """Return the parts of the last owner as a table; the others enclose it."""
+    parts = list(owners[-1]._parts.items())
+    rows = [_component_row(name, part, owners) for name, part in parts[:MOST_ROWS]]
+    table = _table(("name", "component", "values"), rows)
+    return table + _more(len(parts) - len(rows))
+
+
+def _component_row(name: str, part: Component, owners: tuple[Component, ...]) -> tuple[str, str, str]:
+    values = "; ".join(_values(part, owners))
+    problems = "".join(f'<div style="color:#cc3311">{escape(problem)}</div>' for problem in part.problems())
+    inside = _folded(f"{len(part._parts)} parts", _components(*owners, part)) if part._parts else ""
+    return f"<b>{escape(name)}</b>", escape(type(part).__name__), values + problems + inside
+
+
+def _values(part: Component, owners: tuple[Component, ...]) -> Iterator[str]:
+    for name, field in type(part).fields.items():
+        own = part._values.get(name, getattr(field, "default", None))
+        value = _followed(own, owners)
+        if value is MISSING or not (name in part._values or isinstance(field, Parameter)):
+            continue
+        shown = f"{escape(name)} = {escape(_told(field, value))}"
+        plain = name in part._values and value is own
+        yield shown if plain else f'<span style="{MUTED}">{shown}</span>'
+
+
+def _followed(value: Any, owners: tuple[Component, ...]) -> Any:
+    """Return the value of a parameter that is bound to one of an enclosing component."""
+    for owner in reversed(owners):
+        if isinstance(value, Parameter) and type(owner).fields.get(value.name) is value:
+            value = owner._values.get(value.name, value.default)
+    return value
+
+
+def _told(field: Field, value: Any) -> str:
+    unit = pretty_unit(field.unit)
+    if isinstance(field, Option):
+        return repr(value)
+    if isinstance(value, int | float):
+        start = " at the start" if isinstance(field, Variable) else ""
+        return f"{value:g} {unit}".rstrip() + start
+    if isinstance(field, RealInput):
+        return "function of time" if callable(value) else type(value).__name__
+    return "follows from others" if callable(value) else repr(value)

@@ -1,0 +1,257 @@
+"""`Result`: named signals of a run, its events and its statistics."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, field
+from functools import cached_property
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import casadi as ca
+import numpy as np
+from numpy.typing import NDArray
+
+from ...base import UnknownNameError, path_of
+from ..simulation.bound_dae import Closed
+from ..simulation.compiled import dense
+from ..simulation.events.switcher import Event
+from ..simulation.initialization import Decisions
+from ..simulation.legs import Leg
+from ..simulation.tolerance import Tolerance
+from ..variational.jacobians import Points
+from .between import Between
+from .over_time import OverTime
+from .pieces import Pieces
+
+if TYPE_CHECKING:
+    import pandas as pd
+
+Array = NDArray[np.float64]
+
+
+@dataclass(eq=False)
+class Segment:
+    """The points between two events; what is constant among them."""
+
+    q: Array
+    times: list[Array] = field(default_factory=list)
+    states: list[Array] = field(default_factory=list)
+    algebraic: list[Array] = field(default_factory=list)
+
+    def extend(self, times: Array, states: Array, algebraic: Array) -> None:
+        """Append points."""
+        self.times.append(times)
+        self.states.append(states)
+        self.algebraic.append(algebraic)
+
+    def __len__(self) -> int:
+        return sum(map(len, self.times))
+
+    def state(self, number: int) -> tuple[Array, Array]:
+        """Return states and algebraic unknowns of one point."""
+        for states, algebraic in zip(self.states, self.algebraic, strict=True):
+            if number < len(states):
+                return states[number], algebraic[number]
+            number -= len(states)
+        raise IndexError(number)
+
+
+class Result(OverTime):
+    """What a run computed; signals are evaluated by name when they are asked for.
+
+    Attributes:
+        events: the changes of mode and the shocks, in order.
+        initial: how every start value was decided.
+        notes: what the run wants to be known (forces that are not unique).
+
+    At an event two points share one time: before and after.
+
+    Example:
+        >>> from inertance import Fixed, Inerter, Mass, Network, Spring
+        >>> net = Network("example", wall=Fixed(), spring=Spring(k=1.0), mass=Mass(m=1.0, s=1.0))
+        >>> _ = net.connect(net.wall.flange, net.spring.flange_a)
+        >>> _ = net.connect(net.spring.flange_b, net.mass.flange)
+        >>> run = net.simulate(1.0)
+        >>> run["mass.s"].shape
+        (501,)
+    """
+
+    def __init__(
+        self,
+        closed: Closed,
+        segments: list[Segment],
+        legs: Sequence[Leg],
+        events: list[Event],
+        stats: dict[str, Any],
+        initial: Decisions,
+        notes: list[str],
+        sensitivities: dict[str, Array],
+        limiting: Callable[[], str],
+    ) -> None:
+        self.dae = closed.dae
+        self.events, self.initial, self.notes = events, initial, notes
+        self._figures, self._limiting = stats, limiting
+        self._closed, self._segments, self._legs = closed, segments, legs
+        self._sensitivities = sensitivities
+        self._cache: dict[str, Array] = {}
+        self._time: Array = np.concatenate([t for s in segments for t in s.times])
+
+    @property
+    def name(self) -> str:
+        """Name of the network."""
+        return self.dae.name
+
+    @property
+    def time(self) -> Array:
+        """Instants of the points [s]."""
+        return self._time
+
+    @cached_property
+    def stats(self) -> dict[str, Any]:
+        """Steps, events by component, the state that limited the steps, seconds."""
+        return {**self._figures, "limiting state": self._limiting()}
+
+    def __getitem__(self, name: str) -> Array:
+        """Return a signal by its full name, in SI units.
+
+        Raises:
+            UnknownNameError: for an unknown name, with the nearest one.
+        """
+        self.dae.system.flat.check_name(name)
+        if name == "time":
+            return self.time
+        if name not in self._cache:
+            state = self._state(name)
+            self._cache[name] = self._evaluate(name) if state is None else state
+        return self._cache[name]
+
+    def _state(self, name: str) -> Array | None:
+        """Return what was recorded, if a name stands for a state."""
+        if name in self.dae.switching.mode_names or self.dae.system.flat.table.field(name) is not None:
+            return None
+        root, sign = self.dae.root(name)
+        if root not in self.dae.states:
+            return None
+        place = self.dae.states.index(root)
+        return sign * np.concatenate([states[:, place] for s in self._segments for states in s.states])
+
+    def _evaluate(self, name: str) -> Array:
+        values: Array = self._closed.signal(name)(*self.points.arguments)[0].ravel()
+        return values
+
+    @cached_property
+    def points(self) -> Points:
+        """All points of the run, events included."""
+        return Points.of(self._closed, self._segments)
+
+    def __contains__(self, name: str) -> bool:
+        try:
+            self.dae.expression(name)
+        except KeyError:
+            return False
+        return True
+
+    def names(self) -> list[str]:
+        """Return the names of all signals."""
+        return ["time", *self.dae.names(), *self.dae.switching.mode_names]
+
+    def unit(self, name: str) -> str:
+        """Return the unit of a signal."""
+        return self.dae.unit(name)
+
+    def _course(self, name: str, begin: float, end: float) -> Pieces:
+        """Return cubics through values and rates; where points are too far apart, follow the run again."""
+        return self._between.course(name, self[name], begin, end)
+
+    def values_of(self, name: str) -> tuple[str, ...]:
+        """Return what the values 0, 1, ... of a mode are called; nothing for any other signal.
+
+        Raises:
+            UnknownNameError: for an unknown name, with the nearest one.
+        """
+        modes = self.dae.switching
+        if name in modes.mode_names:
+            return modes.mode_values[modes.mode_names.index(name)]
+        self.dae.expression(name)
+        return ()
+
+    @cached_property
+    def _between(self) -> Between:
+        tolerance = Tolerance(self._figures["rtol"], self._figures["atol"])
+        return Between(self._closed, self.points, self._legs, self._figures["solver"], tolerance)
+
+    def sensitivity(self, name: str, parameter: str) -> Array:
+        """Return d(signal)/d(parameter) along a run asked for with `sensitivities=`.
+
+        Raises:
+            UnknownNameError: if the parameter's sensitivities were not asked for.
+        """
+        self.dae.field(parameter)
+        if parameter not in self._sensitivities:
+            raise UnknownNameError(f"run again with sensitivities=['{parameter}']")
+        closed, dae = self._closed, self.dae
+        residuals = closed.close(ca.vertcat(dae.expression(name), dae.alg))
+        number = dae.system.flat.table.index[parameter]
+        of_x, of_z, of_q = (ca.jacobian(residuals, symbol) for symbol in (closed.x, closed.z, closed.q))
+        function = closed.function("slopes", *dense(of_x, of_z, of_q[:, number]))
+        points = Points.of(closed, self._segments)
+        slopes = function(points.x.T, points.z.T, self._segments[0].q, self.time[None, :])
+        count = residuals.numel()
+        to_x, to_z, to_p = (m.full().reshape(count, len(self.time), -1).transpose(1, 0, 2) for m in slopes)
+        moved = to_x @ self._sensitivities[parameter][:, :, None] + to_p
+        total: Array = moved[:, :1] - to_z[:, :1] @ np.linalg.solve(to_z[:, 1:], moved[:, 1:])
+        return total.ravel()
+
+    def to_dataframe(self, *names: str) -> pd.DataFrame:
+        """Return signals as a pandas DataFrame indexed by time; the states if no names are given.
+
+        Args:
+            names: signals or patterns (`mass.*`).
+
+        Raises:
+            UnknownNameError: for an unknown signal, with the nearest one, or a pattern that matches none.
+        """
+        import pandas as pd
+
+        from .signals import chosen_signals
+
+        chosen = chosen_signals(self.dae, names or self.dae.state_names)
+        table = pd.DataFrame({name: self[name] for name in chosen}, index=pd.Index(self.time, name="time"))
+        table.attrs["units"] = {name: self.unit(name) for name in chosen}
+        return table
+
+    def summary(self) -> str:
+        """Return states with their start values, events, statistics and notes as text."""
+        from .summary import summary
+
+        return summary(self)
+
+    def plot(self, *names: str, axes: Any = None) -> Any:
+        """Plot signals over time, one panel a unit, and return the matplotlib figure."""
+        from .plotting import plot_result
+
+        return plot_result(self, names or tuple(self.dae.state_names[:4]), axes)
+
+    def save(self, path: str | Path, *names: str) -> Path:
+        """Write signals to .csv, .parquet or .npz; read them back with `load_table`.
+
+        Raises:
+            ModelError: for another ending.
+            MissingFileError: if the folder does not exist.
+        """
+        from .storage import save_result
+
+        return save_result(self, path_of(path, "a table"), names)
+
+    def __repr__(self) -> str:
+        stats = self.stats
+        return (
+            f"<Result of '{self.name}': {self.time[0]:g} to {self.time[-1]:g} s, {len(self.time)} points, "
+            f"{len(self.dae.states)} states, {stats['steps']} steps, {stats['events']} events>"
+        )
+
+    def _repr_html_(self) -> str:
+        from .notebook import result_html
+
+        return result_html(self)

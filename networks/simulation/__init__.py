@@ -1,0 +1,1 @@
+"""Runs: start values, integrators, legs of what is given, events on the way."""

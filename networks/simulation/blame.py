@@ -1,0 +1,95 @@
+"""Which equations have no finite value, or no finite slope, at a point."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING, Any
+
+import casadi as ca
+import numpy as np
+
+from ..flattening.equations import local_arguments
+from ..flattening.vectors import pick
+
+if TYPE_CHECKING:
+    from ..flattening.flat import Instance
+    from .bound_dae import Closed
+
+MOST = 3
+GUARD = "docs/write-your-own-component.md says how to guard it"
+
+
+def told_without_value(closed: Closed, x: Any, z: Any, q: Any, t: float, ahead: float = 0.0) -> str:
+    """Return a sentence that names inputs and equations without a finite value or slope at a point.
+
+    It is empty if there are none. Inputs are looked at until `ahead` [s] later.
+    """
+    found = [*_inputs(closed, q, np.array([t, t + ahead])), *_equations(closed, x, z, q, t)]
+    more = f", and {len(found) - MOST} more" if len(found) > MOST else ""
+    return f"{'; '.join(found[:MOST])}{more}" if found else ""
+
+
+def _inputs(closed: Closed, q: Any, times: Any) -> Iterator[str]:
+    values = closed.input_values(np.tile(q, (len(times), 1)), times)
+    for declared, course in zip(closed.dae.inputs, values.T, strict=True):
+        if not np.isfinite(course).all():
+            k = int(np.argmin(np.isfinite(course)))
+            name = "der(" * declared.order + declared.path + ")" * declared.order
+            yield f"input '{name}' is {course[k]:g} at t = {times[k]:.6g} s"
+
+
+def _equations(closed: Closed, x: Any, z: Any, q: Any, t: float) -> Iterator[str]:
+    dae, flat = closed.dae, closed.dae.system.flat
+    q = q[: dae.constants.numel()]
+    values = _values(closed, x, z, _padded(closed, q), t)
+    for group in flat.groups:
+        template = group[0].template
+        if not template.residuals:
+            continue
+        given, arguments = local_arguments(flat, group)
+        numbers = ca.Function("given", [dae.constants], [arguments])(q).full()
+        rows = [ca.vertcat(r, *s.values()) for r, s in zip(template.residuals, template.slopes, strict=True)]
+        function = ca.Function("rows", [template.symbols, given, template.time], rows)
+        for place, instance in enumerate(group):
+            local = _known(closed, instance, values)
+            results = function.call([np.where(np.isfinite(local), local, 1.0), numbers[:, place], t])
+            for residual, result in zip(template.residuals, results, strict=True):
+                value, *slopes = np.isfinite(result.full().ravel())
+                if not (value and all(slopes)):
+                    what = f"finite {'slope' if value else 'value'} of `{_short(residual)}`"
+                    yield f"{instance} has no {what} there{_at(template, residual, local)}"
+
+
+def _padded(closed: Closed, q: Any) -> Any:
+    return np.concatenate([q, np.zeros(closed.q.numel() - len(q))])
+
+
+def _values(closed: Closed, x: Any, z: Any, q: Any, t: float) -> dict[int, float]:
+    """Return every joined variable of a component."""
+    flat = closed.dae.system.flat
+    count = sum(len(group) * len(group[0].template.variables) for group in flat.groups)
+    roots = sorted({flat.joined.find(number)[0] for number in range(count)})
+    function = closed.function("variables", closed.close(pick(closed.dae.variables, roots)))
+    return dict(zip(roots, function(x, z, q, t).full().ravel().tolist(), strict=True))
+
+
+def _known(closed: Closed, instance: Instance, values: dict[int, float]) -> Any:
+    """Return an instance's variables, not finite where that equation or one elsewhere has no value."""
+    joined = closed.dae.system.flat.joined
+    found = [joined.find(instance.base + k) for k in range(len(instance.template.variables))]
+    return np.array([sign * values[root] for root, sign in found])
+
+
+def _at(template: Any, residual: Any, local: Any) -> str:
+    used = {symbol.name() for symbol in ca.symvar(residual)}
+    told = [
+        f"{name} = {local[k]:.4g}"
+        for name, k in template.place.items()
+        if name in used and np.isfinite(local[k])
+    ]
+    return f" ({', '.join(told[:4])})" if told else ""
+
+
+def _short(residual: Any, most: int = 120) -> str:
+    text = f"{residual} == 0"
+    return text if len(text) <= most else f"{text[:most]} ..."

@@ -1,0 +1,116 @@
+"""Coverage: whether sampled inputs are known throughout a run, and whether they are what they seem."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from functools import lru_cache
+from typing import Any
+
+import numpy as np
+
+from ...base import ModelError
+from ...components.language import Sampled
+from ..dae import Input
+from .splines import KEPT, piecewise
+
+LEAST_SHARE = 0.01  # of the data's span, below which a run makes one ask for the unit of their time
+BEYOND = 0.5  # share of the data's range by which a spline that goes beyond them is no signal
+JUMP = 0.2  # share of the data's range by which they jump within a sample ...
+LONELY = 10.0  # ... so many times more than in the samples beside it
+BESIDE = 4
+
+
+def check_covered(name: str, signals: Mapping[str, Any], begin: float, stop: float) -> None:
+    """Raise for sampled inputs that are not known from `begin` to `stop` [s].
+
+    Raises:
+        ModelError: naming each input, its data's span, and what to do.
+    """
+    problems = [
+        f"input '{path}': its data are from {s.time[0]:.9g} to {s.time[-1]:.9g} s, wanted are "
+        f"{_span(begin, stop)}; keep to the data, or give Sampled(time, values, extrapolation='hold')"
+        for path, s in signals.items()
+        if isinstance(s, Sampled) and not s.covers(begin, stop)
+    ]
+    if problems:
+        raise ModelError(f"'{name}' cannot run on these data:", problems)
+
+
+def _span(begin: float, stop: float) -> str:
+    return f"t = {begin:.9g} s" if begin == stop else f"{begin:.9g} to {stop:.9g} s"
+
+
+def data_notes(
+    inputs: Sequence[Input], signals: Mapping[str, Any], begin: float, stop: float
+) -> Iterator[str]:
+    """Yield what may be wrong with sampled inputs that a run from `begin` to `stop` [s] has used."""
+    for path, signal in signals.items():
+        if not isinstance(signal, Sampled):
+            continue
+        span = float(np.ptp(signal.time))
+        if stop - begin < LEAST_SHARE * span:
+            yield (
+                f"input '{path}': the run uses {(stop - begin) / span:.2g} of its data, which are from "
+                f"{signal.time[0]:g} to {signal.time[-1]:g} s; is their time in seconds?"
+            )
+        told = between_samples(signal)
+        if told:
+            yield f"input '{path}': {told}; {jump_remedy(inputs, path)}"
+
+
+def jump_remedy(inputs: Sequence[Input], path: str) -> str:
+    """Return what helps an input of which a cubic spline makes something else."""
+    if any(declared.path == path and declared.order for declared in inputs):
+        return "its derivative is needed, so sample it faster, or give it as smooth as it can have been"
+    return "interpolation='linear' stays within the samples"
+
+
+@lru_cache(maxsize=KEPT)
+def between_samples(signal: Sampled) -> str:
+    """Say where a cubic spline makes of a signal what was not measured; empty if nowhere."""
+    values, steps = signal.values, np.diff(signal.values)
+    size = float(np.ptp(values))
+    if signal.interpolation != "cubic" or not size:
+        return ""
+    at, beyond = _beyond(signal)
+    jump = _jump(steps, size)
+    if beyond <= BEYOND * size and jump is None:
+        return ""
+    if beyond > BEYOND * size:
+        return (
+            f"the spline through its samples goes {beyond / size:.3g} times their range beyond them at "
+            f"t = {at:.6g} s, where they are far apart or next to each other"
+        )
+    return (
+        f"it jumps within one sample at t = {signal.time[jump]:.6g} s, which a cubic spline overshoots by "
+        f"{beyond / size:.0%} of its range"
+    )
+
+
+def _beyond(signal: Sampled) -> tuple[float, float]:
+    """Return where and by how much the signal leaves the range of its samples most."""
+    course = piecewise(signal)
+    quadratic, linear, constant = (course.c[k] * (3 - k) for k in range(3))
+    with np.errstate(divide="ignore", invalid="ignore"):
+        root = np.sqrt(linear**2 - 4 * quadratic * constant)
+        found = np.concatenate([(-linear + s * root) / (2 * quadratic) for s in (1.0, -1.0)])
+    begins, lengths = np.tile(course.x[:-1], 2), np.tile(np.diff(course.x), 2)
+    inside = (found > 0) & (found < lengths)
+    turns = np.r_[(begins + found)[inside], signal.time]
+    values = course(turns)
+    low, high = signal.values.min(), signal.values.max()
+    outside = np.maximum(values - high, low - values)
+    worst = int(np.argmax(outside))
+    return float(turns[worst]), float(outside[worst])
+
+
+def _jump(steps: Any, size: float) -> int | None:
+    """Return the sample before the largest lonely step, None if there is none."""
+    changes = np.abs(steps)
+    if len(changes) < 2 * BESIDE + 1:
+        return None
+    windows = np.lib.stride_tricks.sliding_window_view(changes, 2 * BESIDE + 1)
+    middle = windows[:, BESIDE]
+    others = np.delete(windows, BESIDE, axis=1).max(axis=1)
+    lonely = np.flatnonzero((middle > JUMP * size) & (middle > LONELY * others))
+    return int(lonely[np.argmax(middle[lonely])]) + BESIDE if len(lonely) else None

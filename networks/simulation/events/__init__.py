@@ -1,0 +1,1 @@
+"""Events: watched, located, landed on, and what they change."""

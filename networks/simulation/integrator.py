@@ -1,0 +1,165 @@
+"""Stepper: one compiled integrator over scaled time, used for every segment of a run."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from math import ceil, log
+from typing import TYPE_CHECKING, Any
+
+import casadi as ca
+import numpy as np
+from numpy.typing import NDArray
+
+from ...base import ModelError, foreign
+from .compiled import Compiled
+from .tolerance import Tolerance
+
+if TYPE_CHECKING:
+    from .bound_dae import Closed
+
+Array = NDArray[np.float64]
+SOLVERS = ("auto", "cvodes", "idas", "rosenbrock", "compiled")
+
+
+class IntegratorError(Exception):
+    """The integrator gave up; the message is its own."""
+
+
+@dataclass(frozen=True, eq=False)
+class Stretch:
+    """What one call computed: states (nodes, nx), algebraic unknowns (nodes, nz), steps taken."""
+
+    states: Array
+    algebraic: Array
+    steps: int
+
+
+class Stepper:
+    """Integrates from (t, x, z) over any duration, with `nodes` equidistant outputs.
+
+    States are scaled by powers of two near their nominal values, so that one absolute tolerance
+    serves them all and no value is rounded.
+    """
+
+    def __init__(
+        self, closed: Closed, solver: str, tolerance: Tolerance, nodes: int, most_steps: int
+    ) -> None:
+        dae = closed.dae
+        if solver == "auto":
+            solver = "idas" if dae.z.numel() else "cvodes"
+        if solver == "cvodes" and dae.z.numel():
+            raise ModelError(
+                f"'{dae.name}' keeps {dae.z.numel()} algebraic unknowns, which solver 'cvodes' cannot "
+                "handle; use 'idas', 'rosenbrock' or 'auto'"
+            )
+        self.solver, self.nodes, self.most_steps = solver, nodes, most_steps
+        self.scale = nominal_sizes(dae, dae.states)
+        self.nx, self.nz = dae.x.numel(), dae.z.numel()
+        self._closed, self._tolerance, self._most_steps = closed, tolerance, most_steps
+        self._made: dict[int, Compiled] = {}
+        self._compiled = self._divided(1)
+        self._stretch = 0.0, 0.0
+        function = self._compiled.function
+        self._unused = [np.zeros(function.nnz_in(i)) for i in range(3, function.n_in())]
+
+    def _divided(self, parts: int) -> Compiled:
+        """Return the integrator that takes at least so many steps for a stretch, made once."""
+        if parts not in self._made:
+            self._made[parts] = Compiled(self._build(self._closed, self._tolerance, parts))
+        return self._made[parts]
+
+    def _build(self, closed: Closed, tolerance: Tolerance, parts: int) -> Any:
+        kind: Any = type(closed.x)
+        begin, span, tau = (kind.sym(n) for n in ("begin", "span", "tau"))
+        scale = ca.DM(self.scale)
+        ode, alg = closed.close(closed.dae.ode), closed.close(closed.dae.alg)
+        plain = bool((self.scale == 1).all())
+        if not plain or ca.depends_on(ca.vertcat(ode, alg), closed.t):
+            rates = closed.function("rates", ode, alg)
+            scaled = closed.x if plain else closed.x * scale
+            ode, alg = rates(scaled, closed.z, closed.q, begin + span * tau)
+        x, ode = (closed.x, ode) if closed.x.numel() else (kind.sym("none"), kind(0))
+        scale = scale if closed.x.numel() else ca.DM(1)
+        problem = {
+            "x": x, "z": closed.z, "p": ca.vertcat(closed.q, begin, span), "t": tau,
+            "ode": span * (ode if plain else ode / scale), "alg": alg,
+        }  # fmt: skip
+        if closed.dae.hybrid and self.solver != "rosenbrock":
+            tolerance = tolerance.between_events()
+        options: dict[str, Any] = {"reltol": tolerance.rtol, "abstol": tolerance.atol}
+        options |= {"max_num_steps": self._most_steps + -(-parts // self.nodes), "show_eval_warnings": False}
+        if parts > 1:
+            options["max_step_size"] = 1 / parts
+        if self.solver != "rosenbrock":
+            options["disable_internal_warnings"] = True
+        grid = np.linspace(0, 1, self.nodes + 1)[1:]
+        return ca.integrator("run", self.solver, problem, 0.0, grid, options)
+
+    def run(self, t: float, x: Array, z: Array, q: Array, span: float, max_step: float = np.inf) -> Stretch:
+        """Integrate over (t, t + span], in steps no longer than `max_step`, or a quarter of it."""
+        x0 = x / self.scale if self.nx else np.zeros(1)
+        self._compiled = self._divided(_parts(span, max_step))
+        self._stretch = t, span
+        self._compiled.empty()
+        try:
+            with foreign():
+                results = self._compiled(x0, z, np.concatenate([q, [t, span]]), *self._unused)
+        except RuntimeError as error:
+            raise IntegratorError(str(error)) from error
+        stretch = self._stretched(results)
+        if not np.isfinite(stretch.states).all():
+            raise IntegratorError(f"{self.solver} left the finite numbers")
+        return stretch
+
+    def _stretched(self, results: list[Array]) -> Stretch:
+        stats = self._compiled.stats()
+        states, algebraic = (result.reshape(self.nodes, -1) for result in results[:2])
+        steps = int(stats.get("nsteps", stats.get("n_steps", 0)))
+        return Stretch(states[:, : self.nx] * self.scale, algebraic, steps)
+
+    def reached(self) -> Stretch:
+        """Return what a call that Ctrl-C ended had computed."""
+        stretch = self._stretched(self._compiled.results())
+        done = round(self._compiled.filled() * self.nodes)
+        return Stretch(stretch.states[:done], stretch.algebraic[:done], stretch.steps)
+
+    def now(self) -> float:
+        """Return the time to which the call under way in another thread has come."""
+        t, span = self._stretch
+        return t + span * self._compiled.filled()
+
+    def sensitivity(
+        self, t: float, x: Array, z: Array, q: Array, span: float, max_step: float, seeds: Any
+    ) -> Any:
+        """Return d(states)/d(seeds), (nx, nodes, seeds); seeds are directions (of x, of q)."""
+        of_x, of_q = seeds
+        count = of_x.shape[1]
+        function = self._divided(_parts(span, max_step)).function
+        forward = function.forward(count)
+        p = np.concatenate([q, [t, span]])
+        with foreign():
+            plain = function(x0=x / self.scale, z0=z, p=p)
+        names = forward.name_in()
+        given: dict[str, Any] = {"x0": x / self.scale, "z0": z, "p": p}
+        given |= {f"out_{name}": plain[name] for name in plain}
+        given["fwd_x0"] = of_x / self.scale[:, None]
+        given["fwd_p"] = np.vstack([of_q, np.zeros((2, count))])
+        with foreign():
+            result = forward(**{name: given[name] for name in names if name in given})
+        by_seed = result["fwd_xf"].full()[: self.nx].reshape(self.nx, count, self.nodes)
+        moved = by_seed.transpose(0, 2, 1)
+        scaled: Array = moved * self.scale[:, None, None]
+        return scaled
+
+
+def _parts(span: float, max_step: float) -> int:
+    """Return how many steps a stretch takes at least: a power of four, so that few kinds are made."""
+    return 4 ** ceil(log(span / max_step, 4) - 1e-9) if span > max_step else 1
+
+
+def nominal_sizes(dae: Any, variables: list[int]) -> Array:
+    """Return the powers of two nearest the nominal values of joined variables."""
+    nominal = dae.system.names.nominal
+    sizes = [nominal[s] if s < len(nominal) else 1.0 for s in variables]
+    powers: Array = np.exp2(np.round(np.log2(np.array(sizes, dtype=float))))
+    return powers

@@ -1,0 +1,37 @@
+"""Where a run stands."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+import numpy as np
+from numpy.typing import NDArray
+
+if TYPE_CHECKING:
+    from .bound_dae import Closed
+
+Array = NDArray[np.float64]
+
+
+@dataclass(eq=False)
+class Point:
+    """Where a run stands: time, states, algebraic unknowns and what is constant in the segment."""
+
+    t: float
+    x: Array
+    z: Array
+    q: Array
+
+
+def solve_algebraic(closed: Closed, point: Point) -> None:
+    """Let the algebraic unknowns of a point follow its states."""
+    if not closed.dae.z.numel():
+        return
+    for _ in range(50):
+        value, slope = closed.switch_functions.algebraic(point.x, point.z, point.q, point.t)
+        slope = slope.reshape(len(value), -1).T
+        step = np.linalg.lstsq(slope, -value, rcond=1e-12)[0]
+        point.z = point.z + step
+        if np.abs(step).max() <= 1e-12 * (1 + np.abs(point.z).max()):
+            return

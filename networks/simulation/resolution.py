@@ -1,0 +1,56 @@
+"""Resolution: whether what moved in a run was large enough for its tolerance to follow it."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+import numpy as np
+from numpy.typing import NDArray
+
+from .integrator import nominal_sizes
+from .run import FINEST
+from .tolerance import Tolerance
+
+if TYPE_CHECKING:
+    from ..dae import DAE
+
+Array = NDArray[np.float64]
+LOST = 3e-4  # share of a motion that the tolerance of one step may be ...
+TIMES = 10.0  # ... or so many times the relative tolerance, if that is more
+ROUNDING = 1e3 * np.finfo(float).eps
+AT_REST = 1e-25
+
+
+def resolution_notes(dae: DAE, states: Array, tolerance: Tolerance) -> Iterator[str]:
+    """Yield what the tolerance of a run did not follow: all motion of one unit, by the state that moved most.
+
+    Args:
+        dae: the equations.
+        states: at all points of the run, (points, states).
+        tolerance: of the run.
+    """
+    sizes, moved = np.abs(states).max(axis=0), np.ptp(states, axis=0)
+    off = tolerance.rtol * sizes + tolerance.atol * nominal_sizes(dae, dae.states)
+    lost = (off > max(LOST, TIMES * tolerance.rtol) * moved) & (moved > np.maximum(ROUNDING * sizes, AT_REST))
+    if not lost.any():
+        return
+    facts = dae.system.names.facts
+    units = np.array([facts[v].unit if v < len(facts) else dae.unit(dae.system.name(v)) for v in dae.states])
+    for unit in dict.fromkeys(units[lost].tolist()):
+        group = np.flatnonzero(units == unit)
+        most = int(group[np.argmax(moved[group])])
+        if lost[most]:
+            name = dae.system.name(dae.states[most])
+            yield _told(name, unit, float(moved[most]), float(sizes[most]), float(off[most]), tolerance)
+
+
+def _told(name: str, unit: str, moved: float, size: float, off: float, tolerance: Tolerance) -> str:
+    far, remedy = "", f"atol={tolerance.rtol * moved:.1g}"
+    if tolerance.rtol * size > off / 2:
+        far, finer = f" about {size:.3g} {unit}", LOST * moved / size / 2
+        remedy = f"rtol={finer:.1g}" if finer > FINEST else f"{name} counted from where it rests"
+    return (
+        f"{name} moves by no more than {moved:.3g} {unit}{far}, and the tolerances of this run are {off:.2g} "
+        f"{unit}: if that motion matters, run it with {remedy}"
+    )

@@ -1,0 +1,86 @@
+"""Forward sensitivities of smooth runs: how states depend on parameters."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import casadi as ca
+import numpy as np
+from numpy.typing import NDArray
+
+from ...base import ModelError, nearest
+
+if TYPE_CHECKING:
+    from .bound_dae import Closed
+    from .initialization import Wishes
+    from .integrator import Stepper
+    from .point import Point
+
+Array = NDArray[np.float64]
+
+
+class Sensitivities:
+    """d(states)/d(parameters) along a run, from the start values that follow from fixed ones."""
+
+    def __init__(self, closed: Closed, names: tuple[str, ...], point: Point, wanted: Wishes) -> None:
+        dae = closed.dae
+        table = dae.system.flat.table
+        unknown = [n for n in names if n not in table.index]
+        if unknown:
+            told = [f"there is no parameter '{n}'{nearest(n, table.index)}" for n in unknown]
+            raise ModelError("sensitivities cannot be computed:", told)
+        if dae.hybrid:
+            raise ModelError(
+                f"'{dae.name}' switches modes; forward sensitivities are for smooth networks "
+                "(use the regularised friction elements)"
+            )
+        self.names = names
+        self._of_q = np.zeros((len(point.q), len(names)))
+        self._of_q[[table.index[n] for n in names], range(len(names))] = 1.0
+        self._slopes: list[Array] = [start_slopes(closed, point, wanted, self._of_q)]
+
+    def advance(
+        self,
+        stepper: Stepper,
+        point: Point,
+        span: float,
+        max_step: float,
+        begin: int,
+        nodes: NDArray[np.int64],
+    ) -> None:
+        """Carry the sensitivities from point number `begin` on; some nodes of the stretch are points."""
+        seeds = self._slopes[begin], self._of_q
+        moved = stepper.sensitivity(point.t, point.x, point.z, point.q, span, max_step, seeds)
+        self._slopes = [*self._slopes[: begin + 1], *moved.transpose(1, 0, 2)[nodes]]
+
+    def repeat(self, points: int) -> int:
+        """Give further points at this instant the same sensitivities; return the last one's number."""
+        self._slopes += [self._slopes[-1]] * (points - len(self._slopes))
+        return points - 1
+
+    def collected(self, points: int) -> dict[str, Array]:
+        """Return, for each parameter, d(states)/d(parameter) at the points recorded, (points, states).
+
+        Of a run that came to no end there are none if more points were kept than could be followed.
+        """
+        if len(self._slopes) < points:
+            return {}
+        stacked = np.array(self._slopes[:points])
+        return {name: stacked[:, :, k] for k, name in enumerate(self.names)}
+
+
+def start_slopes(closed: Closed, point: Point, wanted: Wishes, of_q: Array) -> Array:
+    """Return how states start that are solved from fixed values of other variables; others stay."""
+    dae = closed.dae
+    slopes = np.zeros((len(point.x), of_q.shape[1]))
+    others = [v for v in wanted.fixed if v not in dae.states]
+    free = [i for i, s in enumerate(dae.states) if s not in wanted.fixed]
+    if others:
+        missed = closed.close(ca.vertcat(dae.variables[others], dae.alg))
+        of = [ca.jacobian(missed, symbol) for symbol in (closed.x, closed.z, closed.q)]
+        to_x, to_z, to_q = (
+            m.full() for m in closed.function("start", *of)(point.x, point.z, point.q, point.t)
+        )
+        moved = np.linalg.lstsq(np.hstack([to_x[:, free], to_z]), -to_q @ of_q, rcond=1e-12)[0]
+        slopes[free] = moved[: len(free)]
+    return slopes

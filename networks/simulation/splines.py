@@ -1,0 +1,97 @@
+"""Sampled signals between their instants, by cubic splines or straight lines, and beyond if they are held."""
+
+from __future__ import annotations
+
+from functools import lru_cache
+from typing import Any
+
+import casadi as ca
+import numpy as np
+from numpy.typing import NDArray
+
+from ...components.language import Sampled
+
+Array = NDArray[np.float64]
+KEPT = 64
+SMOOTHNESS = {"cubic": 3, "linear": 0}
+"""The order of the last derivative that a signal has, by its interpolation."""
+
+
+@lru_cache(maxsize=KEPT)
+def piecewise(signal: Sampled) -> Any:
+    """Return a signal as a `scipy.interpolate.PPoly`, of instants and order of derivative."""
+    from scipy.interpolate import CubicSpline, PPoly
+
+    if signal.interpolation == "cubic":
+        powers = CubicSpline(signal.time, signal.values).c
+    else:
+        slopes = np.diff(signal.values) / np.diff(signal.time)
+        powers = np.vstack([np.zeros((2, len(slopes))), slopes, signal.values[:-1]])
+    instants = signal.time
+    if signal.extrapolation == "hold":
+        before, after = np.zeros((2, 4, 1))
+        before[3], after[3] = signal.values[0], signal.values[-1]
+        powers = np.hstack([before, powers, after])
+        instants = np.r_[instants[0] - 1.0, instants, instants[-1] + 1.0]
+    return PPoly(powers, instants)
+
+
+def sampled_at(signal: Sampled, times: Array, order: int = 0) -> Array:
+    """Return a signal, or a derivative of it, at instants, as `traced` has it."""
+    known = times if signal.extrapolation == "hold" else np.clip(times, *_ends(signal))
+    values: Array = piecewise(signal)(known, order)
+    return values
+
+
+@lru_cache(maxsize=KEPT)
+def traced(signal: Sampled) -> Any:
+    """Return the same as a CasADi function of time.
+
+    A signal that is not held goes on smoothly for the length of a sample beyond its ends, and stays there,
+    so that an integrator may look ahead.
+    """
+    t = ca.MX.sym("t")
+    between, (begin, end) = _between(signal), _ends(signal)
+    beyond = ca.if_else(t < begin, between(begin), between(end))
+    return ca.Function("signal", [t], [_within(signal, t, between(t), beyond)])
+
+
+def _within(signal: Sampled, t: Any, inside: Any, outside: Any) -> Any:
+    """Return one expression between the ends of a traced signal, from the right at either, another beyond."""
+    begin, end = _ends(signal)
+    return ca.if_else(ca.logic_and(t >= begin, t < end), inside, outside)
+
+
+def _ends(signal: Sampled) -> tuple[float, float]:
+    """Return the instants beyond which a traced signal stays as it is."""
+    time = signal.time
+    if signal.extrapolation == "hold":
+        return float(time[0]), float(time[-1])
+    return float(2 * time[0] - time[1]), float(2 * time[-1] - time[-2])
+
+
+def _between(signal: Sampled) -> Any:
+    if signal.interpolation == "linear":
+        return ca.interpolant("linear", "linear", [signal.time], signal.values)
+    from scipy.interpolate import make_interp_spline
+
+    time = signal.time
+    begin, end = _ends(signal)
+    knots = np.r_[[begin] * 4, time[2:-2], [end] * 4]
+    spline = make_interp_spline(time, signal.values, t=knots)
+    return ca.Function.bspline("cubic", [spline.t.tolist()], spline.c.tolist(), [3], 1)
+
+
+@lru_cache(maxsize=KEPT)
+def curvature(signal: Sampled) -> Any:
+    """Return the second derivative of a cubic signal as a CasADi function of time.
+
+    It is linear between instants. CasADi 3.8.2 writes beyond its memory when the spline itself is
+    differentiated three times; this function can be differentiated once more.
+    """
+    from scipy.interpolate import CubicSpline
+
+    values = CubicSpline(signal.time, signal.values)(signal.time, 2)
+    inside = ca.interpolant("curvature", "linear", [signal.time], values)
+    t = ca.MX.sym("t")
+    return ca.Function("curvature", [t], [_within(signal, t, inside(t), 0.0)])

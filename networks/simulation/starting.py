@@ -1,0 +1,110 @@
+"""Where a network starts from by itself: what is given, what that moves, and in which modes it is sought."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import casadi as ca
+import numpy as np
+
+from ..dae import DAE
+from ..flattening.vectors import column
+from .coverage import check_covered
+from .initialization import Wishes, guessed, leading, wishes
+from .integrator import Array, nominal_sizes
+from .simulate import begun
+
+MOST = 400
+
+
+@dataclass(frozen=True)
+class Aim:
+    """A start value of a variable that is no state; a `fixed` one is met, others as nearly as that allows."""
+
+    name: str
+    variable: int
+    value: float
+    fixed: bool
+
+
+@dataclass(frozen=True, eq=False)
+class Start:
+    """Where the search for start values begins, and what it seeks.
+
+    Attributes:
+        dae: the equations.
+        x: states, z: algebraic unknowns, modes: modes, all before anything is sought.
+        nominal: sizes of the states.
+        aims: start values of variables that are no states, fixed ones first.
+        given: names of the variables whose start is fixed, states among them.
+        led: states that first go to where the aims are met most nearly.
+        free: states that then go where the fixed aims are met.
+    """
+
+    dae: DAE
+    x: Array
+    z: Array
+    modes: Array
+    nominal: Array
+    aims: Sequence[Aim]
+    given: Sequence[str]
+    led: Sequence[int]
+    free: Sequence[int]
+
+    @property
+    def fixed(self) -> list[Aim]:
+        """The aims that are met."""
+        return [aim for aim in self.aims if aim.fixed]
+
+    @property
+    def moved(self) -> set[int]:
+        """The states that are sought."""
+        return {*self.led, *self.free}
+
+
+def starting_point(dae: DAE, inputs: Mapping[str, Any], start: Mapping[str, float]) -> Start:
+    """Return where a run of a network begins at t = 0; see `DAE.simulate` for the arguments.
+
+    Where more than 400 start values hang together, they are those that were found, and nothing is sought.
+
+    Raises:
+        InitialConditionError: for start values that contradict each other.
+    """
+    closed = dae.closed(inputs)
+    check_covered(dae.name, closed.signals, 0.0, 0.0)
+    numbers = dae.system.flat.table.values({})
+    wanted = wishes(dae, start, {})
+    run = begun(closed, closed.blank(numbers), 0.0, wanted)
+    begin = len(numbers)
+    modes, sizes = run.tried[begin : begin + dae.modes.numel()], nominal_sizes(dae, dae.states)
+    aims, led = _aims(dae, wanted), [i for _, movable in leading(dae, wanted) for i in movable]
+    fixed, names = [aim for aim in aims if aim.fixed], [name for name, _ in wanted.fixed.values()]
+    led = _reached(dae, aims, led)
+    free = _reached(dae, fixed, [i for i, s in enumerate(dae.states) if s not in wanted.fixed], True)
+    free = free if fixed else []
+    if max(len(aims), len(fixed) + dae.z.numel() if fixed else 0, len(led), len(free)) > MOST:
+        return Start(dae, run.initial.values, run.point.z, modes, sizes, [], names, [], [])
+    x, z = (guessed(dae, wanted, variables) for variables in (dae.states, dae.algebraic))
+    return Start(dae, x, z, modes, sizes, aims if led else fixed, names, led, free)
+
+
+def _aims(dae: DAE, wanted: Wishes) -> list[Aim]:
+    """Return start values of variables that are no states, fixed ones first."""
+    states = set(dae.states)
+    aims = []
+    for variable, (name, value) in wanted.fixed.items():
+        if variable not in states:
+            aims.append(Aim(name, variable, dae.root(name)[1] * value, True))
+    for soft, _ in leading(dae, wanted):
+        aims += [Aim(dae.system.name(v), v, value, False) for v, value in soft.items()]
+    return aims
+
+
+def _reached(dae: DAE, aims: Sequence[Aim], states: Sequence[int], algebra: bool = False) -> list[int]:
+    """Return those of some states that variables (and algebraic equations) depend on, also through others."""
+    values = column([dae.expression(aim.name) for aim in aims])
+    values = ca.vertcat(values, dae.alg) if algebra else values
+    columns = np.diff(ca.jacobian_sparsity(values, dae.x).colind()) > 0
+    return [i for i in states if columns[i]]

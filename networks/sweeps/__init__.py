@@ -1,0 +1,1 @@
+"""A measure of a network at many points, in many processes, resumable."""

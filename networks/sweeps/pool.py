@@ -1,0 +1,157 @@
+"""Send points to processes and get every result back, whatever happens to the processes."""
+
+from __future__ import annotations
+
+import os
+from collections import deque
+from collections.abc import Iterable, Iterator
+from concurrent.futures import (
+    FIRST_COMPLETED,
+    BrokenExecutor,
+    CancelledError,
+    Executor,
+    Future,
+    wait,
+)
+from functools import cache
+from typing import Any
+
+from ...base import ModelError, Processes
+from .work import Row, Values, work
+
+Point = tuple[str, Values]
+TASK_SECONDS = 0.05
+MOST_POINTS = 64
+ATTEMPTS = 2
+LOST = ("KilledWorker", "CancelledError", "FutureCancelledError", "CommClosedError")
+
+
+class Pool:
+    """An executor that may break, and what is under way in it.
+
+    A task is lost if its process dies. Its points are tried again, each alone, so that a point that kills
+    processes is found: after the second time it gets a row that says so.
+
+    Args:
+        executor: one of `concurrent.futures`, a `dask.distributed.Client`, or None for processes of its own.
+        workers: how many processes of its own; as many as there are processors if None.
+        blob: model and measure.
+    """
+
+    def __init__(self, executor: Any, workers: int | None, blob: bytes) -> None:
+        if hasattr(executor, "get_executor"):
+            executor = executor.get_executor()
+        if not (executor is None or isinstance(executor, Executor)):
+            raise ModelError(
+                f"an executor is one of concurrent.futures or a dask.distributed.Client, got {executor!r}"
+            )
+        self.workers = workers or _processors()
+        self.blob, self.own = blob, executor is None
+        self.executor: Executor = executor or Processes(self.workers)
+        self.width = 2 * (self.workers if self.own else _width(executor))
+        self.pending: dict[Future[list[Row]], list[Point]] = {}
+        self.suspects: deque[tuple[Point, int]] = deque()
+        self.size = 1
+
+    def rows(self, points: Iterable[Point]) -> Iterator[Row]:
+        """Yield the row of every point as it comes."""
+        left = list(points)[::-1]
+        while left or self.pending or self.suspects:
+            while left and not self.suspects and len(self.pending) < self.width:
+                self._submit([left.pop() for _ in range(min(self.size, len(left)))])
+            _load_tables()
+            if self.suspects and not self.pending:
+                yield from self._alone(*self.suspects.popleft())
+            elif self.pending:
+                yield from self._finished()
+
+    def close(self, finish: bool) -> None:
+        """End own processes; if not `finish`, without what they are at."""
+        for future in self.pending:
+            future.cancel()
+        if not isinstance(self.executor, Processes):
+            return
+        if finish:
+            self.executor.shutdown(cancel_futures=True)
+        else:
+            self.executor.abandon()
+
+    def _submit(self, points: list[Point]) -> None:
+        try:
+            self.pending[self.executor.submit(work, self.blob, points)] = points
+        except BrokenExecutor:
+            self._suspect(points)
+            self._renew()
+
+    def _finished(self) -> Iterator[Row]:
+        done, _ = wait(self.pending, return_when=FIRST_COMPLETED)
+        broken = False
+        for future in done:
+            points = self.pending.pop(future)
+            rows = _rows(future)
+            if rows is None:
+                self._suspect(points)
+                broken = True
+            else:
+                seconds = sum(row.seconds for row in rows) / len(rows)
+                self.size = max(1, min(MOST_POINTS, int(TASK_SECONDS / max(seconds, 1e-6))))
+                yield from rows
+        if broken:
+            self._renew()
+
+    def _alone(self, point: Point, attempt: int) -> Iterator[Row]:
+        rows = None
+        try:
+            rows = _rows(self.executor.submit(work, self.blob, [point]))
+        except BrokenExecutor:
+            attempt -= 1
+        if rows is not None:
+            yield from rows
+        else:
+            self._renew()
+            if attempt < ATTEMPTS:
+                self.suspects.append((point, attempt + 1))
+            else:
+                yield Row(point[0], {}, f"the process that computed it died {ATTEMPTS} times", 0.0)
+
+    def _suspect(self, points: list[Point]) -> None:
+        self.suspects.extend((point, 1) for point in points)
+
+    def _renew(self) -> None:
+        """Replace own processes if they are broken; those of others are theirs to mend."""
+        if self.own:
+            for future, points in list(self.pending.items()):
+                if future.done() and _rows(future) is not None:
+                    continue
+                del self.pending[future]
+                self._suspect(points)
+            self.executor.shutdown(wait=False, cancel_futures=True)
+            self.executor = Processes(self.workers)
+
+
+def _rows(future: Future[list[Row]]) -> list[Row] | None:
+    """Return what came of a task, or None if it was lost with its process."""
+    try:
+        return future.result()
+    except (BrokenExecutor, CancelledError):
+        return None
+    except Exception as error:
+        if type(error).__name__ in LOST:
+            return None
+        raise
+
+
+@cache
+def _load_tables() -> None:
+    """Load what the results' table needs while processes are at work."""
+    import pandas  # noqa: F401
+
+
+def _processors() -> int:
+    return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
+
+
+def _width(executor: Any) -> int:
+    client = getattr(executor, "_client", None)
+    threads = sum(client.nthreads().values()) if client is not None else 0
+    return threads or getattr(executor, "_max_workers", None) or _processors()

@@ -1,0 +1,217 @@
+"""`sweep`: a measure of a network at many parameter values, in many processes, resumable."""
+
+from __future__ import annotations
+
+import inspect
+import json
+from collections.abc import Callable, Generator, Iterable, Mapping
+from contextlib import closing
+from dataclasses import dataclass
+from hashlib import sha256
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from ...base import ModelError, SimulationError, boolean, demand, nearest, optional, path_of, whole
+from ..dae import DAE
+from ..simulation.progress import Progress
+from .design import Design, grid
+from .store import Store, opened
+from .work import Model, Row, Work, bequeath, equations, packed
+
+if TYPE_CHECKING:
+    import pandas as pd
+
+
+class SweepInterruptedError(KeyboardInterrupt):
+    """Ctrl-C during a sweep; `sweep` holds what was done by then."""
+
+    def __init__(self, message: str, sweep: Sweep) -> None:
+        self.sweep = sweep
+        super().__init__(message)
+
+
+@dataclass(frozen=True, eq=False)
+class Sweep:
+    """What came of a sweep.
+
+    Attributes:
+        design: the points asked for.
+        table: a row for each point that was done, in their order: parameters, results, `error` (empty if all
+            went well) and `seconds`; its index counts the points of the design.
+        resumed: how many of them were in the file already.
+    """
+
+    design: Design
+    table: pd.DataFrame
+    resumed: int
+
+    @property
+    def failed(self) -> pd.DataFrame:
+        """The rows with an error."""
+        return self.table.query("error != ''")
+
+    def __repr__(self) -> str:
+        failed = len(self.failed)
+        return f"<Sweep: {len(self.table)} of {len(self.design)} points, {failed} failed>"
+
+
+def sweep(
+    model: Model,
+    parameters: Design | Mapping[str, Iterable[Any]],
+    measure: Callable[..., Any],
+    *,
+    executor: Any = None,
+    workers: int | None = None,
+    path: str | Path | None = None,
+    progress: bool | None = None,
+) -> Sweep:
+    """Return a measure of a network at many points.
+
+    Every point gets one row: its results, or the message of its error. A process that dies is replaced and
+    its points are done again. With a `path`, rows are on the disk as they come; the same call goes on where
+    an interrupted one stopped. Ctrl-C keeps what is done.
+
+    Args:
+        model: a network; a function that returns one; "path/to/file.py:function"; or None, if the measure
+            builds its own. It is assembled once a process.
+        parameters: the points: a `Design` (`grid`, `monte_carlo`, `latin_hypercube`, `sobol_sequence`,
+            `saltelli`), or values by name for a grid.
+        measure: `measure(dae, values)`, or `measure(values)` without a model: returns a number, or numbers by
+            name. `values` are the parameters of the point, as `dae.simulate(parameters=values)` takes them.
+        executor: None for processes of its own; an executor of `concurrent.futures`; a
+            `dask.distributed.Client`.
+        workers: how many processes of its own; 0 computes in this one.
+        path: a .parquet or .csv file for the results.
+        progress: show progress and time left; by default if it takes over a second on a terminal.
+
+    Raises:
+        ModelError: for unknown parameters, a model that cannot be assembled, or a file of another sweep.
+        SimulationError: if no point could be computed; its `result` is the sweep.
+        SweepInterruptedError: on Ctrl-C.
+
+    Limits: on systems that start processes anew (Windows, macOS), a script that sweeps needs
+    `if __name__ == "__main__":`; functions defined in a notebook need cloudpickle there.
+
+    Example:
+        >>> from inertance import Damper, Fixed, Mass, Network, Spring, parallel, sweep
+        >>> strut = parallel(Spring(k=1.0), Damper(d=0.1))
+        >>> net = Network("swing", wall=Fixed(), strut=strut, mass=Mass(m=1.0))
+        >>> _ = net.connect(net.wall.flange, net.strut.flange_a)
+        >>> _ = net.connect(net.strut.flange_b, net.mass.flange)
+        >>> def peak(dae, values):
+        ...     return dae.simulate(10.0, parameters=values, start={"mass.v": 1.0})["mass.s"].max()
+        >>> done = sweep(net, {"strut.damper.d": [0.1, 0.2, 0.4]}, peak, workers=0)
+        >>> [round(value, 2) for value in done.table["value"]]
+        [0.93, 0.86, 0.76]
+    """
+    demand("sweep()", workers=(workers, optional(whole(0))), progress=(progress, optional(boolean)))
+    if not callable(measure):
+        raise ModelError(f"a measure is a function of the equations and the values, got {measure!r}")
+    design = parameters if isinstance(parameters, Design) else grid(parameters)
+    dae = equations(model)
+    _check_names(dae, design)
+    values = [dict(zip(design.names, point, strict=True)) for point in design.points]
+    keys = [_digest(v) for v in values]
+    mark = _mark(dae, design, measure)
+    title = dae.name if dae is not None else "sweep"
+    with opened(None if path is None else path_of(path, "the table of a sweep"), design.names, mark) as store:
+        points = {key: v for key, v in zip(keys, values, strict=True) if key not in store.rows}
+        store.values |= dict(zip(keys, values, strict=True))
+        rows = _rows(model, dae, measure, points, executor, workers)
+        return _gathered(design, keys, store, rows, Progress(title, 0, len(points), progress, "points"))
+
+
+def _gathered(design: Design, keys: list[str], store: Store, rows: Generator[Row], show: Progress) -> Sweep:
+    """Keep rows as they come, and return the sweep."""
+    resumed = sum(key in store.rows for key in keys)
+
+    def done() -> Sweep:
+        there = [n for n, key in enumerate(keys) if key in store.rows]
+        table = store.table([keys[n] for n in there])
+        return Sweep(design, table.set_index(_point_index(there)), resumed)
+
+    try:
+        with show as bar, closing(rows):
+            for count, row in enumerate(rows, start=1):
+                store.add(store.values[row.key], row)
+                bar.at(count)
+    except KeyboardInterrupt:
+        store.fold()
+        so_far = done()
+        kept = f"kept in '{store.path}'" if store.path is not None else "in the error's `sweep`"
+        told = f"interrupted: {len(so_far.table)} of {len(design)} points are done, {kept}"
+        raise SweepInterruptedError(told, so_far) from None
+    except BaseException:
+        store.fold()
+        raise
+    if len(store.rows) > resumed:
+        store.fold()
+    found = done()
+    if len(found.failed) == len(design):
+        first = found.table["error"].iloc[0]
+        told = f"'{show.name}': none of the {len(design)} points could be computed; the first: {first}"
+        raise SimulationError(told, found)
+    return found
+
+
+def _rows(
+    model: Model,
+    dae: DAE | None,
+    measure: Callable[..., Any],
+    points: Mapping[str, dict[str, Any]],
+    executor: Any,
+    workers: int | None,
+) -> Generator[Row]:
+    if not points:
+        return
+    if workers == 0 and executor is None:
+        here = Work(measure, dae)
+        yield from (here.row(key, values) for key, values in points.items())
+        return
+    from .pool import Pool
+
+    blob = packed(model, measure)
+    if executor is None:
+        bequeath(blob, measure, dae)
+    pool = Pool(executor, workers, blob)
+    finish = False
+    try:
+        yield from pool.rows(points.items())
+        finish = True
+    finally:
+        pool.close(finish)
+
+
+def _point_index(numbers: list[int]) -> Any:
+    """Return the index of a table of points."""
+    import pandas as pd
+
+    return pd.Index(numbers, name="point")
+
+
+def _check_names(dae: DAE | None, design: Design) -> None:
+    known = dae.parameter_values if dae is not None else dict.fromkeys(design.names)
+    unknown = [name for name in design.names if name not in known]
+    if unknown:
+        assert dae is not None
+        told = [f"there is no parameter '{name}'{nearest(name, known)}" for name in unknown]
+        raise ModelError(f"'{dae.name}' cannot be swept:", told)
+
+
+def _digest(content: Any) -> str:
+    return sha256(json.dumps(content, default=repr).encode()).hexdigest()[:20]
+
+
+def _mark(dae: DAE | None, design: Design, measure: Callable[..., Any]) -> str:
+    """Return what tells this sweep from one of another model, measure, or other parameters."""
+    function = inspect.unwrap(getattr(measure, "func", measure))
+    try:
+        source = inspect.getsource(function)
+    except (OSError, TypeError):
+        source = getattr(function, "__qualname__", type(function).__qualname__)
+    bound = [getattr(measure, "args", ()), getattr(measure, "keywords", {})]
+    about: list[Any] = [design.names, source, bound]
+    if dae is not None:
+        fixed = {name: v for name, v in dae.parameter_values.items() if name not in design.names}
+        about += [dae.name, fixed, dae.state_names, str(dae.ode)]
+    return _digest(about)

@@ -1,0 +1,134 @@
+"""The work of a sweep: what a process does for its points."""
+
+from __future__ import annotations
+
+import pickle
+import time
+from collections.abc import Callable
+from dataclasses import dataclass
+from hashlib import sha256
+from pathlib import Path
+from typing import Any
+
+from ...base import InertanceError, ModelError
+from ..dae import DAE
+from ..model_file import UserCodeError, load_model
+from ..network import Network
+
+Values = dict[str, Any]
+Model = Network | str | Callable[[], Network] | None
+_KNOWN: dict[str, Work] = {}
+
+
+@dataclass(frozen=True)
+class Row:
+    """What came of a point: results, or an error; `key` says which point."""
+
+    key: str
+    results: dict[str, float | str | None]
+    error: str
+    seconds: float
+
+
+@dataclass(frozen=True)
+class Work:
+    """A measure and the equations it is taken from, assembled once a process."""
+
+    measure: Callable[..., Any]
+    dae: DAE | None
+
+    def row(self, key: str, values: Values) -> Row:
+        """Return what comes of a point."""
+        started = time.perf_counter()
+        results: dict[str, Any] = {}
+        error = ""
+        try:
+            found = self.measure(values) if self.dae is None else self.measure(self.dae, values)
+            results = named(found)
+        except Exception as problem:
+            error = f"{type(problem).__name__}: {problem}"
+        return Row(key, results, error, time.perf_counter() - started)
+
+
+def packed(model: Model, measure: Callable[..., Any]) -> bytes:
+    """Return model and measure as bytes for other processes.
+
+    Raises:
+        ModelError: if they cannot be sent.
+    """
+    try:
+        import cloudpickle as pickler  # type: ignore[import-not-found, import-untyped, unused-ignore]
+    except ImportError:
+        pickler = pickle
+    if isinstance(model, str):
+        file, _, function = model.rpartition(":")
+        model = f"{Path(file).resolve()}:{function}"
+    try:
+        return bytes(pickler.dumps((model, measure)))
+    except Exception as error:
+        raise ModelError(
+            f"model and measure cannot be sent to other processes ({error}); define functions at the top "
+            "of a module, install cloudpickle, or give workers=0"
+        ) from error
+
+
+def bequeath(blob: bytes, measure: Callable[..., Any], dae: DAE | None) -> None:
+    """Let processes that are forked from this one have the equations without assembling them anew."""
+    _KNOWN.clear()
+    _KNOWN[sha256(blob).hexdigest()] = Work(measure, dae)
+
+
+def work(blob: bytes, points: list[tuple[str, Values]]) -> list[Row]:
+    """Return what comes of some points; runs in another process."""
+    digest = sha256(blob).hexdigest()
+    if digest not in _KNOWN:
+        _KNOWN.clear()
+        model, measure = pickle.loads(blob)
+        _KNOWN[digest] = Work(measure, equations(model))
+    return [_KNOWN[digest].row(key, values) for key, values in points]
+
+
+def equations(model: Model) -> DAE | None:
+    """Return the equations of a network, of what a function returns, or of "path/to/file.py:function".
+
+    Raises:
+        ModelError: for anything else.
+    """
+    if model is None:
+        return None
+    if isinstance(model, str):
+        network: Any = load_model(model)
+    else:
+        network = _called(model) if callable(model) else model
+    if not isinstance(network, Network):
+        raise ModelError(f"a sweep is over a Network, or what returns one, got {network!r}")
+    return network.dae()
+
+
+def _called(model: Callable[[], Network]) -> Any:
+    """Return what a function of the user's returns."""
+    name = getattr(model, "__name__", repr(model))
+    try:
+        return model()
+    except InertanceError as error:
+        raise UserCodeError(f"model '{name}': {error}") from error
+    except Exception as error:
+        raise UserCodeError(f"model '{name}': {type(error).__name__}: {error}") from error
+
+
+def named(found: Any) -> dict[str, float | str | None]:
+    """Return results by name as plain numbers; a single one is called `value`.
+
+    Raises:
+        TypeError: for what is no number.
+    """
+    given = found if isinstance(found, dict) else {"value": found}
+    for name, value in given.items():
+        if name in RESERVED:
+            raise TypeError(f"a measure cannot be called '{name}'")
+        if not (value is None or isinstance(value, str)) and getattr(value, "size", 1) != 1:
+            raise TypeError(f"measure '{name}' is {type(value).__name__}, but must be one number")
+    return {name: v if v is None or isinstance(v, str) else float(v) for name, v in given.items()}
+
+
+RESERVED = ("key", "error", "seconds")

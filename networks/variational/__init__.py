@@ -1,0 +1,1 @@
+"""How a run answers to small changes, over its events too."""

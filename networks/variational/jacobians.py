@@ -1,0 +1,118 @@
+"""Slopes of expressions in states, parameters and inputs, at all points of a run at once."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from functools import cached_property
+from typing import TYPE_CHECKING, Any
+
+import casadi as ca
+import numpy as np
+from numpy.typing import NDArray
+
+from ..simulation.batch import Batch
+from ..simulation.compiled import dense
+
+if TYPE_CHECKING:
+    from ..dae import DAE
+    from ..results.result import Segment
+    from ..simulation.bound_dae import Closed
+
+Array = NDArray[np.float64]
+
+
+@dataclass(frozen=True, eq=False)
+class Points:
+    """Points of a run: instants, states, algebraic unknowns, and what is constant in each one's segment."""
+
+    closed: Closed
+    t: Array
+    x: Array
+    z: Array
+    q: Array
+
+    @staticmethod
+    def of(closed: Closed, segments: Sequence[Segment]) -> Points:
+        """Return all points of a run."""
+        t, x, z = (
+            np.concatenate([part for segment in segments for part in getattr(segment, name)])
+            for name in ("times", "states", "algebraic")
+        )
+        q = np.repeat([segment.q for segment in segments], [len(segment) for segment in segments], axis=0)
+        return Points(closed, t, x, z, q)
+
+    @cached_property
+    def u(self) -> Array:
+        """Inputs and their derivatives."""
+        values: Array = self.closed.input_values(self.q, self.t)
+        return values
+
+    @property
+    def arguments(self) -> tuple[Array, Array, Array, Array, Array]:
+        """What every expression of the `DAE` depends on, (points, entries) each: x, z, u, constants, time."""
+        constants = self.q[:, : self.closed.dae.constants.numel()]
+        return self.x, self.z, self.u, constants, self.t[:, None]
+
+    def only(self, which: Any) -> Points:
+        """Return some of the points."""
+        return Points(self.closed, self.t[which], self.x[which], self.z[which], self.q[which])
+
+    def within(self, intervals: Any, parts: int) -> Points:
+        """Return points in equal parts of some intervals, ends included, by monotone cubics."""
+        first, last = intervals, intervals + 1
+        share = np.linspace(0.0, 1.0, parts + 1)[None, :, None]
+        step, change = (self.t[last] - self.t[first])[:, None], self.x[last] - self.x[first]
+        rates = self._rates(first), self._rates(last)
+        a, b = (np.clip(step * rate, -3 * np.abs(change), 3 * np.abs(change))[:, None] for rate in rates)
+        cubic = share**2 * (3 - 2 * share) * change[:, None]
+        cubic = cubic + share * (1 - share) ** 2 * a - share**2 * (1 - share) * b
+        x = (self.x[first][:, None] + cubic).reshape(-1, self.x.shape[1])
+        z = (self.z[first][:, None] + share * (self.z[last] - self.z[first])[:, None]).reshape(len(x), -1)
+        t = (self.t[first][:, None] + share[:, :, 0] * step).ravel()
+        return Points(self.closed, t, x, z, np.repeat(self.q[first], parts + 1, axis=0))
+
+    def _rates(self, which: Any) -> Array:
+        some = self.only(which)
+        motion = self.closed.evaluator(self.closed.dae.ode)
+        rates: Array = motion(some.x.T, some.z.T, some.q.T, some.t[None]).full().T
+        return rates
+
+    @property
+    def stretches(self) -> tuple[Any, Any]:
+        """The first point of each stretch in which nothing discrete changes, and their lengths."""
+        changed = np.any(np.diff(self.q, axis=0) != 0, axis=1)
+        first = np.concatenate([[0], np.flatnonzero(changed) + 1])
+        return first, np.diff(np.append(first, len(self.t)))
+
+
+class Slopes:
+    """Slopes of expressions of a DAE, its algebraic unknowns eliminated.
+
+    Attributes:
+        still: whether slopes in the states are constant within a segment; one point of each then tells all.
+    """
+
+    def __init__(self, dae: DAE, expressions: Any, columns: Any) -> None:
+        moving = ca.vertcat(dae.x, dae.z, dae.u, dae.time)
+        own, driven = (
+            [ca.jacobian(e, symbol) for e in (expressions, dae.alg) for symbol in symbols]
+            for symbols in ((dae.x, dae.z), (columns, dae.u))
+        )
+        self.still = not any(ca.depends_on(m, moving) for m in own if m.nnz())
+        self._own = Batch(ca.Function("own", dae.arguments(), dense(*own)))
+        self._driven = Batch(ca.Function("driven", dae.arguments(), dense(*driven)))
+
+    def __call__(self, points: Points) -> tuple[Array, Array, Array]:
+        """Return slopes in x, in the parameters and in u, each (points, expressions, columns)."""
+        if self.still and len(points.t) > 1:
+            first, lengths = points.stretches
+            few = (np.repeat(m, lengths, axis=0) for m in self._own(*points.only(first).arguments))
+            to_x, to_z, alg_x, alg_z = few
+        else:
+            to_x, to_z, alg_x, alg_z = self._own(*points.arguments)
+        to_p, to_u, alg_p, alg_u = self._driven(*points.arguments)
+        if not points.z.shape[1]:
+            return to_x, to_p, to_u
+        gain = to_z @ np.linalg.inv(alg_z)
+        return to_x - gain @ alg_x, to_p - gain @ alg_p, to_u - gain @ alg_u

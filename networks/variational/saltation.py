@@ -1,0 +1,96 @@
+"""Crossings: what switching of modes does to small changes of the states."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, Any
+from weakref import WeakKeyDictionary
+
+import casadi as ca
+import numpy as np
+from numpy.typing import NDArray
+
+from ..flattening.vectors import pick
+from .jacobians import Points, Slopes
+from .mode_changes import Passage
+
+if TYPE_CHECKING:
+    from ..dae import DAE
+    from ..simulation.bound_dae import Closed
+
+Array = NDArray[np.float64]
+GRAZING = 1e-9
+
+
+class Crossings:
+    """The linear maps by which changes of states, parameters and inputs pass instants of switching.
+
+    With g = 0 where modes switch, r what a transition resets, e what it is reset to, and ' along the motion,
+
+        dt = -dg/g',   dx+ = dx + R^+ (de + e' dt - dr - r' dt) + (x'- - x'+) dt,
+
+    R^+ being the pseudo-inverse of the slope of r in the states.
+    """
+
+    def __init__(self, dae: DAE, columns: Any) -> None:
+        self.dae = dae
+        first = dae.switching.expressions.numel()
+        resets = sorted({reset[0] for change in dae.switching.changes for reset in change.resets})
+        self._row = {root: first + n for n, root in enumerate(resets)}
+        self._expressions = ca.vertcat(dae.switching.expressions, pick(dae.variables, resets))
+        self._slopes = Slopes(dae, self._expressions, columns)
+        self._instants: WeakKeyDictionary[Closed, Any] = WeakKeyDictionary()
+
+    def __call__(self, closed: Closed, passages: Sequence[Passage]) -> Array:
+        """Return, for each passage, the states after by (states, parameters, inputs) before."""
+        before, after = (
+            Points(closed, *(np.array([p[k] for p in ends]) for k in (3, 0, 1, 2)))
+            for ends in ([p.before for p in passages], [p.after for p in passages])
+        )
+        nx = self.dae.x.numel()
+        wide = np.concatenate(self._slopes(before), axis=2)
+        values, rates, motion = self._instant(closed, before)
+        found = np.zeros((len(passages), nx, wide.shape[2]))
+        found[:, :, :nx] = np.eye(nx)
+        fired = [self._fired(p, own) for p, own in zip(passages, values, strict=True)]
+        switched = np.flatnonzero([bool(changes) for changes in fired])
+        indicators = [self.dae.switching.changes[fired[n][0]].indicator for n in switched]
+        rate = rates[switched, indicators]
+        later = np.zeros((len(passages), wide.shape[2]))
+        later[switched] = np.where(
+            np.abs(rate) > GRAZING, -1 / np.where(rate == 0, 1.0, rate), 0.0
+        )[:, None] * wide[switched, indicators]  # fmt: skip
+        moved = wide + rates[:, :, None] * later[:, None]
+        slid = motion - self._instant(closed, after)[2]
+        self._reset(found, wide[:, :, :nx], moved, fired)
+        found += slid[:, :, None] * later[:, None]
+        return found
+
+    def _fired(self, passage: Passage, values: Array) -> list[int]:
+        """Return the transitions that fired: of those that look like an event, the one at its zero."""
+        indicator = [change.indicator for change in self.dae.switching.changes]
+        return [min(alike, key=lambda n: abs(values[indicator[n]])) for alike in passage.changes]
+
+    def _reset(self, found: Array, to_x: Array, moved: Array, fired: Sequence[Sequence[int]]) -> None:
+        """Add what resets do, passages with as many of them together."""
+        changes = self.dae.switching.changes
+        resets = [{r[0]: r for n in numbers for r in changes[n].resets}.values() for numbers in fired]
+        for count in {len(one) for one in resets} - {0}:
+            which = np.array([n for n, one in enumerate(resets) if len(one) == count])
+            rows, signs, places = (
+                np.array([[entry[k] for entry in resets[n]] for n in which]) for k in range(3)
+            )
+            rows = np.vectorize(self._row.__getitem__)(rows)
+            at = which[:, None]
+            missed = signs[:, :, None] * moved[at, places] - moved[at, rows]
+            found[which] += np.linalg.pinv(to_x[at, rows], rcond=1e-10) @ missed
+
+    def _instant(self, closed: Closed, points: Points) -> tuple[Array, Array, Array]:
+        """Return the expressions, their rates and the rates of the states, each (points, rows)."""
+        if closed not in self._instants:
+            own = closed.close(self._expressions)
+            motion = closed.close(self.dae.ode)
+            self._instants[closed] = closed.function("instant", own, closed.rate(own), motion)
+        found = self._instants[closed](points.x.T, points.z.T, points.q.T, points.t[None])
+        values, rates, motion = (m.full().T for m in found)
+        return values, rates, motion

@@ -1,0 +1,171 @@
+"""Carrying small changes of the states along a run, from point to point and over its events."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from math import isqrt
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from .jacobians import Points, Slopes
+
+Array = NDArray[np.float64]
+MOST_PARTS = 32
+UNEVEN = 0.01
+
+
+@dataclass(frozen=True, eq=False)
+class Steps:
+    """What becomes of changes of the states from each point to the next.
+
+    With B dp + b forcing the changes dx,
+
+        dx' = map dx + own dp + weight (b + b')/2.
+
+    Attributes:
+        map: (intervals, states, states).
+        own: (intervals, states, parameters).
+        weight: (intervals, states, states).
+    """
+
+    map: Array
+    own: Array
+    weight: Array
+
+    def carry(self, moved: Array, added: Array) -> Array:
+        """Return the changes at all points, (points, states, columns), that begin as `moved`.
+
+        Stretches are followed side by side: first what each makes of any change, then from where it begins.
+        """
+        n, length = self.map.shape[1], max(1, isqrt(len(self.map)))
+        whole = len(self.map) - len(self.map) % length
+        maps, more = (
+            np.swapaxes(m[:whole].reshape(-1, length, *m.shape[1:]), 0, 1) for m in (self.map, added)
+        )
+        product = np.broadcast_to(np.eye(n), maps.shape[1:])
+        gathered = np.zeros((len(product), *moved.shape))
+        for step, extra in zip(maps, more, strict=True):
+            product, gathered = step @ product, step @ gathered + extra
+        begins = np.concatenate([moved[None], _followed(product, moved, gathered)])
+        inside = np.swapaxes(_followed(maps, begins[:-1], more), 0, 1).reshape(whole, *moved.shape)
+        rest = _followed(self.map[whole:], begins[-1], added[whole:])
+        return np.concatenate([moved[None], inside, rest])
+
+
+def _followed(maps: Array, moved: Array, added: Array) -> Array:
+    """Return what changes become after each step, one after another."""
+    states: Array = np.empty((len(maps), *moved.shape))
+    for k, (step, extra) in enumerate(zip(maps, added, strict=True)):
+        moved = states[k] = step @ moved + extra
+    return states
+
+
+def steps_along(points: Points, slopes: Slopes, to_x: Array, to_p: Array) -> Steps:
+    """Return the steps between all points; in small parts where slopes jump, as at a clearance.
+
+    Args:
+        points: of a run.
+        slopes: of the states' rates, followed by other expressions.
+        to_x: these slopes in the states, at the points.
+        to_p: and in the parameters.
+    """
+    n = points.x.shape[1]
+    A = to_x[:, :n]
+    scale = _balance(A)
+    B = np.concatenate([to_p[:, :n], np.broadcast_to(np.eye(n), A.shape)], axis=2)
+    lengths = np.diff(points.t)
+    if slopes.still:
+        matrices = _repeated(points, A, B, scale)
+    else:
+        matrices = _single(lengths, _middle(A), _middle(B), scale)
+        changing = np.flatnonzero(_size(np.diff(A, axis=0), scale) * lengths > UNEVEN)
+        if len(changing):
+            matrices[changing], bent = _in_parts(points, changing, 2, slopes, scale)
+            parts = _powers_of_2(2 * bent / UNEVEN)
+            for count in np.unique(parts[parts > 2]):
+                some = changing[parts == count]
+                matrices[some], _ = _in_parts(points, some, count, slopes, scale)
+    ends = np.cumsum([n, to_p.shape[2]])
+    return Steps(*np.split(matrices, ends, axis=2))
+
+
+def _in_parts(
+    points: Points, intervals: Any, count: int, slopes: Slopes, scale: Array
+) -> tuple[Array, Array]:
+    """Return the matrices of intervals cut into parts, and how far slopes in their middle are off a line."""
+    n = len(scale)
+    finer = points.within(intervals, count)
+    to_x, to_p, _ = slopes(finer)
+    shape = len(intervals), count + 1, n
+    A = to_x[:, :n].reshape(*shape, n)
+    whole = np.broadcast_to(np.eye(n), (len(finer.t), n, n))
+    B = np.concatenate([to_p[:, :n], whole], axis=2).reshape(*shape, -1)
+    t = finer.t.reshape(shape[:2])
+    bent = _size(A[:, count // 2] - 0.5 * (A[:, 0] + A[:, -1]), scale) * (t[:, -1] - t[:, 0])
+    return _chained(t, A, B, scale), bent
+
+
+def _powers_of_2(least: Array) -> Any:
+    return np.minimum(2 ** np.ceil(np.log2(np.maximum(least, 1.0))), MOST_PARTS).astype(int)
+
+
+def _middle(values: Array) -> Array:
+    return 0.5 * (values[1:] + values[:-1])
+
+
+def _balance(A: Array) -> Array:
+    """Return sizes of the states that make the slopes of their rates comparable."""
+    from scipy.linalg import matrix_balance
+
+    if not A.shape[1]:
+        return np.ones((0, 1))
+    scaling = matrix_balance(np.abs(A).mean(axis=0), permute=False, separate=True)[1][0]
+    return np.asarray(scaling, dtype=np.float64)[:, None]
+
+
+def _size(A: Array, scale: Array) -> Array:
+    """Return the largest entry of each matrix, balanced."""
+    largest: Array = np.abs(A * scale.T / scale).max(axis=(1, 2), initial=0.0)
+    return largest
+
+
+def _single(lengths: Array, A: Array, B: Array, scale: Array) -> Array:
+    """Return exp(h A), and its integral times B, side by side, by a rational approximation of order 5."""
+    h = lengths[:, None, None]
+    Z, b = h * A * scale.T / scale, h * B / scale
+    one, Z2 = np.eye(len(scale)), Z @ Z
+    Z3 = Z2 @ Z
+    left = one - 0.6 * Z + 0.15 * Z2 - Z3 / 60
+    right = np.concatenate([one + 0.4 * Z + 0.05 * Z2, (one - 0.1 * Z + Z2 / 60) @ b], axis=2)
+    found = np.asarray(np.linalg.solve(left, right), dtype=float) * scale
+    found[:, :, : len(scale)] /= scale.T
+    return found
+
+
+def _repeated(points: Points, A: Array, B: Array, scale: Array) -> Array:
+    """Return the same where A is constant in each segment: few steps differ."""
+    n, lengths = len(scale), np.diff(points.t)
+    segment = np.cumsum(np.any(np.diff(points.q, axis=0) != 0, axis=1))
+    rounded = np.round(lengths / max(float(lengths.max(initial=0.0)), 1e-300), 9)
+    kinds = np.column_stack([segment, rounded])
+    _, first, kind = np.unique(kinds, axis=0, return_index=True, return_inverse=True)
+    few = _single(lengths[first], A[first + 1], np.broadcast_to(np.eye(n), (len(first), n, n)), scale)
+    many = few[kind.ravel()]
+    weight = many[:, :, n:]
+    own = weight @ _middle(B[:, :, : B.shape[2] - n])
+    return np.concatenate([many[:, :, :n], own, weight], axis=2)
+
+
+def _chained(t: Array, A: Array, B: Array, scale: Array) -> Array:
+    """Return the matrices of several intervals, each chained from its parts."""
+    n = len(scale)
+    total = np.zeros((len(t), n, n + B.shape[3]))
+    total[:, :, :n] = np.eye(n)
+    for k in range(t.shape[1] - 1):
+        h = t[:, k + 1] - t[:, k]
+        step = _single(h, A[:, k : k + 2].mean(axis=1), B[:, k : k + 2].mean(axis=1), scale)
+        total = step[:, :, :n] @ total
+        total[:, :, n:] += step[:, :, n:]
+    return total

@@ -1,0 +1,234 @@
+"""Variations: how a run answers to small changes of parameters and start values, events included."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import casadi as ca
+import numpy as np
+from numpy.typing import NDArray
+
+from ...base import ModelError, demand, finite, instance, listed, named, nearest, numbers, shown
+from ..dae import DAE
+from ..flattening.vectors import pick
+from ..results.result import Result, Segment
+from ..simulation.batch import Batch
+from ..simulation.compiled import dense
+from ..simulation.events.switcher import Point
+from ..simulation.initialization import wishes
+from ..simulation.sensitivity import start_slopes
+from .jacobians import Slopes
+from .mode_changes import passages
+from .saltation import Crossings
+from .transition_matrices import Steps, steps_along
+
+Array = NDArray[np.float64]
+
+
+class Variations:
+    """Slopes of signals in parameters and start values of the states along runs of one `DAE`.
+
+    Along a run, with algebraic unknowns eliminated,
+
+        d(dx)/dt = A dx + B dp,   dy = C dx + D dp,
+
+    integrated from point to point with the means of A and B (Radau IIA of order 5). Where modes switch at
+    g = 0, the instant moves by dt = -dg/g', and with R the slope of the reset the state by
+
+        dx+ = R (dx- + x'- dt) - x'+ dt.
+
+    Args:
+        dae: the equations.
+        signals: the variables whose slopes are wanted.
+        parameters: the parameters in which.
+
+    Raises:
+        ModelError: for unknown parameters, and for networks with shocks; later for runs in which a prescribed
+            motion jumps.
+        UnknownNameError: for unknown signals, with the nearest name.
+
+    Limits: as accurate as the points of the run resolve what happens between them.
+
+    Source: I. A. Hiskens, M. A. Pai, Trajectory sensitivity analysis of hybrid systems, IEEE Trans. Circuits
+    Syst. I 47 (2000) 204-220.
+
+    Example:
+        >>> from inertance import Fixed, Mass, Network, Spring, Variations
+        >>> net = Network("swing", wall=Fixed(), spring=Spring(k=1.0), mass=Mass(m=1.0, s=0.1))
+        >>> _ = net.connect(net.wall.flange, net.spring.flange_a)
+        >>> _ = net.connect(net.spring.flange_b, net.mass.flange)
+        >>> dae = net.dae()
+        >>> slopes = Variations(dae, ["mass.s"], ["spring.k"]).along(dae.simulate(1.0))
+        >>> slopes.shape
+        (501, 1, 3)
+    """
+
+    def __init__(self, dae: DAE, signals: Sequence[str], parameters: Sequence[str]) -> None:
+        demand("Variations", dae=(dae, instance(DAE)))
+        signals, parameters = listed("signals", signals), listed("parameters", parameters)
+        table = dae.system.flat.table
+        unknown = [name for name in parameters if name not in table.index]
+        if unknown:
+            told = [f"there is no parameter '{name}'{nearest(name, table.index)}" for name in unknown]
+            raise ModelError("variations cannot be computed:", told)
+        if dae.impulses.numel():
+            raise ModelError(f"'{dae.name}' has shocks, whose variations are not known; compare runs instead")
+        self.dae, self.signals, self.parameters = dae, list(signals), list(parameters)
+        columns = pick(dae.p, [table.index[name] for name in parameters])
+        wanted = [dae.expression(name) for name in signals]
+        self._values = Batch(ca.Function("values", dae.arguments(), dense(ca.vertcat(*wanted))))
+        self._slopes = Slopes(dae, ca.vertcat(dae.ode, *wanted), columns)
+        self._crossings = Crossings(dae, columns)
+        self._line: _Line | None = None
+
+    def values(self, result: Result, at: Any) -> Array:
+        """Return the signals themselves at some of the points of a run, (points, signals)."""
+        self._check(result)
+        rows = np.arange(len(result.time))
+        try:
+            at = rows[at]
+        except (IndexError, TypeError, ValueError):
+            raise ModelError(
+                f"points of a run are numbers from 0 to {len(rows) - 1}, got {shown(at)}"
+            ) from None
+        at = np.ravel(at)
+        found: Array = self._values(*result.points.only(at).arguments)[0][:, :, 0]
+        return found
+
+    def along(self, result: Result, start: Array | None = None) -> Array:
+        """Return d(signals)/d(parameters, states at the start), (points, signals, directions).
+
+        Args:
+            result: a run of the `DAE`.
+            start: d(states at the start)/d(parameters), (states, parameters); zero if not given.
+        """
+        nx, count = self.dae.x.numel(), len(self.parameters)
+        self._check(result)
+        if start is not None and (np.shape(start) != (nx, count) or numbers(finite())(start)):
+            raise ModelError(f"start is an array of numbers of shape {(nx, count)}, got {shown(start)}")
+        moved = np.hstack([np.zeros((nx, count)) if start is None else start, np.eye(nx)])
+        line = self._linearised(result)
+        added = np.zeros((len(line.steps.own), nx, count + nx))
+        added[:, :, :count] = line.steps.own
+        slopes = line.to_x[:, nx:] @ line.steps.carry(self._held(result._segments[0], moved), added)
+        slopes[:, :, :count] += line.to_p[:, nx:]
+        return slopes
+
+    def pushed(self, result: Result, changes: Mapping[str, Array]) -> Array:
+        """Return what small changes of inputs change in the signals, (points, signals, columns).
+
+        Args:
+            result: a run of the `DAE`.
+            changes: by input, its changes at the points of the run, (points, columns); their derivatives are
+                taken where the network uses them.
+
+        Raises:
+            ModelError: for unknown inputs.
+        """
+        nx, known = self.dae.x.numel(), self.dae.input_names
+        self._check(result)
+        if not named("changes", changes):
+            raise ModelError(
+                f"changes are of at least one input; the inputs are {', '.join(known) or 'none'}"
+            )
+        told = [f"there is no input '{name}'{nearest(name, known)}" for name in changes if name not in known]
+        if told:
+            raise ModelError("their changes cannot be followed:", told)
+        line = self._linearised(result)
+        rows, weights = self._pushes(line, changes)
+        by_u = line.to_u[:, :, rows]
+        forcing = by_u[:, :nx] @ weights
+        added = line.steps.weight @ (0.5 * (forcing[1:] + forcing[:-1]))
+        if len(line.edges):
+            added[line.edges] = line.crossed_by_u[:, :, rows] @ weights[line.edges]
+        states = line.steps.carry(np.zeros((nx, weights.shape[2])), added)
+        answer: Array = line.to_x[:, nx:] @ states + by_u[:, nx:] @ weights
+        return answer
+
+    def start_slopes(self, result: Result, start: Mapping[str, float]) -> Array:
+        """Return d(states at the start)/d(parameters) where start values follow from fixed ones.
+
+        Args:
+            result: a run that began with
+            start: these fixed values.
+        """
+        self._check(result)
+        start = named("start", start)
+        table, segment = self.dae.system.flat.table, result._segments[0]
+        of_q = np.zeros((len(segment.q), len(self.parameters)))
+        of_q[[table.index[name] for name in self.parameters], range(len(self.parameters))] = 1.0
+        point = Point(float(segment.times[0][0]), segment.states[0][0], segment.algebraic[0][0], segment.q)
+        return start_slopes(result._closed, point, wishes(self.dae, start, {}), of_q)
+
+    def _check(self, result: Result) -> None:
+        demand("Variations", result=(result, instance(Result)))
+
+    def _linearised(self, result: Result) -> _Line:
+        """Return the slopes along a run; those of the last run are kept."""
+        if self._line is None or self._line.result is not result:
+            self._check_jumps(result)
+            points = result.points
+            to_x, to_p, to_u = self._slopes(points)
+            steps = steps_along(points, self._slopes, to_x, to_p)
+            passed = list(passages(result))
+            edges = np.cumsum([len(segment) for segment in result._segments])[:-1] - 1
+            by_u = np.zeros((0, 0, 0))
+            if passed:
+                parts = np.cumsum([to_x.shape[2], to_p.shape[2]])
+                by_x, by_p, by_u = np.split(self._crossings(result._closed, passed), parts, axis=2)
+                steps.map[edges], steps.own[edges], steps.weight[edges] = by_x, by_p, 0.0
+            self._line = _Line(result, to_x, to_p, to_u, steps, edges, by_u)
+        return self._line
+
+    def _check_jumps(self, result: Result) -> None:
+        """Raise where a prescribed motion jumps, which moves states by what has no slopes here."""
+        for event in result.events:
+            if event.mode not in self.dae.switching.mode_names:
+                raise ModelError(
+                    f"'{self.dae.name}': {event.component} jumps at t = {event.time:.9g} s, and variations "
+                    "are not known through its shock; give a ramp instead of the jump, or exact=False, or "
+                    "compare runs"
+                )
+
+    def _held(self, segment: Segment, moved: Array) -> Array:
+        """Take out changes of what the modes hold at the start, such as the speed of what sticks."""
+        modes = segment.q[self.dae.p.numel() :]
+        for change in self.dae.switching.changes:
+            roots = [reset[0] for reset in change.resets if reset[0] in self.dae.states]
+            if modes[change.mode] == change.target and roots:
+                rows = [self.dae.states.index(root) for root in roots]
+                moved[[row for row in rows if segment.states[0][0][row] == 0.0]] = 0.0
+        return moved
+
+    def _pushes(self, line: _Line, changes: Mapping[str, Array]) -> tuple[list[int], Array]:
+        """Return the rows of u that changes of inputs change, and by how much, (points, rows, columns)."""
+        rows = [i for i, declared in enumerate(self.dae.inputs) if declared.path in changes]
+        columns = []
+        for i in rows:
+            declared = self.dae.inputs[i]
+            change = np.asarray(changes[declared.path], dtype=float)
+            for _ in range(declared.order):
+                change = _differentiated(change, line.result.time, line.edges + 1)
+            columns.append(declared.sign * change)
+        return rows, np.stack(columns, axis=1)
+
+
+@dataclass(frozen=True, eq=False)
+class _Line:
+    """A run with the slopes along it; `edges` are the last points of its segments but the last."""
+
+    result: Result
+    to_x: Array
+    to_p: Array
+    to_u: Array
+    steps: Steps
+    edges: NDArray[np.intp]
+    crossed_by_u: Array
+
+
+def _differentiated(values: Array, time: Array, edges: Any) -> Array:
+    """Return derivatives in time, segment by segment."""
+    pieces = zip(np.split(values, edges), np.split(time, edges), strict=True)
+    return np.concatenate([np.gradient(v, t, axis=0) if len(t) > 1 else np.zeros_like(v) for v, t in pieces])
