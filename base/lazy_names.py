@@ -1,50 +1,27 @@
-"""`Later`: names of a package whose modules are imported when one of them is first asked for."""
+"""Lazy names: what a package shows is imported when it is first asked for."""
 
 from __future__ import annotations
 
-from importlib import import_module
+from collections.abc import Callable
 from typing import Any
 
+import lazy_loader
 
-class Later:
-    """What some modules of a package show, for the package's `__getattr__` and `__dir__`.
+from .errors import nearest
+
+
+def face(package: str, file: str) -> tuple[Callable[[str], Any], Callable[[], list[str]], list[str]]:
+    """Return `__getattr__`, `__dir__` and `__all__` of a package, all three from its stub, `__init__.pyi`.
 
     Args:
-        package: its full name.
-        modules: their names in it, in the order in which they are asked.
+        package: its `__name__`.
+        file: its `__file__`.
     """
+    found, listed, names = lazy_loader.attach_stub(package, file)
 
-    def __init__(self, package: str, *modules: str) -> None:
-        self.package, self.modules = package, modules
+    def find(name: str) -> Any:
+        if name in names:
+            return found(name)
+        raise AttributeError(f"module '{package}' has no '{name}'{nearest(name, names)}")
 
-    def find(self, name: str) -> Any:
-        """Return what a name stands for.
-
-        Raises:
-            AttributeError: if no module shows it.
-        """
-        if not name.startswith("_") and name not in self.modules:
-            for module in self.modules:
-                path, face = self._face(module)
-                if _is_own(face.get(name), path):
-                    return face[name]
-        raise AttributeError(f"module '{self.package}' has no attribute '{name}'")
-
-    def names(self) -> list[str]:
-        """Return all names that the modules show."""
-        faces = map(self._face, self.modules)
-        return [
-            name
-            for path, face in faces
-            for name, item in face.items()
-            if name[0] != "_" and _is_own(item, path)
-        ]
-
-    def _face(self, module: str) -> tuple[str, dict[str, Any]]:
-        path = f"{self.package}.{module}"
-        return path, vars(import_module(path))
-
-
-def _is_own(item: Any, path: str) -> bool:
-    """Tell whether something is defined in a module or below it, not imported there from elsewhere."""
-    return getattr(item, "__module__", "").startswith(path)
+    return find, listed, names
