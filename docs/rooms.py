@@ -2,9 +2,11 @@
 
 python docs/rooms.py [--checkout DIR] [ROOM ...]
 
-A box is a file or a folder that stands in a room; an arrow says that something in one box imports something in
-another, other than for types alone; a box stands one floor above the highest that it imports; boxes in a circle
-reach each other and share a floor. With rooms named, circles are told arrow by arrow. Needs `import-linter`.
+A box is a file or a folder that stands in a room. An arrow tells that something in one box imports something in
+another, other than for types alone. A box stands one floor above the highest that it imports. Boxes in a circle
+reach each other, and share a floor; of rooms that are named they are told import by import.
+
+Needs `import-linter`.
 """
 
 from __future__ import annotations
@@ -39,6 +41,7 @@ def inside(graph: grimp.ImportGraph, room: str) -> tuple[list[str], Arrows]:
 
 
 def box(module: str, prefix: str) -> str:
+    """Return the box in which a module is."""
     return module.removeprefix(prefix).partition(".")[0]
 
 
@@ -70,6 +73,7 @@ def floors(boxes: list[str], arrows: Iterable[tuple[str, str]]) -> int:
 
 
 def main() -> None:
+    """Read the imports and print the table."""
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawTextHelpFormatter)
     parser.add_argument("--checkout", type=Path, default=Path(__file__).parents[1], help="of the package")
     parser.add_argument("rooms", nargs="*", metavar="ROOM")
