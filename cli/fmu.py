@@ -68,7 +68,7 @@ def export(
     license: Annotated[str, typer.Option(help="Of the model: proprietary, CC-BY-4.0, ...")] = "",
 ) -> None:
     """Write the network that a function of a Python file returns as an FMU."""
-    from ..fmu.export import export as write
+    from ..fmu import export_fmu as write
 
     if out.suffix != ".fmu":
         fail(f"an FMU is written to a file that ends in '.fmu', got '{out}'", WRONG_USE)
@@ -106,7 +106,7 @@ def check(
 ) -> None:
     """Check a network against its FMUs, or any FMU against itself; the exit code tells."""
     from ..fmu import VERSIONS
-    from ..fmu.check import check as look
+    from ..fmu import check_fmu as look
 
     options: dict[str, Any] = {
         "step": step, "tolerance": tolerance, "limit": limit, "start": pairs("--start", start),

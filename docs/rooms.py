@@ -2,9 +2,9 @@
 
 python docs/rooms.py [--checkout DIR] [ROOM ...]
 
-A box is a file or a folder that stands in a room. An arrow tells that something in one box imports something in
-another, other than for types alone. A box stands one floor above the highest that it imports. Boxes in a circle
-reach each other, and share a floor; of rooms that are named they are told import by import.
+A box is a file or a folder that stands in a room. An arrow tells that something in one box imports something
+in another, other than for types alone. A box stands one floor above the highest that it imports. Boxes in a
+circle reach each other, and share a floor; of rooms that are named they are told import by import.
 
 Needs `import-linter`.
 """

@@ -7,8 +7,7 @@ from math import isclose
 
 import numpy as np
 
-from ...identification import Accuracy, Campaign, left_prior, likely_unit, told_of
-from ...identification.fitting import suspects
+from ...identification import Accuracy, Campaign, left_prior, likely_unit, suspects, told_of
 from ...networks import DAE
 from ..effects.hypothesis import Placed
 from ..search.joint_fit import Refit

@@ -4,7 +4,7 @@ import shutil
 from typing import Any
 
 import pytest
-from inertance.fmu import check_states
+from inertance.fmu.check import states as check_states
 
 EXAMPLE = "fmu_models"
 pytestmark = pytest.mark.skipif(

@@ -56,7 +56,7 @@ def test_export_info_and_import_test(folder: Path) -> None:
 
 @needs_compiler
 def test_check_tells_by_its_exit_code(folder: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    from inertance.fmu import check_states
+    from inertance.fmu.check import states as check_states
 
     monkeypatch.setattr(check_states, "MANY", 2)
     monkeypatch.setattr(check_states, "REPEATED", 1)

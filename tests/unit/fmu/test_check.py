@@ -11,7 +11,8 @@ from typing import Any
 import inertance as ia
 import numpy as np
 import pytest
-from inertance.fmu import check_agreement, check_derivatives, check_probe, check_states
+from inertance.fmu.check import agreement, derivatives, states
+from inertance.fmu.check import probe as probe_module
 from inertance.fmu.check.agreement import Reference, events_finding, modes_finding, outputs_finding
 from inertance.fmu.check.report import measured
 from inertance.fmu.check.runs import Course
@@ -24,8 +25,8 @@ pytestmark = pytest.mark.skipif(
 @pytest.fixture(autouse=True)
 def few(monkeypatch: pytest.MonkeyPatch) -> None:
     """Make few instances, to be quick."""
-    monkeypatch.setattr(check_states, "MANY", 5)
-    monkeypatch.setattr(check_states, "REPEATED", 2)
+    monkeypatch.setattr(states, "MANY", 5)
+    monkeypatch.setattr(states, "REPEATED", 2)
 
 
 def ball() -> ia.Network:
@@ -71,18 +72,18 @@ def test_a_file_is_held_against_itself(exported: Path) -> None:
 
 
 def test_a_wrong_derivative_is_found(exported: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    right = check_probe.Probe.directional
-    monkeypatch.setattr(check_probe.Probe, "directional", lambda *given: right(*given) * 1.00001)
+    right = probe_module.Probe.directional
+    monkeypatch.setattr(probe_module.Probe, "directional", lambda *given: right(*given) * 1.00001)
     report = ia.check_fmu(exported, isolated=False)
     found = report.of("FMI 3.0 ME", "directional derivatives")
     assert found.passed is False
     assert found.error == pytest.approx(1e-5, rel=0.01)
     assert report.of("FMI 3.0 ME", "adjoint derivatives").passed is False
-    assert found.limit == check_derivatives.LIMIT
+    assert found.limit == derivatives.LIMIT
 
 
 def test_a_state_that_is_not_restored_is_found(exported: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(check_probe.Probe, "back", lambda probe, state: None)
+    monkeypatch.setattr(probe_module.Probe, "back", lambda probe, state: None)
     report = ia.check_fmu(exported, isolated=False)
     for kind in ("ME", "CS"):
         assert report.of(f"FMI 3.0 {kind}", "save and restore").passed is False
@@ -131,7 +132,7 @@ def test_every_event_wants_one_nearby() -> None:
     missing = events_finding("it", np.array([0.5]), wanted)
     assert (missing.passed, missing.error) == (False, 0.5)
     assert events_finding("it", np.array([]), wanted).passed is False
-    assert check_agreement.EVENTS == 1e-6
+    assert agreement.EVENTS == 1e-6
 
 
 def test_a_mode_may_differ_where_nothing_else_does() -> None:

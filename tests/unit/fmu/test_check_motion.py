@@ -7,7 +7,7 @@ from pathlib import Path
 
 import inertance as ia
 import pytest
-from inertance.fmu import check_states
+from inertance.fmu.check import states as check_states
 
 pytestmark = pytest.mark.skipif(
     not any(shutil.which(name) for name in ("cc", "gcc", "clang")), reason="there is no C compiler"

@@ -105,7 +105,7 @@ def test_operating_points_and_stepwise_runs_keep_to_the_data() -> None:
 def test_an_fmu_ends_where_its_data_end(tmp_path: Path, version: str, kind: str) -> None:
     time = TIME - 2.0
     path = tmp_path / "rig.fmu"
-    ia.export(oscillator(ia.Sampled(time, FORCE)), path, fmi_version=version, outputs=["mass.s"])
+    ia.export_fmu(oscillator(ia.Sampled(time, FORCE)), path, fmi_version=version, outputs=["mass.s"])
     within = FMU(path).simulate(1.0, kind=kind)["mass.s"][-1]
     own = oscillator(ia.Sampled(time, FORCE)).simulate(1.0)["mass.s"][-1]
     assert within == pytest.approx(own, abs=1e-5)
@@ -120,10 +120,10 @@ def test_an_fmu_holds_data_on_request_and_is_held_to_those_it_is_given(
     time = TIME - 2.0
     held = ia.Sampled(time, FORCE, interpolation=interpolation, extrapolation="hold")
     path = tmp_path / "rig.fmu"
-    ia.export(oscillator(held), path, outputs=["mass.s"])
+    ia.export_fmu(oscillator(held), path, outputs=["mass.s"])
     own = oscillator(held).simulate(3.0)["mass.s"][-1]
     assert FMU(path).simulate(3.0, kind="ME")["mass.s"][-1] == pytest.approx(own, abs=1e-6)
-    ia.export(oscillator(), path, outputs=["mass.s"])
+    ia.export_fmu(oscillator(), path, outputs=["mass.s"])
     with pytest.raises(
         ia.ModelError, match=r"input 'push\.f': its data are from 0 to 1 s, wanted are 0 to 3"
     ):
