@@ -1,6 +1,6 @@
 """Every network a block for any tool, every tool's FMU a part of a network."""
 
-from .check.check import check as check_fmu
+from .check.check import check_fmu as check_fmu
 from .check.report import CheckReport as CheckReport
 from .check.report import Finding as Finding
 from .cosimulation.components import FMUBlock as FMUBlock
@@ -12,7 +12,7 @@ from .cosimulation.cosimulate import cosimulate as cosimulate
 from .cosimulation.coupling import CoupledRun as CoupledRun
 from .errors import FMUError as FMUError
 from .export.export import VERSIONS as VERSIONS
-from .export.export import export as export_fmu
+from .export.export import export_fmu as export_fmu
 from .export.terminals import Terminal as Terminal
 from .export.terminals import publish as publish
 from .fmu import FMU as FMU

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from ...networks import DAE, Result
 from ..errors import FMUError
-from ..export.export import export
+from ..export.export import export_fmu
 from .agreement import (
     EVENTS,
     Reference,
@@ -47,7 +47,7 @@ def network_findings(
     asked: _Native | None = _Native(dae, experiment, start, experiment.rtol)
     for version in versions:
         with TemporaryDirectory(prefix="inertance-") as folder:
-            path = export(
+            path = export_fmu(
                 dae, Path(folder) / "checked.fmu", fmi_version=version, outputs=chosen, start=start,
                 stop=experiment.stop, step=experiment.step, tolerance=experiment.rtol,
                 sources=version == "3.0",

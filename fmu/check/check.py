@@ -20,7 +20,7 @@ from .sections import SECTIONS, Plan
 APART = 1e-2
 
 
-def check(
+def check_fmu(
     model: Network | DAE | str | Path,
     stop: float | None = None,
     *,

@@ -33,7 +33,7 @@ from .variables import Interface, interface
 VERSIONS = ("2.0", "3.0")
 
 
-def export(
+def export_fmu(
     model: Network | DAE,
     path: str | Path,
     *,

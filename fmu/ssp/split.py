@@ -11,7 +11,7 @@ from ...base import listed, nearest, shown
 from ...components import Component, ModelError
 from ...components.language import PortRef
 from ...networks import Network, network_of
-from ..export.export import export
+from ..export.export import export_fmu
 from ..export.terminals import Terminal, members, publish
 from ..fmu import FMU
 from .system import Connection, SystemStructure
@@ -64,7 +64,7 @@ class Split:
             }
             path = Path(folder) / f"{side}.fmu"
             outputs = [*own["outputs"], *(o for t in published[side].values() for o in t.outputs)]
-            export(
+            export_fmu(
                 network, path, terminals=self.terminals[side], outputs=outputs, inputs=own["inputs"],
                 start=own["start"], **options,
             )  # fmt: skip

@@ -94,7 +94,7 @@ def test_another_network_is_found(monkeypatch: pytest.MonkeyPatch) -> None:
     heavier = ball().with_values(weight=ia.ConstantForce(f_constant=-4.906))
     write = ia.export_fmu
     monkeypatch.setattr(
-        "inertance.fmu.check.against_network.export", lambda dae, *a, **k: write(heavier.dae(), *a, **k)
+        "inertance.fmu.check.against_network.export_fmu", lambda dae, *a, **k: write(heavier.dae(), *a, **k)
     )
     report = ia.check_fmu(ball(), 0.6, step=0.01, versions=["2.0"])
     assert not report.passed
