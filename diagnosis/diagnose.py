@@ -51,7 +51,7 @@ def diagnose(
     Args:
         campaign: records, channels, priors and model, or the path of the TOML file that tells them.
         executor: fits candidates; any `concurrent.futures.Executor`.
-        solver: as for `DAE.simulate`; "auto" compiles models where there is a C compiler.
+        solver: as for `simulate`; "auto" compiles models where there is a C compiler.
         rtol: relative tolerance of the runs; small beside the noise if not given.
         report: called with a line of progress.
 

@@ -62,7 +62,7 @@ def fit(
         starts: number of starts; further ones are drawn from the priors (bounds) by a Sobol sequence.
         executor: runs the starts; the campaign goes to its workers by pickle.
         seed: of the draw.
-        solver: as for `DAE.simulate`; "auto" compiles models of long records where there is a C compiler.
+        solver: as for `simulate`; "auto" compiles models of long records where there is a C compiler.
         rtol: relative tolerance of the runs.
         report: called with a line of progress.
 

@@ -18,7 +18,7 @@ from ...base import InitialConditionError, ModelError, is_number
 from ...components.language import Variable
 from ..dae import DAE
 from .blame import GUARD, told_without_value
-from .bound_dae import Closed
+from .bound_dae import BoundDAE
 
 Array = NDArray[np.float64]
 SOLVED = "solved from fixed values of other variables"
@@ -59,7 +59,7 @@ class Decisions(Sequence[Decision]):
         if isinstance(i, slice):
             return [self[k] for k in range(*i.indices(len(self)))]
         variable, reason = self.dae.states[i], str(self.reasons[i])
-        name, unit = self.dae.system.name(variable), self.dae.system.names.unit(variable)
+        name, unit = self.dae.name_of(variable), self.dae.declared.unit(variable)
         if variable in self.wanted.fixed:
             given = self.wanted.fixed[variable][0]
             reason = "fixed" if given == name else f"fixed through {given}"
@@ -83,7 +83,7 @@ def wishes(dae: DAE, start: Mapping[str, float], guess: Mapping[str, float]) -> 
     """
     _check_names(dae, {**start, **guess})
     given: dict[str, float] = {}
-    for instance in dae.system.flat.instances.values():
+    for instance in dae.flat.instances.values():
         for name, value in instance.component._values.items():
             if isinstance(type(instance.component).fields.get(name), Variable):
                 given[f"{instance.path}.{name}".lstrip(".")] = float(value)
@@ -123,7 +123,7 @@ def _check_names(dae: DAE, given: Mapping[str, Any]) -> None:
         raise ModelError("these start values cannot be set:", problems)
 
 
-def initial_values(closed: Closed, q: Array, t: float, wanted: Wishes) -> tuple[Array, Array, Decisions]:
+def initial_values(closed: BoundDAE, q: Array, t: float, wanted: Wishes) -> tuple[Array, Array, Decisions]:
     """Return states, algebraic unknowns and how they were decided.
 
     Raises:
@@ -154,15 +154,13 @@ def initial_values(closed: Closed, q: Array, t: float, wanted: Wishes) -> tuple[
 
 def leading(dae: DAE, wanted: Wishes) -> Iterator[tuple[dict[int, float], list[int]]]:
     """Yield variables that are no states but whose start values lead, and the states they move."""
-    names, states = dae.system.names, set(dae.states)
+    names, states = dae.declared, set(dae.states)
     given = {*wanted.fixed, *wanted.guesses}
     open_ = [(i, s) for i, s in enumerate(dae.states) if s not in given]
     relative = [i for i, s in open_ if s < len(names.state) and names.state[s] > 0]
     if relative:
-        led = {*states, *dae.system.known}
-        motions = [
-            v for v in dae.system.derivative if v < len(names.state) and names.state[v] == 0 and v not in led
-        ]
+        led = {*states, *(i.variable for i in dae.inputs)}
+        motions = [v for v in dae.derivative if v < len(names.state) and names.state[v] == 0 and v not in led]
         values = {v: wanted.guesses.get(v, float(names.start[v])) for v in motions}
         yield {v: value for v, value in values.items() if v not in wanted.fixed}, relative
     guessed = {v: value for v, value in wanted.guesses.items() if v not in states}
@@ -171,7 +169,7 @@ def leading(dae: DAE, wanted: Wishes) -> Iterator[tuple[dict[int, float], list[i
 
 
 def _nearer(
-    closed: Closed,
+    closed: BoundDAE,
     q: Array,
     t: float,
     start: tuple[Array, Array],
@@ -199,7 +197,7 @@ def _nearer(
 
 def guessed(dae: DAE, wanted: Wishes, variables: list[int]) -> Array:
     """Return where the search for start values begins."""
-    starts = dae.system.names.start
+    starts = dae.declared.start
     values = []
     for v in variables:
         default = float(starts[v]) if v < len(starts) else 0.0
@@ -207,7 +205,7 @@ def guessed(dae: DAE, wanted: Wishes, variables: list[int]) -> Array:
     return np.array(values)
 
 
-def _following(closed: Closed, q: Array, t: float, wanted: Wishes) -> Wishes:
+def _following(closed: BoundDAE, q: Array, t: float, wanted: Wishes) -> Wishes:
     """Return wishes with guesses for what starts where an input does."""
     dae = closed.dae
     known = {*wanted.fixed, *wanted.guesses}
@@ -222,7 +220,7 @@ def _following(closed: Closed, q: Array, t: float, wanted: Wishes) -> Wishes:
     return Wishes(wanted.fixed, wanted.guesses | dict(zip(followed, (values * signs).tolist(), strict=True)))
 
 
-def _followed(closed: Closed, q: Array, t: float, x: Array, start: Array) -> Array | None:
+def _followed(closed: BoundDAE, q: Array, t: float, x: Array, start: Array) -> Array | None:
     """Return where algebraic unknowns follow the states; None if Newton finds no place."""
     z = start.copy()
     for _ in range(50 if len(z) else 0):
@@ -237,7 +235,7 @@ def _followed(closed: Closed, q: Array, t: float, x: Array, start: Array) -> Arr
 
 
 def _solve(
-    closed: Closed,
+    closed: BoundDAE,
     q: Array,
     t: float,
     start: tuple[Array, Array],
@@ -269,7 +267,7 @@ def _solve(
 
 
 def _missed(
-    closed: Closed, aims: dict[int, float], x: Array, z: Array, q: Array, t: float, algebraic: bool = False
+    closed: BoundDAE, aims: dict[int, float], x: Array, z: Array, q: Array, t: float, algebraic: bool = False
 ) -> tuple[Array, Array, Array]:
     """Return by how much variables miss their aims (and algebraic equations zero), with slopes in x, z."""
     value, to_x, to_z = (m.full() for m in closed.tangent(tuple(aims), algebraic)(x, z, q, t))

@@ -22,7 +22,7 @@ from ...base import (
 )
 from ..results.result import Segment
 from .blame import GUARD, told_without_value
-from .bound_dae import Closed
+from .bound_dae import BoundDAE
 from .events.switcher import Event, Switcher, pushed
 from .initialization import Decisions
 from .integrator import SOLVERS, Array, IntegratorError, Stepper, Stretch
@@ -101,7 +101,7 @@ class Run:
     `tried` is what q was when start values and modes were sought that agree.
     """
 
-    closed: Closed
+    closed: BoundDAE
     settings: Settings
     point: Point
     switcher: Switcher | None
@@ -292,7 +292,7 @@ def limiting_state(run: Run) -> str:
             bend = np.abs(states[2:] - 2 * states[1:-1] + states[:-2])
             weight = settings.rtol * np.abs(states[1:-1]) + settings.atol
             votes += np.bincount((bend / weight).argmax(axis=1), minlength=len(votes))
-    return dae.system.name(dae.states[int(votes.argmax())]) if votes.any() else ""
+    return dae.name_of(dae.states[int(votes.argmax())]) if votes.any() else ""
 
 
 def failure(run: Run, error: Exception) -> str:

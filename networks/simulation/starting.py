@@ -11,10 +11,11 @@ import numpy as np
 
 from ..dae import DAE
 from ..flattening.vectors import column
+from .bound_dae import bound
+from .consistent_start import begun
 from .coverage import check_covered
 from .initialization import Wishes, guessed, leading, wishes
 from .integrator import Array, nominal_sizes
-from .simulate import begun
 
 MOST = 400
 
@@ -65,16 +66,16 @@ class Start:
 
 
 def starting_point(dae: DAE, inputs: Mapping[str, Any], start: Mapping[str, float]) -> Start:
-    """Return where a run of a network begins at t = 0; see `DAE.simulate` for the arguments.
+    """Return where a run of a network begins at t = 0; see `simulate` for the arguments.
 
     Where more than 400 start values hang together, they are those that were found, and nothing is sought.
 
     Raises:
         InitialConditionError: for start values that contradict each other.
     """
-    closed = dae.closed(inputs)
+    closed = bound(dae, inputs)
     check_covered(dae.name, closed.signals, 0.0, 0.0)
-    numbers = dae.system.flat.table.values({})
+    numbers = dae.parameters.values({})
     wanted = wishes(dae, start, {})
     run = begun(closed, closed.blank(numbers), 0.0, wanted)
     begin = len(numbers)
@@ -98,7 +99,7 @@ def _aims(dae: DAE, wanted: Wishes) -> list[Aim]:
         if variable not in states:
             aims.append(Aim(name, variable, dae.root(name)[1] * value, True))
     for soft, _ in leading(dae, wanted):
-        aims += [Aim(dae.system.name(v), v, value, False) for v, value in soft.items()]
+        aims += [Aim(dae.name_of(v), v, value, False) for v, value in soft.items()]
     return aims
 
 
