@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from ...components import ModelError
 from ...networks import ATOL, DAE, RTOL, Network, Result, Variations, dae_of, simulate
 from ..campaign.experiment import Experiment
-from ..records.channels import Channel
+from ..records.channel import Channel
 
 Array = NDArray[np.float64]
 
@@ -79,9 +79,16 @@ class Stand:
         guess = self._measured_start(begin) if self.experiment.initial == "fit" else {}
         options: dict[str, Any] = {"rtol": accuracy.rtol, "atol": accuracy.atol}
         run = simulate(
-            self.dae, begin + step, begin=begin, step=step, guess=guess, inputs=self.inputs, parameters=parameters,
-            progress=False, **options,
-        )  # fmt: skip
+            self.dae,
+            begin + step,
+            begin=begin,
+            step=step,
+            guess=guess,
+            inputs=self.inputs,
+            parameters=parameters,
+            progress=False,
+            **options,
+        )
         return run.initial.values.copy()
 
     def _measured_start(self, begin: float) -> dict[str, float]:

@@ -129,9 +129,13 @@ class Balance:
         held = {i.path: 0.0 for i in self.dae.inputs if i.order == 0 and i.signal is None} | self.signals
         drive: dict[str, Any] = {self.driven: lambda t: self.amplitude * np.sin(w * t)}
         run = simulate(
-            self.dae, periods * period, inputs=held | drive, parameters=self.parameters, step=period / self.points,
+            self.dae,
+            periods * period,
+            inputs=held | drive,
+            parameters=self.parameters,
+            step=period / self.points,
             progress=False,
-        )  # fmt: skip
+        )
         times = (periods - 1) * period + self._phase / w
         names = [*self.dae.state_names, *(self.dae.name_of(v) for v in self.dae.algebraic)]
         motion = np.stack([np.interp(times, run.time, run[name]) for name in names], axis=1)
