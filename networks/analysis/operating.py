@@ -18,7 +18,7 @@ from ..results.result import Result
 from ..simulation.bound_dae import BoundDAE, bound
 from ..simulation.consistent_start import begun
 from ..simulation.coverage import check_covered
-from ..simulation.initialization import wishes
+from ..simulation.initialization import start_values
 from ..simulation.point import Point
 from .resting import HOLDING, mode_values, settle
 
@@ -88,7 +88,7 @@ def operating_point(
         signals = _held(dae, signals, time)
     closed = bound(dae, signals)
     q = closed.blank(dae.parameters.values(named("parameters", parameters)))
-    run = begun(closed, q, time, wishes(dae, named("start", start), {}))
+    run = begun(closed, q, time, start_values(dae, named("start", start), {}))
     notes = list(run.switcher.notes) if run.switcher else []
     if at == "equilibrium":
         notes += settle(closed, run.point, run.switcher)

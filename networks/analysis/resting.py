@@ -15,7 +15,7 @@ from ..simulation.blame import GUARD, told_without_value
 from ..simulation.bound_dae import BoundDAE
 from ..simulation.consistent_start import begun
 from ..simulation.events.switcher import Switcher
-from ..simulation.initialization import Wishes
+from ..simulation.initialization import StartValues
 from ..simulation.point import Point, solve_algebraic
 
 Array = NDArray[np.float64]
@@ -78,7 +78,7 @@ def _holds_at_rest(closed: BoundDAE, point: Point) -> bool:
     standing = np.where(np.abs(point.x) < STILL, 0.0, point.x).tolist()
     fixed = zip(dae.states, zip(dae.state_names, standing, strict=True), strict=True)
     try:
-        there = begun(closed, blank, point.t, Wishes(dict(fixed), {})).point
+        there = begun(closed, blank, point.t, StartValues(dict(fixed), {})).point
     except (InitialConditionError, SimulationError):
         return False
     holds = set(_held_states(dae, point.q)) < set(_held_states(dae, there.q))

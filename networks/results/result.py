@@ -24,7 +24,7 @@ if TYPE_CHECKING:
     from ..simulation.bound_dae import BoundDAE
     from ..simulation.dense_output import DenseOutput
     from ..simulation.events.switcher import Event
-    from ..simulation.initialization import Decisions
+    from ..simulation.initialization import StartReport
 
 Array = NDArray[np.float64]
 
@@ -82,7 +82,7 @@ class Result(OverTime):
         segments: list[Segment],
         events: list[Event],
         stats: dict[str, Any],
-        initial: Decisions,
+        initial: StartReport,
         notes: list[str],
         sensitivities: dict[str, Array],
         limiting: Callable[[], str],

@@ -10,7 +10,7 @@ import numpy as np
 from ...base import InitialConditionError, SimulationError
 from .bound_dae import BoundDAE
 from .events.switcher import Event, Switcher
-from .initialization import Wishes, initial_values
+from .initialization import StartValues, initial_values
 from .integrator import Array
 from .point import Point, solve_algebraic
 from .run import Run, Settings
@@ -19,7 +19,7 @@ from .tolerance import ATOL, RTOL
 JUST_BEFORE = 1e-9  # s, by which an instant before the first comes earlier
 
 
-def started(closed: BoundDAE, settings: Settings, q: Array, wanted: Wishes) -> Run:
+def started(closed: BoundDAE, settings: Settings, q: Array, wanted: StartValues) -> Run:
     """Find start values and the modes they imply.
 
     Raises:
@@ -38,12 +38,12 @@ def started(closed: BoundDAE, settings: Settings, q: Array, wanted: Wishes) -> R
     raise refusals[min(1, len(refusals) - 1)]
 
 
-def begun(closed: BoundDAE, q: Array, time: float, wanted: Wishes) -> Run:
+def begun(closed: BoundDAE, q: Array, time: float, wanted: StartValues) -> Run:
     """Return a run that stands where it begins, at `time` [s]."""
     return started(closed, Settings(time, time + 1.0, 1.0, RTOL, ATOL, "auto", False), q, wanted)
 
 
-def _agreed(closed: BoundDAE, settings: Settings, q: Array, wanted: Wishes) -> Run:
+def _agreed(closed: BoundDAE, settings: Settings, q: Array, wanted: StartValues) -> Run:
     """Find start values in given modes, then modes, again until both agree."""
     t = settings.begin
     switcher = Switcher(closed) if closed.dae.hybrid or closed.dae.blocks else None
@@ -72,13 +72,13 @@ def _agreed(closed: BoundDAE, settings: Settings, q: Array, wanted: Wishes) -> R
     )
 
 
-def _first_modes(closed: BoundDAE, q: Array, t: float, wanted: Wishes) -> Iterator[Array]:
+def _first_modes(closed: BoundDAE, q: Array, t: float, wanted: StartValues) -> Iterator[Array]:
     """Yield modes to try: at rest, those that positions and speeds imply, and each way out of holding."""
     yield q.copy()
     if not closed.dae.hybrid:
         return
     fixed = {v: value for v, value in wanted.fixed.items() if v in closed.dae.derivative}
-    x, z, _ = initial_values(closed, q, t, Wishes(fixed, wanted.guesses))
+    x, z, _ = initial_values(closed, q, t, StartValues(fixed, wanted.guesses))
     point = Point(t, x, z, q.copy())
     switcher = Switcher(closed)
     _settled(switcher, point)

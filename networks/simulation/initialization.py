@@ -40,13 +40,13 @@ class Decision:
 
 
 @dataclass(frozen=True, eq=False)
-class Decisions(Sequence[Decision]):
+class StartReport(Sequence[Decision]):
     """How every start value came about, named when asked for."""
 
     dae: DAE
     values: Array
     reasons: NDArray[np.str_]
-    wanted: Wishes
+    wanted: StartValues
 
     def __len__(self) -> int:
         return len(self.values)
@@ -67,14 +67,14 @@ class Decisions(Sequence[Decision]):
 
 
 @dataclass(eq=False)
-class Wishes:
+class StartValues:
     """Start values by joined variable: fixed ones and guesses, each with the name it was given by."""
 
     fixed: dict[int, tuple[str, float]]
     guesses: dict[int, float]
 
 
-def wishes(dae: DAE, start: Mapping[str, float], guess: Mapping[str, float]) -> Wishes:
+def start_values(dae: DAE, start: Mapping[str, float], guess: Mapping[str, float]) -> StartValues:
     """Gather start values from components and from the run (which goes first).
 
     Raises:
@@ -106,7 +106,7 @@ def wishes(dae: DAE, start: Mapping[str, float], guess: Mapping[str, float]) -> 
     for name, value in guess.items():
         root, sign = dae.root(name)
         guesses[root] = sign * float(value)
-    return Wishes(fixed, guesses)
+    return StartValues(fixed, guesses)
 
 
 def _check_names(dae: DAE, given: Mapping[str, Any]) -> None:
@@ -123,7 +123,9 @@ def _check_names(dae: DAE, given: Mapping[str, Any]) -> None:
         raise ModelError("these start values cannot be set:", problems)
 
 
-def initial_values(closed: BoundDAE, q: Array, t: float, wanted: Wishes) -> tuple[Array, Array, Decisions]:
+def initial_values(
+    closed: BoundDAE, q: Array, t: float, wanted: StartValues
+) -> tuple[Array, Array, StartReport]:
     """Return states, algebraic unknowns and how they were decided.
 
     Raises:
@@ -149,10 +151,10 @@ def initial_values(closed: BoundDAE, q: Array, t: float, wanted: Wishes) -> tupl
         else:
             x, z = _solve(closed, q, t, (x, z), free, hard, wanted)
         moved |= x != before
-    return x, z, Decisions(dae, x.copy(), np.select([moved, related], [SOLVED, RELATED], KEPT), wanted)
+    return x, z, StartReport(dae, x.copy(), np.select([moved, related], [SOLVED, RELATED], KEPT), wanted)
 
 
-def leading(dae: DAE, wanted: Wishes) -> Iterator[tuple[dict[int, float], list[int]]]:
+def leading(dae: DAE, wanted: StartValues) -> Iterator[tuple[dict[int, float], list[int]]]:
     """Yield variables that are no states but whose start values lead, and the states they move."""
     names, states = dae.declared, set(dae.states)
     given = {*wanted.fixed, *wanted.guesses}
@@ -195,7 +197,7 @@ def _nearer(
     return x
 
 
-def guessed(dae: DAE, wanted: Wishes, variables: list[int]) -> Array:
+def guessed(dae: DAE, wanted: StartValues, variables: list[int]) -> Array:
     """Return where the search for start values begins."""
     starts = dae.declared.start
     values = []
@@ -205,8 +207,8 @@ def guessed(dae: DAE, wanted: Wishes, variables: list[int]) -> Array:
     return np.array(values)
 
 
-def _following(closed: BoundDAE, q: Array, t: float, wanted: Wishes) -> Wishes:
-    """Return wishes with guesses for what starts where an input does."""
+def _following(closed: BoundDAE, q: Array, t: float, wanted: StartValues) -> StartValues:
+    """Return start_values with guesses for what starts where an input does."""
     dae = closed.dae
     known = {*wanted.fixed, *wanted.guesses}
     followed = {v: leader for v, leader in dae.followed.items() if v not in known}
@@ -217,7 +219,9 @@ def _following(closed: BoundDAE, q: Array, t: float, wanted: Wishes) -> Wishes:
         :, 0
     ]
     signs = [sign for _, sign in followed.values()]
-    return Wishes(wanted.fixed, wanted.guesses | dict(zip(followed, (values * signs).tolist(), strict=True)))
+    return StartValues(
+        wanted.fixed, wanted.guesses | dict(zip(followed, (values * signs).tolist(), strict=True))
+    )
 
 
 def _followed(closed: BoundDAE, q: Array, t: float, x: Array, start: Array) -> Array | None:
@@ -241,7 +245,7 @@ def _solve(
     start: tuple[Array, Array],
     free: list[int],
     hard: dict[int, float],
-    wanted: Wishes,
+    wanted: StartValues,
 ) -> tuple[Array, Array]:
     """Gauss-Newton with steps of least norm in the free states and z."""
     x, z = start[0].copy(), start[1].copy()
@@ -275,7 +279,7 @@ def _missed(
     return value.ravel(), to_x, to_z
 
 
-def _contradiction(dae: DAE, others: list[int], wrong: Any, wanted: Wishes) -> str:
+def _contradiction(dae: DAE, others: list[int], wrong: Any, wanted: StartValues) -> str:
     failed = {wanted.fixed[others[i]][0] for i in wrong if i < len(others)}
     told = {
         name: f"'{name}' = {dae.root(name)[1] * value:g} {dae.unit(name)}"

@@ -24,7 +24,7 @@ from ..results.result import Segment
 from .blame import GUARD, told_without_value
 from .bound_dae import BoundDAE
 from .events.switcher import Event, Switcher, pushed
-from .initialization import Decisions
+from .initialization import StartReport
 from .integrator import SOLVERS, Array, IntegratorError, Stepper, Stretch
 from .legs import Leg
 from .point import Point, solve_algebraic
@@ -105,7 +105,7 @@ class Run:
     settings: Settings
     point: Point
     switcher: Switcher | None
-    initial: Decisions
+    initial: StartReport
     tried: Array = field(default_factory=lambda: np.zeros(0))
     legs: list[Leg] = field(default_factory=lambda: [Leg(-np.inf, np.inf)])
     leg_number: int = 0

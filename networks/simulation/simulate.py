@@ -29,7 +29,7 @@ from .consistent_start import started
 from .coverage import check_covered, data_notes
 from .dense_output import DenseOutput
 from .events.hybrid import MOST_STEPS, NODES, run_hybrid
-from .initialization import Wishes, wishes
+from .initialization import StartValues, start_values
 from .integrator import Array, IntegratorError
 from .progress import Progress
 from .resolution import resolution_notes
@@ -97,13 +97,13 @@ def simulate(
     closed = bound(dae, named("inputs", inputs))
     check_covered(dae.name, closed.signals, begin, stop)
     q = closed.blank(dae.parameters.values(dict(named("parameters", parameters))))
-    wanted = wishes(dae, named("start", start), named("guess", guess))
+    wanted = start_values(dae, named("start", start), named("guess", guess))
     run = started(closed, settings, q, wanted)
     run.legs = closed.legs(q, begin, stop)
     return _finished(run, wanted, followed, began)
 
 
-def _finished(run: Run, wanted: Wishes, sensitivities: tuple[str, ...], began: float) -> Result:
+def _finished(run: Run, wanted: StartValues, sensitivities: tuple[str, ...], began: float) -> Result:
     """Go from the start of a run to its end; return what it computed."""
     closed, settings, outputs = run.closed, run.settings, run.settings.outputs
     compiled = settings.solver == "compiled"

@@ -14,7 +14,7 @@ from ..flattening.vectors import column
 from .bound_dae import bound
 from .consistent_start import begun
 from .coverage import check_covered
-from .initialization import Wishes, guessed, leading, wishes
+from .initialization import StartValues, guessed, leading, start_values
 from .integrator import Array, nominal_sizes
 
 MOST = 400
@@ -76,7 +76,7 @@ def starting_point(dae: DAE, inputs: Mapping[str, Any], start: Mapping[str, floa
     closed = bound(dae, inputs)
     check_covered(dae.name, closed.signals, 0.0, 0.0)
     numbers = dae.parameters.values({})
-    wanted = wishes(dae, start, {})
+    wanted = start_values(dae, start, {})
     run = begun(closed, closed.blank(numbers), 0.0, wanted)
     begin = len(numbers)
     modes, sizes = run.tried[begin : begin + dae.modes.numel()], nominal_sizes(dae, dae.states)
@@ -91,7 +91,7 @@ def starting_point(dae: DAE, inputs: Mapping[str, Any], start: Mapping[str, floa
     return Start(dae, x, z, modes, sizes, aims if led else fixed, names, led, free)
 
 
-def _aims(dae: DAE, wanted: Wishes) -> list[Aim]:
+def _aims(dae: DAE, wanted: StartValues) -> list[Aim]:
     """Return start values of variables that are no states, fixed ones first."""
     states = set(dae.states)
     aims = []

@@ -34,7 +34,7 @@ from .consistent_start import started
 from .coverage import check_covered
 from .events.hybrid import MOST_STEPS, NODES, run_hybrid
 from .events.switcher import Event, Switcher
-from .initialization import wishes
+from .initialization import start_values
 from .integrator import Array, IntegratorError
 from .point import Point, solve_algebraic
 from .progress import Progress
@@ -78,7 +78,7 @@ class Stepwise:
         q = self.closed.blank(dae.parameters.values(named("parameters", parameters)))
         self._write(q, settings.begin, courses)
         self.run = started(
-            self.closed, settings, q, wishes(dae, named("start", start), named("guess", guess))
+            self.closed, settings, q, start_values(dae, named("start", start), named("guess", guess))
         )
         self.run.legs = self.closed.legs(q, begin, stop)
         pieces = (NODES, MOST_STEPS) if self.run.switcher else (1, SMOOTH_STEPS)

@@ -18,7 +18,7 @@ from ..evaluation.jacobians import Slopes
 from ..flattening.vectors import pick
 from ..results.result import Result, Segment
 from ..simulation.events.switcher import Point
-from ..simulation.initialization import wishes
+from ..simulation.initialization import start_values
 from ..simulation.sensitivity import start_slopes
 from .mode_changes import passages
 from .saltation import Crossings
@@ -160,7 +160,7 @@ class Variations:
         of_q = np.zeros((len(segment.q), len(self.parameters)))
         of_q[[table.index[name] for name in self.parameters], range(len(self.parameters))] = 1.0
         point = Point(float(segment.times[0][0]), segment.states[0][0], segment.algebraic[0][0], segment.q)
-        return start_slopes(result._closed, point, wishes(self.dae, start, {}), of_q)
+        return start_slopes(result._closed, point, start_values(self.dae, start, {}), of_q)
 
     def _check(self, result: Result) -> None:
         demand("Variations", result=(result, instance(Result)))
