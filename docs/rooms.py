@@ -93,7 +93,7 @@ def draw(rooms: dict[str, dict[str, int]], path: Path) -> None:
         top -= height + 0.35
     axes.set(xlim=(0, 100), ylim=(top, 0.2))
     axes.axis("off")
-    figure.savefig(path, bbox_inches="tight", dpi=110)
+    figure.savefig(path, bbox_inches="tight", dpi=100)
     plt.close(figure)
 
 

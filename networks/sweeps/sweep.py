@@ -93,7 +93,7 @@ def sweep(
     `if __name__ == "__main__":`; functions defined in a notebook need cloudpickle there.
 
     Example:
-        >>> from inertance import Damper, Fixed, Mass, Network, Spring, parallel, sweep
+        >>> from inertance import Damper, Fixed, Mass, Network, Spring, parallel, simulate, sweep
         >>> strut = parallel(Spring(k=1.0), Damper(d=0.1))
         >>> net = Network("swing", wall=Fixed(), strut=strut, mass=Mass(m=1.0))
         >>> _ = net.connect(net.wall.flange, net.strut.flange_a)

@@ -55,7 +55,7 @@ class Variations:
     Syst. I 47 (2000) 204-220.
 
     Example:
-        >>> from inertance import Fixed, Mass, Network, Spring, Variations
+        >>> from inertance import Fixed, Mass, Network, Spring, Variations, simulate
         >>> net = Network("swing", wall=Fixed(), spring=Spring(k=1.0), mass=Mass(m=1.0, s=0.1))
         >>> _ = net.connect(net.wall.flange, net.spring.flange_a)
         >>> _ = net.connect(net.spring.flange_b, net.mass.flange)

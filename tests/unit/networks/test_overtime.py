@@ -227,7 +227,7 @@ def test_at_takes_one_instant_or_an_array() -> None:
 
 def test_what_stands_still_is_not_integrated_again(monkeypatch: pytest.MonkeyPatch) -> None:
     run = oscillator(50.0).simulate(1.0, start={"mass.s": 0.0, "mass.v": 0.0}, step=0.1)
-    monkeypatch.setattr("inertance.networks.simulation.dense_output.Between._again", None)
+    monkeypatch.setattr("inertance.networks.simulation.dense_output.DenseOutput._again", None)
     assert measured(run, "mass.a") == pytest.approx([0.0] * 4, abs=1e-9)
     loaded = oscillator(1.0).simulate(1.0, start={"mass.s": 0.25})
     assert loaded.mean("wall.flange.s") == 0.0
