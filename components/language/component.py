@@ -32,9 +32,14 @@ class Component:
         values: parameters, options, fixed start values of variables, signals of inputs, and parts
             that replace the declared ones, all by name.
 
+    Attributes:
+        has_law: whether it stands for a part of the machine, in whose law an effect can hide: not what only
+            holds, drives, measures or joins rigidly.
+
     Problems with the values are told when the network is assembled, all at once and by path.
     """
 
+    has_law: ClassVar[bool] = True
     fields: ClassVar[dict[str, Field]] = {}
     _options: ClassVar[tuple[Option, ...]] = ()
     _required: ClassVar[tuple[Parameter, ...]] = ()

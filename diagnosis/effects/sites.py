@@ -16,7 +16,6 @@ _PAIRS = (
     ("support_r", "flange_r"),
     ("support", "flange"),
 )
-_NO_SITES = ("Sensor", "Position", "Speed", "Accelerate", "Force", "Torque", "Fixed", "Rod")
 GROUND = "ground"
 BETWEEN = frozenset({"across", "loaded", "series"})
 
@@ -92,7 +91,7 @@ def _merged(group: list[Site]) -> Iterator[Site]:
 
 
 def _site(path: str, component: Component, node_of: dict[str, int]) -> Site | None:
-    if any(part in type(component).__name__ for part in _NO_SITES):
+    if not component.has_law:
         return None
     fields = type(component).fields
     for fixed, moving in _PAIRS:

@@ -45,6 +45,31 @@ def test_sites_of_an_inerter_are_named_by_the_deepest_part() -> None:
     assert not any("actuator" in path or "frame" in path for path in found)
 
 
+class ForceLimitingSpring(ia.Spring):
+    """A user's element, named like a source."""
+
+
+class Shaker(ia.Force):
+    """A user's source, named like none."""
+
+
+def test_an_element_is_a_site_by_what_it_is_not_by_its_name() -> None:
+    net = ia.Network(
+        "named",
+        wall=ia.Fixed(),
+        spring=ForceLimitingSpring(k=1e3),
+        rod=ia.Rod(),
+        sensor=ia.ForceSensor(),
+        mass=ia.Mass(m=1.0),
+        seen=ia.SpeedSensor(),
+        push=Shaker(f=1.0),
+    )
+    net.connect(net.wall.flange, net.spring.flange_a).connect(net.spring.flange_b, net.rod.flange_a)
+    net.connect(net.rod.flange_b, net.sensor.flange_a)
+    net.connect(net.sensor.flange_b, net.mass.flange, net.seen.flange, net.push.flange)
+    assert {site.path for site in sites_of(net)} == {"spring", "mass"}
+
+
 @pytest.mark.parametrize("kind", [k for k, effect in EFFECTS.items() if effect.place != "channel"])
 def test_every_effect_fits_every_site_and_runs(kind: str) -> None:
     effect, net = effect_of(kind), cart()
@@ -57,7 +82,7 @@ def test_every_effect_fits_every_site_and_runs(kind: str) -> None:
         edits = effect.edits(scaled, "extra", values)
         run = edited(net, edits).simulate(0.05)
         assert np.isfinite(run["one.s"]).all()
-        scope = {"net": net.clone(), **vars(ia)}
+        scope = {"net": net.clone(), **{name: getattr(ia, name) for name in ia.__all__}}
         exec("\n".join(map(str, edits)), scope)
         again = scope["net"].simulate(0.05)
         assert again["one.s"] == pytest.approx(run["one.s"], abs=1e-12)
