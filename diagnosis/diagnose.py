@@ -13,7 +13,7 @@ from ..components import InertanceError
 from ..identification import Accuracy, Campaign
 from ..networks import COARSEST, FINEST, SOLVERS, ToolchainError, compiler
 from .effects.hypothesis import Placed
-from .models.predictor import limits
+from .models.predictor import subject
 from .search.decimation import thinned
 from .search.joint_fit import Joint, Refit, refit
 from .search.model_comparison import COLOURED, are_alike, blocks, clearness, is_simpler, misfit, unexplained
@@ -75,7 +75,7 @@ def diagnose(
     start = nominal.seen(nominal.start)
     base = nominal.fitted()
     rounds: list[Round] = []
-    notes = limits(campaign)
+    notes = subject(campaign).limits()
     best = base
     try:
         while len(best.effects) < MOST_EFFECTS and _misses_much(best, base):

@@ -8,6 +8,7 @@ from typing import Any, ClassVar, Self
 
 from ...base.checks import is_number, number
 from ...base.errors import ModelError, UnknownPartError, nearest
+from .domain import Domain
 from .fields import MISSING, Field, Option, Parameter, Part, Port, RealInput, RealOutput, Variable
 from .sampled import Sampled
 
@@ -20,6 +21,11 @@ class PortRef:
 
     component: Component
     name: str
+
+    @property
+    def domain(self) -> Domain | None:
+        """Its domain, None if it is a signal."""
+        return type(self.component).fields[self.name].domain
 
     def __repr__(self) -> str:
         return f"<{self.name} of {type(self.component).__name__}>"

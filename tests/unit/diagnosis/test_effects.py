@@ -9,9 +9,11 @@ import pytest
 from inertance import ge_wang
 from inertance.diagnosis.effects.edits import edited
 from inertance.diagnosis.effects.effect import EFFECTS, Effect, Motion, Quantity, effect_of, register
+from inertance.diagnosis.effects.hypothesis import Placed, driven, sensed
 from inertance.diagnosis.effects.sites import GROUND, Site, sites_of
 from inertance.diagnosis.models.probes import scaled
 from inertance.diagnosis.search.score_test import _forces
+from inertance.identification import Experiment, Record
 
 
 def rig() -> ia.Network:
@@ -149,6 +151,20 @@ def test_an_effect_of_ones_own_and_unknown_ones() -> None:
     mine = register(Effect("my_own", "node", {}))
     assert effect_of("my_own") is mine
     del EFFECTS["my_own"]
+
+
+def test_whether_an_effect_is_of_an_actuator_is_said_not_read_from_its_name() -> None:
+    quantities = {"channel": (Quantity("gain", "1"),)}
+    heat = Effect("actuator_heat", "channel", quantities, change=lambda t, y, p: y * (1 + p["gain"]))
+    time, signal = np.arange(3.0), np.ones(3)
+    experiment = Experiment(Record("one", time, {"x": signal}), "one")
+    for effect in (heat, replace(heat, kind="sensor_heat", drives=True)):
+        site = Site("x", "channel", "carriage.s", "", frozenset({"channel"}))
+        placed = Placed(effect, site, "heat", {"gain": 0.5})
+        given = driven(experiment, [placed]).record.values["x"]
+        assert given == pytest.approx(1.5 * signal if effect.drives else signal)
+        seen = sensed(time, "x", signal, [placed])
+        assert seen == pytest.approx(signal if effect.drives else 1.5 * signal)
 
 
 def test_an_effect_of_one_kind_of_motion_is_tried_at_its_sites_alone() -> None:
