@@ -53,6 +53,7 @@ class Component:
     _parameters: ClassVar[tuple[Parameter, ...]] = ()
     _ports: ClassVar[tuple[Port, ...]] = ()
     _inputs: ClassVar[tuple[RealInput, ...]] = ()
+    _templates: ClassVar[dict[tuple[Any, ...], Any]] = {}
 
     def __init_subclass__(cls) -> None:
         super().__init_subclass__()
@@ -74,6 +75,7 @@ class Component:
         cls._declared_parts = tuple(f for f in declared_fields if isinstance(f, Part))
         cls._ports = tuple(f for f in declared_fields if isinstance(f, Port))
         cls._inputs = tuple(f for f in declared_fields if isinstance(f, RealInput))
+        cls._templates = {}
 
     def __init__(self, **values: Any) -> None:
         self._values: dict[str, Any] = {}
