@@ -51,7 +51,6 @@ from .csource import CProgram as CProgram
 from .csource import ToolchainError as ToolchainError
 from .csource import c_program as c_program
 from .csource import compile_shared as compile_shared
-from .csource import compiler as compiler
 from .csource import corners_as_modes as corners_as_modes
 from .csource import is_corner as is_corner
 from .dae import DAE as DAE
@@ -109,6 +108,7 @@ from .simulation.integrator import SOLVERS as SOLVERS
 from .simulation.polynomial import Polynomial as Polynomial
 from .simulation.run import COARSEST as COARSEST
 from .simulation.run import FINEST as FINEST
+from .simulation.solver_choice import chosen_solver as chosen_solver
 from .simulation.splines import piecewise as piecewise
 from .simulation.splines import sampled_at as sampled_at
 from .simulation.starting import Start as Start
