@@ -47,6 +47,7 @@ from .analysis import tvmd_fixed_points as tvmd_fixed_points
 from .analysis import tyre_j3 as tyre_j3
 from .analysis import weighted as weighted
 from .analysis import weighted_rms as weighted_rms
+from .csource import PLATFORMS as PLATFORMS
 from .csource import CProgram as CProgram
 from .csource import ToolchainError as ToolchainError
 from .csource import c_program as c_program
