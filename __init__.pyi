@@ -207,6 +207,7 @@ from .networks import screw_inertance as screw_inertance
 from .networks import seat_in_cab as seat_in_cab
 from .networks import series as series
 from .networks import shear_frame as shear_frame
+from .networks import simulate as simulate
 from .networks import sobol_indices as sobol_indices
 from .networks import sobol_sequence as sobol_sequence
 from .networks import stepped_sine as stepped_sine

@@ -65,7 +65,7 @@ def against_native(
 ) -> None:
     """Print what FMUs of a network cost under FMPy, over the native run."""
     options = {"start": start, "step": STEP, "rtol": RTOL, "atol": 1e-2 * RTOL}
-    native = Contender("native", timed(lambda: dae.simulate(STOP, **options)), target=TARGET)
+    native = Contender("native", timed(lambda: ia.simulate(dae, STOP, **options)), target=TARGET)
     for version in ("2.0", "3.0"):
         path = folder / f"benchmark{version[0]}.fmu"
         ia.export_fmu(dae, path, fmi_version=version, start=start, outputs=outputs, tolerance=RTOL)

@@ -5,7 +5,7 @@ from __future__ import annotations
 from math import pi
 
 import numpy as np
-from inertance import DAE, Sinusoid, ge_wang, inerter_rig
+from inertance import DAE, Sinusoid, ge_wang, inerter_rig, simulate
 from numpy.typing import NDArray
 from peers.pfi_casadi import LEAD, R_PLANET, R_SCREW
 
@@ -35,7 +35,7 @@ def rolling() -> dict[str, float]:
 
 def force(dae: DAE, solver: str = "auto") -> Array:
     """Return the force on the rod at the instants of GRID, after the event where there is one."""
-    run = dae.simulate(DURATION, step=STEP, start=rolling(), rtol=RTOL, atol=ATOL, solver=solver)
+    run = simulate(dae, DURATION, step=STEP, start=rolling(), rtol=RTOL, atol=ATOL, solver=solver)
     force: Array = run[FORCE]
     if len(run.time) == len(GRID):
         return force

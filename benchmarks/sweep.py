@@ -30,7 +30,7 @@ def kerb(t: float) -> float:
 
 
 def ride(dae: ia.DAE, values: dict[str, float]) -> float:
-    run = dae.simulate(STOP, parameters=values, inputs={"road.s_ref": kerb}, rtol=RTOL, atol=ATOL)
+    run = ia.simulate(dae, STOP, parameters=values, inputs={"road.s_ref": kerb}, rtol=RTOL, atol=ATOL)
     return float(np.abs(run["body.a"]).max())
 
 

@@ -8,7 +8,7 @@ from typing import Annotated, Any
 import typer
 
 from ..components import ModelError, RunInterruptedError, SimulationError
-from ..networks import DAE, Result, check_table_path, chosen_signals
+from ..networks import DAE, Result, check_table_path, chosen_signals, simulate
 from .data import read_inputs, unbound_inputs
 from .failure import FAILED, INTERRUPTED, WRONG_USE, fail, failing
 from .model import load_network
@@ -83,7 +83,7 @@ def run(
 def _simulated(dae: DAE, arguments: dict[str, Any]) -> tuple[Result, str, int]:
     """Return what was computed, why it was not finished, and the exit code."""
     try:
-        return dae.simulate(**arguments), "", 0
+        return simulate(dae, **arguments), "", 0
     except SimulationError as error:
         if not isinstance(error.result, Result):
             raise

@@ -52,7 +52,7 @@ def diagnose(
     Args:
         campaign: records, channels, priors and model, or the path of the TOML file that tells them.
         executor: fits candidates; any `concurrent.futures.Executor`.
-        solver: as for `DAE.simulate`; "auto" compiles models where there is a C compiler and 200 runs of the
+        solver: as for `simulate`; "auto" compiles models where there is a C compiler and 200 runs of the
             training records come to 40 000 samples, as of 200 and more in all.
         rtol: relative tolerance of the runs; small beside the noise if not given.
         report: called with a line of progress.

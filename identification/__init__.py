@@ -26,7 +26,7 @@ from .fitting.suspects import suspects as suspects
 from .fitting.suspects import told_of as told_of
 from .fitting.uncertainty import Uncertainty as Uncertainty
 from .fitting.uncertainty import uncertainty as uncertainty
-from .records.channels import Channel as Channel
+from .records.channel import Channel as Channel
 from .records.excitation import Chirp as Chirp
 from .records.excitation import Multisine as Multisine
 from .records.excitation import SineDwells as SineDwells

@@ -2,28 +2,22 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable
 from dataclasses import dataclass, field
 from functools import cached_property
-from math import inf
-from threading import get_ident
-from typing import TYPE_CHECKING, Any, Never
+from typing import TYPE_CHECKING, Any
 
-from ..base import UnknownNameError, listed, named, nearest, text
-from ..components.language import Parameter, Variable
+from ..base import ModelError, UnknownNameError, nearest, shown, text
+from ..components.language import Component, Parameter, Variable
 from .flattening.vectors import stacked
-from .simulation.tolerance import ATOL, RTOL
 
 if TYPE_CHECKING:
+    from .flattening.flat import Flat
+    from .flattening.naming import Names
+    from .flattening.parameters import ParameterTable
     from .reduction.jumps import Jumps
-    from .reduction.pantelides import System
     from .reduction.tearing import Torn
     from .reduction.transitions import Switching
-    from .results.result import Result
-    from .simulation.bound_dae import Closed
-
-
-KEPT = 4
 
 
 @dataclass(frozen=True)
@@ -51,7 +45,12 @@ class DAE:
         completion: makes blocks that a mode leaves singular solvable (least norm), else zero.
         variables: every joined variable as an expression of the above.
         switching: the transitions between modes.
+        flat: the components in their places, and which variables are joined.
+        parameters: every parameter with its declaration, value and symbol.
+        declared: name, unit, nominal and start value of every joined variable.
+        derivative: by joined variable its derivative, and the sign of that.
         jumps: the equations while signals jump whose derivatives they hold, if there are any.
+        bindings: what runs have compiled, by the signals they were given.
     """
 
     name: str
@@ -71,14 +70,21 @@ class DAE:
     blocks: list[Torn]
     switching: Switching
     variables: Any
-    system: System
+    flat: Flat
+    parameters: ParameterTable
+    declared: Names
+    derivative: dict[int, tuple[int, int]]
     jumps: Jumps | None = None
-    _closed: dict[tuple[object, ...], Closed] = field(default_factory=dict)
+    bindings: dict[Any, Any] = field(default_factory=dict)
 
     @cached_property
     def state_names(self) -> list[str]:
         """Full names of the states."""
-        return [self.system.name(v) for v in self.states]
+        return [self.name_of(v) for v in self.states]
+
+    def name_of(self, variable: int) -> str:
+        """Return the best name of a joined variable."""
+        return self.declared.name(variable, self.derivative)
 
     @property
     def input_names(self) -> list[str]:
@@ -88,8 +94,7 @@ class DAE:
     @property
     def parameter_values(self) -> dict[str, float]:
         """Every parameter that can be set, with its value."""
-        table = self.system.flat.table
-        return dict(zip(table.index, table.defaults, strict=True))
+        return dict(zip(self.parameters.index, self.parameters.defaults, strict=True))
 
     @property
     def hybrid(self) -> bool:
@@ -99,7 +104,7 @@ class DAE:
     @cached_property
     def followed(self) -> dict[int, tuple[int, int]]:
         """By variable that starts where an input does: that input, and its sign against the variable."""
-        flat = self.system.flat
+        flat = self.flat
         found = {}
         for group in flat.groups:
             for name, declared in type(group[0].component).fields.items():
@@ -112,7 +117,7 @@ class DAE:
 
     def names(self) -> Iterable[str]:
         """Yield the full names of all variables."""
-        return self.system.flat.names()
+        return self.flat.names()
 
     def expression(self, path: str) -> Any:
         """Return a variable, a mode, a parameter or `der(...)` of a variable as SX.
@@ -120,12 +125,12 @@ class DAE:
         Raises:
             UnknownNameError: for an unknown name, with the nearest one.
         """
-        self.system.flat.check_name(path)
+        self.flat.check_name(path)
         if path == "time":
             return self.time
         if path in self.switching.mode_names:
             return self.modes[self.switching.mode_names.index(path)]
-        parameter = self.system.flat.table.at(path)
+        parameter = self.parameters.at(path)
         if parameter is not None:
             return parameter
         root, sign = self.root(path)
@@ -137,10 +142,10 @@ class DAE:
         Raises:
             UnknownNameError: for an unknown name, with the nearest one.
         """
-        flat = self.system.flat
+        flat = self.flat
         if not text(path) and path.startswith("der("):
             root, sign = self.root(path[4:-1])
-            upper = self.system.derivative.get(root)
+            upper = self.derivative.get(root)
             if upper is None:
                 raise UnknownNameError(f"'{self.name}' has no variable '{path}'")
             return upper[0], sign * upper[1]
@@ -152,8 +157,8 @@ class DAE:
         Raises:
             UnknownNameError: for an unknown name, with the nearest one.
         """
-        self.system.flat.check_name(path)
-        declared = self.system.flat.table.field(path)
+        self.flat.check_name(path)
+        declared = self.parameters.field(path)
         if declared is not None:
             return declared.unit
         if path == "time":
@@ -162,7 +167,7 @@ class DAE:
             return ""
         if path.startswith("der("):
             return f"{self.unit(path[4:-1])}/s"
-        return self.system.names.facts[self.system.flat.variable(path)].unit
+        return self.declared.facts[self.flat.variable(path)].unit
 
     def field(self, path: str) -> Parameter:
         """Return the declaration of a parameter.
@@ -170,89 +175,12 @@ class DAE:
         Raises:
             UnknownNameError: for an unknown name, with the nearest one.
         """
-        self.system.flat.check_name(path)
-        table = self.system.flat.table
+        self.flat.check_name(path)
+        table = self.parameters
         if path not in self.parameter_values:
             told = nearest(str(path), table.index)
             raise UnknownNameError(f"'{self.name}' has no parameter '{path}' that can be set{told}")
         return table.fields[table.index[path]]
-
-    def simulate(
-        self,
-        stop: float,
-        *,
-        start: Mapping[str, float] | None = None,
-        guess: Mapping[str, float] | None = None,
-        inputs: Mapping[str, Any] | None = None,
-        parameters: Mapping[str, float] | None = None,
-        begin: float = 0.0,
-        step: float | None = None,
-        rtol: float = RTOL,
-        atol: float = ATOL,
-        solver: str = "auto",
-        sensitivities: Iterable[str] = (),
-        progress: bool | None = None,
-        max_steps: int | None = None,
-        max_step: float = inf,
-        **unknown: Never,
-    ) -> Result:
-        """Run from `begin` to `stop` and return the result.
-
-        Args:
-            stop: end time [s].
-            start: fixed start values by name (of states or of anything that determines them).
-            guess: start values that may give way to fixed ones.
-            inputs: signals by name: a number, a function of time (CasADi or NumPy functions), a
-                `Sampled` or a pair (time, values).
-            parameters: changed parameters by name.
-            begin: start time [s].
-            step: output interval [s]; a 500th of the run if not given.
-            rtol: relative tolerance.
-            atol: absolute tolerance, times the nominal value of each state.
-            solver: "auto", "cvodes", "idas", "rosenbrock", or "compiled" (in C, needs a compiler). "auto" is
-                "idas" where algebraic unknowns are left and "cvodes" elsewhere; `fit` and `diagnose`, which
-                run a model again and again, let it be "compiled" if that pays.
-            sensitivities: parameters whose forward sensitivities are wanted (smooth networks).
-            progress: show progress; by default on runs that last over a second on a terminal.
-            max_steps: steps of the integrator after which the run is given up; no limit if not given. Solver
-                "compiled" also gives up where events between two outputs are 20 times their share of it.
-            max_step: longest step of the integrator [s]; runs stop by themselves where inputs switch, and
-                keep steps short where inputs move.
-            unknown: refused, with the nearest argument that there is.
-
-        Raises:
-            ModelError: for unknown names or arguments, values out of range, and tolerances or steps that no
-                run can keep to.
-            InitialConditionError: for start values that contradict each other.
-            SimulationError: if the run cannot be finished; its `result` keeps what was computed.
-            RunInterruptedError: on Ctrl-C; its `result` likewise.
-        """
-        from ..base.keywords import check_keywords
-        from .simulation.run import Settings
-        from .simulation.simulate import simulate
-
-        check_keywords("simulate()", unknown, DAE.simulate)
-        settings = Settings(begin, stop, step, rtol, atol, solver, progress, max_steps, max_step)
-        return simulate(
-            self, settings, named("start", start), named("guess", guess), named("inputs", inputs),
-            named("parameters", parameters), listed("sensitivities", sensitivities),
-        )  # fmt: skip
-
-    def closed(self, signals: Mapping[str, Any]) -> Closed:
-        """Return the equations with input signals put in; the last few are kept, compiled.
-
-        Raises:
-            ModelError: for unknown inputs and for inputs without a signal.
-        """
-        from .simulation.bound_dae import Closed, Given, chosen_signals
-
-        chosen = chosen_signals(self, named("inputs", signals))
-        key = get_ident(), Given(chosen)
-        known = self._closed.pop(key, None) or Closed(self, chosen)
-        self._closed[key] = known
-        if len(self._closed) > KEPT:
-            del self._closed[next(iter(self._closed))]
-        return known
 
     def arguments(self) -> list[Any]:
         """Return the symbols every expression depends on: x, z, u, q, time."""
@@ -262,3 +190,36 @@ class DAE:
     def constants(self) -> Any:
         """All that is constant within a segment: p, modes, impulses, completion."""
         return stacked(self.p, self.modes, self.impulses, self.completion)
+
+
+def dae_of(given: Component | DAE | Any) -> DAE:
+    """Return the equations of a network, or the equations that were given.
+
+    Raises:
+        ModelError: for anything else.
+    """
+    if isinstance(given, DAE):
+        return given
+    if isinstance(given, Component) and hasattr(given, "dae"):
+        return given.dae()  # type: ignore[no-any-return]
+    raise ModelError(f"a Network (or the DAE of one) is needed, got {shown(given)}{remedy_for(given)}")
+
+
+def element_of(given: Component | Any) -> Component:
+    """Return a component that was given, which may be a network.
+
+    Raises:
+        ModelError: for anything else.
+    """
+    if isinstance(given, Component):
+        return given
+    raise ModelError(f"a component is needed, got {shown(given)}{remedy_for(given)}")
+
+
+def remedy_for(given: Any) -> str:
+    """Return what to do with something that is no network."""
+    if isinstance(given, Component):
+        return "; put it into a Network and connect it"
+    if isinstance(given, type) and issubclass(given, Component):
+        return f"; give one, {given.__name__}(...), and not its class"
+    return "; call the function that makes it" if callable(given) else ""

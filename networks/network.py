@@ -6,6 +6,7 @@ from collections.abc import Iterable, Mapping
 from typing import TYPE_CHECKING, Any, Self
 
 from ..base import ModelError, nearest, text
+from ..base.keywords import check_keywords
 from ..components.language import Component, PortRef
 
 if TYPE_CHECKING:
@@ -168,14 +169,11 @@ class Network(Component):
         parameters: Mapping[str, float] | None = None,
         **options: Any,
     ) -> Result:
-        """Assemble and run the network; see `DAE.simulate` for the arguments and errors."""
-        from ..base.keywords import check_keywords
-        from .dae import DAE
+        """Assemble and run the network; see `inertance.simulate` for the arguments and errors."""
+        from .simulation.simulate import simulate
 
-        check_keywords("simulate()", options, DAE.simulate)
-        return self.dae().simulate(
-            stop, start=start, guess=guess, inputs=inputs, parameters=parameters, **options
-        )
+        check_keywords("simulate()", options, simulate)
+        return simulate(self, stop, start=start, guess=guess, inputs=inputs, parameters=parameters, **options)
 
     def __repr__(self) -> str:
         parts = ", ".join(f"{n}: {type(c).__name__}" for n, c in self._parts.items())

@@ -66,7 +66,7 @@ class Joined(BlackBox):
     def _linear(self, path: str) -> tuple[Input, float] | None:
         """Return the one input, and its sign, that a variable of the network equals; None if it does not."""
         dae = self._dae
-        value = ca.substitute(ca.SX(dae.expression(path)), dae.p, ca.DM(dae.system.flat.table.defaults))
+        value = ca.substitute(ca.SX(dae.expression(path)), dae.p, ca.DM(dae.parameters.defaults))
         slopes = ca.simplify(ca.jacobian(value, dae.u))
         offset = ca.simplify(ca.substitute(value, dae.u, ca.DM.zeros(dae.u.shape)))
         if slopes.nnz() != 1 or not slopes.is_constant() or not offset.is_zero():

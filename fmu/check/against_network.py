@@ -9,7 +9,7 @@ from tempfile import TemporaryDirectory
 import numpy as np
 from numpy.typing import NDArray
 
-from ...networks import DAE, Result
+from ...networks import DAE, Result, simulate
 from ..errors import FMUError
 from ..export.export import export_fmu
 from .agreement import (
@@ -73,8 +73,8 @@ class _Native:
         self, dae: DAE, experiment: Experiment, start: Mapping[str, float], rtol: float | None = None
     ) -> None:
         self.experiment, self.rtol = experiment, experiment.accurate if rtol is None else rtol
-        self.run: Result = dae.simulate(
-            experiment.stop, begin=experiment.begin, step=experiment.step, start=start,
+        self.run: Result = simulate(
+            dae, experiment.stop, begin=experiment.begin, step=experiment.step, start=start,
             inputs=dict(experiment.inputs), rtol=self.rtol, atol=1e-2 * self.rtol, progress=False,
         )  # fmt: skip
 

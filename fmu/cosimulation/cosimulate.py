@@ -128,7 +128,7 @@ class _Master:
         count = max(1, round((span[1] - span[0]) / step))
         self.points = np.linspace(*span, count + 1)
         self.step, self.options, self.steps = step, options, 0
-        parts = {i.path: i.component for i in dae.system.flat.instances.values()}
+        parts = {i.path: i.component for i in dae.flat.instances.values()}
         self.foreign = {p: c for p, c in parts.items() if isinstance(c, ForeignComponent)}
         if not self.foreign:
             raise ModelError(f"'{dae.name}' has no FMU in it; use simulate")

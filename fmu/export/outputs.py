@@ -38,7 +38,7 @@ def chosen_outputs(dae: DAE, outputs: Iterable[str] | None, states: Sequence[str
         chosen = chosen_signals(dae, outputs)
     except KeyError as error:
         raise ModelError(f"outputs of the FMU: {error.args[0]}") from None
-    numbers = [name for name in chosen if dae.system.flat.table.at(name) is not None or name == "time"]
+    numbers = [name for name in chosen if dae.parameters.at(name) is not None or name == "time"]
     if numbers:
         raise ModelError(f"'{numbers[0]}' is no variable that moves: it cannot be an output of the FMU")
     return chosen
@@ -49,7 +49,7 @@ def _signals(dae: DAE) -> list[str]:
     taken: set[int] = set()
     offered: dict[int, str] = {}
     measured: dict[int, str] = {}
-    instances = dae.system.flat.instances.items()
+    instances = dae.flat.instances.items()
     for path, instance in sorted(instances, key=lambda item: item[0].count(".")):
         fields = type(instance.component).fields.values()
         sensor = any(isinstance(f, Port) for f in fields) and not any(
@@ -67,7 +67,7 @@ def _signals(dae: DAE) -> list[str]:
 
 def locals_of(dae: DAE, shown: Iterable[str]) -> list[str]:
     """Return the declared variables that are not shown yet, each joined variable once."""
-    names = dae.system.names
+    names = dae.declared
     seen = {dae.root(name)[0] for name in shown if name not in dae.switching.mode_names}
     seen |= {declared.variable for declared in dae.inputs}
     found = []

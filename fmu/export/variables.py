@@ -179,7 +179,7 @@ def _indicator(dae: DAE, k: int, reference: int) -> Scalar:
 def described(dae: DAE, path: str) -> str:
     """Return what the declaration of a variable says of it."""
     inner = path.removeprefix("der(").removesuffix(")")
-    told = dae.system.names.facts[dae.system.flat.variable(inner)].doc
+    told = dae.declared.facts[dae.flat.variable(inner)].doc
     return told if inner == path else f"rate of {inner}"
 
 

@@ -15,9 +15,10 @@ import numpy as np
 from ...base import instance, path_of, shown, text_of, there_is_file
 from ...components import ModelError
 from ...networks import DAE, Network
-from ..records.channels import Channel, outputs_of, read_channels, read_noise
+from ..records.channel import Channel, outputs_of
 from ..records.noise import Floor, repeated_floor, spectral_floor
 from ..records.units import factor
+from .channels import read_channels, read_noise
 from .experiment import Experiment, read_experiments, repeat_problems, strange
 from .machine import Machine, read_model
 from .priors import Prior, read_priors

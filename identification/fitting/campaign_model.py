@@ -10,16 +10,16 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ...components import ModelError
-from ...networks import ATOL, DAE, RTOL, Network, Result, Variations, dae_of
+from ...networks import ATOL, DAE, RTOL, Network, Result, Variations, dae_of, simulate
 from ..campaign.experiment import Experiment
-from ..records.channels import Channel
+from ..records.channel import Channel
 
 Array = NDArray[np.float64]
 
 
 @dataclass(frozen=True)
 class Accuracy:
-    """How runs are computed: `solver` as in `DAE.simulate`, tolerances, and steps granted for each sample."""
+    """How runs are computed: `solver` as in `simulate`, tolerances, and steps granted for each sample."""
 
     solver: str = "auto"
     rtol: float = RTOL
@@ -63,7 +63,7 @@ class Stand:
         channels: Mapping[str, Channel],
         variations: Variations | None = None,
     ) -> None:
-        self.dae = replace(dae, _closed={})
+        self.dae = replace(dae, bindings={})
         self.experiment, self.record = experiment, experiment.compared
         whole = experiment.record
         self.outputs = {name: c.path for name, c in channels.items() if not c.driven}
@@ -78,10 +78,17 @@ class Stand:
         step = float(time[1] - time[0])
         guess = self._measured_start(begin) if self.experiment.initial == "fit" else {}
         options: dict[str, Any] = {"rtol": accuracy.rtol, "atol": accuracy.atol}
-        run = self.dae.simulate(
-            begin + step, begin=begin, step=step, guess=guess, inputs=self.inputs, parameters=parameters,
-            progress=False, **options,
-        )  # fmt: skip
+        run = simulate(
+            self.dae,
+            begin + step,
+            begin=begin,
+            step=step,
+            guess=guess,
+            inputs=self.inputs,
+            parameters=parameters,
+            progress=False,
+            **options,
+        )
         return run.initial.values.copy()
 
     def _measured_start(self, begin: float) -> dict[str, float]:
@@ -126,8 +133,8 @@ class Stand:
         step = float(time[-1] - time[0]) / (len(time) - 1)
         names = self.dae.state_names
         given = {} if start is None else {n: float(v) for n, v in zip(names, start, strict=True)}
-        run = self.dae.simulate(
-            float(time[-1]), begin=float(time[0]), step=step, guess=given, inputs=self.inputs,
+        run = simulate(
+            self.dae, float(time[-1]), begin=float(time[0]), step=step, guess=given, inputs=self.inputs,
             parameters=parameters, solver=accuracy.solver, rtol=accuracy.rtol, atol=accuracy.atol,
             progress=False, max_steps=accuracy.steps and accuracy.steps * len(time),
         )  # fmt: skip

@@ -62,7 +62,7 @@ def fit(
         starts: number of starts; further ones are drawn from the priors (bounds) by a Sobol sequence.
         executor: runs the starts; the campaign goes to its workers by pickle.
         seed: of the draw.
-        solver: as for `DAE.simulate`; "auto" compiles the model where there is a C compiler and 20 runs of
+        solver: as for `simulate`; "auto" compiles the model where there is a C compiler and 20 runs of
             the training records come to 40 000 samples, as of 2000 and more in all.
         rtol: relative tolerance of the runs.
         report: called with a line of progress.

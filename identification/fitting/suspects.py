@@ -14,7 +14,7 @@ from ...components import InertanceError
 from ..campaign.campaign import Campaign
 from ..campaign.experiment import Experiment
 from ..campaign.priors import Prior
-from ..records.channels import Channel
+from ..records.channel import Channel
 from ..records.units import sizes_of
 from .campaign_model import Accuracy, Bench
 from .least_squares import Optimum, Problem

@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 from ...base import above, demand, finite, instance, one_of, path_of, shown, text, whole
 from ...components import ModelError, Sampled, UnknownNameError, nearest
 from ...components.language import INTERPOLATIONS
-from .channels import Channel
+from .channel import Channel
 from .columns import JITTER, LEAST, number_problems, time_problems, value_problems
 from .filters import decimated
 from .tables import Table, read_table

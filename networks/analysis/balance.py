@@ -18,6 +18,7 @@ from numpy.typing import NDArray
 
 from ...base import ModelError, above, between, demand, listed, nearest, text, whole
 from ..dae import DAE
+from ..simulation.simulate import simulate
 from .operating import operating_point
 from .orbits import Orbit
 
@@ -127,12 +128,16 @@ class Balance:
         period = 2 * np.pi / w
         held = {i.path: 0.0 for i in self.dae.inputs if i.order == 0 and i.signal is None} | self.signals
         drive: dict[str, Any] = {self.driven: lambda t: self.amplitude * np.sin(w * t)}
-        run = self.dae.simulate(
-            periods * period, inputs=held | drive, parameters=self.parameters, step=period / self.points,
+        run = simulate(
+            self.dae,
+            periods * period,
+            inputs=held | drive,
+            parameters=self.parameters,
+            step=period / self.points,
             progress=False,
-        )  # fmt: skip
+        )
         times = (periods - 1) * period + self._phase / w
-        names = [*self.dae.state_names, *(self.dae.system.name(v) for v in self.dae.algebraic)]
+        names = [*self.dae.state_names, *(self.dae.name_of(v) for v in self.dae.algebraic)]
         motion = np.stack([np.interp(times, run.time, run[name]) for name in names], axis=1)
         coefficients: Array = self._analysis @ motion
         return coefficients.ravel()

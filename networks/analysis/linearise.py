@@ -13,8 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ...base import ModelError, listed, named, nearest
-from ..dae import DAE
-from ..given import dae_of
+from ..dae import DAE, dae_of
 from ..network import Network
 from ..results.result import Result
 from .operating import OperatingPoint, operating_point
@@ -77,7 +76,7 @@ def linearise(
     compiled = _compiled(dae, driven, seen)
     by = parameters.by if isinstance(parameters, Varied) and at == "equilibrium" else ()
     if by and compiled.linear:
-        return compiled.anywhere(dae.system.flat.table.values(changed), by)
+        return compiled.anywhere(dae.parameters.values(changed), by)
     point = operating_point(dae, at, time=time, start=start, inputs=signals, parameters=parameters)
     return compiled.at(point, by)
 
@@ -174,7 +173,7 @@ class Linearisation:
         rest = np.hstack([m[rows] for m in matrices[:2]])
         for name in by:
             _check_parameter(dae, name)
-            k = dae.system.flat.table.index[name]
+            k = dae.parameters.index[name]
             along = np.zeros(dae.p.numel())
             along[k] = 1.0
             moved: Any = np.zeros(rest.shape[1])
@@ -222,7 +221,7 @@ class Linearisation:
         left = np.abs((of_z @ follow + of_others).real).max(axis=1, initial=0.0)
         stiff = np.flatnonzero(left > INCONSISTENT * np.abs(of_others.real).max(axis=1, initial=0.0))
         if len(stiff):
-            names = ", ".join(self.dae.system.name(self.dae.algebraic[k]) for k in stiff)
+            names = ", ".join(self.dae.name_of(self.dae.algebraic[k]) for k in stiff)
             raise ModelError(
                 f"'{self.dae.name}' is not linear here: what balances {names} has no slope, as a "
                 "clearance or a quadratic damper at rest; linearise elsewhere (at=, start=, signals=), "
@@ -275,7 +274,7 @@ def _channel(dae: DAE, name: str) -> Channel:
     path, order = name, 0
     while path.startswith("der(") and path.endswith(")"):
         path, order = path[4:-1], order + 1
-    table = dae.system.flat.table
+    table = dae.parameters
     if path in dae.input_names:
         unit = next(i.unit for i in dae.inputs if i.path == path)
         return Channel(name, path, order, unit, None)
@@ -299,4 +298,4 @@ def _expression(dae: DAE, name: str) -> Any:
 
 
 def _differentiated(dae: DAE, name: str) -> bool:
-    return dae.root(name)[0] in dae.system.derivative
+    return dae.root(name)[0] in dae.derivative

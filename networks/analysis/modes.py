@@ -11,8 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ...base import ModelError, demand, finite, shown, whole
-from ..dae import DAE
-from ..given import dae_of
+from ..dae import DAE, dae_of
 from ..network import Network
 
 if TYPE_CHECKING:
@@ -87,7 +86,7 @@ def body_positions(network: Network | DAE) -> list[str]:
     """
     dae = dae_of(network)
     found = []
-    for path, instance in dae.system.flat.instances.items():
+    for path, instance in dae.flat.instances.items():
         fields = type(instance.component).fields
         if "m" in fields and {"s", "v", "a"} <= fields.keys():
             found.append(f"{path}.s")

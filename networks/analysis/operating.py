@@ -12,15 +12,14 @@ from numpy.typing import NDArray
 
 from ...base import ModelError, between, demand, finite, named, text, whole
 from ...base.keywords import check_keywords
-from ..dae import DAE
-from ..given import dae_of
+from ..dae import DAE, dae_of
 from ..network import Network
 from ..results.result import Result
-from ..simulation.bound_dae import Closed
+from ..simulation.bound_dae import BoundDAE, bound
+from ..simulation.consistent_start import begun
 from ..simulation.coverage import check_covered
-from ..simulation.initialization import wishes
+from ..simulation.initialization import start_values
 from ..simulation.point import Point
-from ..simulation.simulate import begun
 from .resting import HOLDING, mode_values, settle
 
 Array = NDArray[np.float64]
@@ -84,12 +83,12 @@ def operating_point(
     if text(at) or at not in ("equilibrium", "start"):
         raise ModelError(f"'{dae.name}': at is 'equilibrium', 'start' or a Result, got {at!r}")
     signals = {i.path: 0.0 for i in dae.inputs if i.order == 0 and i.signal is None} | named("inputs", inputs)
-    check_covered(dae.name, dae.closed(signals).signals, time, time)
+    check_covered(dae.name, bound(dae, signals).signals, time, time)
     if at == "equilibrium":
         signals = _held(dae, signals, time)
-    closed = dae.closed(signals)
-    q = closed.blank(dae.system.flat.table.values(named("parameters", parameters)))
-    run = begun(closed, q, time, wishes(dae, named("start", start), {}))
+    closed = bound(dae, signals)
+    q = closed.blank(dae.parameters.values(named("parameters", parameters)))
+    run = begun(closed, q, time, start_values(dae, named("start", start), {}))
     notes = list(run.switcher.notes) if run.switcher else []
     if at == "equilibrium":
         notes += settle(closed, run.point, run.switcher)
@@ -142,7 +141,7 @@ def equilibria(
 
 def _held(dae: DAE, signals: dict[str, Any], time: float) -> dict[str, Any]:
     """Return every signal's value at an instant, as a constant."""
-    closed = dae.closed(signals)
+    closed = bound(dae, signals)
     values = ca.Function("signals", [closed.t], [closed.u])(time).full().ravel()
     return {i.path: float(i.sign * v) for i, v in zip(dae.inputs, values, strict=True) if i.order == 0}
 
@@ -163,7 +162,7 @@ def _of_run(run: Result, time: float) -> OperatingPoint:
     return _point(closed, point, _holding(closed.dae, point.q))
 
 
-def _point(closed: Closed, point: Point, notes: list[str]) -> OperatingPoint:
+def _point(closed: BoundDAE, point: Point, notes: list[str]) -> OperatingPoint:
     u = ca.Function("u", [closed.t], [closed.u])(point.t).full().ravel()
     return OperatingPoint(closed.dae, point.t, point.x, point.z, u, point.q, notes)
 

@@ -12,21 +12,21 @@ from numpy.typing import NDArray
 from ...base import InitialConditionError, ModelError, SimulationError
 from ..dae import DAE
 from ..simulation.blame import GUARD, told_without_value
-from ..simulation.bound_dae import Closed
+from ..simulation.bound_dae import BoundDAE
+from ..simulation.consistent_start import begun
 from ..simulation.events.switcher import Switcher
-from ..simulation.initialization import Wishes
+from ..simulation.initialization import StartValues
 from ..simulation.point import Point, solve_algebraic
-from ..simulation.simulate import begun
 
 Array = NDArray[np.float64]
 TINY = 1e-9
 STILL = 1e-12
 ON_THE_WAY = (0.25, 0.5, 0.75, 0.999)
 HOLDING = ("stuck", "contact")
-_KNOWN: WeakKeyDictionary[Closed, Any] = WeakKeyDictionary()
+_KNOWN: WeakKeyDictionary[BoundDAE, Any] = WeakKeyDictionary()
 
 
-def settle(closed: Closed, point: Point, switcher: Switcher | None) -> list[str]:
+def settle(closed: BoundDAE, point: Point, switcher: Switcher | None) -> list[str]:
     """Move a point to the nearest equilibrium, in modes that are consistent there."""
     for _ in range(20):
         before = Point(point.t, point.x.copy(), point.z.copy(), point.q)
@@ -46,7 +46,7 @@ def settle(closed: Closed, point: Point, switcher: Switcher | None) -> list[str]
     )
 
 
-def _keep_this_side(closed: Closed, before: Point, point: Point, switcher: Switcher) -> None:
+def _keep_this_side(closed: BoundDAE, before: Point, point: Point, switcher: Switcher) -> None:
     """Move a point back along the straight way to it, to where a mode switches first: to a stop, say."""
 
     def passed(share: float) -> Point:
@@ -71,14 +71,14 @@ def _keep_this_side(closed: Closed, before: Point, point: Point, switcher: Switc
     point.x, point.z = there.x, there.z
 
 
-def _holds_at_rest(closed: Closed, point: Point) -> bool:
+def _holds_at_rest(closed: BoundDAE, point: Point) -> bool:
     """Let what slid up to an equilibrium hold there, as if it had stood there; tell whether it does."""
     dae = closed.dae
     blank = closed.blank(point.q[: dae.p.numel()])
     standing = np.where(np.abs(point.x) < STILL, 0.0, point.x).tolist()
     fixed = zip(dae.states, zip(dae.state_names, standing, strict=True), strict=True)
     try:
-        there = begun(closed, blank, point.t, Wishes(dict(fixed), {})).point
+        there = begun(closed, blank, point.t, StartValues(dict(fixed), {})).point
     except (InitialConditionError, SimulationError):
         return False
     holds = set(_held_states(dae, point.q)) < set(_held_states(dae, there.q))
@@ -87,7 +87,7 @@ def _holds_at_rest(closed: Closed, point: Point) -> bool:
     return holds
 
 
-def _rest(closed: Closed, point: Point) -> list[str]:
+def _rest(closed: BoundDAE, point: Point) -> list[str]:
     """Solve ode = 0, alg = 0 by damped Gauss-Newton steps of least norm."""
     dae = closed.dae
     function = _rest_function(closed)
@@ -126,7 +126,7 @@ def _rest(closed: Closed, point: Point) -> list[str]:
     return _free_directions(dae, slope, held)
 
 
-def _rest_function(closed: Closed) -> Any:
+def _rest_function(closed: BoundDAE) -> Any:
     """Return what must vanish at rest, and its slopes; compiled once."""
     if closed not in _KNOWN:
         residual = closed.close(ca.vertcat(closed.dae.ode, closed.dae.alg))

@@ -13,10 +13,11 @@ from ...base import ModelError, SimulationError, above, between, demand, listed,
 from ...base.keywords import check_keywords
 from ...components import FAMILIES, Component, Domain, signals
 from ...components.language import PortRef
-from ..dae import DAE
-from ..given import element_of, network_of
+from ..dae import element_of
+from ..given import network_of
 from ..network import Network
 from ..results.result import Result
+from ..simulation.simulate import simulate
 from .orbits import harmonics_of
 from .probing import port
 
@@ -79,7 +80,7 @@ def stepped_sine(
         most: periods after which it is taken as it is.
         inputs: signals of other inputs.
         start: start values of the first run.
-        options: for `DAE.simulate`: `rtol`, `atol`, `solver`, `parameters`.
+        options: for `simulate`: `rtol`, `atol`, `solver`, `parameters`.
 
     Raises:
         ModelError: for an unknown input.
@@ -92,7 +93,7 @@ def stepped_sine(
         most=(most, whole(1)),
     )
     demand("stepped_sine()", amplitude=(amplitude, between(0, MOST)))
-    check_keywords("stepped_sine()", options, DAE.simulate)
+    check_keywords("stepped_sine()", options, simulate)
     net = _with_drive(network_of(network), driven, amplitude)
     dae = net.dae()
     wanted, found, settled = list(listed("outputs", outputs)), [], []
@@ -106,8 +107,8 @@ def stepped_sine(
         last: Complex = np.empty(0, dtype=complex)
         steady = False
         for _ in range(max(1, most // 4)):
-            run = dae.simulate(
-                4.0 / f, start=state, inputs=inputs, step=1.0 / f / POINTS, progress=False,
+            run = simulate(
+                dae, 4.0 / f, start=state, inputs=inputs, step=1.0 / f / POINTS, progress=False,
                 parameters=parameters | {f"{DRIVE}.f": float(f)}, **options,
             )  # fmt: skip
             state = {name: float(run[name][-1]) for name in dae.state_names}

@@ -62,7 +62,7 @@ def corners_as_modes(dae: DAE) -> DAE:
         variables=variables,
         switching=switching,
         blocks=[replace(block, matrix=m) for block, m in zip(dae.blocks, matrices, strict=True)],
-        _closed={},
+        bindings={},
     )
 
 

@@ -16,7 +16,7 @@ import numpy as np
 from ...components.language import Sampled
 from ..dae import DAE, Input
 from ..flattening.vectors import column, pick
-from ..simulation.bound_dae import input_value
+from ..simulation.input_signals import input_value
 from ..simulation.integrator import nominal_sizes
 from ..simulation.legs import Leg
 from ..simulation.starting import Start
@@ -185,8 +185,8 @@ class Model:
         return tables
 
     def _numbers(self, tables: Tables) -> None:
-        dae, table = self.dae, self.dae.system.flat.table
-        start = dae.system.names.start
+        dae, table = self.dae, self.dae.parameters
+        start = dae.declared.start
         tables.doubles("model_parameter", table.defaults)
         tables.doubles("model_least", [_least(f) for f in table.fields])
         tables.doubles("model_most", [np.inf if f.max is None else f.max for f in table.fields])
@@ -197,7 +197,7 @@ class Model:
             "model_start", [float(start[v]) if v < len(start) else 0.0 for v in (*dae.states, *dae.algebraic)]
         )
         tables.doubles("model_nominal", nominal_sizes(dae, [*dae.states, *dae.algebraic]))
-        tables.strings("model_unknown_name", [dae.system.name(v) for v in (*dae.states, *dae.algebraic)])
+        tables.strings("model_unknown_name", [dae.name_of(v) for v in (*dae.states, *dae.algebraic)])
 
     def _data_span(self) -> tuple[float, float]:
         """Return from when until when all data built in are known [s]."""
@@ -272,7 +272,7 @@ class Model:
 
     def _blocks(self, tables: Tables) -> None:
         dae = self.dae
-        rates = {upper for upper, _ in dae.system.derivative.values()}
+        rates = {upper for upper, _ in dae.derivative.values()}
         sizes = [len(block.torn) for block in dae.blocks]
         tables.size("NB", len(sizes))
         tables.size("BLOCK", max(sizes, default=0))

@@ -30,10 +30,10 @@ from numpy.typing import NDArray
 from ...base import ModelError, SimulationError, heed
 from ...components.language import Sampled
 from ..dae import DAE
-from ..reduction.pantelides import System
 from ..results.result import Segment
-from ..simulation.bound_dae import Closed, Given
+from ..simulation.bound_dae import BoundDAE
 from ..simulation.events.switcher import Event, jumped
+from ..simulation.input_signals import Given
 from ..simulation.integrator import IntegratorError
 from ..simulation.point import Point
 from ..simulation.polynomial import Polynomial
@@ -52,7 +52,7 @@ MOST_BETWEEN = 1_000_000  # steps from one output to the next
 UNEVEN = 20  # times its share of `max_steps` that an interval between outputs may take
 FIRST, PATIENCE = 256, 0.05  # steps and seconds [s] until the C program looks up from its work
 DOUBLES, INTEGERS = POINTER(c_double), POINTER(c_longlong)
-_LIBRARIES: WeakKeyDictionary[System, dict[Given, Any]] = WeakKeyDictionary()
+_LIBRARIES: WeakKeyDictionary[DAE, dict[Given, Any]] = WeakKeyDictionary()
 
 
 class _Run(Structure):
@@ -97,7 +97,7 @@ class _Legs(Structure):
 class Native:
     """A compiled network with its input signals; parameters and start values may change from run to run."""
 
-    def __init__(self, closed: Closed) -> None:
+    def __init__(self, closed: BoundDAE) -> None:
         self.dae = dae = closed.dae
         functions = {path: s for path, s in closed.signals.items() if not isinstance(s, Sampled | Real)}
         for path, signal in functions.items():
@@ -166,7 +166,7 @@ class Native:
             if told and run.switcher is not None:
                 run.switcher.completion.tell_shared(block.labels)
         if self.nx and limits[: self.nx].any():
-            run.limiting = self.dae.system.name(self.dae.states[int(limits[: self.nx].argmax())])
+            run.limiting = self.dae.name_of(self.dae.states[int(limits[: self.nx].argmax())])
 
 
 class _Store:
@@ -258,11 +258,11 @@ def _table(signal: Any, order: int) -> tuple[NDArray[np.float64], NDArray[np.flo
 
 def _library(dae: DAE, functions: dict[str, Any]) -> Any:
     """Return the compiled program of a network with some inputs built in, made once."""
-    known = _LIBRARIES.setdefault(dae.system, {})
+    known = _LIBRARIES.setdefault(dae, {})
     key = Given(functions)
     if key not in known:
         folder = Path(mkdtemp(prefix="inertance-"))
-        finalize(dae.system, rmtree, folder, ignore_errors=True)
+        finalize(dae, rmtree, folder, ignore_errors=True)
         model = Model(dae, functions, (), (), products=False)
         files = model.texts() | sources((*SOURCES, "records.c", "native.c"))
         for name, text in files.items():

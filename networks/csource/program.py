@@ -13,7 +13,8 @@ import casadi as ca
 
 from ..dae import DAE, Input
 from ..flattening.vectors import column
-from ..simulation.bound_dae import Closed, chosen_signals
+from ..simulation.bound_dae import BoundDAE
+from ..simulation.input_signals import chosen_signals
 from ..simulation.legs import Leg, endless_legs
 from ..simulation.polynomial import Polynomial
 from ..simulation.starting import Start
@@ -164,8 +165,8 @@ def c_program(
 def _built_in_legs(dae: DAE, signals: Mapping[str, Any]) -> list[Leg]:
     """Return the legs of any run of a program, by its own signals; free inputs come from outside."""
     free = {declared.path: Polynomial(0) for declared in dae.inputs if declared.path not in signals}
-    closed = Closed(dae, {**signals, **free})
-    return endless_legs(TimeSignals(closed, closed.dae.system.flat.table.values({}), 0.0, HORIZON), HORIZON)
+    closed = BoundDAE(dae, {**signals, **free})
+    return endless_legs(TimeSignals(closed, closed.dae.parameters.values({}), 0.0, HORIZON), HORIZON)
 
 
 def sources(names: Sequence[str]) -> dict[str, str]:

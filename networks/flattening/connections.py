@@ -8,7 +8,7 @@ from typing import Any
 
 from ...components.language import Domain, PortRef, RealInput, RealOutput
 from .flat import Flat, Instance
-from .problems import Illegible
+from .problems import FatalProblem
 
 _Member = tuple[Instance, str, int]
 
@@ -58,14 +58,14 @@ def connect_ports(flat: Flat, problems: list[str]) -> tuple[list[Node], Unconnec
                     members = [_moved(member, moved, by_component) for member in members]
                 _merge(members, node_of)
         except AttributeError as error:
-            problems.append(Illegible(f"{owner}: its connections cannot be made: {error}"))
+            problems.append(FatalProblem(f"{owner}: its connections cannot be made: {error}"))
     for owner, port, far, _ in insertions:
         _merge(_members(owner, (port, far), by_component, problems), node_of)
     outside = {(instance, name) for instance, name, sign in node_of if sign > 0}
     nodes = list({id(node): node for node in node_of.values()}.values())
     for node in nodes:
         _check_node(node, problems)
-    if not any(isinstance(p, Illegible) for p in problems):
+    if not any(isinstance(p, FatalProblem) for p in problems):
         _join_nodes(flat, nodes)
     return nodes, _unconnected(flat, outside, problems)
 
@@ -84,7 +84,7 @@ def _members(
                 f"{port!r} is connected in {owner if owner.path else 'the network'} but belongs to no "
                 "component of it; add the component, or connect it where it lives"
             )
-            problems.append(Illegible(told))
+            problems.append(FatalProblem(told))
             continue
         members.append((instance, port.name, -1 if instance is owner else 1))
     return members
@@ -143,13 +143,13 @@ def _check_node(node: Node, problems: list[str]) -> None:
     if len(kinds) > 1:
         told = "; ".join(f"{kind}: {', '.join(where)}" for kind, where in kinds.items())
         wrong = f"one node joins ports of different kinds ({told}); connect like with like"
-        problems.append(Illegible(wrong))
+        problems.append(FatalProblem(wrong))
     elif "signal" in kinds and len(drivers) > 1:
-        problems.append(Illegible(f"one signal has several sources: {', '.join(drivers)}; keep one"))
+        problems.append(FatalProblem(f"one signal has several sources: {', '.join(drivers)}; keep one"))
     for instance, name, sign in node.ports if drivers else ():
         if sign > 0 and instance.component._values.get(name) is not None:
             wrong = f"{instance}: {name} has a signal of its own and that of {drivers[0]}; keep one"
-            problems.append(Illegible(wrong))
+            problems.append(FatalProblem(wrong))
 
 
 def _join_nodes(flat: Flat, nodes: list[Node]) -> None:

@@ -19,7 +19,7 @@ from .connections import connect_ports, find_inputs
 from .equations import component_families, node_families, open_family, zero_family
 from .flat import Flat, Instance
 from .parameters import ParameterTable
-from .problems import Illegible
+from .problems import FatalProblem
 from .union import SignedUnion
 
 
@@ -35,14 +35,14 @@ def flatten(network: Component) -> Flat:
     problems: list[str] = []
     instances = {i.path: i for i in _walk(network, "", None, problems, {})}
     if len(instances) == 1 and not instances[""].template.variables:
-        problems.append(Illegible("it has no components; give some to Network(...) or add()"))
+        problems.append(FatalProblem("it has no components; give some to Network(...) or add()"))
     groups = _grouped(instances)
     size = sum(len(group) * len(group[0].template.variables) for group in groups)
     flat = Flat(name, instances, groups, SignedUnion(size), ParameterTable(instances, problems))
     _collect_modes(flat)
     flat.problems = problems
     nodes, unconnected = connect_ports(flat, problems)
-    if any(isinstance(p, Illegible) for p in problems) or any(
+    if any(isinstance(p, FatalProblem) for p in problems) or any(
         i.component._shapeless for i in instances.values()
     ):
         raise ModelError(f"'{name}' cannot be assembled:", problems)
@@ -66,7 +66,7 @@ def _walk(
 ) -> Iterator[Instance]:
     if id(component) in seen:
         problems.append(
-            Illegible(
+            FatalProblem(
                 f"{type(component).__name__} '{path}' is the same object as '{seen[id(component)]}'; "
                 "give each place its own (`.clone()`)"
             )
@@ -86,10 +86,10 @@ def _template(component: Component, path: str, problems: list[str]) -> Template:
     try:
         return template_of(component)
     except ModelError as error:
-        problems.append(Illegible(f"{type(component).__name__} '{path}': {error}"))
+        problems.append(FatalProblem(f"{type(component).__name__} '{path}': {error}"))
     except Exception as error:
         told = f"{type(component).__name__} '{path}': its equations cannot be read: {_told(error)}"
-        problems.append(Illegible(told))
+        problems.append(FatalProblem(told))
     return declared_template(component)
 
 

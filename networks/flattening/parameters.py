@@ -11,7 +11,7 @@ import numpy as np
 
 from ...base import ModelError, nearest, number, numpy_on_symbols, shown, text
 from ...components.language import MISSING, Component, Option, Parameter
-from .problems import Illegible
+from .problems import FatalProblem
 from .vectors import column, pick_matrix
 
 if TYPE_CHECKING:
@@ -124,13 +124,13 @@ class ParameterTable:
             try:
                 expressions.append(self.at(path))
             except ModelError as error:
-                problems.append(Illegible(error))
+                problems.append(FatalProblem(error))
             except Exception as error:
                 owner, _, name = path.rpartition(".")
                 told = f"cannot be computed: {type(error).__name__}: {str(error).partition(chr(10))[0]}"
                 if isinstance(error, RecursionError):
                     told = "depends on itself; give it a number"
-                problems.append(Illegible(f"{self.instances[owner]}: {name} {told}"))
+                problems.append(FatalProblem(f"{self.instances[owner]}: {name} {told}"))
         return ca.Function("dependent", [self.symbols], [column(expressions)])
 
     def _out_of_range(self, numbers: Any) -> Iterator[str]:

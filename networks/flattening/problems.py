@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 
-class Illegible(str):
+class FatalProblem(str):
     """A problem that leaves no structure to look at for more."""
 
     __slots__ = ()

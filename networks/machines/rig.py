@@ -109,7 +109,7 @@ def run_on_rig(inerter: Component, displacement: Callable[[Any], Any], stop: flo
         inerter: with `flange_a` on the rod and `flange_b` on the housing.
         displacement: of the rod over time, x1(t) [m].
         stop: end time [s].
-        options: for `DAE.simulate`.
+        options: for `simulate`.
 
     Returns:
         The run; the force on the rod is `inerter.flange_a.f`.

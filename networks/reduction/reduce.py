@@ -81,7 +81,10 @@ def _dae(system: System, solution: Solution, switch: Switching, signals: list[Si
         blocks=[block for block in solution.blocks if block.hybrid],
         switching=switch,
         variables=values,
-        system=system,
+        flat=flat,
+        parameters=flat.table,
+        declared=system.names,
+        derivative=system.derivative,
         jumps=jumps,
     )
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
 from dataclasses import dataclass, field
 from functools import cached_property
 from pathlib import Path
@@ -13,19 +13,18 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ...base import UnknownNameError, path_of
-from ..simulation.bound_dae import Closed
-from ..simulation.compiled import dense
-from ..simulation.events.switcher import Event
-from ..simulation.initialization import Decisions
-from ..simulation.legs import Leg
-from ..simulation.tolerance import Tolerance
-from ..variational.jacobians import Points
-from .between import Between
+from ..evaluation.compiled import dense
+from ..evaluation.jacobians import Points
 from .over_time import OverTime
 from .pieces import Pieces
 
 if TYPE_CHECKING:
     import pandas as pd
+
+    from ..simulation.bound_dae import BoundDAE
+    from ..simulation.dense_output import DenseOutput
+    from ..simulation.events.switcher import Event
+    from ..simulation.initialization import StartReport
 
 Array = NDArray[np.float64]
 
@@ -79,20 +78,20 @@ class Result(OverTime):
 
     def __init__(
         self,
-        closed: Closed,
+        closed: BoundDAE,
         segments: list[Segment],
-        legs: Sequence[Leg],
         events: list[Event],
         stats: dict[str, Any],
-        initial: Decisions,
+        initial: StartReport,
         notes: list[str],
         sensitivities: dict[str, Array],
         limiting: Callable[[], str],
+        dense_output: Callable[[Points], DenseOutput],
     ) -> None:
         self.dae = closed.dae
         self.events, self.initial, self.notes = events, initial, notes
-        self._figures, self._limiting = stats, limiting
-        self._closed, self._segments, self._legs = closed, segments, legs
+        self._figures, self._limiting, self._dense_output = stats, limiting, dense_output
+        self._closed, self._segments = closed, segments
         self._sensitivities = sensitivities
         self._cache: dict[str, Array] = {}
         self._time: Array = np.concatenate([t for s in segments for t in s.times])
@@ -118,7 +117,7 @@ class Result(OverTime):
         Raises:
             UnknownNameError: for an unknown name, with the nearest one.
         """
-        self.dae.system.flat.check_name(name)
+        self.dae.flat.check_name(name)
         if name == "time":
             return self.time
         if name not in self._cache:
@@ -128,7 +127,7 @@ class Result(OverTime):
 
     def _state(self, name: str) -> Array | None:
         """Return what was recorded, if a name stands for a state."""
-        if name in self.dae.switching.mode_names or self.dae.system.flat.table.field(name) is not None:
+        if name in self.dae.switching.mode_names or self.dae.parameters.field(name) is not None:
             return None
         root, sign = self.dae.root(name)
         if root not in self.dae.states:
@@ -162,7 +161,7 @@ class Result(OverTime):
 
     def _course(self, name: str, begin: float, end: float) -> Pieces:
         """Return cubics through values and rates; where points are too far apart, follow the run again."""
-        return self._between.course(name, self[name], begin, end)
+        return self._follow_again.course(name, self[name], begin, end)
 
     def values_of(self, name: str) -> tuple[str, ...]:
         """Return what the values 0, 1, ... of a mode are called; nothing for any other signal.
@@ -177,9 +176,8 @@ class Result(OverTime):
         return ()
 
     @cached_property
-    def _between(self) -> Between:
-        tolerance = Tolerance(self._figures["rtol"], self._figures["atol"])
-        return Between(self._closed, self.points, self._legs, self._figures["solver"], tolerance)
+    def _follow_again(self) -> DenseOutput:
+        return self._dense_output(self.points)
 
     def sensitivity(self, name: str, parameter: str) -> Array:
         """Return d(signal)/d(parameter) along a run asked for with `sensitivities=`.
@@ -192,7 +190,7 @@ class Result(OverTime):
             raise UnknownNameError(f"run again with sensitivities=['{parameter}']")
         closed, dae = self._closed, self.dae
         residuals = closed.close(ca.vertcat(dae.expression(name), dae.alg))
-        number = dae.system.flat.table.index[parameter]
+        number = dae.parameters.index[parameter]
         of_x, of_z, of_q = (ca.jacobian(residuals, symbol) for symbol in (closed.x, closed.z, closed.q))
         function = closed.function("slopes", *dense(of_x, of_z, of_q[:, number]))
         points = Points.of(closed, self._segments)

@@ -13,13 +13,13 @@ from ..flattening.vectors import pick
 
 if TYPE_CHECKING:
     from ..flattening.flat import Instance
-    from .bound_dae import Closed
+    from .bound_dae import BoundDAE
 
 MOST = 3
 GUARD = "docs/write-your-own-component.md says how to guard it"
 
 
-def told_without_value(closed: Closed, x: Any, z: Any, q: Any, t: float, ahead: float = 0.0) -> str:
+def told_without_value(closed: BoundDAE, x: Any, z: Any, q: Any, t: float, ahead: float = 0.0) -> str:
     """Return a sentence that names inputs and equations without a finite value or slope at a point.
 
     It is empty if there are none. Inputs are looked at until `ahead` [s] later.
@@ -29,7 +29,7 @@ def told_without_value(closed: Closed, x: Any, z: Any, q: Any, t: float, ahead: 
     return f"{'; '.join(found[:MOST])}{more}" if found else ""
 
 
-def _inputs(closed: Closed, q: Any, times: Any) -> Iterator[str]:
+def _inputs(closed: BoundDAE, q: Any, times: Any) -> Iterator[str]:
     values = closed.input_values(np.tile(q, (len(times), 1)), times)
     for declared, course in zip(closed.dae.inputs, values.T, strict=True):
         if not np.isfinite(course).all():
@@ -38,8 +38,8 @@ def _inputs(closed: Closed, q: Any, times: Any) -> Iterator[str]:
             yield f"input '{name}' is {course[k]:g} at t = {times[k]:.6g} s"
 
 
-def _equations(closed: Closed, x: Any, z: Any, q: Any, t: float) -> Iterator[str]:
-    dae, flat = closed.dae, closed.dae.system.flat
+def _equations(closed: BoundDAE, x: Any, z: Any, q: Any, t: float) -> Iterator[str]:
+    dae, flat = closed.dae, closed.dae.flat
     q = q[: dae.constants.numel()]
     values = _values(closed, x, z, _padded(closed, q), t)
     for group in flat.groups:
@@ -60,22 +60,22 @@ def _equations(closed: Closed, x: Any, z: Any, q: Any, t: float) -> Iterator[str
                     yield f"{instance} has no {what} there{_at(template, residual, local)}"
 
 
-def _padded(closed: Closed, q: Any) -> Any:
+def _padded(closed: BoundDAE, q: Any) -> Any:
     return np.concatenate([q, np.zeros(closed.q.numel() - len(q))])
 
 
-def _values(closed: Closed, x: Any, z: Any, q: Any, t: float) -> dict[int, float]:
+def _values(closed: BoundDAE, x: Any, z: Any, q: Any, t: float) -> dict[int, float]:
     """Return every joined variable of a component."""
-    flat = closed.dae.system.flat
+    flat = closed.dae.flat
     count = sum(len(group) * len(group[0].template.variables) for group in flat.groups)
     roots = sorted({flat.joined.find(number)[0] for number in range(count)})
     function = closed.function("variables", closed.close(pick(closed.dae.variables, roots)))
     return dict(zip(roots, function(x, z, q, t).full().ravel().tolist(), strict=True))
 
 
-def _known(closed: Closed, instance: Instance, values: dict[int, float]) -> Any:
+def _known(closed: BoundDAE, instance: Instance, values: dict[int, float]) -> Any:
     """Return an instance's variables, not finite where that equation or one elsewhere has no value."""
-    joined = closed.dae.system.flat.joined
+    joined = closed.dae.flat.joined
     found = [joined.find(instance.base + k) for k in range(len(instance.template.variables))]
     return np.array([sign * values[root] for root, sign in found])
 

@@ -1,28 +1,29 @@
-"""Closed: the equations with their inputs put in, so that only time is left of them."""
+"""`BoundDAE`: the equations with their inputs put in, so that only time is left of them."""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Mapping
 from functools import cached_property
-from numbers import Real
+from threading import get_ident
 from typing import TYPE_CHECKING, Any
 
 import casadi as ca
 import numpy as np
 from numpy.typing import NDArray
 
-from ...base import ModelError, is_number, nearest, numpy_on_symbols
-from ...components.language import RealInput, Sampled
+from ...base import ModelError, named
+from ...components.language import Sampled
 from ..dae import DAE, Input
+from ..evaluation.batch import Batch
+from ..evaluation.compiled import Compiled, dense
 from ..flattening.vectors import pick, stacked
-from .batch import Batch
-from .compiled import Compiled, dense
 from .events.functions import SwitchFunctions
 from .events.shocks import Shocks
+from .input_signals import Given, chosen_signals, input_value
 from .integrator import Stepper
 from .legs import Leg, legs_of
 from .polynomial import Polynomial
-from .splines import SMOOTHNESS, curvature, sampled_at, traced
+from .splines import sampled_at
 from .time_signals import TimeSignals, timed_rows
 from .tolerance import Tolerance
 
@@ -30,11 +31,11 @@ if TYPE_CHECKING:
     from ..csource.native import Native
 
 Array = NDArray[np.float64]
-KEPT = 64
+BINDINGS, LEGS_KEPT = 4, 64  # bindings of a DAE, and legs, that are kept
 _LEGS: dict[tuple[Any, ...], list[Leg]] = {}  # where equations hold signals as given
 
 
-class Closed:
+class BoundDAE:
     """A DAE as functions of (x, z, q, t), q being all that is constant within a segment.
 
     Sampled inputs enter at MX level, around the SX equations; everything else stays SX.
@@ -210,7 +211,7 @@ class Closed:
             key = begin, stop, parameters.tobytes() if ca.depends_on(self.timed_rows, self.dae.p) else b""
         if key not in known:
             known[key] = legs_of(signals, begin, stop)
-            if len(known) > KEPT:
+            if len(known) > LEGS_KEPT:
                 known.pop(next(iter(known)), None)
         return known[key]
 
@@ -222,19 +223,18 @@ class Closed:
         return self._steppers[key]
 
 
-class Given:
-    """Signals by name as a key: equal numbers and polynomials are the same, anything else only itself."""
+def bound(dae: DAE, inputs: Mapping[str, Any]) -> BoundDAE:
+    """Return a DAE with input signals put in; the last few of each thread are kept, compiled.
 
-    def __init__(self, signals: Mapping[Any, Any]) -> None:
-        self._signals = [*signals.items()]
-        plain = Real, Polynomial
-        self._told = tuple((name, s if isinstance(s, plain) else id(s)) for name, s in self._signals)
-
-    def __hash__(self) -> int:
-        return hash(self._told)
-
-    def __eq__(self, other: object) -> bool:
-        return isinstance(other, Given) and self._told == other._told
+    Raises:
+        ModelError: for unknown inputs and for inputs without a signal.
+    """
+    chosen = chosen_signals(dae, named("inputs", inputs))
+    known, key = dae.bindings, (get_ident(), Given(chosen))
+    binding = known[key] = known.pop(key, None) or BoundDAE(dae, chosen)
+    if len(known) > BINDINGS:
+        del known[next(iter(known))]
+    return binding
 
 
 def _courses(first: int, signals: Mapping[str, Any]) -> dict[str, slice]:
@@ -245,122 +245,3 @@ def _courses(first: int, signals: Mapping[str, Any]) -> dict[str, slice]:
             places[path] = slice(first, first + signal.degree + 2)
             first = places[path].stop
     return places
-
-
-def chosen_signals(dae: DAE, given: Mapping[str, Any], free: bool = False) -> dict[str, Any]:
-    """Return the signal of every input: the run's own, else the one bound to the component.
-
-    An input without a signal is a problem, or, if it may be `free`, left out.
-    """
-    names = dae.input_names
-    problems = [f"there is no input '{name}'{_meant(dae, name)}" for name in given if name not in names]
-    chosen = {}
-    for declared in dae.inputs:
-        if declared.order:
-            continue
-        signal = given.get(declared.path, declared.signal)
-        if signal is None and free:
-            continue
-        if signal is None:
-            problems.append(
-                f"input '{declared.path}' [{declared.unit}] has no signal; connect it, bind it, or "
-                f"give inputs={{'{declared.path}': ...}}"
-            )
-        try:
-            chosen[declared.path] = _smooth_enough(dae, declared.path, signal)
-        except ModelError as error:
-            problems.append(f"input '{declared.path}': {error}")
-    if problems:
-        raise ModelError(f"'{dae.name}' cannot run:", problems)
-    return chosen
-
-
-def _meant(dae: DAE, name: str) -> str:
-    """Return the input that was meant, or why it may be missing, or all inputs."""
-    names = dae.input_names
-    component, _, field = name.rpartition(".")
-    instance = dae.system.flat.instances.get(component)
-    if instance is not None and isinstance(type(instance.component).fields.get(field), RealInput):
-        return "; it is connected to a signal of the network"
-    return nearest(name, names) or f"; the inputs are {', '.join(names) or 'none'}"
-
-
-def _smooth_enough(dae: DAE, path: str, signal: Any) -> Any:
-    """Return a signal, of a pair (time, values) what it means, if it has the derivatives that are needed."""
-    made = Sampled(*_pair(signal)) if isinstance(signal, tuple) else signal
-    if isinstance(made, Sampled):
-        order = max(declared.order for declared in dae.inputs if declared.path == path)
-        if order > SMOOTHNESS[made.interpolation]:
-            raise ModelError(
-                f"its derivative of order {order} is needed, which {made.interpolation} data do not have; "
-                "give them as cubic, or a function of time"
-            )
-    return made
-
-
-def _pair(signal: tuple[Any, ...]) -> tuple[Any, Any]:
-    if len(signal) != 2:
-        raise ModelError(f"a sampled signal is a pair (time, values), got {len(signal)} items")
-    return signal[0], signal[1]
-
-
-def input_value(declared: Input, signal: Any, t: Any) -> Any:
-    """Return an input, or the derivative that it is, as an expression of time.
-
-    Raises:
-        ModelError: for what is no signal, by the name of its input.
-    """
-    curved = isinstance(signal, Sampled) and declared.order >= 2
-    value = curvature(signal)(t) if curved else _traced(declared.path, signal, t)
-    for _ in range(declared.order - 2 * curved):
-        value = ca.jacobian(value, t)
-    return declared.sign * value
-
-
-def _traced(path: str, signal: Any, t: Any) -> Any:
-    if isinstance(signal, Sampled):
-        return traced(signal)(t)
-    if is_number(signal):
-        return type(t)(float(signal))
-    if isinstance(signal, Callable):  # type: ignore[arg-type]
-        return _called(path, signal, t)
-    raise ModelError(
-        f"input '{path}' takes a finite number, a function of time, a Sampled or (time, values), "
-        f"got {signal!r}"
-    )
-
-
-def _called(path: str, function: Any, t: Any) -> Any:
-    try:
-        with numpy_on_symbols():
-            value, again = type(t)(function(t)), type(t)(function(t))
-    except Exception as error:
-        told = f"{type(error).__name__}: {str(error).partition(chr(10))[0]}"
-        raise ModelError(
-            f"input '{path}': the function of time could not be read ({told}); write it with CasADi "
-            "or NumPy functions (`ca.sin`, `ca.if_else`), or give Sampled data"
-        ) from error
-    if value.numel() != 1:
-        raise ModelError(f"input '{path}': the function of time must return one number, got {value.shape}")
-    if value.is_constant() and not np.isfinite(float(value)):
-        raise ModelError(
-            f"input '{path}': the function of time must return a finite number, got {float(value)}"
-        )
-    if not _same(value, again):
-        raise ModelError(
-            f"input '{path}': the function of time is read once, as a formula, and this one returns another "
-            "each time; draw random numbers beforehand and give them as Sampled(time, values)"
-        )
-    return value
-
-
-def _same(one: Any, other: Any) -> bool:
-    """Tell whether two expressions of time, and of the coefficients of a polynomial, are equal in numbers."""
-    both = [ca.densify(one), ca.densify(other)]
-    symbols = ca.symvar(ca.vertcat(*both))
-    values = ca.Function("values", symbols, both)
-    pairs = (
-        [m.full() for m in values.call([ca.DM(at + k) for k in range(len(symbols))])]
-        for at in (0.1, 1.7, 23.0)
-    )
-    return all(np.array_equal(first, second, equal_nan=True) for first, second in pairs)

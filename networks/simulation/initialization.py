@@ -18,7 +18,7 @@ from ...base import InitialConditionError, ModelError, is_number
 from ...components.language import Variable
 from ..dae import DAE
 from .blame import GUARD, told_without_value
-from .bound_dae import Closed
+from .bound_dae import BoundDAE
 
 Array = NDArray[np.float64]
 SOLVED = "solved from fixed values of other variables"
@@ -40,13 +40,13 @@ class Decision:
 
 
 @dataclass(frozen=True, eq=False)
-class Decisions(Sequence[Decision]):
+class StartReport(Sequence[Decision]):
     """How every start value came about, named when asked for."""
 
     dae: DAE
     values: Array
     reasons: NDArray[np.str_]
-    wanted: Wishes
+    wanted: StartValues
 
     def __len__(self) -> int:
         return len(self.values)
@@ -59,7 +59,7 @@ class Decisions(Sequence[Decision]):
         if isinstance(i, slice):
             return [self[k] for k in range(*i.indices(len(self)))]
         variable, reason = self.dae.states[i], str(self.reasons[i])
-        name, unit = self.dae.system.name(variable), self.dae.system.names.unit(variable)
+        name, unit = self.dae.name_of(variable), self.dae.declared.unit(variable)
         if variable in self.wanted.fixed:
             given = self.wanted.fixed[variable][0]
             reason = "fixed" if given == name else f"fixed through {given}"
@@ -67,14 +67,14 @@ class Decisions(Sequence[Decision]):
 
 
 @dataclass(eq=False)
-class Wishes:
+class StartValues:
     """Start values by joined variable: fixed ones and guesses, each with the name it was given by."""
 
     fixed: dict[int, tuple[str, float]]
     guesses: dict[int, float]
 
 
-def wishes(dae: DAE, start: Mapping[str, float], guess: Mapping[str, float]) -> Wishes:
+def start_values(dae: DAE, start: Mapping[str, float], guess: Mapping[str, float]) -> StartValues:
     """Gather start values from components and from the run (which goes first).
 
     Raises:
@@ -83,7 +83,7 @@ def wishes(dae: DAE, start: Mapping[str, float], guess: Mapping[str, float]) -> 
     """
     _check_names(dae, {**start, **guess})
     given: dict[str, float] = {}
-    for instance in dae.system.flat.instances.values():
+    for instance in dae.flat.instances.values():
         for name, value in instance.component._values.items():
             if isinstance(type(instance.component).fields.get(name), Variable):
                 given[f"{instance.path}.{name}".lstrip(".")] = float(value)
@@ -106,7 +106,7 @@ def wishes(dae: DAE, start: Mapping[str, float], guess: Mapping[str, float]) -> 
     for name, value in guess.items():
         root, sign = dae.root(name)
         guesses[root] = sign * float(value)
-    return Wishes(fixed, guesses)
+    return StartValues(fixed, guesses)
 
 
 def _check_names(dae: DAE, given: Mapping[str, Any]) -> None:
@@ -123,7 +123,9 @@ def _check_names(dae: DAE, given: Mapping[str, Any]) -> None:
         raise ModelError("these start values cannot be set:", problems)
 
 
-def initial_values(closed: Closed, q: Array, t: float, wanted: Wishes) -> tuple[Array, Array, Decisions]:
+def initial_values(
+    closed: BoundDAE, q: Array, t: float, wanted: StartValues
+) -> tuple[Array, Array, StartReport]:
     """Return states, algebraic unknowns and how they were decided.
 
     Raises:
@@ -149,20 +151,18 @@ def initial_values(closed: Closed, q: Array, t: float, wanted: Wishes) -> tuple[
         else:
             x, z = _solve(closed, q, t, (x, z), free, hard, wanted)
         moved |= x != before
-    return x, z, Decisions(dae, x.copy(), np.select([moved, related], [SOLVED, RELATED], KEPT), wanted)
+    return x, z, StartReport(dae, x.copy(), np.select([moved, related], [SOLVED, RELATED], KEPT), wanted)
 
 
-def leading(dae: DAE, wanted: Wishes) -> Iterator[tuple[dict[int, float], list[int]]]:
+def leading(dae: DAE, wanted: StartValues) -> Iterator[tuple[dict[int, float], list[int]]]:
     """Yield variables that are no states but whose start values lead, and the states they move."""
-    names, states = dae.system.names, set(dae.states)
+    names, states = dae.declared, set(dae.states)
     given = {*wanted.fixed, *wanted.guesses}
     open_ = [(i, s) for i, s in enumerate(dae.states) if s not in given]
     relative = [i for i, s in open_ if s < len(names.state) and names.state[s] > 0]
     if relative:
-        led = {*states, *dae.system.known}
-        motions = [
-            v for v in dae.system.derivative if v < len(names.state) and names.state[v] == 0 and v not in led
-        ]
+        led = {*states, *(i.variable for i in dae.inputs)}
+        motions = [v for v in dae.derivative if v < len(names.state) and names.state[v] == 0 and v not in led]
         values = {v: wanted.guesses.get(v, float(names.start[v])) for v in motions}
         yield {v: value for v, value in values.items() if v not in wanted.fixed}, relative
     guessed = {v: value for v, value in wanted.guesses.items() if v not in states}
@@ -171,7 +171,7 @@ def leading(dae: DAE, wanted: Wishes) -> Iterator[tuple[dict[int, float], list[i
 
 
 def _nearer(
-    closed: Closed,
+    closed: BoundDAE,
     q: Array,
     t: float,
     start: tuple[Array, Array],
@@ -197,9 +197,9 @@ def _nearer(
     return x
 
 
-def guessed(dae: DAE, wanted: Wishes, variables: list[int]) -> Array:
+def guessed(dae: DAE, wanted: StartValues, variables: list[int]) -> Array:
     """Return where the search for start values begins."""
-    starts = dae.system.names.start
+    starts = dae.declared.start
     values = []
     for v in variables:
         default = float(starts[v]) if v < len(starts) else 0.0
@@ -207,8 +207,8 @@ def guessed(dae: DAE, wanted: Wishes, variables: list[int]) -> Array:
     return np.array(values)
 
 
-def _following(closed: Closed, q: Array, t: float, wanted: Wishes) -> Wishes:
-    """Return wishes with guesses for what starts where an input does."""
+def _following(closed: BoundDAE, q: Array, t: float, wanted: StartValues) -> StartValues:
+    """Return start_values with guesses for what starts where an input does."""
     dae = closed.dae
     known = {*wanted.fixed, *wanted.guesses}
     followed = {v: leader for v, leader in dae.followed.items() if v not in known}
@@ -219,10 +219,12 @@ def _following(closed: Closed, q: Array, t: float, wanted: Wishes) -> Wishes:
         :, 0
     ]
     signs = [sign for _, sign in followed.values()]
-    return Wishes(wanted.fixed, wanted.guesses | dict(zip(followed, (values * signs).tolist(), strict=True)))
+    return StartValues(
+        wanted.fixed, wanted.guesses | dict(zip(followed, (values * signs).tolist(), strict=True))
+    )
 
 
-def _followed(closed: Closed, q: Array, t: float, x: Array, start: Array) -> Array | None:
+def _followed(closed: BoundDAE, q: Array, t: float, x: Array, start: Array) -> Array | None:
     """Return where algebraic unknowns follow the states; None if Newton finds no place."""
     z = start.copy()
     for _ in range(50 if len(z) else 0):
@@ -237,13 +239,13 @@ def _followed(closed: Closed, q: Array, t: float, x: Array, start: Array) -> Arr
 
 
 def _solve(
-    closed: Closed,
+    closed: BoundDAE,
     q: Array,
     t: float,
     start: tuple[Array, Array],
     free: list[int],
     hard: dict[int, float],
-    wanted: Wishes,
+    wanted: StartValues,
 ) -> tuple[Array, Array]:
     """Gauss-Newton with steps of least norm in the free states and z."""
     x, z = start[0].copy(), start[1].copy()
@@ -269,7 +271,7 @@ def _solve(
 
 
 def _missed(
-    closed: Closed, aims: dict[int, float], x: Array, z: Array, q: Array, t: float, algebraic: bool = False
+    closed: BoundDAE, aims: dict[int, float], x: Array, z: Array, q: Array, t: float, algebraic: bool = False
 ) -> tuple[Array, Array, Array]:
     """Return by how much variables miss their aims (and algebraic equations zero), with slopes in x, z."""
     value, to_x, to_z = (m.full() for m in closed.tangent(tuple(aims), algebraic)(x, z, q, t))
@@ -277,7 +279,7 @@ def _missed(
     return value.ravel(), to_x, to_z
 
 
-def _contradiction(dae: DAE, others: list[int], wrong: Any, wanted: Wishes) -> str:
+def _contradiction(dae: DAE, others: list[int], wrong: Any, wanted: StartValues) -> str:
     failed = {wanted.fixed[others[i]][0] for i in wrong if i < len(others)}
     told = {
         name: f"'{name}' = {dae.root(name)[1] * value:g} {dae.unit(name)}"

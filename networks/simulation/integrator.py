@@ -11,11 +11,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ...base import ModelError, foreign
-from .compiled import Compiled
+from ..evaluation.compiled import Compiled
 from .tolerance import Tolerance
 
 if TYPE_CHECKING:
-    from .bound_dae import Closed
+    from .bound_dae import BoundDAE
 
 Array = NDArray[np.float64]
 SOLVERS = ("auto", "cvodes", "idas", "rosenbrock", "compiled")
@@ -42,7 +42,7 @@ class Stepper:
     """
 
     def __init__(
-        self, closed: Closed, solver: str, tolerance: Tolerance, nodes: int, most_steps: int
+        self, closed: BoundDAE, solver: str, tolerance: Tolerance, nodes: int, most_steps: int
     ) -> None:
         dae = closed.dae
         if solver == "auto":
@@ -68,7 +68,7 @@ class Stepper:
             self._made[parts] = Compiled(self._build(self._closed, self._tolerance, parts))
         return self._made[parts]
 
-    def _build(self, closed: Closed, tolerance: Tolerance, parts: int) -> Any:
+    def _build(self, closed: BoundDAE, tolerance: Tolerance, parts: int) -> Any:
         kind: Any = type(closed.x)
         begin, span, tau = (kind.sym(n) for n in ("begin", "span", "tau"))
         scale = ca.DM(self.scale)
@@ -159,7 +159,7 @@ def _parts(span: float, max_step: float) -> int:
 
 def nominal_sizes(dae: Any, variables: list[int]) -> Array:
     """Return the powers of two nearest the nominal values of joined variables."""
-    nominal = dae.system.names.nominal
+    nominal = dae.declared.nominal
     sizes = [nominal[s] if s < len(nominal) else 1.0 for s in variables]
     powers: Array = np.exp2(np.round(np.log2(np.array(sizes, dtype=float))))
     return powers

@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 if TYPE_CHECKING:
-    from .bound_dae import Closed
+    from .bound_dae import BoundDAE
 
 Array = NDArray[np.float64]
 
@@ -24,7 +24,7 @@ class Point:
     q: Array
 
 
-def solve_algebraic(closed: Closed, point: Point) -> None:
+def solve_algebraic(closed: BoundDAE, point: Point) -> None:
     """Let the algebraic unknowns of a point follow its states."""
     if not closed.dae.z.numel():
         return

@@ -35,13 +35,13 @@ def resolution_notes(dae: DAE, states: Array, tolerance: Tolerance) -> Iterator[
     lost = (off > max(LOST, TIMES * tolerance.rtol) * moved) & (moved > np.maximum(ROUNDING * sizes, AT_REST))
     if not lost.any():
         return
-    facts = dae.system.names.facts
-    units = np.array([facts[v].unit if v < len(facts) else dae.unit(dae.system.name(v)) for v in dae.states])
+    facts = dae.declared.facts
+    units = np.array([facts[v].unit if v < len(facts) else dae.unit(dae.name_of(v)) for v in dae.states])
     for unit in dict.fromkeys(units[lost].tolist()):
         group = np.flatnonzero(units == unit)
         most = int(group[np.argmax(moved[group])])
         if lost[most]:
-            name = dae.system.name(dae.states[most])
+            name = dae.name_of(dae.states[most])
             yield _told(name, unit, float(moved[most]), float(sizes[most]), float(off[most]), tolerance)
 
 

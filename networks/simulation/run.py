@@ -22,9 +22,9 @@ from ...base import (
 )
 from ..results.result import Segment
 from .blame import GUARD, told_without_value
-from .bound_dae import Closed
+from .bound_dae import BoundDAE
 from .events.switcher import Event, Switcher, pushed
-from .initialization import Decisions
+from .initialization import StartReport
 from .integrator import SOLVERS, Array, IntegratorError, Stepper, Stretch
 from .legs import Leg
 from .point import Point, solve_algebraic
@@ -101,11 +101,11 @@ class Run:
     `tried` is what q was when start values and modes were sought that agree.
     """
 
-    closed: Closed
+    closed: BoundDAE
     settings: Settings
     point: Point
     switcher: Switcher | None
-    initial: Decisions
+    initial: StartReport
     tried: Array = field(default_factory=lambda: np.zeros(0))
     legs: list[Leg] = field(default_factory=lambda: [Leg(-np.inf, np.inf)])
     leg_number: int = 0
@@ -292,7 +292,7 @@ def limiting_state(run: Run) -> str:
             bend = np.abs(states[2:] - 2 * states[1:-1] + states[:-2])
             weight = settings.rtol * np.abs(states[1:-1]) + settings.atol
             votes += np.bincount((bend / weight).argmax(axis=1), minlength=len(votes))
-    return dae.system.name(dae.states[int(votes.argmax())]) if votes.any() else ""
+    return dae.name_of(dae.states[int(votes.argmax())]) if votes.any() else ""
 
 
 def failure(run: Run, error: Exception) -> str:

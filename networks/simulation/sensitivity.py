@@ -11,8 +11,8 @@ from numpy.typing import NDArray
 from ...base import ModelError, nearest
 
 if TYPE_CHECKING:
-    from .bound_dae import Closed
-    from .initialization import Wishes
+    from .bound_dae import BoundDAE
+    from .initialization import StartValues
     from .integrator import Stepper
     from .point import Point
 
@@ -22,9 +22,9 @@ Array = NDArray[np.float64]
 class Sensitivities:
     """d(states)/d(parameters) along a run, from the start values that follow from fixed ones."""
 
-    def __init__(self, closed: Closed, names: tuple[str, ...], point: Point, wanted: Wishes) -> None:
+    def __init__(self, closed: BoundDAE, names: tuple[str, ...], point: Point, wanted: StartValues) -> None:
         dae = closed.dae
-        table = dae.system.flat.table
+        table = dae.parameters
         unknown = [n for n in names if n not in table.index]
         if unknown:
             told = [f"there is no parameter '{n}'{nearest(n, table.index)}" for n in unknown]
@@ -69,7 +69,7 @@ class Sensitivities:
         return {name: stacked[:, :, k] for k, name in enumerate(self.names)}
 
 
-def start_slopes(closed: Closed, point: Point, wanted: Wishes, of_q: Array) -> Array:
+def start_slopes(closed: BoundDAE, point: Point, wanted: StartValues, of_q: Array) -> Array:
     """Return how states start that are solved from fixed values of other variables; others stay."""
     dae = closed.dae
     slopes = np.zeros((len(point.x), of_q.shape[1]))

@@ -3,31 +3,34 @@
 from __future__ import annotations
 
 import time as clock
-from collections.abc import Callable, Iterator, Mapping
-from dataclasses import replace
+from collections.abc import Callable, Iterable, Mapping
 from functools import partial
-from typing import Any
+from math import inf
+from typing import Any, Never
 
 import numpy as np
 
 from ...base import (
-    InitialConditionError,
     Interrupted,
     ModelError,
     RunInterruptedError,
     SimulationError,
     heed,
     interruptible,
+    listed,
+    named,
 )
-from ..dae import DAE
+from ...base.keywords import check_keywords
+from ...components.language import Component
+from ..dae import DAE, dae_of
 from ..results.result import Result
-from .bound_dae import Closed
+from .bound_dae import bound
+from .consistent_start import started
 from .coverage import check_covered, data_notes
+from .dense_output import DenseOutput
 from .events.hybrid import MOST_STEPS, NODES, run_hybrid
-from .events.switcher import Event, Switcher
-from .initialization import Wishes, initial_values, wishes
+from .initialization import StartValues, start_values
 from .integrator import Array, IntegratorError
-from .point import Point, solve_algebraic
 from .progress import Progress
 from .resolution import resolution_notes
 from .run import Run, Settings, failure, interruption, limiting_state
@@ -35,33 +38,82 @@ from .sensitivity import Sensitivities
 from .smooth import run_smooth, smooth_stepper
 from .tolerance import ATOL, RTOL
 
-JUST_BEFORE = 1e-9
-
 
 def simulate(
-    dae: DAE,
-    settings: Settings,
-    start: Mapping[str, float],
-    guess: Mapping[str, float],
-    inputs: Mapping[str, Any],
-    parameters: Mapping[str, float],
-    sensitivities: tuple[str, ...],
+    network: Component | DAE,
+    stop: float,
+    *,
+    start: Mapping[str, float] | None = None,
+    guess: Mapping[str, float] | None = None,
+    inputs: Mapping[str, Any] | None = None,
+    parameters: Mapping[str, float] | None = None,
+    begin: float = 0.0,
+    step: float | None = None,
+    rtol: float = RTOL,
+    atol: float = ATOL,
+    solver: str = "auto",
+    sensitivities: Iterable[str] = (),
+    progress: bool | None = None,
+    max_steps: int | None = None,
+    max_step: float = inf,
+    **unknown: Never,
 ) -> Result:
-    """Run a DAE; see `DAE.simulate`."""
-    began = clock.perf_counter()
-    closed = dae.closed(inputs)
-    check_covered(dae.name, closed.signals, settings.begin, settings.stop)
-    q = closed.blank(dae.system.flat.table.values(dict(parameters)))
-    wanted = wishes(dae, start, guess)
+    """Run a network from `begin` to `stop` and return the result.
+
+    A network that runs often is assembled once: `dae = net.dae()`, then `simulate(dae, ...)`.
+
+    Args:
+        network: a `Network`, or its equations.
+        stop: end time [s].
+        start: fixed start values by name (of states or of anything that determines them).
+        guess: start values that may give way to fixed ones.
+        inputs: signals by name: a number, a function of time (CasADi or NumPy functions), a
+            `Sampled` or a pair (time, values).
+        parameters: changed parameters by name.
+        begin: start time [s].
+        step: output interval [s]; a 500th of the run if not given.
+        rtol: relative tolerance.
+        atol: absolute tolerance, times the nominal value of each state.
+        solver: "auto", "cvodes", "idas", "rosenbrock", or "compiled" (in C, needs a compiler). "auto" is
+            "idas" where algebraic unknowns are left and "cvodes" elsewhere; `fit` and `diagnose`, which run a
+            model again and again, let it be "compiled" if that pays.
+        sensitivities: parameters whose forward sensitivities are wanted (smooth networks).
+        progress: show progress; by default on runs that last over a second on a terminal.
+        max_steps: steps of the integrator after which the run is given up; no limit if not given. Solver
+            "compiled" also gives up where events between two outputs are 20 times their share of it.
+        max_step: longest step of the integrator [s]; runs stop by themselves where inputs switch, and
+            keep steps short where inputs move.
+        unknown: refused, with the nearest argument that there is.
+
+    Raises:
+        ModelError: for unknown names or arguments, values out of range, and tolerances or steps that no
+            run can keep to.
+        InitialConditionError: for start values that contradict each other.
+        SimulationError: if the run cannot be finished; its `result` keeps what was computed.
+        RunInterruptedError: on Ctrl-C; its `result` likewise.
+    """
+    check_keywords("simulate()", unknown, simulate)
+    settings = Settings(begin, stop, step, rtol, atol, solver, progress, max_steps, max_step)
+    began, dae = clock.perf_counter(), dae_of(network)
+    followed = listed("sensitivities", sensitivities)
+    closed = bound(dae, named("inputs", inputs))
+    check_covered(dae.name, closed.signals, begin, stop)
+    q = closed.blank(dae.parameters.values(dict(named("parameters", parameters))))
+    wanted = start_values(dae, named("start", start), named("guess", guess))
     run = started(closed, settings, q, wanted)
-    run.legs = closed.legs(q, settings.begin, settings.stop)
-    outputs = settings.outputs
+    run.legs = closed.legs(q, begin, stop)
+    return _finished(run, wanted, followed, began)
+
+
+def _finished(run: Run, wanted: StartValues, sensitivities: tuple[str, ...], began: float) -> Result:
+    """Go from the start of a run to its end; return what it computed."""
+    closed, settings, outputs = run.closed, run.settings, run.settings.outputs
     compiled = settings.solver == "compiled"
     if compiled and sensitivities:
         raise ModelError("solver 'compiled' does not follow sensitivities; use 'auto'")
     follow = Sensitivities(closed, sensitivities, run.point, wanted) if sensitivities else None
     solver, go = _compiled(run, outputs) if compiled else _interpreted(run, outputs, follow)
-    show = Progress(dae.name, settings.begin, settings.stop, settings.progress)
+    show = Progress(closed.dae.name, settings.begin, settings.stop, settings.progress)
     with interruptible(), show as progress:
         try:
             go(progress)
@@ -93,112 +145,6 @@ def _interpreted(
     return stepper.solver, lambda progress: run_hybrid(run, switcher, stepper, outputs, progress)
 
 
-def started(closed: Closed, settings: Settings, q: Array, wanted: Wishes) -> Run:
-    """Find start values and the modes they imply.
-
-    Raises:
-        InitialConditionError: if they do not agree in the modes at rest, nor in those that motion or
-            what breaks away implies.
-    """
-    refusals = []
-    for modes in _first_modes(closed, q, settings.begin, wanted):
-        tried = modes.copy()
-        try:
-            run = _agreed(closed, settings, modes, wanted)
-            run.tried = tried
-            return run
-        except InitialConditionError as error:
-            refusals.append(error)
-    raise refusals[min(1, len(refusals) - 1)]
-
-
-def begun(closed: Closed, q: Array, time: float, wanted: Wishes) -> Run:
-    """Return a run that stands where it begins, at `time` [s]."""
-    return started(closed, Settings(time, time + 1.0, 1.0, RTOL, ATOL, "auto", False), q, wanted)
-
-
-def _agreed(closed: Closed, settings: Settings, q: Array, wanted: Wishes) -> Run:
-    """Find start values in given modes, then modes, again until both agree."""
-    t = settings.begin
-    switcher = Switcher(closed) if closed.dae.hybrid or closed.dae.blocks else None
-    for _ in range(10):
-        if switcher is not None:
-            guess = Point(t, np.zeros(closed.dae.x.numel()), np.zeros(closed.dae.z.numel()), q)
-            switcher.completion.update(guess)
-        x, z, decisions = initial_values(closed, q, t, wanted)
-        point = Point(t, x, z, q)
-        run = Run(closed, settings, point, switcher, decisions)
-        if switcher is None:
-            return run
-        switcher.tell_inside(point)
-        run.events = _settled(switcher, point)
-        mentions_others = any(v not in closed.dae.states for v in wanted.fixed)
-        struck = any(event.impulse is not None for event in run.events)
-        if not run.events or not mentions_others or struck:
-            return run
-        again = initial_values(closed, point.q, t, wanted)
-        if np.allclose(again[0], point.x, rtol=1e-12, atol=1e-14):
-            return run
-        q = point.q
-    raise InitialConditionError(
-        f"'{closed.dae.name}': start values and modes do not agree with each other; fix states instead "
-        "of accelerations or forces"
-    )
-
-
-def _first_modes(closed: Closed, q: Array, t: float, wanted: Wishes) -> Iterator[Array]:
-    """Yield modes to try: at rest, those that positions and speeds imply, and each way out of holding."""
-    yield q.copy()
-    if not closed.dae.hybrid:
-        return
-    fixed = {v: value for v, value in wanted.fixed.items() if v in closed.dae.system.derivative}
-    x, z, _ = initial_values(closed, q, t, Wishes(fixed, wanted.guesses))
-    point = Point(t, x, z, q.copy())
-    switcher = Switcher(closed)
-    _settled(switcher, point)
-    yield point.q.copy()
-    switching, modes = closed.dae.switching, switcher.indicators.modes
-    held = [k for k, stands in enumerate(switching.in_shock) if int(modes(point.q)[k]) in stands]
-    for chosen in [held, *([k] for k in held if len(held) > 1)]:
-        for value in range(max((len(switching.mode_values[k]) for k in held), default=0)):
-            moving = point.q.copy()
-            for k in chosen:
-                modes(moving)[k] = min(value, len(switching.mode_values[k]) - 1)
-            yield moving
-
-
-def _settled(switcher: Switcher, point: Point) -> list[Event]:
-    """Find the modes in which a run begins; a signal that jumps in its first instant acts on the start."""
-    try:
-        before = _just_before(switcher, point)
-        if before is None:
-            return switcher.settle(point, begins=True)
-        there, happened = before
-        point.x, point.z, point.q = there.x, there.z, there.q
-        solve_algebraic(switcher.closed, point)
-        return [*happened, *switcher.settle(point)]
-    except SimulationError as error:
-        raise SimulationError(f"'{switcher.closed.dae.name}': {error}") from error
-
-
-def _just_before(switcher: Switcher, point: Point) -> tuple[Point, list[Event]] | None:
-    """Return where a run stands just before it begins, and what had happened, if a signal jumps then."""
-    own = sorted(switcher.shocks.own_modes) if switcher.shocks else []
-    if not own:
-        return None
-    instants = point.t - max(JUST_BEFORE, 8 * float(np.spacing(abs(point.t)))), point.t
-    earlier, now = (Point(t, point.x.copy(), point.z.copy(), point.q.copy()) for t in instants)
-    try:
-        happened = switcher.copy().settle(earlier, begins=True)
-        switcher.copy().settle(now, begins=True)
-    except SimulationError:
-        return None
-    modes = switcher.indicators.modes
-    if np.array_equal(modes(earlier.q)[own], modes(now.q)[own]):
-        return None
-    return earlier, [replace(event, time=point.t) for event in happened]
-
-
 def collected(run: Run, solver: str, began: float, follow: Sensitivities | None) -> Result:
     """Return what a run has recorded, with figures on how it went."""
     by_component: dict[str, int] = {}
@@ -221,13 +167,13 @@ def collected(run: Run, solver: str, began: float, follow: Sensitivities | None)
         notes += resolution_notes(closed.dae, states, run.settings.tolerance)
     sensitivities = follow.collected(sum(map(len, run.segments))) if follow else {}
     return Result(
-        run.closed,
+        closed,
         run.segments,
-        run.legs,
         run.events,
         stats,
         run.initial,
         notes,
         sensitivities,
         partial(limiting_state, run),
+        partial(DenseOutput, run.legs, solver, run.settings.tolerance),
     )

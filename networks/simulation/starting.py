@@ -11,10 +11,11 @@ import numpy as np
 
 from ..dae import DAE
 from ..flattening.vectors import column
+from .bound_dae import bound
+from .consistent_start import begun
 from .coverage import check_covered
-from .initialization import Wishes, guessed, leading, wishes
+from .initialization import StartValues, guessed, leading, start_values
 from .integrator import Array, nominal_sizes
-from .simulate import begun
 
 MOST = 400
 
@@ -65,17 +66,17 @@ class Start:
 
 
 def starting_point(dae: DAE, inputs: Mapping[str, Any], start: Mapping[str, float]) -> Start:
-    """Return where a run of a network begins at t = 0; see `DAE.simulate` for the arguments.
+    """Return where a run of a network begins at t = 0; see `simulate` for the arguments.
 
     Where more than 400 start values hang together, they are those that were found, and nothing is sought.
 
     Raises:
         InitialConditionError: for start values that contradict each other.
     """
-    closed = dae.closed(inputs)
+    closed = bound(dae, inputs)
     check_covered(dae.name, closed.signals, 0.0, 0.0)
-    numbers = dae.system.flat.table.values({})
-    wanted = wishes(dae, start, {})
+    numbers = dae.parameters.values({})
+    wanted = start_values(dae, start, {})
     run = begun(closed, closed.blank(numbers), 0.0, wanted)
     begin = len(numbers)
     modes, sizes = run.tried[begin : begin + dae.modes.numel()], nominal_sizes(dae, dae.states)
@@ -90,7 +91,7 @@ def starting_point(dae: DAE, inputs: Mapping[str, Any], start: Mapping[str, floa
     return Start(dae, x, z, modes, sizes, aims if led else fixed, names, led, free)
 
 
-def _aims(dae: DAE, wanted: Wishes) -> list[Aim]:
+def _aims(dae: DAE, wanted: StartValues) -> list[Aim]:
     """Return start values of variables that are no states, fixed ones first."""
     states = set(dae.states)
     aims = []
@@ -98,7 +99,7 @@ def _aims(dae: DAE, wanted: Wishes) -> list[Aim]:
         if variable not in states:
             aims.append(Aim(name, variable, dae.root(name)[1] * value, True))
     for soft, _ in leading(dae, wanted):
-        aims += [Aim(dae.system.name(v), v, value, False) for v, value in soft.items()]
+        aims += [Aim(dae.name_of(v), v, value, False) for v, value in soft.items()]
     return aims
 
 

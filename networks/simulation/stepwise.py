@@ -29,15 +29,17 @@ from ...base import (
 )
 from ..dae import DAE
 from ..results.result import Result
+from .bound_dae import bound
+from .consistent_start import started
 from .coverage import check_covered
 from .events.hybrid import MOST_STEPS, NODES, run_hybrid
 from .events.switcher import Event, Switcher
-from .initialization import wishes
+from .initialization import start_values
 from .integrator import Array, IntegratorError
 from .point import Point, solve_algebraic
 from .progress import Progress
 from .run import Settings, failure, interruption, shock
-from .simulate import collected, started
+from .simulate import collected
 from .smooth import MOST_STEPS as SMOOTH_STEPS
 from .smooth import run_smooth
 from .tolerance import ATOL, RTOL
@@ -54,7 +56,7 @@ class Stepwise:
         stop: latest time [s]; nothing but events is recorded between the calls of `advance`.
         inputs: signals by name; a `Polynomial` is set on the way.
         courses: coefficients that the polynomials begin with; see `set`.
-        start: fixed start values, as for `DAE.simulate`; likewise what follows.
+        start: fixed start values, as for `simulate`; likewise what follows.
         guess: start values that may give way.
         parameters: changed parameters.
         rtol: relative tolerance.
@@ -71,12 +73,12 @@ class Stepwise:
         self._began = clock.perf_counter()
         demand("Stepwise", dae=(dae, instance(DAE)), courses=(courses, by_name(numbers(number))))
         settings = Settings(begin, stop, None, rtol, atol, solver, False)
-        self.closed, self.settings = dae.closed(inputs), settings
+        self.closed, self.settings = bound(dae, inputs), settings
         check_covered(dae.name, self.closed.signals, begin, stop)
-        q = self.closed.blank(dae.system.flat.table.values(named("parameters", parameters)))
+        q = self.closed.blank(dae.parameters.values(named("parameters", parameters)))
         self._write(q, settings.begin, courses)
         self.run = started(
-            self.closed, settings, q, wishes(dae, named("start", start), named("guess", guess))
+            self.closed, settings, q, start_values(dae, named("start", start), named("guess", guess))
         )
         self.run.legs = self.closed.legs(q, begin, stop)
         pieces = (NODES, MOST_STEPS) if self.run.switcher else (1, SMOOTH_STEPS)

@@ -11,14 +11,14 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ...components.language import Sampled
+from ..evaluation.batch import Batch
 from ..flattening.vectors import column, pick, stacked
-from .batch import Batch
 from .intervals import Bounds, Enclosure, Flags
 from .splines import sampled_at
 
 if TYPE_CHECKING:
     from ..dae import DAE
-    from .bound_dae import Closed
+    from .bound_dae import BoundDAE
 
 Array = NDArray[np.float64]
 STATES, CONSTANT, TIMED = range(3)
@@ -35,7 +35,7 @@ class TimeSignals:
         stop: to here [s].
     """
 
-    def __init__(self, closed: Closed, parameters: Array, begin: float, stop: float) -> None:
+    def __init__(self, closed: BoundDAE, parameters: Array, begin: float, stop: float) -> None:
         self._closed, self._parameters, self._span = closed, parameters, (begin, stop)
         self._rows = closed.timed_rows
         self.count: int = self._rows.numel()

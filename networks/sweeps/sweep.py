@@ -77,7 +77,7 @@ def sweep(
         parameters: the points: a `Design` (`grid`, `monte_carlo`, `latin_hypercube`, `sobol_sequence`,
             `saltelli`), or values by name for a grid.
         measure: `measure(dae, values)`, or `measure(values)` without a model: returns a number, or numbers by
-            name. `values` are the parameters of the point, as `dae.simulate(parameters=values)` takes them.
+            name. `values` are the parameters of the point, as `simulate(dae, parameters=values)` takes them.
         executor: None for processes of its own; an executor of `concurrent.futures`; a
             `dask.distributed.Client`.
         workers: how many processes of its own; 0 computes in this one.
@@ -99,7 +99,7 @@ def sweep(
         >>> _ = net.connect(net.wall.flange, net.strut.flange_a)
         >>> _ = net.connect(net.strut.flange_b, net.mass.flange)
         >>> def peak(dae, values):
-        ...     return dae.simulate(10.0, parameters=values, start={"mass.v": 1.0})["mass.s"].max()
+        ...     return simulate(dae, 10.0, parameters=values, start={"mass.v": 1.0})["mass.s"].max()
         >>> done = sweep(net, {"strut.damper.d": [0.1, 0.2, 0.4]}, peak, workers=0)
         >>> [round(value, 2) for value in done.table["value"]]
         [0.93, 0.86, 0.76]

@@ -10,13 +10,13 @@ import casadi as ca
 import numpy as np
 from numpy.typing import NDArray
 
+from ..evaluation.jacobians import Points, Slopes
 from ..flattening.vectors import pick
-from .jacobians import Points, Slopes
 from .mode_changes import Passage
 
 if TYPE_CHECKING:
     from ..dae import DAE
-    from ..simulation.bound_dae import Closed
+    from ..simulation.bound_dae import BoundDAE
 
 Array = NDArray[np.float64]
 GRAZING = 1e-9
@@ -39,9 +39,9 @@ class Crossings:
         self._row = {root: first + n for n, root in enumerate(resets)}
         self._expressions = ca.vertcat(dae.switching.expressions, pick(dae.variables, resets))
         self._slopes = Slopes(dae, self._expressions, columns)
-        self._instants: WeakKeyDictionary[Closed, Any] = WeakKeyDictionary()
+        self._instants: WeakKeyDictionary[BoundDAE, Any] = WeakKeyDictionary()
 
-    def __call__(self, closed: Closed, passages: Sequence[Passage]) -> Array:
+    def __call__(self, closed: BoundDAE, passages: Sequence[Passage]) -> Array:
         """Return, for each passage, the states after by (states, parameters, inputs) before."""
         before, after = (
             Points(closed, *(np.array([p[k] for p in ends]) for k in (3, 0, 1, 2)))
@@ -85,7 +85,7 @@ class Crossings:
             missed = signs[:, :, None] * moved[at, places] - moved[at, rows]
             found[which] += np.linalg.pinv(to_x[at, rows], rcond=1e-10) @ missed
 
-    def _instant(self, closed: Closed, points: Points) -> tuple[Array, Array, Array]:
+    def _instant(self, closed: BoundDAE, points: Points) -> tuple[Array, Array, Array]:
         """Return the expressions, their rates and the rates of the states, each (points, rows)."""
         if closed not in self._instants:
             own = closed.close(self._expressions)

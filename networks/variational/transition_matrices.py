@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from .jacobians import Points, Slopes
+from ..evaluation.jacobians import Points, Slopes
 
 Array = NDArray[np.float64]
 MOST_PARTS = 32

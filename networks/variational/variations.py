@@ -12,14 +12,14 @@ from numpy.typing import NDArray
 
 from ...base import ModelError, demand, finite, instance, listed, named, nearest, numbers, shown
 from ..dae import DAE
+from ..evaluation.batch import Batch
+from ..evaluation.compiled import dense
+from ..evaluation.jacobians import Slopes
 from ..flattening.vectors import pick
 from ..results.result import Result, Segment
-from ..simulation.batch import Batch
-from ..simulation.compiled import dense
 from ..simulation.events.switcher import Point
-from ..simulation.initialization import wishes
+from ..simulation.initialization import start_values
 from ..simulation.sensitivity import start_slopes
-from .jacobians import Slopes
 from .mode_changes import passages
 from .saltation import Crossings
 from .transition_matrices import Steps, steps_along
@@ -60,7 +60,7 @@ class Variations:
         >>> _ = net.connect(net.wall.flange, net.spring.flange_a)
         >>> _ = net.connect(net.spring.flange_b, net.mass.flange)
         >>> dae = net.dae()
-        >>> slopes = Variations(dae, ["mass.s"], ["spring.k"]).along(dae.simulate(1.0))
+        >>> slopes = Variations(dae, ["mass.s"], ["spring.k"]).along(simulate(dae, 1.0))
         >>> slopes.shape
         (501, 1, 3)
     """
@@ -68,7 +68,7 @@ class Variations:
     def __init__(self, dae: DAE, signals: Sequence[str], parameters: Sequence[str]) -> None:
         demand("Variations", dae=(dae, instance(DAE)))
         signals, parameters = listed("signals", signals), listed("parameters", parameters)
-        table = dae.system.flat.table
+        table = dae.parameters
         unknown = [name for name in parameters if name not in table.index]
         if unknown:
             told = [f"there is no parameter '{name}'{nearest(name, table.index)}" for name in unknown]
@@ -156,11 +156,11 @@ class Variations:
         """
         self._check(result)
         start = named("start", start)
-        table, segment = self.dae.system.flat.table, result._segments[0]
+        table, segment = self.dae.parameters, result._segments[0]
         of_q = np.zeros((len(segment.q), len(self.parameters)))
         of_q[[table.index[name] for name in self.parameters], range(len(self.parameters))] = 1.0
         point = Point(float(segment.times[0][0]), segment.states[0][0], segment.algebraic[0][0], segment.q)
-        return start_slopes(result._closed, point, wishes(self.dae, start, {}), of_q)
+        return start_slopes(result._closed, point, start_values(self.dae, start, {}), of_q)
 
     def _check(self, result: Result) -> None:
         demand("Variations", result=(result, instance(Result)))

@@ -18,7 +18,7 @@ from typing import Any
 
 import casadi as ca
 import numpy as np
-from inertance import Accelerate, Force, Mass, Network, Sampled
+from inertance import Accelerate, Force, Mass, Network, Sampled, simulate
 
 SHAPES = {
     "rectangle": (lambda s: ca.if_else(ca.logic_and(s > -0.5, s < 0.5), 1.0, 0.0), 1.0, 0.5),
@@ -115,8 +115,8 @@ def missed(case: Case, machines: dict[str, Any]) -> float:
         place -= float(speeds(case.begin)) * case.span
     else:
         speed, place = float(areas.sum()), float((areas * (stop - centres)).sum())
-    run = dae.simulate(
-        stop, begin=case.begin, inputs={name: signal}, solver=case.solver, rtol=1e-8, atol=1e-13
+    run = simulate(
+        dae, stop, begin=case.begin, inputs={name: signal}, solver=case.solver, rtol=1e-8, atol=1e-13
     )
     size = float(np.abs(areas).sum())
     off = abs(run["mass.v"][-1] - speed) / size, abs(run["mass.s"][-1] - place) / (size * case.span)

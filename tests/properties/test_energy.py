@@ -99,10 +99,16 @@ def test_energy_is_kept_over_events(
     speeds: tuple[float, ...],
     force: float,
 ) -> None:
-    run = rig(friction).simulate(
-        2.0, step=2e-4, rtol=1e-8, inputs={"push.f": (TIME, force * np.sin(7 * TIME))}, solver=solver,
-        parameters={**p, "stop.e": restitution}, start=dict(zip(SPEEDS, speeds, strict=True)),
-    )  # fmt: skip
+    run = ia.simulate(
+        rig(friction),
+        2.0,
+        step=2e-4,
+        rtol=1e-8,
+        inputs={"push.f": (TIME, force * np.sin(7 * TIME))},
+        solver=solver,
+        parameters={**p, "stop.e": restitution},
+        start=dict(zip(SPEEDS, speeds, strict=True)),
+    )
     stored, expected = books(run, p)
     assert stored == pytest.approx(expected, abs=1e-4 * stored.max() + 1e-20)
 

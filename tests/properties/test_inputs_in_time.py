@@ -9,7 +9,7 @@ import pytest
 from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 from hypothesis.strategies import DrawFn
-from inertance import DAE, Damper, Fixed, Force, Mass, Network, Sampled, Spring
+from inertance import DAE, Damper, Fixed, Force, Mass, Network, Sampled, Spring, simulate
 from inertance.networks.simulation.intervals import Enclosure
 from numpy.typing import NDArray
 from scipy.interpolate import CubicSpline
@@ -171,8 +171,8 @@ def test_no_pulse_of_a_random_train_is_missed(
         values = np.array(ca.Function("f", [t], [force(t)])(times[None, :])).ravel()
         signal = Sampled(times, values)
         expected = CubicSpline(times, values).integrate(begin, begin + span)
-    run = WAGON.simulate(
-        begin + span, begin=begin, inputs={"push.f": signal}, solver=solver, rtol=1e-10, atol=1e-12
+    run = simulate(
+        WAGON, begin + span, begin=begin, inputs={"push.f": signal}, solver=solver, rtol=1e-10, atol=1e-12
     )
     assert run["mass.v"][-1] == pytest.approx(expected, abs=1e-4)
 
@@ -198,8 +198,13 @@ def test_an_input_that_comes_later_gives_the_same_response_later(
         return ca.if_else(ca.logic_and(s > 0, s < width), ca.sin(ca.pi * s / width), 0.0)
 
     for since in (0.5 * width, width, 2.0 * width + 0.1):
-        later = dae.simulate(
-            delay + since, begin=0.0, inputs={"push.f": lambda t: shape(t - delay)}, solver=solver, rtol=1e-8
+        later = simulate(
+            dae,
+            delay + since,
+            begin=0.0,
+            inputs={"push.f": lambda t: shape(t - delay)},
+            solver=solver,
+            rtol=1e-8,
         )
-        at_once = dae.simulate(since, inputs={"push.f": shape}, solver=solver, rtol=1e-8)
+        at_once = simulate(dae, since, inputs={"push.f": shape}, solver=solver, rtol=1e-8)
         assert later["mass.v"][-1] == pytest.approx(at_once["mass.v"][-1], rel=1e-4, abs=2e-6)

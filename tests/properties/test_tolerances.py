@@ -60,7 +60,7 @@ def courses(name: str, **options: Any) -> Array:
     """Return every state at TIME."""
     dae = machine(name)
     inputs = {path: road if path.endswith("s_ref") else force for path in dae.input_names}
-    run = dae.simulate(STOP, step=0.01, inputs=inputs, **options)
+    run = ia.simulate(dae, STOP, step=0.01, inputs=inputs, **options)
     return np.array([run.at(state, TIME) for state in dae.state_names])
 
 
@@ -86,5 +86,5 @@ def test_rounding_does_not_rule_the_steps_at_the_default_tolerance() -> None:
     """A hundredth of 1e-12 between events did, in gears of 0.1 m and 1e8 N/m, and took 30 times the steps."""
     car = ia.quarter_car(ia.suspension("S4", 60e3, 3200.0, ia.ge_wang.planetary_inerter())).dae()
     inputs = {"road.s_ref": ia.road_profile("A", 25.0, 8.0, seed=1)}
-    steps = [car.simulate(0.5, inputs=inputs, atol=atol).stats["steps"] for atol in (1e-8, 1e-12)]
+    steps = [ia.simulate(car, 0.5, inputs=inputs, atol=atol).stats["steps"] for atol in (1e-8, 1e-12)]
     assert steps[1] < 2 * steps[0]

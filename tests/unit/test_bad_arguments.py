@@ -79,7 +79,7 @@ def dae() -> ia.DAE:
 
 @cache
 def run() -> ia.Result:
-    return dae().simulate(0.1, inputs={"push.f": 1.0}, step=0.01, sensitivities=["spring.k"])
+    return ia.simulate(dae(), 0.1, inputs={"push.f": 1.0}, step=0.01, sensitivities=["spring.k"])
 
 
 @cache

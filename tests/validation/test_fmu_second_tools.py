@@ -108,7 +108,7 @@ def run(
 
 def native(dae: ia.DAE, times: np.ndarray) -> np.ndarray:
     """Return where the block is at given instants, from points close together."""
-    result = dae.simulate(STEP * (COUNT + 1), step=STEP / 50, start=START, rtol=1e-9, atol=1e-11)
+    result = ia.simulate(dae, STEP * (COUNT + 1), step=STEP / 50, start=START, rtol=1e-9, atol=1e-11)
     wanted: np.ndarray = np.interp(times, result.time, result["block.s"])
     return wanted
 

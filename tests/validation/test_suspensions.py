@@ -64,7 +64,7 @@ def test_ride_is_the_rms_of_a_simulated_drive() -> None:
     car = ia.quarter_car(ia.suspension("S1", 60e3, 2615.0)).dae()
     low, high, speed = 0.011, 2.83, 25.0
     road = ia.road_profile("C", speed, 60.0, seed=3, low=low, high=high)
-    run = car.simulate(60.0, inputs={"road.s_ref": road}, step=4e-3)
+    run = ia.simulate(car, 60.0, inputs={"road.s_ref": road}, step=4e-3)
     system = ia.linearise(car, ["road.s_ref"], ["body.a"])
 
     def spectrum(f: Any) -> Any:

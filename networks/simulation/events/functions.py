@@ -10,7 +10,7 @@ import numpy as np
 from ...flattening.vectors import column, pick
 
 if TYPE_CHECKING:
-    from ..bound_dae import Closed
+    from ..bound_dae import BoundDAE
 
 NODES = 64
 
@@ -32,7 +32,7 @@ class SwitchFunctions:
         sources, mode_of: per transition, the mode it leaves and whose mode it is.
     """
 
-    def __init__(self, closed: Closed) -> None:
+    def __init__(self, closed: BoundDAE) -> None:
         dae = closed.dae
         changes = dae.switching.changes
         expressions = closed.close(dae.switching.expressions)
@@ -54,13 +54,13 @@ class SwitchFunctions:
         values = closed.close(pick(dae.variables, others))
         self.reset = closed.compiled("reset", values, ca.jacobian(values, closed.x))
         self.is_rate = np.isin(
-            np.arange(dae.system.size), [upper for upper, _ in dae.system.derivative.values()]
+            np.arange(dae.variables.numel()), [upper for upper, _ in dae.derivative.values()]
         )
         self.sources = np.array([c.source for c in changes])
         self.mode_of = np.array([c.mode for c in changes])
 
 
-def _shock(closed: Closed, expressions: Any) -> Any:
+def _shock(closed: BoundDAE, expressions: Any) -> Any:
     dae = closed.dae
     response = ca.jacobian(dae.ode, dae.impulses)
     if dae.z.numel():

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from ..bound_dae import Closed
+from ..bound_dae import BoundDAE
 from ..point import Point
 from .root_finding import Crossing
 
@@ -28,7 +28,7 @@ class Indicators:
         muted: transitions that have risen above zero but were not allowed to fire.
     """
 
-    closed: Closed
+    closed: BoundDAE
 
     def __post_init__(self) -> None:
         dae = self.closed.dae

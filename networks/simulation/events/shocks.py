@@ -17,14 +17,14 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ....base import SimulationError
+from ...evaluation.compiled import Compiled, dense
 from ...flattening.vectors import pick
 from ...reduction.jumps import Jumps
-from ..compiled import Compiled, dense
 from ..integrator import nominal_sizes
 from ..point import Point
 
 if TYPE_CHECKING:
-    from ..bound_dae import Closed
+    from ..bound_dae import BoundDAE
 
 Array = NDArray[np.float64]
 INSTANT, SHORTER = 2.0**-50, 2.0**-4  # s; the second as a share of the first
@@ -36,7 +36,7 @@ NEWTON, CLOSE = 50, 1e-12
 class Shocks:
     """The jumps of a network with its inputs put in."""
 
-    def __init__(self, closed: Closed, jumps: Jumps) -> None:
+    def __init__(self, closed: BoundDAE, jumps: Jumps) -> None:
         dae = closed.dae
         self.jumps = jumps
         starts = np.cumsum([0, *(s.course.numel() for s in jumps.signals)])
@@ -194,7 +194,7 @@ class Shocks:
         )
 
 
-def _motion(closed: Closed, jumps: Jumps) -> Compiled:
+def _motion(closed: BoundDAE, jumps: Jumps) -> Compiled:
     """Return a function of (x, z, q, t, course): rates and forces, residuals and their slopes."""
     dae = closed.dae
     moving = [ca.vertcat(jumps.ode, jumps.forces), jumps.alg, ca.jacobian(jumps.alg, dae.z)]

@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ....base import SimulationError
-from ..bound_dae import Closed
+from ..bound_dae import BoundDAE
 from ..point import Point
 
 Array = NDArray[np.float64]
@@ -24,7 +24,7 @@ class Completion:
         adrift: components whose acceleration nothing determines in the present modes.
     """
 
-    closed: Closed
+    closed: BoundDAE
     notes: list[str] = field(default_factory=list)
     adrift: list[str] = field(default_factory=list)
 

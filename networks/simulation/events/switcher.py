@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from ....base import SimulationError
 from ...reduction.jumps import Jumps
 from ...reduction.transitions import Change
-from ..bound_dae import Closed
+from ..bound_dae import BoundDAE
 from ..point import Point as Point
 from ..point import solve_algebraic
 from .impacts import partners, solve_impact
@@ -42,7 +42,7 @@ class Event:
 class Switcher:
     """Knows the transitions of a DAE and applies them."""
 
-    closed: Closed
+    closed: BoundDAE
 
     def __post_init__(self) -> None:
         self.switching, self.functions = self.closed.dae.switching, self.closed.switch_functions

@@ -85,8 +85,8 @@ def campaign(friction: float, k: float = 430.0, jam: float = 0.0) -> Campaign:
         phases = rng.uniform(0, 2 * np.pi, len(f))
         force = np.sum(np.cos(2 * np.pi * np.outer(t, f) + phases) - np.cos(phases), axis=1)
         inputs = {"push.f": ia.Sampled(t, force)}
-        run = truth.simulate(
-            SECONDS, inputs=inputs, parameters={"spring.k": k}, step=1 / RATE, progress=False
+        run = ia.simulate(
+            truth, SECONDS, inputs=inputs, parameters={"spring.k": k}, step=1 / RATE, progress=False
         )
         x = np.interp(t, run.time, run["mass.s"]) + NOISE * rng.standard_normal(len(t))
         x += jam * np.exp(-(((t - 2.1) / 0.08) ** 2)) * np.sin(2 * np.pi * 11 * t)

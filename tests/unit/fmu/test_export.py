@@ -58,7 +58,7 @@ def test_every_kind_agrees_with_the_native_run(
     path = ia.export_fmu(dae, tmp_path / "it.fmu", fmi_version=version, outputs=outputs, start=start)
     assert validate_fmu(str(path)) == []
     inputs = {name: 0.0 for name in dae.input_names if case == "ball"}
-    native = dae.simulate(stop, step=0.01, start=start, inputs=inputs, rtol=1e-8, atol=1e-10)
+    native = ia.simulate(dae, stop, step=0.01, start=start, inputs=inputs, rtol=1e-8, atol=1e-10)
     for kind in KINDS:
         run = fmpy.simulate_fmu(
             str(path), fmi_type=kind, stop_time=stop, output_interval=0.01, relative_tolerance=1e-8

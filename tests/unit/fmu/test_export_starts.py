@@ -109,7 +109,7 @@ def test_every_source_runs_as_natively_whenever_it_and_the_run_begin(tmp_path: P
             f"{name}.start_time": float(random.choice([-0.35, 0.0, 0.2, begin, random.uniform(-1, 2)]))
             for name in MOVABLE
         }
-        native = dae.simulate(begin + 2, begin=begin, step=1e-3, parameters=given, rtol=1e-9, atol=1e-11)
+        native = ia.simulate(dae, begin + 2, begin=begin, step=1e-3, parameters=given, rtol=1e-9, atol=1e-11)
         for path in paths:
             for kind in KINDS:
                 run = run_of(path, kind, begin, begin + 2, given)
@@ -126,7 +126,7 @@ def test_a_first_period_that_has_begun_is_not_lost(start: float, tmp_path: Path)
     net.connect(net.mass.flange, net.force.flange)
     net.connect(net.pulse.y, net.force.f)
     dae, paths = exported(net, ["mass.v", "pulse.y"], tmp_path)
-    native = dae.simulate(2.0, rtol=1e-9, atol=1e-11)
+    native = ia.simulate(dae, 2.0, rtol=1e-9, atol=1e-11)
     for path in paths:
         for kind in KINDS:
             run = run_of(path, kind, 0.0, 2.0, {})
@@ -153,7 +153,7 @@ def test_starts_follow_from_parameters_and_from_starts_that_are_set(tmp_path: Pa
         }
         begun = {n: float(random.uniform(*r)) for n, r in starts.items() if number and random.random() < 0.6}
         assert settable >= {*changed, *begun}
-        native = dae.simulate(0.8, step=1e-3, start=begun, parameters=changed, rtol=1e-9, atol=1e-11)
+        native = ia.simulate(dae, 0.8, step=1e-3, start=begun, parameters=changed, rtol=1e-9, atol=1e-11)
         for path in paths:
             for kind in KINDS:
                 run = run_of(path, kind, 0.0, 0.8, changed | begun)

@@ -65,6 +65,6 @@ def test_the_library_for_windows_runs(tmp_path: Path) -> None:
     )
     assert done.returncode == 0, done.stderr[-2000:]
     found = [float(line) for line in done.stdout.split()]
-    native = dae.simulate(STEP * COUNT, step=STEP, rtol=1e-10, atol=1e-12)
+    native = ia.simulate(dae, STEP * COUNT, step=STEP, rtol=1e-10, atol=1e-12)
     wanted = [float(native["ball.s"][native.time <= STEP * (k + 1) + 1e-9][-1]) for k in range(COUNT)]
     assert found == pytest.approx(wanted, abs=1e-8)

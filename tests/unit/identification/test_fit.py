@@ -176,7 +176,7 @@ def test_variations_agree_with_differences_of_runs(kind: str) -> None:
         "progress": False,
     }
     options |= {"rtol": 1e-10, "atol": 1e-12}
-    run = dae.simulate(2.0, **options)
+    run = ia.simulate(dae, 2.0, **options)
     slopes = ia.Variations(dae, ["spring.f"], names).along(run)[:, 0]
     times = np.linspace(0, 2, 1001)
     at = np.searchsorted(run.time, times + 1e-6, side="right") - 1
@@ -184,7 +184,7 @@ def test_variations_agree_with_differences_of_runs(kind: str) -> None:
         value = dae.parameter_values[name]
         sides = []
         for sign in (1, -1):
-            other = dae.simulate(2.0, parameters={name: value * (1 + sign * 1e-5)}, **options)
+            other = ia.simulate(dae, 2.0, parameters={name: value * (1 + sign * 1e-5)}, **options)
             sides.append(other["spring.f"][np.searchsorted(other.time, times + 1e-6, side="right") - 1])
         difference = (sides[0] - sides[1]) / (2e-5 * value)
         error = np.sqrt(np.mean((slopes[at, number] - difference) ** 2))

@@ -55,10 +55,10 @@ def run(kind):
         run.advance(3000.0)
     if kind == "sensitivities":
         options["sensitivities"] = ["spring.k"]
-    dae.simulate(0.01, **options)
+    simulate(dae, 0.01, **options)
     watching = threading.Thread(target=watch, daemon=True)
     watching.start()
-    dae.simulate(3000.0, step=3.0 if kind == "steps" else 0.01, **options)
+    simulate(dae, 3000.0, step=3.0 if kind == "steps" else 0.01, **options)
 
 heard = []
 ear, mouth = os.pipe()

@@ -151,7 +151,7 @@ def test_a_rough_road_is_followed_between_coarse_points() -> None:
     t, rng = np.linspace(0.0, 4.0, 4001), np.random.default_rng(0)
     road = (t, 3e-4 * np.cumsum(rng.standard_normal(len(t))))
     car = ia.quarter_car(ia.suspension("S1", 60e3, 2600.0)).dae()
-    coarse, fine = (car.simulate(4.0, inputs={"road.s_ref": road}, step=step) for step in (0.04, 1e-3))
+    coarse, fine = (ia.simulate(car, 4.0, inputs={"road.s_ref": road}, step=step) for step in (0.04, 1e-3))
     assert coarse.rms("body.a") == pytest.approx(fine.rms("body.a"), rel=1e-5)
     times = np.linspace(0.3, 3.7, 7)
     assert [coarse.at("body.a", x) for x in times] == pytest.approx(fine.at("body.a", times), rel=1e-2)
@@ -227,7 +227,7 @@ def test_at_takes_one_instant_or_an_array() -> None:
 
 def test_what_stands_still_is_not_integrated_again(monkeypatch: pytest.MonkeyPatch) -> None:
     run = oscillator(50.0).simulate(1.0, start={"mass.s": 0.0, "mass.v": 0.0}, step=0.1)
-    monkeypatch.setattr("inertance.networks.results.between.Between._again", None)
+    monkeypatch.setattr("inertance.networks.simulation.dense_output.Between._again", None)
     assert measured(run, "mass.a") == pytest.approx([0.0] * 4, abs=1e-9)
     loaded = oscillator(1.0).simulate(1.0, start={"mass.s": 0.25})
     assert loaded.mean("wall.flange.s") == 0.0
@@ -298,7 +298,7 @@ def test_comfort_of_a_run_does_not_depend_on_its_points() -> None:
 
 def test_a_sweep_measures_over_time() -> None:
     def ride(dae: Any, values: dict[str, float]) -> dict[str, float]:
-        run = dae.simulate(5.0, parameters=values, start={"rub.v_rel": 0.0}, step=0.5)
+        run = ia.simulate(dae, 5.0, parameters=values, start={"rub.v_rel": 0.0}, step=0.5)
         return {"rms": run.rms("block.v"), "stuck": run.share("rub.mode", "stuck")}
 
     done = ia.sweep(belt(), {"spring.k": [50.0, 100.0]}, ride, workers=0).table

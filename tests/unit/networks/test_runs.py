@@ -196,11 +196,13 @@ def test_sensitivities_against_finite_differences(
     build: Callable[[], ia.Network], parameters: list[str]
 ) -> None:
     dae = build().dae()
-    run = dae.simulate(2.0, sensitivities=parameters, **TIGHT)
+    run = ia.simulate(dae, 2.0, sensitivities=parameters, **TIGHT)
     for parameter in parameters:
         value = dae.parameter_values[parameter]
         h = 1e-3 * max(value, 0.1)
-        above, below = (dae.simulate(2.0, parameters={parameter: value + s * h}, **TIGHT) for s in (1, -1))
+        above, below = (
+            ia.simulate(dae, 2.0, parameters={parameter: value + s * h}, **TIGHT) for s in (1, -1)
+        )
         for signal in ("mass.s", "mass.a", "element.f"):
             slope = (above[signal] - below[signal]) / (2 * h)
             scale = max(abs(slope).max(), 1e-3)
@@ -236,13 +238,13 @@ def test_sensitivities_that_cannot_be_had() -> None:
 
 def test_changed_parameters_are_a_rebuilt_network() -> None:
     dae = smooth().dae()
-    changed = dae.simulate(2.0, parameters={"element.k": 20.0, "mass.m": 3.0})
+    changed = ia.simulate(dae, 2.0, parameters={"element.k": 20.0, "mass.m": 3.0})
     net = oscillator(ia.CubicSpring(k=20.0, k3=3.0), ia.QuadraticDamper(c=0.3), s=0.3)
     net = net.with_values(mass=ia.Mass(m=3.0, s=0.3))
     net.add(push=ia.Force(f=lambda t: ca.sin(3 * t))).connect(net.push.flange, net.mass.flange)
     assert changed["mass.s"] == pytest.approx(net.simulate(2.0)["mass.s"], abs=1e-12)
     assert dae.parameter_values["element.k"] == 10.0
-    again = dae.simulate(2.0)
+    again = ia.simulate(dae, 2.0)
     assert again["mass.s"] == pytest.approx(smooth().simulate(2.0)["mass.s"], abs=1e-12)
 
 

@@ -108,7 +108,7 @@ def test_every_point_has_its_row_in_order(workers: int) -> None:
 
 def test_a_network_is_simulated_at_every_point() -> None:
     def last(dae: ia.DAE, values: dict[str, Any]) -> float:
-        return float(dae.simulate(1.0, parameters=values, start={"mass.s": 1.0})["mass.s"][-1])
+        return float(ia.simulate(dae, 1.0, parameters=values, start={"mass.s": 1.0})["mass.s"][-1])
 
     done = ia.sweep(swing(), {"mass.m": [0.5, 1.0, 2.0], "strut.damper.d": [0.0]}, last, workers=0)
     expected = [np.cos(1 / np.sqrt(m)) for m in (0.5, 1.0, 2.0)]

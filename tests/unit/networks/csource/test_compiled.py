@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 from inertance import rotational
 from inertance.networks.csource.toolchain import ToolchainError, compiler
+from inertance.networks.simulation.bound_dae import bound
 
 try:
     compiler()
@@ -155,7 +156,7 @@ MACHINES = {
 def test_agrees_with_the_event_loop(machine: Any) -> None:
     name, stop = MACHINES[machine]
     dae = machine().dae()
-    ours, native = (dae.simulate(stop, solver=solver, **TIGHT) for solver in ("compiled", "auto"))
+    ours, native = (ia.simulate(dae, stop, solver=solver, **TIGHT) for solver in ("compiled", "auto"))
     told = [[(e.component, e.mode, e.source, e.target) for e in run.events] for run in (ours, native)]
     assert told[0] == told[1]
     assert [e.time for e in ours.events] == pytest.approx([e.time for e in native.events], abs=1e-6)
@@ -191,7 +192,7 @@ def test_the_ball_comes_to_rest() -> None:
 def test_bounces_without_a_resting_speed_end_and_at_the_same_instants() -> None:
     dae = bouncing_ball().dae()
     runs = [
-        dae.simulate(3.0, parameters={"stop.v_rest": 0.0}, rtol=1e-10, atol=1e-14, solver=solver)
+        ia.simulate(dae, 3.0, parameters={"stop.v_rest": 0.0}, rtol=1e-10, atol=1e-14, solver=solver)
         for solver in ("auto", "compiled")
     ]
     times = [[event.time for event in run.events] for run in runs]
@@ -206,7 +207,7 @@ def test_bounces_without_a_resting_speed_end_and_at_the_same_instants() -> None:
 def test_every_slip_is_seen_however_seldom_outputs_are() -> None:
     dae = rubbing(ia.CoulombFriction(f_c=10.0), push=lambda t: 10.01 * ca.sin(50 * t)).dae()
     for step in (0.02, 2.0, 8.0):
-        run = dae.simulate(8.0, step=step, solver="compiled")
+        run = ia.simulate(dae, 8.0, step=step, solver="compiled")
         begins = [event.time for event in run.events if event.source == "stuck"]
         slips = np.arcsin(10 / 10.01) / 50 + np.pi / 50 * np.arange(127)
         assert begins == pytest.approx(slips, abs=1e-6)
@@ -244,7 +245,7 @@ def test_an_event_passed_on_the_way_to_another_is_not_lost() -> None:
         net.connect(left.flange, stop.flange_a, rub.flange_a)
         net.connect(right.flange, stop.flange_b, rub.flange_b)
     dae = net.dae()
-    runs = [dae.simulate(1.0, rtol=1e-10, atol=1e-13, solver=solver) for solver in ("auto", "compiled")]
+    runs = [ia.simulate(dae, 1.0, rtol=1e-10, atol=1e-13, solver=solver) for solver in ("auto", "compiled")]
     for run in runs:
         momentum = sum(m * run[f"m{i}.v"] for i, m in enumerate(masses))
         assert momentum == pytest.approx(-2.5, abs=1e-10)
@@ -260,17 +261,19 @@ def test_parameters_and_starts_change_without_compiling_again() -> None:
     dae = (
         net.connect(net.wall.flange, net.spring.flange_a).connect(net.spring.flange_b, net.mass.flange).dae()
     )
-    closed = dae.closed({})
+    closed = bound(dae, {})
     for k, s in ((100.0, 0.1), (25.0, 0.2)):
-        run = dae.simulate(2.0, solver="compiled", parameters={"spring.k": k}, start={"mass.s": s}, **TIGHT)
+        run = ia.simulate(
+            dae, 2.0, solver="compiled", parameters={"spring.k": k}, start={"mass.s": s}, **TIGHT
+        )
         assert run["mass.s"] == pytest.approx(s * np.cos(np.sqrt(k) * run.time), abs=1e-7)
-    assert dae.closed({}) is closed
+    assert bound(dae, {}) is closed
 
 
 def test_a_new_record_needs_no_new_compilation(monkeypatch: pytest.MonkeyPatch) -> None:
     net = ia.Network("shaker", table=ia.Position(), mount=ia.SpringDamper(k=1e3, d=10.0), box=ia.Mass(m=2.0))
     dae = net.connect(net.table.flange, net.mount.flange_a).connect(net.mount.flange_b, net.box.flange).dae()
-    dae.simulate(0.1, inputs={"table.s_ref": 0.0}, solver="compiled")
+    ia.simulate(dae, 0.1, inputs={"table.s_ref": 0.0}, solver="compiled")
     monkeypatch.setattr(
         "inertance.networks.csource.native.compile_shared", lambda *_, **__: pytest.fail("compiled")
     )
@@ -278,10 +281,11 @@ def test_a_new_record_needs_no_new_compilation(monkeypatch: pytest.MonkeyPatch) 
     for w in (5.0, 20.0):
         record = ia.Sampled(t, 0.01 * np.sin(w * t))
         ours, native = (
-            dae.simulate(2.0, inputs={"table.s_ref": record}, solver=s, **TIGHT) for s in ("compiled", "auto")
+            ia.simulate(dae, 2.0, inputs={"table.s_ref": record}, solver=s, **TIGHT)
+            for s in ("compiled", "auto")
         )
         assert ours["box.a"] == pytest.approx(native["box.a"], abs=1e-6 * np.ptp(native["box.a"]))
-    held = dae.simulate(5.0, inputs={"table.s_ref": 0.01}, solver="compiled")
+    held = ia.simulate(dae, 5.0, inputs={"table.s_ref": 0.01}, solver="compiled")
     assert held["box.s"][-1] == pytest.approx(0.01, abs=1e-6)
 
 
@@ -298,7 +302,7 @@ def test_many_masses() -> None:
         )
         last = getattr(net, f"m{i}").flange
     dae = net.dae()
-    ours, native = (dae.simulate(0.5, solver=solver, **TIGHT) for solver in ("compiled", "auto"))
+    ours, native = (ia.simulate(dae, 0.5, solver=solver, **TIGHT) for solver in ("compiled", "auto"))
     assert ours["m40.s"] == pytest.approx(native["m40.s"], abs=1e-7)
 
 

@@ -1,4 +1,4 @@
-"""`Between`: signals between the points of a run, where need be from running that piece again, finely."""
+"""`DenseOutput`: signals between the points of a run, where need be from running that piece again, finely."""
 
 from __future__ import annotations
 
@@ -11,14 +11,13 @@ from warnings import warn
 import numpy as np
 from numpy.typing import NDArray
 
-from ..simulation.bound_dae import Closed
-from ..simulation.events.functions import NODES
-from ..simulation.integrator import Array, IntegratorError, Stepper
-from ..simulation.legs import Leg
-from ..simulation.point import Point, solve_algebraic
-from ..simulation.tolerance import Tolerance
-from ..variational.jacobians import Points
-from .pieces import Pieces
+from ..evaluation.jacobians import Points
+from ..results.pieces import Pieces
+from .events.functions import NODES
+from .integrator import Array, IntegratorError, Stepper
+from .legs import Leg
+from .point import Point, solve_algebraic
+from .tolerance import Tolerance
 
 BENT, STRAY, MANY = 0.03, 0.6, 0.2
 AROUND, DEPTH, MOST_PIECES, MOST_STEPS = 8, 3, 10_000, 500
@@ -86,7 +85,7 @@ class Range:
         return half
 
 
-class Between:
+class DenseOutput:
     """What happened between the points of a run.
 
     Within a piece a signal is the cubic that meets its values and slopes at both ends. Where that departs
@@ -96,10 +95,8 @@ class Between:
     something that is given switches, or moves faster than points show.
     """
 
-    def __init__(
-        self, closed: Closed, points: Points, legs: Sequence[Leg], solver: str, tolerance: Tolerance
-    ) -> None:
-        self.closed, self.points, self.tolerance = closed, points, tolerance
+    def __init__(self, legs: Sequence[Leg], solver: str, tolerance: Tolerance, points: Points) -> None:
+        self.closed, self.points, self.tolerance = points.closed, points, tolerance
         self._switches = np.array([leg.begin for leg in legs[1:]])
         self._longest = np.array([leg.max_step for leg in legs])
         self._solver = "auto" if solver == "compiled" else solver

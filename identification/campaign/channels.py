@@ -1,43 +1,19 @@
-"""`Channel`: a column of the data and the quantity of the network that it measures."""
+"""The channels of a campaign, and their stated noise: read, and checked against its model."""
 
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass
 from typing import Any
 
 from ...base import is_number
 from ...components import nearest
 from ...components.language import INTERPOLATIONS
-from ..campaign.machine import Machine
-from ..campaign.problems import TEXT, Problems
-from .units import factor
+from ..records.channel import Channel, outputs_of
+from ..records.units import factor
+from .machine import Machine
+from .problems import TEXT, Problems
 
 KINDS = {"input": TEXT, "output": TEXT, "unit": TEXT, "interpolation": TEXT}
-
-
-@dataclass(frozen=True)
-class Channel:
-    """A column of the data and the quantity of the network that it measures.
-
-    Args:
-        path: full name of the quantity.
-        driven: whether it is an input of the network; an output otherwise.
-        unit: of the column.
-        si: unit of the quantity in the network.
-        interpolation: of an input between its samples, as of `Sampled`.
-    """
-
-    path: str
-    driven: bool
-    unit: str
-    si: str
-    interpolation: str = "cubic"
-
-
-def outputs_of(channels: Mapping[str, Channel]) -> list[str]:
-    """Return the channels that the network predicts."""
-    return [name for name, channel in channels.items() if not channel.driven]
 
 
 def read_channels(entries: Mapping[str, Any], machine: Machine, problems: Problems) -> dict[str, Channel]:

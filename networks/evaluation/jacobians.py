@@ -11,13 +11,13 @@ import casadi as ca
 import numpy as np
 from numpy.typing import NDArray
 
-from ..simulation.batch import Batch
-from ..simulation.compiled import dense
+from .batch import Batch
+from .compiled import dense
 
 if TYPE_CHECKING:
     from ..dae import DAE
     from ..results.result import Segment
-    from ..simulation.bound_dae import Closed
+    from ..simulation.bound_dae import BoundDAE
 
 Array = NDArray[np.float64]
 
@@ -26,14 +26,14 @@ Array = NDArray[np.float64]
 class Points:
     """Points of a run: instants, states, algebraic unknowns, and what is constant in each one's segment."""
 
-    closed: Closed
+    closed: BoundDAE
     t: Array
     x: Array
     z: Array
     q: Array
 
     @staticmethod
-    def of(closed: Closed, segments: Sequence[Segment]) -> Points:
+    def of(closed: BoundDAE, segments: Sequence[Segment]) -> Points:
         """Return all points of a run."""
         t, x, z = (
             np.concatenate([part for segment in segments for part in getattr(segment, name)])

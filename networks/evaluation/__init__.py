@@ -1,0 +1,1 @@
+"""Equations as compiled functions, called on NumPy arrays, at many points at once."""
