@@ -53,3 +53,4 @@ from .text_file import is_utf_16 as is_utf_16
 from .text_file import path_of as path_of
 from .text_file import text_of as text_of
 from .text_file import there_is_file as there_is_file
+from .text_table import aligned as aligned

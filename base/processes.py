@@ -14,10 +14,14 @@ from types import TracebackType
 from typing import Any, TypeVar
 
 T = TypeVar("T")
+THREADS = "OPENBLAS_NUM_THREADS"
 
 
 class Processes(ProcessPoolExecutor):
     """Processes that end when they are told to, or with their parent, whatever they are at.
+
+    With a process a core, threads of linear algebra only queue: those that are spawned get one, unless
+    OPENBLAS_NUM_THREADS says otherwise.
 
     Args:
         count: how many.
@@ -31,7 +35,7 @@ class Processes(ProcessPoolExecutor):
 
     def submit(self, fn: Callable[..., T], /, *args: Any, **kwargs: Any) -> Future[T]:
         """See `ProcessPoolExecutor.submit`; processes that begin here do so without Ctrl-C."""
-        with _held_back():
+        with _held_back(), _one_thread():
             return super().submit(fn, *args, **kwargs)
 
     def abandon(self) -> None:
@@ -61,6 +65,19 @@ def _held_back() -> Iterator[None]:
         yield
     finally:
         signal.pthread_sigmask(signal.SIG_SETMASK, before)
+
+
+@contextmanager
+def _one_thread() -> Iterator[None]:
+    """Let processes that begin meanwhile use one thread for linear algebra; those here stay as they are."""
+    if THREADS in os.environ:
+        yield
+        return
+    os.environ[THREADS] = "1"
+    try:
+        yield
+    finally:
+        del os.environ[THREADS]
 
 
 def _belong(told: Connection) -> None:

@@ -54,8 +54,6 @@ def diagnose(
     with failing(FAILED, InertanceError), console.status("reading") as status:
         try:
             if count > 1:
-                # with a process a core, threads only queue
-                os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
                 with Processes(count, "spawn") as pool:
                     verdict = run_diagnosis(loaded, executor=pool, solver=solver, report=status.update)
             else:

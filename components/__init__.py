@@ -13,7 +13,9 @@ from ..base import UnknownPartError as UnknownPartError
 from ..base import nearest as nearest
 from . import rotational as rotational
 from . import signals as signals
+from .families import FAMILIES as FAMILIES
 from .language import Component as Component
+from .language import Domain as Domain
 from .language import RealInput as RealInput
 from .language import RealOutput as RealOutput
 from .language import RotationalFlange as RotationalFlange

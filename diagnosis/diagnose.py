@@ -11,9 +11,9 @@ import numpy as np
 from ..base import between, demand, function, instance, one_of, optional
 from ..components import InertanceError
 from ..identification import Accuracy, Campaign
-from ..networks import COARSEST, FINEST, SOLVERS, ToolchainError, compiler
+from ..networks import COARSEST, FINEST, SOLVERS, chosen_solver
 from .effects.hypothesis import Placed
-from .models.predictor import limits
+from .models.predictor import subject
 from .search.decimation import thinned
 from .search.joint_fit import Joint, Refit, refit
 from .search.model_comparison import COLOURED, are_alike, blocks, clearness, is_simpler, misfit, unexplained
@@ -26,6 +26,7 @@ CLEAR = 3.0  # standard errors by which an effect must beat the model without it
 WORTH = 0.25  # share of what a special case leaves that its generalisation must take away
 LEAST_DROP = 0.01  # share of the squared test residual that an effect must take away
 LEAST_FURTHER = 0.05  # the same for a second effect: less but mends the shape of the first
+RUNS = 200  # of each model, which is fitted from several starts and probed
 STEPS = 50  # granted to a run for each sample; a model that needs more is none to be fitted
 EARLY = 0.9  # share of its sum of squares to which a fit may still fall that has come to its end
 PART = 4.0  # drop of chi squared by which a part of an assembly must be likelier than the whole
@@ -51,7 +52,8 @@ def diagnose(
     Args:
         campaign: records, channels, priors and model, or the path of the TOML file that tells them.
         executor: fits candidates; any `concurrent.futures.Executor`.
-        solver: as for `simulate`; "auto" compiles models where there is a C compiler.
+        solver: as for `simulate`; "auto" compiles models where there is a C compiler and 200 runs of the
+            training records come to 40 000 samples, as of 200 and more in all.
         rtol: relative tolerance of the runs; small beside the noise if not given.
         report: called with a line of progress.
 
@@ -69,13 +71,14 @@ def diagnose(
     tell = report or (lambda line: None)
     campaign = thinned(Campaign.of(campaign))
     rtol = rtol or _unseen(campaign)
-    accuracy = Accuracy(_fastest() if solver == "auto" else solver, rtol, steps=STEPS)
+    samples = sum(len(experiment.record.time) for experiment in campaign.training)
+    accuracy = Accuracy(chosen_solver(solver, samples, RUNS), rtol, steps=STEPS)
     tell("refitting the parameters")
     nominal = Joint(campaign, campaign.network, campaign.start, (), accuracy)
     start = nominal.seen(nominal.start)
     base = nominal.fitted()
     rounds: list[Round] = []
-    notes = limits(campaign)
+    notes = subject(campaign).limits()
     best = base
     try:
         while len(best.effects) < MOST_EFFECTS and _misses_much(best, base):
@@ -103,15 +106,6 @@ def _unseen(campaign: Campaign) -> float:
     moved = {n: max(float(np.std(e.record.values[n])) for e in campaign.training) for n in campaign.outputs}
     share = min(sigma / (moved[name] or sigma) for name, sigma in campaign.sigma.items())
     return float(np.clip(FINE * share, *TOLERANCES))
-
-
-def _fastest() -> str:
-    """Return the solver for thousands of runs: the compiled one, if there is a compiler."""
-    try:
-        compiler()
-    except ToolchainError:
-        return "auto"
-    return "compiled"
 
 
 def _misses_much(best: Refit, base: Refit) -> bool:

@@ -47,11 +47,11 @@ from .analysis import tvmd_fixed_points as tvmd_fixed_points
 from .analysis import tyre_j3 as tyre_j3
 from .analysis import weighted as weighted
 from .analysis import weighted_rms as weighted_rms
+from .csource import PLATFORMS as PLATFORMS
 from .csource import CProgram as CProgram
 from .csource import ToolchainError as ToolchainError
 from .csource import c_program as c_program
 from .csource import compile_shared as compile_shared
-from .csource import compiler as compiler
 from .csource import corners_as_modes as corners_as_modes
 from .csource import is_corner as is_corner
 from .dae import DAE as DAE
@@ -110,6 +110,7 @@ from .simulation.polynomial import Polynomial as Polynomial
 from .simulation.run import COARSEST as COARSEST
 from .simulation.run import FINEST as FINEST
 from .simulation.simulate import simulate as simulate
+from .simulation.solver_choice import chosen_solver as chosen_solver
 from .simulation.splines import piecewise as piecewise
 from .simulation.splines import sampled_at as sampled_at
 from .simulation.starting import Start as Start

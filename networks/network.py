@@ -2,9 +2,7 @@
 
 from __future__ import annotations
 
-import gc
-from collections.abc import Iterable, Iterator, Mapping
-from contextlib import contextmanager
+from collections.abc import Iterable, Mapping
 from typing import TYPE_CHECKING, Any, Self
 
 from ..base import ModelError, nearest, text
@@ -159,8 +157,7 @@ class Network(Component):
         from .flattening.flatten import flatten
         from .reduction.reduce import reduce
 
-        with _uncollected():
-            return reduce(flatten(self))
+        return reduce(flatten(self))
 
     def simulate(
         self,
@@ -190,18 +187,6 @@ class Network(Component):
 
 _RESERVED = {*dir(Network), "", "name"}
 _MARKS = {*".()"}
-
-
-@contextmanager
-def _uncollected() -> Iterator[None]:
-    """Let Python not look for cycles of references meanwhile: many objects are made, and no cycles."""
-    wanted = gc.isenabled()
-    gc.disable()
-    try:
-        yield
-    finally:
-        if wanted:
-            gc.enable()
 
 
 def _pairs(original: Component, copy: Component) -> Iterable[tuple[Component, Component]]:

@@ -6,7 +6,8 @@ from collections.abc import Iterable
 from itertools import pairwise
 from typing import Any
 
-from ..components import Component, ModelError, TwoFlanges, rotational, variable
+from ..components import Component, Domain, ModelError, TwoFlanges, rotational, variable
+from ..components.language import PortRef
 
 
 class _Joined(Component):
@@ -50,6 +51,12 @@ class RotationalTwoTerminal(_Joined, rotational.TwoFlanges):
     def equations(self) -> Iterable[Any]:
         """State what `tau` is."""
         yield self.tau == self.flange_b.tau
+
+
+_KINDS: dict[Domain, type[TwoTerminal | RotationalTwoTerminal]] = {
+    Domain.TRANSLATIONAL: TwoTerminal,
+    Domain.ROTATIONAL: RotationalTwoTerminal,
+}
 
 
 def series(*elements: Component, **named: Component) -> TwoTerminal | RotationalTwoTerminal:
@@ -118,11 +125,10 @@ def bridge(*elements: Component, **named: Component) -> TwoTerminal | Rotational
 def _joined(
     how: str, nodes: list[list[tuple[str, str]]], parts: dict[str, Component]
 ) -> TwoTerminal | RotationalTwoTerminal:
-    domains = {getattr(type(element).fields["flange_a"], "domain", "") for element in parts.values()}
-    if len(domains) > 1:
+    domain, *others = {PortRef(element, "flange_a").domain for element in parts.values()}
+    if others or domain is None:
         raise ModelError(f"{how}() joins sliding elements or turning ones, not both")
-    kind = TwoTerminal if domains == {"translational"} else RotationalTwoTerminal
-    return kind(how, nodes, parts)
+    return _KINDS[domain](how, nodes, parts)
 
 
 def _named(elements: tuple[Component, ...], named: dict[str, Component]) -> dict[str, Component]:

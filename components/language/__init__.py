@@ -2,6 +2,7 @@
 
 from .component import Component as Component
 from .component import PortRef as PortRef
+from .domain import Domain as Domain
 from .fields import MISSING as MISSING
 from .fields import Field as Field
 from .fields import Impulse as Impulse

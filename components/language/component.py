@@ -8,6 +8,7 @@ from typing import Any, ClassVar, Self
 
 from ...base.checks import is_number, number
 from ...base.errors import ModelError, UnknownPartError, nearest
+from .domain import Domain
 from .fields import MISSING, Field, Option, Parameter, Part, Port, RealInput, RealOutput, Variable
 from .sampled import Sampled
 
@@ -21,6 +22,11 @@ class PortRef:
     component: Component
     name: str
 
+    @property
+    def domain(self) -> Domain | None:
+        """Its domain, None if it is a signal."""
+        return type(self.component).fields[self.name].domain
+
     def __repr__(self) -> str:
         return f"<{self.name} of {type(self.component).__name__}>"
 
@@ -32,9 +38,14 @@ class Component:
         values: parameters, options, fixed start values of variables, signals of inputs, and parts
             that replace the declared ones, all by name.
 
+    Attributes:
+        has_law: whether it stands for a part of the machine, in whose law an effect can hide: not what only
+            holds, drives, measures or joins rigidly.
+
     Problems with the values are told when the network is assembled, all at once and by path.
     """
 
+    has_law: ClassVar[bool] = True
     fields: ClassVar[dict[str, Field]] = {}
     _options: ClassVar[tuple[Option, ...]] = ()
     _required: ClassVar[tuple[Parameter, ...]] = ()
@@ -42,6 +53,7 @@ class Component:
     _parameters: ClassVar[tuple[Parameter, ...]] = ()
     _ports: ClassVar[tuple[Port, ...]] = ()
     _inputs: ClassVar[tuple[RealInput, ...]] = ()
+    _templates: ClassVar[dict[tuple[Any, ...], Any]] = {}
 
     def __init_subclass__(cls) -> None:
         super().__init_subclass__()
@@ -63,6 +75,7 @@ class Component:
         cls._declared_parts = tuple(f for f in declared_fields if isinstance(f, Part))
         cls._ports = tuple(f for f in declared_fields if isinstance(f, Port))
         cls._inputs = tuple(f for f in declared_fields if isinstance(f, RealInput))
+        cls._templates = {}
 
     def __init__(self, **values: Any) -> None:
         self._values: dict[str, Any] = {}

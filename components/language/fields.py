@@ -9,6 +9,8 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import TYPE_CHECKING, Any, ClassVar
 
+from .domain import Domain
+
 if TYPE_CHECKING:
     from .component import Component
 
@@ -19,6 +21,7 @@ class Field:
     """One declared name of a component."""
 
     kind: ClassVar[str] = "field"
+    domain: ClassVar[Domain | None] = None
 
     def __init__(self, unit: str = "", doc: str = "") -> None:
         self.unit, self.doc, self.name = unit, doc, ""
@@ -127,26 +130,25 @@ class Port(Field):
     """
 
     kind = "port"
-    across: ClassVar[str]
-    through: ClassVar[str]
-    units: ClassVar[tuple[str, str]]
-    domain: ClassVar[str]
+    domain: ClassVar[Domain]
 
     def __init__(self, doc: str = "", optional: bool = False, free: bool = False) -> None:
         super().__init__("", doc)
         self.optional, self.free = optional, free
+        self.across, self.through = self.domain.across, self.domain.through
+        self.units = self.domain.motion_units[0], self.domain.through_unit
 
 
 class TranslationalFlange(Port):
     """A flange that slides: position `s` [m] across, force `f` [N] through (into the component)."""
 
-    across, through, units, domain = "s", "f", ("m", "N"), "translational"
+    domain = Domain.TRANSLATIONAL
 
 
 class RotationalFlange(Port):
     """A flange that turns: angle `phi` [rad] across, torque `tau` [N.m] through."""
 
-    across, through, units, domain = "phi", "tau", ("rad", "N.m"), "rotational"
+    domain = Domain.ROTATIONAL
 
 
 class Mode(Field):

@@ -20,7 +20,6 @@ from .scope import Scope
 from .template import Template
 
 _reading: ContextVar[Template] = ContextVar("template being read")
-_templates: dict[Any, Template] = {}
 
 
 def der(variable: Any) -> Any:
@@ -37,13 +36,14 @@ def der(variable: Any) -> Any:
 
 def template_of(component: Component) -> Template:
     """Return the template of a component, read once per class and choice of options."""
-    key = (type(component), tuple(component._get(option) for option in type(component)._options))
+    kind = type(component)
+    options = tuple(component._get(option) for option in kind._options)
     try:
-        known = _templates.get(key)
+        known = kind._templates.get(options)
     except TypeError:
         return _read(component)
     if known is None:
-        known = _templates[key] = _read(component)
+        known = kind._templates[options] = _read(component)
     return known
 
 

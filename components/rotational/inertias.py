@@ -15,6 +15,7 @@ class Fixed(Component):
     Source: MSL Rotational.Components.Fixed.
     """
 
+    has_law = False
     flange = RotationalFlange("held flange")
     phi0 = parameter("rad", "angle", default=0.0)
 

@@ -10,6 +10,7 @@ from ..language import Component, RealInput, RotationalFlange, der, parameter, v
 
 
 class _Driven(Component):
+    has_law = False
     flange = RotationalFlange("what is driven")
     support = RotationalFlange("what reacts", optional=True)
 

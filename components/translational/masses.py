@@ -14,6 +14,7 @@ class Fixed(Component):
     Source: MSL Translational.Components.Fixed.
     """
 
+    has_law = False
     flange = TranslationalFlange("held flange")
     s0 = parameter("m", "position", default=0.0)
 
@@ -27,6 +28,7 @@ class Rod(Component):
     Source: MSL Translational.Components.Rod.
     """
 
+    has_law = False
     flange_a = TranslationalFlange("left flange", free=True)
     flange_b = TranslationalFlange("right flange", free=True)
     L = parameter("m", "length from flange_a to flange_b", default=0.0)

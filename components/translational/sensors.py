@@ -9,6 +9,7 @@ from ..language import Component, RealOutput, TranslationalFlange, der, variable
 
 
 class _Absolute(Component):
+    has_law = False
     flange = TranslationalFlange("where it is measured")
 
     def equations(self) -> Iterable[Any]:
@@ -16,6 +17,7 @@ class _Absolute(Component):
 
 
 class _Between(Component):
+    has_law = False
     flange_a = TranslationalFlange("left flange")
     flange_b = TranslationalFlange("right flange")
 

@@ -10,6 +10,7 @@ from ..language import Component, RealInput, TranslationalFlange, der, parameter
 
 
 class _Driven(Component):
+    has_law = False
     flange = TranslationalFlange("what is driven")
     support = TranslationalFlange("what reacts", optional=True)
 

@@ -9,27 +9,25 @@ from typing import Any
 
 import numpy as np
 
-from ... import components as ia
-from ...components import Component, rotational
+from ...components import Component, signals
 from .edits import Add, Connect, Edit, Insert, between
 from .effect import Array, Effect, Extent, Motion, Quantity, Values, both, register
 from .sites import Site
 
 SLOW = 0.01  # speed within which friction that cannot stick changes sides, over the usual one
 
-Maker = Callable[[Values, Site], Component]
+Maker = Callable[[Site, Values], Component]
 
 
 def _across(
     kind: str,
     quantities: dict[str, tuple[Quantity, ...]],
-    makers: tuple[Maker, Maker],
+    make: Maker,
     basis: Callable[[Motion, Values], list[Array]],
     **more: Any,
 ) -> Effect:
     def edits(site: Site, name: str, values: Values) -> list[Edit]:
-        make = makers[site.domain == "rotational"]
-        return between(name, make(values, site), site.fixed, site.moving)
+        return between(name, make(site, values), site.fixed, site.moving)
 
     return register(Effect(kind, "across", quantities, edits, basis, **more))
 
@@ -48,6 +46,10 @@ def _yields(motion: Extent) -> list[dict[str, float]]:
 
 def _shape(values: Values) -> float:
     return next(iter(values.values()))
+
+
+def _unstretched(site: Site) -> dict[str, float]:
+    return {f"{site.mechanics.across}_rel0": site.rest}
 
 
 def _stribeck(motion: Motion, shape: Values) -> list[Array]:
@@ -86,19 +88,19 @@ def _hysteresis(motion: Motion, shape: Values) -> list[Array]:
 VISCOUS = _across(
     "viscous_damping",
     both(d=(("d", "N.s/m"), ("d", "N.m.s/rad"))),
-    (lambda p, _: ia.Damper(**p), lambda p, _: rotational.Damper(**p)),
+    lambda at, p: at.family.Damper(**p),
     lambda motion, _: [motion.v],
 )
 QUADRATIC = _across(
     "quadratic_damping",
     both(c=(("c", "N.s2/m2"), ("k", "N.m.s2/rad2"))),
-    (lambda p, _: ia.QuadraticDamper(**p), lambda p, _: rotational.QuadraticDamper(**p)),
+    lambda at, p: at.family.QuadraticDamper(**p),
     lambda motion, _: [motion.v * np.abs(motion.v)],
 )
 COULOMB = _across(
     "coulomb_friction",
     both(f=(("f_c", "N"), ("tau_c", "N.m"))),
-    (lambda p, _: ia.CoulombFriction(**p), lambda p, _: rotational.CoulombFriction(**p)),
+    lambda at, p: at.family.CoulombFriction(**p),
     lambda motion, _: [motion.direction],
 )
 STRIBECK = _across(
@@ -108,7 +110,7 @@ STRIBECK = _across(
         f_s=(("f_s", "N"), ("tau_s", "N.m")),
         v_s=(("v_s", "m/s"), ("w_s", "rad/s"), 0.0, True),
     ),
-    (lambda p, _: ia.StribeckFriction(**p), lambda p, _: rotational.StribeckFriction(**p)),
+    lambda at, p: at.family.StribeckFriction(**p),
     _stribeck,
     shapes=_speeds,
     credible=_breaks_away,
@@ -120,7 +122,7 @@ ASYMMETRIC = _across(
         forward=(("f_forward", "N"), ("tau_forward", "N.m")),
         backward=(("f_backward", "N"), ("tau_backward", "N.m")),
     ),
-    (lambda p, _: ia.AsymmetricFriction(**p), lambda p, _: rotational.AsymmetricFriction(**p)),
+    lambda at, p: at.family.AsymmetricFriction(**p),
     lambda motion, _: [np.maximum(motion.direction, 0), np.minimum(motion.direction, 0)],
     plain=("coulomb_friction", (1.0, 1.0)),
 )
@@ -131,7 +133,7 @@ RIPPLE = _across(
         f_cos=(("f_cos", "N"), ("tau_cos", "N.m"), -inf),
         period=(("period", "m"), ("period", "rad"), 0.0, True),
     ),
-    (lambda p, _: ia.Ripple(**p), lambda p, _: rotational.Ripple(**p)),
+    lambda at, p: at.family.Ripple(**p),
     _ripple,
     shapes=_periods,
     absolute=True,
@@ -139,16 +141,13 @@ RIPPLE = _across(
 LINEAR = _across(
     "linear_stiffness",
     both(k=(("k", "N/m"), ("c", "N.m/rad"))),
-    (lambda p, at: ia.Spring(s_rel0=at.rest, **p), lambda p, at: rotational.Spring(phi_rel0=at.rest, **p)),
+    lambda at, p: at.family.Spring(**_unstretched(at), **p),
     lambda motion, _: [motion.s],
 )
 CUBIC = _across(
     "cubic_stiffness",
     both(k3=(("k3", "N/m3"), ("c3", "N.m/rad3"), -inf)),
-    (
-        lambda p, at: ia.CubicSpring(k=0.0, s_rel0=at.rest, **p),
-        lambda p, at: rotational.CubicSpring(c=0.0, phi_rel0=at.rest, **p),
-    ),
+    lambda at, p: at.family.CubicSpring(**{at.mechanics.stiffness: 0.0}, **_unstretched(at), **p),
     lambda motion, _: [motion.s**3],
 )
 BILINEAR = _across(
@@ -157,62 +156,43 @@ BILINEAR = _across(
         pull=(("k_pull", "N/m"), ("c_pull", "N.m/rad")),
         push=(("k_push", "N/m"), ("c_push", "N.m/rad")),
     ),
-    (
-        lambda p, at: ia.BilinearSpring(s_rel0=at.rest, **p),
-        lambda p, at: rotational.BilinearSpring(phi_rel0=at.rest, **p),
-    ),
+    lambda at, p: at.family.BilinearSpring(**_unstretched(at), **p),
     lambda motion, _: [np.maximum(motion.s, 0), np.minimum(motion.s, 0)],
     plain=("linear_stiffness", (1.0, 1.0)),
 )
 
 
-def _bouc_wen(p: Values, _: Site) -> Component:
-    shape = 0.5 / p["s_y"] ** 2
-    return ia.BoucWen(k=p["k"], alpha=0.0, beta=shape, gamma=shape, n=2.0)
-
-
-def _turning_bouc_wen(p: Values, _: Site) -> Component:
-    shape = 0.5 / p["phi_y"] ** 2
-    return rotational.BoucWen(c=p["c"], alpha=0.0, beta=shape, gamma=shape, n=2.0)
-
-
-def _bouc_wen_parameters(site: Site, name: str, p: Values) -> dict[str, float]:
-    stiffness, reach = ("c", "phi_y") if site.domain == "rotational" else ("k", "s_y")
-    shape = 0.5 / p[reach] ** 2
-    return {f"{name}.{stiffness}": p[stiffness], f"{name}.beta": shape, f"{name}.gamma": shape}
+def _bouc_wen_values(site: Site, p: Values) -> dict[str, float]:
+    stiffness, reach = site.mechanics.stiffness, p[f"{site.mechanics.across}_y"]
+    return {stiffness: p[stiffness], "beta": 0.5 / reach**2, "gamma": 0.5 / reach**2}
 
 
 HYSTERESIS = _across(
     "hysteresis",
     both(k=(("k", "N/m"), ("c", "N.m/rad")), s_y=(("s_y", "m"), ("phi_y", "rad"), 0.0, True)),
-    (_bouc_wen, _turning_bouc_wen),
+    lambda at, p: at.family.BoucWen(**_bouc_wen_values(at, p), alpha=0.0, n=2.0),
     _hysteresis,
     shapes=_yields,
-    parameters=_bouc_wen_parameters,
+    parameters=lambda at, name, p: {f"{name}.{key}": v for key, v in _bouc_wen_values(at, p).items()},
     memory=True,
 )
 
 
 def _loaded(site: Site, name: str, values: Values) -> list[Edit]:
     """Return friction by the force that arrives at a site, not by what friction leaves of it."""
-    turning = site.domain == "rotational"
-    sensor = rotational.TorqueSensor() if turning else ia.ForceSensor()
-    family = rotational.LoadedFriction if turning else ia.LoadedFriction
-    friction = family(regularised=SLOW * site.speed, **values)
-    signal = f"{name}_load.{'tau' if turning else 'f'}"
+    friction = site.family.LoadedFriction(regularised=SLOW * site.speed, **values)
     return [
-        Insert(site.moving, f"{name}_load", sensor),
+        Insert(site.moving, f"{name}_load", site.family.ForceSensor()),
         *between(name, friction, site.fixed, f"{name}_load.flange_a"),
-        Connect((signal, f"{name}.load")),
+        Connect((f"{name}_load.{site.mechanics.through}", f"{name}.load")),
     ]
 
 
 def _drifting(site: Site, name: str, values: Values) -> list[Edit]:
-    family = rotational.DriftingFriction if site.domain == "rotational" else ia.DriftingFriction
-    friction = family(regularised=SLOW * site.speed, **values)
+    friction = site.family.DriftingFriction(regularised=SLOW * site.speed, **values)
     return [
         *between(name, friction, site.fixed, site.moving),
-        Add(f"{name}_clock", ia.signals.Clock()),
+        Add(f"{name}_clock", signals.Clock()),
         Connect((f"{name}_clock.y", f"{name}.u")),
     ]
 

@@ -6,7 +6,7 @@ import re
 from collections.abc import Iterable
 from dataclasses import dataclass
 
-from ...components import Component, Fixed, RotationalFlange, rotational, signals
+from ...components import FAMILIES, Component, rotational, signals
 from ...components.language import PortRef
 from ...networks import Network
 from .sites import GROUND
@@ -72,8 +72,7 @@ def between(name: str, component: Component, fixed: str, moving: str) -> list[Ed
     """Return the edits that put a component between two flanges, of which `fixed` may be the ground."""
     edits: list[Edit] = [Add(name, component)]
     if fixed == GROUND:
-        turning = isinstance(type(component).fields["flange_a"], RotationalFlange)
-        edits.append(Add(f"{name}_ground", rotational.Fixed() if turning else Fixed()))
+        edits.append(Add(f"{name}_ground", FAMILIES[PortRef(component, "flange_a").domain or ""].Fixed()))
         fixed = f"{name}_ground.flange"
     return [*edits, Connect((fixed, f"{name}.flange_a")), Connect((f"{name}.flange_b", moving))]
 

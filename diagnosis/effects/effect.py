@@ -9,7 +9,7 @@ from typing import Any, Protocol
 import numpy as np
 from numpy.typing import NDArray
 
-from ...components import ModelError, nearest
+from ...components import Domain, ModelError, nearest
 from ...networks import Pieces
 from .edits import Edit
 from .sites import Site
@@ -91,6 +91,7 @@ class Effect:
         basis: (motion, shape) -> what each size adds for its unit: a force across, a stretch in series.
         shapes: (motion or site) -> values of the shape parameters worth trying.
         change: channel only: (time, signal, values) -> the signal as the channel passes it on.
+        drives: channel only: whether it is an actuator, which changes an input, not a sensor.
         parameters: (name, values) -> the network's parameters, if they are not `name.quantity`.
         step: share of a quantity over which its slopes are differences; 0 for slopes along the run, which
             channels do not have, and which say little of where impacts end up.
@@ -107,6 +108,7 @@ class Effect:
     basis: Callable[[Motion, Values], list[Array]] | None = None
     shapes: Callable[[Extent], list[dict[str, float]]] = field(default=lambda motion: [dict[str, float]()])
     change: Callable[[Array, Array, Values], Array] | None = None
+    drives: bool = False
     parameters: Callable[[Site, str, Values], dict[str, float]] | None = None
     step: float = 0.0
     memory: bool = False
@@ -173,5 +175,5 @@ def both(**names: Any) -> dict[str, tuple[Quantity, ...]]:
     given = names.values()
     return {
         domain: tuple(Quantity(*entry[number], *entry[2:]) for entry in given)
-        for number, domain in enumerate(("translational", "rotational"))
+        for number, domain in enumerate(Domain)
     }

@@ -95,7 +95,7 @@ def driven(experiment: Experiment, effects: Sequence[Placed]) -> Experiment:
     record = experiment.record
     values = dict(record.values)
     for placed in effects:
-        if placed.effect.change and placed.effect.kind.startswith("actuator"):
+        if placed.effect.change and placed.effect.drives:
             name = placed.site.path
             values[name] = placed.effect.change(record.time, values[name], placed.values)
     return replace(experiment, record=replace(record, values=values))
@@ -104,6 +104,7 @@ def driven(experiment: Experiment, effects: Sequence[Placed]) -> Experiment:
 def sensed(time: Array, channel: str, values: Array, effects: Sequence[Placed]) -> Array:
     """Return a channel as its sensor passes it on."""
     for placed in effects:
-        if placed.site.path == channel and placed.effect.change and placed.effect.kind.startswith("sensor"):
-            values = placed.effect.change(time, values, placed.values)
+        effect = placed.effect
+        if placed.site.path == channel and effect.change and not effect.drives:
+            values = effect.change(time, values, placed.values)
     return values

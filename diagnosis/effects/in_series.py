@@ -4,8 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from ... import components as ia
-from ...components import rotational
+from ...components import Backlash, Component, Domain, rotational
 from ...networks import parallel
 from .edits import Add, Connect, Edit, Insert
 from .effect import Array, Effect, Motion, Values, both, register
@@ -17,17 +16,23 @@ TINY = 1e-15  # least compliance
 SHARP = 0.02  # force at which play is taken up, over the largest
 WIDE = 0.1  # change of a clearance by which its effect is judged: on a smaller scale impacts make it rough
 LEAK = 1e-4  # force of the oil in a clearance at the usual speed, over the largest force
+CLEARANCES: dict[str, tuple[type[Component], str, float]] = {  # element, its width, halves of play in that
+    Domain.TRANSLATIONAL: (Backlash, "eps", 1.0),
+    Domain.ROTATIONAL: (rotational.ElastoBacklash, "b", 2.0),
+}
+
+
+def _width(site: Site, values: Values) -> dict[str, float]:
+    _, name, halves = CLEARANCES[site.domain]
+    return {name: halves * values["eps"]}
 
 
 def _play(site: Site, name: str, values: Values) -> list[Edit]:
     stiffness, oil = site.force / (STIFF * site.travel), LEAK * site.force / site.speed
     calming = FAST * stiffness if site.sticks else 0.0
-    if site.domain == "rotational":
-        turn = rotational.ElastoBacklash(c=stiffness, d=calming, b=2 * values["eps"])
-        both_ways = parallel(gap=turn, oil=rotational.Damper(d=oil))
-    else:
-        gap = ia.Backlash(k=stiffness, d=calming, eps=values["eps"])
-        both_ways = parallel(gap=gap, oil=ia.Damper(d=oil))
+    kind, _, _ = CLEARANCES[site.domain]
+    gap = kind(**{site.mechanics.stiffness: stiffness}, d=calming, **_width(site, values))
+    both_ways = parallel(gap=gap, oil=site.family.Damper(d=oil))
     return [Insert(site.moving, name, both_ways), *_ballast(site, name, stiffness)]
 
 
@@ -35,34 +40,27 @@ def _ballast(site: Site, name: str, stiffness: float) -> list[Edit]:
     """Return what gives dry friction an inertia of its own, so small that it settles in next to no time."""
     if not site.sticks:
         return []
-    size = stiffness * FAST**2
-    inertia = rotational.Inertia(J=size) if site.domain == "rotational" else ia.Mass(m=size)
+    inertia = site.family.Mass(**{site.mechanics.inertia: stiffness * FAST**2})
     return [Add(f"{name}_ballast", inertia), Connect((f"{name}_ballast.flange", f"{name}.flange_a"))]
 
 
 def _yielding(site: Site, name: str, values: Values) -> list[Edit]:
     value = 1 / max(values["compliance"], TINY)
-    turning = site.domain == "rotational"
-    damping = FAST * value
-    spring = rotational.SpringDamper(c=value, d=damping) if turning else ia.SpringDamper(k=value, d=damping)
+    spring = site.family.SpringDamper(**{site.mechanics.stiffness: value}, d=FAST * value)
     return [Insert(site.moving, name, spring), *_ballast(site, name, site.force / (STIFF * site.travel))]
 
 
 def _inertia(site: Site, name: str, values: Values) -> list[Edit]:
-    turning = site.domain == "rotational"
-    inertia = rotational.Inertia(**values) if turning else ia.Mass(**values)
-    return [Add(name, inertia), Connect((f"{name}.flange", site.moving))]
+    return [Add(name, site.family.Mass(**values)), Connect((f"{name}.flange", site.moving))]
 
 
 def _play_parameters(site: Site, name: str, values: Values) -> dict[str, float]:
-    width = {"b": 2 * values["eps"]} if site.domain == "rotational" else {"eps": values["eps"]}
-    return {f"{name}.gap.{key}": value for key, value in width.items()}
+    return {f"{name}.gap.{key}": value for key, value in _width(site, values).items()}
 
 
 def _yield_parameters(site: Site, name: str, values: Values) -> dict[str, float]:
-    stiffness = "c" if site.domain == "rotational" else "k"
     value = 1 / max(values["compliance"], TINY)
-    return {f"{name}.{stiffness}": value, f"{name}.d": FAST * value}
+    return {f"{name}.{site.mechanics.stiffness}": value, f"{name}.d": FAST * value}
 
 
 def _taken_up(motion: Motion, _: Values) -> list[Array]:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from math import inf
 
 import numpy as np
@@ -34,14 +35,21 @@ def _dead_zone(t: Array, y: Array, p: Values) -> Array:
     return middle + np.sign(y - middle) * np.maximum(np.abs(y - middle) - p["width"], 0)
 
 
-def _sensor(kind: str, name: str, unit: str, low: float, change: object) -> Effect:
+def _on_channel(
+    kind: str,
+    name: str,
+    unit: str,
+    low: float,
+    change: Callable[[Array, Array, Values], Array],
+    drives: bool = False,
+) -> Effect:
     quantities = {"channel": (Quantity(name, unit, low),)}
-    return register(Effect(kind, "channel", quantities, change=change, step=SMALL))  # type: ignore[arg-type]
+    return register(Effect(kind, "channel", quantities, change=change, drives=drives, step=SMALL))
 
 
-DELAY = _sensor("sensor_delay", "delay", "s", 0.0, _delayed)
-BIAS = _sensor("sensor_bias", "bias", "unit", -inf, lambda t, y, p: y + p["bias"])
-GAIN = _sensor("sensor_gain", "gain", "1", -inf, lambda t, y, p: y * (1 + p["gain"]))
-DRIFT = _sensor("sensor_drift", "rate", "unit/s", -inf, lambda t, y, p: y + p["rate"] * (t - t[0]))
-LAG = _sensor("actuator_lag", "T", "s", 0.0, _lagging)
-DEAD_ZONE = _sensor("actuator_dead_zone", "width", "unit", 0.0, _dead_zone)
+DELAY = _on_channel("sensor_delay", "delay", "s", 0.0, _delayed)
+BIAS = _on_channel("sensor_bias", "bias", "unit", -inf, lambda t, y, p: y + p["bias"])
+GAIN = _on_channel("sensor_gain", "gain", "1", -inf, lambda t, y, p: y * (1 + p["gain"]))
+DRIFT = _on_channel("sensor_drift", "rate", "unit/s", -inf, lambda t, y, p: y + p["rate"] * (t - t[0]))
+LAG = _on_channel("actuator_lag", "T", "s", 0.0, _lagging, drives=True)
+DEAD_ZONE = _on_channel("actuator_dead_zone", "width", "unit", 0.0, _dead_zone, drives=True)

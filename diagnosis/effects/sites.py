@@ -4,8 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
+from typing import Any
 
-from ...components import Component, Fixed, Friction, RotationalFlange, TranslationalFlange, rotational
+from ...components import FAMILIES, Component, Domain, Fixed, Friction, rotational
+from ...components.language import Port
 from ...networks import Network
 
 # Pairs of ports that face each other: the one that reacts and the one that moves.
@@ -16,7 +18,6 @@ _PAIRS = (
     ("support_r", "flange_r"),
     ("support", "flange"),
 )
-_NO_SITES = ("Sensor", "Position", "Speed", "Accelerate", "Force", "Torque", "Fixed", "Rod")
 GROUND = "ground"
 BETWEEN = frozenset({"across", "loaded", "series"})
 
@@ -27,7 +28,7 @@ class Site:
 
     Attributes:
         path: the component's path, by which the site is named.
-        domain: "translational" or "rotational".
+        domain: that of its flanges, or "channel".
         moving: path of the flange to which an effect in series, or an inertia, is joined.
         fixed: path of the flange that faces it, "ground" if there is none.
         places: what may be put here: "across", "loaded" (across, by the force through it), "series", "node".
@@ -53,6 +54,16 @@ class Site:
     force: float = 1.0
     travel: float = 1.0
     instant: bool = False
+
+    @property
+    def mechanics(self) -> Domain:
+        """What its domain calls things; a channel has none."""
+        return Domain(self.domain)
+
+    @property
+    def family(self) -> Any:
+        """The elements of its domain."""
+        return FAMILIES[self.domain]
 
     def holds(self, other: Site) -> bool:
         """Tell whether another site is a part of this one."""
@@ -92,12 +103,12 @@ def _merged(group: list[Site]) -> Iterator[Site]:
 
 
 def _site(path: str, component: Component, node_of: dict[str, int]) -> Site | None:
-    if any(part in type(component).__name__ for part in _NO_SITES):
+    if not component.has_law:
         return None
     fields = type(component).fields
     for fixed, moving in _PAIRS:
         port, facing = fields.get(moving), fields.get(fixed)
-        if not isinstance(port, TranslationalFlange | RotationalFlange):
+        if not isinstance(port, Port):
             continue
         if facing is None and moving == "flange":
             places = frozenset({"across", "node"})
@@ -121,7 +132,7 @@ def walk(component: Component, path: str) -> Iterator[tuple[str, Component]]:
 def _ports(parts: dict[str, Component]) -> Iterator[tuple[str, Component]]:
     for path, part in parts.items():
         for name, declared in type(part).fields.items():
-            if isinstance(declared, TranslationalFlange | RotationalFlange):
+            if isinstance(declared, Port):
                 yield f"{path}.{name}", part
 
 

@@ -8,7 +8,7 @@ from functools import cached_property
 from pathlib import Path
 from typing import Any
 
-from ...components import Fixed, Force, ModelError, Position, nearest, rotational
+from ...components import FAMILIES, Domain, ModelError, nearest
 from ...components.language import Parameter
 from ...fmu import FMU, FMUBlock, FMUError, FMUForce, FMUMotion, FMURotation, FMUTorque
 from ...identification import READERS, Machine
@@ -147,45 +147,29 @@ class BlackBox:
         return told
 
 
+_FOREIGN: dict[str, Any] = {
+    Domain.TRANSLATIONAL: (FMUMotion, FMUForce, ("force", "position", "velocity")),
+    Domain.ROTATIONAL: (FMURotation, FMUTorque, ("torque", "angle", "speed")),
+}
+
+
 def _network(box: BlackBox) -> Network:
-    if box.port is None:
+    port = box.port
+    if port is None:
         return Network(box.name, **{box.place: FMUBlock(box.fmu, kind=box.kind)})
-    return _driven(box) if box.port.takes_force else _moved(box)
-
-
-def _driven(box: BlackBox) -> Network:
-    port = box.port
-    assert port is not None
-    if port.domain == "rotational":
-        turning = FMURotation(
-            box.fmu, kind=box.kind, torque=port.signed_force, angle=port.position, speed=port.velocity
-        )
-        net = Network(box.name, **{box.place: turning}, push=rotational.Torque())
-    else:
-        body = FMUMotion(
-            box.fmu, kind=box.kind, force=port.signed_force, position=port.position, velocity=port.velocity
-        )
-        net = Network(box.name, **{box.place: body}, push=Force())
-    return net.connect(net.push.flange, getattr(net, box.place).flange)
-
-
-def _moved(box: BlackBox) -> Network:
-    port = box.port
-    assert port is not None
-    speed = port.velocity if port.velocity in box.fmu.inputs else None
-    if port.domain == "rotational":
-        between = FMUTorque(
-            box.fmu, kind=box.kind, angle=port.position, speed=speed, torque=port.signed_force
-        )
-        net = Network(box.name, wall=rotational.Fixed(), **{box.place: between}, motion=rotational.Position())
-    else:
-        strut = FMUForce(
-            box.fmu, kind=box.kind, position=port.position, velocity=speed, force=port.signed_force
-        )
-        net = Network(box.name, wall=Fixed(), **{box.place: strut}, motion=Position())
+    family = FAMILIES[port.domain]
+    moving, answering, names = _FOREIGN[port.domain]
+    variables = dict(zip(names, (port.signed_force, port.position, port.velocity), strict=True))
+    if port.takes_force:
+        body = moving(box.fmu, kind=box.kind, **variables)
+        net = Network(box.name, **{box.place: body}, push=family.Force())
+        return net.connect(net.push.flange, getattr(net, box.place).flange)
+    if port.velocity not in box.fmu.inputs:
+        del variables[names[2]]
+    strut = answering(box.fmu, kind=box.kind, **variables)
+    net = Network(box.name, wall=family.Fixed(), **{box.place: strut}, motion=family.Position())
     part = getattr(net, box.place)
-    net.connect(net.wall.flange, part.flange_a)
-    return net.connect(net.motion.flange, part.flange_b)
+    return net.connect(net.wall.flange, part.flange_a).connect(net.motion.flange, part.flange_b)
 
 
 def _identifier(name: str) -> str:

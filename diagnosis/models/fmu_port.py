@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass
 
-from ...components import ModelError, nearest
+from ...components import Domain, ModelError, nearest
 from ...fmu import FMU, FMUError
 
 NEEDED = ("force", "position", "velocity")
@@ -13,7 +13,6 @@ SI = {  # exponents of kg, m, s; rad counts as 1
     (0, 1, 0): "m", (0, 1, -1): "m/s", (0, 1, -2): "m/s2", (1, 1, -2): "N", (1, 2, -2): "N.m",
     (0, 0, -1): "rad/s", (0, 0, -2): "rad/s2", (1, 2, -3): "W", (1, -1, -2): "Pa", (1, 0, 0): "kg",
 }  # fmt: skip
-PORT_UNITS = {"translational": ("N", "m", "m/s"), "rotational": ("N.m", "rad", "rad/s")}
 
 
 @dataclass(frozen=True)
@@ -24,7 +23,7 @@ class Port:
         force, position, velocity: its variables: of these the FMU takes either the force, or the motion.
         sign: of the force: 1 if what is taken acts on the FMU, and what is given pulls like a spring.
         takes_force: whether the force is what it takes.
-        domain: "translational" or "rotational".
+        domain: whether it slides or turns.
     """
 
     force: str
@@ -32,7 +31,7 @@ class Port:
     velocity: str
     sign: float
     takes_force: bool
-    domain: str
+    domain: Domain
 
     @property
     def signed_force(self) -> str:
@@ -43,7 +42,7 @@ class Port:
     def units(self) -> dict[str, str]:
         """The SI unit of each variable."""
         names = (self.force, self.position, self.velocity)
-        return dict(zip(names, PORT_UNITS[self.domain], strict=True))
+        return dict(zip(names, _units(self.domain), strict=True))
 
 
 def read_port(fmu: FMU, entries: Mapping[str, str]) -> Port:
@@ -81,7 +80,7 @@ def read_port(fmu: FMU, entries: Mapping[str, str]) -> Port:
             f"'{names['position']}'; one of them must be an input (it has {', '.join(fmu.inputs) or 'none'})"
         )
     domain = _domain(fmu, names["force"], names["position"])
-    for name, unit in zip(names.values(), PORT_UNITS[domain], strict=True):
+    for name, unit in zip(names.values(), _units(domain), strict=True):
         exponents = next(key for key, value in {**SI, (0, 0, 0): "rad"}.items() if value == unit)
         if fmu.unit(name) and fmu.measure(fmu.variables[name]).exponents[:3] != exponents:
             problems.append(f"port: '{name}' is in {fmu.unit(name)}, where {unit} belongs")
@@ -90,11 +89,14 @@ def read_port(fmu: FMU, entries: Mapping[str, str]) -> Port:
     return Port(names["force"], names["position"], names["velocity"], sign, takes_force, domain)
 
 
-def _domain(fmu: FMU, force: str, position: str) -> str:
-    """Return "rotational" if a unit says so."""
-    if fmu.unit(force):
-        return (
-            "rotational" if fmu.measure(fmu.variables[force]).exponents[:3] == (1, 2, -2) else "translational"
-        )
-    turning = fmu.unit(position) and fmu.measure(fmu.variables[position]).exponents[:3] == (0, 0, 0)
-    return "rotational" if turning else "translational"
+def _units(domain: Domain) -> tuple[str, str, str]:
+    """Return the SI units of force, position and velocity."""
+    position, velocity, _ = domain.motion_units
+    return domain.through_unit, position, velocity
+
+
+def _domain(fmu: FMU, force: str, position: str) -> Domain:
+    """Return the rotational one if a unit says so."""
+    name, exponents = (force, (1, 2, -2)) if fmu.unit(force) else (position, (0, 0, 0))
+    turning = fmu.unit(name) and fmu.measure(fmu.variables[name]).exponents[:3] == exponents
+    return Domain.ROTATIONAL if turning else Domain.TRANSLATIONAL

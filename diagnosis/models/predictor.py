@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
 from typing import Any, Protocol
 
 import numpy as np
@@ -95,64 +96,93 @@ class Equations:
         return motion_at(found.run, number, site)
 
 
-def predictor(
-    campaign: Campaign,
-    network: Network,
-    effects: Sequence[Placed],
-    parameters: Sequence[str],
-    sites: Sequence[Site] = (),
-) -> Predictor:
-    """Return what predicts the outputs of a campaign.
+@dataclass(frozen=True)
+class Subject:
+    """The model of a campaign, a network, as a diagnosis sees it."""
 
-    Args:
-        campaign: the channels, and the model.
-        network: the network without effects, if the model is one.
-        effects: what is in it besides.
-        parameters: names of the parameters, those of effects included, in which slopes are wanted.
-        sites: where it will be pushed.
-    """
-    if isinstance(campaign.machine, BlackBox):
-        return Replayed(campaign.machine, campaign, effects, parameters)
-    return Equations(campaign, network, effects, parameters, sites)
+    campaign: Campaign
 
+    def predictor(
+        self,
+        network: Network,
+        effects: Sequence[Placed],
+        parameters: Sequence[str],
+        sites: Sequence[Site] = (),
+    ) -> Predictor:
+        """Return what predicts the outputs.
 
-def sites_in(campaign: Campaign, network: Network) -> list[Site]:
-    """Return where in the model of a campaign effects may hide."""
-    return campaign.machine.sites if isinstance(campaign.machine, BlackBox) else sites_of(network)
+        Args:
+            network: the network without effects, if the model is one.
+            effects: what is in it besides.
+            parameters: names of the parameters, those of effects included, in which slopes are wanted.
+            sites: where it will be pushed.
+        """
+        return Equations(self.campaign, network, effects, parameters, sites)
 
+    def sites(self, network: Network) -> list[Site]:
+        """Return where in the model effects may hide."""
+        return sites_of(network)
 
-def screened(campaign: Campaign) -> tuple[list[Experiment], dict[str, float]]:
-    """Return the training records by which effects are screened, and the noise that makes them count for all.
+    def screened(self) -> tuple[list[Experiment], dict[str, float]]:
+        """Return the records by which effects are screened, and the noise that makes them count for all."""
+        return self.campaign.training, self.campaign.sigma
 
-    Of a black box, each signature of which takes a run, the first record has to do.
-    """
-    if not isinstance(campaign.machine, BlackBox):
-        return campaign.training, campaign.sigma
-    weight = len(campaign.training) ** -0.5
-    return campaign.training[:1], {name: weight * sigma for name, sigma in campaign.sigma.items()}
+    def part(self, path: str) -> str:
+        """Return the component of the network that a variable or parameter belongs to."""
+        return path.rpartition(".")[0]
 
-
-def part_of(campaign: Campaign, path: str) -> str:
-    """Return the component of the network that a variable or parameter belongs to."""
-    if isinstance(campaign.machine, BlackBox):
-        return campaign.machine.part(path)
-    return path.rpartition(".")[0]
-
-
-def limits(campaign: Campaign) -> list[str]:
-    """Return what the kind of model keeps a diagnosis from seeing, in words."""
-    if not isinstance(campaign.machine, BlackBox):
+    def limits(self) -> list[str]:
+        """Return what the kind of model keeps a diagnosis from seeing, in words."""
         return []
-    box = campaign.machine
-    model = Replayed(box, campaign, (), ())
-    told = box.limits(model.taken)
-    port = model.stand(campaign.training[0]).run(campaign.start, None, Accuracy(), False).port
-    if box.port is None or port is None:
+
+
+@dataclass(frozen=True)
+class FMUSubject(Subject):
+    """A model that is an FMU, alone or between sources and sensors; each signature takes a run of it."""
+
+    box: BlackBox
+
+    def predictor(
+        self,
+        network: Network,
+        effects: Sequence[Placed],
+        parameters: Sequence[str],
+        sites: Sequence[Site] = (),
+    ) -> Replayed:
+        """Return its runs."""
+        return Replayed(self.box, self.campaign, effects, parameters)
+
+    def sites(self, network: Network) -> list[Site]:
+        """Return its port."""
+        return self.box.sites
+
+    def screened(self) -> tuple[list[Experiment], dict[str, float]]:
+        """Return the first record, which has to do."""
+        campaign, weight = self.campaign, len(self.campaign.training) ** -0.5
+        return campaign.training[:1], {name: weight * sigma for name, sigma in campaign.sigma.items()}
+
+    def part(self, path: str) -> str:
+        """Return the FMU's component, or the one beside it."""
+        return self.box.part(path)
+
+    def limits(self) -> list[str]:
+        """Tell that its inside is not looked at, and when its port gives energy off."""
+        box, campaign = self.box, self.campaign
+        model = self.predictor(campaign.network, (), ())
+        told = box.limits(model.taken)
+        port = model.stand(campaign.training[0]).run(campaign.start, None, Accuracy(), False).port
+        if box.port is None or port is None:
+            return told
+        power = float(np.trapezoid(port.f * port.v, port.t))
+        if power < -ACTIVE * float(np.trapezoid(np.abs(port.f * port.v), port.t)):
+            told.append(
+                f"at the port the FMU gives energy off; if it should take it, '{box.port.force}' counts the "
+                "other way: put a minus before it"
+            )
         return told
-    power = float(np.trapezoid(port.f * port.v, port.t))
-    if power < -ACTIVE * float(np.trapezoid(np.abs(port.f * port.v), port.t)):
-        told.append(
-            f"at the port the FMU gives energy off; if it should take it, '{box.port.force}' counts the "
-            "other way: put a minus before it"
-        )
-    return told
+
+
+def subject(campaign: Campaign) -> Subject:
+    """Return the model of a campaign as a diagnosis sees it."""
+    machine = campaign.machine
+    return FMUSubject(campaign, machine) if isinstance(machine, BlackBox) else Subject(campaign)

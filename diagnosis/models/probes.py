@@ -8,7 +8,16 @@ from typing import Any
 
 import numpy as np
 
-from ...components import CompliantWithSpeed, RealInput, TwoFlanges, der, rotational, variable
+from ...components import (
+    CompliantWithSpeed,
+    Component,
+    Domain,
+    RealInput,
+    TwoFlanges,
+    der,
+    rotational,
+    variable,
+)
 from ...networks import Network, Result
 from ..effects.edits import Edit, Insert, between, edited
 from ..effects.effect import Motion
@@ -65,28 +74,30 @@ class Turn(rotational.TwoFlanges):
         yield self.flange_a.tau == -self.tau
 
 
+PROBES: dict[str, tuple[type[Component], type[Component]]] = {
+    Domain.TRANSLATIONAL: (Push, Stretch),
+    Domain.ROTATIONAL: (Twist, Turn),
+}
+
+
 def probed(network: Network, sites: Sequence[Site]) -> Network:
     """Return the network with probes at its sites."""
     edits: list[Edit] = []
     for number, site in enumerate(sites):
-        turning = site.domain == "rotational"
         if "series" in site.places:
-            edits.append(Insert(site.moving, f"stretch_{number}", Turn(u=0.0) if turning else Stretch(u=0.0)))
+            edits.append(Insert(site.moving, f"stretch_{number}", PROBES[site.domain][1](u=0.0)))
     for number, site in enumerate(sites):
-        turning = site.domain == "rotational"
         far = GROUND if site.places <= {"series", "node"} else site.fixed
-        edits += between(f"push_{number}", Twist(u=0.0) if turning else Push(u=0.0), far, site.moving)
+        edits += between(f"push_{number}", PROBES[site.domain][0](u=0.0), far, site.moving)
     return edited(network, edits)
 
 
 def motion_at(run: Result, number: int, site: Site) -> Motion:
     """Return how a site moved in a run of the probed network."""
-    turning = site.domain == "rotational"
-    push = f"push_{number}"
-    s, v = (f"{push}.phi_rel", f"{push}.w_rel") if turning else (f"{push}.s_rel", f"{push}.v_rel")
-    force = f"{site.moving}.{'tau' if turning else 'f'}"
-    through = f"stretch_{number}.{'tau' if turning else 'f'}" if "series" in site.places else force
-    return Motion(run.time, run[s], run[v], run[through], run[f"{push}.a_rel"])
+    names, push = site.mechanics, f"push_{number}"
+    bearing = f"stretch_{number}" if "series" in site.places else site.moving
+    s, v, f = f"{push}.{names.across}_rel", f"{push}.{names.speed}_rel", f"{bearing}.{names.through}"
+    return Motion(run.time, run[s], run[v], run[f], run[f"{push}.a_rel"])
 
 
 def scaled(site: Site, motions: Sequence[Motion]) -> Site:

@@ -8,7 +8,7 @@ from html import escape
 from ...components import Component
 from ...networks import svg_sketch
 from ..effects.edits import part_at
-from ..models.predictor import part_of
+from ..models.predictor import subject
 from ..verdict.verdict import Verdict
 
 MARKED = 2.0  # prior deviations by which a parameter must have moved to be marked
@@ -44,7 +44,7 @@ def marks_of(verdict: Verdict) -> dict[str, str]:
 
     def mark(path: str, told: str) -> None:
         if path in channels:
-            path, told = part_of(campaign, channels[path].path), f"{path}: {told}"
+            path, told = subject(campaign).part(channels[path].path), f"{path}: {told}"
         if path:
             marks[path] = f"{marks[path]}, {told}" if path in marks else told
 
@@ -60,7 +60,7 @@ def marks_of(verdict: Verdict) -> dict[str, str]:
         for name, value in verdict.parameters.items():
             prior = campaign.priors[name]
             if abs(value - prior.center) > MARKED * prior.scale:
-                path = part_of(campaign, name)
+                path = subject(campaign).part(name)
                 mark(path, name.removeprefix(f"{path}."))
     return marks
 

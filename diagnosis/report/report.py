@@ -20,7 +20,6 @@ from .text import advice, chance, code, conclusion, methods, number, ruled_out, 
 
 HERE = Path(__file__).parent
 PAGES = (".html", ".htm")
-UNITS = {"translational": ("m", "m/s", "m/s2"), "rotational": ("rad", "rad/s", "rad/s2")}
 
 
 def write_report(verdict: Verdict, path: str | Path) -> Path:
@@ -113,8 +112,11 @@ def _residual(verdict: Verdict, stages: Stages, figures: dict[str, Figure]) -> I
     if place is not None:
         records, fitted = campaign.testing or campaign.training, evidence.refit.parameters
         motions = moved(campaign, fitted, place, records, evidence.accuracy)
-        si = campaign.measured[place.path].si if place.domain == "channel" else ""
-        units = UNITS.get(place.domain, (si, f"{si}/s", f"{si}/s2"))
+        if place.domain == "channel":
+            si = campaign.measured[place.path].si
+            units = si, f"{si}/s", f"{si}/s2"
+        else:
+            units = place.mechanics.motion_units
     shown = list(zip(stages, COLOURS, strict=False))[-2:]
     yield f'<p class="key">{"".join(_key(*entry) for entry in [*shown, ("noise (dashed)", MEASURED)])}</p>'
     at = f" against how {escape(place.path)} moves in the refitted model and" if place is not None else ""

@@ -14,7 +14,7 @@ from ...identification import Accuracy, Campaign, Experiment
 from ...networks import Network
 from ..effects.hypothesis import Placed, driven, sensed
 from ..effects.shaping import Bounds, Shapes
-from ..models.predictor import Predicted, Standing, predictor
+from ..models.predictor import Predicted, Standing, subject
 from .least_squares import descend
 
 Array = NDArray[np.float64]
@@ -66,7 +66,7 @@ class Joint:
         self.shapes = Shapes(bounds, self.effects, self.sizes)
         self.start = self.vector(parameters, [placed.values for placed in self.effects])
         paths = [path for placed in self.effects for path in placed.network_parameters]
-        self.predictor = predictor(campaign, network, effects, [*self.names, *paths])
+        self.predictor = subject(campaign).predictor(network, effects, [*self.names, *paths])
         self.stands = {id(e): self.predictor.stand(e) for e in campaign.experiments}
 
     def vector(self, parameters: Mapping[str, float], values: Sequence[Mapping[str, float]]) -> Array:
@@ -171,7 +171,7 @@ class Joint:
 
     def _driven(self, experiment: Experiment, effects: Sequence[Placed]) -> Standing:
         """Return the stand of a record, its inputs as the actuators pass them on."""
-        if any(placed.effect.kind.startswith("actuator") for placed in effects):
+        if any(placed.effect.drives for placed in effects):
             return self.predictor.stand(driven(experiment, effects))
         return self.stands[id(experiment)]
 
@@ -220,7 +220,7 @@ class Joint:
             other = placed.with_values(values + step * np.eye(len(values))[i])
             changed = [other if p is placed else p for p in effects]
             again = found
-            if not placed.effect.kind.startswith("sensor"):
+            if placed.effect.drives or placed.effect.change is None:
                 stand = self._driven(experiment, changed)
                 again = stand.run({**given, **other.network_parameters}, start, accuracy, False)
             for name in base:

@@ -21,7 +21,7 @@ from ...networks import Network
 from ..effects.effect import EFFECTS, Effect, Motion
 from ..effects.hypothesis import Placed
 from ..effects.sites import Site
-from ..models.predictor import predictor, screened, sites_in
+from ..models.predictor import subject
 from ..models.probes import scaled
 from .whitened_record import Sight
 
@@ -93,13 +93,14 @@ def screen(
         effects: what has been found already.
         accuracy: solver and tolerances.
     """
-    sites = sites_in(campaign, network)
+    model = subject(campaign)
+    sites = model.sites(network)
     found = {name: value for placed in effects for name, value in placed.network_parameters.items()}
     names = [*parameters, *found]
-    experiments, sigma = screened(campaign)
+    experiments, sigma = model.screened()
     given, accuracy = {**parameters, **found}, accuracy or Accuracy()
-    model = predictor(campaign, network, effects, names, sites)
-    sights = [Sight(model, e, campaign.measured, sigma, given, effects, accuracy) for e in experiments]
+    predictor = model.predictor(network, effects, names, sites)
+    sights = [Sight(predictor, e, campaign.measured, sigma, given, effects, accuracy) for e in experiments]
     motions = [[sight.motion(number, site) for sight in sights] for number, site in enumerate(sites)]
     sites = [scaled(site, moved) for site, moved in zip(sites, motions, strict=True)]
     deviations = [campaign.priors[name].scale for name in parameters]
@@ -175,16 +176,15 @@ def _channel_changes(sight: Sight) -> Iterator[tuple[Effect, Site, Array]]:
     for effect in EFFECTS.values():
         if effect.change is None:
             continue
-        driven = effect.kind.startswith("actuator")
         quantity = effect.quantities["channel"][0]
-        for name, path in (sight.inputs if driven else sight.outputs).items():
-            signal = sight.record.values[name] if driven else sight.predicted[name]
+        for name, path in (sight.inputs if effect.drives else sight.outputs).items():
+            signal = sight.record.values[name] if effect.drives else sight.predicted[name]
             if not np.ptp(signal):
                 continue
             small = {"s": 1 / sight.record.rate, "unit": 0.01 * float(np.ptp(signal))}.get(quantity.unit, 1.0)
             change = (effect.change(time, signal, {quantity.name: small}) - signal) / small
             site = Site(name, "channel", path, "", frozenset({"channel"}))
-            if driven:
+            if effect.drives:
                 given = np.interp(sight.time, time, change)[:, None]
                 yield effect, site, sight.to_inputs({path: given})
             else:

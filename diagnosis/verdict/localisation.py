@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from ...identification import Accuracy, Campaign, Experiment, Record
 from ..effects.effect import Motion
 from ..effects.sites import Site
-from ..models.predictor import predictor
+from ..models.predictor import subject
 from ..search.joint_fit import Refit
 from ..search.score_test import Candidate
 
@@ -170,7 +170,7 @@ def moved(
     """
     if site.domain == "channel":
         return [_signal(e.compared, site.path) for e in experiments]
-    model = predictor(campaign, campaign.network, (), (), [site])
+    model = subject(campaign).predictor(campaign.network, (), (), [site])
     accuracy = accuracy or Accuracy(rtol=1e-5)
     motions = []
     for experiment in experiments:

@@ -2,11 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
 from dataclasses import asdict, dataclass, field
 from typing import Any
 
-from ...components import UnknownNameError
+from ...base import UnknownNameError, aligned
 
 MOTION = "motion"
 HEADINGS = ("", "FMU", "check", "error", "limit", "")
@@ -94,7 +93,7 @@ class CheckReport:
         }
 
     def __str__(self) -> str:
-        lines = [f"check of '{self.name}'", *_aligned([HEADINGS, *map(_row, self.findings)])]
+        lines = [f"check of '{self.name}'", *aligned([HEADINGS, *map(_row, self.findings)])]
         lines += [f"note: {note}" for note in self.notes]
         looked = sum(f.passed is not None for f in self.findings)
         if self.failures:
@@ -108,9 +107,3 @@ class CheckReport:
 def _row(finding: Finding) -> tuple[str, ...]:
     numbers = ("" if n is None else f"{n:.2g}" for n in (finding.error, finding.limit))
     return (finding.word, finding.subject, finding.check, *numbers, finding.told)
-
-
-def _aligned(rows: list[tuple[str, ...]]) -> Iterator[str]:
-    widths = [max(map(len, column)) for column in zip(*rows, strict=True)]
-    for row in rows:
-        yield "  ".join(cell.ljust(width) for cell, width in zip(row, widths, strict=True)).rstrip()

@@ -14,6 +14,7 @@ from tempfile import TemporaryDirectory
 from ...base import ModelError, check_output, demand, nearest, path_of, text
 from ...networks import (
     DAE,
+    PLATFORMS,
     CProgram,
     Network,
     c_program,
@@ -25,7 +26,7 @@ from ...networks import (
 from .documentation import licences, page
 from .model_description import Model, Rights, model_description
 from .outputs import chosen_outputs, locals_of, state_names
-from .package import PLATFORMS, build_description, library_path, write_archive
+from .package import build_description, library_path, write_archive
 from .sources import face_sources, model_header
 from .terminals import Terminal, publish, terminals_xml
 from .variables import Interface, interface

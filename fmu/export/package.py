@@ -12,14 +12,8 @@ from xml.etree import ElementTree as ET
 from ...base import writing
 from .model_description import text
 
-# By platform: folder in FMI 2, ending of a library.
-PLATFORMS = {
-    "x86_64-linux": ("linux64", ".so"),
-    "aarch64-linux": ("aarch64-linux", ".so"),
-    "x86_64-windows": ("win64", ".dll"),
-    "x86_64-darwin": ("darwin64", ".dylib"),
-    "aarch64-darwin": ("aarch64-darwin", ".dylib"),
-}
+FMI_2_FOLDERS = {"x86_64-linux": "linux64", "x86_64-windows": "win64", "x86_64-darwin": "darwin64"}
+ENDINGS = {"linux": ".so", "windows": ".dll", "darwin": ".dylib"}
 _EPOCH = (1980, 1, 1, 0, 0, 0)
 
 
@@ -33,8 +27,8 @@ def native() -> str:
 def library_path(identifier: str, fmi_version: str, platform: str) -> str:
     """Return where a platform's library lies in the FMU."""
     name = native() if platform == "native" else platform
-    folder, ending = PLATFORMS.get(name, (name, ".so"))
-    return f"binaries/{folder if fmi_version == '2.0' else name}/{identifier}{ending}"
+    folder = FMI_2_FOLDERS.get(name, name) if fmi_version == "2.0" else name
+    return f"binaries/{folder}/{identifier}{ENDINGS[name.rpartition('-')[2]]}"
 
 
 def build_description(identifier: str, sources: Sequence[str]) -> bytes:

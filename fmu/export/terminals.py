@@ -9,21 +9,10 @@ from __future__ import annotations
 
 from collections.abc import Collection, Iterable, Mapping
 from dataclasses import dataclass
-from typing import Any
 from xml.etree import ElementTree as ET
 
 from ...base import UnknownNameError, nearest
-from ...components import (
-    AccelerationSensor,
-    Component,
-    Force,
-    ForceSensor,
-    ModelError,
-    Position,
-    PositionSensor,
-    SpeedSensor,
-    rotational,
-)
+from ...components import FAMILIES, Component, Domain, ModelError
 from ...components.language import Port, PortRef
 from ...networks import Network
 from .model_description import text
@@ -37,13 +26,13 @@ class Terminal:
 
     flange: str
     causality: str
-    domain: str
+    domain: Domain
     members: dict[str, str]
 
     @property
     def outputs(self) -> list[str]:
         """The members that leave the FMU."""
-        through = "f" if self.domain == "translational" else "tau"
+        through = self.domain.through
         leaving = {"motion-in": [through]}.get(self.causality, [m for m in self.members if m != through])
         return [self.members[m] for m in leaving]
 
@@ -81,17 +70,17 @@ def publish(network: Network, flanges: Mapping[str, str]) -> tuple[Network, list
             problems.append(f"terminal '{path}' must be one of {', '.join(CAUSALITIES)}, got {causality!r}")
             continue
         name = path.replace(".", "_")
-        part, inner = _PARTS[domain, causality]()
+        part, inner = _joined(domain, causality)
         edited.add(**{name: part})
         edited.connect(port, *inner)
-        members = {member: f"{name}.{where}" for member, where in _MEMBERS[domain, causality].items()}
+        members = {member: f"{name}.{where}" for member, where in _members(domain, causality).items()}
         terminals.append(Terminal(path, causality, domain, members))
     if problems:
         raise ModelError(f"'{network.name}': these flanges cannot be published:", problems)
     return edited, terminals
 
 
-def _flange(network: Network, path: str) -> tuple[PortRef, str]:
+def _flange(network: Network, path: str) -> tuple[PortRef, Domain]:
     owner: Component = network
     *parts, last = path.split(".")
     for part in parts:
@@ -107,49 +96,26 @@ def _flange(network: Network, path: str) -> tuple[PortRef, str]:
     return PortRef(owner, last), flanges[last].domain
 
 
-def _moved(**parts: Any) -> tuple[Network, list[PortRef]]:
-    part = Network("terminal", **parts)
-    return part, [PortRef(one, "flange") for one in parts.values()]
+def _joined(domain: Domain, causality: str) -> tuple[Network, list[PortRef]]:
+    """Return the sources and sensors that publish a flange, and the ports by which they are joined to it."""
+    family = FAMILIES[domain]
+    if causality == "motion-in":
+        part = Network("terminal", sensor=family.ForceSensor(), motion=family.Position())
+        part.connect(part.sensor.flange_b, part.motion.flange)
+        return part, [part.sensor.flange_a]
+    parts = {"force": family.Force()} if causality == "force-in" else {}
+    parts["position"], parts["speed"] = family.PositionSensor(), family.SpeedSensor()
+    parts["acceleration"] = family.AccelerationSensor()
+    return Network("terminal", **parts), [PortRef(one, "flange") for one in parts.values()]
 
 
-def _moving(sensor: Any, position: Any) -> tuple[Network, list[PortRef]]:
-    part = Network("terminal", sensor=sensor, motion=position)
-    part.connect(part.sensor.flange_b, part.motion.flange)
-    return part, [part.sensor.flange_a]
-
-
-def _seen() -> dict[str, Any]:
-    return {"position": PositionSensor(), "speed": SpeedSensor(), "acceleration": AccelerationSensor()}
-
-
-def _seen_turning() -> dict[str, Any]:
-    return {
-        "position": rotational.AngleSensor(),
-        "speed": rotational.SpeedSensor(),
-        "acceleration": rotational.AccelerationSensor(),
-    }
-
-
-_PARTS = {
-    ("translational", "force-in"): lambda: _moved(force=Force(), **_seen()),
-    ("translational", "motion-in"): lambda: _moving(ForceSensor(), Position()),
-    ("translational", "motion-out"): lambda: _moved(**_seen()),
-    ("rotational", "force-in"): lambda: _moved(force=rotational.Torque(), **_seen_turning()),
-    ("rotational", "motion-in"): lambda: _moving(rotational.TorqueSensor(), rotational.Position()),
-    ("rotational", "motion-out"): lambda: _moved(**_seen_turning()),
-}
-_MOTION = {
-    "translational": {"s": "position.s", "v": "speed.v", "a": "acceleration.a"},
-    "rotational": {"phi": "position.phi", "w": "speed.w", "a": "acceleration.a"},
-}
-_MEMBERS = {
-    ("translational", "force-in"): {"f": "force.f", **_MOTION["translational"]},
-    ("translational", "motion-in"): {"f": "sensor.f", "s": "motion.s_ref"},
-    ("translational", "motion-out"): _MOTION["translational"],
-    ("rotational", "force-in"): {"tau": "force.tau", **_MOTION["rotational"]},
-    ("rotational", "motion-in"): {"tau": "sensor.tau", "phi": "motion.phi_ref"},
-    ("rotational", "motion-out"): _MOTION["rotational"],
-}
+def _members(domain: Domain, causality: str) -> dict[str, str]:
+    """Return the members of a published flange, by what stands for them in its part."""
+    across, speed, through = domain.across, domain.speed, domain.through
+    if causality == "motion-in":
+        return {through: f"sensor.{through}", across: f"motion.{across}_ref"}
+    force = {through: f"force.{through}"} if causality == "force-in" else {}
+    return {**force, across: f"position.{across}", speed: f"speed.{speed}", "a": "acceleration.a"}
 
 
 def terminals_xml(terminals: Iterable[Terminal], names: Iterable[str]) -> bytes:
@@ -173,7 +139,6 @@ def members(terminal: Terminal, known: Collection[str]) -> dict[str, str]:
     """Return the members of a terminal among known variables; a prescribed motion may come with its rates."""
     told = dict(terminal.members)
     if terminal.causality == "motion-in":
-        across, rate = ("s", "v") if terminal.domain == "translational" else ("phi", "w")
-        motion = told[across]
-        told |= {rate: f"der({motion})", "a": f"der({motion},2)"}
+        motion = told[terminal.domain.across]
+        told |= {terminal.domain.speed: f"der({motion})", "a": f"der({motion},2)"}
     return {member: name for member, name in told.items() if name in known}

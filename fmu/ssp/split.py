@@ -183,7 +183,7 @@ class _Cut:
         ports = [[self._path(p) for p in node if self._of(p) == k] for k in (0, 1, 2)]
         first, second, coupling = ports
         crosses = bool(first and second) or bool(coupling and (first or second))
-        if crosses and not hasattr(type(node[0].component).fields[node[0].name], "domain"):
+        if crosses and node[0].domain is None:
             self.problems.append(
                 f"the signal at '{self._path(node[0])}' crosses the cut; keep it on one side"
             )

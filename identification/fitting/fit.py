@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 
 from ...base import between, demand, function, instance, one_of, optional, whole
 from ...components import InertanceError, ModelError
-from ...networks import COARSEST, FINEST, SOLVERS, ToolchainError, compiler
+from ...networks import COARSEST, FINEST, SOLVERS, chosen_solver
 from ..campaign.campaign import Campaign
 from ..campaign.stages import Stage
 from .campaign_model import Accuracy, Bench
@@ -27,7 +27,7 @@ from .uncertainty import uncertainty
 
 Array = NDArray[np.float64]
 Report = Callable[[str], None]
-MANY_SAMPLES = 2000
+RUNS = 20  # usual of a fit
 
 
 @dataclass(frozen=True)
@@ -62,7 +62,8 @@ def fit(
         starts: number of starts; further ones are drawn from the priors (bounds) by a Sobol sequence.
         executor: runs the starts; the campaign goes to its workers by pickle.
         seed: of the draw.
-        solver: as for `simulate`; "auto" compiles models of long records where there is a C compiler.
+        solver: as for `simulate`; "auto" compiles the model where there is a C compiler and 20 runs of
+            the training records come to 40 000 samples, as of 2000 and more in all.
         rtol: relative tolerance of the runs.
         report: called with a line of progress.
 
@@ -86,7 +87,8 @@ def fit(
             f"{campaign.source}: no parameter is uncertain, so there is nothing to fit; name some under "
             '[parameters], such as "spring.k" = { rel = 0.1 }'
         )
-    accuracy = Accuracy(_fastest(campaign) if solver == "auto" else solver, rtol)
+    samples = sum(len(experiment.record.time) for experiment in campaign.training)
+    accuracy = Accuracy(chosen_solver(solver, samples, RUNS), rtol)
     tell = report or (lambda line: None)
     values = dict(campaign.start)
     tried: list[Start] = []
@@ -115,17 +117,6 @@ def fit(
 def _best(tried: Sequence[Start]) -> dict[str, float]:
     good = [one for one in tried if not one.problem]
     return min(good, key=lambda one: one.cost).fitted if good else {}
-
-
-def _fastest(campaign: Campaign) -> str:
-    """Return the solver for many runs: the compiled one, if compiling pays and there is a compiler."""
-    if sum(len(experiment.record.time) for experiment in campaign.training) < MANY_SAMPLES:
-        return "auto"
-    try:
-        compiler()
-    except ToolchainError:
-        return "auto"
-    return "compiled"
 
 
 def _staged(

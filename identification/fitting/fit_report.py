@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from ...base import aligned
 from .doubts import over_noise
 
 if TYPE_CHECKING:
@@ -61,17 +62,6 @@ def _remarks(fit: Fit) -> Iterator[str]:
     if remarks:
         yield ""
         yield from remarks
-
-
-def aligned(rows: list[tuple[str, ...]], right: set[int]) -> Iterator[str]:
-    """Yield rows as lines of equal columns."""
-    widths = [max(map(len, column)) for column in zip(*rows, strict=True)]
-    for row in rows:
-        cells = [
-            cell.rjust(width) if i in right else cell.ljust(width)
-            for i, (cell, width) in enumerate(zip(row, widths, strict=True))
-        ]
-        yield "  ".join(cells).rstrip()
 
 
 def _worst(comparison: Comparison, channel: str) -> slice:

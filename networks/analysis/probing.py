@@ -6,8 +6,8 @@ from dataclasses import replace
 from typing import Any
 
 from ...base import ModelError, nearest, shown
-from ...components import Fixed, Force, Position, RelativeSpeedSensor, rotational
-from ...components.language import Component, Port, PortRef, RealInput
+from ...components import FAMILIES, Component, Domain
+from ...components.language import Port, PortRef, RealInput
 from ..dae import element_of
 from ..network import Network
 from .linearise import linearise
@@ -39,10 +39,10 @@ def admittance(
         >>> round(abs(Y(1j).item()), 6)  # 1/(1/d + 1/(b s)) at 1 rad/s
         9.950372
     """
-    net, turning = _probed(network, flange_a, flange_b, "move")
-    drive, force = ("phi_ref", "tau") if turning else ("s_ref", "f")
-    system = linearise(net, [f"der(probe.{drive})"], [f"probe.flange.{force}"], **options).minimal()
-    return _told(system, "v" if not turning else "w", force, -1.0)
+    net, domain = _probed(network, flange_a, flange_b, "move")
+    drive, force = f"der(probe.{domain.across}_ref)", f"probe.flange.{domain.through}"
+    system = linearise(net, [drive], [force], **options).minimal()
+    return _told(system, domain.speed, domain.through, -1.0)
 
 
 def impedance(
@@ -52,14 +52,14 @@ def impedance(
 
     Args and errors as for `admittance`.
     """
-    net, turning = _probed(network, flange_a, flange_b, "push")
-    force, speed = ("tau", "w_rel") if turning else ("f", "v_rel")
-    system = linearise(net, [f"probe.{force}"], [f"meter.{speed}"], **options).minimal()
-    return _told(system, force, "w" if turning else "v", 1.0)
+    net, domain = _probed(network, flange_a, flange_b, "push")
+    force, speed = f"probe.{domain.through}", f"meter.{domain.speed}_rel"
+    system = linearise(net, [force], [speed], **options).minimal()
+    return _told(system, domain.through, domain.speed, 1.0)
 
 
-def _probed(network: Component, flange_a: str, flange_b: str, how: str) -> tuple[Network, bool]:
-    """Return a copy with a source between two flanges, and whether they turn."""
+def _probed(network: Component, flange_a: str, flange_b: str, how: str) -> tuple[Network, Domain]:
+    """Return a copy with a source between two flanges, and their domain."""
     element_of(network)
     if isinstance(network, Network):
         net = network.clone()
@@ -67,21 +67,18 @@ def _probed(network: Component, flange_a: str, flange_b: str, how: str) -> tuple
         net = Network("element", element=network.clone())
         flange_a, flange_b = f"element.{flange_a}", f"element.{flange_b}"
     a, b = (port(net, path) for path in (flange_a, flange_b))
-    domains = [getattr(type(p.component).fields[p.name], "domain", "") for p in (a, b)]
-    if domains[0] != domains[1] or domains[0] not in ("translational", "rotational"):
+    if a.domain is None or a.domain != b.domain:
         raise ModelError(f"'{flange_a}' and '{flange_b}' must be two flanges that both slide or both turn")
-    turning = domains[0] == "rotational"
+    family = FAMILIES[a.domain]
     if not isinstance(network, Network):
-        net.add(ground=rotational.Fixed() if turning else Fixed())
-        net.connect(net.ground.flange, a)
+        net.add(ground=family.Fixed()).connect(net.ground.flange, a)
     if how == "move":
-        net.add(probe=rotational.Position() if turning else Position())
+        net.add(probe=family.Position())
     else:
-        net.add(probe=rotational.Torque() if turning else Force())
-        net.add(meter=rotational.RelativeSpeedSensor() if turning else RelativeSpeedSensor())
+        net.add(probe=family.Force(), meter=family.RelativeSpeedSensor())
         net.connect(a, net.meter.flange_a).connect(b, net.meter.flange_b)
     net.connect(a, net.probe.support).connect(b, net.probe.flange)
-    return net, turning
+    return net, a.domain
 
 
 def port(net: Network, path: str) -> PortRef:

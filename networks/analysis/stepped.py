@@ -11,7 +11,8 @@ from numpy.typing import ArrayLike, NDArray
 
 from ...base import ModelError, SimulationError, above, between, demand, listed, named, numbers, whole
 from ...base.keywords import check_keywords
-from ...components import Component, Fixed, Position, rotational, signals
+from ...components import FAMILIES, Component, Domain, signals
+from ...components.language import PortRef
 from ..dae import element_of
 from ..given import network_of
 from ..network import Network
@@ -151,14 +152,13 @@ def describing_function(
         raise ModelError(
             f"a describing function is of an element with flange_a and flange_b, not of {element!r}"
         )
-    turning = getattr(type(element).fields.get("flange_a"), "domain", "") == "rotational"
-    drive: Component = rotational.Position() if turning else Position()
-    wall: Component = rotational.Fixed() if turning else Fixed()
-    net = Network("describing function", drive=drive, wall=wall, element=element.clone())
-    net.connect(net.wall.flange, net.element.flange_a).connect(net.element.flange_b, net.drive.flange)
-    driven, force = (
-        ("drive.phi_ref", "element.flange_b.tau") if turning else ("drive.s_ref", "element.flange_b.f")
+    domain = PortRef(element, "flange_a").domain or Domain.TRANSLATIONAL
+    family = FAMILIES[domain]
+    net = Network(
+        "describing function", drive=family.Position(), wall=family.Fixed(), element=element.clone()
     )
+    net.connect(net.wall.flange, net.element.flange_a).connect(net.element.flange_b, net.drive.flange)
+    driven, force = f"drive.{domain.across}_ref", f"element.flange_b.{domain.through}"
     found = stepped_sine(net, driven, amplitude, [frequency], [force], **options)
     if not found.settled[0]:
         raise SimulationError(f"the force of {element!r} does not settle within most= periods")

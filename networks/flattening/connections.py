@@ -6,7 +6,7 @@ from collections import defaultdict
 from dataclasses import dataclass, field
 from typing import Any
 
-from ...components.language import Port, PortRef, RealInput, RealOutput
+from ...components.language import Domain, PortRef, RealInput, RealOutput
 from .flat import Flat, Instance
 from .problems import FatalProblem
 
@@ -18,15 +18,15 @@ class Node:
     """Joined ports; a composite's own port, seen from inside, counts negatively.
 
     Attributes:
-        flange: the kind of flange, if they are flanges.
+        domain: that of the flanges, None of signals.
     """
 
     ports: list[_Member] = field(default_factory=list)
-    flange: type[Port] | None = None
+    domain: Domain | None = None
 
     def ending(self, kind: str) -> str:
         """Return what follows the ports' names in those of their across or through variables."""
-        return f".{getattr(self.flange, kind)}" if self.flange else ""
+        return f".{getattr(self.domain, kind)}" if self.domain else ""
 
 
 @dataclass(eq=False, slots=True)
@@ -128,16 +128,16 @@ def port_of(instance: Instance, name: str) -> Any:
 
 
 def _check_node(node: Node, problems: list[str]) -> None:
-    kind, *others = {type(port_of(instance, name)) for instance, name, _ in node.ports}
-    if not others and issubclass(kind, Port):
-        node.flange = kind
+    domain, *others = {port_of(instance, name).domain for instance, name, _ in node.ports}
+    if domain and not others:
+        node.domain = domain
         return
     kinds = defaultdict(list)
     drivers = []
     for instance, name, sign in node.ports:
         declared = port_of(instance, name)
         where = f"{instance.path}.{name}".lstrip(".")
-        kinds[getattr(declared, "domain", "signal")].append(where)
+        kinds[declared.domain or "signal"].append(where)
         if isinstance(declared, RealOutput if sign > 0 else RealInput):
             drivers.append(where)
     if len(kinds) > 1:
@@ -189,7 +189,7 @@ def find_inputs(flat: Flat, nodes: list[Node]) -> None:
     """Note the signals that no connection drives: the inputs of the whole network."""
     driven: set[tuple[int, str]] = set()
     for node in nodes:
-        for instance, name, sign in () if node.flange else node.ports:
+        for instance, name, sign in () if node.domain else node.ports:
             declared = port_of(instance, name)
             source = RealOutput if sign > 0 else RealInput
             if isinstance(declared, source) and (sign > 0 or instance.parent is not None):

@@ -5,6 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
+from ...base import aligned
+
 if TYPE_CHECKING:
     from .result import Result
 
@@ -57,7 +59,7 @@ def _states(result: Result) -> Iterator[str]:
     if not rows:
         return
     yield ""
-    yield from _aligned([STATE_HEADERS, *rows], right={2, 4, 5, 6})
+    yield from aligned([STATE_HEADERS, *rows], right={2, 4, 5, 6})
     yield from _more(len(result.initial) - len(rows), "states")
 
 
@@ -66,19 +68,10 @@ def _events(result: Result) -> Iterator[str]:
     if not rows:
         return
     yield ""
-    yield from _aligned([EVENT_HEADERS, *rows], right={0})
+    yield from aligned([EVENT_HEADERS, *rows], right={0})
     yield from _more(len(result.events) - len(rows), "events")
 
 
 def _more(count: int, what: str) -> Iterator[str]:
     if count > 0:
         yield f"and {count} more {what}"
-
-
-def _aligned(rows: list[tuple[str, ...]], right: set[int]) -> Iterator[str]:
-    widths = [max(map(len, column)) for column in zip(*rows, strict=True)]
-    for row in rows:
-        cells = zip(row, widths, range(len(row)), strict=True)
-        yield "  ".join(
-            cell.rjust(width) if i in right else cell.ljust(width) for cell, width, i in cells
-        ).rstrip()

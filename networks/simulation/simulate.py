@@ -74,7 +74,9 @@ def simulate(
         step: output interval [s]; a 500th of the run if not given.
         rtol: relative tolerance.
         atol: absolute tolerance, times the nominal value of each state.
-        solver: "auto", "cvodes", "idas", "rosenbrock", or "compiled" (in C, needs a compiler).
+        solver: "auto", "cvodes", "idas", "rosenbrock", or "compiled" (in C, needs a compiler). "auto" is
+            "idas" where algebraic unknowns are left and "cvodes" elsewhere; `fit` and `diagnose`, which run a
+            model again and again, let it be "compiled" if that pays.
         sensitivities: parameters whose forward sensitivities are wanted (smooth networks).
         progress: show progress; by default on runs that last over a second on a terminal.
         max_steps: steps of the integrator after which the run is given up; no limit if not given. Solver

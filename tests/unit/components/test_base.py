@@ -1,5 +1,7 @@
 """Declarations: what a component class says, and how its equations are read."""
 
+import gc
+import weakref
 from collections.abc import Callable
 from typing import Any
 
@@ -260,3 +262,16 @@ def test_components_may_keep_things_of_their_own() -> None:
     spring.supplier = "A. Smith"
     spring.delivered = 3
     assert (spring.supplier, spring.delivered) == ("A. Smith", 3)
+
+
+def test_a_class_that_nobody_uses_any_more_is_collected() -> None:
+    class Passing(ia.Spring):
+        """A class made for one model, as FMUBlock makes them."""
+
+    net = ia.Network("passing", wall=ia.Fixed(), spring=Passing(k=1.0), mass=ia.Mass(m=1.0))
+    net.connect(net.wall.flange, net.spring.flange_a).connect(net.spring.flange_b, net.mass.flange)
+    net.simulate(0.1)
+    kept = weakref.ref(Passing)
+    del Passing, net
+    gc.collect()
+    assert kept() is None

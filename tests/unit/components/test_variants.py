@@ -1,11 +1,14 @@
 """Friction by direction, load and time; ripple, bilinear and turning hysteretic springs."""
 
+import re
 from typing import Any
 
 import inertance as ia
 import numpy as np
 import pytest
 from inertance import rotational
+from inertance.components import translational
+from inertance.components.language import Parameter
 
 
 def driven(element: Any, turning: bool = False) -> ia.Network:
@@ -86,3 +89,19 @@ def test_turning_hysteresis_is_the_sliding_one_in_other_units() -> None:
     turned = driven(rotational.BoucWen(c=4.0, **shape), turning=True).simulate(6.0)
     assert turned["element.tau"] == pytest.approx(slid["element.f"], abs=1e-6)
     assert slid["element.f"].max() > 1.5
+
+
+def parameters(element: type[ia.Component]) -> list[Parameter]:
+    return [field for field in element.fields.values() if isinstance(field, Parameter)]
+
+
+def turned(unit: str) -> str:
+    """Return the unit that a quantity has where things turn instead of sliding."""
+    return re.sub(r"m(?=\d|\b)", "rad", unit).replace("N", "N.m").replace("kg", "kg.m2")
+
+
+@pytest.mark.parametrize("name", sorted({*vars(translational)} & {*vars(rotational)} - {"Brake"}))
+def test_parameters_stand_in_the_same_order_in_both_domains(name: str) -> None:
+    sliding, turning = getattr(translational, name), getattr(rotational, name)
+    if isinstance(sliding, type):
+        assert [turned(p.unit) for p in parameters(sliding)] == [p.unit for p in parameters(turning)]

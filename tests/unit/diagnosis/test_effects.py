@@ -9,9 +9,11 @@ import pytest
 from inertance import ge_wang
 from inertance.diagnosis.effects.edits import edited
 from inertance.diagnosis.effects.effect import EFFECTS, Effect, Motion, Quantity, effect_of, register
+from inertance.diagnosis.effects.hypothesis import Placed, driven, sensed
 from inertance.diagnosis.effects.sites import GROUND, Site, sites_of
 from inertance.diagnosis.models.probes import scaled
 from inertance.diagnosis.search.score_test import _forces
+from inertance.identification import Experiment, Record
 
 
 def rig() -> ia.Network:
@@ -45,6 +47,31 @@ def test_sites_of_an_inerter_are_named_by_the_deepest_part() -> None:
     assert not any("actuator" in path or "frame" in path for path in found)
 
 
+class ForceLimitingSpring(ia.Spring):
+    """A user's element, named like a source."""
+
+
+class Shaker(ia.Force):
+    """A user's source, named like none."""
+
+
+def test_an_element_is_a_site_by_what_it_is_not_by_its_name() -> None:
+    net = ia.Network(
+        "named",
+        wall=ia.Fixed(),
+        spring=ForceLimitingSpring(k=1e3),
+        rod=ia.Rod(),
+        sensor=ia.ForceSensor(),
+        mass=ia.Mass(m=1.0),
+        seen=ia.SpeedSensor(),
+        push=Shaker(f=1.0),
+    )
+    net.connect(net.wall.flange, net.spring.flange_a).connect(net.spring.flange_b, net.rod.flange_a)
+    net.connect(net.rod.flange_b, net.sensor.flange_a)
+    net.connect(net.sensor.flange_b, net.mass.flange, net.seen.flange, net.push.flange)
+    assert {site.path for site in sites_of(net)} == {"spring", "mass"}
+
+
 @pytest.mark.parametrize("kind", [k for k, effect in EFFECTS.items() if effect.place != "channel"])
 def test_every_effect_fits_every_site_and_runs(kind: str) -> None:
     effect, net = effect_of(kind), cart()
@@ -57,7 +84,7 @@ def test_every_effect_fits_every_site_and_runs(kind: str) -> None:
         edits = effect.edits(scaled, "extra", values)
         run = edited(net, edits).simulate(0.05)
         assert np.isfinite(run["one.s"]).all()
-        scope = {"net": net.clone(), **vars(ia)}
+        scope = {"net": net.clone(), **{name: getattr(ia, name) for name in ia.__all__}}
         exec("\n".join(map(str, edits)), scope)
         again = scope["net"].simulate(0.05)
         assert again["one.s"] == pytest.approx(run["one.s"], abs=1e-12)
@@ -124,6 +151,20 @@ def test_an_effect_of_ones_own_and_unknown_ones() -> None:
     mine = register(Effect("my_own", "node", {}))
     assert effect_of("my_own") is mine
     del EFFECTS["my_own"]
+
+
+def test_whether_an_effect_is_of_an_actuator_is_said_not_read_from_its_name() -> None:
+    quantities = {"channel": (Quantity("gain", "1"),)}
+    heat = Effect("actuator_heat", "channel", quantities, change=lambda t, y, p: y * (1 + p["gain"]))
+    time, signal = np.arange(3.0), np.ones(3)
+    experiment = Experiment(Record("one", time, {"x": signal}), "one")
+    for effect in (heat, replace(heat, kind="sensor_heat", drives=True)):
+        site = Site("x", "channel", "carriage.s", "", frozenset({"channel"}))
+        placed = Placed(effect, site, "heat", {"gain": 0.5})
+        given = driven(experiment, [placed]).record.values["x"]
+        assert given == pytest.approx(1.5 * signal if effect.drives else signal)
+        seen = sensed(time, "x", signal, [placed])
+        assert seen == pytest.approx(signal if effect.drives else 1.5 * signal)
 
 
 def test_an_effect_of_one_kind_of_motion_is_tried_at_its_sites_alone() -> None:

@@ -149,3 +149,13 @@ def test_closed_loops_that_are_not_redundant_are_solved() -> None:
     run = net.simulate(2.0, rtol=1e-9, atol=1e-11)
     rest = 4.0 * 0.3 / 10.0
     assert run["mass.s"] == pytest.approx(rest - rest * np.cos(np.sqrt(5.0) * run.time), abs=1e-8)
+
+
+def test_assembling_leaves_garbage_collection_as_it_is(monkeypatch: pytest.MonkeyPatch) -> None:
+    def never() -> None:
+        raise AssertionError("garbage collection is switched off, in all threads")
+
+    monkeypatch.setattr("gc.disable", never)
+    net = ia.Network("oscillator", wall=ia.Fixed(), spring=ia.Spring(k=1.0), mass=ia.Mass(m=1.0))
+    net.connect(net.wall.flange, net.spring.flange_a).connect(net.spring.flange_b, net.mass.flange)
+    assert net.dae().state_names
