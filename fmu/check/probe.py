@@ -13,11 +13,11 @@ from numpy.typing import NDArray
 from ..errors import FMUError
 from ..fmu import FMU
 from ..foreign.archive import platform_folder
-from ..foreign.description import ForeignVariable
 from ..foreign.in_process import LocalInstance
 from ..foreign.inputs import groups
 from ..foreign.instance import Stepped, Values
 from ..foreign.unpacked import Unpacked
+from ..foreign.variable import ForeignVariable
 
 Array = NDArray[np.float64]
 NUMBERS = (
