@@ -6,8 +6,6 @@ from collections.abc import Iterable, Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from .errors import FMUError
-from .foreign.archive import platform_folder
 from .foreign.description import FMUDescription
 
 if TYPE_CHECKING:
@@ -55,12 +53,7 @@ class FMU(FMUDescription):
         from .foreign.subprocess_instance import IsolatedInstance
 
         kind = self.kind(kind)
-        wanted = platform_folder(self.version)
-        if wanted not in self.platforms:
-            raise FMUError(
-                f"FMU '{self.name}' has no binary for this machine ({wanted}), only for "
-                f"{', '.join(self.platforms) or 'none'}; ask its author for one, or for its sources"
-            )
+        self.check_platform()
         if self.isolated:
             return IsolatedInstance(self.path, self.name, kind, self.timeout)
         return LocalInstance(self.path, kind)

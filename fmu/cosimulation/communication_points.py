@@ -18,11 +18,6 @@ class CommunicationPoints:
     order: int
 
     @property
-    def span(self) -> tuple[float, float]:
-        """First and last point [s]."""
-        return self.begin, self.stop
-
-    @property
     def times(self) -> NDArray[np.float64]:
         """The points [s]."""
         count = max(1, round((self.stop - self.begin) / self.step))

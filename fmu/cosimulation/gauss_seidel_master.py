@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import time as clock
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Iterator, Sequence
 from typing import Any
 
 import numpy as np
@@ -53,6 +53,7 @@ class GaussSeidelMaster:
             for path, component in self.foreign.items()
             for given in component.given
         }
+        self._both = f"'{dae.name}': the network and its FMUs"
         self.all: list[Coupled] = []
         self.notes: list[str] = []
         self.network: Stepwise
@@ -76,8 +77,8 @@ class GaussSeidelMaster:
                 one.was = one.fmu.begin(self._now(one))
                 one.fmu.record()
             for target in self.points.times[1:].tolist():
-                while self.network.time < target and not self._ended():
-                    self._exchange(target)
+                while not self._ended() and self._exchange(target) < target:
+                    pass
         finally:
             for one in self.all:
                 one.fmu.close()
@@ -92,7 +93,7 @@ class GaussSeidelMaster:
             outputs = [n for g in component.given for n in (g.value, g.rate) if n is not None]
             member = Member(component.fmu, component.kind, component.chosen, component.started)
             taken = [t.input for t in component.taken]
-            fmu = Participant(member, taken, outputs, self.points.span, self.options["rtol"])
+            fmu = Participant(member, taken, outputs, self.points, self.options["rtol"])
             self.all.append(Coupled(path, component, fmu, self.points.order))
         self.all.sort(key=lambda one: not one.fmu.reversible)
 
@@ -104,11 +105,12 @@ class GaussSeidelMaster:
             for one, values in self._shares(given):
                 one.was = one.fmu.initial(values)
                 courses |= one.courses(one.was)
-            self.network = Stepwise(self.dae, *self.points.span, self.inputs, courses, **self.options)
+            begin, stop = self.points.begin, self.points.stop
+            self.network = Stepwise(self.dae, begin, stop, self.inputs, courses, **self.options)
             return self._all_now()
 
-        guess = np.concatenate([np.zeros(0), *map(np.asarray, [one.start_inputs() for one in self.all])])
-        self._unchanged(answer, guess, "start")
+        guess = np.array([value for one in self.all for value in one.start_inputs()])
+        unchanged(answer, guess, f"{self._both} find no common start")
 
     def _agree_here(self, guess: Array) -> Array:
         """Let network and FMUs agree on what they exchange where they stand, as events make it jump."""
@@ -119,16 +121,8 @@ class GaussSeidelMaster:
                 self.network.set(one.courses(one.was))
             return self._all_now()
 
-        return self._unchanged(answer, guess, f"values after the event at t = {self.network.time:.9g} s")
-
-    def _unchanged(self, answer: Callable[[Array], Array], guess: Array, what: str) -> Array:
-        found = unchanged(answer, guess)
-        if found is None:
-            raise FMUError(
-                f"'{self.dae.name}': the network and its FMUs find no common {what}, as one answers to the "
-                "other at once and they contradict; put a state (a mass, a lag) between them"
-            )
-        return found
+        problem = f"{self._both} find no common values after the event at t = {self.network.time:.9g} s"
+        return unchanged(answer, guess, problem)
 
     def _shares(self, given: Array) -> Iterator[tuple[Coupled, Values]]:
         """Yield each FMU with its share of what all take."""
@@ -137,7 +131,7 @@ class GaussSeidelMaster:
             yield one, values.tolist()
 
     def _all_now(self) -> Array:
-        return np.concatenate([np.zeros(0), *map(np.asarray, [self._now(one) for one in self.all])])
+        return np.array([value for one in self.all for value in self._now(one)])
 
     def _observed(self, one: Coupled) -> Array:
         wanted = one.wanted()
@@ -146,15 +140,15 @@ class GaussSeidelMaster:
     def _now(self, one: Coupled) -> Values:
         return one.course(self._observed(one), 0.0)(0.0)
 
-    def _exchange(self, target: float) -> None:
-        """Advance all to `target` or the first event before it."""
+    def _exchange(self, target: float) -> float:
+        """Advance all to `target` or the first event before it; return where."""
         t, jumps, events = self.network.time, self.network.jumps, len(self.network.events)
         courses = [one.course(self._observed(one), t) for one in self.all]
         fmus = {one.path: one.fmu for one in self.all}
         target = self._before_own_event(target)
         reached = advance_together(fmus, target, dict(zip(fmus, courses, strict=True)))
         self.steps += 1
-        foreseen = np.concatenate([np.zeros(0), *(np.asarray(course(reached)) for course in courses)])
+        foreseen = np.array([value for course in courses for value in course(reached)])
         if reached - t > NEXT_TO_NOTHING * self.points.step:
             given: dict[str, Sequence[float]] = {}
             for one, values in self._shares(foreseen):
@@ -163,13 +157,14 @@ class GaussSeidelMaster:
             self.network.advance(reached)
         self._settle(foreseen if self.network.jumps > jumps else None)
         self._impulses.check_shocks(self.network.events[events:])
+        return reached
 
     def _before_own_event(self, target: float) -> float:
         """Return `target`, or where the network is foreseen to have an event before, a trifle later."""
         event = self.network.first_event(target)
         if event is None or event > target - 2 * BEYOND * self.points.step:
             return target
-        if stiff := [one.fmu.fmu.name for one in self.all if not one.fmu.flexible]:
+        if stiff := [one.fmu.fmu.name for one in self.all if not one.fmu.stepper.flexible]:
             note = (
                 f"events of the network, first at t = {event:.9g} s, do not end a communication step, as FMU "
                 f"'{stiff[0]}' takes steps of one size only: the error falls with the step, not its square"

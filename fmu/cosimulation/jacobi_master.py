@@ -68,9 +68,8 @@ class JacobiMaster:
 
     def _instantiate(self) -> None:
         for name, member in self._members.items():
-            self._all[name] = Participant(
-                member, self._inputs[name], self._given[name], self.points.span, self._rtol
-            )
+            inputs, outputs = self._inputs[name], self._given[name]
+            self._all[name] = Participant(member, inputs, outputs, self.points, self._rtol)
 
     def _begin(self) -> None:
         self._time = self.points.begin
@@ -129,13 +128,8 @@ class JacobiMaster:
                 self._was[name] = outputs(one, self._at(name, self._time, u))
             return np.array([self._passed(link) for link in self.links])
 
-        found = unchanged(answer, guess)
-        if found is None:
-            raise FMUError(
-                f"{', '.join(map(repr, self._all))} find no common values at t = {self._time:g} s, as one "
-                "answers to the other at once and they contradict; put a state (a mass, a lag) between them"
-            )
-        return found
+        names = ", ".join(map(repr, self._all))
+        return unchanged(answer, guess, f"{names} find no common values at t = {self._time:g} s")
 
     def _passed(self, link: Link) -> float:
         name, output = link.source
@@ -166,10 +160,11 @@ def advance_together(
     """
     for one in everyone.values():
         if len(everyone) > 1 and one.reversible:
-            one.save()
+            one.stepper.save()
     reached = target
     for name, one in everyone.items():
-        reached = min(reached, one.advance(reached, courses[name]))
+        one.stepper.advance(reached, courses[name])
+        reached = min(reached, one.t)
     for name, one in everyone.items():
         if one.t > reached + 1e-12 * abs(reached):
             if not one.reversible:
@@ -177,6 +172,6 @@ def advance_together(
                     f"FMU '{one.fmu.name}' ({name}) stands at {one.t:g} s and cannot go back to the event of "
                     f"another at {reached:g} s: it does not save its state; couple it in a run of its own"
                 )
-            one.restore()
-            one.advance(reached, courses[name])
+            one.stepper.restore()
+            one.stepper.advance(reached, courses[name])
     return reached

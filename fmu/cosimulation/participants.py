@@ -10,13 +10,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..fmu import FMU
-from ..foreign.communication_steps import Course
 from ..foreign.initialization import enter_initialization
-from ..foreign.inputs import groups
 from ..foreign.instance import Values, finite
 from ..foreign.me_integrator import Stepping
-from ..foreign.run import ForeignEvent, ForeignRun, recorded_variables
+from ..foreign.run import ForeignEvent, empty_run
 from ..foreign.time_stepping import STEPPERS, TimeStepper
+from .communication_points import CommunicationPoints
 
 Array = NDArray[np.float64]
 Signal = Callable[[float], float]
@@ -41,24 +40,22 @@ class Participant:
         member: which, and with which values.
         inputs: names of the inputs that it is given.
         outputs: names of the variables that the others need.
-        span: begin and stop [s].
+        points: where they exchange.
         rtol: relative tolerance.
     """
 
     stepper: TimeStepper
 
     def __init__(
-        self, member: Member, inputs: Sequence[str], outputs: Sequence[str], span: tuple[float, float],
+        self, member: Member, inputs: Sequence[str], outputs: Sequence[str], points: CommunicationPoints,
         rtol: float,
     ) -> None:  # fmt: skip
         self.fmu, self.kind = member.fmu, member.kind
-        begin, stop = span
-        self.t, self._last_event = begin, -np.inf
+        begin, stop = points.begin, points.stop
         self._stepping = Stepping(begin, stop, rtol, inputs, stop - begin, intervals=True)
-        recorded = recorded_variables(self.fmu, outputs)
-        names = [c for v in recorded for c in v.columns]
-        self.run = ForeignRun(self.fmu.name, {c: v.unit for v in recorded for c in v.columns})
-        self._places, self._wanted = [names.index(name) for name in outputs], groups(recorded)
+        self._last_event = -np.inf
+        self.run, self._wanted = empty_run(self.fmu, outputs)
+        self._places = [list(self.run.units).index(name) for name in outputs]
         self.reversible = self.fmu.capable(self.kind, "canGetAndSetFMUstate")
         self.instance = self.fmu.instantiate(self.kind)
         try:
@@ -72,7 +69,7 @@ class Participant:
     def initial(self, inputs: Values) -> Array:
         """Return the outputs that inputs bring about while it is initialised."""
         self.instance.drive(inputs)
-        return self._read(self.instance.get(self._wanted))
+        return self._read(self._stepping.begin, self.instance.get(self._wanted))
 
     def begin(self, inputs: Values) -> Array:
         """Leave initialisation and return the outputs."""
@@ -83,31 +80,25 @@ class Participant:
     def outputs(self, inputs: Values) -> Array:
         """Return the outputs where it stands."""
         self.stepper.hold(inputs)
-        return self._read(self.stepper.look(self._wanted))
+        return self._read(self.t, self.stepper.look(self._wanted))
 
-    def _read(self, values: Values) -> Array:
-        self._row: Array = finite(self.fmu.name, "an output", self.t, values)
-        return self._row[self._places]
+    def _read(self, t: float, values: Values) -> Array:
+        self._row: Array = finite(self.fmu.name, "an output", t, values)
+        return np.asarray(self._row[self._places])
 
     def record(self) -> None:
         """Record all that was read last."""
         self.run.record(self.t, self._row.tolist())
 
     @property
+    def t(self) -> float:
+        """Where it stands [s]."""
+        return self.stepper.t
+
+    @property
     def ended(self) -> bool:
         """Whether the FMU asked to end."""
         return self.stepper.ended
-
-    @property
-    def flexible(self) -> bool:
-        """Whether it takes communication steps of any size."""
-        return self.stepper.flexible
-
-    def advance(self, target: float, course: Course) -> float:
-        """Go towards `target` with inputs that follow a course; return where it ended, at an event maybe."""
-        self.stepper.advance(target, course)
-        self.t = self.stepper.t
-        return self.t
 
     def settle(self, inputs: Values, jumped: bool = False) -> bool:
         """Iterate the event that the last step ended at, or that inputs which jumped bring about.
@@ -124,15 +115,6 @@ class Participant:
             self.run.events.append(ForeignEvent(self.t, cause))
         self._last_event = self.t
         return True
-
-    def save(self) -> None:
-        """Remember where it stands."""
-        self.stepper.save()
-
-    def restore(self) -> None:
-        """Return to what was remembered."""
-        self.stepper.restore()
-        self.t = self.stepper.t
 
     def conclude(self) -> list[str]:
         """Note whether it ended early, and return all notes."""

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 
 import numpy as np
 from numpy.typing import NDArray
@@ -69,7 +69,7 @@ def step_inputs(
     return inputs.tolist(), rates.tolist()
 
 
-def rated_inputs(inputs: list[str]) -> dict[int, int]:
+def rated_inputs(inputs: Sequence[str]) -> dict[int, int]:
     """Return the places of inputs whose derivative is an input, too, and of that: x and der(x), der(x,2)."""
     found = {}
     for place, name in enumerate(inputs):

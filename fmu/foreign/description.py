@@ -12,7 +12,7 @@ from xml.etree import ElementTree
 from ...base import path_of
 from ...components import nearest
 from ..errors import FMUError
-from .archive import platforms, read_description
+from .archive import platform_folder, platforms, read_description
 from .model_description import KINDS, read_model_description
 from .units import Unit, declared_units, inverse_units, parsed, relative_names
 from .variable import ForeignVariable, foreign_variable
@@ -117,6 +117,19 @@ class FMUDescription:
             there = " and ".join(self.kinds) or "Scheduled Execution only"
             raise FMUError(f"FMU '{self.name}' cannot run as {wanted or 'ME or CS'}: it is {there}")
         return kind
+
+    def check_platform(self) -> None:
+        """Refuse an FMU without a binary for this machine.
+
+        Raises:
+            FMUError: telling which machines it has some for.
+        """
+        wanted = platform_folder(self.version)
+        if wanted not in self.platforms:
+            raise FMUError(
+                f"FMU '{self.name}' has no binary for this machine ({wanted}), only for "
+                f"{', '.join(self.platforms) or 'none'}; ask its author for one, or for its sources"
+            )
 
     def variable(self, name: str, among: Iterable[str] | None = None) -> ForeignVariable:
         """Return a variable, of all or `among` some.

@@ -64,7 +64,7 @@ class Integrator:
         self._indicator_count = fmu.description.numberOfEventIndicators
         self._rtol, self._longest = stepping.rtol, stepping.longest
         self._intervals, self._taken, self._stride = stepping.intervals, 0, np.inf
-        self.steps = self.evaluations = 0
+        self.stats: dict[str, Any] = {"solver": "LSODA", "steps": 0, "evaluations": 0}
 
     def refresh(self) -> None:
         """Read the states in continuous-time mode, at the start and after events."""
@@ -80,7 +80,7 @@ class Integrator:
         self._taken = 0
 
     def _rates(self, t: float, x: Array) -> Array:
-        self.evaluations += 1
+        self.stats["evaluations"] += 1
         rates = self.instance.derivatives(float(t), x.tolist(), self.course(float(t)))
         found: Array = finite(self.name, "a derivative", t, rates)
         found[np.abs(found) < NOTHING] = 0.0  # LSODA divides by what underflows
@@ -116,7 +116,7 @@ class Integrator:
         if self._method is None or self._method.t_bound != limit or self._taken == MANY_STEPS + 1:
             self._method = self._begun(limit)
         message = self._method.step()
-        self.steps += 1
+        self.stats["steps"] += 1
         self._taken += 1
         if self._method.status == "failed":
             raise FMUError(self._failure(message))

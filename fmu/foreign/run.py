@@ -13,8 +13,8 @@ from ...base import text
 from ...components import UnknownNameError, nearest
 from ...networks import OverTime
 from .description import FMUDescription
-from .instance import Values
-from .variable import ForeignVariable
+from .inputs import groups
+from .instance import Group, Values
 
 if TYPE_CHECKING:
     import pandas as pd
@@ -110,8 +110,8 @@ class ForeignRun(OverTime):
         return table
 
 
-def recorded_variables(fmu: FMUDescription, extra: Iterable[str]) -> list[ForeignVariable]:
-    """Return what a run records: outputs, states, and what is asked for besides."""
-    names = [*fmu.outputs, *fmu.states, *extra]
-    variables = [fmu.variable(name) for name in dict.fromkeys(names)]
-    return [v for v in variables if v.type not in ("String", "Binary", "Clock")]
+def empty_run(fmu: FMUDescription, extra: Iterable[str]) -> tuple[ForeignRun, list[Group]]:
+    """Return a run of outputs, states and what is asked for besides, and the groups that its points are."""
+    named = [fmu.variable(name) for name in dict.fromkeys([*fmu.outputs, *fmu.states, *extra])]
+    variables = [v for v in named if v.type not in ("String", "Binary", "Clock")]
+    return ForeignRun(fmu.name, {c: v.unit for v in variables for c in v.columns}), groups(variables)

@@ -12,10 +12,10 @@ import numpy as np
 from ..errors import FMUError
 from .description import FMUDescription
 from .initialization import enter_initialization
-from .inputs import Inputs, chosen_inputs, groups
+from .inputs import Inputs, chosen_inputs
 from .instance import Group, Instance, finite
 from .me_integrator import Stepping
-from .run import ForeignEvent, ForeignRun, recorded_variables
+from .run import ForeignEvent, ForeignRun, empty_run
 from .time_stepping import STEPPERS, TimeStepper
 
 ALIKE = 1e-6
@@ -39,7 +39,7 @@ class RunSettings:
         """Instants of output [s]."""
         span = self.stop - self.begin
         count = max(1, round(span / (self.step or span / 500)))
-        return np.linspace(self.begin, self.stop, count + 1).tolist()
+        return list(map(float, np.linspace(self.begin, self.stop, count + 1)))
 
 
 def simulate_alone(
@@ -53,8 +53,7 @@ def simulate_alone(
         )
     began = clock.perf_counter()
     inputs = chosen_inputs(fmu, settings.inputs, begin, stop)
-    variables = recorded_variables(fmu, settings.record)
-    run = ForeignRun(fmu.name, {c: v.unit for v in variables for c in v.columns})
+    run, wanted = empty_run(fmu, settings.record)
     outputs = settings.outputs
     longest = min(outputs[1] - outputs[0], inputs.longest_step)
     stepping = Stepping(begin, stop, rtol, list(inputs.continuous), longest)
@@ -65,7 +64,7 @@ def simulate_alone(
         stepper = STEPPERS[kind](instance, fmu, inputs.at, stepping)
         if not stepper.dense:
             run.notes += _step_notes(settings, inputs, stepper.flexible)
-        _Alone(run, stepper, inputs, groups(variables), outputs).run_through()
+        _Alone(run, stepper, inputs, wanted, outputs).run_through()
     run.stats |= {**stepper.stats, "seconds": clock.perf_counter() - began}
     return run
 

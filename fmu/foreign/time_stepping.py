@@ -33,23 +33,20 @@ class TimeStepper(ABC):
         switches: whether it has an event mode.
         flexible: whether it takes steps of any size.
         dense: whether variables are known throughout a step.
+        stats: what solved it, in how many steps.
 
     Raises:
         FMUError: if Model Exchange asks to end at its start.
     """
 
     switches = flexible = dense = True
+    stats: dict[str, Any]
 
     def __init__(self, instance: Instance, fmu: FMUDescription, course: Course, stepping: Stepping) -> None:
         self.instance, self.name, self.course = instance, fmu.name, course
         self.t, self.event, self.ended = stepping.begin, "", False
         self._span, self._switched = stepping.stop - stepping.begin, list[float]()
         instance.started()
-
-    @property
-    @abstractmethod
-    def stats(self) -> dict[str, Any]:
-        """What solved it, in how many steps."""
 
     @abstractmethod
     def step(self, limit: float, look_back: Callable[[], None] = lambda: None) -> None:
@@ -113,13 +110,10 @@ class ModelExchange(TimeStepper):
     def __init__(self, instance: Instance, fmu: FMUDescription, course: Course, stepping: Stepping) -> None:
         super().__init__(instance, fmu, course, stepping)
         self.integrator = Integrator(fmu, instance, lambda t: self.course(t), stepping)
+        self.stats, self._next_event = self.integrator.stats, np.inf
         self._update()
         if self.ended:
             raise FMUError(f"FMU '{fmu.name}' asked to end at its start")
-
-    @property
-    def stats(self) -> dict[str, Any]:
-        return {"solver": "LSODA", "steps": self.integrator.steps, "evaluations": self.integrator.evaluations}
 
     def step(self, limit: float, look_back: Callable[[], None] = lambda: None) -> None:
         self._states, located = self.integrator.step(min(limit, self._next_event))
@@ -170,13 +164,9 @@ class CoSimulation(TimeStepper):
         super().__init__(instance, fmu, course, stepping)
         self.switches, self._sizes = instance.event_mode, StepSizes(fmu)
         self.flexible, self.rated = self._sizes.flexible, rated_inputs(stepping.inputs)
-        self._steps, self._arrived = 0, True
+        self.stats, self._arrived = {"solver": "the FMU's own", "steps": 0}, True
         if self.switches:
             self._update()
-
-    @property
-    def stats(self) -> dict[str, Any]:
-        return {"solver": "the FMU's own", "steps": self._steps}
 
     def step(self, limit: float, look_back: Callable[[], None] = lambda: None) -> None:
         duration = limit - self.t
@@ -190,8 +180,9 @@ class CoSimulation(TimeStepper):
         """Make one step with inputs and their rates, which count if the FMU interpolates."""
         stepped = self.instance.step(self.t, limit - self.t, inputs, rates)
         self.t, self._arrived = stepped.landed(self.name, self.t, limit)
-        self.ended, self._steps = stepped.terminate, self._steps + 1
+        self.ended = stepped.terminate
         self.event = "state" if stepped.event and self.switches else ""
+        self.stats["steps"] += 1
 
     def look(self, groups: list[Group], t: float | None = None) -> Values:
         self.instance.drive(self.course(self.t))
