@@ -19,8 +19,8 @@ from .fmu import FMU as FMU
 from .foreign.port_force import Law as Law
 from .foreign.port_force import Load as Load
 from .foreign.replay import Replay as Replay
-from .foreign.simulate import ForeignEvent as ForeignEvent
-from .foreign.simulate import ForeignRun as ForeignRun
+from .foreign.run import ForeignEvent as ForeignEvent
+from .foreign.run import ForeignRun as ForeignRun
 from .ssp.read import read_ssp as read_ssp
 from .ssp.run import SystemRun as SystemRun
 from .ssp.split import Split as Split

@@ -3,25 +3,17 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
-from dataclasses import replace
-from functools import cached_property
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
-from xml.etree import ElementTree
 
-from ..base import path_of
-from ..components import nearest
-from .errors import FMUError
-from .foreign.archive import platform_folder, platforms, read_description
-from .foreign.description import KINDS, ForeignVariable, described, foreign_variable
-from .foreign.units import Unit, declared_units, inverse_units, parsed, relative_names
+from .foreign.description import FMUDescription
 
 if TYPE_CHECKING:
     from .foreign.instance import Instance
-    from .foreign.simulate import ForeignRun
+    from .foreign.run import ForeignRun
 
 
-class FMU:
+class FMU(FMUDescription):
     """A block made by any tool: what it says of itself, and how to run it.
 
     Args:
@@ -48,147 +40,8 @@ class FMU:
     def __init__(
         self, path: str | Path, *, isolated: bool = False, timeout: float = 60.0, validate: bool = True
     ) -> None:
-        self.path, self.isolated = path_of(path, "an FMU"), isolated
-        self.timeout, self.validate = timeout, validate
-        self.description, self.notes = described(self.path, validate)
-        self.name = str(self.description.modelName)
-        self.version = str(self.description.fmiVersion)
-        self.tool = self.description.generationTool or "unknown tool"
-        self.kinds = [k for k, attribute in KINDS.items() if getattr(self.description, attribute) is not None]
-        self.platforms = platforms(self.path)
-        self.units = declared_units(self.description.unitDefinitions, inverse_units(self._xml))
-
-    @cached_property
-    def variables(self) -> dict[str, ForeignVariable]:
-        """Every variable by its name."""
-        relative = relative_names(self._xml)
-        return {v.name: foreign_variable(v, v.name in relative) for v in self.description.modelVariables}
-
-    def of(self, *causalities: str) -> dict[str, ForeignVariable]:
-        """Return the variables of FMI causalities: "parameter", "input", "output", "local" ..."""
-        return {n: v for n, v in self.variables.items() if v.causality in causalities}
-
-    @property
-    def parameters(self) -> dict[str, ForeignVariable]:
-        """What can be set before a run and stays constant."""
-        return {n: v for n, v in self.of("parameter").items() if v.settable}
-
-    @property
-    def inputs(self) -> dict[str, ForeignVariable]:
-        """What it takes."""
-        return self.of("input")
-
-    @property
-    def outputs(self) -> dict[str, ForeignVariable]:
-        """What it gives."""
-        return self.of("output")
-
-    @property
-    def states(self) -> list[str]:
-        """Names of the continuous states, as far as it declares them."""
-        derivatives = [unknown.variable.derivative for unknown in self.description.derivatives]
-        return [state.name for state in derivatives if state is not None]
-
-    @property
-    def defaults(self) -> dict[str, float]:
-        """Its author's suggestion: some of `start`, `stop`, `tolerance`, `step`."""
-        suggested = self.description.defaultExperiment
-        names = {"start": "startTime", "stop": "stopTime", "tolerance": "tolerance", "step": "stepSize"}
-        values = {k: getattr(suggested, name, None) for k, name in names.items()}
-        return {k: float(v) for k, v in values.items() if v is not None}
-
-    @cached_property
-    def _xml(self) -> ElementTree.Element:
-        return ElementTree.fromstring(read_description(self.path))
-
-    @cached_property
-    def _bare(self) -> set[str]:
-        return {unit.name for unit in self.units.values() if unit.bare}
-
-    @cached_property
-    def _faces(self) -> dict[str, dict[str, str]]:
-        """What each kind declares of itself; the names of FMI 2 and 3 differ by a capital or an s."""
-        root = self._xml
-        tags = {"ME": "ModelExchange", "CS": "CoSimulation"}
-        found = {kind: root.find(tag) for kind, tag in tags.items()}
-        return {
-            kind: {name.lower().rstrip("s"): value for name, value in face.attrib.items()}
-            for kind, face in found.items()
-            if face is not None
-        }
-
-    def capable(self, kind: str, capability: str) -> bool:
-        """Tell whether a kind declares a capability, by its FMI name such as `canGetAndSetFMUstate`."""
-        return self.told(kind, capability) in ("true", "1")
-
-    def told(self, kind: str, attribute: str) -> str:
-        """Return what a kind declares of itself by the FMI name of an attribute, empty if nothing."""
-        return self._faces[self.kind(kind)].get(attribute.lower().rstrip("s"), "")
-
-    def kind(self, wanted: str | None = None) -> str:
-        """Return the kind to use: the one wanted, else Model Exchange before Co-Simulation.
-
-        Raises:
-            FMUError: if it has not that kind.
-        """
-        kind = wanted or (self.kinds or [""])[0]
-        if kind not in self.kinds:
-            there = " and ".join(self.kinds) or "Scheduled Execution only"
-            raise FMUError(f"FMU '{self.name}' cannot run as {wanted or 'ME or CS'}: it is {there}")
-        return kind
-
-    def variable(self, name: str, among: Iterable[str] | None = None) -> ForeignVariable:
-        """Return a variable, of all or `among` some.
-
-        Raises:
-            FMUError: for an unknown name, with the nearest one.
-        """
-        known = self.variables if among is None else among
-        if name not in known:
-            elsewhere = self.variables.get(name)
-            told = f" (it is {elsewhere.causality}, {elsewhere.variability})" if elsewhere else ""
-            raise FMUError(f"FMU '{self.name}' has no such variable '{name}'{told or nearest(name, known)}")
-        return self.variables[name]
-
-    def unit(self, name: str) -> str:
-        """Return the unit that a variable is declared with, empty if it has none."""
-        return self.variable(name).unit
-
-    def measure(self, variable: ForeignVariable) -> Unit:
-        """Return how the unit of a variable relates to SI; a variable without unit is taken as SI.
-
-        Raises:
-            FMUError: if the unit is not understood, or is declared to be another than its name says.
-        """
-        if not variable.unit:
-            return Unit("1", (0,) * 8)
-        unit = self.units.get(variable.unit) or parsed(variable.unit)
-        if self.validate and unit.name in self._bare:
-            raise FMUError(
-                f"FMU '{self.name}': the unit {unit.name} of '{variable.name}' is declared without the "
-                f"factor that its name has, as if it were {unit.si_base}; ask its author what it is "
-                "(validate=False believes the declaration)"
-            )
-        return replace(unit, offset=0.0) if variable.relative else unit
-
-    def converted(self, variable: ForeignVariable, value: Any) -> Any:
-        """Return a value in the unit of its variable: a pair (value, unit) is converted."""
-        if not (isinstance(value, tuple) and len(value) == 2 and isinstance(value[1], str)):
-            return value
-        number, name = value
-        known, own = self.units.get(name), self.measure(variable)
-        given = parsed(name) if known is None or name in self._bare else known
-        given = replace(given, offset=0.0) if variable.relative else given
-        if not variable.unit:
-            raise FMUError(
-                f"FMU '{self.name}': '{variable.name}' declares no unit, so that {name} cannot be converted; "
-                "give a plain number as its author means it"
-            )
-        if not own.fits(given):
-            raise FMUError(
-                f"FMU '{self.name}': '{variable.name}' is in {variable.unit}, not convertible from {name}"
-            )
-        return own.from_si(given.to_si(number))
+        super().__init__(path, validate=validate)
+        self.isolated, self.timeout = isolated, timeout
 
     def instantiate(self, kind: str | None = None) -> Instance:
         """Load the binary and make an instance; close it after use (or use `with`).
@@ -200,12 +53,7 @@ class FMU:
         from .foreign.subprocess_instance import IsolatedInstance
 
         kind = self.kind(kind)
-        wanted = platform_folder(self.version)
-        if wanted not in self.platforms:
-            raise FMUError(
-                f"FMU '{self.name}' has no binary for this machine ({wanted}), only for "
-                f"{', '.join(self.platforms) or 'none'}; ask its author for one, or for its sources"
-            )
+        self.check_platform()
         if self.isolated:
             return IsolatedInstance(self.path, self.name, kind, self.timeout)
         return LocalInstance(self.path, kind)
@@ -239,22 +87,22 @@ class FMU:
             step: output interval [s], the FMU's suggestion or a 500th of the run if not given; for "CS" the
                 communication step.
             kind: "ME" or "CS"; Model Exchange first if it has both.
-            rtol: relative tolerance; absolute is 0.01 rtol times the nominal value of each state.
+            rtol: relative tolerance; absolute is 1e-6 rtol times the nominal value of each state.
             record: variables to record besides outputs and states.
 
         Raises:
             FMUError: for unknown names, values out of range, and whatever the FMU fails in.
         """
-        from .foreign.simulate import simulate_alone
+        from .foreign.simulate import RunSettings, simulate_alone
 
         defaults = self.defaults
         begin = defaults.get("start", 0.0) if begin is None else begin
         step = defaults.get("step") if step is None else step
         stop = defaults.get("stop", begin + 1.0) if stop is None else stop
-        return simulate_alone(
-            self, self.kind(kind), begin, stop, step, rtol,
-            inputs or {}, parameters or {}, start or {}, tuple(record),
-        )  # fmt: skip
+        settings = RunSettings(
+            begin, stop, step, rtol, inputs or {}, parameters or {}, start or {}, tuple(record)
+        )
+        return simulate_alone(self, self.kind(kind), settings, self.instantiate)
 
     def info(self) -> str:
         """Return what it says of itself, as text."""

@@ -10,14 +10,12 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ..errors import FMUError
 from ..fmu import FMU
-from ..foreign.archive import platform_folder
-from ..foreign.description import ForeignVariable
 from ..foreign.in_process import LocalInstance
 from ..foreign.inputs import groups
 from ..foreign.instance import Stepped, Values
 from ..foreign.unpacked import Unpacked
+from ..foreign.variable import ForeignVariable
 
 Array = NDArray[np.float64]
 NUMBERS = (
@@ -106,12 +104,7 @@ class Subject:
 
     def __init__(self, path: Path) -> None:
         self.fmu = FMU(path, validate=False)
-        wanted = platform_folder(self.fmu.version)
-        if wanted not in self.fmu.platforms:
-            there = ", ".join(self.fmu.platforms) or "none"
-            raise FMUError(
-                f"FMU '{self.fmu.name}' has no binary for this machine ({wanted}), only for {there}"
-            )
+        self.fmu.check_platform()
         self.files = Unpacked(path)
         self._groups: dict[tuple[str, ...], Any] = {}
 

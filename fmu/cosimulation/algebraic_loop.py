@@ -7,13 +7,19 @@ from collections.abc import Callable
 import numpy as np
 from numpy.typing import NDArray
 
+from ..errors import FMUError
+
 Array = NDArray[np.float64]
 ROUNDS = 30
 CLOSE = 1e-9
 
 
-def unchanged(answer: Callable[[Array], Array], guess: Array) -> Array | None:
-    """Return u = answer(u), by Broyden's method from plain repetition on; None if it is not found."""
+def unchanged(answer: Callable[[Array], Array], guess: Array, problem: str) -> Array:
+    """Return u = answer(u), by Broyden's method from plain repetition on.
+
+    Raises:
+        FMUError: beginning with the `problem`, if it is not found.
+    """
     u, leap = guess, np.eye(len(guess))
     rest = answer(u) - u
     for _ in range(ROUNDS + len(guess)):
@@ -26,4 +32,7 @@ def unchanged(answer: Callable[[Array], Array], guess: Array) -> Array | None:
         weight = move @ leap
         if abs(weight @ change) > 0:
             leap = leap - np.outer(move + leap @ change, weight) / (weight @ change)
-    return None
+    raise FMUError(
+        f"{problem}, as one answers to the other at once and they contradict; put a state (a mass, a lag) "
+        "between them"
+    )

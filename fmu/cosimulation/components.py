@@ -11,8 +11,8 @@ from typing import Any
 from ...components import Component, RealInput, RealOutput, RotationalFlange, TranslationalFlange, variable
 from ..errors import FMUError
 from ..fmu import FMU
-from ..foreign.description import ForeignVariable
 from ..foreign.units import parsed
+from ..foreign.variable import ForeignVariable
 
 
 @dataclass(frozen=True)

@@ -2,31 +2,20 @@
 
 from __future__ import annotations
 
-import time as clock
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Mapping
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from ...base import boolean, demand, finite, named, whole
 from ...components import ModelError
-from ...networks import ATOL, DAE, RTOL, Network, Polynomial, Stepwise, dae_of
-from ..errors import FMUError
-from ..foreign.instance import Values
-from .algebraic_loop import unchanged
-from .components import ForeignComponent
-from .coupling import Coupled, CoupledRun
-from .impulses import Impulses
-from .jacobi_master import advance_together
-from .participants import jumped, participant
+from ...networks import ATOL, DAE, RTOL, Network, dae_of
+from .communication_points import CommunicationPoints
+from .coupling import CoupledRun
+from .gauss_seidel_master import GaussSeidelMaster
 from .step_error import compare
 
-Array = NDArray[np.float64]
-NEXT_TO_NOTHING = 1e-9
 MOST_STEPS = 100_000_000
-BEYOND = 1e-6
-ROUNDS = 100
 
 
 def cosimulate(
@@ -86,24 +75,23 @@ def cosimulate(
         order=(order, whole(0)),
         halving=(halving, boolean),
     )
-    _check(stop - begin, communication_step, order)
+    points = CommunicationPoints(begin, stop, communication_step, order)
+    _check(points)
     dae = dae_of(network)
-    network_options: dict[str, Any] = {
+    signals = named("inputs", inputs)
+    options: dict[str, Any] = {
         "start": start, "guess": guess, "parameters": parameters,
         "rtol": rtol, "atol": atol, "solver": solver,
     }  # fmt: skip
-    master = _Master(dae, (begin, stop), communication_step, order, named("inputs", inputs), network_options)
+    master = GaussSeidelMaster(dae, points, signals, options)
     run = master.run()
     if halving:
-        half = _Master(
-            dae, (begin, stop), communication_step / 2, order, named("inputs", inputs), network_options
-        )
-        compare(run, half.run(), master.exchanged)
+        compare(run, GaussSeidelMaster(dae, points.halved, signals, options).run(), master.exchanged)
     return run
 
 
-def _check(span: float, step: float, order: int) -> None:
-    problems = []
+def _check(points: CommunicationPoints) -> None:
+    span, step, problems = points.stop - points.begin, points.step, []
     if not 0 < span < np.inf:
         problems.append(f"stop must be after begin, got a run of {span:g} s")
     if not 0 < step <= span:
@@ -113,197 +101,7 @@ def _check(span: float, step: float, order: int) -> None:
             f"communication_step = {step:g} s asks for {span / step:.3g} steps, more than {MOST_STEPS:.0e}; "
             "give a longer one"
         )
-    if order not in (0, 1, 2):
-        problems.append(f"order must be 0, 1 or 2, got {order}")
+    if points.order not in (0, 1, 2):
+        problems.append(f"order must be 0, 1 or 2, got {points.order}")
     if problems:
         raise ModelError("this co-simulation cannot be done:", problems)
-
-
-class _Master:
-    def __init__(
-        self, dae: DAE, span: tuple[float, float], step: float, order: int, inputs: dict[str, Any],
-        options: dict[str, Any],
-    ) -> None:  # fmt: skip
-        self.dae, self.span, self.order = dae, span, order
-        count = max(1, round((span[1] - span[0]) / step))
-        self.points = np.linspace(*span, count + 1)
-        self.step, self.options, self.steps = step, options, 0
-        parts = {i.path: i.component for i in dae.flat.instances.values()}
-        self.foreign = {p: c for p, c in parts.items() if isinstance(c, ForeignComponent)}
-        if not self.foreign:
-            raise ModelError(f"'{dae.name}' has no FMU in it; use simulate")
-        self.inputs = inputs
-        for path, component in self.foreign.items():
-            for given in component.given:
-                self.inputs[f"{path}.{given.name}"] = Polynomial(1 if given.rate is None else 3)
-        self.all: list[Coupled] = []
-        self.notes: list[str] = []
-        self.network: Stepwise
-
-    @property
-    def exchanged(self) -> list[str]:
-        """Names of what passes between network and FMUs."""
-        return [
-            f"{path}.{name}"
-            for path, component in self.foreign.items()
-            for name in [*(t.name for t in component.taken), *(g.name for g in component.given)]
-        ]
-
-    def run(self) -> CoupledRun:
-        began = clock.perf_counter()
-        try:
-            self._instantiate()
-            self._agree()
-            self._impulses = Impulses(self.network, self.all)
-            for one in self.all:
-                one.was = one.fmu.begin(self._now(one))
-                one.fmu.record()
-            self._march()
-        finally:
-            for one in self.all:
-                one.fmu.close()
-        result = self.network.result()
-        stats = {"communication steps": self.steps, "seconds": clock.perf_counter() - began}
-        runs = {one.path: one.fmu.run for one in self.all}
-        self.notes += [note for one in self.all for note in one.fmu.tell()]
-        return CoupledRun(runs, self.step, self.order, result, notes=self.notes, stats=stats)
-
-    def _instantiate(self) -> None:
-        for path, component in self.foreign.items():
-            outputs = [n for g in component.given for n in (g.value, g.rate) if n is not None]
-            fmu = participant(
-                component.kind, component.fmu, [t.input for t in component.taken], outputs, self.span,
-                self.options["rtol"], component.chosen, component.started,
-            )  # fmt: skip
-            self.all.append(Coupled(path, component, fmu, self.order))
-        self.all.sort(key=lambda one: not one.fmu.reversible)
-
-    def _agree(self) -> None:
-        """Initialise network and FMUs so that they agree on what they exchange."""
-
-        def answer(given: Array) -> Array:
-            courses: dict[str, Sequence[float]] = {}
-            for one, values in self._shares(given):
-                one.was = one.fmu.initial(values)
-                courses |= one.courses(one.was)
-            self.network = Stepwise(self.dae, *self.span, self.inputs, courses, **self.options)
-            return self._all_now()
-
-        guess = np.concatenate([np.zeros(0), *map(np.asarray, [one.start_inputs() for one in self.all])])
-        self._unchanged(answer, guess, "start")
-
-    def _agree_here(self, guess: Array) -> Array:
-        """Let network and FMUs agree on what they exchange where they stand, as events make it jump."""
-
-        def answer(given: Array) -> Array:
-            for one, values in self._shares(given):
-                one.was = one.fmu.outputs(values)
-                self.network.set(one.courses(one.was))
-            return self._all_now()
-
-        return self._unchanged(answer, guess, f"values after the event at t = {self.network.time:.9g} s")
-
-    def _unchanged(self, answer: Callable[[Array], Array], guess: Array, what: str) -> Array:
-        found = unchanged(answer, guess)
-        if found is None:
-            raise FMUError(
-                f"'{self.dae.name}': the network and its FMUs find no common {what}, as one answers to the "
-                "other at once and they contradict; put a state (a mass, a lag) between them"
-            )
-        return found
-
-    def _shares(self, given: Array) -> Iterator[tuple[Coupled, Values]]:
-        """Yield each FMU with its share of what all take."""
-        ends = np.cumsum([len(one.component.taken) for one in self.all])
-        for one, values in zip(self.all, np.split(given, ends[:-1]), strict=True):
-            yield one, values.tolist()
-
-    def _all_now(self) -> Array:
-        return np.concatenate([np.zeros(0), *map(np.asarray, [self._now(one) for one in self.all])])
-
-    def _observed(self, one: Coupled) -> Array:
-        wanted = one.wanted()
-        return self.network.observe(wanted) if wanted else np.zeros(0)
-
-    def _now(self, one: Coupled) -> Values:
-        return one.course(self._observed(one), 0.0)(0.0)
-
-    def _march(self) -> None:
-        following = 1
-        while following < len(self.points):
-            target = float(self.points[following])
-            reached = self._exchange(target)
-            following += reached >= target
-            if self._ended():
-                return
-
-    def _exchange(self, target: float) -> float:
-        """Advance all to `target` or the first event before it."""
-        t, jumps, events = self.network.time, self.network.jumps, len(self.network.events)
-        courses = [one.course(self._observed(one), t) for one in self.all]
-        fmus = {one.path: one.fmu for one in self.all}
-        target = self._before_own_event(target)
-        reached = advance_together(fmus, target, dict(zip(fmus, courses, strict=True)))
-        self.steps += 1
-        foreseen = np.concatenate([np.zeros(0), *(np.asarray(course(reached)) for course in courses)])
-        if reached - t > NEXT_TO_NOTHING * self.step:
-            given: dict[str, Sequence[float]] = {}
-            for one, values in self._shares(foreseen):
-                given |= one.courses(one.fmu.outputs(values), reached - t)
-            self.network.set(given)
-            self.network.advance(reached)
-        self._settle(foreseen if self.network.jumps > jumps else None)
-        self._impulses.check_shocks(self.network.events[events:])
-        return reached
-
-    def _before_own_event(self, target: float) -> float:
-        """Return `target`, or where the network is foreseen to have an event before, a trifle later."""
-        event = self.network.first_event(target)
-        if event is None or event > target - 2 * BEYOND * self.step:
-            return target
-        if stiff := [one.fmu.fmu.name for one in self.all if not one.fmu.flexible]:
-            note = (
-                f"events of the network, first at t = {event:.9g} s, do not end a communication step, as FMU "
-                f"'{stiff[0]}' takes steps of one size only: the error falls with the step, not its square"
-            )
-            self.notes += [note] if not self.notes else []
-            return target
-        return event + BEYOND * self.step
-
-    def _settle(self, foreseen: Array | None) -> None:
-        """Iterate the events that a step ended at until none is left, as each can bring about others.
-
-        Args:
-            foreseen: what the FMUs were driven with, if the network had events within the step.
-        """
-        given = self._all_now()
-        for one, values in self._shares(given):
-            one.was = one.fmu.outputs(values)
-            one.fmu.record()
-        gave = [one.was for one in self.all]
-        happened = self.network.settle() or foreseen is not None
-        happened |= any([one.fmu.settle(values) for one, values in self._shares(given)])
-        if not happened or self._ended():
-            return
-        before = given if foreseen is None else foreseen
-        for _ in range(ROUNDS):
-            given = self._agree_here(given)
-            if not (self.network.settle() | self._jump(before, given)) or self._ended():
-                break
-            before = given
-        else:
-            raise FMUError(
-                f"'{self.dae.name}': events at t = {self.network.time:.9g} s bring about each other"
-            )
-        self._impulses.check_jumps(gave)
-        self.network.settle(jumped=True)
-        for one in self.all:
-            one.fmu.record()
-
-    def _jump(self, before: Array, now: Array) -> bool:
-        """Iterate the events that jumps of what FMUs take bring about; tell whether there were any."""
-        pairs = zip(self._shares(before), self._shares(now), strict=True)
-        return any([one.fmu.settle(new, jumped(old, new)) for (_, old), (one, new) in pairs])
-
-    def _ended(self) -> bool:
-        return any(one.fmu.ended for one in self.all)

@@ -11,8 +11,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ...networks import Event, Pieces, Result
+from ..foreign.communication_steps import Course
 from ..foreign.instance import Values
-from .communication_steps import Course
 from .components import ForeignComponent, Given, Taken
 from .participants import Participant
 from .step_error import ExchangeRun

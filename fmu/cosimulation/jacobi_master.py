@@ -1,24 +1,22 @@
-"""Master: FMUs joined to each other advance side by side, from communication point to communication point."""
+"""Jacobi master: FMUs joined to each other advance side by side over the same communication step."""
 
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
-from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from ..errors import FMUError
-from ..fmu import FMU
+from ..foreign.communication_steps import Course
 from ..foreign.instance import Values
-from ..foreign.simulate import ForeignRun
+from ..foreign.run import ForeignRun
 from .algebraic_loop import unchanged
-from .communication_steps import Course
-from .participants import Participant, jumped, participant
+from .communication_points import CommunicationPoints
+from .participants import Member, Participant, jumped
 
 Array = NDArray[np.float64]
-Signal = Callable[[float], float]
 ROUNDS = 100
 
 
@@ -32,18 +30,7 @@ class Link:
     offset: float = 0.0
 
 
-@dataclass(frozen=True)
-class Member:
-    """An FMU in a system: its kind ("ME" or "CS"), parameters, start values, signals of free inputs."""
-
-    fmu: FMU
-    kind: str
-    parameters: dict[str, Any]
-    start: dict[str, Any]
-    inputs: dict[str, Signal]
-
-
-class Master:
+class JacobiMaster:
     """Advances all FMUs over the same step at once, with inputs extrapolated from the last exchanges.
 
     Order 0 holds what was exchanged last, order 1 follows the line through the last two exchanges. After an
@@ -51,9 +38,9 @@ class Master:
     """
 
     def __init__(
-        self, members: Mapping[str, Member], links: Sequence[Link], points: Array, order: int, rtol: float
+        self, members: Mapping[str, Member], links: Sequence[Link], points: CommunicationPoints, rtol: float
     ) -> None:
-        self.links, self.points, self.order, self.steps = links, points, order, 0
+        self.links, self.points, self.steps = links, points, 0
         self._members, self._rtol, self.notes = members, rtol, list[str]()
         self._all: dict[str, Participant] = {}
         self._was: dict[str, Array] = {}
@@ -70,25 +57,22 @@ class Master:
         try:
             self._instantiate()
             self._begin()
-            for target in self.points[1:].tolist():
+            for target in self.points.times[1:].tolist():
                 while self._time < target and not self._ended():
                     self._step(target)
         finally:
             for one in self._all.values():
                 one.close()
-        self.notes = [note for one in self._all.values() for note in one.tell()]
+        self.notes = [note for one in self._all.values() for note in one.conclude()]
         return {name: one.run for name, one in self._all.items()}
 
     def _instantiate(self) -> None:
-        span = float(self.points[0]), float(self.points[-1])
         for name, member in self._members.items():
-            self._all[name] = participant(
-                member.kind, member.fmu, self._inputs[name], self._given[name], span, self._rtol,
-                member.parameters, member.start,
-            )  # fmt: skip
+            inputs, outputs = self._inputs[name], self._given[name]
+            self._all[name] = Participant(member, inputs, outputs, self.points, self._rtol)
 
     def _begin(self) -> None:
-        self._time = float(self.points[0])
+        self._time = self.points.begin
         declared = [self._members[link.target[0]].fmu.variables[link.target[1]].start for link in self.links]
         u = self._agreed(Participant.initial, np.array([float(value or 0.0) for value in declared]))
         for name, one in self._all.items():
@@ -109,7 +93,7 @@ class Master:
             self._past.clear()
             u = self._after_event(u)
             self._record()
-        self._past = [*self._past, (self._time, u)][-1 - self.order :]
+        self._past = [*self._past, (self._time, u)][-1 - self.points.order :]
 
     def _after_event(self, before: Array) -> Array:
         """Iterate the events that jumps of what is exchanged bring about; return what is exchanged then."""
@@ -144,13 +128,8 @@ class Master:
                 self._was[name] = outputs(one, self._at(name, self._time, u))
             return np.array([self._passed(link) for link in self.links])
 
-        found = unchanged(answer, guess)
-        if found is None:
-            raise FMUError(
-                f"{', '.join(map(repr, self._all))} find no common values at t = {self._time:g} s, as one "
-                "answers to the other at once and they contradict; put a state (a mass, a lag) between them"
-            )
-        return found
+        names = ", ".join(map(repr, self._all))
+        return unchanged(answer, guess, f"{names} find no common values at t = {self._time:g} s")
 
     def _passed(self, link: Link) -> float:
         name, output = link.source
@@ -181,10 +160,11 @@ def advance_together(
     """
     for one in everyone.values():
         if len(everyone) > 1 and one.reversible:
-            one.keep()
+            one.stepper.save()
     reached = target
     for name, one in everyone.items():
-        reached = min(reached, one.advance(reached, courses[name]))
+        one.stepper.advance(reached, courses[name])
+        reached = min(reached, one.t)
     for name, one in everyone.items():
         if one.t > reached + 1e-12 * abs(reached):
             if not one.reversible:
@@ -192,6 +172,6 @@ def advance_together(
                     f"FMU '{one.fmu.name}' ({name}) stands at {one.t:g} s and cannot go back to the event of "
                     f"another at {reached:g} s: it does not save its state; couple it in a run of its own"
                 )
-            one.go_back()
-            one.advance(reached, courses[name])
+            one.stepper.restore()
+            one.stepper.advance(reached, courses[name])
     return reached

@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 
 from ...networks import Event, OverTime
 from ..errors import FMUError
-from ..foreign.simulate import ForeignEvent, ForeignRun
+from ..foreign.run import ForeignEvent, ForeignRun
 
 Array = NDArray[np.float64]
 NOTABLE, TINY = 0.05, 1e-6

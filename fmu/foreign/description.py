@@ -1,152 +1,185 @@
-"""The description of an FMU: its XML read and checked, its variables."""
+"""What an FMU says of itself, as data: nothing of it runs."""
 
 from __future__ import annotations
 
-import io
-import re
-import zipfile
-from dataclasses import dataclass
+from collections.abc import Iterable
+from dataclasses import replace
+from functools import cached_property
 from pathlib import Path
 from typing import Any
 from xml.etree import ElementTree
 
+from ...base import path_of
+from ...components import nearest
 from ..errors import FMUError
-from .archive import DESCRIPTION, doubled, read_description
-from .validation import checked
-
-KINDS = {"ME": "modelExchange", "CS": "coSimulation"}
-FACES = *KINDS.values(), "scheduledExecution"
-PLAIN = re.compile(r"\w[\w.+-]*")
-REAL = ("Real", "Float64", "Float32")
+from .archive import platform_folder, platforms, read_description
+from .model_description import KINDS, read_model_description
+from .units import Unit, declared_units, inverse_units, parsed, relative_names
+from .variable import ForeignVariable, foreign_variable
 
 
-@dataclass(frozen=True)
-class ForeignVariable:
-    """One variable of an FMU, as its author declares it; `type` is FMI's name of it.
+class FMUDescription:
+    """What an FMU says of itself: its variables, units, kinds and capabilities.
 
-    A `relative` one is a difference, for which the offset of its unit does not count. `choices` are the
-    values of an enumeration by name.
-    """
-
-    name: str
-    reference: int
-    type: str
-    causality: str
-    variability: str
-    initial: str
-    unit: str
-    start: str | None
-    minimum: float
-    maximum: float
-    size: int
-    text: str
-    relative: bool
-    choices: dict[str, int]
-
-    @property
-    def real(self) -> bool:
-        """Whether it is a floating-point number."""
-        return self.type in REAL
-
-    @property
-    def settable(self) -> bool:
-        """Whether a value can be given before the start."""
-        chosen = self.causality == "input" or self.initial in ("exact", "approx")
-        return chosen and self.variability != "constant"
-
-    @property
-    def columns(self) -> list[str]:
-        """Names of its elements: its own, or `name[1]`, `name[2]`, ..., row by row."""
-        return [self.name] if self.size == 1 else [f"{self.name}[{i + 1}]" for i in range(self.size)]
-
-
-def described(path: Path, validate: bool) -> tuple[Any, list[str]]:
-    """Return FMPy's model description, and what in it and its archive breaks the standard but harms nothing.
+    Args:
+        path: the .fmu file.
+        validate: refuse a description that its XML schema does not allow.
 
     Raises:
-        FMUError: if it cannot be read, names a file outside of its folder, or is invalid and that is asked.
+        FMUError: if the archive is broken or unsafe, the description invalid, the FMI version unknown.
     """
-    from fmpy import read_model_description
 
-    text = read_description(path)
-    _check_version(path, text)
-    mended, notes = checked(path, text, validate)
-    alone = io.BytesIO()
-    with zipfile.ZipFile(alone, "w") as archive:
-        archive.writestr(DESCRIPTION, mended)
-    try:
-        description = read_model_description(alone, validate=False)
-    except Exception as error:
-        raise FMUError(f"'{path}': {DESCRIPTION} is invalid: {error}") from error
-    _check_names(path, description)
-    return description, [*doubled(path), *notes, *_breaches(description)]
+    def __init__(self, path: str | Path, *, validate: bool = True) -> None:
+        self.path, self.validate = path_of(path, "an FMU"), validate
+        self.description, self.notes = read_model_description(self.path, validate)
+        self.name = str(self.description.modelName)
+        self.version = str(self.description.fmiVersion)
+        self.tool = self.description.generationTool or "unknown tool"
+        self.kinds = [k for k, attribute in KINDS.items() if getattr(self.description, attribute) is not None]
+        self.platforms = platforms(self.path)
+        self.units = declared_units(self.description.unitDefinitions, inverse_units(self._xml))
 
+    @cached_property
+    def variables(self) -> dict[str, ForeignVariable]:
+        """Every variable by its name."""
+        relative = relative_names(self._xml)
+        return {v.name: foreign_variable(v, v.name in relative) for v in self.description.modelVariables}
 
-def _check_names(path: Path, description: Any) -> None:
-    """Refuse names that lead to other files, or to two variables."""
-    for name in _identifiers(description):
-        if not PLAIN.fullmatch(name) or ".." in name:
+    def of(self, *causalities: str) -> dict[str, ForeignVariable]:
+        """Return the variables of FMI causalities: "parameter", "input", "output", "local" ..."""
+        return {n: v for n, v in self.variables.items() if v.causality in causalities}
+
+    @property
+    def parameters(self) -> dict[str, ForeignVariable]:
+        """What can be set before a run and stays constant."""
+        return {n: v for n, v in self.of("parameter").items() if v.settable}
+
+    @property
+    def inputs(self) -> dict[str, ForeignVariable]:
+        """What it takes."""
+        return self.of("input")
+
+    @property
+    def outputs(self) -> dict[str, ForeignVariable]:
+        """What it gives."""
+        return self.of("output")
+
+    @property
+    def states(self) -> list[str]:
+        """Names of the continuous states, as far as it declares them."""
+        derivatives = [unknown.variable.derivative for unknown in self.description.derivatives]
+        return [state.name for state in derivatives if state is not None]
+
+    @property
+    def defaults(self) -> dict[str, float]:
+        """Its author's suggestion: some of `start`, `stop`, `tolerance`, `step`."""
+        suggested = self.description.defaultExperiment
+        names = {"start": "startTime", "stop": "stopTime", "tolerance": "tolerance", "step": "stepSize"}
+        values = {k: getattr(suggested, name, None) for k, name in names.items()}
+        return {k: float(v) for k, v in values.items() if v is not None}
+
+    @cached_property
+    def _xml(self) -> ElementTree.Element:
+        return ElementTree.fromstring(read_description(self.path))
+
+    @cached_property
+    def _bare(self) -> set[str]:
+        return {unit.name for unit in self.units.values() if unit.bare}
+
+    @cached_property
+    def _faces(self) -> dict[str, dict[str, str]]:
+        """What each kind declares of itself; the names of FMI 2 and 3 differ by a capital or an s."""
+        root = self._xml
+        tags = {"ME": "ModelExchange", "CS": "CoSimulation"}
+        found = {kind: root.find(tag) for kind, tag in tags.items()}
+        return {
+            kind: {name.lower().rstrip("s"): value for name, value in face.attrib.items()}
+            for kind, face in found.items()
+            if face is not None
+        }
+
+    def capable(self, kind: str, capability: str) -> bool:
+        """Tell whether a kind declares a capability, by its FMI name such as `canGetAndSetFMUstate`."""
+        return self.declared(kind, capability) in ("true", "1")
+
+    def declared(self, kind: str, attribute: str) -> str:
+        """Return what a kind declares of itself by the FMI name of an attribute, empty if nothing."""
+        return self._faces[self.kind(kind)].get(attribute.lower().rstrip("s"), "")
+
+    def kind(self, wanted: str | None = None) -> str:
+        """Return the kind to use: the one wanted, else Model Exchange before Co-Simulation.
+
+        Raises:
+            FMUError: if it has not that kind.
+        """
+        kind = wanted or (self.kinds or [""])[0]
+        if kind not in self.kinds:
+            there = " and ".join(self.kinds) or "Scheduled Execution only"
+            raise FMUError(f"FMU '{self.name}' cannot run as {wanted or 'ME or CS'}: it is {there}")
+        return kind
+
+    def check_platform(self) -> None:
+        """Refuse an FMU without a binary for this machine.
+
+        Raises:
+            FMUError: telling which machines it has some for.
+        """
+        wanted = platform_folder(self.version)
+        if wanted not in self.platforms:
             raise FMUError(
-                f"'{path}': modelIdentifier={name!r} is no plain name of a file, so that its library could "
-                "be anywhere: nothing was unpacked or run"
+                f"FMU '{self.name}' has no binary for this machine ({wanted}), only for "
+                f"{', '.join(self.platforms) or 'none'}; ask its author for one, or for its sources"
             )
-    known: dict[str, tuple[int, str]] = {}
-    for v in description.modelVariables:
-        face = v.valueReference, v.type
-        if known.setdefault(v.name, face) != face:
+
+    def variable(self, name: str, among: Iterable[str] | None = None) -> ForeignVariable:
+        """Return a variable, of all or `among` some.
+
+        Raises:
+            FMUError: for an unknown name, with the nearest one.
+        """
+        known = self.variables if among is None else among
+        if name not in known:
+            elsewhere = self.variables.get(name)
+            told = f" (it is {elsewhere.causality}, {elsewhere.variability})" if elsewhere else ""
+            raise FMUError(f"FMU '{self.name}' has no such variable '{name}'{told or nearest(name, known)}")
+        return self.variables[name]
+
+    def unit(self, name: str) -> str:
+        """Return the unit that a variable is declared with, empty if it has none."""
+        return self.variable(name).unit
+
+    def measure(self, variable: ForeignVariable) -> Unit:
+        """Return how the unit of a variable relates to SI; a variable without unit is taken as SI.
+
+        Raises:
+            FMUError: if the unit is not understood, or is declared to be another than its name says.
+        """
+        if not variable.unit:
+            return Unit("1", (0,) * 8)
+        unit = self.units.get(variable.unit) or parsed(variable.unit)
+        if self.validate and unit.name in self._bare:
             raise FMUError(
-                f"'{path}': {DESCRIPTION} has two variables called '{v.name}' that are not the same"
+                f"FMU '{self.name}': the unit {unit.name} of '{variable.name}' is declared without the "
+                f"factor that its name has, as if it were {unit.si_base}; ask its author what it is "
+                "(validate=False believes the declaration)"
             )
+        return replace(unit, offset=0.0) if variable.relative else unit
 
-
-def _breaches(description: Any) -> list[str]:
-    """Return what breaks rules beyond the schema, though it can be read."""
-    from fmpy.validation import validate_model_description
-
-    odd = [
-        f"modelIdentifier='{name}' is no C identifier"
-        for name in _identifiers(description)
-        if not re.fullmatch(r"[A-Za-z_]\w*", name, re.ASCII)
-    ]
-    try:
-        found = validate_model_description(description)
-    except KeyError as error:
-        found = [f"the unit {error}, which has a display unit, is not defined"]
-    return odd + [" ".join(str(problem).split()) for problem in found]
-
-
-def _identifiers(description: Any) -> list[str]:
-    faces = [face for name in FACES if (face := getattr(description, name)) is not None]
-    return list(dict.fromkeys(str(face.modelIdentifier) for face in faces))
-
-
-def _check_version(path: Path, text: bytes) -> None:
-    try:
-        root = ElementTree.fromstring(text)
-    except ElementTree.ParseError as error:
-        raise FMUError(f"'{path}': {DESCRIPTION} is no XML: {error}") from error
-    version = root.get("fmiVersion")
-    if root.tag != "fmiModelDescription" or version is None:
-        raise FMUError(f"'{path}': {DESCRIPTION} describes no FMU (no fmiVersion)")
-    if version != "2.0" and not version.startswith("3.0"):
-        raise FMUError(f"'{path}' is FMI {version}; only FMI 2.0 and 3.0 can be imported, export it anew")
-
-
-def foreign_variable(declared: Any, relative: bool) -> ForeignVariable:
-    """Return a variable of FMPy's model description as ours; `relative` if it says so itself."""
-    kind = declared.declaredType
-    size = 1
-    for length in declared.shape or ():
-        size *= int(length)
-    return ForeignVariable(
-        declared.name, declared.valueReference, declared.type, declared.causality, declared.variability,
-        declared.initial or "", declared.unit or (kind.unit if kind else None) or "", declared.start,
-        float(_given(declared.min, kind and kind.min, "-inf")),
-        float(_given(declared.max, kind and kind.max, "inf")),
-        size, declared.description or "", relative or bool(kind and kind.relativeQuantity),
-        {str(item.name): int(item.value) for item in (kind.items if kind else ())},
-    )  # fmt: skip
-
-
-def _given(*values: Any) -> Any:
-    return next(value for value in values if value is not None)
+    def converted(self, variable: ForeignVariable, value: Any) -> Any:
+        """Return a value in the unit of its variable: a pair (value, unit) is converted."""
+        if not (isinstance(value, tuple) and len(value) == 2 and isinstance(value[1], str)):
+            return value
+        number, name = value
+        known, own = self.units.get(name), self.measure(variable)
+        given = parsed(name) if known is None or name in self._bare else known
+        given = replace(given, offset=0.0) if variable.relative else given
+        if not variable.unit:
+            raise FMUError(
+                f"FMU '{self.name}': '{variable.name}' declares no unit, so that {name} cannot be converted; "
+                "give a plain number as its author means it"
+            )
+        if not own.fits(given):
+            raise FMUError(
+                f"FMU '{self.name}': '{variable.name}' is in {variable.unit}, not convertible from {name}"
+            )
+        return own.from_si(given.to_si(number))

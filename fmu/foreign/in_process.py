@@ -11,8 +11,8 @@ from typing import Any, Self
 
 from ..errors import FMUError
 from .archive import library_name
-from .description import KINDS
 from .instance import Group, Stepped, Update, Values
+from .model_description import KINDS
 from .unpacked import Unpacked
 
 KEPT_MESSAGES = 5

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from ..fmu import FMU
-from .description import ForeignVariable
+from .description import FMUDescription
+from .variable import ForeignVariable
 
 CAPABILITIES = {
     "canGetAndSetFMUstate": "saves and restores its state",
@@ -19,7 +19,7 @@ CAPABILITIES = {
 MOST = 40
 
 
-def info(fmu: FMU) -> str:
+def info(fmu: FMUDescription) -> str:
     """Return what an FMU says of itself, as text."""
     lines = [f"{fmu.name}: FMI {fmu.version}, {' and '.join(fmu.kinds) or 'Scheduled Execution'}"]
     if fmu.description.description:

@@ -13,10 +13,10 @@ import numpy as np
 from ...components import Sampled
 from ...networks import check_covered, piecewise
 from ..errors import FMUError
-from ..fmu import FMU
-from .description import ForeignVariable
+from .description import FMUDescription
 from .instance import Group, Instance, Values
 from .values import checked
+from .variable import ForeignVariable
 
 SAMPLES_A_STEP, QUIET, STILL = 4, 4, 1e-9
 
@@ -33,78 +33,58 @@ def groups(variables: Iterable[ForeignVariable]) -> list[Group]:
     return found
 
 
-def chosen_values(
-    fmu: FMU, parameters: Mapping[str, Any], start: Mapping[str, Any]
-) -> dict[str, tuple[Group, Values]]:
-    """Return values to set before the start, by name.
-
-    Raises:
-        FMUError: for unknown names, what cannot be set, and values out of range.
-    """
-    chosen = []
-    for name, value in parameters.items():
-        chosen.append((fmu.variable(name, fmu.parameters), value))
-    for name, value in start.items():
-        variable = fmu.variable(name)
-        if not variable.settable or variable.causality in ("parameter", "input"):
-            told = variable.initial or variable.variability
-            raise FMUError(f"FMU '{fmu.name}': '{name}' ({variable.causality}, {told}) takes no start value")
-        chosen.append((variable, value))
-    return {v.name: ((v.type, [v.reference], v.size), checked(fmu, v, value)) for v, value in chosen}
-
-
 @dataclass(eq=False)
 class Inputs:
     """Signals of a run.
 
     Attributes:
-        driven: continuous real inputs, set with every evaluation; a function of time each.
-        held: the others, constant between their jumps.
-        pace: steps [s] that do not pass over what data do between their samples.
-        wakes: instants at which data bend again that had been straight.
+        continuous: real inputs, set with every evaluation; a function of time each.
+        discrete: the others, constant between their jumps.
+        longest_step: steps [s] that do not pass over what data do between their samples.
+        bends: instants at which data bend again that had been straight.
     """
 
-    fmu: FMU
-    driven: dict[str, Callable[[float], float]] = field(default_factory=dict)
-    held: dict[str, Callable[[float], Any]] = field(default_factory=dict)
+    fmu: FMUDescription
+    continuous: dict[str, Callable[[float], float]] = field(default_factory=dict)
+    discrete: dict[str, Callable[[float], Any]] = field(default_factory=dict)
     jumps: list[float] = field(default_factory=list)
-    pace: float = np.inf
-    wakes: list[float] = field(default_factory=list)
+    longest_step: float = np.inf
+    bends: list[float] = field(default_factory=list)
 
     @property
     def references(self) -> list[int]:
-        """Value references of what is driven."""
-        return [self.fmu.variables[name].reference for name in self.driven]
+        """Value references of the continuous inputs."""
+        return [self.fmu.variables[name].reference for name in self.continuous]
 
     def at(self, t: float) -> Values:
-        """Return what is driven, at an instant.
+        """Return the continuous inputs at an instant.
 
         Raises:
             FMUError: if a signal gives no finite number.
         """
-        values = [float(signal(t)) for signal in self.driven.values()]
-        for name, value in zip(self.driven, values, strict=True):
+        values = [float(signal(t)) for signal in self.continuous.values()]
+        for name, value in zip(self.continuous, values, strict=True):
             if not np.isfinite(value):
                 raise FMUError(f"input '{name}' of FMU '{self.fmu.name}' is {value} at t = {t:g} s")
         return values
 
-    def hold(self, instance: Instance, t: float) -> None:
-        """Set the held inputs for the time after t."""
-        for name, signal in self.held.items():
+    def set_discrete(self, instance: Instance, t: float) -> None:
+        """Set the discrete inputs for the time after t."""
+        for name, signal in self.discrete.items():
             v = self.fmu.variables[name]
             instance.set((v.type, [v.reference], v.size), checked(self.fmu, v, signal(t)))
 
     def next_jump(self, t: float) -> float:
-        """Return when a held input changes next."""
+        """Return when a discrete input changes next."""
         return min((jump for jump in self.jumps if jump > t), default=np.inf)
 
-    def next_wake(self, t: float) -> float:
+    def next_bend(self, t: float) -> float:
         """Return when data bend next that are straight now."""
-        place = bisect_right(self.wakes, t)
-        return self.wakes[place] if place < len(self.wakes) else np.inf
+        place = bisect_right(self.bends, t)
+        return self.bends[place] if place < len(self.bends) else np.inf
 
 
-def chosen_inputs(fmu: FMU, signals: Mapping[str, Any], begin: float, stop: float) -> Inputs:
+def chosen_inputs(fmu: FMUDescription, signals: Mapping[str, Any], begin: float, stop: float) -> Inputs:
     """Return the signals of a run from `begin` to `stop` [s].
 
     Raises:
@@ -116,9 +96,9 @@ def chosen_inputs(fmu: FMU, signals: Mapping[str, Any], begin: float, stop: floa
     for name, signal in signals.items():
         v = fmu.variable(name, fmu.inputs)
         if v.type in ("Real", "Float64") and v.variability == "continuous" and v.size == 1:
-            inputs.driven[name] = _continuous(inputs, v, signal, smooth)
+            inputs.continuous[name] = _continuous(inputs, v, signal, smooth)
         else:
-            inputs.held[name] = _held(inputs, v, signal, begin)
+            inputs.discrete[name] = _discrete(inputs, v, signal, begin)
     check_covered(fmu.name, smooth, begin, stop)
     return inputs
 
@@ -136,13 +116,13 @@ def _continuous(
         return lambda t: float(number)
     sampled = signal if isinstance(signal, Sampled) else Sampled(*_pair(inputs.fmu, v, signal))
     smooth[v.name] = sampled
-    inputs.pace = min(inputs.pace, SAMPLES_A_STEP * float(np.median(np.diff(sampled.time))))
-    inputs.wakes = sorted({*inputs.wakes, *_wakes(sampled)})
+    inputs.longest_step = min(inputs.longest_step, SAMPLES_A_STEP * float(np.median(np.diff(sampled.time))))
+    inputs.bends = sorted({*inputs.bends, *_bends(sampled)})
     course = piecewise(sampled)
     return lambda t: float(course(t))
 
 
-def _wakes(data: Sampled) -> list[float]:
+def _bends(data: Sampled) -> list[float]:
     """Return the instants at which data bend again after some that lay on a line."""
     slopes = np.diff(data.values) / np.diff(data.time)
     steepest = np.abs(slopes).max()
@@ -151,7 +131,7 @@ def _wakes(data: Sampled) -> list[float]:
     return [float(t) for t in data.time[np.flatnonzero((bent & quiet)[QUIET:])]]
 
 
-def _held(inputs: Inputs, v: ForeignVariable, signal: Any, begin: float) -> Callable[[float], Any]:
+def _discrete(inputs: Inputs, v: ForeignVariable, signal: Any, begin: float) -> Callable[[float], Any]:
     if callable(signal):
         raise FMUError(
             f"input '{v.name}' of FMU '{inputs.fmu.name}' is {v.variability} {v.type}: give a value or "
@@ -175,7 +155,7 @@ def _held(inputs: Inputs, v: ForeignVariable, signal: Any, begin: float) -> Call
     return lambda t: values[max(0, int(np.searchsorted(time, t, side="right")) - 1)]
 
 
-def _pair(fmu: FMU, v: ForeignVariable, signal: Any) -> tuple[Any, Any]:
+def _pair(fmu: FMUDescription, v: ForeignVariable, signal: Any) -> tuple[Any, Any]:
     if not isinstance(signal, tuple) or len(signal) != 2:
         raise FMUError(
             f"input '{v.name}' of FMU '{fmu.name}' takes a number, a function of time or (time, values), "

@@ -7,9 +7,8 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Protocol
 
-from ..cosimulation.communication_steps import followed_inputs
 from ..errors import FMUError
-from ..fmu import FMU
+from .description import FMUDescription
 from .in_process import LocalInstance
 from .inputs import groups
 from .instance import Group, Values
@@ -74,9 +73,11 @@ class LoadedInstance(LocalInstance):
 
     load: Load | None = None
 
-    def prepare(self, fmu: FMU, inputs: Sequence[str], outputs: Sequence[str], load: Load | None) -> None:
+    def prepare(
+        self, fmu: FMUDescription, inputs: Sequence[str], outputs: Sequence[str], load: Load | None
+    ) -> None:
         """Look up what will be set and read."""
-        self.fmu, self.load, self.followed = fmu, load, followed_inputs(list(inputs))
+        self.load = load
         self.wanted: list[Group] = groups(fmu.variables[name] for name in outputs)
         self._given = _Reals(self, [fmu.variables[name].reference for name in inputs])
         if load is not None:

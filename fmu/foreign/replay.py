@@ -10,11 +10,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..errors import FMUError
-from ..fmu import FMU
-from .inputs import chosen_values
-from .instance import Values, finite
-from .me_integrator import Solver
+from .description import FMUDescription
+from .initialization import enter_initialization
+from .instance import Group, Values, finite
+from .me_integrator import Stepping
 from .port_force import Load, LoadedInstance
+from .time_stepping import STEPPERS, CoSimulation, TimeStepper
 from .unpacked import Unpacked
 
 Array = NDArray[np.float64]
@@ -35,7 +36,7 @@ class Replay:
         outputs: names of what is wanted.
     """
 
-    def __init__(self, fmu: FMU, kind: str, inputs: Sequence[str], outputs: Sequence[str]) -> None:
+    def __init__(self, fmu: FMUDescription, kind: str, inputs: Sequence[str], outputs: Sequence[str]) -> None:
         self.fmu, self.kind, self.inputs, self.outputs = fmu, kind, list(inputs), list(outputs)
         self._files = Unpacked(fmu.path)
 
@@ -69,45 +70,39 @@ class Replay:
         """
         from fmpy.fmi1 import FMICallException
 
-        fmu, variables = self.fmu, self.fmu.variables
-        values = chosen_values(fmu, parameters, start or {})
-        references = [variables[name].reference for name in self.inputs]
+        fmu, longest = self.fmu, float(time[every] - time[0])
+        stepping = Stepping(float(time[0]), float(time[-1]), rtol, self.inputs, longest)
+        course = _spline(time, given) if self.kind == "ME" else lambda t: given[0].tolist()
         with LoadedInstance(fmu.path, self.kind, files=self._files) as instance:
             try:
                 instance.prepare(fmu, self.inputs, self.outputs, load)
-                instance.start(float(time[0]), float(time[-1]), rtol, list(values.values()), references)
+                enter_initialization(instance, fmu, stepping, parameters, start or {})
                 instance.drive(given[0].tolist())
-                instance.started()
-                if self.kind == "ME":
-                    return _exchange(instance, time, given, every, rtol)
-                return _communicate(instance, time, given, every)
+                stepper = STEPPERS[self.kind](instance, fmu, course, stepping)
+                _switch(stepper)
+                if isinstance(stepper, CoSimulation):
+                    found = _communicated(stepper, instance, time, given, every)
+                else:
+                    found = _integrated(stepper, instance.wanted, time[::every].tolist())
             except FMICallException as error:
                 raise FMUError(f"FMU '{fmu.name}': {error}") from error
+        return _table(fmu.name, found, time[::every])
 
 
-def _exchange(instance: LoadedInstance, time: Array, given: Array, every: int, rtol: float) -> Array:
-    update = instance.update()
-    _going_on(instance, update.terminate, float(time[0]))
-    drive, begin = _smooth(time, given), float(time[0])
-    name, watched = instance.fmu.name, instance.description.numberOfEventIndicators
-    instants = time[::every].tolist()
-    longest = float(time[every] - time[0])
-    solver = Solver(name, instance, watched, drive, begin, rtol, longest)
-    solver.next_event = np.inf if update.next_event is None else update.next_event
-    found = [instance.look(begin, solver.x.tolist(), drive(begin), instance.wanted)]
+def _integrated(stepper: TimeStepper, wanted: list[Group], instants: list[float]) -> list[Values]:
+    found = [stepper.look(wanted)]
+
+    def look_back() -> None:
+        while len(found) < len(instants) and instants[len(found)] <= stepper.t:
+            found.append(stepper.look(wanted, instants[len(found)]))
+
     while len(found) < len(instants):
-        piece = solver.step(instants[-1])
-        while len(found) < len(instants) and instants[len(found)] <= piece.end:
-            t = instants[len(found)]
-            found.append(instance.look(t, np.asarray(piece.states(t)).tolist(), drive(t), instance.wanted))
-        asked, ended = solver.arrive()
-        _going_on(instance, ended, solver.t)
-        if piece.event or asked or solver.t >= solver.next_event:
-            _going_on(instance, solver.switch().terminate, solver.t)
-    return _table(instance, found, instants)
+        stepper.step(instants[-1], look_back)
+        _switch(stepper)
+    return found
 
 
-def _smooth(time: Array, given: Array) -> Callable[[float], Values]:
+def _spline(time: Array, given: Array) -> Callable[[float], Values]:
     """Return the inputs as cubic splines through their samples, quick at single instants."""
     from scipy.interpolate import CubicSpline
 
@@ -123,9 +118,9 @@ def _smooth(time: Array, given: Array) -> Callable[[float], Values]:
     return drive
 
 
-def _communicate(instance: LoadedInstance, time: Array, given: Array, every: int) -> Array:
-    if instance.event_mode:
-        _going_on(instance, instance.update().terminate, float(time[0]))
+def _communicated(
+    stepper: CoSimulation, instance: LoadedInstance, time: Array, given: Array, every: int
+) -> list[Values]:
     rows, instants, load = given.tolist(), time.tolist(), instance.load
     found, before, force, following = [], None, 0.0, 0.0
     for k, (t, row) in enumerate(zip(instants, rows, strict=True)):
@@ -138,47 +133,46 @@ def _communicate(instance: LoadedInstance, time: Array, given: Array, every: int
             following = load.law(t + step, s + step * (v + 0.5 * step * a), v + step * a, a)
             row = instance.loaded(row, force)
         if k % every == 0:
-            instance.drive(row)
-            found.append(instance.get(instance.wanted))
+            stepper.hold(row)
+            found.append(stepper.look(instance.wanted))
         if k + 1 == len(rows):
             break
         after = rows[k + 1] if load is None else instance.loaded(rows[k + 1], following)
-        _advance(instance, t, instants[k + 1], *_held(instance, row, after, step))
-    return _table(instance, found, instants[::every])
+        inputs, rates = _mean_inputs(stepper, row, after, step)
+        while stepper.t < instants[k + 1]:
+            stepper.communicate(instants[k + 1], inputs, rates)
+            _switch(stepper)
+    return found
 
 
-def _held(instance: LoadedInstance, row: Values, after: Values, step: float) -> tuple[Values, Values]:
+def _mean_inputs(stepper: CoSimulation, row: Values, after: Values, step: float) -> tuple[Values, Values]:
     """Return inputs for a communication step, and their rates for an FMU that interpolates.
 
     An input x beside an input der(x) is given where the step begins, as it follows der(x).
     """
-    if instance.interpolates:
+    if stepper.instance.interpolates:
         return row, [(b - a) / step for a, b in zip(row, after, strict=True)]
     inputs = [0.5 * (a + b) for a, b in zip(row, after, strict=True)]
-    for place in instance.followed:
+    for place in stepper.rated:
         inputs[place] = row[place]
     return inputs, [0.0] * len(row)
 
 
-def _advance(instance: LoadedInstance, t: float, target: float, inputs: Values, rates: Values) -> None:
-    """Go to the next communication point, over the events on the way."""
-    while t < target:
-        stepped = instance.step(t, target - t, inputs, rates)
-        t, _ = stepped.landed(instance.name, t, target)
-        _going_on(instance, stepped.terminate, t)
-        if stepped.event and instance.event_mode:
-            instance.enter_events()
-            _going_on(instance, instance.update().terminate, t)
+def _switch(stepper: TimeStepper) -> None:
+    """Iterate the event that the last step ended at, if at any.
+
+    Raises:
+        FMUError: if the FMU asks to end.
+    """
+    if stepper.event and not stepper.ended:
+        stepper.switch()
+    if stepper.ended:
+        raise FMUError(f"FMU '{stepper.name}' asked to end at t = {stepper.t:.9g} s, before the record does")
 
 
-def _going_on(instance: LoadedInstance, ended: bool, t: float) -> None:
-    if ended:
-        raise FMUError(f"FMU '{instance.name}' asked to end at t = {t:.9g} s, before the record does")
-
-
-def _table(instance: LoadedInstance, found: list[Values], instants: Sequence[float]) -> Array:
+def _table(name: str, found: list[Values], instants: Array) -> Array:
     table: Array = np.array(found, dtype=np.float64).reshape(len(instants), -1)
     wrong = np.flatnonzero(~np.isfinite(table).all(axis=1))
     if len(wrong):
-        finite(instance.name, "an output", instants[wrong[0]], table[wrong[0]].tolist())
+        finite(name, "an output", float(instants[wrong[0]]), table[wrong[0]].tolist())
     return table

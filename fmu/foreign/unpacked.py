@@ -6,7 +6,7 @@ from pathlib import Path
 from tempfile import TemporaryDirectory
 
 from .archive import platform_folder, unpack
-from .description import described
+from .model_description import read_model_description
 
 
 class Unpacked:
@@ -14,7 +14,7 @@ class Unpacked:
 
     def __init__(self, path: Path, parent: Path | None = None) -> None:
         self.path = path
-        self.description, _ = described(path, validate=False)
+        self.description, _ = read_model_description(path, validate=False)
         self._folder = TemporaryDirectory(prefix="inertance-fmu-", dir=parent, ignore_cleanup_errors=True)
         self.folder, self.binaries = Path(self._folder.name), platform_folder(self.description.fmiVersion)
         try:

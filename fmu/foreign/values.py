@@ -9,9 +9,9 @@ import numpy as np
 
 from ...components import nearest
 from ..errors import FMUError
-from ..fmu import FMU
-from .description import ForeignVariable
+from .description import FMUDescription
 from .instance import Values
+from .variable import ForeignVariable
 
 WHOLE = {"Integer": (-(2**31), 2**31 - 1), "Enumeration": (-(2**63), 2**63 - 1)} | {
     f"{sign}Int{bits}": ((0, 2**bits - 1) if sign else (-(2 ** (bits - 1)), 2 ** (bits - 1) - 1))
@@ -21,7 +21,7 @@ WHOLE = {"Integer": (-(2**31), 2**31 - 1), "Enumeration": (-(2**63), 2**63 - 1)}
 REFUSED = "Binary", "Clock"
 
 
-def checked(fmu: FMU, variable: ForeignVariable, value: Any) -> Values:
+def checked(fmu: FMUDescription, variable: ForeignVariable, value: Any) -> Values:
     """Return the elements of a value in the unit and the type of its variable.
 
     Raises:

@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from ...components import UnknownNameError, nearest
 from ..cosimulation.step_error import ExchangeRun
-from ..foreign.simulate import ForeignRun
+from ..foreign.run import ForeignRun
 
 if TYPE_CHECKING:
     import pandas as pd

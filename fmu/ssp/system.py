@@ -11,11 +11,13 @@ from typing import Any
 import numpy as np
 
 from ...components import nearest
-from ..cosimulation.jacobi_master import Link, Master, Member, Signal
+from ..cosimulation.communication_points import CommunicationPoints
+from ..cosimulation.jacobi_master import JacobiMaster, Link
+from ..cosimulation.participants import Member, Signal
 from ..cosimulation.step_error import compare
 from ..errors import FMUError
 from ..fmu import FMU
-from ..foreign.description import ForeignVariable
+from ..foreign.variable import ForeignVariable
 from .run import SystemRun
 
 SIGNALS = ("Real", "Float64", "Float32")
@@ -182,21 +184,17 @@ class SystemStructure:
             )
         members, links = self._members(dict(inputs or {}), kind), self._links()
 
-        def run(step: float) -> SystemRun:
+        def run(points: CommunicationPoints) -> SystemRun:
             began = clock.perf_counter()
-            points = np.linspace(self.begin, stop, max(1, round(span / step)) + 1)
-            master = Master(members, links, points, order, rtol)
-            stats = {"communication steps": 0, "seconds": 0.0}
-            found = SystemRun(master.run(), step, order, self.name, stats=stats)
-            found.notes += master.notes
-            stats |= {"communication steps": master.steps, "seconds": clock.perf_counter() - began}
-            return found
+            master = JacobiMaster(members, links, points, rtol)
+            fmus = master.run()
+            stats = {"communication steps": master.steps, "seconds": clock.perf_counter() - began}
+            return SystemRun(fmus, points.step, order, self.name, notes=master.notes, stats=stats)
 
-        result = run(communication_step)
+        points = CommunicationPoints(self.begin, stop, communication_step, order)
+        result = run(points)
         if halving:
-            compare(
-                result, run(communication_step / 2), [connection.start for connection in self.connections]
-            )
+            compare(result, run(points.halved), [connection.start for connection in self.connections])
         return result
 
     def _members(self, inputs: dict[str, Any], kind: str) -> dict[str, Member]:

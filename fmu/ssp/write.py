@@ -11,8 +11,8 @@ from ...components import ModelError
 from ..export.model_description import text
 from ..export.package import write_archive
 from ..fmu import FMU
-from ..foreign.description import ForeignVariable
 from ..foreign.units import BASES, Unit
+from ..foreign.variable import ForeignVariable
 
 if TYPE_CHECKING:
     from .system import Connection, SystemStructure

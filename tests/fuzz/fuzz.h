@@ -9,7 +9,7 @@
 #include <string.h>
 #include <unistd.h>
 
-#include "face.h"
+#include "fmi_common.h"
 
 #define LONGEST 30     /* calls in a sequence */
 #define PATIENCE 30    /* seconds that a sequence may take */

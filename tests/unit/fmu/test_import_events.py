@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import zipfile
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any
@@ -265,18 +266,30 @@ def test_inertia_that_an_impact_inside_an_fmu_would_move_is_refused(exported: Ex
         cosimulate(net, 0.5, communication_step=1e-2)
 
 
-def test_a_network_s_events_that_a_step_cannot_end_at_are_told(exported: Exported, tmp_path: Path) -> None:
-    import zipfile
-
-    plain = exported(Network("plain", ball=Mass(m=1.0)), "ball.flange", "force-in", "2.0")
-    rigid = tmp_path / "rigid.fmu"
-    with zipfile.ZipFile(plain.path) as archive, zipfile.ZipFile(rigid, "w") as copy:
+def of_one_step_size(fmu: FMU, folder: Path) -> FMU:
+    rigid = folder / "rigid.fmu"
+    flexible = b'canHandleVariableCommunicationStepSize="true"'
+    with zipfile.ZipFile(fmu.path) as archive, zipfile.ZipFile(rigid, "w") as copy:
         for name in archive.namelist():
-            whole = archive.read(name)
-            flexible = b'canHandleVariableCommunicationStepSize="true"'
-            copy.writestr(name, whole.replace(flexible, flexible.replace(b"true", b"false")))
+            copy.writestr(name, archive.read(name).replace(flexible, flexible.replace(b"true", b"false")))
+    return FMU(rigid)
+
+
+def test_an_fmu_of_one_step_size_goes_on_after_its_own_event(exported: Exported, tmp_path: Path) -> None:
+    """The rest of the step that it ended itself was refused, as if another had ended it."""
+    ball = exported(bouncing("ball"), "ball.flange", "force-in", "3.0")
+    net = Network("split", ball=motion(of_one_step_size(ball, tmp_path), "CS"))
+    run = cosimulate(hung(net.ball, net), 0.5, communication_step=2.5e-3, halving=False, **TIGHT)
+    whole = bouncing("whole")
+    wanted = whole_run(hung(whole.ball, whole), 0.5)
+    assert any(event.time > 0 for event in run.events)
+    assert np.abs(np.interp(run.time, wanted.time, wanted["mass.s"]) - run["mass.s"]).max() < 6e-5
+
+
+def test_a_network_s_events_that_a_step_cannot_end_at_are_told(exported: Exported, tmp_path: Path) -> None:
+    plain = exported(Network("plain", ball=Mass(m=1.0)), "ball.flange", "force-in", "2.0")
     net = pushed(strut("split"), 0.1033)
-    net.add(ball=motion(FMU(rigid), "CS"))
+    net.add(ball=motion(of_one_step_size(plain, tmp_path), "CS"))
     net.connect(net.strut.flange_a, net.ball.flange, net.push.flange)
     run = cosimulate(net, 0.5, communication_step=1e-2, halving=False)
     assert "0.1033 s, do not end a communication step" in run.notes[0]

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
+from pathlib import Path
 
 import inertance as ia
 import numpy as np
@@ -88,3 +90,21 @@ def test_an_inertia_needs_a_velocity_that_is_a_state(fmu: ia.FMU) -> None:
     load = Load("push.f", "mass.s", "spring.f", Damped(m=0.4))
     with Replay(fmu, "ME", ["push.f"], ["mass.s"]) as replay, pytest.raises(ia.FMUError, match="is no state"):
         replay.run(TIME, FORCE[:, None], {}, load=load)
+
+
+@dataclass(frozen=True)
+class Pulling:
+    """Pulls back to zero."""
+
+    accelerating = False
+
+    def __call__(self, t: float, s: float, v: float, a: float) -> float:
+        return -s
+
+
+def test_a_replay_that_chatters_is_told(make_fmu: Callable[..., Path]) -> None:
+    """The relay pulled back to where it switches has events without end, which ran for ever."""
+    load = Load("u", "y", "y", Pulling())
+    fmu = ia.FMU(make_fmu("relay"))
+    with Replay(fmu, "ME", ["u"], ["y"]) as replay, pytest.raises(ia.FMUError, match="is chattering: 200"):
+        replay.run(TIME, np.full((len(TIME), 1), 0.1), {}, load=load)

@@ -2,15 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
-from typing import Any
+from collections.abc import Callable, Sequence
 
 import numpy as np
 from numpy.typing import NDArray
 
 from ..errors import FMUError
-from ..fmu import FMU
-from ..foreign.instance import Values
+from .description import FMUDescription
+from .instance import Values
 
 Array = NDArray[np.float64]
 Course = Callable[[float], Values]
@@ -24,10 +23,10 @@ class StepSizes:
         flexible: whether it takes any size.
     """
 
-    def __init__(self, fmu: FMU) -> None:
+    def __init__(self, fmu: FMUDescription) -> None:
         self._name = fmu.name
         self.flexible = fmu.capable("CS", "canHandleVariableCommunicationStepSize")
-        self._inner = float(fmu.told("CS", "fixedInternalStepSize") or 0.0)
+        self._inner = float(fmu.declared("CS", "fixedInternalStepSize") or 0.0)
         self._only: float | None = None
 
     def check(self, t: float, duration: float) -> None:
@@ -52,8 +51,8 @@ class StepSizes:
             )
 
 
-def given(
-    course: Course, t: float, duration: float, interpolates: bool, followed: dict[int, int]
+def step_inputs(
+    course: Course, t: float, duration: float, interpolates: bool, rated: dict[int, int]
 ) -> tuple[Values, Values]:
     """Return inputs for a communication step, and their rates for an FMU that interpolates.
 
@@ -65,12 +64,12 @@ def given(
         inputs, rates = first, (last - first) / duration
     else:
         inputs, rates = (first + 4 * middle + last) / 6, 0 * first
-    for place, rate in followed.items():
+    for place, rate in rated.items():
         inputs[place], rates[place] = first[place], inputs[rate]
     return inputs.tolist(), rates.tolist()
 
 
-def followed_inputs(inputs: list[str]) -> dict[int, int]:
+def rated_inputs(inputs: Sequence[str]) -> dict[int, int]:
     """Return the places of inputs whose derivative is an input, too, and of that: x and der(x), der(x,2)."""
     found = {}
     for place, name in enumerate(inputs):
@@ -79,18 +78,3 @@ def followed_inputs(inputs: list[str]) -> dict[int, int]:
         if rate in inputs:
             found[place] = inputs.index(rate)
     return found
-
-
-def untaken(fmu: FMU, instance: Any, chosen: dict[str, tuple[Any, Values]]) -> list[str]:
-    """Return notes on values that an FMU was given before its start and did not take."""
-    notes = []
-    for name, (group, values) in chosen.items():
-        v = fmu.variables[name]
-        if v.initial != "exact" or v.type == "String":
-            continue
-        found = instance.get([group])
-        close = 1e-6 if v.type == "Float32" else 1e-9
-        if not np.allclose(found, np.array(values, dtype=float), rtol=close, atol=0.0):
-            took, wanted = (x[0] if v.size == 1 else x for x in (found, values))
-            notes.append(f"'{name}' was set to {wanted}, but the FMU says that it is {took}")
-    return notes
