@@ -192,8 +192,8 @@ def test_variations_agree_with_differences_of_runs(kind: str) -> None:
 
 
 def test_a_start_that_follows_no_parameter_may_be_given() -> None:
-    net = rig()
-    run = net.simulate(0.1, inputs={"table.s_ref": ia.Sinusoid(0.004, 2.0)}, progress=False)
-    states = len(net.dae().state_names)
-    slopes = ia.Variations(net.dae(), ["spring.f"], []).along(run, np.zeros((states, 0)))
+    dae = rig().dae()
+    run = ia.simulate(dae, 0.1, inputs={"table.s_ref": ia.Sinusoid(0.004, 2.0)}, progress=False)
+    states = len(dae.state_names)
+    slopes = ia.Variations(dae, ["spring.f"], []).along(run, np.zeros((states, 0)))
     assert slopes.shape == (len(run.time), 1, states)
