@@ -14,6 +14,7 @@ from ..identification import Accuracy, Campaign
 from ..networks import COARSEST, FINEST, SOLVERS, ToolchainError, compiler
 from .effects.hypothesis import Placed
 from .models.predictor import limits
+from .models.read import read_model
 from .search.decimation import thinned
 from .search.joint_fit import Joint, Refit, refit
 from .search.model_comparison import COLOURED, are_alike, blocks, clearness, is_simpler, misfit, unexplained
@@ -67,7 +68,7 @@ def diagnose(
         executor=(executor, optional(instance(Executor))),
     )
     tell = report or (lambda line: None)
-    campaign = thinned(Campaign.of(campaign))
+    campaign = thinned(Campaign.of(campaign, read_model))
     rtol = rtol or _unseen(campaign)
     accuracy = Accuracy(_fastest() if solver == "auto" else solver, rtol, steps=STEPS)
     tell("refitting the parameters")
