@@ -35,5 +35,6 @@ from .records.excitation import sampled as sampled
 from .records.filters import Filter as Filter
 from .records.noise import Floor as Floor
 from .records.record import Record as Record
+from .records.record import in_si as in_si
 from .records.record import read_record as read_record
 from .records.units import likely_unit as likely_unit
