@@ -256,7 +256,7 @@ def _read_peer(path: Path) -> Table:
     ]
     if len(rows) != int(facts.get("NPTS", len(rows))):
         raise ModelError(f"{path}: line 4 says {facts['NPTS']} values, there are {len(rows)}")
-    time = float(facts["DT"]) * np.arange(len(rows))
+    time: Array = float(facts["DT"]) * np.arange(len(rows), dtype=float)
     acceleration: Array = GRAVITY * np.array(rows, dtype=float).ravel()
     units = {"time": "s", "acceleration": "m/s2"}
     return Table(path, {"time": time, "acceleration": acceleration}, units, 0)

@@ -91,7 +91,7 @@ def campaign(folder: Path, source: str) -> Path:
 
 
 def stiffness(dae: ia.DAE, values: dict[str, Any]) -> float:
-    return dae.parameter_values["spring.k"] + values["mass.m"]
+    return float(dae.parameter_values["spring.k"] + values["mass.m"])
 
 
 def ran(*arguments: object) -> str:
