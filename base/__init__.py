@@ -47,6 +47,7 @@ from .interrupts import RunInterruptedError as RunInterruptedError
 from .interrupts import foreign as foreign
 from .interrupts import heed as heed
 from .interrupts import interruptible as interruptible
+from .private_imports import module_of as module_of
 from .processes import Processes as Processes
 from .quiet import numpy_on_symbols as numpy_on_symbols
 from .text_file import is_utf_16 as is_utf_16

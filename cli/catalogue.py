@@ -19,9 +19,8 @@ def catalogue() -> dict[str, dict[str, Kind]]:
     """Return all public components: family, then name, then class."""
     found: dict[str, dict[str, Kind]] = {}
     for prefix, module in _faces():
-        for name in dir(module):
-            value = getattr(module, name)
-            if inspect.isclass(value) and issubclass(value, Component) and (family := _family(value)):
+        for name, value in inspect.getmembers(module, inspect.isclass):
+            if issubclass(value, Component) and (family := _family(value)):
                 found.setdefault(family, {})[prefix + name] = value
     return {family: dict(sorted(found[family].items())) for family in sorted(found)}
 
@@ -30,14 +29,13 @@ def _faces() -> Iterator[tuple[str, ModuleType]]:
     """Yield the public face and the families on it that have names of their own."""
     face = import_module("..", __package__)
     yield "", face
-    for name in dir(face):
-        value = getattr(face, name)
-        if inspect.ismodule(value) and value.__name__ == f"{face.__name__}.components.{name}":
+    for name, value in inspect.getmembers(face, inspect.ismodule):
+        if value.__name__ == f"{face.__name__}.components.{name}":
             yield f"{name}.", value
 
 
 def _family(kind: Kind) -> str:
-    """Return the package that a component lives in, empty for what is not of a family."""
+    """Return the package that a component lives in, empty for what is of no family or needs an FMU."""
     place = kind.__module__.split(".")
     return place[2] if len(place) > 3 and place[1] != "fmu" and place[2] != "language" else ""
 

@@ -3,39 +3,38 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import TYPE_CHECKING
 
-import numpy as np
-
+from ..base import ModelError
+from ..base.tables import Table, read_table
 from ..components import Sampled, nearest
-from ..networks import DAE, load_table
-
-if TYPE_CHECKING:
-    import pandas as pd
+from ..networks import DAE
 
 
 def read_inputs(path: Path, dae: DAE) -> dict[str, Sampled]:
-    """Return the signals that a file holds for the inputs of a network, all columns checked.
+    """Return the signals that a file holds for the inputs of a network, all columns checked, in SI units.
 
     Raises:
-        ValueError: with file, line and column of what is wrong.
-        FileNotFoundError: if there is no such file.
+        ModelError: with file, line and column of what is wrong.
+        MissingFileError: if there is no such file.
     """
-    table = load_table(path)
+    from ..identification import in_si
+
+    table = read_table(path)
+    time = in_si(table, table.time_name, "s")
     units = {declared.path: declared.unit for declared in dae.inputs if not declared.order}
-    _check_columns(path, table, units)
-    missing = unbound_inputs(dae) - set(table.columns)
+    names = [name for name in table.columns if name != table.time_name]
+    _check_names(table, names, units)
+    missing = unbound_inputs(dae) - set(names)
     if missing:
         told = " nor ".join(f"'{name}' [{units[name]}]" for name in sorted(missing))
-        raise ValueError(f"{path}, line 1: no column {told}, an input that has no other signal")
-    time = table.index.to_numpy(dtype=float)
-    _check_finite(path, "time", time)
-    _check_increasing(path, time)
-    for name in table.columns:
-        _check_finite(path, name, table[name].to_numpy())
+        raise ModelError(f"{path}, line 1: no column {told}, an input that has no other signal")
+    columns = {name: in_si(table, name, units[name]) for name in names}
+    wrong = [table.number_problem(name, values) for name, values in columns.items()]
+    for told in filter(None, (table.time_problem(table.time_name, time), *wrong)):
+        raise ModelError(told)
     if len(time) < 4:
-        raise ValueError(f"{path}: {len(time)} rows; at least 4 are needed for a smooth signal")
-    return {name: Sampled(time, table[name].to_numpy()) for name in table.columns}
+        raise ModelError(f"{path}: {len(time)} rows; at least 4 are needed for a smooth signal")
+    return {name: Sampled(time, values) for name, values in columns.items()}
 
 
 def unbound_inputs(dae: DAE) -> set[str]:
@@ -43,31 +42,8 @@ def unbound_inputs(dae: DAE) -> set[str]:
     return {declared.path for declared in dae.inputs if not declared.order and declared.signal is None}
 
 
-def _check_columns(path: Path, table: pd.DataFrame, units: dict[str, str]) -> None:
-    for name in table.columns:
-        where = f"{path}, line 1, column '{name}'"
+def _check_names(table: Table, names: list[str], units: dict[str, str]) -> None:
+    for name in names:
         if name not in units:
             known = f"; the inputs are {', '.join(units)}" if units else "; the network has no inputs"
-            raise ValueError(f"{where}: there is no such input{nearest(name, units) or known}")
-        given = table.attrs["units"][name]
-        if given and given != units[name]:
-            raise ValueError(f"{where}: the input is in {units[name]}, the column in {given}")
-
-
-def _check_finite(path: Path, name: str, values: np.ndarray[tuple[int], np.dtype[np.float64]]) -> None:
-    wrong = np.flatnonzero(~np.isfinite(values))
-    if len(wrong):
-        raise ValueError(
-            f"{path}, line {wrong[0] + 2}, column '{name}': {values[wrong[0]]} is no usable number "
-            f"({len(wrong)} such in this column); fill it or cut it out"
-        )
-
-
-def _check_increasing(path: Path, time: np.ndarray[tuple[int], np.dtype[np.float64]]) -> None:
-    wrong = np.flatnonzero(np.diff(time) <= 0)
-    if len(wrong):
-        row = wrong[0] + 1
-        raise ValueError(
-            f"{path}, line {row + 2}, column 'time': {time[row]:g} s comes after {time[row - 1]:g} s; "
-            "time must increase from line to line"
-        )
+            raise ModelError(f"{table.at(name)}: there is no such input{nearest(name, units) or known}")

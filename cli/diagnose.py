@@ -39,7 +39,7 @@ def diagnose(
     ] = True,
 ) -> None:
     """Say what parts measured data and model: where, why, and how much of the gap closes."""
-    from ..diagnosis import DiagnosisInterruptedError
+    from ..diagnosis import DiagnosisInterruptedError, read_model
     from ..diagnosis import diagnose as run_diagnosis
     from ..identification import Campaign
 
@@ -48,7 +48,7 @@ def diagnose(
     if jobs < 0:
         raise typer.BadParameter(f"--jobs must be at least 0, got {jobs}")
     with failing(WRONG_USE, ModelError):
-        loaded = Campaign.load(campaign, validate=validate)
+        loaded = Campaign.load(campaign, validate=validate, reader=read_model)
     count = jobs or os.cpu_count() or 1
     console = Terminal(stderr=True)
     with failing(FAILED, InertanceError), console.status("reading") as status:

@@ -8,8 +8,7 @@ from .effects.edits import between as between
 from .effects.effect import Effect as Effect
 from .effects.effect import Quantity as Quantity
 from .effects.effect import register as register
-from .models import fmu_model as fmu_model
-from .models import fmu_network as fmu_network
+from .models.read import read_model as read_model
 from .verdict.verdict import DiagnosisInterruptedError as DiagnosisInterruptedError
 from .verdict.verdict import Gap as Gap
 from .verdict.verdict import Ranked as Ranked

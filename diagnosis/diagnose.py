@@ -14,6 +14,7 @@ from ..identification import Accuracy, Campaign
 from ..networks import COARSEST, FINEST, SOLVERS, chosen_solver
 from .effects.hypothesis import Placed
 from .models.predictor import subject
+from .models.read import read_model
 from .search.decimation import thinned
 from .search.joint_fit import Joint, Refit, refit
 from .search.model_comparison import COLOURED, are_alike, blocks, clearness, is_simpler, misfit, unexplained
@@ -69,7 +70,7 @@ def diagnose(
         executor=(executor, optional(instance(Executor))),
     )
     tell = report or (lambda line: None)
-    campaign = thinned(Campaign.of(campaign))
+    campaign = thinned(Campaign.of(campaign, read_model))
     rtol = rtol or _unseen(campaign)
     samples = sum(len(experiment.record.time) for experiment in campaign.training)
     accuracy = Accuracy(chosen_solver(solver, samples, RUNS), rtol, steps=STEPS)

@@ -2,9 +2,10 @@
 
 from .campaign.campaign import Campaign as Campaign
 from .campaign.experiment import Experiment as Experiment
-from .campaign.machine import READERS as READERS
-from .campaign.machine import RECOGNISERS as RECOGNISERS
 from .campaign.machine import Machine as Machine
+from .campaign.machine import Reader as Reader
+from .campaign.machine import fmu_and_kind as fmu_and_kind
+from .campaign.machine import read_network as read_network
 from .campaign.priors import Prior as Prior
 from .campaign.stages import Stage as Stage
 from .fitting.campaign_model import Accuracy as Accuracy
@@ -34,5 +35,6 @@ from .records.excitation import sampled as sampled
 from .records.filters import Filter as Filter
 from .records.noise import Floor as Floor
 from .records.record import Record as Record
+from .records.record import in_si as in_si
 from .records.record import read_record as read_record
 from .records.units import likely_unit as likely_unit

@@ -2,14 +2,11 @@
 
 from __future__ import annotations
 
-import sys
 import traceback
-from importlib.util import module_from_spec, spec_from_file_location
 from pathlib import Path
-from types import ModuleType
 from typing import Any
 
-from ..base import InertanceError, ModelError, is_utf_16, nearest, there_is_file
+from ..base import InertanceError, ModelError, is_utf_16, module_of, nearest, there_is_file
 from .network import Network
 
 
@@ -35,7 +32,6 @@ def load_model(model: str, base: Path = Path(), asked: str = "model") -> Network
     there_is_file(path)
     if is_utf_16(path):
         raise ModelError(f"{path}: Python reads UTF-8, and this file is UTF-16; save it as UTF-8")
-    sys.path.insert(0, str(path.parent.resolve()))
     try:
         network = _called(path, name)
     except _UnknownError as error:
@@ -47,8 +43,6 @@ def load_model(model: str, base: Path = Path(), asked: str = "model") -> Network
         raise UserCodeError(f"{_place(path, error)}: {told}") from error
     except Exception as error:
         raise UserCodeError(f"{_place(path, error)}: {type(error).__name__}: {error}") from error
-    finally:
-        sys.path.remove(str(path.parent.resolve()))
     if not isinstance(network, Network):
         raise ModelError(f"{model} returned {type(network).__name__}, but {asked} returns a Network")
     return network
@@ -59,7 +53,7 @@ class _UnknownError(Exception):
 
 
 def _called(path: Path, name: str) -> Any:
-    module = _module(path)
+    module = module_of(path)
     function = getattr(module, name, None)
     if not callable(function):
         own = [
@@ -70,15 +64,6 @@ def _called(path: Path, name: str) -> Any:
         known = f"; it has {', '.join(own)}" if own else ""
         raise _UnknownError(nearest(name, own) or known)
     return function()
-
-
-def _module(path: Path) -> ModuleType:
-    spec = spec_from_file_location(f"model of {path.stem}", path)
-    assert spec is not None
-    assert spec.loader is not None
-    module = sys.modules[spec.name] = module_from_spec(spec)  # dataclasses look themselves up there
-    spec.loader.exec_module(module)
-    return module
 
 
 def _place(path: Path, error: BaseException) -> str:

@@ -11,7 +11,6 @@ from typing import Any
 from ...components import FAMILIES, Domain, ModelError, nearest
 from ...components.language import Parameter
 from ...fmu import FMU, FMUBlock, FMUError, FMUForce, FMUMotion, FMURotation, FMUTorque
-from ...identification import READERS, Machine
 from ...networks import Input, Network
 from ..effects.sites import GROUND, Site
 from .fmu_port import SI, read_port
@@ -179,9 +178,7 @@ def _identifier(name: str) -> str:
     return "rig" if taken or cleaned[0].isdigit() else cleaned
 
 
-def read_fmu(
-    path: Path, kind: str, port: Mapping[str, str], validate: bool = True
-) -> tuple[Network, Machine]:
+def read_fmu(path: Path, kind: str, port: Mapping[str, str], validate: bool = True) -> BlackBox:
     """Return an FMU as the model of a campaign.
 
     Args:
@@ -198,8 +195,4 @@ def read_fmu(
         others = [p.name for p in path.parent.glob("*.fmu")] if path.parent.is_dir() else []
         raise ModelError(f"model: there is no file '{path}'{nearest(path.name, others)}")
     fmu = FMU(path, validate=validate)
-    box = BlackBox(fmu, fmu.kind(kind or ("CS" if "CS" in fmu.kinds else None)), port)
-    return box.network, box
-
-
-READERS[".fmu"] = read_fmu
+    return BlackBox(fmu, fmu.kind(kind or ("CS" if "CS" in fmu.kinds else None)), port)

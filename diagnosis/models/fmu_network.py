@@ -10,7 +10,6 @@ import casadi as ca
 from ...components import ModelError, nearest
 from ...components.language import Parameter
 from ...fmu import FMUBlock, FMUForce, FMUMotion, FMURotation, FMUTorque
-from ...identification import RECOGNISERS, Machine
 from ...networks import DAE, Input, Network
 from ..effects.sites import walk
 from .fmu_model import BlackBox
@@ -160,7 +159,7 @@ def _port(part: Foreign) -> dict[str, str]:
     return {"force": signed[0] if signed[1] > 0 else f"-{signed[0]}", **names}
 
 
-def recognised(network: Network) -> Machine | None:
+def recognised(network: Network) -> Joined | None:
     """Return the model that a network with an FMU in it is; None for one without.
 
     Raises:
@@ -173,6 +172,3 @@ def recognised(network: Network) -> Machine | None:
     if others or isinstance(part, FMUBlock):
         raise ModelError(f"'{network.name}' has {', '.join(foreign)}; {REMEDY}")
     return Joined(network, place, part)
-
-
-RECOGNISERS.append(recognised)

@@ -20,7 +20,7 @@ from ..records.noise import Floor, repeated_floor, spectral_floor
 from ..records.units import factor
 from .channels import read_channels, read_noise
 from .experiment import Experiment, read_experiments, repeat_problems, strange
-from .machine import Machine, read_model
+from .machine import Machine, Reader, read_network
 from .priors import Prior, read_priors
 from .problems import TEXT, Kind, Problems
 from .stages import Stage, read_stages
@@ -58,6 +58,8 @@ class Campaign:
         port: of an FMU: {"force", "position", "velocity"} -> its variables where other parts may act on it.
         base: folder that relative paths start from.
         validate: whether to refuse an FMU whose description its schema does not allow.
+        reader: what reads the model; `inertance.read_model` for an FMU, or a network with one in it, which
+            only `diagnose` takes.
 
     Raises:
         ModelError: telling everything that is wrong at once, with file and key.
@@ -92,6 +94,7 @@ class Campaign:
     base: Path = field(default_factory=Path)
     source: str = "campaign"
     validate: bool = True
+    reader: Reader = read_network
     network: Network = field(init=False, repr=False)
     machine: Machine = field(init=False, repr=False)
     measured: dict[str, Channel] = field(init=False, repr=False)
@@ -113,7 +116,7 @@ class Campaign:
         problems.stop()
         self.base = Path(self.base)
         with problems.of("model"):
-            self.network, self.machine = read_model(self.model, self.port, self.base, self.validate)
+            self.network, self.machine = self.reader(self.model, self.port, self.base, self.validate)
         problems.stop()
         self.measured = read_channels(self.channels, self.machine, problems)
         self.priors = read_priors(self.parameters, self.machine, problems)
@@ -136,7 +139,7 @@ class Campaign:
 
     def __reduce__(self) -> tuple[Any, ...]:
         entries = (self.channels, self.parameters, self.train, self.test, self.noise, self.stage)
-        return Campaign, (self.model, *entries, self.port, self.base, self.source, self.validate)
+        return Campaign, (self.model, *entries, self.port, self.base, self.source, self.validate, self.reader)
 
     def pickled(self) -> bytes:
         """Return what other processes make the same campaign of.
@@ -153,8 +156,8 @@ class Campaign:
             ) from error
 
     @classmethod
-    def load(cls, path: str | Path, *, validate: bool = True) -> Self:
-        """Read a campaign from a TOML file; `validate` as above.
+    def load(cls, path: str | Path, *, validate: bool = True, reader: Reader = read_network) -> Self:
+        """Read a campaign from a TOML file; `validate` and `reader` as above.
 
         Raises:
             ModelError: telling everything that is wrong at once.
@@ -169,11 +172,11 @@ class Campaign:
         problems.sound("", entries, KINDS)
         problems.found += [f"{key}: {KINDS[key].told} must be given" for key in NEEDED if key not in entries]
         problems.stop()
-        return cls(**entries, base=path.parent, source=str(path), validate=validate)
+        return cls(**entries, base=path.parent, source=str(path), validate=validate, reader=reader)
 
     @classmethod
-    def of(cls, given: Campaign | str | Path) -> Campaign:
-        """Return a campaign that was given as one, or as the path of its TOML file.
+    def of(cls, given: Campaign | str | Path, reader: Reader = read_network) -> Campaign:
+        """Return a campaign that was given as one, or as the path of its TOML file; `reader` as above.
 
         Raises:
             ModelError: for anything else, and telling everything that is wrong at once.
@@ -181,7 +184,7 @@ class Campaign:
         if isinstance(given, Campaign):
             return given
         if isinstance(given, str | Path):
-            return cls.load(given)
+            return cls.load(given, reader=reader)
         raise ModelError(f"a Campaign or the path of its TOML file is needed, got {shown(given)}")
 
     @property

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from pathlib import Path
 from typing import Any, Protocol
@@ -52,40 +53,39 @@ class Machine(Protocol):
         ...
 
 
-Reader = Callable[[Path, str, Mapping[str, str], bool], tuple[Network, Machine]]
-READERS: dict[str, Reader] = {}
-"""How models that are no Python are read, by their ending: (path, what of it, port, validate) -> both."""
-
-RECOGNISERS: list[Callable[[Network], Machine | None]] = []
-"""What recognises a network that is more than its equations, and returns what predicts it."""
+Reader = Callable[[Network | str, Mapping[str, str], Path, bool], tuple[Network, Machine]]
+"""What returns the network of a campaign and what predicts its outputs: of (model, port, base, validate)."""
 
 
-def read_model(
+def fmu_and_kind(model: Network | str) -> tuple[str, str] | None:
+    """Return the parts of `path/to/file.fmu` or `path/to/file.fmu:kind`; None for another model."""
+    found = re.fullmatch(r"(.*?\.fmu)(?::(.*))?", model) if isinstance(model, str) else None
+    return (found[1], found[2] or "") if found else None
+
+
+def read_network(
     model: Network | str, port: Mapping[str, str], base: Path, validate: bool = True
 ) -> tuple[Network, Machine]:
-    """Return the network of a campaign, and what predicts its outputs.
+    """Return the network of a campaign, and its equations.
 
     Args:
-        model: the network, `path/to/file.py:function` that returns it, or `path/to/file.fmu`.
-        port: where other parts may be joined to a model that is no Python.
+        model: the network, or `path/to/file.py:function` that returns it.
+        port: empty; where other parts may be joined to an FMU.
         base: the folder that a relative path starts from.
-        validate: whether to refuse an FMU whose description its schema does not allow.
+        validate: for FMUs.
 
     Raises:
-        ModelError: telling what is wrong.
+        ModelError: telling what is wrong; for an FMU, what can be done with it.
     """
-    file, _, part = model.partition(".fmu") if isinstance(model, str) else ("", "", "")
-    if isinstance(model, str) and model == f"{file}.fmu{part}" and part[:1] in ("", ":"):
-        if ".fmu" not in READERS:
-            raise ModelError(
-                f"'{model}' is an FMU, whose parameters `inertance diagnose` fits; in Python, import "
-                "inertance.diagnosis before the campaign is made"
-            )
-        return READERS[".fmu"](base / f"{file}.fmu", part[1:], port, validate)
+    if fmu_and_kind(model):
+        raise ModelError(
+            f"'{model}' is an FMU, whose equations are not known; `inertance diagnose` fits its parameters, "
+            'too; in Python, diagnose("campaign.toml"), or diagnose() of a Campaign made with '
+            "reader=inertance.read_model"
+        )
     if port:
         raise ModelError("[port] is for a model that is an FMU; a network has its flanges")
     network = load_model(model, base) if isinstance(model, str) else model
     if not isinstance(network, Network):
         raise ModelError(f"a Network or 'path/to/file.py:function' is needed, got {shown(network)}")
-    machines = (recognise(network) for recognise in RECOGNISERS)
-    return network, next((machine for machine in machines if machine is not None), None) or network.dae()
+    return network, network.dae()

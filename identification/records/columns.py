@@ -7,7 +7,7 @@ from collections.abc import Iterator
 import numpy as np
 from numpy.typing import NDArray
 
-from .tables import Table
+from ...base.tables import Table
 
 Array = NDArray[np.float64]
 LEAST = 32
@@ -22,25 +22,11 @@ REPEATED = 0.01  # share of samples that repeat the one before, above which a se
 
 def time_problems(table: Table, name: str, time: Array) -> Iterator[str]:
     """Yield what keeps a column from being the time of a record."""
-    where = f"{table.path}, {{}}, column '{name}'"
-    wrong = np.flatnonzero(~np.isfinite(time))
-    if len(wrong):
-        told = f"no usable number ({len(wrong)} such in this column); cut these lines out"
-        yield f"{where.format(table.place(int(wrong[0])))}: {told}"
+    wrong = table.time_problem(name, time)
+    if wrong:
+        yield wrong
         return
     step = np.diff(time)
-    back = np.flatnonzero(step < 0)
-    if len(back):
-        row = int(back[0]) + 1
-        told = f"{time[row]:g} comes after {time[row - 1]:g}; sort the lines by time"
-        yield f"{where.format(table.place(row))}: {told}"
-        return
-    same = np.flatnonzero(step == 0)
-    if len(same):
-        row = int(same[0]) + 1
-        told = f"{time[row]:g} stands there twice ({len(same)} such); keep one line of each instant"
-        yield f"{where.format(table.place(row))}: {told}"
-        return
     usual = float(np.median(step)) if len(step) else 0.0
     holes = np.flatnonzero(step > GAP * usual)
     if len(holes):
@@ -49,31 +35,26 @@ def time_problems(table: Table, name: str, time: Array) -> Iterator[str]:
             f"a gap of {time[row] - time[row - 1]:g} s before {time[row]:g} s, where samples are {usual:g} s "
             f"apart ({len(holes)} such); cut the record there with window = [from, to], or fill it"
         )
-        yield f"{where.format(table.place(row))}: {told}"
+        yield f"{table.at(name, row)}: {told}"
     elif len(step) and float(np.abs(step - usual).max()) > JITTER * usual:
         row = int(np.argmax(np.abs(step - usual))) + 1
         told = f"samples are not evenly spaced ({step.min():g} to {step.max():g} s); resample the record"
-        yield f"{where.format(table.place(row))}: {told}"
+        yield f"{table.at(name, row)}: {told}"
 
 
 def number_problems(table: Table, name: str, values: Array) -> Iterator[str]:
     """Yield where a column holds no number that a machine could have."""
-    where = f"{table.path}, {{}}, column '{name}'"
-    wrong = np.flatnonzero(~np.isfinite(values))
-    if len(wrong):
-        told = (
-            f"{values[wrong[0]]} is no usable number ({len(wrong)} such in this column); fill or cut it out"
-        )
-        yield f"{where.format(table.place(int(wrong[0])))}: {told}"
+    wrong = table.number_problem(name, values)
+    if wrong:
+        yield wrong
     elif np.abs(values).max() > HUGE:
         row = int(np.abs(values).argmax())
         told = f"{values[row]:g} is beyond any machine; correct it, or the unit of the column"
-        yield f"{where.format(table.place(row))}: {told}"
+        yield f"{table.at(name, row)}: {told}"
 
 
 def value_problems(table: Table, name: str, values: Array, driven: bool) -> Iterator[str]:
     """Yield what keeps a column from being a channel; `driven` tells that it is an input."""
-    where = f"{table.path}, {{}}, column '{name}'"
     unusable = list(number_problems(table, name, values))
     if unusable:
         yield from unusable
@@ -87,7 +68,7 @@ def value_problems(table: Table, name: str, values: Array, driven: bool) -> Iter
                 f"stays at {values[row]:g}, an extreme, as if the sensor were saturated; measure with a "
                 "larger range, or cut with window = [from, to]"
             )
-            yield f"{where.format(table.place(row))}: {told}"
+            yield f"{table.at(name, row)}: {told}"
 
 
 def stuck(values: Array) -> tuple[int, int] | None:

@@ -11,12 +11,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ...base import above, demand, finite, instance, one_of, path_of, shown, text, whole
+from ...base.tables import Table, read_table
 from ...components import ModelError, Sampled, UnknownNameError, nearest
 from ...components.language import INTERPOLATIONS
 from .channel import Channel
 from .columns import JITTER, LEAST, number_problems, time_problems, value_problems
 from .filters import decimated
-from .tables import Table, read_table
 from .units import converted, factor
 
 Array = NDArray[np.float64]
@@ -167,7 +167,7 @@ def read_record(
     """Read a record and check it.
 
     Args:
-        path: .csv, .txt, .parquet, .mat (to version 7) or .npz; a column 'time' or 't' is needed.
+        path: .csv, .txt, .parquet, .npz, .mat (to version 7) or .at2; a column 'time' or 't' is needed.
         channels: the columns wanted.
         window: the part of it that counts [s].
         temperature: the column of a temperature.
@@ -201,14 +201,24 @@ def read_record(
 
 def _time(table: Table, window: tuple[float, float] | None, problems: list[str]) -> Array:
     name = table.time_name
-    try:
-        time = table.columns[name] * factor(table.units.get(name) or "s", "s")
-    except ModelError as error:
-        raise ModelError(f"{table.path}, column '{name}': {error}") from error
+    time = in_si(table, name, "s")
     told = list(time_problems(table, name, time))
     if window is None or not np.isfinite(time).all() or (np.diff(time) <= 0).any():
         problems += told
     return time
+
+
+def in_si(table: Table, name: str, wanted: str) -> Array:
+    """Return a column in an SI unit, which it has unless the table says another.
+
+    Raises:
+        ModelError: for an unknown unit or one of another quantity, with file, line and column.
+    """
+    values, unit = table.column(name), table.units.get(name, "")
+    try:
+        return values if unit in ("", wanted) else converted(values, unit, wanted)
+    except ModelError as error:
+        raise ModelError(f"{table.at(name)}: {error}") from error
 
 
 def _rows(time: Array, window: tuple[float, float] | None) -> NDArray[np.bool_]:
@@ -240,9 +250,9 @@ def _clash(table: Table, name: str, written: str, channel: Channel) -> list[str]
     try:
         same = np.isclose(factor(written, channel.si), factor(channel.unit, channel.si))
     except ModelError as error:
-        return [f"{table.path}, column '{name}': {error}"]
+        return [f"{table.at(name)}: {error}"]
     told = f"the file says [{written}], the campaign unit = '{channel.unit}'; correct one"
-    return [] if same else [f"{table.path}, column '{name}': {told}"]
+    return [] if same else [f"{table.at(name)}: {told}"]
 
 
 def _part(table: Table, rows: NDArray[np.bool_]) -> Table:

@@ -2,10 +2,7 @@
 
 from __future__ import annotations
 
-import csv
-import math
-from collections.abc import Callable, Iterator
-from itertools import pairwise
+from collections.abc import Callable
 from math import pi
 from pathlib import Path
 from typing import Any
@@ -20,21 +17,18 @@ from ...base import (
     between,
     demand,
     finite,
-    nearest,
     numbers,
     optional,
     path_of,
     text,
-    text_of,
-    there_is_file,
     whole,
 )
+from ...base.tables import read_table
 from ...components.language import Sampled
 
 Array = NDArray[np.float64]
 N_0 = 0.1
 G_D: dict[str, float] = {letter: 16e-6 * 4.0**k for k, letter in enumerate("ABCDEFGH")}
-GRAVITY = 9.80665
 LONGEST = 1e7
 
 
@@ -142,8 +136,9 @@ def record(path: str | Path, column: str | None = None, *, time: str = "time", s
     """Return a measured signal from a file, such as the acceleration of the ground or the force of wind.
 
     Args:
-        path: .csv with a header line; or .at2 of the PEER ground motion database, whose g become m/s2.
-        column: of the signal in a .csv; the one after `time` if None.
+        path: .csv or another table, as of `load_table`; or .at2 of the PEER ground motion database, whose g
+            become m/s2.
+        column: of the signal; the first beside `time` if None.
         time: column of the instants [s].
         scale: factor to SI units.
 
@@ -152,54 +147,14 @@ def record(path: str | Path, column: str | None = None, *, time: str = "time", s
     """
     file = path_of(path, "a record")
     demand("record()", scale=(scale, finite()), time=(time, text), column=(column, optional(text)))
-    there_is_file(file)
-    if file.suffix.lower() == ".at2":
-        return _peer(file, scale)
-    rows = csv.reader(text_of(file).splitlines())
-    heads = [head.strip() for head in next(rows, [])]
-    wanted = column or next((h for h in heads if h != time), "")
-    for name in (time, wanted):
-        if name not in heads:
-            raise ModelError(f"{file} has no column '{name}'{nearest(name, heads)}")
-    places = heads.index(time), heads.index(wanted)
-    lines = [(n, _numbers(file, n, row, places)) for n, row in enumerate(rows, start=2) if row]
-    for (_, before), (line, after) in pairwise(lines):
-        if not after[0] > before[0]:
-            raise ModelError(
-                f"{file}, line {line}: {time} goes from {before[0]:g} to {after[0]:g} s; sort it"
-            )
-    instants, values = np.array([pair for _, pair in lines], dtype=float).reshape(-1, 2).T
+    table = read_table(file)
+    instants = table.seconds(time)
+    wanted = column or next((name for name in table.columns if name != time), "")
+    values = table.column(wanted)
+    wrong = table.time_problem(time, instants) or table.number_problem(wanted, values)
+    if wrong:
+        raise ModelError(wrong)
     return Sampled(instants, scale * values)
-
-
-def _numbers(file: Path, line: int, row: list[str], places: tuple[int, ...]) -> list[float]:
-    try:
-        numbers = [float(row[k]) for k in places]
-    except (ValueError, IndexError):
-        numbers = [math.nan]
-    if not all(map(math.isfinite, numbers)):
-        raise ModelError(f"{file}, line {line}: finite numbers are needed, got {','.join(row)!r}")
-    return numbers
-
-
-def _peer(file: Path, scale: float) -> Sampled:
-    lines = text_of(file).splitlines()
-    facts = dict(_facts(lines[3])) if len(lines) > 4 else {}
-    if "DT" not in facts:
-        raise ModelError(f"{file}, line 4: no 'DT=' as the PEER format has it")
-    words = [(n, word) for n, line in enumerate(lines[4:], start=5) for word in line.split()]
-    values = np.array([_numbers(file, n, [word], (0,))[0] for n, word in words])
-    if len(values) != facts.get("NPTS", len(values)):
-        raise ModelError(f"{file}: line 4 says {facts['NPTS']:g} values, there are {len(values)}")
-    values *= GRAVITY * scale
-    return Sampled(facts["DT"] * np.arange(len(values)), values)
-
-
-def _facts(line: str) -> Iterator[tuple[str, float]]:
-    for part in line.split(","):
-        name, equals, value = part.partition("=")
-        if equals:
-            yield name.strip().upper(), float(value.split()[0])
 
 
 def _class(road_class: str) -> float:

@@ -2,16 +2,14 @@
 
 from __future__ import annotations
 
-import csv
-import re
 from collections.abc import Sequence
-from importlib.util import find_spec
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import numpy as np
 
-from ...base import MissingPackageError, ModelError, check_output, path_of, text_of, there_is_file, writing
+from ...base import ModelError, check_output, path_of, writing
+from ...base.tables import need_pyarrow, read_table
 from .signals import chosen_signals
 
 if TYPE_CHECKING:
@@ -62,13 +60,14 @@ def _write(table: pd.DataFrame, path: Path, ending: str) -> None:
 
 
 def load_table(path: str | Path) -> pd.DataFrame:
-    """Return the table in a .csv, .parquet or .npz file.
+    """Return the table in a .csv, .txt, .parquet, .npz, .mat or .at2 file.
 
-    Its index is the time [s]; `attrs["units"]` holds the unit of every column. A .csv file has one
-    line of headers, `time` or `time [s]` among them; a column without `[unit]` has the unit "".
+    Its index is the time [s]; `attrs["units"]` holds the unit of every column, "" if the file tells none.
+    Text has one line of names, such as `x` or `x [mm]`, and columns parted by commas; or by semicolons or
+    tabs, and then decimal commas, too. Empty cells are NaN.
 
     Args:
-        path: a file written by `Result.save`, or a .csv file of measurements.
+        path: a file written by `Result.save`, or one of measurements.
 
     Raises:
         ModelError: for another ending, or for what is no table of numbers over time, with file,
@@ -86,125 +85,25 @@ def load_table(path: str | Path) -> pd.DataFrame:
         >>> table.attrs["units"]
         {'mass.a': 'm/s2'}
     """
-    path = path_of(path, "a table")
-    ending = _ending(path)
-    there_is_file(path)
-    if ending == ".csv":
-        return _read_csv(path)
-    if ending == ".parquet":
-        _need_pyarrow(path)
-    try:
-        stored = _read_parquet(path) if ending == ".parquet" else _read_npz(path)
-    except ModelError as error:
-        raise ModelError(f"{path}: {error}") from None
-    except Exception as error:  # every library that reads a format has errors of its own
-        raise ModelError(f"{path}: cannot be read ({error})") from error
-    return stored
+    import pandas as pd
+
+    table = read_table(path_of(path, "a table"))
+    columns = {name: column for name, column in table.columns.items() if name != table.time_name}
+    frame = pd.DataFrame(columns, index=pd.Index(table.seconds(table.time_name), name="time"))
+    frame.attrs["units"] = {name: table.units.get(name, "") for name in columns}
+    return frame
 
 
 def check_table_path(path: Path) -> str:
     """Return the ending of a file to be written, or raise what `save_result` would raise."""
-    ending = _ending(path)
-    check_output(path)
-    if ending == ".parquet":
-        _need_pyarrow(path)
-    return ending
-
-
-def _ending(path: Path) -> str:
     ending = path.suffix.lower()
     if ending not in ENDINGS:
         raise ModelError(f"'{path}' ends in '{path.suffix}'; tables end in {', '.join(ENDINGS)}")
+    check_output(path)
+    if ending == ".parquet":
+        need_pyarrow(path)
     return ending
-
-
-def _need_pyarrow(path: Path) -> None:
-    if find_spec("pyarrow") is None:
-        raise MissingPackageError(
-            f"'{path}': .parquet needs pyarrow; run `pip install 'inertance[parquet]'` or use .csv"
-        )
 
 
 def _headed(name: str, unit: str) -> str:
     return f"{name} [{unit}]" if unit else name
-
-
-def _table(columns: dict[str, Any], time: Any, units: dict[str, str]) -> pd.DataFrame:
-    import pandas as pd
-
-    table = pd.DataFrame(columns, index=pd.Index(time, name="time"))
-    table.attrs["units"] = units
-    return table
-
-
-def _read_npz(path: Path) -> pd.DataFrame:
-    with np.load(path) as stored:
-        missing = {"time", "values", "names", "units"} - set(stored.files)
-        if missing:
-            raise ModelError(f"no array {', '.join(sorted(missing))}; not a saved result")
-        names, units = stored["names"].tolist(), stored["units"].tolist()
-        columns = dict(zip(names, stored["values"].T, strict=True))
-        return _table(columns, stored["time"], dict(zip(names, units, strict=True)))
-
-
-def _read_parquet(path: Path) -> pd.DataFrame:
-    import pandas as pd
-
-    table = pd.read_parquet(path)
-    if table.index.name != "time":
-        if "time" not in table.columns:
-            raise ModelError(f"no column 'time' among {', '.join(table.columns)}")
-        table = table.set_index("time")
-    table.attrs.setdefault("units", dict.fromkeys(table.columns, ""))
-    return table
-
-
-def _read_csv(path: Path) -> pd.DataFrame:
-    lines = text_of(path).rstrip().splitlines()
-    rows = csv.reader(lines, skipinitialspace=True)
-    headers = [_split(header) for header in next(rows, [])]
-    units = dict(headers)
-    _check_headers(path, [name for name, _ in headers], units)
-    numbers = [_numbers(path, line, row, list(units)) for line, row in enumerate(rows, start=2)]
-    columns = dict(zip(units, np.array(numbers, ndmin=2).reshape(-1, len(units)).T, strict=True))
-    del units["time"]
-    return _table(columns, columns.pop("time"), units)
-
-
-def _split(header: str) -> tuple[str, str]:
-    found = re.fullmatch(r"(.*?)\s*\[([^\[\]]*)\]", header.strip())
-    return (found[1], found[2]) if found else (header.strip(), "")
-
-
-def _check_headers(path: Path, names: list[str], units: dict[str, str]) -> None:
-    where = f"{path}, line 1"
-    if "time" not in units:
-        raise ModelError(
-            f"{where}: no column 'time' among {', '.join(names)}; name one 'time' or 'time [s]', and "
-            "separate columns by commas"
-        )
-    if units["time"] not in ("", "s"):
-        raise ModelError(f"{where}, column 'time': the unit must be s, got {units['time']}")
-    twice = sorted({name for name in names if names.count(name) > 1})
-    if twice:
-        raise ModelError(f"{where}: column '{twice[0]}' is there twice")
-
-
-def _numbers(path: Path, line: int, row: list[str], names: list[str]) -> list[float]:
-    if len(row) != len(names):
-        raise ModelError(f"{path}, line {line}: {len(row)} cells, but {len(names)} columns")
-    try:
-        return [float(cell) for cell in row]
-    except ValueError:
-        column = next(i for i, cell in enumerate(row) if not _is_number(cell))
-        raise ModelError(
-            f"{path}, line {line}, column '{names[column]}': '{row[column]}' is no number"
-        ) from None
-
-
-def _is_number(cell: str) -> bool:
-    try:
-        float(cell)
-    except ValueError:
-        return False
-    return True

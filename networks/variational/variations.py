@@ -106,7 +106,7 @@ class Variations:
         """
         nx, count = self.dae.x.numel(), len(self.parameters)
         self._check(result)
-        if start is not None and (np.shape(start) != (nx, count) or numbers(finite())(start)):
+        if start is not None and (np.shape(start) != (nx, count) or (count and numbers(finite())(start))):
             raise ModelError(f"start is an array of numbers of shape {(nx, count)}, got {shown(start)}")
         moved = np.hstack([np.zeros((nx, count)) if start is None else start, np.eye(nx)])
         line = self._linearised(result)

@@ -269,6 +269,15 @@ def test_measured_input(header: str) -> None:
     assert table["push.f"].to_numpy() == pytest.approx(np.sin(3 * table.index), abs=2e-4)
 
 
+def test_measured_input_as_fit_reads_it() -> None:
+    rows = [f"{1000 + k};{0.001 * k:g}".replace(".", ",") for k in range(5)]
+    Path("push.txt").write_text("\n".join(["# bench 3", "t [ms];push.f (kN)", *rows]))
+    good("run", "model.py:driven", "--input", "push.txt", "--out", "run.npz", "--signals", "push.f")
+    table = ia.load_table("run.npz")
+    assert (table.index[0], table.index[-1]) == (1.0, 1.004)
+    assert table["push.f"].to_numpy() == pytest.approx(1e3 * (table.index - 1.0), abs=1e-9)
+
+
 def test_a_saved_result_is_an_input() -> None:
     good(
         "run", "model.py:driven", "--input", data("push.csv"), "--out", "again.parquet", "--signals", "push.f"
@@ -344,20 +353,24 @@ def test_missing_input() -> None:
         ("time,push.f", {"line_5": "1.3,nan"}, "line 5, column 'push.f': nan is no usable number (1 such"),
         ("time,push.f", {"line_5": "1.3,inf"}, "line 5, column 'push.f': inf is no usable number"),
         ("time,push.f", {"line_5": "nan,0"}, "line 5, column 'time': nan is no usable number"),
-        ("time,push.f", {"line_5": "1.1,0"}, "line 5, column 'time': 1.1 s comes after 1.2 s"),
-        ("time,push.f", {"line_5": "1.2,0"}, "line 5, column 'time': 1.2 s comes after 1.2 s"),
+        ("time,push.f", {"line_5": "1.1,0"}, "line 5, column 'time': 1.1 comes after 1.2; sort"),
+        ("time,push.f", {"line_5": "1.2,0"}, "line 5, column 'time': 1.2 stands there twice (1 such)"),
         ("time,push.f", {"line_5": "1.3,x"}, "line 5, column 'push.f': 'x' is no number"),
-        ("time,push.f", {"line_5": "1.3"}, "line 5: 1 cells, but 2 columns"),
-        ("t,push.f", {}, "line 1: no column 'time'"),
+        ("time,push.f", {"line_5": "1.3"}, "line 5: 1 cells under 2 names"),
+        ("when,push.f", {}, "there is no column of time among when, push.f"),
         ("time,pusch.f", {}, "line 1, column 'pusch.f': there is no such input; did you mean 'push.f'?"),
         ("time,zzz", {}, "line 1, column 'zzz': there is no such input; the inputs are push.f"),
-        ("time,push.f [kN]", {}, "line 1, column 'push.f': the input is in N, the column in kN"),
-        ("time [ms],push.f", {}, "line 1, column 'time': the unit must be s, got ms"),
+        (
+            "time,push.f [mm]",
+            {},
+            "line 1, column 'push.f': 'mm' measures m, the quantity of the model is in N",
+        ),
+        ("time [mm],push.f", {}, "line 1, column 'time': 'mm' measures m, the quantity of the model is in s"),
     ],
 )
 def test_bad_data_is_told_by_line_and_column(header: str, changed: dict[str, str], message: str) -> None:
     error = refused(2, "run", "model.py:driven", "--input", data("bad.csv", header, **changed))
-    assert f"bad.csv, {message}" in error
+    assert f"bad.csv{':' if message.startswith('there') else ','} {message}" in error
 
 
 def test_data_that_do_not_suffice() -> None:

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import subprocess
+import sys
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any
@@ -9,9 +11,11 @@ from typing import Any
 import inertance as ia
 import numpy as np
 import pytest
+from inertance.cli import app
 from inertance.diagnosis import diagnose
 from inertance.identification import Campaign, Multisine, Record, sampled
 from numpy.typing import NDArray
+from typer.testing import CliRunner
 
 Array = NDArray[np.float64]
 
@@ -57,7 +61,7 @@ def campaign_on(
         "noise": {"x": NOISE * 1e3},
         "port": PORT,
     }
-    return Campaign(model, base=folder, **{**entries, **changed})
+    return Campaign(model, base=folder, reader=ia.read_model, **{**entries, **changed})
 
 
 def late(t: Array, x: Array) -> Array:
@@ -127,6 +131,7 @@ def test_friction_at_a_free_port_of_an_fmu_on_a_table(tmp_path: Path) -> None:
         noise={"x": NOISE},
         port={"force": "free.f", "position": "mass.s", "velocity": "mass.v"},
         base=tmp_path,
+        reader=ia.read_model,
     )
     found = diagnose(campaign)
     (placed,) = found.effects
@@ -187,6 +192,7 @@ def test_an_fmu_that_is_moved_and_gives_a_force(tmp_path: Path, is_file: bool) -
         noise={"F": 0.05},
         port=port if is_file else {},
         base=tmp_path,
+        reader=ia.read_model,
     )
     found = diagnose(campaign)
     (placed,) = found.effects
@@ -213,6 +219,7 @@ def test_a_network_with_an_fmu_in_it(cart: Any, fmus: Path) -> None:
         train=[{"record": records[0], "initial": "rest"}],
         test=[{"record": records[1], "initial": "rest"}],
         noise={"x": NOISE},
+        reader=ia.read_model,
     )
     found = diagnose(campaign)
     (placed,) = found.effects
@@ -225,8 +232,9 @@ def test_a_network_with_an_fmu_in_it(cart: Any, fmus: Path) -> None:
 def test_a_network_that_has_more_than_an_fmu(cart: Any, fmus: Path) -> None:
     net = joined(fmus / "rig2.fmu")
     net.add(more=ia.Mass(m=1.0)).connect(net.more.flange, net.body.flange)
+    record = cart.measured(cart.rig(), 1)
     with pytest.raises(ia.ModelError, match=r"'push.f' is not one input of the network; .*put the rest"):
-        Campaign(net, CHANNELS, {}, [{"record": cart.measured(cart.rig(), 1), "initial": "rest"}])
+        Campaign(net, CHANNELS, {}, [{"record": record, "initial": "rest"}], reader=ia.read_model)
 
 
 WRONG: dict[str, tuple[dict[str, Any], str]] = {
@@ -296,3 +304,29 @@ def test_equations_of_an_fmu_are_not_known(cart: Any, fmus: Path) -> None:
 def test_a_network_needs_no_port(cart: Any, fmus: Path) -> None:
     with pytest.raises(ia.ModelError, match=r"\[port\] is for a model that is an FMU"):
         Campaign(cart.rig(), CHANNELS, {}, [{"record": cart.measured(cart.rig(), 1)}], port=PORT)
+
+
+FIT = """
+import sys
+import inertance as ia
+
+{before}
+try:
+    ia.fit("campaign.toml")
+except ia.ModelError as error:
+    sys.exit(str(error))
+"""
+
+
+@pytest.mark.parametrize("before", ["", "import inertance.diagnosis"], ids=["alone", "after diagnosis"])
+def test_fit_says_what_to_do_with_an_fmu_whatever_was_imported(fmus: Path, before: str) -> None:
+    (fmus / "campaign.toml").write_text(
+        'model = "rig2.fmu"\n[channels]\n[parameters]\n[[train]]\nfile = "train.csv"\n'
+    )
+    command = [sys.executable, "-c", FIT.format(before=before)]
+    ended = subprocess.run(command, cwd=fmus, capture_output=True, text=True, check=False)
+    assert "'rig2.fmu' is an FMU, whose equations are not known" in ended.stderr
+    assert 'diagnose("campaign.toml")' in ended.stderr
+    typed = CliRunner().invoke(app, ["fit", str(fmus / "campaign.toml")])
+    assert typed.exit_code == 2
+    assert "`inertance diagnose` fits its parameters" in " ".join(typed.output.split())

@@ -7,7 +7,6 @@ import zipfile
 from pathlib import Path
 from typing import Any
 
-import inertance.diagnosis  # noqa: F401  that reads campaigns of FMUs
 import numpy as np
 import pytest
 from inertance import (
@@ -21,6 +20,7 @@ from inertance import (
     Record,
     Spring,
     export_fmu,
+    read_model,
 )
 from inertance.cli import app
 from typer.testing import CliRunner
@@ -154,6 +154,7 @@ def test_a_campaign_tries_what_is_refused(good: dict[str, Path], tmp_path: Path)
         "model": "edited.fmu", "base": tmp_path, "parameters": {"spring.k": {"rel": 0.1}},
         "channels": {"x": {"output": "mass.s", "unit": "m"}},
         "train": [{"record": Record("run", t, {"x": np.cos(t)}), "initial": "rest"}], "noise": {"x": 1e-3},
+        "reader": read_model,
     }  # fmt: skip
     with pytest.raises(InertanceError, match="UnitDefinition"):
         Campaign(**entries)

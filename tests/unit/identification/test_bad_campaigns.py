@@ -168,7 +168,7 @@ RECORDS = {
     "NaN": (changed(2, 10, np.nan), "line 12, column 'F': nan is no usable number (1 such"),
     "infinite": (changed(1, 10, np.inf), "line 12, column 'x': inf is no usable number (1 such"),
     "beyond any machine": (changed(2, 10, 1e300), "line 12, column 'F': 1e+300 is beyond any machine; correct it, or the unit of the column"),
-    "NaN in time": (changed(0, 10, np.nan), "line 12, column 'time': no usable number"),
+    "NaN in time": (changed(0, 10, np.nan), "line 12, column 'time': nan is no usable number (1 such"),
     "unsorted": (changed(0, 10, 0.01), "line 12, column 'time': 0.01 comes after 0.045; sort the lines by time"),
     "an instant twice": (changed(0, 10, ROWS[9][0]), "line 12, column 'time': 0.045 stands there twice (1 such); keep one line of each instant"),
     "a gap": (csv(ROWS[:50] + ROWS[70:]), "line 52, column 'time': a gap of 0.105 s before 0.35 s, where samples are 0.005 s apart"),
@@ -176,8 +176,8 @@ RECORDS = {
     "constant input": (csv([[t, 1.0, f] for t, _, f in ROWS]), "train.csv, column 'x': the value is 1 throughout; it excites nothing"),
     "dead sensor": (csv([[t, x, 0.0] for t, x, _ in ROWS]), "train.csv, column 'F': the value is 0 throughout; is the sensor connected?"),
     "saturated sensor": (csv([[t, x, min(f, 1.0)] for t, x, f in ROWS]), "column 'F': stays at 1, an extreme, as if the sensor were saturated; measure with a larger range"),
-    "unknown unit": (csv(header="time,x [furlong],F"), "train.csv, column 'x': there is no unit 'furlong'"),
-    "time in millimetres": (csv(header="time [mm],x,F"), "train.csv, column 'time': 'mm' measures m, the quantity of the model is in s; give one of s, ms, us, min"),
+    "unknown unit": (csv(header="time,x [furlong],F"), "train.csv, line 1, column 'x': there is no unit 'furlong'"),
+    "time in millimetres": (csv(header="time [mm],x,F"), "train.csv, line 1, column 'time': 'mm' measures m, the quantity of the model is in s; give one of s, ms, us, min"),
     "a copy of the test record": (csv(rows(3.0)), "[[test]] 1: 'test.csv' is also [[train]] 1"),
 }  # fmt: skip
 

@@ -189,3 +189,11 @@ def test_variations_agree_with_differences_of_runs(kind: str) -> None:
         difference = (sides[0] - sides[1]) / (2e-5 * value)
         error = np.sqrt(np.mean((slopes[at, number] - difference) ** 2))
         assert error < 3e-3 * np.sqrt(np.mean(difference**2))
+
+
+def test_a_start_that_follows_no_parameter_may_be_given() -> None:
+    dae = rig().dae()
+    run = ia.simulate(dae, 0.1, inputs={"table.s_ref": ia.Sinusoid(0.004, 2.0)}, progress=False)
+    states = len(dae.state_names)
+    slopes = ia.Variations(dae, ["spring.f"], []).along(run, np.zeros((states, 0)))
+    assert slopes.shape == (len(run.time), 1, states)

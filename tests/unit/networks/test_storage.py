@@ -75,7 +75,7 @@ def test_parquet_without_pyarrow(run: ia.Result, tmp_path: Path, monkeypatch: py
     def without_pyarrow(name: str, *rest: Any) -> Any:
         return None if name == "pyarrow" else find(name, *rest)
 
-    monkeypatch.setattr("inertance.networks.results.storage.find_spec", without_pyarrow)
+    monkeypatch.setattr("inertance.base.tables.find_spec", without_pyarrow)
     with pytest.raises(ModuleNotFoundError, match=r"pip install 'inertance\[parquet\]'"):
         run.save(tmp_path / "run.parquet")
 
@@ -92,17 +92,36 @@ def test_measured_csv(tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize(
+    "text",
+    [
+        "# bench 3\nt;force (kN);x\n0;1;\n0,5;2,25;3\n",
+        'Time [s]\t"force [kN]"\tx\n0\t1\t\n0.5\t2.25\t3\n',
+        "time, force [kN], x\n0, 1,\n0.5, 2.25, 3\n",
+    ],
+    ids=["semicolons", "tabs", "commas"],
+)
+def test_csv_of_any_country(tmp_path: Path, text: str) -> None:
+    path = tmp_path / "measured.csv"
+    path.write_text(text)
+    table = ia.load_table(path)
+    assert table.attrs["units"] == {"force": "kN", "x": ""}
+    assert table.index.tolist() == [0.0, 0.5]
+    assert table["force"].tolist() == [1.0, 2.25]
+    assert np.isnan(table["x"].iloc[0])
+    assert table["x"].iloc[1] == 3.0
+
+
+@pytest.mark.parametrize(
     ("text", "message"),
     [
-        ("", "line 1: no column 'time'"),
-        ("t,x\n0,1\n", "line 1: no column 'time' among t, x; name one 'time'"),
-        ("time;x\n0;1\n", "separate columns by commas"),
+        ("", "the file is empty"),
+        ("when,x\n0,1\n", "no column of time among when, x; name one 'time'"),
         ("time [ms],x\n0,1\n", r"line 1, column 'time': the unit must be s, got ms"),
-        ("time,x [m],x [m]\n0,1,2\n", "line 1: column 'x' is there twice"),
+        ("time,x [m],x [m]\n0,1,2\n", "line 1: two columns are called 'x'"),
         ("time,x\n0,1\n1,abc\n", "line 3, column 'x': 'abc' is no number"),
-        ("time,x\n0,1\n1,\n", "line 3, column 'x': '' is no number"),
-        ("time,x\n0,1\n\n1,2\n", "line 3: 0 cells, but 2 columns"),
-        ("time,x\n0,1,2\n", "line 2: 3 cells, but 2 columns"),
+        ("time;x\n0;1\n1;1,5,2\n", "line 3, column 'x': '1,5,2' is no number"),
+        ("time,x\n0,1\n\n1,2\n", "line 3: 0 cells under 2 names"),
+        ("time,x\n0,1,2\n", "line 2: 3 cells under 2 names"),
     ],
 )
 def test_bad_csv_is_told_by_line_and_column(tmp_path: Path, text: str, message: str) -> None:
@@ -116,13 +135,13 @@ def test_bad_csv_is_told_by_line_and_column(tmp_path: Path, text: str, message: 
 def test_other_bad_files(tmp_path: Path) -> None:
     with pytest.raises(FileNotFoundError, match=r"there is no file '.*none\.csv'"):
         ia.load_table(tmp_path / "none.csv")
-    with pytest.raises(ValueError, match=r"ends in '\.txt'"):
-        ia.load_table(tmp_path / "none.txt")
+    with pytest.raises(ValueError, match=r"ends in '\.xlsx'; tables end in \.csv, \.txt"):
+        ia.load_table(tmp_path / "none.xlsx")
     (tmp_path / "binary.csv").write_bytes(b"time,x\n\xff\xfe,1\n")
     with pytest.raises(ValueError, match="not a text file in UTF-8"):
         ia.load_table(tmp_path / "binary.csv")
-    np.savez(tmp_path / "other.npz", time=np.zeros(3))
-    with pytest.raises(ValueError, match="no array names, units, values; not a saved result"):
+    np.savez(tmp_path / "other.npz", time="noon")
+    with pytest.raises(ValueError, match="there are no columns of numbers in it, only time"):
         ia.load_table(tmp_path / "other.npz")
     for broken in ("broken.npz", "broken.parquet"):
         (tmp_path / broken).write_bytes(b"not what the name says")
@@ -138,5 +157,5 @@ def test_foreign_parquet(tmp_path: Path) -> None:
     assert table["x"].to_dict() == {0.0: 2.0, 1.0: 3.0}
     assert table.attrs["units"] == {"x": ""}
     foreign[["x"]].to_parquet(tmp_path / "timeless.parquet")
-    with pytest.raises(ValueError, match="no column 'time' among x"):
+    with pytest.raises(ValueError, match="no column of time among x"):
         ia.load_table(tmp_path / "timeless.parquet")

@@ -13,6 +13,8 @@ import inertance as ia
 import numpy as np
 import pytest
 from inertance import rotational
+from inertance.cli import app
+from typer.testing import CliRunner
 
 
 def oscillator() -> ia.Network:
@@ -217,6 +219,39 @@ def test_tables_are_read_in_utf_8_and_utf_16(encoding: str, tmp_path: Path) -> N
     assert ia.record(path).values[3] == 3.0
     channel = ia.Channel("push.f", True, "N", "N")
     assert ia.read_record(path, {"push.f": channel}).values["push.f"][3] == 3.0
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "told"),
+    [
+        ("0.3,3\n", "0.3,n/a\n", "line 5, column 'push.f': 'n/a' is no number; correct or remove it"),
+        ("0.3,3\n", "0.3\n", "line 5: 1 cells under 2 names; complete or cut the line"),
+        ("0.3,3\n", "\n", "line 5: 0 cells under 2 names; complete or cut the line"),
+        ("time,push.f", "push.f,push.f", "line 1: two columns are called 'push.f'; rename one"),
+        ("time,push.f", "0,1", "line 1: numbers instead of names; put a line of column names on top"),
+        (LINES, "", "the file is empty"),
+    ],
+)
+def test_a_bad_table_is_told_alike_wherever_it_is_read(
+    old: str, new: str, told: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    Path("data.csv").write_text(LINES.replace(old, new))
+    rig = "ia.Network('rig', push=ia.Force(), m=ia.Mass(m=1.0))"
+    Path("rig.py").write_text(
+        f"import inertance as ia\n\n\ndef build():\n    net = {rig}\n"
+        "    return net.connect(net.push.flange, net.m.flange)\n"
+    )
+    channels = {"push.f": ia.Channel("push.f", True, "N", "N")}
+    messages = []
+    for read in (ia.load_table, ia.record, lambda path: ia.read_record(path, channels)):
+        with pytest.raises(ia.ModelError) as caught:
+            read("data.csv")
+        messages.append(str(caught.value))
+    ran = CliRunner().invoke(app, ["run", "rig.py:build", "--input", "data.csv"])
+    assert ran.exit_code == 2
+    messages.append(ran.stderr.removeprefix("error: ").strip())
+    assert set(messages) == {f"data.csv{',' if told.startswith('line') else ':'} {told}"}
 
 
 def test_what_is_no_text_is_told_with_its_line(tmp_path: Path) -> None:

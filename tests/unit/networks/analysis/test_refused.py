@@ -60,12 +60,14 @@ def test_an_unstable_network_has_no_norms() -> None:
 @pytest.mark.parametrize(
     ("text", "told"),
     [
-        ("time,z\n0,0\n0.1,nan\n0.2,0\n0.3,1\n", "line 3: finite numbers are needed, got '0.1,nan'"),
-        ("time,z\n0,0\n0.1,1\n0.2,inf\n0.3,1\n", "line 4: finite"),
-        ("time,z\n0,0\n0.1,1\n\n0.05,0\n0.3,1\n", "line 5: time goes from 0.1 to 0.05 s; sort it"),
-        ("time,z\n0,0\n0.1\n", "line 3: finite numbers are needed, got '0.1'"),
-        ("time;z\n0;0\n", "no column 'time'"),
-        ("", "no column 'time'"),
+        ("time,z\n0,0\n0.1,nan\n0.2,0\n0.3,1\n", "line 3, column 'z': nan is no usable number"),
+        ("time,z\n0,0\n0.1,1\n0.2,inf\n0.3,1\n", "line 4, column 'z': inf is no usable number"),
+        ("time,z\n0,0\n0.1,1\n0.05,0\n0.3,1\n", "line 4, column 'time': 0.05 comes after 0.1; sort"),
+        ("time,z\n0,0\n0.1\n", "line 3: 1 cells under 2 names"),
+        ("time,z\n0,0\n\n0.1,1\n", "line 3: 0 cells under 2 names"),
+        ("time [ms];z\n0;0\n", "line 1, column 'time': the unit must be s, got ms"),
+        ("when,z\n0,0\n", "no column 'time'"),
+        ("", "the file is empty"),
         ("time,z\n", "at least 4 samples"),
     ],
 )
@@ -79,7 +81,7 @@ def test_a_bad_road_file_is_refused_at_its_line(text: str, told: str, tmp_path: 
 @pytest.mark.parametrize(
     ("values", "told"),
     [
-        ("NPTS= 3, DT= .01\n1 2 x", "line 5: finite"),
+        ("NPTS= 3, DT= .01\n1 2 x", "line 5, column 'acceleration': 'x' is no number"),
         ("NPTS= 9, DT= .01\n1 2 3 4", "says 9 values, there are 4"),
     ],
 )

@@ -1,0 +1,34 @@
+"""`read_model`: the model of a campaign, which may be an FMU or have one in it."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from pathlib import Path
+
+from ...identification import Machine, fmu_and_kind, read_network
+from ...networks import Network
+from .fmu_model import read_fmu
+from .fmu_network import recognised
+
+
+def read_model(
+    model: Network | str, port: Mapping[str, str], base: Path, validate: bool = True
+) -> tuple[Network, Machine]:
+    """Return the network of a campaign that is to be diagnosed, and what predicts its outputs.
+
+    Args:
+        model: the network, `path/to/file.py:function` that returns it, or `path/to/file.fmu`, with `:ME` or
+            `:CS` after it to choose.
+        port: names of variables by "force", "position" and "velocity", where parts may be joined to an FMU.
+        base: the folder that a relative path starts from.
+        validate: whether to refuse an FMU whose description its schema does not allow.
+
+    Raises:
+        ModelError: telling what is wrong.
+    """
+    foreign = fmu_and_kind(model)
+    if foreign:
+        box = read_fmu(base / foreign[0], foreign[1], port, validate)
+        return box.network, box
+    network, equations = read_network(model, port, base)
+    return network, recognised(network) or equations
