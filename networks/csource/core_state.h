@@ -154,7 +154,8 @@ void core_factor_solve(const Factor *f, double b[], double full[]);
 void core_factor_solve_transposed(const Factor *f, double b[], double full[]);
 int core_dense_factor(double lu[], int n, int pivot[]);
 void core_jacobi(double columns[], double right[], int length, int count);
-void core_least_norm(double columns[], double right[], int length, int count, int transposed, const double b[], double x[]);
+void core_least_norm(double columns[], double right[], int length, int count, int transposed,
+                     const double b[], double x[]);
 
 /* events.c */
 int core_watch(Core *c, double t, const double y[], const double rates[], Watched *w);
@@ -187,7 +188,7 @@ CoreStatus core_land(Core *c, int *indicator, double t, double begin, double end
 
 /* stepper.c */
 CoreStatus core_travel(Core *c, double stop, double rtol, double atol, double fixed_step, int return_early,
-                   const Observer *told, CoreStop *reached);
+                       const Observer *told, CoreStop *reached);
 
 /* message.c */
 void core_say(Core *c, const char *text);

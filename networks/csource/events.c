@@ -7,7 +7,9 @@
 #define RELATIVE 1e-12
 #define ROUNDS 1000
 
-int core_leavable(const Core *c, int i) { return core_mode(c, model_change_mode[i]) == model_change_source[i]; }
+int core_leavable(const Core *c, int i) {
+    return core_mode(c, model_change_mode[i]) == model_change_source[i];
+}
 
 int core_can_fire(const Core *c, int i) { return core_leavable(c, i) && !c->muted[i]; }
 
@@ -64,7 +66,9 @@ static int firing(Core *c, int forced, int fired[]) {
     for (int i = 0; i < NG; i++) {
         int allowed = model_change_allowed[i], *best = strongest + model_change_mode[i];
         if (!is_ready(c, i, forced) || (allowed >= 0 && c->expressions[allowed] == 0)) continue;
-        if (*best < 0 || c->left.value[i] / core_near_zero(c, i) >= c->left.value[*best] / core_near_zero(c, *best)) *best = i;
+        if (*best < 0 ||
+            c->left.value[i] / core_near_zero(c, i) >= c->left.value[*best] / core_near_zero(c, *best))
+            *best = i;
     }
     for (int i = 0; i < NG; i++)
         if (strongest[model_change_mode[i]] == i) fired[count++] = i;
@@ -90,7 +94,8 @@ static uint64_t situation(Core *c, const int fired[], int count) {
 }
 
 /* Apply changes: shocks first, then modes, then resets. */
-static CoreStatus apply(Core *c, const int fired[], int count, const Observer *told, int begins, int *changed) {
+static CoreStatus apply(Core *c, const int fired[], int count, const Observer *told, int begins,
+                        int *changed) {
     int changes[ROOM(NG)], stays[ROOM(NG)] = {0}, kept = 0, shocks[ROOM(NG)], held[ROOM(NG)], shocked = 0;
     double impulses[ROOM(NG)] = {0}, size[ROOM(NG)], seen[ROOM(NREAD)];
     CoreStatus status;

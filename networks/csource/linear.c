@@ -1,5 +1,6 @@
-/* Linear equations: the matrix of a step without states that follow another one (see rosenbrock.c), by LU with row
- * pivoting or, where large, by sparse Householder QR on a fixed pattern; and solutions of least norm by one-sided Jacobi rotations (Golub, Van Loan, Matrix Computations, 5.2, 8.6). */
+/* Linear equations: the matrix of a step without states that follow another one (see rosenbrock.c), by LU
+ * with row pivoting or, where large, by sparse Householder QR on a fixed pattern; and solutions of least norm
+ * by one-sided Jacobi rotations (Golub, Van Loan, Matrix Computations, 5.2, 8.6). */
 #include <float.h>
 #include <math.h>
 #include <string.h>
@@ -176,11 +177,12 @@ void core_jacobi(double columns[], double right[], int length, int count) {
 }
 
 /* Solve in the sense of least squares and least norm: columns x = b, or, transposed, columns' x = b. */
-void core_least_norm(double columns[], double right[], int length, int count, int transposed, const double b[],
-                double x[]) {
+void core_least_norm(double columns[], double right[], int length, int count, int transposed,
+                     const double b[], double x[]) {
     double strongest = 0;
     core_jacobi(columns, right, length, count);
-    for (int k = 0; k < count; k++) strongest = fmax(strongest, dot(columns + k * length, columns + k * length, length));
+    for (int k = 0; k < count; k++)
+        strongest = fmax(strongest, dot(columns + k * length, columns + k * length, length));
     for (int i = 0; i < (transposed ? length : count); i++) x[i] = 0;
     for (int k = 0; k < count; k++) {
         const double *left = columns + k * length, *turn = right + k * count;

@@ -63,7 +63,8 @@ static int resolved(const Core *c, double span, double share) {
     for (int i = 0; i < NG; i++) {
         if (!core_leavable(c, i)) continue;
         Cubic p = cubic(&c->left, &c->right, i, span);
-        double seen = c->middle.value[i], error = fabs(seen - cubic_at(&p, share)), near = core_near_zero(c, i);
+        double seen = c->middle.value[i], error = fabs(seen - cubic_at(&p, share)),
+               near = core_near_zero(c, i);
         double range = fmax(fmax(p.a, p.b), seen) - fmin(fmin(p.a, p.b), seen);
         if (error > UNRESOLVED * range + near && fmax(bound(&p), seen) + 10 * error > near) return 0;
     }
@@ -76,8 +77,8 @@ static int timed(const Core *c) {
     return 0;
 }
 
-/* Algebraic unknowns follow time, which a step need not: they are solved for where it matters. Rates are those of
- * the interpolation, as its errors in stiff states would make wrong ones of them in the equations. */
+/* Algebraic unknowns follow time, which a step need not: they are solved for where it matters. Rates are
+ * those of the interpolation, as its errors in stiff states would make wrong ones of them there. */
 static int watch_inside(Core *c, double t, Watched *w) {
     double y[ROOM(NY)], rates[ROOM(NY)];
     core_step_dense(c, t, y, rates);
@@ -143,7 +144,8 @@ int core_locate(Core *c, double *t, double *begin, double *end, int *indicator) 
 static int shift(Core *c, int indicator, double *t) {
     double *y = c->step.end;
     for (int again = 0; again < 2; again++) {
-        if (!core_motion_at(c, *t, y, c->end_rates) || !core_watch(c, *t, y, c->end_rates, &c->right)) return 0;
+        if (!core_motion_at(c, *t, y, c->end_rates) || !core_watch(c, *t, y, c->end_rates, &c->right))
+            return 0;
         if (!(c->right.rate[indicator] > 0)) return 0;
         double span = -c->right.value[indicator] / c->right.rate[indicator];
         for (int i = 0; i < NX; i++) y[i] += span * c->end_rates[i];
@@ -154,8 +156,8 @@ static int shift(Core *c, int indicator, double *t) {
     return fabs(c->right.value[indicator]) <= core_near_zero(c, indicator);
 }
 
-/* Whether an indicator is above zero where the piece begins, or falls from zero less than noise would hide: what is
- * sought then is where it begins to rise. */
+/* Whether an indicator is above zero where the piece begins, or falls from zero less than noise would hide:
+ * what is sought then is where it begins to rise. */
 static int begins_beyond(const Core *c, int indicator, double span) {
     Cubic p = cubic(&c->left, &c->right, indicator, span);
     double near = core_near_zero(c, indicator), turns = sqrt(fmax(p.c2 * p.c2 - 3 * p.c3 * p.da, 0));
@@ -164,11 +166,12 @@ static int begins_beyond(const Core *c, int indicator, double span) {
 }
 
 static int look(Core *c, double t) {
-    return core_motion_at(c, t, c->step.end, c->end_rates) && core_watch(c, t, c->step.end, c->end_rates, &c->right);
+    return core_motion_at(c, t, c->step.end, c->end_rates) &&
+           core_watch(c, t, c->step.end, c->end_rates, &c->right);
 }
 
-/* Step anew onto the crossing of an indicator near *t, in the piece from `begin` (`left`) to `end`. `reached` tells
- * whether zero was: interpolation can make believe in a crossing. */
+/* Step anew onto the crossing of an indicator near *t, in the piece from `begin` (`left`) to `end`. `reached`
+ * tells whether zero was: interpolation can make believe in a crossing. */
 static CoreStatus approach(Core *c, int indicator, double *t, double begin, double end, int *reached) {
     double low = begin, high = end, error, whole = c->step.h, moved = INFINITY, kept[ROOM(NY)];
     int beyond = begins_beyond(c, indicator, end - begin);
@@ -200,7 +203,8 @@ static CoreStatus approach(Core *c, int indicator, double *t, double begin, doub
         }
         if (beyond ? rate < 0 : g < 0) low = *t;
         else high = *t;
-        /* Where the rate of a stiff state misleads, Newton's steps creep: those that do not halve are not taken. */
+        /* Where the rate of a stiff state misleads, Newton's steps creep: those that do not halve are not
+         * taken. */
         int follow = low < newton && newton < high && fabs(newton - *t) < 0.5 * moved;
         double next = follow ? newton : 0.5 * (low + high);
         moved = fabs(next - *t);
@@ -213,7 +217,8 @@ static int passed(const Core *c, double t) {
     double longest = SIMULTANEOUS * fmax(1, fabs(t));
     int found = -1;
     for (int i = 0; i < NG; i++) {
-        double near = core_near_zero(c, i), since = (c->right.value[i] - near) / fmax(fabs(c->right.rate[i]), FLOOR);
+        double near = core_near_zero(c, i),
+               since = (c->right.value[i] - near) / fmax(fabs(c->right.rate[i]), FLOOR);
         if (!core_can_fire(c, i) || c->left.value[i] > near || since <= longest) continue;
         found = i;
         longest = since;
@@ -221,7 +226,7 @@ static int passed(const Core *c, double t) {
     return found;
 }
 
-/* Approach a crossing, or that of another indicator which is passed on the way, and let the core stand there. */
+/* Approach a crossing, or that of another indicator which is passed on the way, and stand there. */
 CoreStatus core_land(Core *c, int *indicator, double t, double begin, double end, int *reached) {
     double earliest = INFINITY;
     CoreStatus status = approach(c, *indicator, &t, begin, end, reached);

@@ -36,16 +36,31 @@ void core_say_number(Core *c, double value) {
     char text[DIGITS + 4];
     int exponent, last, place = 0, i;
     double left;
-    if (isnan(value)) { core_say_more(c, "nan"); return; }
+    if (isnan(value)) {
+        core_say_more(c, "nan");
+        return;
+    }
     if (value < 0) core_say_more(c, "-");
     value = fabs(value);
-    if (isinf(value)) { core_say_more(c, "inf"); return; }
-    if (value == 0) { core_say_more(c, "0"); return; }
+    if (isinf(value)) {
+        core_say_more(c, "inf");
+        return;
+    }
+    if (value == 0) {
+        core_say_more(c, "0");
+        return;
+    }
     exponent = (int)floor(log10(value));
     left = floor(value / pow(10.0, exponent - DIGITS + 1) + 0.5);
-    if (left >= 1e9) { left /= 10; exponent++; }
+    if (left >= 1e9) {
+        left /= 10;
+        exponent++;
+    }
     char digits[DIGITS + 1];
-    for (i = DIGITS - 1; i >= 0; i--) { digits[i] = (char)('0' + (int)fmod(left, 10.0)); left = floor(left / 10); }
+    for (i = DIGITS - 1; i >= 0; i--) {
+        digits[i] = (char)('0' + (int)fmod(left, 10.0));
+        left = floor(left / 10);
+    }
     for (last = DIGITS - 1; last > 0 && digits[last] == '0'; last--) {}
     if (exponent < -4 || exponent >= DIGITS) {
         text[place++] = digits[0];

@@ -61,7 +61,8 @@ static int since(Core *c, const double seen[], double jump[]) {
 /* Rates of states and forces while signals are off by a course. */
 static int rates_at(Core *c, const double x[], const double course[], double rates[]) {
     const double *arg[ROOM(MODEL_ARGS)] = {0};
-    double y[ROOM(NY)], signed_[ROOM(NJ)], moved[ROOM(NPATH + NZ)], *res[ROOM(MODEL_RESULTS)] = {moved}, sum = 0;
+    double y[ROOM(NY)], signed_[ROOM(NJ)], moved[ROOM(NPATH + NZ)], *res[ROOM(MODEL_RESULTS)] = {moved},
+                                                                    sum = 0;
     for (int k = 0; k < NJ; k++) signed_[k] = model_jump_sign[k] * course[k];
     memcpy(y, x, NX * sizeof *x);
     memcpy(y + NX, c->y + NX, NZ * sizeof *y);
@@ -92,7 +93,8 @@ static int thrown(Core *c, const double jump[], const double x[], double far[]) 
     double course[ROOM(NJ)] = {0}, at_rest[ROOM(NPATH)], away[ROOM(NPATH)];
     if (!rates_at(c, x, course, at_rest)) return 0;
     for (int s = 0; s < NSIGNAL; s++)
-        for (int k = model_jump_start[s] + 2; k < model_jump_start[s + 1]; k++) course[k] = jump[k - 2] / INSTANT;
+        for (int k = model_jump_start[s] + 2; k < model_jump_start[s + 1]; k++)
+            course[k] = jump[k - 2] / INSTANT;
     if (!rates_at(c, x, course, away)) return 0;
     for (int i = 0; i < NX; i++) far[i] = away[i] - at_rest[i];
     for (int i = NPUSH > 0 ? NX : 0; i < NPATH; i++)
@@ -115,10 +117,12 @@ static int moved(Core *c, const double jump[], const double path[], double s, do
     return 1;
 }
 
-/* How states and impulses move with s; `jump` ends with how far states are off. 0 if they move the faster, the shorter the ramp. */
+/* How states and impulses move with s; `jump` ends with how far states are off. 0 if they move the faster,
+ * the shorter the ramp. */
 static int path_rates(Core *c, const double jump[], const double path[], double s, double rates[]) {
     double shorter[ROOM(NPATH)], most = 0;
-    if (!moved(c, jump, path, s, INSTANT, rates) || !moved(c, jump, path, s, INSTANT * SHORTER, shorter)) return 0;
+    if (!moved(c, jump, path, s, INSTANT, rates) || !moved(c, jump, path, s, INSTANT * SHORTER, shorter))
+        return 0;
     for (int i = 0; i < NPATH; i++) most = fmax(most, fabs(rates[i]));
     for (int i = 0; i < NPATH; i++)
         if (!(fabs(rates[i] - shorter[i]) <= UNBOUNDED * (most + least_size(i)))) return 0;
@@ -137,13 +141,15 @@ static int runge_kutta(Core *c, const double jump[], const double path[], double
     return 1;
 }
 
-/* The mode through which a jump acts otherwise than through its others, of which none is known to hold; else -1. */
+/* The mode through which a jump acts otherwise than through its others, of which none is known to hold; else
+ * -1. */
 static int uncertain(Core *c, const double jump[], const double path[], double rates[]) {
     double other[ROOM(NPATH)], *modes = core_modes(c), kept[ROOM(NM + NI + NK)];
     int found = -1;
     memcpy(kept, modes, (NM + NI + NK) * sizeof *kept);
     for (int m = 0; m < NM && found < 0; m++)
-        for (int value = 0; value < model_in_shock_start[m + 1] - model_in_shock_start[m] && found < 0; value++) {
+        for (int value = 0; value < model_in_shock_start[m + 1] - model_in_shock_start[m] && found < 0;
+             value++) {
             if (model_jump_mode[m] || value == (int)kept[m] || core_stands_in(m, value) >= 0) continue;
             modes[m] = value;
             if (core_complete(c) != CORE_OK || !path_rates(c, jump, path, 0, other)) found = m;
@@ -196,8 +202,10 @@ static CoreStatus unbounded(Core *c, const double jump[]) {
         core_say_number(c, size);
         core_say_more(c, ")");
     }
-    core_say_more(c, ", which takes infinite forces; give a ramp instead of the jump, a Speed instead of a Position, or "
-                "exact=False, which filters it");
+    core_say_more(
+        c,
+        ", which takes infinite forces; give a ramp instead of the jump, a Speed instead of a Position, or "
+        "exact=False, which filters it");
     return CORE_ERROR;
 }
 
@@ -209,8 +217,10 @@ static CoreStatus pass_through(Core *c, double jump[], double path[]) {
     if (mode < 0) return follow(c, jump, path) ? CORE_OK : unbounded(c, jump);
     say_when(c);
     core_say_more(c, model_mode_name[mode]);
-    core_say_more(c, ": a jump of a prescribed motion acts through this mode, and which one holds is not known: give a ramp "
-                "instead of the jump");
+    core_say_more(
+        c,
+        ": a jump of a prescribed motion acts through this mode, and which one holds is not known: give a ramp "
+        "instead of the jump");
     return CORE_ERROR;
 }
 
@@ -221,13 +231,16 @@ static CoreStatus check_reach(Core *c, const double before[]) {
         double was = before[indicator], now = c->expressions[indicator];
         int opens = model_change_source[i] != model_change_target[i] && present == model_change_target[i] &&
                     core_stands_in(mode, present) >= 0;
-        int onto = present == model_change_source[i] && core_stands_in(mode, present) < 0 && was <= INSIDE && now > INSIDE;
+        int onto = present == model_change_source[i] && core_stands_in(mode, present) < 0 && was <= INSIDE &&
+                   now > INSIDE;
         if (model_change_impulse[i] < 0) continue;
         if (!onto && !(opens && fabs(now - was) > INSIDE)) continue;
         say_when(c);
         core_say_more(c, model_component[i]);
-        core_say_more(c, " is struck or left at infinite speed, where a prescribed position jumps; give a ramp instead of "
-                    "the jump");
+        core_say_more(
+            c,
+            " is struck or left at infinite speed, where a prescribed position jumps; give a ramp instead of "
+            "the jump");
         return CORE_ERROR;
     }
     return CORE_OK;
@@ -238,7 +251,8 @@ static int any_pressed(const Core *c) {
         int mode = model_change_mode[i];
         if (model_change_impulse[i] < 0 || core_mode(c, mode) != model_change_target[i]) continue;
         if (core_stands_in(mode, model_change_target[i]) < 0) continue;
-        if (c->expressions[model_change_after[i]] > c->expressions[model_change_velocity[i]] + PRESSED) return 1;
+        if (c->expressions[model_change_after[i]] > c->expressions[model_change_velocity[i]] + PRESSED)
+            return 1;
     }
     return 0;
 }
@@ -250,8 +264,10 @@ static int is_still(const Core *c, const double path[]) {
 }
 
 /* Add what motions give when contacts pass a shock on, by the impulses of these. */
-static CoreStatus add_passed(Core *c, const int contacts[], const double impulses[], int count, double pushes[]) {
-    double kept[ROOM(NM + NI + NK)], still[ROOM(NJ)] = {0}, before[ROOM(NPATH)], after[ROOM(NPATH)], *modes = core_modes(c);
+static CoreStatus add_passed(Core *c, const int contacts[], const double impulses[], int count,
+                             double pushes[]) {
+    double kept[ROOM(NM + NI + NK)], still[ROOM(NJ)] = {0}, before[ROOM(NPATH)], after[ROOM(NPATH)],
+                                     *modes = core_modes(c);
     memcpy(kept, modes, (NM + NI + NK) * sizeof *kept);
     core_stand_in(c);
     CoreStatus status = core_complete(c);

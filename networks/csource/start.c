@@ -39,14 +39,16 @@ static double inner(const double a[], const double b[], int n) {
 }
 
 /* The step of least norm that does what some columns ask for; the columns become orthogonal. */
-static void least_step(StartRoom *room, double columns[], int length, int count, const double wanted[], double step[]) {
+static void least_step(StartRoom *room, double columns[], int length, int count, const double wanted[],
+                       double step[]) {
     core_least_norm(columns, room->turn, length, count, 1, wanted, step);
 }
 
 /* Take out of a column what lies along others, which are orthogonal. */
 static void take_out(double column[], const double others[], int length, int count) {
     double strongest = 0;
-    for (int k = 0; k < count; k++) strongest = fmax(strongest, inner(others + k * length, others + k * length, length));
+    for (int k = 0; k < count; k++)
+        strongest = fmax(strongest, inner(others + k * length, others + k * length, length));
     for (int k = 0; k < count; k++) {
         const double *other = others + k * length;
         double strength = inner(other, other, length);
@@ -70,7 +72,8 @@ static void lead(Core *c, const Given *given, StartRoom *room) {
             const double *column = room->kept + (NFIXED + i) * NLEAD;
             room->missing[i] = -room->value[NFIXED + i] - inner(column, room->step, NLEAD);
             take_out(soft + i * NLEAD, room->slope, NLEAD, NFIXED);
-            if (inner(soft + i * NLEAD, soft + i * NLEAD, NLEAD) <= START_WEAK * START_WEAK * inner(column, column, NLEAD))
+            if (inner(soft + i * NLEAD, soft + i * NLEAD, NLEAD) <=
+                START_WEAK * START_WEAK * inner(column, column, NLEAD))
                 memset(soft + i * NLEAD, 0, NLEAD * sizeof *soft);
         }
         least_step(room, soft, NLEAD, NAIM - NFIXED, room->missing, further);
@@ -224,6 +227,8 @@ CoreStatus core_begin(Core *c, const Given *given, StartRoom *room) {
         core_stale(c);
         return CORE_OK;
     }
-    core_say(c, "start values and modes do not agree with each other; fix states instead of accelerations or forces");
+    core_say(
+        c,
+        "start values and modes do not agree with each other; fix states instead of accelerations or forces");
     return CORE_ERROR;
 }

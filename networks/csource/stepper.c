@@ -144,7 +144,8 @@ static CoreStatus arrive(Core *c, double t) {
 }
 
 /* Take one step, not beyond `stop`, up to the first event. Nonzero `halt` ends the advance. */
-static CoreStatus stride(Core *c, const Wanted *wanted, double stop, double *most, CoreStop *reached, int *halt) {
+static CoreStatus stride(Core *c, const Wanted *wanted, double stop, double *most, CoreStop *reached,
+                         int *halt) {
     double left = stop - c->t, h = fmin(fmin(c->h, *most), core_longest_step(c)), kept, error, t, begin, end;
     int indicator, hit;
     if (left <= 4 * TINY * fabs(stop)) return arrive(c, stop);
@@ -181,7 +182,8 @@ static CoreStatus stride(Core *c, const Wanted *wanted, double stop, double *mos
     memcpy(c->fastest, fastest, sizeof fastest);
     if (event <= c->t && begin_rate[indicator] <= FLAT * c->fastest[indicator] && h > 1e-9 * c->interval) {
         *most = h / 8; /* it rests on zero: see whether it really leaves */
-        return core_rates(c, 0) == CORE_OK && core_watch(c, c->t, c->y, c->rates, &c->left) ? CORE_OK : CORE_DISCARD;
+        return core_rates(c, 0) == CORE_OK && core_watch(c, c->t, c->y, c->rates, &c->left) ? CORE_OK
+                                                                                            : CORE_DISCARD;
     }
     *most = INFINITY;
     status = core_land(c, &indicator, event, begin, end, &hit);
@@ -199,7 +201,7 @@ static CoreStatus stride(Core *c, const Wanted *wanted, double stop, double *mos
     return core_watch(c, c->t, c->y, c->rates, &c->left) ? CORE_OK : failed(c, "indicators are not finite");
 }
 
-/* Go on beyond the end of a leg; where something jumps there, fire what that fires, or leave it to be fired. */
+/* Go on beyond the end of a leg; where something jumps there, fire what that fires, or leave it. */
 static CoreStatus enter_next_leg(Core *c, const Wanted *wanted, CoreStop *reached, int *halt) {
     const Observer *told = wanted->told;
     int happened, changed, jumps = core_jumps_next(c);
@@ -246,7 +248,7 @@ static void rebase(Core *c) {
 }
 
 CoreStatus core_travel(Core *c, double stop, double rtol, double atol, double fixed_step, int return_early,
-                   const Observer *told, CoreStop *reached) {
+                       const Observer *told, CoreStop *reached) {
     Wanted wanted = {rtol, atol, fixed_step, return_early, told};
     double most = INFINITY;
     int halt = 0;
@@ -267,12 +269,15 @@ CoreStatus core_travel(Core *c, double stop, double rtol, double atol, double fi
     }
     core_find_leg(c);
     CoreStatus status = core_rates(c, 0);
-    if (status == CORE_OK && !core_watch(c, c->t, c->y, c->rates, &c->left)) status = failed(c, "indicators are not finite");
+    if (status == CORE_OK && !core_watch(c, c->t, c->y, c->rates, &c->left))
+        status = failed(c, "indicators are not finite");
     if (!(c->h > 0) && status == CORE_OK) c->h = first_step(c, &wanted, stop - c->t);
     while (status == CORE_OK && !halt && c->t < stop) {
-        status = core_at_end_of_leg(c) ? enter_next_leg(c, &wanted, reached, &halt)
-                                       : stride(c, &wanted, fmin(stop, core_end_of_leg(c)), &most, reached, &halt);
-        if (status == CORE_OK && c->steps - begin > MOST_STEPS) status = failed(c, "there is no end of steps");
+        status = core_at_end_of_leg(c)
+                     ? enter_next_leg(c, &wanted, reached, &halt)
+                     : stride(c, &wanted, fmin(stop, core_end_of_leg(c)), &most, reached, &halt);
+        if (status == CORE_OK && c->steps - begin > MOST_STEPS)
+            status = failed(c, "there is no end of steps");
         if (status == CORE_OK && !told && !(fixed_step > 0)) status = check_pace(c, from, stop, before);
     }
     rebase(c);

@@ -86,7 +86,8 @@ int face_may(Instance *c, const char *function, int phases, int kinds);
 /* Log what the core has to say; after an error nothing but reading, restoring and resetting is left. */
 FaceStatus face_outcome(Instance *c, const char *function, CoreStatus status);
 
-FaceStatus face_get_reals(Instance *c, const char *function, const uint32_t refs[], size_t n, double values[]);
+FaceStatus face_get_reals(Instance *c, const char *function, const uint32_t refs[], size_t n,
+                          double values[]);
 FaceStatus face_set_reals(Instance *c, const char *function, const uint32_t refs[], size_t n,
                           const double values[]);
 FaceStatus face_get_mode(Instance *c, const char *function, uint32_t ref, int *value);
