@@ -19,7 +19,7 @@ void core_reset(Core *c) {
     for (int i = 0; i < NG; i++) c->fastest[i] = 1;
     c->u_time = NAN;
     c->interval = 1;
-    c->crowd = 20000;
+    c->crowd = CROWD_COUNT;
 }
 
 double core_time(const Core *c) { return c->t; }

@@ -4,15 +4,13 @@
 
 #include <stdint.h>
 
+#include "constants.h" /* generated from networks/simulation/events/constants.py */
 #include "core.h"
 
 #define ROOM(n) ((n) > 0 ? (n) : 1) /* C knows no empty arrays */
 #define NY (NX + NZ)
 #define STAGES 8
-#define RECENT 200
 #define MESSAGE 1024
-#define FLOOR 1e-12 /* indicators and rates below are zero */
-#define FLAT 1e-10  /* share of its fastest rate below which an indicator does not rise */
 
 /* Factors of a matrix of the unknowns that are kept: LU with pivoting, or sparse QR. */
 typedef struct {
@@ -63,7 +61,7 @@ struct Core {
     double h, last_error, last_h; /* next step size; of the last accepted step */
     double interval; /* what time is long or short against: step of communication or of output */
     int crowd;       /* events in an interval that are more than can be meant */
-    double recent[RECENT], mark;
+    double recent[CHATTER_COUNT], mark;
     int recent_count, mark_count;
     long long steps, rejected, work; /* work: how often anything of the model was evaluated */
     int slope_fresh, worst; /* unknown with the greatest error in the last step */

@@ -4,16 +4,13 @@
 
 #include "core_state.h"
 
-#define RELATIVE 1e-12
-#define ROUNDS 1000
-
 int core_leavable(const Core *c, int i) {
     return core_mode(c, model_change_mode[i]) == model_change_source[i];
 }
 
 int core_can_fire(const Core *c, int i) { return core_leavable(c, i) && !c->muted[i]; }
 
-double core_near_zero(const Core *c, int i) { return fmax(FLOOR, RELATIVE * c->seen[i]); }
+double core_near_zero(const Core *c, int i) { return fmax(INDICATOR_FLOOR, INDICATOR_ROUNDING * c->seen[i]); }
 
 /* Evaluate indicators and their rates where states have `rates`; remember their size. */
 int core_watch(Core *c, double t, const double y[], const double rates[], Watched *w) {
@@ -46,9 +43,9 @@ void core_switching(Core *c) {
 
 static int is_ready(const Core *c, int i, int forced) {
     const double *g = c->left.value, *rate = c->left.rate, near = core_near_zero(c, i);
-    int rising = rate[i] > FLAT * c->fastest[i];
+    int rising = rate[i] > RATE_NOISE * c->fastest[i];
     int ready = g[i] > near || (g[i] > -near && rising);
-    if (g[i] <= 10 * near && rate[i] < -FLAT * c->fastest[i]) ready = 0;
+    if (g[i] <= LEAVING * near && rate[i] < -RATE_NOISE * c->fastest[i]) ready = 0;
     if (forced >= 0 && model_change_mode[i] == model_change_mode[forced])
         ready = ready || (g[i] == g[forced] && rate[i] == rate[forced]);
     return ready && core_can_fire(c, i);
@@ -152,14 +149,14 @@ static CoreStatus forever(Core *c, const int fired[], int count) {
 }
 
 CoreStatus core_fire(Core *c, int forced, const Observer *told, int begins, int *happened, int *changed) {
-    uint64_t visited[ROUNDS];
+    uint64_t visited[FIRING_ROUNDS];
     int fired[ROOM(NG)], count = 0, one_by_one = 0, since = 0, adrift = 0, waited = forced;
     CoreStatus status = core_complete(c);
     *happened = *changed = 0;
     c->pending = 0;
     if (status != CORE_OK) return status;
     c->fresh = 0;
-    for (int round = 0; round < ROUNDS; round++) {
+    for (int round = 0; round < FIRING_ROUNDS; round++) {
         count = firing(c, forced, fired);
         forced = -1;
         if (count < 0) {

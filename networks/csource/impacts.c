@@ -4,10 +4,6 @@
 
 #include "core_state.h"
 
-#define REGULAR 1e-6
-#define WEAK 1e-10
-#define LOOSE 1e-6
-
 /* Orthonormal columns for the weak directions that have none yet, by Gram-Schmidt on the unit vectors. */
 static void span_rest(double left[], const int weak[], int n) {
     for (int k = 0; k < n; k++) {
@@ -48,7 +44,7 @@ static int completion(Core *c, const double matrix[], int n, double result[], in
     if (core_dense_factor(work, n, pivot)) {
         double least = 1;
         for (int i = 0; i < n; i++) least = fmin(least, fabs(work[i * n + i]));
-        if (least > REGULAR) return 0;
+        if (least > BLOCK_REGULAR) return 0;
     }
     core_jacobi(left, right, n, n);
     for (int k = 0; k < n; k++) {
@@ -58,7 +54,7 @@ static int completion(Core *c, const double matrix[], int n, double result[], in
         most = fmax(most, work[k]);
     }
     for (int k = 0; k < n; k++) {
-        weak[k] = work[k] <= WEAK * most;
+        weak[k] = work[k] <= BLOCK_WEAK * most;
         any |= weak[k];
         for (int i = 0; i < n && !weak[k]; i++) left[k * n + i] /= work[k];
     }
@@ -74,7 +70,7 @@ static int completion(Core *c, const double matrix[], int n, double result[], in
         }
         most = fmax(most, work[j]);
     }
-    for (int j = 0; j < n; j++) loose[j] = work[j] > LOOSE * most;
+    for (int j = 0; j < n; j++) loose[j] = work[j] > BLOCK_LOOSE * most;
     return 1;
 }
 

@@ -8,7 +8,6 @@
 #include "core_state.h"
 
 #define SWEEPS 60
-#define RANK 1e-10
 
 /* Factor a matrix stored by columns in place. Returns 0 if it is singular or not finite. */
 int core_dense_factor(double lu[], int n, int pivot[]) {
@@ -187,7 +186,7 @@ void core_least_norm(double columns[], double right[], int length, int count, in
     for (int k = 0; k < count; k++) {
         const double *left = columns + k * length, *turn = right + k * count;
         double strength = dot(left, left, length);
-        if (!(strength > RANK * RANK * strongest)) continue;
+        if (!(strength > IMPACT_RANK * IMPACT_RANK * strongest)) continue;
         if (transposed) {
             double share = dot(turn, b, count) / strength;
             for (int i = 0; i < length; i++) x[i] += share * left[i];

@@ -4,15 +4,11 @@
 
 #include "core_state.h"
 
-#define CREST (4.0 / 27.0)
 #define GOLDEN 0.3819660112501051
 #define CHECKS 3
-#define UNRESOLVED 1e-3
 #define PIECES 100000
 #define LEAST 1e-9
 #define PER_INTERVAL 4
-#define HOP 1e-6
-#define SIMULTANEOUS 1e-12
 
 static const double SHARES[CHECKS] = {GOLDEN, 0.5, 1 - GOLDEN};
 
@@ -30,7 +26,7 @@ static Cubic cubic(const Watched *left, const Watched *right, int i, double span
 
 static double cubic_at(const Cubic *p, double x) { return p->a + x * (p->da + x * (p->c2 + x * p->c3)); }
 
-static double bound(const Cubic *p) { return fmax(p->a, p->b) + CREST * (fabs(p->da) + fabs(p->db)); }
+static double bound(const Cubic *p) { return fmax(p->a, p->b) + CUBIC_CREST * (fabs(p->da) + fabs(p->db)); }
 
 static double peak(const Cubic *p) {
     double lean = 3 * (p->b - p->a) - p->da - p->db;
@@ -50,7 +46,7 @@ static double root(const Cubic *p, double near) {
         low = -p->da / (p->c2 + turns);
     }
     if (p->b <= near) high = -p->da / (p->c2 - turns);
-    for (int k = 0; k < 60; k++) {
+    for (int k = 0; k < CUBIC_BISECTIONS; k++) {
         double middle = 0.5 * (low + high);
         if (cubic_at(p, middle) < 0) low = middle;
         else high = middle;
@@ -66,7 +62,7 @@ static int resolved(const Core *c, double span, double share) {
         double seen = c->middle.value[i], error = fabs(seen - cubic_at(&p, share)),
                near = core_near_zero(c, i);
         double range = fmax(fmax(p.a, p.b), seen) - fmin(fmin(p.a, p.b), seen);
-        if (error > UNRESOLVED * range + near && fmax(bound(&p), seen) + 10 * error > near) return 0;
+        if (error > CUBIC_MISSES * range + near && fmax(bound(&p), seen) + 10 * error > near) return 0;
     }
     return 1;
 }
@@ -177,7 +173,7 @@ static CoreStatus approach(Core *c, int indicator, double *t, double begin, doub
     int beyond = begins_beyond(c, indicator, end - begin);
     *reached = 1;
     for (;;) {
-        int narrow = high - low < 1e-13 * fmax(1, fabs(*t));
+        int narrow = high - low < NARROWEST * fmax(1, fabs(*t));
         if (narrow) *t = high;
         if (*t <= c->t) return CORE_OK;
         if (!core_step_begin(c) || !core_step_try(c, *t - c->t, 1, 1, &error) || !look(c, *t)) {
@@ -187,7 +183,7 @@ static CoreStatus approach(Core *c, int indicator, double *t, double begin, doub
         }
         double g = c->right.value[indicator], rate = c->right.rate[indicator], at = *t;
         double newton = rate > 0 && !beyond ? *t - g / rate : INFINITY;
-        int near = low <= newton && newton <= high && fabs(newton - *t) < HOP * whole;
+        int near = low <= newton && newton <= high && fabs(newton - *t) < SHIFT * whole;
         if (near || (narrow && c->t < newton && newton < end)) {
             memcpy(kept, c->step.end, sizeof kept);
             if (shift(c, indicator, &at)) {
@@ -214,11 +210,11 @@ static CoreStatus approach(Core *c, int indicator, double *t, double begin, doub
 
 /* The indicator whose crossing in a piece that ends at t (`right`) lies farthest behind it, or -1. */
 static int passed(const Core *c, double t) {
-    double longest = SIMULTANEOUS * fmax(1, fabs(t));
+    double longest = SAME_INSTANT * fmax(1, fabs(t));
     int found = -1;
     for (int i = 0; i < NG; i++) {
         double near = core_near_zero(c, i),
-               since = (c->right.value[i] - near) / fmax(fabs(c->right.rate[i]), FLOOR);
+               since = (c->right.value[i] - near) / fmax(fabs(c->right.rate[i]), INDICATOR_FLOOR);
         if (!core_can_fire(c, i) || c->left.value[i] > near || since <= longest) continue;
         found = i;
         longest = since;

@@ -33,6 +33,7 @@ from ..dae import DAE
 from ..reduction.pantelides import System
 from ..results.result import Segment
 from ..simulation.bound_dae import Closed, Given
+from ..simulation.events.constants import FIRING_ROUNDS
 from ..simulation.events.switcher import Event, jumped
 from ..simulation.integrator import IntegratorError
 from ..simulation.point import Point
@@ -47,7 +48,7 @@ if TYPE_CHECKING:
     from ..simulation.run import Run
 
 ARRIVED, PAUSED, STUCK, FAILED = range(4)
-ROOM, ROUNDS = 512, 1000
+ROOM = 512
 MOST_BETWEEN = 1_000_000  # steps from one output to the next
 UNEVEN = 20  # times its share of `max_steps` that an interval between outputs may take
 FIRST, PATIENCE = 256, 0.05  # steps and seconds [s] until the C program looks up from its work
@@ -177,7 +178,7 @@ class _Store:
         modes = len(native.dae.switching.mode_names) + (
             len(native.dae.jumps.motions) if native.dae.jumps else 0
         )
-        rows, events = len(outputs) + 2 * ROOM + 2, ROOM + ROUNDS * modes + 1
+        rows, events = len(outputs) + 2 * ROOM + 2, ROOM + FIRING_ROUNDS * modes + 1
         self.times, self.points = np.empty(rows), np.empty((rows, native.nx + native.nz))
         self.constants, self.starts = np.empty((ROOM + 2, native.nq)), np.empty(ROOM + 2, dtype=np.int64)
         self.event_times, self.impulses = np.empty(events), np.empty(events)

@@ -4,19 +4,6 @@
 
 #include "core_state.h"
 
-#define INSTANT 8.881784197001252e-16 /* 2^-50 s: a ramp so short that finite forces count for nothing */
-#define SHORTER 0.0625
-#define ROUNDED 1e-9
-#define LOCATED 1e-10
-#define UNBOUNDED 1e-6
-#define ACCURATE 1e-10
-#define SMALLEST 9.094947017729282e-13 /* 2^-40 */
-#define MOST_ROUNDS 50
-#define SETTLED 1e-12
-#define PRESSED 1e-12
-#define INSIDE 1e-9
-#define FELT 1e-12
-#define ALIKE 1e-9
 #define NPATH (NX + NPUSH)
 
 void core_see(Core *c, double seen[]) {
@@ -51,8 +38,8 @@ static int since(Core *c, const double seen[], double jump[]) {
     model_jump(arg, res, c->iw, c->w, 0);
     for (int k = 0; k < NJ; k++) {
         int last = last_of_signal(k);
-        double late = last ? 0 : LOCATED * fmax(1, fabs(c->t)) * fabs(raw[k + 1]);
-        jump[k] = last || fabs(raw[k]) <= ROUNDED * size[k] + late ? 0 : model_jump_sign[k] * raw[k];
+        double late = last ? 0 : JUMP_LATE * fmax(1, fabs(c->t)) * fabs(raw[k + 1]);
+        jump[k] = last || fabs(raw[k]) <= JUMP_ROUNDING * size[k] + late ? 0 : model_jump_sign[k] * raw[k];
         any |= jump[k] != 0;
     }
     return any;
@@ -66,7 +53,7 @@ static int rates_at(Core *c, const double x[], const double course[], double rat
     for (int k = 0; k < NJ; k++) signed_[k] = model_jump_sign[k] * course[k];
     memcpy(y, x, NX * sizeof *x);
     memcpy(y + NX, c->y + NX, NZ * sizeof *y);
-    for (int round = 0; round < MOST_ROUNDS; round++) {
+    for (int round = 0; round < NEWTON_ROUNDS; round++) {
         double largest = 0, size = 0;
         core_arguments(c, c->t, y, arg);
         arg[4] = &c->t;
@@ -82,7 +69,7 @@ static int rates_at(Core *c, const double x[], const double course[], double rat
             largest = fmax(largest, fabs(c->value[i]));
             size = fmax(size, fabs(y[i]));
         }
-        if (!(largest > SETTLED * (1 + size))) break;
+        if (!(largest > NEWTON_CLOSE * (1 + size))) break;
     }
     for (int i = 0; i < NPATH; i++) sum += fabs(rates[i] = moved[i]);
     return isfinite(sum);
@@ -94,11 +81,11 @@ static int thrown(Core *c, const double jump[], const double x[], double far[]) 
     if (!rates_at(c, x, course, at_rest)) return 0;
     for (int s = 0; s < NSIGNAL; s++)
         for (int k = model_jump_start[s] + 2; k < model_jump_start[s + 1]; k++)
-            course[k] = jump[k - 2] / INSTANT;
+            course[k] = jump[k - 2] / RAMP;
     if (!rates_at(c, x, course, away)) return 0;
     for (int i = 0; i < NX; i++) far[i] = away[i] - at_rest[i];
     for (int i = NPUSH > 0 ? NX : 0; i < NPATH; i++)
-        if (!(fabs(away[i] - at_rest[i]) <= UNBOUNDED)) return 0;
+        if (!(fabs(away[i] - at_rest[i]) <= JUMP_UNBOUNDED)) return 0;
     return 1;
 }
 
@@ -107,7 +94,7 @@ static double least_size(int i) { return i < NX ? model_nominal[i] : 1; }
 static int moved(Core *c, const double jump[], const double path[], double s, double instant, double out[]) {
     const double *far = jump + NJ;
     double still[ROOM(NJ)], course[ROOM(NJ)], at_rest[ROOM(NPATH)], x[ROOM(NX)];
-    for (int i = 0; i < NX; i++) x[i] = path[i] + INSTANT / instant * far[i];
+    for (int i = 0; i < NX; i++) x[i] = path[i] + RAMP / instant * far[i];
     for (int k = 0; k < NJ; k++) {
         still[k] = course[k] = (s - 1) * jump[k];
         if (k > 0 && !last_of_signal(k - 1)) course[k] += jump[k - 1] / instant;
@@ -121,11 +108,11 @@ static int moved(Core *c, const double jump[], const double path[], double s, do
  * the shorter the ramp. */
 static int path_rates(Core *c, const double jump[], const double path[], double s, double rates[]) {
     double shorter[ROOM(NPATH)], most = 0;
-    if (!moved(c, jump, path, s, INSTANT, rates) || !moved(c, jump, path, s, INSTANT * SHORTER, shorter))
+    if (!moved(c, jump, path, s, RAMP, rates) || !moved(c, jump, path, s, RAMP * RAMP_SHORTER, shorter))
         return 0;
     for (int i = 0; i < NPATH; i++) most = fmax(most, fabs(rates[i]));
     for (int i = 0; i < NPATH; i++)
-        if (!(fabs(rates[i] - shorter[i]) <= UNBOUNDED * (most + least_size(i)))) return 0;
+        if (!(fabs(rates[i] - shorter[i]) <= JUMP_UNBOUNDED * (most + least_size(i)))) return 0;
     return 1;
 }
 
@@ -154,7 +141,7 @@ static int uncertain(Core *c, const double jump[], const double path[], double r
             modes[m] = value;
             if (core_complete(c) != CORE_OK || !path_rates(c, jump, path, 0, other)) found = m;
             for (int i = 0; i < NPATH && found < 0; i++)
-                if (!(fabs(other[i] - rates[i]) <= ALIKE * (1 + fabs(rates[i])))) found = m;
+                if (!(fabs(other[i] - rates[i]) <= JUMP_ALIKE * (1 + fabs(rates[i])))) found = m;
             memcpy(modes, kept, (NM + NI + NK) * sizeof *kept);
         }
     return found;
@@ -170,8 +157,8 @@ static int follow(Core *c, const double jump[], double path[]) {
             !runge_kutta(c, jump, half, s + h / 2, h / 2, next))
             return 0;
         for (int i = 0; i < NPATH; i++)
-            accurate &= fabs(whole[i] - next[i]) <= ACCURATE * fmax(least_size(i), fabs(next[i]));
-        if (!accurate && h > SMALLEST) {
+            accurate &= fabs(whole[i] - next[i]) <= JUMP_ACCURACY * fmax(least_size(i), fabs(next[i]));
+        if (!accurate && h > JUMP_STEP) {
             h /= 2;
             continue;
         }
@@ -291,7 +278,7 @@ static CoreStatus pass_on(Core *c, double pushes[], const Observer *told) {
     if (status != CORE_OK || !told || !told->fired) return status;
     for (int i = 0; i < NPUSH; i++) largest = fmax(largest, fabs(pushes[i]));
     for (int i = 0; i < NPUSH; i++)
-        if (fabs(pushes[i]) > FELT * largest) told->fired(told->context, c, NG + i, 0, pushes[i]);
+        if (fabs(pushes[i]) > JUMP_FELT * largest) told->fired(told->context, c, NG + i, 0, pushes[i]);
     if (largest == 0) told->fired(told->context, c, NG + NPUSH, 0, 0);
     for (int k = 0; k < count; k++) told->fired(told->context, c, contacts[k], 1, impulses[k]);
     return status;

@@ -11,7 +11,6 @@
 #define START_CLOSE 1e-13
 #define START_MISSED 1e-8
 #define START_WEAK 1e-12
-#define START_BEFORE 1e-9
 
 void core_given(Given *given) {
     for (int i = 0; i < NX; i++) given->x[i] = model_guess[i];
@@ -185,7 +184,7 @@ static CoreStatus go_back(Core *c, const double y[], const double modes[]) {
 /* Fire what happens at the start. A signal that jumps in the first instant acts on what was just before. */
 static CoreStatus fire_first(Core *c, const Observer *told, int *happened) {
     double y[ROOM(NY)], modes[ROOM(NM)], earlier[ROOM(NM)];
-    double t = c->t, before = t - fmax(START_BEFORE, 8 * DBL_EPSILON * fabs(t));
+    double t = c->t, before = t - fmax(JUST_BEFORE, 8 * DBL_EPSILON * fabs(t));
     int jumps = 0, had = 0;
     if (!NSIGNAL) return fire_at(c, t, told, 1, happened);
     memcpy(y, c->y, NY * sizeof *y);

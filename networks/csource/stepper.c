@@ -108,11 +108,11 @@ static CoreStatus chatters(Core *c, int count, double since) {
 
 /* Tell if there are very many events in next to no time, or more in an interval than can be meant. */
 static CoreStatus watch_chatter(Core *c) {
-    double *oldest = c->recent + c->recent_count % RECENT;
-    if (c->recent_count >= RECENT && c->t - *oldest < 1e-6 * c->interval) return chatters(c, RECENT, *oldest);
+    double *oldest = c->recent + c->recent_count % CHATTER_COUNT;
+    if (c->recent_count >= CHATTER_COUNT && c->t - *oldest < CHATTER_WINDOW * c->interval) return chatters(c, CHATTER_COUNT, *oldest);
     *oldest = c->t;
-    c->recent_count = c->recent_count % RECENT + (c->recent_count >= RECENT ? RECENT : 0) + 1;
-    if (c->recent_count >= 2 * RECENT) c->recent_count = RECENT;
+    c->recent_count = c->recent_count % CHATTER_COUNT + (c->recent_count >= CHATTER_COUNT ? CHATTER_COUNT : 0) + 1;
+    if (c->recent_count >= 2 * CHATTER_COUNT) c->recent_count = CHATTER_COUNT;
     if (c->t - c->mark > c->interval) {
         c->mark = c->t;
         c->mark_count = 0;
@@ -180,7 +180,7 @@ static CoreStatus stride(Core *c, const Wanted *wanted, double stop, double *mos
     }
     memcpy(c->seen, seen, sizeof seen); /* what lies beyond an event is never reached, and has no size */
     memcpy(c->fastest, fastest, sizeof fastest);
-    if (event <= c->t && begin_rate[indicator] <= FLAT * c->fastest[indicator] && h > 1e-9 * c->interval) {
+    if (event <= c->t && begin_rate[indicator] <= RATE_NOISE * c->fastest[indicator] && h > 1e-9 * c->interval) {
         *most = h / 8; /* it rests on zero: see whether it really leaves */
         return core_rates(c, 0) == CORE_OK && core_watch(c, c->t, c->y, c->rates, &c->left) ? CORE_OK
                                                                                             : CORE_DISCARD;

@@ -23,6 +23,7 @@ from ..dae import DAE
 from ..results.result import Result
 from .bound_dae import Closed
 from .coverage import check_covered, data_notes
+from .events.constants import JUST_BEFORE
 from .events.hybrid import MOST_STEPS, NODES, run_hybrid
 from .events.switcher import Event, Switcher
 from .initialization import Wishes, initial_values, wishes
@@ -34,8 +35,6 @@ from .run import Run, Settings, failure, interruption, limiting_state
 from .sensitivity import Sensitivities
 from .smooth import run_smooth, smooth_stepper
 from .tolerance import ATOL, RTOL
-
-JUST_BEFORE = 1e-9
 
 
 def simulate(
