@@ -35,6 +35,12 @@ typedef struct {
     double value[ROOM(NG)], rate[ROOM(NG)];
 } Watched;
 
+/* Where an indicator rises through zero, in the piece from `begin` to `end`. */
+typedef struct {
+    double t, begin, end;
+    int indicator;
+} Crossing;
+
 struct Core {
     double t;
     double y[ROOM(NY)]; /* states, then algebraic unknowns */
@@ -62,7 +68,9 @@ struct Core {
     double interval; /* what time is long or short against: step of communication or of output */
     int crowd;       /* events in an interval that are more than can be meant */
     double recent[CHATTER_COUNT], mark;
-    int recent_count, mark_count;
+    int mark_count;
+    long long landings, notes,
+        noted[ROOM(NG)]; /* when each transition fired last, in the order in which all did */
     long long steps, rejected, work; /* work: how often anything of the model was evaluated */
     int slope_fresh, worst; /* unknown with the greatest error in the last step */
     int limits[ROOM(NY)]; /* steps that each unknown limited */
@@ -180,9 +188,14 @@ int core_step_begin(Core *c);
 int core_step_try(Core *c, double h, double rtol, double atol, double *error);
 void core_step_dense(Core *c, double t, double y[], double rates[]);
 
+/* chattering.c */
+void core_note(Core *c, int change);
+void core_say_latest(Core *c, int count);
+CoreStatus core_watch_chatter(Core *c);
+
 /* locate.c */
-int core_locate(Core *c, double *t, double *begin, double *end, int *indicator);
-CoreStatus core_land(Core *c, int *indicator, double t, double begin, double end, int *reached);
+int core_locate(Core *c, Crossing *crossing);
+CoreStatus core_land(Core *c, Crossing *crossing, int *reached);
 
 /* stepper.c */
 CoreStatus core_travel(Core *c, double stop, double rtol, double atol, double fixed_step, int return_early,

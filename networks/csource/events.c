@@ -113,6 +113,7 @@ static CoreStatus apply(Core *c, const int fired[], int count, const Observer *t
     }
     for (int k = 0; k < kept; k++) {
         int mode = model_change_mode[changes[k]];
+        core_note(c, changes[k]);
         core_modes(c)[mode] = model_change_target[changes[k]];
         for (int i = 0; i < NG; i++)
             if (model_change_mode[i] == mode) c->muted[i] = 0;
@@ -137,14 +138,11 @@ static CoreStatus check_adrift(Core *c) {
     return CORE_ERROR;
 }
 
-static CoreStatus forever(Core *c, const int fired[], int count) {
+static CoreStatus forever(Core *c) {
     core_say(c, "no consistent set of modes at t = ");
     core_say_number(c, c->t);
     core_say_more(c, " s; these switch for ever: ");
-    for (int k = 0; k < count; k++) {
-        if (k) core_say_more(c, ", ");
-        core_say_more(c, model_component[fired[k]]);
-    }
+    core_say_latest(c, FIRING_TOLD);
     return CORE_ERROR;
 }
 
@@ -182,5 +180,5 @@ CoreStatus core_fire(Core *c, int forced, const Observer *told, int begins, int 
     }
     c->adrift = adrift;
     status = check_adrift(c);
-    return status == CORE_OK ? forever(c, fired, count) : status;
+    return status == CORE_OK ? forever(c) : status;
 }

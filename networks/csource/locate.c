@@ -99,8 +99,8 @@ static int first(const Core *c, double span, double *share) {
 }
 
 /* Look for the first crossing in the last step, `left` and `last` being known at its ends. Returns 1 if there
- * is one, 0 if not, -1 if indicators are not finite. The piece that holds it goes from `*begin` to `*end`. */
-int core_locate(Core *c, double *t, double *begin, double *end, int *indicator) {
+ * is one, 0 if not, -1 if indicators are not finite. */
+int core_locate(Core *c, Crossing *crossing) {
     double stop = c->step.t + c->step.h, a = c->step.t;
     double shortest = fmax(LEAST * c->step.h, 1e-15 * fmax(1, fabs(stop)));
     int checks = timed(c) ? CHECKS : 1; /* what time does, no step follows; one check may pass by chance */
@@ -123,11 +123,9 @@ int core_locate(Core *c, double *t, double *begin, double *end, int *indicator) 
             b = middle;
             c->right = c->middle;
         }
-        *indicator = first(c, b - a, &share);
-        if (*indicator >= 0) {
-            *t = a + share * (b - a);
-            *begin = a;
-            *end = b;
+        int indicator = first(c, b - a, &share);
+        if (indicator >= 0) {
+            *crossing = (Crossing){a + share * (b - a), a, b, indicator};
             return 1;
         }
         a = b;
@@ -166,45 +164,57 @@ static int look(Core *c, double t) {
            core_watch(c, t, c->step.end, c->end_rates, &c->right);
 }
 
-/* Step anew onto the crossing of an indicator near *t, in the piece from `begin` (`left`) to `end`. `reached`
- * tells whether zero was: interpolation can make believe in a crossing. */
-static CoreStatus approach(Core *c, int indicator, double *t, double begin, double end, int *reached) {
-    double low = begin, high = end, error, whole = c->step.h, moved = INFINITY, kept[ROOM(NY)];
-    int beyond = begins_beyond(c, indicator, end - begin);
+static CoreStatus step_onto(Core *c, const Crossing *crossing) {
+    double error;
+    if (core_step_begin(c) && core_step_try(c, crossing->t - c->t, 1, 1, &error) && look(c, crossing->t))
+        return CORE_OK;
+    core_say(c, "no way onto the event of ");
+    core_say_more(c, model_component[crossing->indicator]);
+    return CORE_DISCARD;
+}
+
+/* Shift the end of the step onto a crossing, if that is possible, else leave it. Returns -1 if it is lost. */
+static int shifted(Core *c, Crossing *crossing) {
+    double kept[ROOM(NY)], at = crossing->t;
+    memcpy(kept, c->step.end, sizeof kept);
+    if (shift(c, crossing->indicator, &at)) {
+        crossing->t = at;
+        return 1;
+    }
+    memcpy(c->step.end, kept, sizeof kept);
+    return look(c, crossing->t) ? 0 : -1;
+}
+
+/* Step anew onto a crossing, in its piece, at whose begin indicators are in `left`. `reached` tells whether
+ * zero was: interpolation can make believe in a crossing. */
+static CoreStatus approach(Core *c, Crossing *crossing, int *reached) {
+    double low = crossing->begin, high = crossing->end, whole = c->step.h, moved = INFINITY;
+    int i = crossing->indicator, beyond = begins_beyond(c, i, high - low);
     *reached = 1;
     for (;;) {
-        int narrow = high - low < NARROWEST * fmax(1, fabs(*t));
-        if (narrow) *t = high;
-        if (*t <= c->t) return CORE_OK;
-        if (!core_step_begin(c) || !core_step_try(c, *t - c->t, 1, 1, &error) || !look(c, *t)) {
-            core_say(c, "no way onto the event of ");
-            core_say_more(c, model_component[indicator]);
-            return CORE_DISCARD;
-        }
-        double g = c->right.value[indicator], rate = c->right.rate[indicator], at = *t;
-        double newton = rate > 0 && !beyond ? *t - g / rate : INFINITY;
-        int near = low <= newton && newton <= high && fabs(newton - *t) < SHIFT * whole;
-        if (near || (narrow && c->t < newton && newton < end)) {
-            memcpy(kept, c->step.end, sizeof kept);
-            if (shift(c, indicator, &at)) {
-                *t = at;
-                return CORE_OK;
-            }
-            memcpy(c->step.end, kept, sizeof kept);
-            if (!look(c, *t)) return CORE_DISCARD;
+        int narrow = high - low < NARROWEST * fmax(1, fabs(crossing->t));
+        if (narrow) crossing->t = high;
+        if (crossing->t <= c->t) return CORE_OK;
+        CoreStatus status = step_onto(c, crossing);
+        if (status != CORE_OK) return status;
+        double t = crossing->t, g = c->right.value[i], rate = c->right.rate[i];
+        double newton = rate > 0 && !beyond ? t - g / rate : INFINITY;
+        int near = low <= newton && newton <= high && fabs(newton - t) < SHIFT * whole;
+        if (near || (narrow && c->t < newton && newton < crossing->end)) {
+            int there = shifted(c, crossing);
+            if (there) return there > 0 ? CORE_OK : CORE_DISCARD;
         }
         if (narrow) {
             *reached = g >= 0;
             return CORE_OK;
         }
-        if (beyond ? rate < 0 : g < 0) low = *t;
-        else high = *t;
-        /* Where the rate of a stiff state misleads, Newton's steps creep: those that do not halve are not
+        if (beyond ? rate < 0 : g < 0) low = t;
+        else high = t;
+        /* Where the rate of a stiff state misleads, Newton's steps creep, and only those that halve are
          * taken. */
-        int follow = low < newton && newton < high && fabs(newton - *t) < 0.5 * moved;
-        double next = follow ? newton : 0.5 * (low + high);
-        moved = fabs(next - *t);
-        *t = next;
+        int follow = low < newton && newton < high && fabs(newton - t) < 0.5 * moved;
+        crossing->t = follow ? newton : 0.5 * (low + high);
+        moved = fabs(crossing->t - t);
     }
 }
 
@@ -223,23 +233,23 @@ static int passed(const Core *c, double t) {
 }
 
 /* Approach a crossing, or that of another indicator which is passed on the way, and stand there. */
-CoreStatus core_land(Core *c, int *indicator, double t, double begin, double end, int *reached) {
+CoreStatus core_land(Core *c, Crossing *crossing, int *reached) {
     double earliest = INFINITY;
-    CoreStatus status = approach(c, *indicator, &t, begin, end, reached);
-    while (status == CORE_OK && c->t < t && t < earliest) {
-        int other = passed(c, t);
-        if (other < 0 || other == *indicator) break;
-        *indicator = other;
-        earliest = t;
-        status = approach(c, other, &t, begin, earliest, reached);
+    CoreStatus status = approach(c, crossing, reached);
+    while (status == CORE_OK && c->t < crossing->t && crossing->t < earliest) {
+        int other = passed(c, crossing->t);
+        if (other < 0 || other == crossing->indicator) break;
+        crossing->indicator = other;
+        crossing->end = earliest = crossing->t;
+        status = approach(c, crossing, reached);
     }
     if (status != CORE_OK) return status;
-    if (t <= c->t) {
+    if (crossing->t <= c->t) {
         c->step.h = 0;
         return CORE_OK;
     }
     core_stale(c);
-    c->t = t;
+    c->t = crossing->t;
     memcpy(c->y, c->step.end, sizeof c->y);
     return CORE_OK;
 }

@@ -17,14 +17,15 @@ CUBIC_MISSES = 1e-3  # share of its range by which a cubic that follows an indic
 SAME_INSTANT = 1e-12  # s, for t of 1 s or less, else a share of t: crossings that near are one event
 NARROWEST = 1e-13  # likewise: a bracket that narrow holds its crossing
 
-# How near a crossing is gone to without the integrator. In Python by a step of the trapezoidal rule, which knows
-# its error and is refused where that is too great: a long one saves calls and costs nothing. In C along the
-# velocity, of which nobody knows the error: 1e-3 puts events of loose runs 1e-6 s off, 1e-6 puts them 1e-9 s.
+# How near a crossing is gone to without the integrator. In Python by a step of the trapezoidal rule, which
+# knows its error and is refused where that is too great: a long one saves calls and costs nothing. In C along
+# the velocity, whose error nobody knows: 1e-3 puts events of loose runs off by 1e-6 s, 1e-6 by 1e-9 s.
 HOP = 1e-3  # share of an output interval, or of the stretch between two nodes
 SHIFT = 1e-6  # share of a step
 
 # Firing
 FIRING_ROUNDS = 1000  # at one instant, after which modes are taken to switch for ever
+FIRING_TOLD = 20  # of the last events of these, whose components are told
 CHATTER_COUNT, CHATTER_WINDOW = 200, 1e-6  # events in that share of an output interval are chattering, ...
 CROWD_COUNT = 20_000  # ... and so are as many in a whole one
 IMPACT_RANK = 1e-10  # share of the greatest singular value below which an impulse or a reset has no effect

@@ -16,6 +16,7 @@ from ..point import Point as Point
 from ..point import solve_algebraic
 from .constants import (
     FIRING_ROUNDS,
+    FIRING_TOLD,
     IMPACT_RANK,
     INSIDE,
     JUMP_ALIKE,
@@ -94,7 +95,7 @@ class Switcher:
             adrift = self.completion.adrift or adrift
         self.completion.adrift = adrift
         self.completion.check_adrift(point.t)
-        names = sorted({event.component for event in happened[-20:]})
+        names = sorted({event.component for event in happened[-FIRING_TOLD:]})
         raise SimulationError(
             f"no consistent set of modes at t = {point.t:.9g} s; these switch for ever: {', '.join(names)}"
         )
