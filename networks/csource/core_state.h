@@ -9,6 +9,7 @@
 
 #define ROOM(n) ((n) > 0 ? (n) : 1) /* C knows no empty arrays */
 #define NY (NX + NZ)
+#define NPATH (NX + NPUSH) /* states and impulses, which a jump moves */
 #define STAGES 8
 #define MESSAGE 1024
 
@@ -182,6 +183,11 @@ void core_stand_in(Core *c);
 /* shocks.c */
 void core_see(Core *c, double seen[]);
 CoreStatus core_jump(Core *c, const double seen[], const Observer *told, int *changed);
+int core_rates_off(Core *c, const double x[], const double course[], double rates[]);
+
+/* contacts.c */
+CoreStatus core_check_reach(Core *c, const double before[]);
+CoreStatus core_pass_on(Core *c, double pushes[], const Observer *told);
 
 /* rosenbrock.c */
 int core_step_begin(Core *c);
@@ -205,5 +211,6 @@ CoreStatus core_travel(Core *c, double stop, double rtol, double atol, double fi
 void core_say(Core *c, const char *text);
 void core_say_more(Core *c, const char *text);
 void core_say_number(Core *c, double value);
+void core_say_when(Core *c);
 
 #endif

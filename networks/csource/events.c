@@ -130,9 +130,8 @@ static CoreStatus apply(Core *c, const int fired[], int count, const Observer *t
 
 static CoreStatus check_adrift(Core *c) {
     if (!c->adrift) return CORE_OK;
-    core_say(c, "at t = ");
-    core_say_number(c, c->t);
-    core_say_more(c, " s nothing with inertia moves with ");
+    core_say_when(c);
+    core_say_more(c, "nothing with inertia moves with ");
     core_say_more(c, model_block_label[c->adrift - 1]);
     core_say_more(c, ", which no longer holds; join a Mass (or an Inertia) where it slides");
     return CORE_ERROR;

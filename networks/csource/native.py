@@ -41,7 +41,7 @@ from ..simulation.polynomial import Polynomial
 from ..simulation.splines import piecewise
 from .model import Model
 from .program import SOURCES, sources
-from .toolchain import compile_shared
+from .toolchain import ToolchainError, compile_shared
 
 if TYPE_CHECKING:
     from ..simulation.progress import Progress
@@ -106,7 +106,7 @@ class Native:
                 raise ModelError(f"input '{path}': solver 'compiled' takes no Polynomial; use 'auto'")
         self._library = _library(dae, functions)
         self.nx, self.nz, self.nq = dae.x.numel(), dae.z.numel(), dae.constants.numel()
-        self._core = ctypes.create_string_buffer(self._library.native_size())
+        self._core = ctypes.create_string_buffer(self._library.native_size(0))
         free = [declared for declared in dae.inputs if declared.path not in functions]
         self._tables = [_table(closed.signals[declared.path], declared.order) for declared in free]
         self._free = np.array([_constant(closed.signals[i.path], i.order) for i in free] or [0.0])
@@ -277,7 +277,14 @@ def _library(dae: DAE, functions: dict[str, Any]) -> Any:
 
 def _loaded(path: Path) -> Any:
     library = ctypes.CDLL(str(path))
-    library.native_size.restype = c_size_t
+    library.native_size.restype, library.native_size.argtypes = c_size_t, [c_int]
+    for kind, mirror in enumerate((_Run, _Record, _Legs), 1):
+        size = library.native_size(kind)
+        if size != ctypes.sizeof(mirror):
+            raise ToolchainError(
+                f"the compiled network takes {size} bytes for {mirror.__name__[1:]}, this Python "
+                f"{ctypes.sizeof(mirror)}; CC and CFLAGS must build for the machine that runs it"
+            )
     library.native_message.restype, library.native_message.argtypes = c_char_p, [c_void_p]
     library.native_begin.argtypes, library.native_begin.restype = (
         [c_void_p, c_double, *[DOUBLES] * 3, c_void_p, c_void_p],

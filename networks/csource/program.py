@@ -28,8 +28,8 @@ HEADERS = ("core.h", "core_state.h")
 PRODUCTS = ("products.c",)
 STARTS = ("start.h", "start.c")
 SOURCES = (
-    "algebra.c", "chattering.c", "core.c", "events.c", "impacts.c", "legs.c", "linear.c", "locate.c",
-    "message.c", "rosenbrock.c", "shocks.c", "stepper.c",
+    "algebra.c", "chattering.c", "contacts.c", "core.c", "events.c", "impacts.c", "legs.c", "linear.c",
+    "locate.c", "message.c", "rosenbrock.c", "shocks.c", "stepper.c",
 )  # fmt: skip
 
 

@@ -4,8 +4,6 @@
 
 #include "core_state.h"
 
-#define NPATH (NX + NPUSH)
-
 void core_see(Core *c, double seen[]) {
     (void)c, (void)seen;
 #if NJ > 0
@@ -46,7 +44,7 @@ static int since(Core *c, const double seen[], double jump[]) {
 }
 
 /* Rates of states and forces while signals are off by a course. */
-static int rates_at(Core *c, const double x[], const double course[], double rates[]) {
+int core_rates_off(Core *c, const double x[], const double course[], double rates[]) {
     const double *arg[ROOM(MODEL_ARGS)] = {0};
     double y[ROOM(NY)], signed_[ROOM(NJ)], moved[ROOM(NPATH + NZ)], *res[ROOM(MODEL_RESULTS)] = {moved},
                                                                     sum = 0;
@@ -78,11 +76,11 @@ static int rates_at(Core *c, const double x[], const double course[], double rat
 /* How far states are off while a position jumps that relative velocities follow; 0 if that takes forces. */
 static int thrown(Core *c, const double jump[], const double x[], double far[]) {
     double course[ROOM(NJ)] = {0}, at_rest[ROOM(NPATH)], away[ROOM(NPATH)];
-    if (!rates_at(c, x, course, at_rest)) return 0;
+    if (!core_rates_off(c, x, course, at_rest)) return 0;
     for (int s = 0; s < NSIGNAL; s++)
         for (int k = model_jump_start[s] + 2; k < model_jump_start[s + 1]; k++)
             course[k] = jump[k - 2] / RAMP;
-    if (!rates_at(c, x, course, away)) return 0;
+    if (!core_rates_off(c, x, course, away)) return 0;
     for (int i = 0; i < NX; i++) far[i] = away[i] - at_rest[i];
     for (int i = NPUSH > 0 ? NX : 0; i < NPATH; i++)
         if (!(fabs(away[i] - at_rest[i]) <= JUMP_UNBOUNDED)) return 0;
@@ -99,7 +97,7 @@ static int moved(Core *c, const double jump[], const double path[], double s, do
         still[k] = course[k] = (s - 1) * jump[k];
         if (k > 0 && !last_of_signal(k - 1)) course[k] += jump[k - 1] / instant;
     }
-    if (!rates_at(c, path, still, at_rest) || !rates_at(c, x, course, out)) return 0;
+    if (!core_rates_off(c, path, still, at_rest) || !core_rates_off(c, x, course, out)) return 0;
     for (int i = 0; i < NPATH; i++) out[i] = instant * (out[i] - at_rest[i]);
     return 1;
 }
@@ -169,15 +167,9 @@ static int follow(Core *c, const double jump[], double path[]) {
     return 1;
 }
 
-static void say_when(Core *c) {
-    core_say(c, "at t = ");
-    core_say_number(c, c->t);
-    core_say_more(c, " s ");
-}
-
 static CoreStatus unbounded(Core *c, const double jump[]) {
     int any = 0;
-    say_when(c);
+    core_say_when(c);
     core_say_more(c, "what prescribes a motion jumps: ");
     for (int s = 0; s < NSIGNAL; s++) {
         double size = 0;
@@ -202,7 +194,7 @@ static CoreStatus pass_through(Core *c, double jump[], double path[]) {
     if (!thrown(c, jump, path, jump + NJ) || !path_rates(c, jump, path, 0, rates)) return unbounded(c, jump);
     int mode = uncertain(c, jump, path, rates);
     if (mode < 0) return follow(c, jump, path) ? CORE_OK : unbounded(c, jump);
-    say_when(c);
+    core_say_when(c);
     core_say_more(c, model_mode_name[mode]);
     core_say_more(
         c,
@@ -211,77 +203,10 @@ static CoreStatus pass_through(Core *c, double jump[], double path[]) {
     return CORE_ERROR;
 }
 
-/* Whether a position jumps onto a stop, or off it, from indicators before. */
-static CoreStatus check_reach(Core *c, const double before[]) {
-    for (int i = 0; i < NG; i++) {
-        int mode = model_change_mode[i], present = core_mode(c, mode), indicator = model_change_indicator[i];
-        double was = before[indicator], now = c->expressions[indicator];
-        int opens = model_change_source[i] != model_change_target[i] && present == model_change_target[i] &&
-                    core_stands_in(mode, present) >= 0;
-        int onto = present == model_change_source[i] && core_stands_in(mode, present) < 0 && was <= INSIDE &&
-                   now > INSIDE;
-        if (model_change_impulse[i] < 0) continue;
-        if (!onto && !(opens && fabs(now - was) > INSIDE)) continue;
-        say_when(c);
-        core_say_more(c, model_component[i]);
-        core_say_more(
-            c,
-            " is struck or left at infinite speed, where a prescribed position jumps; give a ramp instead of "
-            "the jump");
-        return CORE_ERROR;
-    }
-    return CORE_OK;
-}
-
-static int any_pressed(const Core *c) {
-    for (int i = 0; i < NG; i++) {
-        int mode = model_change_mode[i];
-        if (model_change_impulse[i] < 0 || core_mode(c, mode) != model_change_target[i]) continue;
-        if (core_stands_in(mode, model_change_target[i]) < 0) continue;
-        if (c->expressions[model_change_after[i]] > c->expressions[model_change_velocity[i]] + PRESSED)
-            return 1;
-    }
-    return 0;
-}
-
 static int is_still(const Core *c, const double path[]) {
     int still = 1;
     for (int i = 0; i < NPATH; i++) still &= path[i] == (i < NX ? c->y[i] : 0);
     return still;
-}
-
-/* Add what motions give when contacts pass a shock on, by the impulses of these. */
-static CoreStatus add_passed(Core *c, const int contacts[], const double impulses[], int count,
-                             double pushes[]) {
-    double kept[ROOM(NM + NI + NK)], still[ROOM(NJ)] = {0}, before[ROOM(NPATH)], after[ROOM(NPATH)],
-                                     *modes = core_modes(c);
-    memcpy(kept, modes, (NM + NI + NK) * sizeof *kept);
-    core_stand_in(c);
-    CoreStatus status = core_complete(c);
-    int finite = status == CORE_OK && rates_at(c, c->y, still, before);
-    for (int k = 0; k < count; k++) modes[NM + model_change_impulse[contacts[k]]] = impulses[k];
-    finite = finite && rates_at(c, c->y, still, after);
-    for (int i = 0; i < NPUSH && finite; i++) pushes[i] += after[NX + i] - before[NX + i];
-    memcpy(modes, kept, (NM + NI + NK) * sizeof *kept);
-    return status;
-}
-
-/* Let the contacts that hold, where they are pressed together, pass a shock on, and tell of all impulses. */
-static CoreStatus pass_on(Core *c, double pushes[], const Observer *told) {
-    int contacts[ROOM(NG)], stays[ROOM(NG)], count = 0;
-    double impulses[ROOM(NG)], largest = 0;
-    CoreStatus status = CORE_OK;
-    if (any_pressed(c)) {
-        status = core_strike(c, contacts, stays, impulses, &count);
-        if (status == CORE_OK) status = add_passed(c, contacts, impulses, count, pushes);
-    }
-    if (status != CORE_OK || !told || !told->fired) return status;
-    for (int i = 0; i < NPUSH; i++) largest = fmax(largest, fabs(pushes[i]));
-    for (int i = 0; i < NPUSH; i++)
-        if (fabs(pushes[i]) > JUMP_FELT * largest) told->fired(told->context, c, NG + i, 0, pushes[i]);
-    if (largest == 0) told->fired(told->context, c, NG + NPUSH, 0, 0);
-    for (int k = 0; k < count; k++) told->fired(told->context, c, contacts[k], 1, impulses[k]);
-    return status;
 }
 #endif
 
@@ -305,8 +230,8 @@ CoreStatus core_jump(Core *c, const double seen[], const Observer *told, int *ch
     memcpy(c->y, path, NX * sizeof *path);
     *changed = 1;
     core_switching(c);
-    status = check_reach(c, before);
-    if (status == CORE_OK) status = pass_on(c, path + NX, told);
+    status = core_check_reach(c, before);
+    if (status == CORE_OK) status = core_pass_on(c, path + NX, told);
     if (status == CORE_OK) status = core_complete(c);
     core_stale(c);
     if (status != CORE_OK) return status;
