@@ -1,4 +1,5 @@
-/* Time-stepping of Moreau and Jean: midpoint rule for what is smooth, set-valued dry friction by projection, solved within the step.
+/* Time-stepping of Moreau and Jean: midpoint rule for what is smooth, set-valued dry friction by projection,
+   solved within the step.
 
    M a + C v + K q = gu u + gw w + gd w' - sum b lambda,   e = b.q + cw w the elongation of an element,
    w(t) a prescribed motion, u(t) a prescribed force. All samples, in and out, are at the middle of steps. */
@@ -6,7 +7,19 @@
 
 #define NMAX 6
 #define CELLS 16
-enum { FRICTION, BRISTLES, POWER_OF_SPEED, POWER_OF_TRAVEL, BILINEAR, RIPPLE, IWAN, CONTACT, MAXWELL, WARPED, CLEARANCE };
+enum {
+    FRICTION,
+    BRISTLES,
+    POWER_OF_SPEED,
+    POWER_OF_TRAVEL,
+    BILINEAR,
+    RIPPLE,
+    IWAN,
+    CONTACT,
+    MAXWELL,
+    WARPED,
+    CLEARANCE
+};
 
 typedef struct {
     double law, cw, b[NMAX], warp[NMAX], load_q[NMAX], load_v[NMAX], load_w, load_wd, p[12];
@@ -16,8 +29,7 @@ typedef struct {
     double W, Ab[NMAX], lambda, cell[CELLS], e, rate, pull[NMAX], pull_w;
 } State;
 
-static double dot(int n, const double *a, const double *b)
-{
+static double dot(int n, const double *a, const double *b) {
     double sum = 0;
     for (int i = 0; i < n; i++) sum += a[i] * b[i];
     return sum;
@@ -26,19 +38,18 @@ static double dot(int n, const double *a, const double *b)
 static double sign(double x) { return (x > 0) - (x < 0); }
 static double clip(double x, double low, double high) { return x < low ? low : x > high ? high : x; }
 
-/* p: level forward, level backward, static surplus, its speed, its exponent, load factor, growth, its time, from, to */
-static double level(const double *p, double speed, double load, double t, int backward)
-{
+/* p: level forward, level backward, static surplus, its speed, its exponent, load factor, growth, its time,
+ * from, to */
+static double level(const double *p, double speed, double load, double t, int backward) {
     double of_speed = p[2] != 0 ? 1 + p[2] * exp(-pow(fabs(speed) / p[3], p[4])) : 1;
     double of_time = p[7] > 0 ? p[6] * (1 - exp(-t / p[7])) : 0;
     double active = p[9] > p[8] ? t >= p[8] && t <= p[9] : 1;
     return active * (p[backward] * of_speed + p[5] * fabs(load) + of_time);
 }
 
-/* Set-valued friction over a step: slide until the speed is zero, then stick (a = 0) or slide on. `free` is the
-   acceleration without this friction, W what a unit of it takes away. */
-static double dry(double up, double down, double begin, double free, double W, double h)
-{
+/* Set-valued friction over a step: slide until the speed is zero, then stick (a = 0) or slide on. `free` is
+   the acceleration without this friction, W what a unit of it takes away. */
+static double dry(double up, double down, double begin, double free, double W, double h) {
     double first = begin > 0 ? up : begin < 0 ? -down : 0, a = free - W * first, reach = 0;
     if (begin != 0) reach = a * begin < 0 ? fmin(1, -begin / (a * h)) : 1;
     double then = W > 0 ? clip(free / W, -down, up) : free > 0 ? up : -down;
@@ -46,8 +57,7 @@ static double dry(double up, double down, double begin, double free, double W, d
 }
 
 /* Jenkins cells in parallel, yield travels spread evenly: p = stiffness, greatest yield travel */
-static double iwan(const double *p, double *cell, double e, int keep)
-{
+static double iwan(const double *p, double *cell, double e, int keep) {
     double force = 0;
     for (int i = 0; i < CELLS; i++) {
         double yield = p[1] * (i + 0.5) / CELLS, slider = clip(cell[i], e - yield, e + yield);
@@ -57,19 +67,18 @@ static double iwan(const double *p, double *cell, double e, int keep)
     return force;
 }
 
-/* Unilateral contacts on both flanks of a gap: p = k, d, gap below, gap above, depth over which damping sets in */
-static double contact(const double *p, double e, double rate)
-{
+/* Unilateral contacts on both flanks of a gap: p = k, d, gap below, gap above, depth over which damping sets
+ * in */
+static double contact(const double *p, double e, double rate) {
     double side = e > 0 ? 1 : -1, depth = side > 0 ? e - p[3] : -e - p[2];
     if (depth <= 0) return 0;
     double force = p[0] * depth + p[1] * side * rate * fmin(1, depth / p[4]);
     return side * fmax(force, 0);
 }
 
-/* A spring and damper behind a gap, p = k, d, half gap. Their deflection relaxes while the gap is open, and is swept
-   along by the flanks: a sweeping process. cell = deflection, flank that touched last. */
-static double clearance(const double *p, double *cell, double e, double rate, double h, int keep)
-{
+/* A spring and damper behind a gap, p = k, d, half gap. Their deflection relaxes while the gap is open, and
+   is swept along by the flanks: a sweeping process. cell = deflection, flank that touched last. */
+static double clearance(const double *p, double *cell, double e, double rate, double h, int keep) {
     double k = p[0], d = p[1], relaxed = d > 0 ? cell[0] / (1 + h * k / d) : 0;
     double z = clip(relaxed, e - p[2], e + p[2]), side = sign(z - relaxed);
     double speed = side == cell[1] ? rate : (z - cell[0]) / h;
@@ -77,8 +86,7 @@ static double clearance(const double *p, double *cell, double e, double rate, do
     return side == 0 ? 0 : k * z + d * speed;
 }
 
-static double smooth_law(const Element *el, State *s, double h, double t, double load, int keep)
-{
+static double smooth_law(const Element *el, State *s, double h, double t, double load, int keep) {
     const double *p = el->p;
     double e = s->e, rate = s->rate;
     switch ((int)el->law) {
@@ -105,9 +113,10 @@ static double smooth_law(const Element *el, State *s, double h, double t, double
     return 0;
 }
 
-/* Elongation at a state; a warped element has e = cw w + b.q - amplitude sin(2 pi y/period + phase), y = warp.q */
-static void elongate(int n, const Element *el, State *s, const double *q, const double *v, double w, double wd)
-{
+/* Elongation at a state; a warped element has e = cw w + b.q - amplitude sin(2 pi y/period + phase), y =
+ * warp.q */
+static void elongate(int n, const Element *el, State *s, const double *q, const double *v, double w,
+                     double wd) {
     s->e = dot(n, el->b, q) + el->cw * w;
     s->rate = dot(n, el->b, v) + el->cw * wd;
     for (int i = 0; i < n; i++) s->pull[i] = el->b[i];
@@ -122,9 +131,9 @@ static void elongate(int n, const Element *el, State *s, const double *q, const 
 
 /* out[step][row]: Y row = on q, v, a (NMAX each), u, w, w', w'', sum of cw lambda */
 void run(int n, int steps, double h, const double *Ainv, const double *C, const double *K, const double *gu,
-         const double *gw, const double *gd, const double *u, const double *w, const double *wd, const double *wdd,
-         int count, const Element *elements, State *states, int rows, const double *Y, double *out)
-{
+         const double *gw, const double *gd, const double *u, const double *w, const double *wd,
+         const double *wdd, int count, const Element *elements, State *states, int rows, const double *Y,
+         double *out) {
     double q[NMAX] = {0}, v[NMAX] = {0}, free[NMAX], dv[NMAX], qm[NMAX], vm[NMAX], r[NMAX];
     const int width = 3 * NMAX + 5;
     int sweeps = count ? 6 : 1;
@@ -136,7 +145,8 @@ void run(int n, int steps, double h, const double *Ainv, const double *C, const 
         double t = j * h;
         for (int i = 0; i < n; i++) qm[i] = q[i] + h / 2 * v[i];
         for (int i = 0; i < n; i++)
-            r[i] = h * (gu[i] * u[j] + gw[i] * w[j] + gd[i] * wd[j] - dot(n, C + i * n, v) - dot(n, K + i * n, qm));
+            r[i] = h * (gu[i] * u[j] + gw[i] * w[j] + gd[i] * wd[j] - dot(n, C + i * n, v) -
+                        dot(n, K + i * n, qm));
         for (int i = 0; i < n; i++) dv[i] = free[i] = dot(n, Ainv + i * n, r);
         for (int sweep = 0; sweep < sweeps && count; sweep++) {
             int keep = sweep == sweeps - 1;
@@ -149,26 +159,29 @@ void run(int n, int steps, double h, const double *Ainv, const double *C, const 
             for (int k = 0; k < count; k++) {
                 const Element *el = elements + k;
                 State *s = states + k;
-                double load = dot(n, el->load_q, qm) + dot(n, el->load_v, vm) + el->load_w * w[j] + el->load_wd * wd[j];
+                double load =
+                    dot(n, el->load_q, qm) + dot(n, el->load_v, vm) + el->load_w * w[j] + el->load_wd * wd[j];
                 elongate(n, el, s, qm, vm, w[j], wd[j]);
                 if ((int)el->law == FRICTION) {
                     double up = level(el->p, s->rate, load, t, 0), down = level(el->p, s->rate, load, t, 1);
                     double begin = dot(n, el->b, v) + el->cw * (wd[j] - h / 2 * wdd[j]);
                     double end = dot(n, el->b, v) + dot(n, el->b, dv) + el->cw * (wd[j] + h / 2 * wdd[j]);
                     s->lambda = dry(up, down, begin, (end - begin) / h + s->W * s->lambda, s->W, h);
-                } else
-                    s->lambda = smooth_law(el, s, h, t, load, keep);
+                } else s->lambda = smooth_law(el, s, h, t, load, keep);
                 for (int i = 0; i < n; i++) dv[i] = free[i];
                 for (int m = 0; m < count; m++) {
                     if ((int)elements[m].law != WARPED)
                         for (int i = 0; i < n; i++) dv[i] -= h * states[m].Ab[i] * states[m].lambda;
                     else
-                        for (int i = 0; i < n; i++) dv[i] -= h * states[m].lambda * dot(n, Ainv + i * n, states[m].pull);
+                        for (int i = 0; i < n; i++)
+                            dv[i] -= h * states[m].lambda * dot(n, Ainv + i * n, states[m].pull);
                 }
             }
             double moved = 0, size = 1e-300;
-            for (int i = 0; i < n; i++) moved += fabs(dv[i] - before[i]), size += fabs(dv[i]) + h * fabs(v[i]);
-            if (!keep && moved < 1e-7 * size) sweep = sweeps - 2; /* converged: one last sweep keeps the memory */
+            for (int i = 0; i < n; i++)
+                moved += fabs(dv[i] - before[i]), size += fabs(dv[i]) + h * fabs(v[i]);
+            if (!keep && moved < 1e-7 * size)
+                sweep = sweeps - 2; /* converged: one last sweep keeps the memory */
         }
         double reaction = 0;
         for (int k = 0; k < count; k++) reaction += elements[k].cw * states[k].lambda;
@@ -176,7 +189,8 @@ void run(int n, int steps, double h, const double *Ainv, const double *C, const 
         for (int row = 0; row < rows; row++) {
             const double *y = Y + row * width, *of = y + 3 * NMAX;
             double sum = dot(n, y, qm) + dot(n, y + NMAX, vm) + dot(n, y + 2 * NMAX, dv) / h;
-            out[j * rows + row] = sum + of[0] * u[j] + of[1] * w[j] + of[2] * wd[j] + of[3] * wdd[j] + of[4] * reaction;
+            out[j * rows + row] =
+                sum + of[0] * u[j] + of[1] * w[j] + of[2] * wd[j] + of[3] * wdd[j] + of[4] * reaction;
         }
         for (int i = 0; i < n; i++) q[i] += h * vm[i], v[i] += dv[i];
     }

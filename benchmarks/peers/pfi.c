@@ -62,8 +62,8 @@ static Contact contact(const Model *m, double t, const double *y) {
     const double x1 = m->amplitude * sin(m->omega * t);
     const double v1 = m->amplitude * m->omega * cos(m->omega * t);
     Contact c;
-    c.screw = dead_zone(K_S * (x1 - y[TH_S] / m->per_lead) + C_S * (v1 - y[W_S] / m->per_lead),
-                        K_S * EPS, &c.slope_screw);
+    c.screw = dead_zone(K_S * (x1 - y[TH_S] / m->per_lead) + C_S * (v1 - y[W_S] / m->per_lead), K_S * EPS,
+                        &c.slope_screw);
     c.mesh = dead_zone(K_R * (m->r_screw * y[TH_S] - m->r_planet * y[TH_P]) +
                            C_R * (m->r_screw * y[W_S] - m->r_planet * y[W_P]),
                        K_R * G_R, &c.slope_mesh);
@@ -108,8 +108,8 @@ static int rhs(sunrealtype t, N_Vector state, N_Vector rate, void *data) {
 }
 
 /* The Stribeck slope, below 1e-10 N.m.s/rad, is left out. */
-static int jacobian(sunrealtype t, N_Vector state, N_Vector rate, SUNMatrix jac, void *data,
-                    N_Vector w1, N_Vector w2, N_Vector w3) {
+static int jacobian(sunrealtype t, N_Vector state, N_Vector rate, SUNMatrix jac, void *data, N_Vector w1,
+                    N_Vector w2, N_Vector w3) {
     (void)rate, (void)w1, (void)w2, (void)w3;
     const Model *m = data;
     const double *y = N_VGetArrayPointer(state), w = y[W_S];
@@ -265,7 +265,8 @@ static void write_csv(const Run *run, const char *path) {
 
 static void usage(void) {
     fputs("pfi smooth|hybrid [-e rtol] [-a atol] [-w w_s] [-A amplitude] [-f frequency]"
-          " [-T duration] [-r repeats] [-o csv]\n", stderr);
+          " [-T duration] [-r repeats] [-o csv]\n",
+          stderr);
     exit(2);
 }
 
@@ -277,15 +278,15 @@ int main(int argc, char **argv) {
     m.hybrid = !strcmp(argv[1], "hybrid");
     optind = 2;
     for (int option; (option = getopt(argc, argv, "e:a:w:A:f:T:r:o:")) != -1;) switch (option) {
-            case 'e': m.rtol = atof(optarg); break;
-            case 'a': m.atol = atof(optarg); break;
-            case 'w': m.w_smooth = atof(optarg); break;
-            case 'A': m.amplitude = atof(optarg); break;
-            case 'f': m.frequency = atof(optarg); break;
-            case 'T': m.duration = atof(optarg); break;
-            case 'r': repeats = atoi(optarg); break;
-            case 'o': csv = optarg; break;
-            default: usage();
+        case 'e': m.rtol = atof(optarg); break;
+        case 'a': m.atol = atof(optarg); break;
+        case 'w': m.w_smooth = atof(optarg); break;
+        case 'A': m.amplitude = atof(optarg); break;
+        case 'f': m.frequency = atof(optarg); break;
+        case 'T': m.duration = atof(optarg); break;
+        case 'r': repeats = atoi(optarg); break;
+        case 'o': csv = optarg; break;
+        default: usage();
         }
     if (repeats < 1) usage();
     m.per_lead = 2 * PI / LEAD;

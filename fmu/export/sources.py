@@ -7,7 +7,7 @@ from pathlib import Path
 from .variables import Interface
 
 CSOURCE = Path(__file__).with_name("csource")
-COMMON = ("fmi_common.h", "fmi_common.c", "derivatives.c", "saved.c")
+COMMON = ("fmi_common.h", "fmi_common.c", "fmi_numbers.c", "derivatives.c", "saved.c")
 OWN = {
     "2.0": (*COMMON, "fmi2_face.h", "fmi2.c", "fmi2_run.c"),
     "3.0": (*COMMON, "fmi3_face.h", "fmi3.c", "fmi3_run.c", "fmi3_absent.c"),

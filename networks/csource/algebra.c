@@ -3,9 +3,6 @@
 
 #include "core_state.h"
 
-#define NEWTON 50
-#define CLOSE 1e-12
-
 /* Factor the algebraic rows of the slopes, under rows of the identity for the states. */
 int core_algebra_factor(Core *c, double t, const double y[]) {
     double entries[ROOM(NREDUCED)] = {0};
@@ -21,7 +18,7 @@ int core_algebra_factor(Core *c, double t, const double y[]) {
 
 int core_solve_algebra(Core *c, double t, double y[]) {
     if (NZ == 0) return 1;
-    for (int round = 0; round < NEWTON; round++) {
+    for (int round = 0; round < NEWTON_ROUNDS; round++) {
         double largest = 0, size = 0;
         if (!core_motion_at(c, t, y, c->value) || !core_algebra_factor(c, t, y)) return 0;
         for (int i = 0; i < NX; i++) c->value[i] = 0;
@@ -32,7 +29,7 @@ int core_solve_algebra(Core *c, double t, double y[]) {
             size = fmax(size, fabs(y[i]));
         }
         if (!isfinite(size) || !isfinite(largest)) return 0;
-        if (largest <= CLOSE * (1 + size)) return 1;
+        if (largest <= NEWTON_CLOSE * (1 + size)) return 1;
     }
     return 0;
 }

@@ -19,7 +19,7 @@ void core_reset(Core *c) {
     for (int i = 0; i < NG; i++) c->fastest[i] = 1;
     c->u_time = NAN;
     c->interval = 1;
-    c->crowd = 20000;
+    c->crowd = CROWD_COUNT;
 }
 
 double core_time(const Core *c) { return c->t; }
@@ -70,7 +70,8 @@ CoreStatus core_set_input(Core *c, int i, double value) {
 
 CoreStatus core_set_slope(Core *c, int i, double value) {
     if (model_input_rate[i] >= 0) return core_set_input(c, model_input_rate[i], value);
-    if (!isfinite(value)) return refuse(c, model_input_name[i], ": its derivative must be a finite number", value);
+    if (!isfinite(value))
+        return refuse(c, model_input_name[i], ": its derivative must be a finite number", value);
     c->drift[i] = value;
     c->u_time = NAN;
     core_stale(c);
@@ -189,7 +190,8 @@ CoreStatus core_rates(Core *c, const double **rates) {
     CoreStatus status = fresh_algebra(c);
     if (status != CORE_OK) return status;
     if (!(c->fresh & FRESH_RATES)) {
-        if (!core_motion_at(c, c->t, c->y, c->rates)) return impossible(c, "the rates of the states are not finite");
+        if (!core_motion_at(c, c->t, c->y, c->rates))
+            return impossible(c, "the rates of the states are not finite");
         c->fresh |= FRESH_RATES;
     }
     if (rates) *rates = c->rates;
@@ -221,7 +223,8 @@ CoreStatus core_indicators(Core *c, const double **g) {
     if (!(c->fresh & FRESH_INDICATORS)) {
         if (!core_watch(c, c->t, c->y, c->rates, &c->left)) return impossible(c, "indicators are not finite");
         for (int i = 0; i < NG; i++)
-            c->indicators[i] = core_leavable(c, i) ? c->left.value[i] - c->raised[i] - 2 * core_near_zero(c, i) : -1;
+            c->indicators[i] =
+                core_leavable(c, i) ? c->left.value[i] - c->raised[i] - 2 * core_near_zero(c, i) : -1;
         c->fresh |= FRESH_INDICATORS;
     }
     *g = c->indicators;
@@ -279,7 +282,8 @@ CoreStatus core_due(Core *c, int *due) {
 
 CoreStatus core_advance(Core *c, double stop, double rtol, double atol, double fixed_step, int return_early,
                         CoreStop *reached) {
-    int happened, changed, due = core_any_due(c); /* inputs and parameters may have jumped since the last step */
+    int happened, changed,
+        due = core_any_due(c); /* inputs and parameters may have jumped since the last step */
     if (due < 0) return impossible(c, "indicators are not finite");
     if (due && return_early) {
         *reached = CORE_EVENT;

@@ -4,15 +4,14 @@
 
 #include <stdint.h>
 
+#include "constants.h" /* generated from networks/simulation/events/constants.py */
 #include "core.h"
 
 #define ROOM(n) ((n) > 0 ? (n) : 1) /* C knows no empty arrays */
 #define NY (NX + NZ)
+#define NPATH (NX + NPUSH) /* states and impulses, which a jump moves */
 #define STAGES 8
-#define RECENT 200
 #define MESSAGE 1024
-#define FLOOR 1e-12 /* indicators and rates below are zero */
-#define FLAT 1e-10  /* share of its fastest rate below which an indicator does not rise */
 
 /* Factors of a matrix of the unknowns that are kept: LU with pivoting, or sparse QR. */
 typedef struct {
@@ -36,6 +35,12 @@ typedef struct {
 typedef struct {
     double value[ROOM(NG)], rate[ROOM(NG)];
 } Watched;
+
+/* Where an indicator rises through zero, in the piece from `begin` to `end`. */
+typedef struct {
+    double t, begin, end;
+    int indicator;
+} Crossing;
 
 struct Core {
     double t;
@@ -63,8 +68,10 @@ struct Core {
     double h, last_error, last_h; /* next step size; of the last accepted step */
     double interval; /* what time is long or short against: step of communication or of output */
     int crowd;       /* events in an interval that are more than can be meant */
-    double recent[RECENT], mark;
-    int recent_count, mark_count;
+    double recent[CHATTER_COUNT], mark;
+    int mark_count;
+    long long landings, notes,
+        noted[ROOM(NG)]; /* when each transition fired last, in the order in which all did */
     long long steps, rejected, work; /* work: how often anything of the model was evaluated */
     int slope_fresh, worst; /* unknown with the greatest error in the last step */
     int limits[ROOM(NY)]; /* steps that each unknown limited */
@@ -154,7 +161,8 @@ void core_factor_solve(const Factor *f, double b[], double full[]);
 void core_factor_solve_transposed(const Factor *f, double b[], double full[]);
 int core_dense_factor(double lu[], int n, int pivot[]);
 void core_jacobi(double columns[], double right[], int length, int count);
-void core_least_norm(double columns[], double right[], int length, int count, int transposed, const double b[], double x[]);
+void core_least_norm(double columns[], double right[], int length, int count, int transposed,
+                     const double b[], double x[]);
 
 /* events.c */
 int core_watch(Core *c, double t, const double y[], const double rates[], Watched *w);
@@ -175,23 +183,34 @@ void core_stand_in(Core *c);
 /* shocks.c */
 void core_see(Core *c, double seen[]);
 CoreStatus core_jump(Core *c, const double seen[], const Observer *told, int *changed);
+int core_rates_off(Core *c, const double x[], const double course[], double rates[]);
+
+/* contacts.c */
+CoreStatus core_check_reach(Core *c, const double before[]);
+CoreStatus core_pass_on(Core *c, double pushes[], const Observer *told);
 
 /* rosenbrock.c */
 int core_step_begin(Core *c);
 int core_step_try(Core *c, double h, double rtol, double atol, double *error);
 void core_step_dense(Core *c, double t, double y[], double rates[]);
 
+/* chattering.c */
+void core_note(Core *c, int change);
+void core_say_latest(Core *c, int count);
+CoreStatus core_watch_chatter(Core *c);
+
 /* locate.c */
-int core_locate(Core *c, double *t, double *begin, double *end, int *indicator);
-CoreStatus core_land(Core *c, int *indicator, double t, double begin, double end, int *reached);
+int core_locate(Core *c, Crossing *crossing);
+CoreStatus core_land(Core *c, Crossing *crossing, int *reached);
 
 /* stepper.c */
 CoreStatus core_travel(Core *c, double stop, double rtol, double atol, double fixed_step, int return_early,
-                   const Observer *told, CoreStop *reached);
+                       const Observer *told, CoreStop *reached);
 
 /* message.c */
 void core_say(Core *c, const char *text);
 void core_say_more(Core *c, const char *text);
 void core_say_number(Core *c, double value);
+void core_say_when(Core *c);
 
 #endif

@@ -4,14 +4,13 @@
 
 #include "core_state.h"
 
-#define RELATIVE 1e-12
-#define ROUNDS 1000
-
-int core_leavable(const Core *c, int i) { return core_mode(c, model_change_mode[i]) == model_change_source[i]; }
+int core_leavable(const Core *c, int i) {
+    return core_mode(c, model_change_mode[i]) == model_change_source[i];
+}
 
 int core_can_fire(const Core *c, int i) { return core_leavable(c, i) && !c->muted[i]; }
 
-double core_near_zero(const Core *c, int i) { return fmax(FLOOR, RELATIVE * c->seen[i]); }
+double core_near_zero(const Core *c, int i) { return fmax(INDICATOR_FLOOR, INDICATOR_ROUNDING * c->seen[i]); }
 
 /* Evaluate indicators and their rates where states have `rates`; remember their size. */
 int core_watch(Core *c, double t, const double y[], const double rates[], Watched *w) {
@@ -44,9 +43,9 @@ void core_switching(Core *c) {
 
 static int is_ready(const Core *c, int i, int forced) {
     const double *g = c->left.value, *rate = c->left.rate, near = core_near_zero(c, i);
-    int rising = rate[i] > FLAT * c->fastest[i];
+    int rising = rate[i] > RATE_NOISE * c->fastest[i];
     int ready = g[i] > near || (g[i] > -near && rising);
-    if (g[i] <= 10 * near && rate[i] < -FLAT * c->fastest[i]) ready = 0;
+    if (g[i] <= LEAVING * near && rate[i] < -RATE_NOISE * c->fastest[i]) ready = 0;
     if (forced >= 0 && model_change_mode[i] == model_change_mode[forced])
         ready = ready || (g[i] == g[forced] && rate[i] == rate[forced]);
     return ready && core_can_fire(c, i);
@@ -64,7 +63,9 @@ static int firing(Core *c, int forced, int fired[]) {
     for (int i = 0; i < NG; i++) {
         int allowed = model_change_allowed[i], *best = strongest + model_change_mode[i];
         if (!is_ready(c, i, forced) || (allowed >= 0 && c->expressions[allowed] == 0)) continue;
-        if (*best < 0 || c->left.value[i] / core_near_zero(c, i) >= c->left.value[*best] / core_near_zero(c, *best)) *best = i;
+        if (*best < 0 ||
+            c->left.value[i] / core_near_zero(c, i) >= c->left.value[*best] / core_near_zero(c, *best))
+            *best = i;
     }
     for (int i = 0; i < NG; i++)
         if (strongest[model_change_mode[i]] == i) fired[count++] = i;
@@ -90,7 +91,8 @@ static uint64_t situation(Core *c, const int fired[], int count) {
 }
 
 /* Apply changes: shocks first, then modes, then resets. */
-static CoreStatus apply(Core *c, const int fired[], int count, const Observer *told, int begins, int *changed) {
+static CoreStatus apply(Core *c, const int fired[], int count, const Observer *told, int begins,
+                        int *changed) {
     int changes[ROOM(NG)], stays[ROOM(NG)] = {0}, kept = 0, shocks[ROOM(NG)], held[ROOM(NG)], shocked = 0;
     double impulses[ROOM(NG)] = {0}, size[ROOM(NG)], seen[ROOM(NREAD)];
     CoreStatus status;
@@ -111,6 +113,7 @@ static CoreStatus apply(Core *c, const int fired[], int count, const Observer *t
     }
     for (int k = 0; k < kept; k++) {
         int mode = model_change_mode[changes[k]];
+        core_note(c, changes[k]);
         core_modes(c)[mode] = model_change_target[changes[k]];
         for (int i = 0; i < NG; i++)
             if (model_change_mode[i] == mode) c->muted[i] = 0;
@@ -127,34 +130,30 @@ static CoreStatus apply(Core *c, const int fired[], int count, const Observer *t
 
 static CoreStatus check_adrift(Core *c) {
     if (!c->adrift) return CORE_OK;
-    core_say(c, "at t = ");
-    core_say_number(c, c->t);
-    core_say_more(c, " s nothing with inertia moves with ");
+    core_say_when(c);
+    core_say_more(c, "nothing with inertia moves with ");
     core_say_more(c, model_block_label[c->adrift - 1]);
     core_say_more(c, ", which no longer holds; join a Mass (or an Inertia) where it slides");
     return CORE_ERROR;
 }
 
-static CoreStatus forever(Core *c, const int fired[], int count) {
+static CoreStatus forever(Core *c) {
     core_say(c, "no consistent set of modes at t = ");
     core_say_number(c, c->t);
     core_say_more(c, " s; these switch for ever: ");
-    for (int k = 0; k < count; k++) {
-        if (k) core_say_more(c, ", ");
-        core_say_more(c, model_component[fired[k]]);
-    }
+    core_say_latest(c, FIRING_TOLD);
     return CORE_ERROR;
 }
 
 CoreStatus core_fire(Core *c, int forced, const Observer *told, int begins, int *happened, int *changed) {
-    uint64_t visited[ROUNDS];
+    uint64_t visited[FIRING_ROUNDS];
     int fired[ROOM(NG)], count = 0, one_by_one = 0, since = 0, adrift = 0, waited = forced;
     CoreStatus status = core_complete(c);
     *happened = *changed = 0;
     c->pending = 0;
     if (status != CORE_OK) return status;
     c->fresh = 0;
-    for (int round = 0; round < ROUNDS; round++) {
+    for (int round = 0; round < FIRING_ROUNDS; round++) {
         count = firing(c, forced, fired);
         forced = -1;
         if (count < 0) {
@@ -180,5 +179,5 @@ CoreStatus core_fire(Core *c, int forced, const Observer *told, int begins, int 
     }
     c->adrift = adrift;
     status = check_adrift(c);
-    return status == CORE_OK ? forever(c, fired, count) : status;
+    return status == CORE_OK ? forever(c) : status;
 }

@@ -4,10 +4,6 @@
 
 #include "core_state.h"
 
-#define REGULAR 1e-6
-#define WEAK 1e-10
-#define LOOSE 1e-6
-
 /* Orthonormal columns for the weak directions that have none yet, by Gram-Schmidt on the unit vectors. */
 static void span_rest(double left[], const int weak[], int n) {
     for (int k = 0; k < n; k++) {
@@ -35,7 +31,8 @@ static void span_rest(double left[], const int weak[], int n) {
 
 /* Fill in what makes a singular matrix regular such that solutions have least norm. Marks loose unknowns. */
 static int completion(Core *c, const double matrix[], int n, double result[], int loose[]) {
-    double *work = c->square[0], *left = c->square[1], *right = c->square[2], scale[ROOM(BLOCK)] = {0}, most = 1;
+    double *work = c->square[0], *left = c->square[1], *right = c->square[2], scale[ROOM(BLOCK)] = {0},
+           most = 1;
     int pivot[ROOM(BLOCK)], weak[ROOM(BLOCK)], any = 0;
     for (int i = 0; i < n * n; i++) result[i] = 0;
     for (int i = 0; i < n; i++) {
@@ -47,7 +44,7 @@ static int completion(Core *c, const double matrix[], int n, double result[], in
     if (core_dense_factor(work, n, pivot)) {
         double least = 1;
         for (int i = 0; i < n; i++) least = fmin(least, fabs(work[i * n + i]));
-        if (least > REGULAR) return 0;
+        if (least > BLOCK_REGULAR) return 0;
     }
     core_jacobi(left, right, n, n);
     for (int k = 0; k < n; k++) {
@@ -57,7 +54,7 @@ static int completion(Core *c, const double matrix[], int n, double result[], in
         most = fmax(most, work[k]);
     }
     for (int k = 0; k < n; k++) {
-        weak[k] = work[k] <= WEAK * most;
+        weak[k] = work[k] <= BLOCK_WEAK * most;
         any |= weak[k];
         for (int i = 0; i < n && !weak[k]; i++) left[k * n + i] /= work[k];
     }
@@ -73,7 +70,7 @@ static int completion(Core *c, const double matrix[], int n, double result[], in
         }
         most = fmax(most, work[j]);
     }
-    for (int j = 0; j < n; j++) loose[j] = work[j] > LOOSE * most;
+    for (int j = 0; j < n; j++) loose[j] = work[j] > BLOCK_LOOSE * most;
     return 1;
 }
 
@@ -109,7 +106,7 @@ CoreStatus core_complete(Core *c) {
 /* What stands in for a mode while an impulse acts, -1 if it is itself. */
 int core_stands_in(int mode, int value) { return model_in_shock[model_in_shock_start[mode] + value]; }
 
-/* Contacts that already hold and pass a shock on; none if a blow rebounds, which strikes one after the other. */
+/* Contacts that already hold and pass a shock on; none if a blow rebounds, which strikes one by one. */
 static int partners(Core *c, int shocks[], int stays[], int count) {
     int struck[ROOM(NM)] = {0}, total = count;
     for (int k = 0; k < count; k++) {
@@ -153,8 +150,9 @@ static CoreStatus immovable(Core *c, const int shocks[], const double effect[], 
         core_say_more(c, model_component[shocks[i]]);
     }
     if (!any) return CORE_OK;
-    core_say_more(c, ": a shock meets a motion that is prescribed on both sides; let a Mass move freely, or a Spring "
-                "yield, on one of them");
+    core_say_more(
+        c, ": a shock meets a motion that is prescribed on both sides; let a Mass move freely, or a Spring "
+           "yield, on one of them");
     return CORE_ERROR;
 }
 

@@ -7,7 +7,8 @@
 static const Legs *legs(const Core *c) { return c->legs; }
 #else
 static const Legs *legs(const Core *c) {
-    static const Legs built_in = {MODEL_LEGS, model_leg_begin, model_leg_end, model_leg_longest, model_leg_jumps};
+    static const Legs built_in = {MODEL_LEGS, model_leg_begin, model_leg_end, model_leg_longest,
+                                  model_leg_jumps};
     (void)c;
     return &built_in;
 }
@@ -20,7 +21,9 @@ void core_find_leg(Core *c) {
     while (c->leg + 1 < all->count && c->t >= all->begin[c->leg + 1]) c->leg++;
 }
 
-double core_end_of_leg(const Core *c) { return c->leg + 1 < legs(c)->count ? legs(c)->end[c->leg] : INFINITY; }
+double core_end_of_leg(const Core *c) {
+    return c->leg + 1 < legs(c)->count ? legs(c)->end[c->leg] : INFINITY;
+}
 
 int core_at_end_of_leg(const Core *c) { return c->t >= core_end_of_leg(c); }
 
@@ -45,7 +48,8 @@ CoreStatus core_enter_legs(Core *c, int *changed) {
     double t = c->t;
     CoreStatus status = CORE_OK;
     if (c->leg >= legs(c)->count || t < legs(c)->begin[c->leg]) core_find_leg(c); /* time went back */
-    while (status == CORE_OK && c->leg + 1 < legs(c)->count && t >= core_end_of_leg(c)) status = core_next_leg(c, 0, changed);
+    while (status == CORE_OK && c->leg + 1 < legs(c)->count && t >= core_end_of_leg(c))
+        status = core_next_leg(c, 0, changed);
     if (c->t < t) {
         c->t = t;
         core_stale(c);

@@ -1,5 +1,6 @@
-/* Linear equations: the matrix of a step without states that follow another one (see rosenbrock.c), by LU with row
- * pivoting or, where large, by sparse Householder QR on a fixed pattern; and solutions of least norm by one-sided Jacobi rotations (Golub, Van Loan, Matrix Computations, 5.2, 8.6). */
+/* Linear equations: the matrix of a step without states that follow another one (see rosenbrock.c), by LU
+ * with row pivoting or, where large, by sparse Householder QR on a fixed pattern; and solutions of least norm
+ * by one-sided Jacobi rotations (Golub, Van Loan, Matrix Computations, 5.2, 8.6). */
 #include <float.h>
 #include <math.h>
 #include <string.h>
@@ -7,7 +8,6 @@
 #include "core_state.h"
 
 #define SWEEPS 60
-#define RANK 1e-10
 
 /* Factor a matrix stored by columns in place. Returns 0 if it is singular or not finite. */
 int core_dense_factor(double lu[], int n, int pivot[]) {
@@ -176,16 +176,17 @@ void core_jacobi(double columns[], double right[], int length, int count) {
 }
 
 /* Solve in the sense of least squares and least norm: columns x = b, or, transposed, columns' x = b. */
-void core_least_norm(double columns[], double right[], int length, int count, int transposed, const double b[],
-                double x[]) {
+void core_least_norm(double columns[], double right[], int length, int count, int transposed,
+                     const double b[], double x[]) {
     double strongest = 0;
     core_jacobi(columns, right, length, count);
-    for (int k = 0; k < count; k++) strongest = fmax(strongest, dot(columns + k * length, columns + k * length, length));
+    for (int k = 0; k < count; k++)
+        strongest = fmax(strongest, dot(columns + k * length, columns + k * length, length));
     for (int i = 0; i < (transposed ? length : count); i++) x[i] = 0;
     for (int k = 0; k < count; k++) {
         const double *left = columns + k * length, *turn = right + k * count;
         double strength = dot(left, left, length);
-        if (!(strength > RANK * RANK * strongest)) continue;
+        if (!(strength > IMPACT_RANK * IMPACT_RANK * strongest)) continue;
         if (transposed) {
             double share = dot(turn, b, count) / strength;
             for (int i = 0; i < length; i++) x[i] += share * left[i];

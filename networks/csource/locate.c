@@ -4,15 +4,11 @@
 
 #include "core_state.h"
 
-#define CREST (4.0 / 27.0)
 #define GOLDEN 0.3819660112501051
 #define CHECKS 3
-#define UNRESOLVED 1e-3
 #define PIECES 100000
 #define LEAST 1e-9
 #define PER_INTERVAL 4
-#define HOP 1e-6
-#define SIMULTANEOUS 1e-12
 
 static const double SHARES[CHECKS] = {GOLDEN, 0.5, 1 - GOLDEN};
 
@@ -30,7 +26,7 @@ static Cubic cubic(const Watched *left, const Watched *right, int i, double span
 
 static double cubic_at(const Cubic *p, double x) { return p->a + x * (p->da + x * (p->c2 + x * p->c3)); }
 
-static double bound(const Cubic *p) { return fmax(p->a, p->b) + CREST * (fabs(p->da) + fabs(p->db)); }
+static double bound(const Cubic *p) { return fmax(p->a, p->b) + CUBIC_CREST * (fabs(p->da) + fabs(p->db)); }
 
 static double peak(const Cubic *p) {
     double lean = 3 * (p->b - p->a) - p->da - p->db;
@@ -50,7 +46,7 @@ static double root(const Cubic *p, double near) {
         low = -p->da / (p->c2 + turns);
     }
     if (p->b <= near) high = -p->da / (p->c2 - turns);
-    for (int k = 0; k < 60; k++) {
+    for (int k = 0; k < CUBIC_BISECTIONS; k++) {
         double middle = 0.5 * (low + high);
         if (cubic_at(p, middle) < 0) low = middle;
         else high = middle;
@@ -63,9 +59,10 @@ static int resolved(const Core *c, double span, double share) {
     for (int i = 0; i < NG; i++) {
         if (!core_leavable(c, i)) continue;
         Cubic p = cubic(&c->left, &c->right, i, span);
-        double seen = c->middle.value[i], error = fabs(seen - cubic_at(&p, share)), near = core_near_zero(c, i);
+        double seen = c->middle.value[i], error = fabs(seen - cubic_at(&p, share)),
+               near = core_near_zero(c, i);
         double range = fmax(fmax(p.a, p.b), seen) - fmin(fmin(p.a, p.b), seen);
-        if (error > UNRESOLVED * range + near && fmax(bound(&p), seen) + 10 * error > near) return 0;
+        if (error > CUBIC_MISSES * range + near && fmax(bound(&p), seen) + 10 * error > near) return 0;
     }
     return 1;
 }
@@ -76,8 +73,8 @@ static int timed(const Core *c) {
     return 0;
 }
 
-/* Algebraic unknowns follow time, which a step need not: they are solved for where it matters. Rates are those of
- * the interpolation, as its errors in stiff states would make wrong ones of them in the equations. */
+/* Algebraic unknowns follow time, which a step need not: they are solved for where it matters. Rates are
+ * those of the interpolation, as its errors in stiff states would make wrong ones of them there. */
 static int watch_inside(Core *c, double t, Watched *w) {
     double y[ROOM(NY)], rates[ROOM(NY)];
     core_step_dense(c, t, y, rates);
@@ -102,8 +99,8 @@ static int first(const Core *c, double span, double *share) {
 }
 
 /* Look for the first crossing in the last step, `left` and `last` being known at its ends. Returns 1 if there
- * is one, 0 if not, -1 if indicators are not finite. The piece that holds it goes from `*begin` to `*end`. */
-int core_locate(Core *c, double *t, double *begin, double *end, int *indicator) {
+ * is one, 0 if not, -1 if indicators are not finite. */
+int core_locate(Core *c, Crossing *crossing) {
     double stop = c->step.t + c->step.h, a = c->step.t;
     double shortest = fmax(LEAST * c->step.h, 1e-15 * fmax(1, fabs(stop)));
     int checks = timed(c) ? CHECKS : 1; /* what time does, no step follows; one check may pass by chance */
@@ -126,11 +123,9 @@ int core_locate(Core *c, double *t, double *begin, double *end, int *indicator) 
             b = middle;
             c->right = c->middle;
         }
-        *indicator = first(c, b - a, &share);
-        if (*indicator >= 0) {
-            *t = a + share * (b - a);
-            *begin = a;
-            *end = b;
+        int indicator = first(c, b - a, &share);
+        if (indicator >= 0) {
+            *crossing = (Crossing){a + share * (b - a), a, b, indicator};
             return 1;
         }
         a = b;
@@ -143,7 +138,8 @@ int core_locate(Core *c, double *t, double *begin, double *end, int *indicator) 
 static int shift(Core *c, int indicator, double *t) {
     double *y = c->step.end;
     for (int again = 0; again < 2; again++) {
-        if (!core_motion_at(c, *t, y, c->end_rates) || !core_watch(c, *t, y, c->end_rates, &c->right)) return 0;
+        if (!core_motion_at(c, *t, y, c->end_rates) || !core_watch(c, *t, y, c->end_rates, &c->right))
+            return 0;
         if (!(c->right.rate[indicator] > 0)) return 0;
         double span = -c->right.value[indicator] / c->right.rate[indicator];
         for (int i = 0; i < NX; i++) y[i] += span * c->end_rates[i];
@@ -154,8 +150,8 @@ static int shift(Core *c, int indicator, double *t) {
     return fabs(c->right.value[indicator]) <= core_near_zero(c, indicator);
 }
 
-/* Whether an indicator is above zero where the piece begins, or falls from zero less than noise would hide: what is
- * sought then is where it begins to rise. */
+/* Whether an indicator is above zero where the piece begins, or falls from zero less than noise would hide:
+ * what is sought then is where it begins to rise. */
 static int begins_beyond(const Core *c, int indicator, double span) {
     Cubic p = cubic(&c->left, &c->right, indicator, span);
     double near = core_near_zero(c, indicator), turns = sqrt(fmax(p.c2 * p.c2 - 3 * p.c3 * p.da, 0));
@@ -164,56 +160,71 @@ static int begins_beyond(const Core *c, int indicator, double span) {
 }
 
 static int look(Core *c, double t) {
-    return core_motion_at(c, t, c->step.end, c->end_rates) && core_watch(c, t, c->step.end, c->end_rates, &c->right);
+    return core_motion_at(c, t, c->step.end, c->end_rates) &&
+           core_watch(c, t, c->step.end, c->end_rates, &c->right);
 }
 
-/* Step anew onto the crossing of an indicator near *t, in the piece from `begin` (`left`) to `end`. `reached` tells
- * whether zero was: interpolation can make believe in a crossing. */
-static CoreStatus approach(Core *c, int indicator, double *t, double begin, double end, int *reached) {
-    double low = begin, high = end, error, whole = c->step.h, moved = INFINITY, kept[ROOM(NY)];
-    int beyond = begins_beyond(c, indicator, end - begin);
+static CoreStatus step_onto(Core *c, const Crossing *crossing) {
+    double error;
+    if (core_step_begin(c) && core_step_try(c, crossing->t - c->t, 1, 1, &error) && look(c, crossing->t))
+        return CORE_OK;
+    core_say(c, "no way onto the event of ");
+    core_say_more(c, model_component[crossing->indicator]);
+    return CORE_DISCARD;
+}
+
+/* Shift the end of the step onto a crossing, if that is possible, else leave it. Returns -1 if it is lost. */
+static int shifted(Core *c, Crossing *crossing) {
+    double kept[ROOM(NY)], at = crossing->t;
+    memcpy(kept, c->step.end, sizeof kept);
+    if (shift(c, crossing->indicator, &at)) {
+        crossing->t = at;
+        return 1;
+    }
+    memcpy(c->step.end, kept, sizeof kept);
+    return look(c, crossing->t) ? 0 : -1;
+}
+
+/* Step anew onto a crossing, in its piece, at whose begin indicators are in `left`. `reached` tells whether
+ * zero was: interpolation can make believe in a crossing. */
+static CoreStatus approach(Core *c, Crossing *crossing, int *reached) {
+    double low = crossing->begin, high = crossing->end, whole = c->step.h, moved = INFINITY;
+    int i = crossing->indicator, beyond = begins_beyond(c, i, high - low);
     *reached = 1;
     for (;;) {
-        int narrow = high - low < 1e-13 * fmax(1, fabs(*t));
-        if (narrow) *t = high;
-        if (*t <= c->t) return CORE_OK;
-        if (!core_step_begin(c) || !core_step_try(c, *t - c->t, 1, 1, &error) || !look(c, *t)) {
-            core_say(c, "no way onto the event of ");
-            core_say_more(c, model_component[indicator]);
-            return CORE_DISCARD;
-        }
-        double g = c->right.value[indicator], rate = c->right.rate[indicator], at = *t;
-        double newton = rate > 0 && !beyond ? *t - g / rate : INFINITY;
-        int near = low <= newton && newton <= high && fabs(newton - *t) < HOP * whole;
-        if (near || (narrow && c->t < newton && newton < end)) {
-            memcpy(kept, c->step.end, sizeof kept);
-            if (shift(c, indicator, &at)) {
-                *t = at;
-                return CORE_OK;
-            }
-            memcpy(c->step.end, kept, sizeof kept);
-            if (!look(c, *t)) return CORE_DISCARD;
+        int narrow = high - low < NARROWEST * fmax(1, fabs(crossing->t));
+        if (narrow) crossing->t = high;
+        if (crossing->t <= c->t) return CORE_OK;
+        CoreStatus status = step_onto(c, crossing);
+        if (status != CORE_OK) return status;
+        double t = crossing->t, g = c->right.value[i], rate = c->right.rate[i];
+        double newton = rate > 0 && !beyond ? t - g / rate : INFINITY;
+        int near = low <= newton && newton <= high && fabs(newton - t) < SHIFT * whole;
+        if (near || (narrow && c->t < newton && newton < crossing->end)) {
+            int there = shifted(c, crossing);
+            if (there) return there > 0 ? CORE_OK : CORE_DISCARD;
         }
         if (narrow) {
             *reached = g >= 0;
             return CORE_OK;
         }
-        if (beyond ? rate < 0 : g < 0) low = *t;
-        else high = *t;
-        /* Where the rate of a stiff state misleads, Newton's steps creep: those that do not halve are not taken. */
-        int follow = low < newton && newton < high && fabs(newton - *t) < 0.5 * moved;
-        double next = follow ? newton : 0.5 * (low + high);
-        moved = fabs(next - *t);
-        *t = next;
+        if (beyond ? rate < 0 : g < 0) low = t;
+        else high = t;
+        /* Where the rate of a stiff state misleads, Newton's steps creep, and only those that halve are
+         * taken. */
+        int follow = low < newton && newton < high && fabs(newton - t) < 0.5 * moved;
+        crossing->t = follow ? newton : 0.5 * (low + high);
+        moved = fabs(crossing->t - t);
     }
 }
 
 /* The indicator whose crossing in a piece that ends at t (`right`) lies farthest behind it, or -1. */
 static int passed(const Core *c, double t) {
-    double longest = SIMULTANEOUS * fmax(1, fabs(t));
+    double longest = SAME_INSTANT * fmax(1, fabs(t));
     int found = -1;
     for (int i = 0; i < NG; i++) {
-        double near = core_near_zero(c, i), since = (c->right.value[i] - near) / fmax(fabs(c->right.rate[i]), FLOOR);
+        double near = core_near_zero(c, i),
+               since = (c->right.value[i] - near) / fmax(fabs(c->right.rate[i]), INDICATOR_FLOOR);
         if (!core_can_fire(c, i) || c->left.value[i] > near || since <= longest) continue;
         found = i;
         longest = since;
@@ -221,24 +232,24 @@ static int passed(const Core *c, double t) {
     return found;
 }
 
-/* Approach a crossing, or that of another indicator which is passed on the way, and let the core stand there. */
-CoreStatus core_land(Core *c, int *indicator, double t, double begin, double end, int *reached) {
+/* Approach a crossing, or that of another indicator which is passed on the way, and stand there. */
+CoreStatus core_land(Core *c, Crossing *crossing, int *reached) {
     double earliest = INFINITY;
-    CoreStatus status = approach(c, *indicator, &t, begin, end, reached);
-    while (status == CORE_OK && c->t < t && t < earliest) {
-        int other = passed(c, t);
-        if (other < 0 || other == *indicator) break;
-        *indicator = other;
-        earliest = t;
-        status = approach(c, other, &t, begin, earliest, reached);
+    CoreStatus status = approach(c, crossing, reached);
+    while (status == CORE_OK && c->t < crossing->t && crossing->t < earliest) {
+        int other = passed(c, crossing->t);
+        if (other < 0 || other == crossing->indicator) break;
+        crossing->indicator = other;
+        crossing->end = earliest = crossing->t;
+        status = approach(c, crossing, reached);
     }
     if (status != CORE_OK) return status;
-    if (t <= c->t) {
+    if (crossing->t <= c->t) {
         c->step.h = 0;
         return CORE_OK;
     }
     core_stale(c);
-    c->t = t;
+    c->t = crossing->t;
     memcpy(c->y, c->step.end, sizeof c->y);
     return CORE_OK;
 }

@@ -31,40 +31,61 @@ static void say_integer(Core *c, int value) {
     core_say_more(c, text + place);
 }
 
-/* Nine digits, as %.9g would. */
-void core_say_number(Core *c, double value) {
+/* The first nine digits of a number above zero. Returns the exponent of ten that belongs to the first. */
+static int leading_digits(double value, char digits[]) {
+    int exponent = (int)floor(log10(value));
+    double left = floor(value / pow(10.0, exponent - DIGITS + 1) + 0.5);
+    if (left >= 1e9) {
+        left /= 10;
+        exponent++;
+    }
+    for (int i = DIGITS - 1; i >= 0; i--) {
+        digits[i] = (char)('0' + (int)fmod(left, 10.0));
+        left = floor(left / 10);
+    }
+    return exponent;
+}
+
+static void say_with_exponent(Core *c, const char digits[], int last, int exponent) {
+    char text[DIGITS + 2] = {digits[0], last ? '.' : '\0'};
+    if (last) memcpy(text + 2, digits + 1, (size_t)last);
+    core_say_more(c, text);
+    core_say_more(c, "e");
+    say_integer(c, exponent);
+}
+
+static void say_with_point(Core *c, const char digits[], int last, int exponent) {
     char text[DIGITS + 4];
-    int exponent, last, place = 0, i;
-    double left;
-    if (isnan(value)) { core_say_more(c, "nan"); return; }
-    if (value < 0) core_say_more(c, "-");
-    value = fabs(value);
-    if (isinf(value)) { core_say_more(c, "inf"); return; }
-    if (value == 0) { core_say_more(c, "0"); return; }
-    exponent = (int)floor(log10(value));
-    left = floor(value / pow(10.0, exponent - DIGITS + 1) + 0.5);
-    if (left >= 1e9) { left /= 10; exponent++; }
-    char digits[DIGITS + 1];
-    for (i = DIGITS - 1; i >= 0; i--) { digits[i] = (char)('0' + (int)fmod(left, 10.0)); left = floor(left / 10); }
-    for (last = DIGITS - 1; last > 0 && digits[last] == '0'; last--) {}
-    if (exponent < -4 || exponent >= DIGITS) {
-        text[place++] = digits[0];
-        if (last) text[place++] = '.';
-        for (i = 1; i <= last; i++) text[place++] = digits[i];
-        text[place] = '\0';
-        core_say_more(c, text);
-        core_say_more(c, "e");
-        say_integer(c, exponent);
-        return;
-    }
-    if (exponent < 0) {
-        core_say_more(c, "0.");
-        for (i = -1; i > exponent; i--) core_say_more(c, "0");
-    }
-    for (i = 0; i <= (last > exponent ? last : exponent); i++) {
+    int place = 0;
+    if (exponent < 0) core_say_more(c, "0.");
+    for (int i = -1; i > exponent; i--) core_say_more(c, "0");
+    for (int i = 0; i <= (last > exponent ? last : exponent); i++) {
         text[place++] = i <= last ? digits[i] : '0';
         if (i == exponent && last > i) text[place++] = '.';
     }
     text[place] = '\0';
     core_say_more(c, text);
+}
+
+/* Nine digits, as %.9g would. */
+void core_say_number(Core *c, double value) {
+    char digits[DIGITS];
+    int exponent, last = DIGITS - 1;
+    const char *word = isnan(value) ? "nan" : isinf(value) ? "inf" : value == 0 ? "0" : 0;
+    if (value < 0) core_say_more(c, "-");
+    if (word) {
+        core_say_more(c, word);
+        return;
+    }
+    exponent = leading_digits(fabs(value), digits);
+    while (last > 0 && digits[last] == '0') last--;
+    if (exponent < -4 || exponent >= DIGITS) say_with_exponent(c, digits, last, exponent);
+    else say_with_point(c, digits, last, exponent);
+}
+
+/* The beginning of a message of what does not go on here. */
+void core_say_when(Core *c) {
+    core_say(c, "at t = ");
+    core_say_number(c, c->t);
+    core_say_more(c, " s ");
 }

@@ -32,6 +32,7 @@ from ...components.language import Sampled
 from ..dae import DAE
 from ..results.result import Segment
 from ..simulation.bound_dae import BoundDAE
+from ..simulation.events.constants import FIRING_ROUNDS
 from ..simulation.events.switcher import Event, jumped
 from ..simulation.input_signals import Given
 from ..simulation.integrator import IntegratorError
@@ -40,14 +41,14 @@ from ..simulation.polynomial import Polynomial
 from ..simulation.splines import piecewise
 from .model import Model
 from .program import SOURCES, sources
-from .toolchain import compile_shared
+from .toolchain import ToolchainError, compile_shared
 
 if TYPE_CHECKING:
     from ..simulation.progress import Progress
     from ..simulation.run import Run
 
 ARRIVED, PAUSED, STUCK, FAILED = range(4)
-ROOM, ROUNDS = 512, 1000
+ROOM = 512
 MOST_BETWEEN = 1_000_000  # steps from one output to the next
 UNEVEN = 20  # times its share of `max_steps` that an interval between outputs may take
 FIRST, PATIENCE = 256, 0.05  # steps and seconds [s] until the C program looks up from its work
@@ -105,7 +106,7 @@ class Native:
                 raise ModelError(f"input '{path}': solver 'compiled' takes no Polynomial; use 'auto'")
         self._library = _library(dae, functions)
         self.nx, self.nz, self.nq = dae.x.numel(), dae.z.numel(), dae.constants.numel()
-        self._core = ctypes.create_string_buffer(self._library.native_size())
+        self._core = ctypes.create_string_buffer(self._library.native_size(0))
         free = [declared for declared in dae.inputs if declared.path not in functions]
         self._tables = [_table(closed.signals[declared.path], declared.order) for declared in free]
         self._free = np.array([_constant(closed.signals[i.path], i.order) for i in free] or [0.0])
@@ -177,7 +178,7 @@ class _Store:
         modes = len(native.dae.switching.mode_names) + (
             len(native.dae.jumps.motions) if native.dae.jumps else 0
         )
-        rows, events = len(outputs) + 2 * ROOM + 2, ROOM + ROUNDS * modes + 1
+        rows, events = len(outputs) + 2 * ROOM + 2, ROOM + FIRING_ROUNDS * modes + 1
         self.times, self.points = np.empty(rows), np.empty((rows, native.nx + native.nz))
         self.constants, self.starts = np.empty((ROOM + 2, native.nq)), np.empty(ROOM + 2, dtype=np.int64)
         self.event_times, self.impulses = np.empty(events), np.empty(events)
@@ -276,7 +277,14 @@ def _library(dae: DAE, functions: dict[str, Any]) -> Any:
 
 def _loaded(path: Path) -> Any:
     library = ctypes.CDLL(str(path))
-    library.native_size.restype = c_size_t
+    library.native_size.restype, library.native_size.argtypes = c_size_t, [c_int]
+    for kind, mirror in enumerate((_Run, _Record, _Legs), 1):
+        size = library.native_size(kind)
+        if size != ctypes.sizeof(mirror):
+            raise ToolchainError(
+                f"the compiled network takes {size} bytes for {mirror.__name__[1:]}, this Python "
+                f"{ctypes.sizeof(mirror)}; CC and CFLAGS must build for the machine that runs it"
+            )
     library.native_message.restype, library.native_message.argtypes = c_char_p, [c_void_p]
     library.native_begin.argtypes, library.native_begin.restype = (
         [c_void_p, c_double, *[DOUBLES] * 3, c_void_p, c_void_p],

@@ -24,7 +24,8 @@ static void forward(Core *c, const double x[], const double z[], const double p[
     model_forward(arg, res, c->iw, c->w, 0);
 }
 
-CoreStatus core_forward(Core *c, const double x[], const double u[], const double p[], double rates[], double w[]) {
+CoreStatus core_forward(Core *c, const double x[], const double u[], const double p[], double rates[],
+                        double w[]) {
     CoreStatus status = prepared(c);
     if (status != CORE_OK) return status;
     for (int i = 0; i < NA; i++) c->of_u[i] = 0;

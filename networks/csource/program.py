@@ -14,12 +14,14 @@ import casadi as ca
 from ..dae import DAE, Input
 from ..flattening.vectors import column
 from ..simulation.bound_dae import BoundDAE
+from ..simulation.events import constants
 from ..simulation.input_signals import chosen_signals
 from ..simulation.legs import Leg, endless_legs
 from ..simulation.polynomial import Polynomial
 from ..simulation.starting import Start
 from ..simulation.time_signals import TimeSignals
 from .model import Model
+from .tables import macros
 
 HORIZON = 1e5
 HERE = Path(__file__).parent
@@ -27,8 +29,8 @@ HEADERS = ("core.h", "core_state.h")
 PRODUCTS = ("products.c",)
 STARTS = ("start.h", "start.c")
 SOURCES = (
-    "algebra.c", "core.c", "events.c", "impacts.c", "legs.c", "linear.c", "locate.c", "message.c",
-    "rosenbrock.c", "shocks.c", "stepper.c",
+    "algebra.c", "chattering.c", "contacts.c", "core.c", "events.c", "impacts.c", "legs.c", "linear.c",
+    "locate.c", "message.c", "rosenbrock.c", "shocks.c", "stepper.c",
 )  # fmt: skip
 
 
@@ -170,5 +172,6 @@ def _built_in_legs(dae: DAE, signals: Mapping[str, Any]) -> list[Leg]:
 
 
 def sources(names: Sequence[str]) -> dict[str, str]:
-    """Return headers and some sources of the core by name."""
-    return {name: (HERE / name).read_text(encoding="utf-8") for name in (*HEADERS, *names)}
+    """Return headers and some sources of the core by name, with the constants of events."""
+    texts = {name: (HERE / name).read_text(encoding="utf-8") for name in (*HEADERS, *names)}
+    return texts | {"constants.h": macros(vars(constants))}

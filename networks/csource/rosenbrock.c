@@ -1,8 +1,8 @@
 /* One step of Rodas5P: a Rosenbrock method of order 5(4) in 8 stages, stiffly accurate and L-stable, for
  * semi-explicit equations of index 1, with dense output of order 4.
- * Coefficients: G. Steinebach, Construction of Rosenbrock-Wanner method Rodas5P and numerical benchmarks within
- * the Julia Differential Equations package, BIT Numer. Math. 63, 27 (2023). Form: E. Hairer, G. Wanner, Solving
- * Ordinary Differential Equations II, IV.7 and VI.4. */
+ * Coefficients: G. Steinebach, Construction of Rosenbrock-Wanner method Rodas5P and numerical benchmarks
+ * within the Julia Differential Equations package, BIT Numer. Math. 63, 27 (2023). Form: E. Hairer, G.
+ * Wanner, Solving Ordinary Differential Equations II, IV.7 and VI.4. */
 #include <math.h>
 #include <string.h>
 
@@ -33,8 +33,8 @@ static const double C[STAGES][STAGES - 1] = {
 static const double AT[STAGES] = {
     0, 0.6358126895828704, 0.4095798393397535, 0.9769306725060716, 0.4288403609558664, 1, 1, 1};
 
-static const double BY_TIME[STAGES] = {
-    0.21193756319429014, -0.42387512638858027, -0.3384627126235924, 1.8046452872882734, 2.325825639765069, 0, 0, 0};
+static const double BY_TIME[STAGES] = {0.21193756319429014, -0.42387512638858027, -0.3384627126235924,
+                                       1.8046452872882734, 2.325825639765069};
 
 static const double BEND[3][STAGES] = {
     {25.948786856663858, -2.5579724845846235, 10.433815404888879, -2.3679251022685204, 0.524948541321073,

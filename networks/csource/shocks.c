@@ -4,21 +4,6 @@
 
 #include "core_state.h"
 
-#define INSTANT 8.881784197001252e-16 /* 2^-50 s: a ramp so short that finite forces count for nothing */
-#define SHORTER 0.0625
-#define ROUNDED 1e-9
-#define LOCATED 1e-10
-#define UNBOUNDED 1e-6
-#define ACCURATE 1e-10
-#define SMALLEST 9.094947017729282e-13 /* 2^-40 */
-#define MOST_ROUNDS 50
-#define SETTLED 1e-12
-#define PRESSED 1e-12
-#define INSIDE 1e-9
-#define FELT 1e-12
-#define ALIKE 1e-9
-#define NPATH (NX + NPUSH)
-
 void core_see(Core *c, double seen[]) {
     (void)c, (void)seen;
 #if NJ > 0
@@ -51,21 +36,22 @@ static int since(Core *c, const double seen[], double jump[]) {
     model_jump(arg, res, c->iw, c->w, 0);
     for (int k = 0; k < NJ; k++) {
         int last = last_of_signal(k);
-        double late = last ? 0 : LOCATED * fmax(1, fabs(c->t)) * fabs(raw[k + 1]);
-        jump[k] = last || fabs(raw[k]) <= ROUNDED * size[k] + late ? 0 : model_jump_sign[k] * raw[k];
+        double late = last ? 0 : JUMP_LATE * fmax(1, fabs(c->t)) * fabs(raw[k + 1]);
+        jump[k] = last || fabs(raw[k]) <= JUMP_ROUNDING * size[k] + late ? 0 : model_jump_sign[k] * raw[k];
         any |= jump[k] != 0;
     }
     return any;
 }
 
 /* Rates of states and forces while signals are off by a course. */
-static int rates_at(Core *c, const double x[], const double course[], double rates[]) {
+int core_rates_off(Core *c, const double x[], const double course[], double rates[]) {
     const double *arg[ROOM(MODEL_ARGS)] = {0};
-    double y[ROOM(NY)], signed_[ROOM(NJ)], moved[ROOM(NPATH + NZ)], *res[ROOM(MODEL_RESULTS)] = {moved}, sum = 0;
+    double y[ROOM(NY)], signed_[ROOM(NJ)], moved[ROOM(NPATH + NZ)], *res[ROOM(MODEL_RESULTS)] = {moved},
+                                                                    sum = 0;
     for (int k = 0; k < NJ; k++) signed_[k] = model_jump_sign[k] * course[k];
     memcpy(y, x, NX * sizeof *x);
     memcpy(y + NX, c->y + NX, NZ * sizeof *y);
-    for (int round = 0; round < MOST_ROUNDS; round++) {
+    for (int round = 0; round < NEWTON_ROUNDS; round++) {
         double largest = 0, size = 0;
         core_arguments(c, c->t, y, arg);
         arg[4] = &c->t;
@@ -81,7 +67,7 @@ static int rates_at(Core *c, const double x[], const double course[], double rat
             largest = fmax(largest, fabs(c->value[i]));
             size = fmax(size, fabs(y[i]));
         }
-        if (!(largest > SETTLED * (1 + size))) break;
+        if (!(largest > NEWTON_CLOSE * (1 + size))) break;
     }
     for (int i = 0; i < NPATH; i++) sum += fabs(rates[i] = moved[i]);
     return isfinite(sum);
@@ -90,13 +76,14 @@ static int rates_at(Core *c, const double x[], const double course[], double rat
 /* How far states are off while a position jumps that relative velocities follow; 0 if that takes forces. */
 static int thrown(Core *c, const double jump[], const double x[], double far[]) {
     double course[ROOM(NJ)] = {0}, at_rest[ROOM(NPATH)], away[ROOM(NPATH)];
-    if (!rates_at(c, x, course, at_rest)) return 0;
+    if (!core_rates_off(c, x, course, at_rest)) return 0;
     for (int s = 0; s < NSIGNAL; s++)
-        for (int k = model_jump_start[s] + 2; k < model_jump_start[s + 1]; k++) course[k] = jump[k - 2] / INSTANT;
-    if (!rates_at(c, x, course, away)) return 0;
+        for (int k = model_jump_start[s] + 2; k < model_jump_start[s + 1]; k++)
+            course[k] = jump[k - 2] / RAMP;
+    if (!core_rates_off(c, x, course, away)) return 0;
     for (int i = 0; i < NX; i++) far[i] = away[i] - at_rest[i];
     for (int i = NPUSH > 0 ? NX : 0; i < NPATH; i++)
-        if (!(fabs(away[i] - at_rest[i]) <= UNBOUNDED)) return 0;
+        if (!(fabs(away[i] - at_rest[i]) <= JUMP_UNBOUNDED)) return 0;
     return 1;
 }
 
@@ -105,23 +92,25 @@ static double least_size(int i) { return i < NX ? model_nominal[i] : 1; }
 static int moved(Core *c, const double jump[], const double path[], double s, double instant, double out[]) {
     const double *far = jump + NJ;
     double still[ROOM(NJ)], course[ROOM(NJ)], at_rest[ROOM(NPATH)], x[ROOM(NX)];
-    for (int i = 0; i < NX; i++) x[i] = path[i] + INSTANT / instant * far[i];
+    for (int i = 0; i < NX; i++) x[i] = path[i] + RAMP / instant * far[i];
     for (int k = 0; k < NJ; k++) {
         still[k] = course[k] = (s - 1) * jump[k];
         if (k > 0 && !last_of_signal(k - 1)) course[k] += jump[k - 1] / instant;
     }
-    if (!rates_at(c, path, still, at_rest) || !rates_at(c, x, course, out)) return 0;
+    if (!core_rates_off(c, path, still, at_rest) || !core_rates_off(c, x, course, out)) return 0;
     for (int i = 0; i < NPATH; i++) out[i] = instant * (out[i] - at_rest[i]);
     return 1;
 }
 
-/* How states and impulses move with s; `jump` ends with how far states are off. 0 if they move the faster, the shorter the ramp. */
+/* How states and impulses move with s; `jump` ends with how far states are off. 0 if they move the faster,
+ * the shorter the ramp. */
 static int path_rates(Core *c, const double jump[], const double path[], double s, double rates[]) {
     double shorter[ROOM(NPATH)], most = 0;
-    if (!moved(c, jump, path, s, INSTANT, rates) || !moved(c, jump, path, s, INSTANT * SHORTER, shorter)) return 0;
+    if (!moved(c, jump, path, s, RAMP, rates) || !moved(c, jump, path, s, RAMP * RAMP_SHORTER, shorter))
+        return 0;
     for (int i = 0; i < NPATH; i++) most = fmax(most, fabs(rates[i]));
     for (int i = 0; i < NPATH; i++)
-        if (!(fabs(rates[i] - shorter[i]) <= UNBOUNDED * (most + least_size(i)))) return 0;
+        if (!(fabs(rates[i] - shorter[i]) <= JUMP_UNBOUNDED * (most + least_size(i)))) return 0;
     return 1;
 }
 
@@ -137,18 +126,20 @@ static int runge_kutta(Core *c, const double jump[], const double path[], double
     return 1;
 }
 
-/* The mode through which a jump acts otherwise than through its others, of which none is known to hold; else -1. */
+/* The mode through which a jump acts otherwise than through its others, of which none is known to hold; else
+ * -1. */
 static int uncertain(Core *c, const double jump[], const double path[], double rates[]) {
     double other[ROOM(NPATH)], *modes = core_modes(c), kept[ROOM(NM + NI + NK)];
     int found = -1;
     memcpy(kept, modes, (NM + NI + NK) * sizeof *kept);
     for (int m = 0; m < NM && found < 0; m++)
-        for (int value = 0; value < model_in_shock_start[m + 1] - model_in_shock_start[m] && found < 0; value++) {
+        for (int value = 0; value < model_in_shock_start[m + 1] - model_in_shock_start[m] && found < 0;
+             value++) {
             if (model_jump_mode[m] || value == (int)kept[m] || core_stands_in(m, value) >= 0) continue;
             modes[m] = value;
             if (core_complete(c) != CORE_OK || !path_rates(c, jump, path, 0, other)) found = m;
             for (int i = 0; i < NPATH && found < 0; i++)
-                if (!(fabs(other[i] - rates[i]) <= ALIKE * (1 + fabs(rates[i])))) found = m;
+                if (!(fabs(other[i] - rates[i]) <= JUMP_ALIKE * (1 + fabs(rates[i])))) found = m;
             memcpy(modes, kept, (NM + NI + NK) * sizeof *kept);
         }
     return found;
@@ -164,8 +155,8 @@ static int follow(Core *c, const double jump[], double path[]) {
             !runge_kutta(c, jump, half, s + h / 2, h / 2, next))
             return 0;
         for (int i = 0; i < NPATH; i++)
-            accurate &= fabs(whole[i] - next[i]) <= ACCURATE * fmax(least_size(i), fabs(next[i]));
-        if (!accurate && h > SMALLEST) {
+            accurate &= fabs(whole[i] - next[i]) <= JUMP_ACCURACY * fmax(least_size(i), fabs(next[i]));
+        if (!accurate && h > JUMP_STEP) {
             h /= 2;
             continue;
         }
@@ -176,15 +167,9 @@ static int follow(Core *c, const double jump[], double path[]) {
     return 1;
 }
 
-static void say_when(Core *c) {
-    core_say(c, "at t = ");
-    core_say_number(c, c->t);
-    core_say_more(c, " s ");
-}
-
 static CoreStatus unbounded(Core *c, const double jump[]) {
     int any = 0;
-    say_when(c);
+    core_say_when(c);
     core_say_more(c, "what prescribes a motion jumps: ");
     for (int s = 0; s < NSIGNAL; s++) {
         double size = 0;
@@ -196,8 +181,10 @@ static CoreStatus unbounded(Core *c, const double jump[]) {
         core_say_number(c, size);
         core_say_more(c, ")");
     }
-    core_say_more(c, ", which takes infinite forces; give a ramp instead of the jump, a Speed instead of a Position, or "
-                "exact=False, which filters it");
+    core_say_more(
+        c,
+        ", which takes infinite forces; give a ramp instead of the jump, a Speed instead of a Position, or "
+        "exact=False, which filters it");
     return CORE_ERROR;
 }
 
@@ -207,78 +194,19 @@ static CoreStatus pass_through(Core *c, double jump[], double path[]) {
     if (!thrown(c, jump, path, jump + NJ) || !path_rates(c, jump, path, 0, rates)) return unbounded(c, jump);
     int mode = uncertain(c, jump, path, rates);
     if (mode < 0) return follow(c, jump, path) ? CORE_OK : unbounded(c, jump);
-    say_when(c);
+    core_say_when(c);
     core_say_more(c, model_mode_name[mode]);
-    core_say_more(c, ": a jump of a prescribed motion acts through this mode, and which one holds is not known: give a ramp "
-                "instead of the jump");
+    core_say_more(
+        c,
+        ": a jump of a prescribed motion acts through this mode, and which one holds is not known: give a ramp "
+        "instead of the jump");
     return CORE_ERROR;
-}
-
-/* Whether a position jumps onto a stop, or off it, from indicators before. */
-static CoreStatus check_reach(Core *c, const double before[]) {
-    for (int i = 0; i < NG; i++) {
-        int mode = model_change_mode[i], present = core_mode(c, mode), indicator = model_change_indicator[i];
-        double was = before[indicator], now = c->expressions[indicator];
-        int opens = model_change_source[i] != model_change_target[i] && present == model_change_target[i] &&
-                    core_stands_in(mode, present) >= 0;
-        int onto = present == model_change_source[i] && core_stands_in(mode, present) < 0 && was <= INSIDE && now > INSIDE;
-        if (model_change_impulse[i] < 0) continue;
-        if (!onto && !(opens && fabs(now - was) > INSIDE)) continue;
-        say_when(c);
-        core_say_more(c, model_component[i]);
-        core_say_more(c, " is struck or left at infinite speed, where a prescribed position jumps; give a ramp instead of "
-                    "the jump");
-        return CORE_ERROR;
-    }
-    return CORE_OK;
-}
-
-static int any_pressed(const Core *c) {
-    for (int i = 0; i < NG; i++) {
-        int mode = model_change_mode[i];
-        if (model_change_impulse[i] < 0 || core_mode(c, mode) != model_change_target[i]) continue;
-        if (core_stands_in(mode, model_change_target[i]) < 0) continue;
-        if (c->expressions[model_change_after[i]] > c->expressions[model_change_velocity[i]] + PRESSED) return 1;
-    }
-    return 0;
 }
 
 static int is_still(const Core *c, const double path[]) {
     int still = 1;
     for (int i = 0; i < NPATH; i++) still &= path[i] == (i < NX ? c->y[i] : 0);
     return still;
-}
-
-/* Add what motions give when contacts pass a shock on, by the impulses of these. */
-static CoreStatus add_passed(Core *c, const int contacts[], const double impulses[], int count, double pushes[]) {
-    double kept[ROOM(NM + NI + NK)], still[ROOM(NJ)] = {0}, before[ROOM(NPATH)], after[ROOM(NPATH)], *modes = core_modes(c);
-    memcpy(kept, modes, (NM + NI + NK) * sizeof *kept);
-    core_stand_in(c);
-    CoreStatus status = core_complete(c);
-    int finite = status == CORE_OK && rates_at(c, c->y, still, before);
-    for (int k = 0; k < count; k++) modes[NM + model_change_impulse[contacts[k]]] = impulses[k];
-    finite = finite && rates_at(c, c->y, still, after);
-    for (int i = 0; i < NPUSH && finite; i++) pushes[i] += after[NX + i] - before[NX + i];
-    memcpy(modes, kept, (NM + NI + NK) * sizeof *kept);
-    return status;
-}
-
-/* Let the contacts that hold, where they are pressed together, pass a shock on, and tell of all impulses. */
-static CoreStatus pass_on(Core *c, double pushes[], const Observer *told) {
-    int contacts[ROOM(NG)], stays[ROOM(NG)], count = 0;
-    double impulses[ROOM(NG)], largest = 0;
-    CoreStatus status = CORE_OK;
-    if (any_pressed(c)) {
-        status = core_strike(c, contacts, stays, impulses, &count);
-        if (status == CORE_OK) status = add_passed(c, contacts, impulses, count, pushes);
-    }
-    if (status != CORE_OK || !told || !told->fired) return status;
-    for (int i = 0; i < NPUSH; i++) largest = fmax(largest, fabs(pushes[i]));
-    for (int i = 0; i < NPUSH; i++)
-        if (fabs(pushes[i]) > FELT * largest) told->fired(told->context, c, NG + i, 0, pushes[i]);
-    if (largest == 0) told->fired(told->context, c, NG + NPUSH, 0, 0);
-    for (int k = 0; k < count; k++) told->fired(told->context, c, contacts[k], 1, impulses[k]);
-    return status;
 }
 #endif
 
@@ -302,8 +230,8 @@ CoreStatus core_jump(Core *c, const double seen[], const Observer *told, int *ch
     memcpy(c->y, path, NX * sizeof *path);
     *changed = 1;
     core_switching(c);
-    status = check_reach(c, before);
-    if (status == CORE_OK) status = pass_on(c, path + NX, told);
+    status = core_check_reach(c, before);
+    if (status == CORE_OK) status = core_pass_on(c, path + NX, told);
     if (status == CORE_OK) status = core_complete(c);
     core_stale(c);
     if (status != CORE_OK) return status;

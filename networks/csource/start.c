@@ -11,7 +11,6 @@
 #define START_CLOSE 1e-13
 #define START_MISSED 1e-8
 #define START_WEAK 1e-12
-#define START_BEFORE 1e-9
 
 void core_given(Given *given) {
     for (int i = 0; i < NX; i++) given->x[i] = model_guess[i];
@@ -39,14 +38,16 @@ static double inner(const double a[], const double b[], int n) {
 }
 
 /* The step of least norm that does what some columns ask for; the columns become orthogonal. */
-static void least_step(StartRoom *room, double columns[], int length, int count, const double wanted[], double step[]) {
+static void least_step(StartRoom *room, double columns[], int length, int count, const double wanted[],
+                       double step[]) {
     core_least_norm(columns, room->turn, length, count, 1, wanted, step);
 }
 
 /* Take out of a column what lies along others, which are orthogonal. */
 static void take_out(double column[], const double others[], int length, int count) {
     double strongest = 0;
-    for (int k = 0; k < count; k++) strongest = fmax(strongest, inner(others + k * length, others + k * length, length));
+    for (int k = 0; k < count; k++)
+        strongest = fmax(strongest, inner(others + k * length, others + k * length, length));
     for (int k = 0; k < count; k++) {
         const double *other = others + k * length;
         double strength = inner(other, other, length);
@@ -70,7 +71,8 @@ static void lead(Core *c, const Given *given, StartRoom *room) {
             const double *column = room->kept + (NFIXED + i) * NLEAD;
             room->missing[i] = -room->value[NFIXED + i] - inner(column, room->step, NLEAD);
             take_out(soft + i * NLEAD, room->slope, NLEAD, NFIXED);
-            if (inner(soft + i * NLEAD, soft + i * NLEAD, NLEAD) <= START_WEAK * START_WEAK * inner(column, column, NLEAD))
+            if (inner(soft + i * NLEAD, soft + i * NLEAD, NLEAD) <=
+                START_WEAK * START_WEAK * inner(column, column, NLEAD))
                 memset(soft + i * NLEAD, 0, NLEAD * sizeof *soft);
         }
         least_step(room, soft, NLEAD, NAIM - NFIXED, room->missing, further);
@@ -182,7 +184,7 @@ static CoreStatus go_back(Core *c, const double y[], const double modes[]) {
 /* Fire what happens at the start. A signal that jumps in the first instant acts on what was just before. */
 static CoreStatus fire_first(Core *c, const Observer *told, int *happened) {
     double y[ROOM(NY)], modes[ROOM(NM)], earlier[ROOM(NM)];
-    double t = c->t, before = t - fmax(START_BEFORE, 8 * DBL_EPSILON * fabs(t));
+    double t = c->t, before = t - fmax(JUST_BEFORE, 8 * DBL_EPSILON * fabs(t));
     int jumps = 0, had = 0;
     if (!NSIGNAL) return fire_at(c, t, told, 1, happened);
     memcpy(y, c->y, NY * sizeof *y);
@@ -224,6 +226,8 @@ CoreStatus core_begin(Core *c, const Given *given, StartRoom *room) {
         core_stale(c);
         return CORE_OK;
     }
-    core_say(c, "start values and modes do not agree with each other; fix states instead of accelerations or forces");
+    core_say(
+        c,
+        "start values and modes do not agree with each other; fix states instead of accelerations or forces");
     return CORE_ERROR;
 }

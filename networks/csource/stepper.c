@@ -9,6 +9,9 @@
 #define SLOWER 0.2
 #define ORDER 5.0
 #define TINY 1e-15
+#define SHORTEST \
+    1e-9 /* share of an interval below which a step need not be shorter to see an indicator rise */
+#define NOT_FINITE "indicators are not finite"
 #define MOST_STEPS 10000000
 #define MOST_WORK 5e7
 #define PATIENCE 1e6
@@ -17,7 +20,10 @@ typedef struct {
     double rtol, atol, fixed;
     int early;
     const Observer *told;
-} Wanted;
+    double most; /* length of the next step, while an indicator rests on zero */
+    int halt;    /* ends the advance */
+    CoreStop reached;
+} Travel;
 
 static void fail_because(Core *c, const char *reason) {
     core_say(c, "integration failed at t = ");
@@ -40,36 +46,36 @@ static CoreStatus failed(Core *c, const char *reason) {
     return CORE_DISCARD;
 }
 
-static double norm(const double values[], const double sizes[], const Wanted *wanted) {
+static double norm(const double values[], const double sizes[], const Travel *travel) {
     double sum = 0;
     for (int i = 0; i < NX; i++) {
-        double share = values[i] / (wanted->rtol * fabs(sizes[i]) + wanted->atol * model_nominal[i]);
+        double share = values[i] / (travel->rtol * fabs(sizes[i]) + travel->atol * model_nominal[i]);
         sum += share * share;
     }
     return sqrt(sum / ROOM(NX));
 }
 
 /* Guess the first step from how fast states move for their size (Hairer, Norsett, Wanner, II.4). */
-static double first_step(const Core *c, const Wanted *wanted, double most) {
-    double size = norm(c->y, c->y, wanted), speed = norm(c->rates, c->y, wanted);
+static double first_step(const Core *c, const Travel *travel, double most) {
+    double size = norm(c->y, c->y, travel), speed = norm(c->rates, c->y, travel);
     double h = size < 1e-5 || speed < 1e-5 ? 1e-6 : 0.01 * size / speed;
     return fmin(h, most);
 }
 
 /* Try ever smaller steps until one is within tolerance. */
-static CoreStatus accepted_step(Core *c, const Wanted *wanted, double *h, double *error) {
+static CoreStatus accepted_step(Core *c, const Travel *travel, double *h, double *error) {
     CoreStatus status = core_rates(c, 0);
     int again = 0;
     if (status != CORE_OK) return status;
     for (;; again = 1) {
         if (!(*h > TINY * fabs(c->t)) || !(*h > 1e-290)) {
             failed(c, "no step is short enough");
-            return wanted->told ? CORE_DISCARD : CORE_ERROR; /* no step of communication would be either */
+            return travel->told ? CORE_DISCARD : CORE_ERROR; /* no step of communication would be either */
         }
-        int finite = core_step_begin(c) && core_step_try(c, *h, wanted->rtol, wanted->atol, error) &&
+        int finite = core_step_begin(c) && core_step_try(c, *h, travel->rtol, travel->atol, error) &&
                      core_motion_at(c, c->t + *h, c->step.end, c->end_rates);
-        if (finite && (wanted->fixed > 0 || *error <= 1)) break;
-        if (!finite && wanted->fixed > 0) return failed(c, "the states left the finite numbers");
+        if (finite && (travel->fixed > 0 || *error <= 1)) break;
+        if (!finite && travel->fixed > 0) return failed(c, "the states left the finite numbers");
         c->rejected++;
         c->limits[c->worst]++;
         *h *= finite ? fmax(SLOWER, SAFETY * pow(*error, -1 / ORDER)) : 0.25;
@@ -87,50 +93,22 @@ static CoreStatus accepted_step(Core *c, const Wanted *wanted, double *h, double
     return CORE_OK;
 }
 
-static void commit(Core *c, double t) {
-    memcpy(c->y, c->step.end, sizeof c->y);
-    memcpy(c->rates, c->end_rates, sizeof c->rates);
-    core_stale(c);
-    c->t = t;
-    c->fresh = FRESH_ALGEBRA | FRESH_RATES;
+/* Solve for what follows from where the core stands, and evaluate its indicators. */
+static CoreStatus look_around(Core *c) {
+    CoreStatus status = core_rates(c, 0);
+    if (status != CORE_OK) return status;
+    return core_watch(c, c->t, c->y, c->rates, &c->left) ? CORE_OK : failed(c, NOT_FINITE);
 }
 
-static CoreStatus chatters(Core *c, int count, double since) {
-    core_say(c, "chattering: ");
-    core_say_number(c, count);
-    core_say_more(c, " events within ");
-    core_say_number(c, c->t - since);
-    core_say_more(c, " s at t = ");
-    core_say_number(c, c->t);
-    core_say_more(c, " s");
-    return CORE_ERROR;
-}
-
-/* Tell if there are very many events in next to no time, or more in an interval than can be meant. */
-static CoreStatus watch_chatter(Core *c) {
-    double *oldest = c->recent + c->recent_count % RECENT;
-    if (c->recent_count >= RECENT && c->t - *oldest < 1e-6 * c->interval) return chatters(c, RECENT, *oldest);
-    *oldest = c->t;
-    c->recent_count = c->recent_count % RECENT + (c->recent_count >= RECENT ? RECENT : 0) + 1;
-    if (c->recent_count >= 2 * RECENT) c->recent_count = RECENT;
-    if (c->t - c->mark > c->interval) {
-        c->mark = c->t;
-        c->mark_count = 0;
-    }
-    if (++c->mark_count > c->crowd) return chatters(c, c->mark_count, c->mark);
-    return CORE_OK;
-}
-
-/* Fire what fires where the core has landed, and look around anew. */
-static CoreStatus fire(Core *c, const Wanted *wanted, int forced) {
-    const Observer *told = wanted->told;
+/* Fire what fires where the core has landed. */
+static CoreStatus fire(Core *c, const Travel *travel, int forced) {
+    const Observer *told = travel->told;
     int happened, changed;
     if (told && told->landed) told->landed(told->context, c, 0, 0);
     CoreStatus status = core_fire(c, forced, told, 0, &happened, &changed);
     if (status == CORE_OK && told && told->landed) told->landed(told->context, c, 1, happened);
     if (happened) c->last_h = 0;
-    if (status == CORE_OK) status = watch_chatter(c);
-    if (status == CORE_OK) status = core_rates(c, 0);
+    if (status == CORE_OK) status = core_watch_chatter(c);
     return status;
 }
 
@@ -138,84 +116,105 @@ static CoreStatus fire(Core *c, const Wanted *wanted, int forced) {
 static CoreStatus arrive(Core *c, double t) {
     core_stale(c);
     c->t = t;
-    CoreStatus status = core_rates(c, 0);
-    if (status != CORE_OK) return status;
-    return core_watch(c, t, c->y, c->rates, &c->left) ? CORE_OK : failed(c, "indicators are not finite");
+    return look_around(c);
 }
 
-/* Take one step, not beyond `stop`, up to the first event. Nonzero `halt` ends the advance. */
-static CoreStatus stride(Core *c, const Wanted *wanted, double stop, double *most, CoreStop *reached, int *halt) {
-    double left = stop - c->t, h = fmin(fmin(c->h, *most), core_longest_step(c)), kept, error, t, begin, end;
-    int indicator, hit;
-    if (left <= 4 * TINY * fabs(stop)) return arrive(c, stop);
-    if (wanted->fixed > 0) h = left / ceil(left / wanted->fixed - 1e-9);
+/* The length of the next step: at most to where it has to stop, or near to half the way if little would be
+ * left. */
+static double chosen_step(const Core *c, const Travel *travel, double stop) {
+    double left = stop - c->t, h = fmin(fmin(c->h, travel->most), core_longest_step(c));
+    if (travel->fixed > 0) h = left / ceil(left / travel->fixed - 1e-9);
     if (h >= left * (1 - 1e-10)) h = left;
-    else if (wanted->fixed <= 0 && h > 0.5 * left) h = 0.5 * left;
-    h = fmin(left, fmax(h, 8 * TINY * fabs(stop))); /* a leg may be as short as rounding */
-    kept = c->h;
-    double tried = h;
-    CoreStatus status = accepted_step(c, wanted, &h, &error);
+    else if (travel->fixed <= 0 && h > 0.5 * left) h = 0.5 * left;
+    return fmin(left, fmax(h, 8 * TINY * fabs(stop))); /* a leg may be as short as rounding */
+}
+
+static void step_was_taken(Core *c, Travel *travel) {
+    const Observer *told = travel->told;
+    if (told && told->stepped) travel->halt = told->stepped(told->context, c, c->t);
+}
+
+/* Let the core stand where the last step ended. */
+static void commit(Core *c, double t) {
+    memcpy(c->y, c->step.end, sizeof c->y);
+    memcpy(c->rates, c->end_rates, sizeof c->rates);
+    core_stale(c);
+    c->t = t;
+    c->fresh = FRESH_ALGEBRA | FRESH_RATES;
+    c->left = c->last;
+}
+
+/* Go onto a crossing in the last step and fire what fires there, or leave it to be fired. */
+static CoreStatus land_and_fire(Core *c, Travel *travel, Crossing *crossing) {
+    int hit;
+    CoreStatus status = core_land(c, crossing, &hit);
     if (status != CORE_OK) return status;
-    if (h == tried && h < kept) c->h = fmax(c->h, kept);
-    t = h == left ? stop : c->t + h;
-    c->step.h = t - c->t;
-    double seen[ROOM(NG)], fastest[ROOM(NG)];
+    if (c->step.h > 0) step_was_taken(c, travel);
+    if (!travel->early) {
+        status = fire(c, travel, hit ? crossing->indicator : -1);
+        return status == CORE_OK ? look_around(c) : status;
+    }
+    c->pending = hit ? crossing->indicator + 1 : 0;
+    travel->reached = CORE_EVENT;
+    travel->halt = 1;
+    return core_watch_chatter(c);
+}
+
+/* Look for a crossing in the step just taken to t, without which it counts as a whole. */
+static CoreStatus locate_or_commit(Core *c, Travel *travel, double t) {
+    double seen[ROOM(NG)], fastest[ROOM(NG)], began[ROOM(NG)];
+    Crossing crossing = {t, c->t, t, 0};
     memcpy(seen, c->seen, sizeof seen);
     memcpy(fastest, c->fastest, sizeof fastest);
-    if (!core_watch(c, t, c->step.end, c->end_rates, &c->last)) return failed(c, "indicators are not finite");
+    memcpy(began, c->left.rate, sizeof began);
+    if (!core_watch(c, t, c->step.end, c->end_rates, &c->last)) return failed(c, NOT_FINITE);
     for (int i = 0; i < NG; i++) c->muted[i] = c->muted[i] && c->last.value[i] > -core_near_zero(c, i);
-    Watched *start = &c->left;
-    double begin_rate[ROOM(NG)];
-    memcpy(begin_rate, start->rate, sizeof begin_rate);
-    double event = t;
-    int found = core_locate(c, &event, &begin, &end, &indicator);
-    if (found < 0) return failed(c, "indicators are not finite");
+    int found = core_locate(c, &crossing);
+    if (found < 0) return failed(c, NOT_FINITE);
     if (!found) {
         commit(c, t);
-        c->left = c->last;
-        *most = INFINITY;
-        if (wanted->told && wanted->told->stepped) *halt = wanted->told->stepped(wanted->told->context, c, t);
+        travel->most = INFINITY;
+        step_was_taken(c, travel);
         return CORE_OK;
     }
     memcpy(c->seen, seen, sizeof seen); /* what lies beyond an event is never reached, and has no size */
     memcpy(c->fastest, fastest, sizeof fastest);
-    if (event <= c->t && begin_rate[indicator] <= FLAT * c->fastest[indicator] && h > 1e-9 * c->interval) {
-        *most = h / 8; /* it rests on zero: see whether it really leaves */
-        return core_rates(c, 0) == CORE_OK && core_watch(c, c->t, c->y, c->rates, &c->left) ? CORE_OK : CORE_DISCARD;
+    int i = crossing.indicator, flat = crossing.t <= c->t && began[i] <= RATE_NOISE * c->fastest[i];
+    if (flat && c->step.h > SHORTEST * c->interval) { /* it rests on zero: see whether it really leaves */
+        travel->most = c->step.h / 8;
+        return look_around(c);
     }
-    *most = INFINITY;
-    status = core_land(c, &indicator, event, begin, end, &hit);
-    if (status != CORE_OK) return status;
-    if (c->step.h > 0 && wanted->told && wanted->told->stepped)
-        *halt = wanted->told->stepped(wanted->told->context, c, c->t);
-    if (wanted->early) {
-        c->pending = hit ? indicator + 1 : 0;
-        *reached = CORE_EVENT;
-        *halt = 1;
-        return watch_chatter(c);
-    }
-    status = fire(c, wanted, hit ? indicator : -1);
-    if (status != CORE_OK) return status;
-    return core_watch(c, c->t, c->y, c->rates, &c->left) ? CORE_OK : failed(c, "indicators are not finite");
+    travel->most = INFINITY;
+    return land_and_fire(c, travel, &crossing);
 }
 
-/* Go on beyond the end of a leg; where something jumps there, fire what that fires, or leave it to be fired. */
-static CoreStatus enter_next_leg(Core *c, const Wanted *wanted, CoreStop *reached, int *halt) {
-    const Observer *told = wanted->told;
+/* Take one step, not beyond `stop`, up to the first event. */
+static CoreStatus stride(Core *c, Travel *travel, double stop) {
+    if (stop - c->t <= 4 * TINY * fabs(stop)) return arrive(c, stop);
+    double h = chosen_step(c, travel, stop), tried = h, kept = c->h, error;
+    CoreStatus status = accepted_step(c, travel, &h, &error);
+    if (status != CORE_OK) return status;
+    if (h == tried && h < kept) c->h = fmax(c->h, kept); /* it was shorter only because of where it stops */
+    double t = h == stop - c->t ? stop : c->t + h;
+    c->step.h = t - c->t;
+    return locate_or_commit(c, travel, t);
+}
+
+/* Go on beyond the end of a leg; where something jumps there, fire what that fires, or leave it. */
+static CoreStatus enter_next_leg(Core *c, Travel *travel) {
+    const Observer *told = travel->told;
     int happened, changed, jumps = core_jumps_next(c);
     CoreStatus status;
-    if (jumps && wanted->early) {
-        *reached = CORE_EVENT;
-        *halt = 1;
+    if (jumps && travel->early) {
+        travel->reached = CORE_EVENT;
+        travel->halt = 1;
         return CORE_OK;
     }
     if (jumps && told && told->landed) told->landed(told->context, c, 0, 0);
     status = core_next_leg(c, told, &changed);
     if (status == CORE_OK && jumps) status = core_fire(c, -1, told, 0, &happened, &changed);
     if (status == CORE_OK && jumps && told && told->landed) told->landed(told->context, c, 1, 1);
-    if (status == CORE_OK) status = core_rates(c, 0);
-    if (status != CORE_OK) return status;
-    return core_watch(c, c->t, c->y, c->rates, &c->left) ? CORE_OK : failed(c, "indicators are not finite");
+    return status == CORE_OK ? look_around(c) : status;
 }
 
 /* Give up a step of communication that at this pace has no end; large models get less patience at once. */
@@ -245,14 +244,7 @@ static void rebase(Core *c) {
     c->u_time = NAN;
 }
 
-CoreStatus core_travel(Core *c, double stop, double rtol, double atol, double fixed_step, int return_early,
-                   const Observer *told, CoreStop *reached) {
-    Wanted wanted = {rtol, atol, fixed_step, return_early, told};
-    double most = INFINITY;
-    int halt = 0;
-    long long begin = c->steps, before = c->work;
-    double from = c->t;
-    *reached = CORE_ARRIVED;
+static CoreStatus check_wish(Core *c, double stop, double rtol, double atol) {
     if (!isfinite(stop) || stop < c->t) {
         core_say(c, "time can only advance, from ");
         core_say_number(c, c->t);
@@ -261,20 +253,30 @@ CoreStatus core_travel(Core *c, double stop, double rtol, double atol, double fi
         return CORE_ERROR;
     }
     if (!core_knows_inputs(c, stop)) return CORE_ERROR;
-    if (!(rtol > 0) || !(atol > 0)) {
-        core_say(c, "tolerances must be above 0");
-        return CORE_ERROR;
-    }
+    if (rtol > 0 && atol > 0) return CORE_OK;
+    core_say(c, "tolerances must be above 0");
+    return CORE_ERROR;
+}
+
+CoreStatus core_travel(Core *c, double stop, double rtol, double atol, double fixed_step, int return_early,
+                       const Observer *told, CoreStop *reached) {
+    Travel travel = {rtol, atol, fixed_step, return_early, told, INFINITY, 0, CORE_ARRIVED};
+    long long begin = c->steps, before = c->work;
+    double from = c->t;
+    *reached = CORE_ARRIVED;
+    CoreStatus status = check_wish(c, stop, rtol, atol);
+    if (status != CORE_OK) return status;
     core_find_leg(c);
-    CoreStatus status = core_rates(c, 0);
-    if (status == CORE_OK && !core_watch(c, c->t, c->y, c->rates, &c->left)) status = failed(c, "indicators are not finite");
-    if (!(c->h > 0) && status == CORE_OK) c->h = first_step(c, &wanted, stop - c->t);
-    while (status == CORE_OK && !halt && c->t < stop) {
-        status = core_at_end_of_leg(c) ? enter_next_leg(c, &wanted, reached, &halt)
-                                       : stride(c, &wanted, fmin(stop, core_end_of_leg(c)), &most, reached, &halt);
-        if (status == CORE_OK && c->steps - begin > MOST_STEPS) status = failed(c, "there is no end of steps");
+    status = look_around(c);
+    if (!(c->h > 0) && status == CORE_OK) c->h = first_step(c, &travel, stop - c->t);
+    while (status == CORE_OK && !travel.halt && c->t < stop) {
+        status = core_at_end_of_leg(c) ? enter_next_leg(c, &travel)
+                                       : stride(c, &travel, fmin(stop, core_end_of_leg(c)));
+        if (status == CORE_OK && c->steps - begin > MOST_STEPS)
+            status = failed(c, "there is no end of steps");
         if (status == CORE_OK && !told && !(fixed_step > 0)) status = check_pace(c, from, stop, before);
     }
+    *reached = travel.reached;
     rebase(c);
     return status;
 }

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from typing import Any
 
 import numpy as np
@@ -75,6 +75,13 @@ class Tables:
     def _array(self, kind: str, name: str, entries: list[str]) -> None:
         self._declared.append(f"extern const {kind} {name}[{len(entries)}];")
         self._defined.append(f"const {kind} {name}[{len(entries)}] = {{{', '.join(entries)}}};")
+
+
+def macros(constants: Mapping[str, Any]) -> str:
+    """Return a header that defines the names in capitals."""
+    lines = [f"#define {name} {value!r}" for name, value in constants.items() if name.isupper()]
+    guard = "INERTANCE_CONSTANTS_H"
+    return "\n".join([f"#ifndef {guard}", f"#define {guard}", "", *lines, "", "#endif", ""])
 
 
 def _number(value: float) -> str:

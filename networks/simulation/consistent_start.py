@@ -9,14 +9,13 @@ import numpy as np
 
 from ...base import InitialConditionError, SimulationError
 from .bound_dae import BoundDAE
+from .events.constants import JUST_BEFORE
 from .events.switcher import Event, Switcher
 from .initialization import StartValues, initial_values
 from .integrator import Array
 from .point import Point, solve_algebraic
 from .run import Run, Settings
 from .tolerance import ATOL, RTOL
-
-JUST_BEFORE = 1e-9  # s, by which an instant before the first comes earlier
 
 
 def started(closed: BoundDAE, settings: Settings, q: Array, wanted: StartValues) -> Run:

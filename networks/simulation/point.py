@@ -8,6 +8,8 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
+from .events.constants import NEWTON_CLOSE, NEWTON_ROUNDS
+
 if TYPE_CHECKING:
     from .bound_dae import BoundDAE
 
@@ -28,10 +30,10 @@ def solve_algebraic(closed: BoundDAE, point: Point) -> None:
     """Let the algebraic unknowns of a point follow its states."""
     if not closed.dae.z.numel():
         return
-    for _ in range(50):
+    for _ in range(NEWTON_ROUNDS):
         value, slope = closed.switch_functions.algebraic(point.x, point.z, point.q, point.t)
         slope = slope.reshape(len(value), -1).T
         step = np.linalg.lstsq(slope, -value, rcond=1e-12)[0]
         point.z = point.z + step
-        if np.abs(step).max() <= 1e-12 * (1 + np.abs(point.z).max()):
+        if np.abs(step).max() <= NEWTON_CLOSE * (1 + np.abs(point.z).max()):
             return

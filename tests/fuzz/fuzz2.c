@@ -7,21 +7,18 @@
 static long allocated;
 static unsigned long counts[7], sequence;
 
-static void *allocate(size_t n, size_t size)
-{
+static void *allocate(size_t n, size_t size) {
     allocated++;
     return calloc(n, size);
 }
 
-static void release(void *memory)
-{
+static void release(void *memory) {
     allocated -= memory != NULL;
     free(memory);
 }
 
 static void logger(fmi2ComponentEnvironment e, fmi2String name, fmi2Status status, fmi2String category,
-                   fmi2String message, ...)
-{
+                   fmi2String message, ...) {
     char text[2000];
     va_list arguments;
     (void)e, (void)name, (void)status, (void)category;
@@ -38,24 +35,21 @@ typedef struct {
     double t;
 } Bench;
 
-static void initialize(Bench *b)
-{
+static void initialize(Bench *b) {
     must(fmi2SetupExperiment(b->c, fmi2False, 0, 0, fmi2False, 0) == fmi2OK, "fmi2SetupExperiment", sequence);
     must(fmi2EnterInitializationMode(b->c) == fmi2OK, "fmi2EnterInitializationMode", sequence);
     must(fmi2ExitInitializationMode(b->c) == fmi2OK, "fmi2ExitInitializationMode", sequence);
     b->t = 0;
 }
 
-static void set_inputs(Bench *b)
-{
+static void set_inputs(Bench *b) {
     for (fmi2ValueReference ref = REF_INPUTS; ref < REF_PARAMETERS; ref++) {
         double value = 5 * tame();
         must(fmi2SetReal(b->c, &ref, 1, &value) == fmi2OK, "fmi2SetReal", sequence);
     }
 }
 
-static void legal_exchange(Bench *b)
-{
+static void legal_exchange(Bench *b) {
     double x[ROOMY], rates[ROOMY], g[ROOMY];
     fmi2Boolean due, end;
     fmi2EventInfo info;
@@ -79,8 +73,7 @@ static void legal_exchange(Bench *b)
     }
 }
 
-static void legal_communication(Bench *b)
-{
+static void legal_communication(Bench *b) {
     for (int k = 0; k < LONGEST; k++) {
         double h = 1e-3 * (1 + draw(20)), back = b->t;
         fmi2FMUstate here = NULL;
@@ -95,8 +88,7 @@ static void legal_communication(Bench *b)
     }
 }
 
-static fmi2Status serialized(Bench *b)
-{
+static fmi2Status serialized(Bench *b) {
     fmi2Status status = fmi2SerializedFMUstateSize(b->c, b->saved, &b->size);
     if (status != fmi2OK) return status;
     free(b->bytes);
@@ -106,16 +98,14 @@ static fmi2Status serialized(Bench *b)
     return status;
 }
 
-static fmi2Status step(Bench *b)
-{
+static fmi2Status step(Bench *b) {
     fmi2Real reached;
     fmi2Status status = fmi2DoStep(b->c, one_in(6) ? number() : b->t, step_size(), fmi2True);
     if (fmi2GetRealStatus(b->c, fmi2LastSuccessfulTime, &reached) == fmi2OK) b->t = reached;
     return status;
 }
 
-static fmi2Status any_call(Bench *b)
-{
+static fmi2Status any_call(Bench *b) {
     fmi2ValueReference refs[FEW], knowns[FEW];
     double v[ROOMY], w[ROOMY];
     fmi2Integer whole[FEW], orders[FEW];
@@ -176,8 +166,7 @@ static fmi2Status any_call(Bench *b)
     }
 }
 
-int main(int argc, char **argv)
-{
+int main(int argc, char **argv) {
     static const fmi2CallbackFunctions counted = {logger, allocate, release, NULL, NULL};
     static const fmi2CallbackFunctions bare = {NULL, NULL, NULL, NULL, NULL};
     fmi2Type type;

@@ -4,8 +4,7 @@
 
 static unsigned long counts[7], sequence;
 
-static void logger(fmi3InstanceEnvironment e, fmi3Status status, fmi3String category, fmi3String message)
-{
+static void logger(fmi3InstanceEnvironment e, fmi3Status status, fmi3String category, fmi3String message) {
     (void)e, (void)status;
     if (!strlen(category) || !strlen(message)) exit(4);
 }
@@ -20,16 +19,15 @@ typedef struct {
     int exchange, events;
 } Bench;
 
-static fmi3Status update(Bench *b)
-{
+static fmi3Status update(Bench *b) {
     fmi3Boolean flags[5];
     double next;
     return fmi3UpdateDiscreteStates(b->c, flags, flags + 1, flags + 2, flags + 3, flags + 4, &next);
 }
 
-static void initialize(Bench *b)
-{
-    must(fmi3EnterInitializationMode(b->c, false, 0, 0, false, 0) == fmi3OK, "EnterInitializationMode", sequence);
+static void initialize(Bench *b) {
+    must(fmi3EnterInitializationMode(b->c, false, 0, 0, false, 0) == fmi3OK, "EnterInitializationMode",
+         sequence);
     must(fmi3ExitInitializationMode(b->c) == fmi3OK, "ExitInitializationMode", sequence);
     b->t = 0;
     if (!b->exchange && !b->events) return;
@@ -38,16 +36,14 @@ static void initialize(Bench *b)
     else must(fmi3EnterStepMode(b->c) == fmi3OK, "EnterStepMode", sequence);
 }
 
-static void set_inputs(Bench *b)
-{
+static void set_inputs(Bench *b) {
     for (fmi3ValueReference ref = REF_INPUTS; ref < REF_PARAMETERS; ref++) {
         double value = 5 * tame();
         must(fmi3SetFloat64(b->c, &ref, 1, &value, 1) == fmi3OK, "SetFloat64", sequence);
     }
 }
 
-static void legal_exchange(Bench *b)
-{
+static void legal_exchange(Bench *b) {
     double x[ROOMY], rates[ROOMY], g[ROOMY];
     fmi3Boolean due, end;
     for (int k = 0; k < LONGEST; k++) {
@@ -67,8 +63,7 @@ static void legal_exchange(Bench *b)
     }
 }
 
-static void legal_communication(Bench *b)
-{
+static void legal_communication(Bench *b) {
     for (int k = 0; k < LONGEST; k++) {
         double h = 1e-3 * (1 + draw(20)), back = b->t, reached = b->t;
         fmi3Boolean event = false, end, early;
@@ -88,8 +83,7 @@ static void legal_communication(Bench *b)
     }
 }
 
-static fmi3Status serialized(Bench *b)
-{
+static fmi3Status serialized(Bench *b) {
     fmi3Status status = fmi3SerializedFMUStateSize(b->c, b->saved, &b->size);
     if (status != fmi3OK) return status;
     free(b->bytes);
@@ -99,22 +93,31 @@ static fmi3Status serialized(Bench *b)
     return status;
 }
 
-static fmi3Status step(Bench *b)
-{
+static fmi3Status step(Bench *b) {
     fmi3Boolean flags[3];
     double reached = b->t;
-    fmi3Status status = fmi3DoStep(b->c, one_in(6) ? number() : b->t, step_size(), one_in(2), flags, flags + 1,
-                                   one_in(20) ? NULL : flags + 2, &reached);
+    fmi3Status status = fmi3DoStep(b->c, one_in(6) ? number() : b->t, step_size(), one_in(2), flags,
+                                   flags + 1, one_in(20) ? NULL : flags + 2, &reached);
     if (status == fmi3OK) b->t = reached;
     return status;
 }
 
-static fmi3Status other_type(fmi3Instance c, const fmi3ValueReference refs[], size_t n, size_t m)
-{
+static fmi3Status other_type(fmi3Instance c, const fmi3ValueReference refs[], size_t n, size_t m) {
     union {
-        fmi3Float32 f[FEW]; fmi3Int8 a[FEW]; fmi3UInt8 b[FEW]; fmi3Int16 d[FEW]; fmi3UInt16 e[FEW];
-        fmi3Int32 g[FEW]; fmi3UInt32 h[FEW]; fmi3Int64 i[FEW]; fmi3UInt64 j[FEW]; fmi3Boolean k[FEW];
-        fmi3String l[FEW]; fmi3Binary o[FEW]; fmi3Clock p[FEW]; fmi3Float64 q[FEW];
+        fmi3Float32 f[FEW];
+        fmi3Int8 a[FEW];
+        fmi3UInt8 b[FEW];
+        fmi3Int16 d[FEW];
+        fmi3UInt16 e[FEW];
+        fmi3Int32 g[FEW];
+        fmi3UInt32 h[FEW];
+        fmi3Int64 i[FEW];
+        fmi3UInt64 j[FEW];
+        fmi3Boolean k[FEW];
+        fmi3String l[FEW];
+        fmi3Binary o[FEW];
+        fmi3Clock p[FEW];
+        fmi3Float64 q[FEW];
     } v;
     size_t sizes[FEW] = {0};
     fmi3IntervalQualifier kinds[FEW];
@@ -160,8 +163,7 @@ static fmi3Status other_type(fmi3Instance c, const fmi3ValueReference refs[], si
     }
 }
 
-static fmi3Status any_call(Bench *b)
-{
+static fmi3Status any_call(Bench *b) {
     fmi3ValueReference refs[FEW], knowns[FEW];
     double v[ROOMY], w[ROOMY];
     fmi3Int64 whole[FEW];
@@ -209,13 +211,14 @@ static fmi3Status any_call(Bench *b)
     case 32: return fmi3GetNumberOfVariableDependencies(c, refs[0], &size);
     case 33: return fmi3GetVariableDependencies(c, refs[0], NULL, NULL, NULL, NULL, 0);
     case 34: return fmi3SetDebugLogging(c, one_in(2), n, NULL);
-    case 35: case 36: case 37: return other_type(c, refs, draw(FEW), draw(FEW));
+    case 35:
+    case 36:
+    case 37: return other_type(c, refs, draw(FEW), draw(FEW));
     default: return step(b);
     }
 }
 
-int main(int argc, char **argv)
-{
+int main(int argc, char **argv) {
     unsigned long count;
     if (argc != 4) return 2;
     count = strtoul(argv[2], NULL, 10);

@@ -5,8 +5,7 @@
 #include "fmi_common.h"
 
 /* Where the seed or sensitivity of a known (state, input, parameter) stands. */
-static double *known(Instance *c, uint32_t ref)
-{
+static double *known(Instance *c, uint32_t ref) {
     if (ref >= REF_STATES && ref < REF_RATES) return &c->x[ref - REF_STATES];
     if (ref >= REF_INPUTS && ref < REF_PARAMETERS) return &c->u[ref - REF_INPUTS];
     if (ref >= REF_PARAMETERS && ref < REF_VARIABLES) return &c->p[ref - REF_PARAMETERS];
@@ -14,16 +13,14 @@ static double *known(Instance *c, uint32_t ref)
 }
 
 /* Where that of an unknown (state, rate, other variable) stands. */
-static double *unknown(Instance *c, uint32_t ref)
-{
+static double *unknown(Instance *c, uint32_t ref) {
     if (ref >= REF_STATES && ref < REF_RATES) return &c->x[ref - REF_STATES];
     if (ref >= REF_RATES && ref < REF_INPUTS) return &c->rates[ref - REF_RATES];
     if (ref >= REF_VARIABLES && ref < REF_MODES) return &c->w[ref - REF_VARIABLES];
     return NULL;
 }
 
-static void clear_seeds(Instance *c)
-{
+static void clear_seeds(Instance *c) {
     memset(c->x, 0, sizeof c->x);
     memset(c->u, 0, sizeof c->u);
     memset(c->p, 0, sizeof c->p);
@@ -32,8 +29,7 @@ static void clear_seeds(Instance *c)
 }
 
 /* What is sought follows from what is given in ways that are not told by these derivatives. */
-static int sought(Instance *c, const char *function)
-{
+static int sought(Instance *c, const char *function) {
     if (c->now.phase != INITIALIZATION || NLEAD + NFREE == 0) return face_ready(c, function) != FACE_OK;
     face_refuse(c, function, "start values are sought here, and no derivatives of that are given");
     return 1;
@@ -42,8 +38,7 @@ static int sought(Instance *c, const char *function)
 typedef double *(*Place)(Instance *c, uint32_t ref);
 
 static FaceStatus put(Instance *c, const char *function, Place place, const uint32_t refs[], size_t n,
-                      const double values[])
-{
+                      const double values[]) {
     for (size_t i = 0; i < n; i++) {
         double *where = place(c, refs[i]);
         if (!where) return face_bad_reference(c, function, refs[i]);
@@ -54,8 +49,7 @@ static FaceStatus put(Instance *c, const char *function, Place place, const uint
 }
 
 static FaceStatus take(Instance *c, const char *function, Place place, const uint32_t refs[], size_t n,
-                       double values[])
-{
+                       double values[]) {
     for (size_t i = 0; i < n; i++) {
         const double *where = place(c, refs[i]);
         if (!where) return face_bad_reference(c, function, refs[i]);
@@ -65,8 +59,7 @@ static FaceStatus take(Instance *c, const char *function, Place place, const uin
 }
 
 FaceStatus face_forward(Instance *c, const char *function, const uint32_t unknowns[], size_t nu,
-                        const uint32_t knowns[], size_t nk, const double seed[], double sensitivity[])
-{
+                        const uint32_t knowns[], size_t nk, const double seed[], double sensitivity[]) {
     if (face_missing(nu, unknowns, sensitivity) || face_missing(nk, knowns, seed))
         return face_refuse(c, function, "an array is missing");
     if (sought(c, function)) return FACE_ERROR;
@@ -78,8 +71,7 @@ FaceStatus face_forward(Instance *c, const char *function, const uint32_t unknow
 }
 
 FaceStatus face_adjoint(Instance *c, const char *function, const uint32_t unknowns[], size_t nu,
-                        const uint32_t knowns[], size_t nk, const double seed[], double sensitivity[])
-{
+                        const uint32_t knowns[], size_t nk, const double seed[], double sensitivity[]) {
     if (face_missing(nu, unknowns, seed) || face_missing(nk, knowns, sensitivity))
         return face_refuse(c, function, "an array is missing");
     if (sought(c, function)) return FACE_ERROR;

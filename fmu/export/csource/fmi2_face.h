@@ -5,8 +5,8 @@
 #include "fmi_common.h"
 #include "fmi2Functions.h"
 
-#define ENTER(phases, kinds)                                     \
-    Instance *c = component;                                     \
+#define ENTER(phases, kinds) \
+    Instance *c = component; \
     if (!face_may(c, __func__, (phases), (kinds))) return fmi2Error
 
 #define AS_FMI(status) ((fmi2Status)(status))

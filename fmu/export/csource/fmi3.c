@@ -10,21 +10,16 @@ typedef struct {
     fmi3LogMessageCallback log;
 } Component;
 
-static void log_message(Instance *c, FaceStatus status, const char *message)
-{
+static void log_message(Instance *c, FaceStatus status, const char *message) {
     const Component *self = (const Component *)(const void *)c;
     const char *category = status == FACE_ERROR ? "logStatusError" : "logStatusDiscard";
     if (self->log) self->log(self->environment, AS_FMI(status), category, message);
 }
 
-const char *fmi3GetVersion(void)
-{
-    return fmi3Version;
-}
+const char *fmi3GetVersion(void) { return fmi3Version; }
 
 static Component *instantiate(const char *name, const char *token, fmi3InstanceEnvironment environment,
-                              fmi3LogMessageCallback log, Kind kind)
-{
+                              fmi3LogMessageCallback log, Kind kind) {
     Component *self = NULL;
     const char *why = NULL;
     if (!name || !*name) why = "fmi3Instantiate: the instance needs a name";
@@ -46,8 +41,7 @@ static Component *instantiate(const char *name, const char *token, fmi3InstanceE
 fmi3Instance fmi3InstantiateModelExchange(fmi3String instanceName, fmi3String instantiationToken,
                                           fmi3String resourcePath, fmi3Boolean visible, fmi3Boolean loggingOn,
                                           fmi3InstanceEnvironment instanceEnvironment,
-                                          fmi3LogMessageCallback logMessage)
-{
+                                          fmi3LogMessageCallback logMessage) {
     (void)resourcePath;
     (void)visible;
     (void)loggingOn; /* there are only messages that say why something was not done */
@@ -61,8 +55,7 @@ fmi3Instance fmi3InstantiateCoSimulation(fmi3String instanceName, fmi3String ins
                                          size_t nRequiredIntermediateVariables,
                                          fmi3InstanceEnvironment instanceEnvironment,
                                          fmi3LogMessageCallback logMessage,
-                                         fmi3IntermediateUpdateCallback intermediateUpdate)
-{
+                                         fmi3IntermediateUpdateCallback intermediateUpdate) {
     Component *self =
         instantiate(instanceName, instantiationToken, instanceEnvironment, logMessage, CO_SIMULATION);
     (void)resourcePath;
@@ -81,14 +74,10 @@ fmi3Instance fmi3InstantiateCoSimulation(fmi3String instanceName, fmi3String ins
     return self;
 }
 
-void fmi3FreeInstance(fmi3Instance instance)
-{
-    free(instance);
-}
+void fmi3FreeInstance(fmi3Instance instance) { free(instance); }
 
 fmi3Status fmi3SetDebugLogging(fmi3Instance instance, fmi3Boolean loggingOn, size_t nCategories,
-                               const fmi3String categories[])
-{
+                               const fmi3String categories[]) {
     ENTER(ANY_PHASE, EITHER);
     if (nCategories && !categories) return AS_FMI(face_refuse(c, HERE, "an array is missing"));
     (void)loggingOn;
@@ -97,8 +86,7 @@ fmi3Status fmi3SetDebugLogging(fmi3Instance instance, fmi3Boolean loggingOn, siz
 
 fmi3Status fmi3EnterInitializationMode(fmi3Instance instance, fmi3Boolean toleranceDefined,
                                        fmi3Float64 tolerance, fmi3Float64 startTime,
-                                       fmi3Boolean stopTimeDefined, fmi3Float64 stopTime)
-{
+                                       fmi3Boolean stopTimeDefined, fmi3Float64 stopTime) {
     FaceStatus status;
     ENTER(INSTANTIATED, EITHER);
     status = face_experiment(c, HERE, toleranceDefined, tolerance, startTime, stopTimeDefined, stopTime);
@@ -106,8 +94,7 @@ fmi3Status fmi3EnterInitializationMode(fmi3Instance instance, fmi3Boolean tolera
     return AS_FMI(status);
 }
 
-fmi3Status fmi3ExitInitializationMode(fmi3Instance instance)
-{
+fmi3Status fmi3ExitInitializationMode(fmi3Instance instance) {
     FaceStatus status;
     ENTER(INITIALIZATION, EITHER);
     status = face_initialize(c, HERE);
@@ -116,8 +103,7 @@ fmi3Status fmi3ExitInitializationMode(fmi3Instance instance)
     return AS_FMI(status);
 }
 
-fmi3Status fmi3EnterEventMode(fmi3Instance instance)
-{
+fmi3Status fmi3EnterEventMode(fmi3Instance instance) {
     ENTER(CONTINUOUS_TIME | STEP_MODE, EITHER);
     if (c->kind == CO_SIMULATION && !c->event_mode_used)
         return AS_FMI(face_refuse(c, HERE, "this instance was made without event mode"));
@@ -125,31 +111,27 @@ fmi3Status fmi3EnterEventMode(fmi3Instance instance)
     return fmi3OK;
 }
 
-fmi3Status fmi3Terminate(fmi3Instance instance)
-{
+fmi3Status fmi3Terminate(fmi3Instance instance) {
     ENTER(RUNNING, EITHER);
     c->now.phase = TERMINATED;
     return fmi3OK;
 }
 
-fmi3Status fmi3Reset(fmi3Instance instance)
-{
+fmi3Status fmi3Reset(fmi3Instance instance) {
     ENTER(ANY_PHASE, EITHER);
     face_reset(c);
     return fmi3OK;
 }
 
 fmi3Status fmi3GetFloat64(fmi3Instance instance, const fmi3ValueReference valueReferences[],
-                          size_t nValueReferences, fmi3Float64 values[], size_t nValues)
-{
+                          size_t nValueReferences, fmi3Float64 values[], size_t nValues) {
     ENTER(READABLE, EITHER);
     if (nValues != nValueReferences) return AS_FMI(face_refuse(c, HERE, "every variable has one value"));
     return AS_FMI(face_get_reals(c, HERE, valueReferences, nValueReferences, values));
 }
 
 fmi3Status fmi3SetFloat64(fmi3Instance instance, const fmi3ValueReference valueReferences[],
-                          size_t nValueReferences, const fmi3Float64 values[], size_t nValues)
-{
+                          size_t nValueReferences, const fmi3Float64 values[], size_t nValues) {
     ENTER(SETTABLE, EITHER);
     if (nValues != nValueReferences) return AS_FMI(face_refuse(c, HERE, "every variable has one value"));
     return AS_FMI(face_set_reals(c, HERE, valueReferences, nValueReferences, values));
@@ -157,8 +139,7 @@ fmi3Status fmi3SetFloat64(fmi3Instance instance, const fmi3ValueReference valueR
 
 /* Enumerations are read as 64-bit integers. */
 fmi3Status fmi3GetInt64(fmi3Instance instance, const fmi3ValueReference valueReferences[],
-                        size_t nValueReferences, fmi3Int64 values[], size_t nValues)
-{
+                        size_t nValueReferences, fmi3Int64 values[], size_t nValues) {
     ENTER(READABLE, EITHER);
     if (nValues != nValueReferences) return AS_FMI(face_refuse(c, HERE, "every variable has one value"));
     if (nValues && (!valueReferences || !values)) return AS_FMI(face_refuse(c, HERE, "an array is missing"));
@@ -170,40 +151,34 @@ fmi3Status fmi3GetInt64(fmi3Instance instance, const fmi3ValueReference valueRef
     return fmi3OK;
 }
 
-fmi3Status fmi3GetFMUState(fmi3Instance instance, fmi3FMUState *FMUState)
-{
+fmi3Status fmi3GetFMUState(fmi3Instance instance, fmi3FMUState *FMUState) {
     ENTER(ANY_PHASE, EITHER);
     return AS_FMI(face_save(c, HERE, (Saved **)FMUState));
 }
 
-fmi3Status fmi3SetFMUState(fmi3Instance instance, fmi3FMUState FMUState)
-{
+fmi3Status fmi3SetFMUState(fmi3Instance instance, fmi3FMUState FMUState) {
     ENTER(ANY_PHASE, EITHER);
     return AS_FMI(face_restore(c, HERE, FMUState));
 }
 
-fmi3Status fmi3FreeFMUState(fmi3Instance instance, fmi3FMUState *FMUState)
-{
+fmi3Status fmi3FreeFMUState(fmi3Instance instance, fmi3FMUState *FMUState) {
     ENTER(ANY_PHASE, EITHER);
     return AS_FMI(face_forget(c, HERE, (Saved **)FMUState));
 }
 
-fmi3Status fmi3SerializedFMUStateSize(fmi3Instance instance, fmi3FMUState FMUState, size_t *size)
-{
+fmi3Status fmi3SerializedFMUStateSize(fmi3Instance instance, fmi3FMUState FMUState, size_t *size) {
     ENTER(ANY_PHASE, EITHER);
     return AS_FMI(face_saved_size(c, HERE, FMUState, size));
 }
 
 fmi3Status fmi3SerializeFMUState(fmi3Instance instance, fmi3FMUState FMUState, fmi3Byte serializedState[],
-                                 size_t size)
-{
+                                 size_t size) {
     ENTER(ANY_PHASE, EITHER);
     return AS_FMI(face_serialize(c, HERE, FMUState, serializedState, size));
 }
 
 fmi3Status fmi3DeserializeFMUState(fmi3Instance instance, const fmi3Byte serializedState[], size_t size,
-                                   fmi3FMUState *FMUState)
-{
+                                   fmi3FMUState *FMUState) {
     ENTER(ANY_PHASE, EITHER);
     return AS_FMI(face_deserialize(c, HERE, serializedState, size, (Saved **)FMUState));
 }
@@ -211,8 +186,7 @@ fmi3Status fmi3DeserializeFMUState(fmi3Instance instance, const fmi3Byte seriali
 fmi3Status fmi3GetDirectionalDerivative(fmi3Instance instance, const fmi3ValueReference unknowns[],
                                         size_t nUnknowns, const fmi3ValueReference knowns[], size_t nKnowns,
                                         const fmi3Float64 seed[], size_t nSeed, fmi3Float64 sensitivity[],
-                                        size_t nSensitivity)
-{
+                                        size_t nSensitivity) {
     ENTER(READABLE, EITHER);
     if (nSeed != nKnowns || nSensitivity != nUnknowns)
         return AS_FMI(face_refuse(c, HERE, "every variable has one value"));
@@ -222,8 +196,7 @@ fmi3Status fmi3GetDirectionalDerivative(fmi3Instance instance, const fmi3ValueRe
 fmi3Status fmi3GetAdjointDerivative(fmi3Instance instance, const fmi3ValueReference unknowns[],
                                     size_t nUnknowns, const fmi3ValueReference knowns[], size_t nKnowns,
                                     const fmi3Float64 seed[], size_t nSeed, fmi3Float64 sensitivity[],
-                                    size_t nSensitivity)
-{
+                                    size_t nSensitivity) {
     ENTER(READABLE, EITHER);
     if (nSeed != nUnknowns || nSensitivity != nKnowns)
         return AS_FMI(face_refuse(c, HERE, "every variable has one value"));

@@ -1,12 +1,12 @@
-/* The functions of FMI 3.0.1 for what these models do not have: other types, clocks, configuration, partitions. */
+/* The functions of FMI 3.0.1 for what these models do not have: other types, clocks, configuration,
+ * partitions. */
 #include "fmi3_face.h"
 
 fmi3Instance fmi3InstantiateScheduledExecution(
     fmi3String instanceName, fmi3String instantiationToken, fmi3String resourcePath, fmi3Boolean visible,
     fmi3Boolean loggingOn, fmi3InstanceEnvironment instanceEnvironment, fmi3LogMessageCallback logMessage,
     fmi3ClockUpdateCallback clockUpdate, fmi3LockPreemptionCallback lockPreemption,
-    fmi3UnlockPreemptionCallback unlockPreemption)
-{
+    fmi3UnlockPreemptionCallback unlockPreemption) {
     (void)instanceName;
     (void)instantiationToken;
     (void)resourcePath;
@@ -20,14 +20,13 @@ fmi3Instance fmi3InstantiateScheduledExecution(
     return NULL;
 }
 
-#define NO_SUCH(name, type, phases)                                                                            \
-    fmi3Status name(fmi3Instance instance, const fmi3ValueReference valueReferences[],                        \
-                    size_t nValueReferences, type values[], size_t nValues)                                   \
-    {                                                                                                          \
-        ENTER(phases, EITHER);                                                                                 \
-        (void)valueReferences;                                                                                 \
-        (void)values;                                                                                          \
-        return AS_FMI(face_no_such(c, HERE, nValueReferences + nValues));                                      \
+#define NO_SUCH(name, type, phases)                                                    \
+    fmi3Status name(fmi3Instance instance, const fmi3ValueReference valueReferences[], \
+                    size_t nValueReferences, type values[], size_t nValues) {          \
+        ENTER(phases, EITHER);                                                         \
+        (void)valueReferences;                                                         \
+        (void)values;                                                                  \
+        return AS_FMI(face_no_such(c, HERE, nValueReferences + nValues));              \
     }
 
 NO_SUCH(fmi3GetFloat32, fmi3Float32, READABLE)
@@ -53,8 +52,7 @@ NO_SUCH(fmi3SetBoolean, const fmi3Boolean, SETTABLE)
 NO_SUCH(fmi3SetString, const fmi3String, SETTABLE)
 
 fmi3Status fmi3GetBinary(fmi3Instance instance, const fmi3ValueReference valueReferences[],
-                         size_t nValueReferences, size_t valueSizes[], fmi3Binary values[], size_t nValues)
-{
+                         size_t nValueReferences, size_t valueSizes[], fmi3Binary values[], size_t nValues) {
     ENTER(READABLE, EITHER);
     (void)valueReferences;
     (void)valueSizes;
@@ -64,8 +62,7 @@ fmi3Status fmi3GetBinary(fmi3Instance instance, const fmi3ValueReference valueRe
 
 fmi3Status fmi3SetBinary(fmi3Instance instance, const fmi3ValueReference valueReferences[],
                          size_t nValueReferences, const size_t valueSizes[], const fmi3Binary values[],
-                         size_t nValues)
-{
+                         size_t nValues) {
     ENTER(SETTABLE, EITHER);
     (void)valueReferences;
     (void)valueSizes;
@@ -74,14 +71,13 @@ fmi3Status fmi3SetBinary(fmi3Instance instance, const fmi3ValueReference valueRe
 }
 
 /* What belongs to clocks: there are none, so nothing may be asked of them. */
-#define NO_CLOCK(name, ...)                                                                                    \
-    fmi3Status name(fmi3Instance instance, const fmi3ValueReference valueReferences[],                        \
-                    size_t nValueReferences, __VA_ARGS__)                                                     \
-    {                                                                                                          \
-        ENTER(ANY_PHASE, EITHER);                                                                              \
-        (void)valueReferences;                                                                                 \
-        UNUSED;                                                                                                \
-        return AS_FMI(face_no_such(c, HERE, nValueReferences));                                                \
+#define NO_CLOCK(name, ...)                                                            \
+    fmi3Status name(fmi3Instance instance, const fmi3ValueReference valueReferences[], \
+                    size_t nValueReferences, __VA_ARGS__) {                            \
+        ENTER(ANY_PHASE, EITHER);                                                      \
+        (void)valueReferences;                                                         \
+        UNUSED;                                                                        \
+        return AS_FMI(face_no_such(c, HERE, nValueReferences));                        \
     }
 
 #define UNUSED (void)values
@@ -109,8 +105,7 @@ NO_CLOCK(fmi3SetIntervalDecimal, const fmi3Float64 intervals[])
 #undef UNUSED
 
 fmi3Status fmi3GetNumberOfVariableDependencies(fmi3Instance instance, fmi3ValueReference valueReference,
-                                               size_t *nDependencies)
-{
+                                               size_t *nDependencies) {
     ENTER(ANY_PHASE, EITHER);
     (void)valueReference;
     (void)nDependencies;
@@ -120,8 +115,7 @@ fmi3Status fmi3GetNumberOfVariableDependencies(fmi3Instance instance, fmi3ValueR
 fmi3Status fmi3GetVariableDependencies(fmi3Instance instance, fmi3ValueReference dependent,
                                        size_t elementIndicesOfDependent[], fmi3ValueReference independents[],
                                        size_t elementIndicesOfIndependents[],
-                                       fmi3DependencyKind dependencyKinds[], size_t nDependencies)
-{
+                                       fmi3DependencyKind dependencyKinds[], size_t nDependencies) {
     ENTER(ANY_PHASE, EITHER);
     (void)dependent;
     (void)elementIndicesOfDependent;
@@ -132,39 +126,35 @@ fmi3Status fmi3GetVariableDependencies(fmi3Instance instance, fmi3ValueReference
     return AS_FMI(face_refuse(c, HERE, "dependencies do not change: see the model description"));
 }
 
-fmi3Status fmi3EnterConfigurationMode(fmi3Instance instance)
-{
+fmi3Status fmi3EnterConfigurationMode(fmi3Instance instance) {
     ENTER(INSTANTIATED | RUNNING, EITHER);
     return AS_FMI(face_refuse(c, HERE, "there are no structural parameters"));
 }
 
-fmi3Status fmi3ExitConfigurationMode(fmi3Instance instance)
-{
+fmi3Status fmi3ExitConfigurationMode(fmi3Instance instance) {
     ENTER(0, EITHER);
     return fmi3Error;
 }
 
-fmi3Status fmi3EvaluateDiscreteStates(fmi3Instance instance)
-{
+fmi3Status fmi3EvaluateDiscreteStates(fmi3Instance instance) {
     ENTER(INITIALIZATION | EVENT_MODE, EITHER);
     return AS_FMI(face_refuse(c, HERE, "is not provided; call fmi3UpdateDiscreteStates"));
 }
 
 fmi3Status fmi3GetOutputDerivatives(fmi3Instance instance, const fmi3ValueReference valueReferences[],
                                     size_t nValueReferences, const fmi3Int32 orders[], fmi3Float64 values[],
-                                    size_t nValues)
-{
+                                    size_t nValues) {
     ENTER(READABLE, CO_SIMULATION);
     (void)valueReferences;
     (void)orders;
     (void)values;
-    return nValueReferences + nValues ? AS_FMI(face_refuse(c, HERE, "derivatives of outputs are not provided"))
-                                      : fmi3OK;
+    return nValueReferences + nValues
+               ? AS_FMI(face_refuse(c, HERE, "derivatives of outputs are not provided"))
+               : fmi3OK;
 }
 
 fmi3Status fmi3ActivateModelPartition(fmi3Instance instance, fmi3ValueReference clockReference,
-                                      fmi3Float64 activationTime)
-{
+                                      fmi3Float64 activationTime) {
     ENTER(0, EITHER);
     (void)clockReference;
     (void)activationTime;

@@ -5,8 +5,8 @@
 #include "fmi_common.h"
 #include "fmi3Functions.h"
 
-#define ENTER(phases, kinds)                                     \
-    Instance *c = instance;                                      \
+#define ENTER(phases, kinds) \
+    Instance *c = instance;  \
     if (!face_may(c, __func__, (phases), (kinds))) return fmi3Error
 
 #define AS_FMI(status) ((fmi3Status)(status))

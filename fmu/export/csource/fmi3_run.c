@@ -5,8 +5,7 @@ fmi3Status fmi3UpdateDiscreteStates(fmi3Instance instance, fmi3Boolean *discrete
                                     fmi3Boolean *terminateSimulation,
                                     fmi3Boolean *nominalsOfContinuousStatesChanged,
                                     fmi3Boolean *valuesOfContinuousStatesChanged,
-                                    fmi3Boolean *nextEventTimeDefined, fmi3Float64 *nextEventTime)
-{
+                                    fmi3Boolean *nextEventTimeDefined, fmi3Float64 *nextEventTime) {
     int changed = 0;
     FaceStatus status;
     ENTER(EVENT_MODE, EITHER);
@@ -23,16 +22,14 @@ fmi3Status fmi3UpdateDiscreteStates(fmi3Instance instance, fmi3Boolean *discrete
     return AS_FMI(status);
 }
 
-fmi3Status fmi3EnterContinuousTimeMode(fmi3Instance instance)
-{
+fmi3Status fmi3EnterContinuousTimeMode(fmi3Instance instance) {
     ENTER(EVENT_MODE, MODEL_EXCHANGE);
     c->now.phase = CONTINUOUS_TIME;
     return fmi3OK;
 }
 
 fmi3Status fmi3CompletedIntegratorStep(fmi3Instance instance, fmi3Boolean noSetFMUStatePriorToCurrentPoint,
-                                       fmi3Boolean *enterEventMode, fmi3Boolean *terminateSimulation)
-{
+                                       fmi3Boolean *enterEventMode, fmi3Boolean *terminateSimulation) {
     int due = 0;
     FaceStatus status;
     ENTER(CONTINUOUS_TIME, MODEL_EXCHANGE);
@@ -45,65 +42,56 @@ fmi3Status fmi3CompletedIntegratorStep(fmi3Instance instance, fmi3Boolean noSetF
     return AS_FMI(status);
 }
 
-fmi3Status fmi3SetTime(fmi3Instance instance, fmi3Float64 time)
-{
+fmi3Status fmi3SetTime(fmi3Instance instance, fmi3Float64 time) {
     ENTER(EVENT_MODE | CONTINUOUS_TIME, MODEL_EXCHANGE);
     return AS_FMI(face_set_time(c, HERE, time));
 }
 
 fmi3Status fmi3SetContinuousStates(fmi3Instance instance, const fmi3Float64 continuousStates[],
-                                   size_t nContinuousStates)
-{
+                                   size_t nContinuousStates) {
     ENTER(CONTINUOUS_TIME, MODEL_EXCHANGE);
     return AS_FMI(face_set_states(c, HERE, continuousStates, nContinuousStates));
 }
 
 fmi3Status fmi3GetContinuousStateDerivatives(fmi3Instance instance, fmi3Float64 derivatives[],
-                                             size_t nContinuousStates)
-{
+                                             size_t nContinuousStates) {
     ENTER(READABLE, MODEL_EXCHANGE);
     return AS_FMI(face_get_rates(c, HERE, derivatives, nContinuousStates));
 }
 
 fmi3Status fmi3GetEventIndicators(fmi3Instance instance, fmi3Float64 eventIndicators[],
-                                  size_t nEventIndicators)
-{
+                                  size_t nEventIndicators) {
     ENTER(READABLE, MODEL_EXCHANGE);
     return AS_FMI(face_get_indicators(c, HERE, eventIndicators, nEventIndicators));
 }
 
 fmi3Status fmi3GetContinuousStates(fmi3Instance instance, fmi3Float64 continuousStates[],
-                                   size_t nContinuousStates)
-{
+                                   size_t nContinuousStates) {
     ENTER(READABLE, MODEL_EXCHANGE);
     return AS_FMI(face_get_states(c, HERE, continuousStates, nContinuousStates));
 }
 
 fmi3Status fmi3GetNominalsOfContinuousStates(fmi3Instance instance, fmi3Float64 nominals[],
-                                             size_t nContinuousStates)
-{
+                                             size_t nContinuousStates) {
     ENTER(ANY_PHASE, MODEL_EXCHANGE);
     return AS_FMI(face_get_nominals(c, HERE, nominals, nContinuousStates));
 }
 
-fmi3Status fmi3GetNumberOfEventIndicators(fmi3Instance instance, size_t *nEventIndicators)
-{
+fmi3Status fmi3GetNumberOfEventIndicators(fmi3Instance instance, size_t *nEventIndicators) {
     ENTER(ANY_PHASE, MODEL_EXCHANGE);
     if (!nEventIndicators) return AS_FMI(face_refuse(c, HERE, "there is nowhere to put the answer"));
     *nEventIndicators = NG;
     return fmi3OK;
 }
 
-fmi3Status fmi3GetNumberOfContinuousStates(fmi3Instance instance, size_t *nContinuousStates)
-{
+fmi3Status fmi3GetNumberOfContinuousStates(fmi3Instance instance, size_t *nContinuousStates) {
     ENTER(ANY_PHASE, MODEL_EXCHANGE);
     if (!nContinuousStates) return AS_FMI(face_refuse(c, HERE, "there is nowhere to put the answer"));
     *nContinuousStates = NX;
     return fmi3OK;
 }
 
-fmi3Status fmi3EnterStepMode(fmi3Instance instance)
-{
+fmi3Status fmi3EnterStepMode(fmi3Instance instance) {
     ENTER(EVENT_MODE, CO_SIMULATION);
     c->now.phase = STEP_MODE;
     return fmi3OK;
@@ -112,8 +100,7 @@ fmi3Status fmi3EnterStepMode(fmi3Instance instance)
 fmi3Status fmi3DoStep(fmi3Instance instance, fmi3Float64 currentCommunicationPoint,
                       fmi3Float64 communicationStepSize, fmi3Boolean noSetFMUStatePriorToCurrentPoint,
                       fmi3Boolean *eventHandlingNeeded, fmi3Boolean *terminateSimulation,
-                      fmi3Boolean *earlyReturn, fmi3Float64 *lastSuccessfulTime)
-{
+                      fmi3Boolean *earlyReturn, fmi3Float64 *lastSuccessfulTime) {
     CoreStop reached = CORE_ARRIVED;
     FaceStatus status;
     ENTER(STEP_MODE, CO_SIMULATION);
@@ -123,7 +110,8 @@ fmi3Status fmi3DoStep(fmi3Instance instance, fmi3Float64 currentCommunicationPoi
     status = face_step(c, HERE, currentCommunicationPoint, communicationStepSize, &reached);
     *lastSuccessfulTime = core_time(&c->now.core);
     *eventHandlingNeeded = status == FACE_OK && reached == CORE_EVENT;
-    *earlyReturn = *eventHandlingNeeded && *lastSuccessfulTime < currentCommunicationPoint + communicationStepSize;
+    *earlyReturn =
+        *eventHandlingNeeded && *lastSuccessfulTime < currentCommunicationPoint + communicationStepSize;
     *terminateSimulation = fmi3False;
     return AS_FMI(status);
 }

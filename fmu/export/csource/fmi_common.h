@@ -75,6 +75,9 @@ void face_reset(Instance *c);
 /* Log why a call is refused and return FACE_ERROR; the instance stays as it was. */
 FaceStatus face_refuse(Instance *c, const char *function, const char *why);
 
+/* Log why the core did not accept a number, which changes nothing. */
+FaceStatus face_refuse_number(Instance *c, const char *function);
+
 FaceStatus face_bad_reference(Instance *c, const char *function, uint32_t ref);
 
 /* Whether arrays that should hold something are absent. */
@@ -86,7 +89,8 @@ int face_may(Instance *c, const char *function, int phases, int kinds);
 /* Log what the core has to say; after an error nothing but reading, restoring and resetting is left. */
 FaceStatus face_outcome(Instance *c, const char *function, CoreStatus status);
 
-FaceStatus face_get_reals(Instance *c, const char *function, const uint32_t refs[], size_t n, double values[]);
+FaceStatus face_get_reals(Instance *c, const char *function, const uint32_t refs[], size_t n,
+                          double values[]);
 FaceStatus face_set_reals(Instance *c, const char *function, const uint32_t refs[], size_t n,
                           const double values[]);
 FaceStatus face_get_mode(Instance *c, const char *function, uint32_t ref, int *value);
@@ -108,6 +112,9 @@ FaceStatus face_get_indicators(Instance *c, const char *function, double g[], si
 
 FaceStatus face_experiment(Instance *c, const char *function, int tolerance_defined, double tolerance,
                            double start, int stop_defined, double stop);
+
+/* Refuse an input that moves while its derivative, which the equations hold, was never anything but zero. */
+FaceStatus face_untold_rate(Instance *c, const char *function);
 
 /* Whether numbers can be told now: before a run, start values are found first. */
 FaceStatus face_ready(Instance *c, const char *function);

@@ -11,14 +11,13 @@ from ..integrator import Array, IntegratorError, Stepper, Stretch
 from ..point import Point
 from ..progress import Progress
 from ..run import Run, attempt, enter_next_leg, integrate, record_here
+from .constants import CHATTER_COUNT, CHATTER_WINDOW, CROWD_COUNT, HOP, NARROWEST
 from .functions import NODES as NODES
 from .root_finding import Crossing, first_crossing, followed
 from .short_steps import hopped
 from .stride import FINE, LEAST, Pace
 from .switcher import Switcher
 
-CHATTER = {200: 1e-6, 20_000: 1.0}
-HOP = 1e-3
 RESOLUTION = 1e-12
 RESOLVING = NODES / 4
 MOST_STEPS = 500
@@ -29,7 +28,7 @@ def run_hybrid(
 ) -> None:
     """Integrate between events, at a pace that keeps calls few and crossings visible; maybe to the first."""
     pace = Pace(outputs)
-    recent: deque[float] = deque(maxlen=max(CHATTER))
+    recent: deque[float] = deque(maxlen=CROWD_COUNT)
     while pace.next < len(outputs) and not (first and run.events):
         if enter_next_leg(run):
             pace.entered(run)
@@ -170,7 +169,7 @@ def _approach_crossing(
     g, rate = (float(m[indicator]) for m in switcher.indicators.watch(start))
     beyond = g > switcher.indicators.tolerance()[indicator] or (g >= 0 and rate < 0)
     while True:
-        narrow = high - low < 1e-13 * max(1.0, abs(t))
+        narrow = high - low < NARROWEST * max(1.0, abs(t))
         t = high if narrow else t
         if t <= start.t:
             return start, True
@@ -193,7 +192,7 @@ def _approach_crossing(
 def _watch_chatter(run: Run, recent: deque[float], interval: float) -> None:
     """Raise if there are very many events in next to no time, or more in an interval than can be meant."""
     recent.append(run.point.t)
-    for count, most in CHATTER.items():
+    for count, most in ((CHATTER_COUNT, CHATTER_WINDOW), (CROWD_COUNT, 1.0)):
         if len(recent) >= count and recent[-1] - recent[-count] < most * interval:
             names = sorted({event.component for event in run.events[-count:]})
             raise SimulationError(

@@ -9,6 +9,7 @@ from numpy.typing import NDArray
 
 from ....base import SimulationError
 from ...reduction.transitions import Change, Switching
+from .constants import IMPACT_RANK
 
 Array = NDArray[np.float64]
 
@@ -57,7 +58,7 @@ def solve_impact(
                 f"{', '.join(immovable)}: a shock meets a motion that is prescribed on both sides; let a "
                 "Mass move freely, or a Spring yield, on one of them"
             )
-        size = np.linalg.lstsq(effect, wanted, rcond=1e-10)[0]
+        size = np.linalg.lstsq(effect, wanted, rcond=IMPACT_RANK)[0]
         if size.min() >= 0 or len(acting) == 1:
             step: Array = response[:, numbers] @ size
             return {n: float(s) for n, s in zip(numbers, size, strict=True)}, step

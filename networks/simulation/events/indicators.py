@@ -10,14 +10,16 @@ from numpy.typing import NDArray
 
 from ..bound_dae import BoundDAE
 from ..point import Point
+from .constants import (
+    CUBIC_MISSES,
+    INDICATOR_FLOOR,
+    INDICATOR_ROUNDING,
+    RATE_NOISE,
+    SAME_INSTANT,
+)
 from .root_finding import Crossing
 
 Array = NDArray[np.float64]
-FLOOR = 1e-12
-RELATIVE = 1e-12
-FLAT = 1e-10
-UNRESOLVED = 1e-3
-SIMULTANEOUS = 1e-12
 
 
 @dataclass(eq=False)
@@ -74,7 +76,7 @@ class Indicators:
 
     def tolerance(self) -> Array:
         """Return the size below which each indicator counts as zero."""
-        return np.maximum(FLOOR, RELATIVE * self._seen)
+        return np.maximum(INDICATOR_FLOOR, INDICATOR_ROUNDING * self._seen)
 
     def soonest(self, point: Point) -> tuple[float, int]:
         """Return how soon an indicator will cross at its present rate, and which."""
@@ -90,11 +92,11 @@ class Indicators:
         """Return the indicator whose crossing after `start` lies farthest behind a point, if there is any."""
         values, rates = self.watch(point)
         below = self.watch(start)[0] <= self.tolerance()
-        instant = SIMULTANEOUS * max(1.0, abs(point.t)) * np.abs(rates)
+        instant = SAME_INSTANT * max(1.0, abs(point.t)) * np.abs(rates)
         behind = self.active(point.q) & below & (values > self.tolerance() + instant)
         if not behind.any():
             return None
-        since = np.where(behind, values / np.maximum(np.abs(rates), FLOOR), -np.inf)
+        since = np.where(behind, values / np.maximum(np.abs(rates), INDICATOR_FLOOR), -np.inf)
         return int(since.argmax())
 
     def resolved(self, point: Point, times: Array) -> bool:
@@ -111,18 +113,18 @@ class Indicators:
         )
         cubic = (9 * (at[1:-2] + at[2:-1]) - at[:-3] - at[3:]) / 16
         error = np.abs(between[1:-2] - cubic).max(axis=0)
-        allowed = UNRESOLVED * np.ptp(at, axis=0) + self.tolerance()
+        allowed = CUBIC_MISSES * np.ptp(at, axis=0) + self.tolerance()
         return bool((error <= allowed)[watched].all())
 
     def flat_at(self, point: Point, crossing: Crossing) -> bool:
         """Tell whether a crossing is where the stretch began, though the indicator does not rise there."""
         _, indicator, t = crossing
-        return t <= point.t and self.watch(point)[1][indicator] <= FLAT * self._fastest[indicator]
+        return t <= point.t and self.watch(point)[1][indicator] <= RATE_NOISE * self._fastest[indicator]
 
     def falling(self, rates: Array) -> NDArray[np.bool_]:
         """Tell which indicators fall, by more than noise."""
-        return rates < -FLAT * self._fastest
+        return rates < -RATE_NOISE * self._fastest
 
     def rising(self, rates: Array) -> NDArray[np.bool_]:
         """Tell which indicators rise, by more than noise."""
-        return rates > FLAT * self._fastest
+        return rates > RATE_NOISE * self._fastest

@@ -5,9 +5,10 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
+from .constants import CUBIC_BISECTIONS, CUBIC_CREST
+
 Array = NDArray[np.float64]
 Crossing = tuple[int, int, float]
-CREST = 4 / 27
 LOST = 0.05
 
 
@@ -27,7 +28,7 @@ def first_crossing(
     limit = near[rows, None]
     values, rises = values[rows], rates[rows] * (times[1] - times[0])
     before, after, slope_a, slope_b = values[:, :-1], values[:, 1:], rises[:, :-1], rises[:, 1:]
-    bound = np.maximum(before, after) + CREST * (np.abs(slope_a) + np.abs(slope_b))
+    bound = np.maximum(before, after) + CUBIC_CREST * (np.abs(slope_a) + np.abs(slope_b))
     near_by = np.flatnonzero((bound > limit).any(axis=0))
     if not len(near_by):
         return None
@@ -88,7 +89,7 @@ def _root(a: float, b: float, da: float, db: float, near: float) -> float:
         low = -da / (c2 + turns)
     if b <= near:
         high = -da / (c2 - turns)
-    for _ in range(60):
+    for _ in range(CUBIC_BISECTIONS):
         middle = 0.5 * (low + high)
         below = a + middle * (da + middle * (c2 + middle * c3)) < 0
         low, high = (middle, high) if below else (low, middle)

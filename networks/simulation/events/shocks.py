@@ -22,15 +22,22 @@ from ...flattening.vectors import pick
 from ...reduction.jumps import Jumps
 from ..integrator import nominal_sizes
 from ..point import Point
+from .constants import (
+    JUMP_ACCURACY,
+    JUMP_LATE,
+    JUMP_ROUNDING,
+    JUMP_STEP,
+    JUMP_UNBOUNDED,
+    NEWTON_CLOSE,
+    NEWTON_ROUNDS,
+    RAMP,
+    RAMP_SHORTER,
+)
 
 if TYPE_CHECKING:
     from ..bound_dae import BoundDAE
 
 Array = NDArray[np.float64]
-INSTANT, SHORTER = 2.0**-50, 2.0**-4  # s; the second as a share of the first
-RELATIVE, LOCATED, UNBOUNDED = 1e-9, 1e-10, 1e-6
-ACCURATE, SMALLEST = 1e-10, 2.0**-40
-NEWTON, CLOSE = 50, 1e-12
 
 
 class Shocks:
@@ -74,8 +81,8 @@ class Shocks:
         jump, size = self._jump(before, self.seen(point), q, point.t)
         steeper = np.append(np.abs(jump[1:]), 0.0)
         steeper[[part.stop - 1 for part in self._parts]] = 0.0
-        late = LOCATED * max(1.0, abs(point.t)) * steeper
-        jump[np.abs(jump) <= RELATIVE * size + late] = 0.0
+        late = JUMP_LATE * max(1.0, abs(point.t)) * steeper
+        jump[np.abs(jump) <= JUMP_ROUNDING * size + late] = 0.0
         jump[[part.stop - 1 for part in self._parts]] = 0.0
         signed: Array = jump * self._signs
         return signed
@@ -118,7 +125,7 @@ class Shocks:
             half = self._runge_kutta(point, jump, path, s, h / 2)
             half = self._runge_kutta(point, jump, half, s + h / 2, h / 2)
             scale = np.maximum(self._sizes, np.abs(half))
-            if (np.abs(whole - half) <= ACCURATE * scale).all() or h <= SMALLEST:
+            if (np.abs(whole - half) <= JUMP_ACCURACY * scale).all() or h <= JUMP_STEP:
                 return half, 2 * h, h
             h /= 2
 
@@ -136,8 +143,8 @@ class Shocks:
         Raises:
             SimulationError: if they move the faster, the shorter the ramp.
         """
-        rates, shorter = (self._moved(point, jump, path, s, e) for e in (INSTANT, INSTANT * SHORTER))
-        bound = UNBOUNDED * (np.abs(rates).max(initial=0.0) + self._sizes)
+        rates, shorter = (self._moved(point, jump, path, s, e) for e in (RAMP, RAMP * RAMP_SHORTER))
+        bound = JUMP_UNBOUNDED * (np.abs(rates).max(initial=0.0) + self._sizes)
         if not (np.abs(rates - shorter) <= bound).all():
             raise SimulationError(self._told(point.t, jump, "a force that grows faster than speed"))
         return rates
@@ -147,7 +154,7 @@ class Shocks:
         for part in self._parts:
             moving[part][1:] += jump[part][:-1] / e
         x = path[: self._nx]
-        far = x + INSTANT / e * self._far
+        far = x + RAMP / e * self._far
         moved: Array = self._at(point, far, moving * self._signs) - self._at(point, x, still * self._signs)
         return e * moved
 
@@ -155,14 +162,14 @@ class Shocks:
         """Return rates of states and forces while signals are off by a course."""
         z = point.z
         moved, missed, slope = self._motion(x, z, point.q, point.t, course)
-        for _ in range(NEWTON if self._nz else 0):
+        for _ in range(NEWTON_ROUNDS if self._nz else 0):
             slope = slope.reshape(self._nz, self._nz).T
             if not (np.isfinite(missed).all() and np.isfinite(slope).all()):
                 break
             change = np.linalg.lstsq(slope, -missed, rcond=1e-12)[0]
             z = z + change
             moved, missed, slope = self._motion(x, z, point.q, point.t, course)
-            if np.abs(change).max() <= CLOSE * (1 + np.abs(z).max()):
+            if np.abs(change).max() <= NEWTON_CLOSE * (1 + np.abs(z).max()):
                 break
         return moved
 
@@ -174,10 +181,10 @@ class Shocks:
         """
         course = np.zeros(len(jump))
         for part in self._parts:
-            course[part][2:] = jump[part][:-2] / INSTANT
+            course[part][2:] = jump[part][:-2] / RAMP
         thrown = self._at(point, point.x, course * self._signs) - self._at(point, point.x, 0 * course)
         bound = thrown[self._nx :] if self.jumps.motions else thrown
-        if not (np.abs(bound) <= UNBOUNDED).all():
+        if not (np.abs(bound) <= JUMP_UNBOUNDED).all():
             raise SimulationError(self._told(point.t, jump, "an infinite acceleration of what has inertia"))
         return thrown[: self._nx]
 

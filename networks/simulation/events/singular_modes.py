@@ -11,9 +11,9 @@ from numpy.typing import NDArray
 from ....base import SimulationError
 from ..bound_dae import BoundDAE
 from ..point import Point
+from .constants import BLOCK_LOOSE, BLOCK_REGULAR, BLOCK_WEAK
 
 Array = NDArray[np.float64]
-REGULAR = 1e-6
 
 
 @dataclass(eq=False)
@@ -55,7 +55,7 @@ class Completion:
             start = part.stop
             if singular:
                 freed = np.abs(completion.reshape(size, size, order="F")).max(axis=0)
-                loose = freed > 1e-6 * freed.max()
+                loose = freed > BLOCK_LOOSE * freed.max()
                 if functions.is_rate[block.torn][loose].any():
                     self.adrift += block.labels
                 else:
@@ -85,10 +85,10 @@ def _completion(entries: bytes, size: int) -> tuple[Array, bool]:
     matrix = np.frombuffer(entries).reshape(size, size, order="F")
     scale = np.abs(matrix).max(axis=1, initial=0.0)
     scale[scale == 0] = 1.0
-    if abs(np.linalg.det(matrix / scale[:, None])) > REGULAR:
+    if abs(np.linalg.det(matrix / scale[:, None])) > BLOCK_REGULAR:
         return np.zeros(size**2), False
     left, strength, right = np.linalg.svd(matrix / scale[:, None])
-    weak = strength <= 1e-10 * max(strength.max(initial=0.0), 1.0)
+    weak = strength <= BLOCK_WEAK * max(strength.max(initial=0.0), 1.0)
     if not weak.any():
         return np.zeros(size**2), False
     completion = scale[:, None] * (left[:, weak] @ right[weak])

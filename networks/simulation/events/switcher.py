@@ -14,15 +14,21 @@ from ...reduction.transitions import Change
 from ..bound_dae import BoundDAE
 from ..point import Point as Point
 from ..point import solve_algebraic
+from .constants import (
+    FIRING_ROUNDS,
+    FIRING_TOLD,
+    IMPACT_RANK,
+    INSIDE,
+    JUMP_ALIKE,
+    JUMP_FELT,
+    LEAVING,
+    PRESSED,
+)
 from .impacts import partners, solve_impact
 from .indicators import Indicators
 from .singular_modes import Completion
 
 Array = NDArray[np.float64]
-INSIDE = 1e-9
-ROUNDS = 1000
-FELT = PRESSED = 1e-12
-ALIKE = 1e-9
 JUMP = "jump"
 
 
@@ -73,7 +79,7 @@ class Switcher:
         adrift: list[str] = []
         one_by_one = False
         self.completion.update(point)
-        for _ in range(ROUNDS):
+        for _ in range(FIRING_ROUNDS):
             fired = self._fired(point, forced)
             forced = None
             if not fired:
@@ -89,7 +95,7 @@ class Switcher:
             adrift = self.completion.adrift or adrift
         self.completion.adrift = adrift
         self.completion.check_adrift(point.t)
-        names = sorted({event.component for event in happened[-20:]})
+        names = sorted({event.component for event in happened[-FIRING_TOLD:]})
         raise SimulationError(
             f"no consistent set of modes at t = {point.t:.9g} s; these switch for ever: {', '.join(names)}"
         )
@@ -98,7 +104,7 @@ class Switcher:
         indicators = self.indicators
         (g, rate), near = indicators.watch(point), indicators.tolerance()
         ready = indicators.active(point.q) & ((g > near) | ((g > -near) & indicators.rising(rate)))
-        leaving = (g <= 10 * near) & indicators.falling(rate)
+        leaving = (g <= LEAVING * near) & indicators.falling(rate)
         ready &= ~leaving
         if forced is not None:
             same_mode = self.functions.mode_of == self.functions.mode_of[forced]
@@ -202,7 +208,7 @@ class Switcher:
             rows = [self.functions.reset_of[v] for v in others]
             missing = np.array([resets[v] for v in others]) - value[rows]
             slope = slope.reshape(len(point.x), len(value)).T[rows]
-            point.x = point.x + np.linalg.lstsq(slope, missing, rcond=1e-10)[0]
+            point.x = point.x + np.linalg.lstsq(slope, missing, rcond=IMPACT_RANK)[0]
 
     def tell_inside(self, point: Point) -> None:
         """Note what begins beyond the point at which it strikes."""
@@ -229,7 +235,7 @@ class Switcher:
                 other = Point(during.t, during.x, during.z, during.q.copy())
                 self.indicators.modes(other.q)[k] = value
                 self.completion.update(other)
-                if not np.allclose(self.shocks.begins(other, size), known, rtol=ALIKE, atol=ALIKE):
+                if not np.allclose(self.shocks.begins(other, size), known, rtol=JUMP_ALIKE, atol=JUMP_ALIKE):
                     name = self.switching.mode_names[k].rpartition(".")[0]
                     raise SimulationError(
                         f"at t = {during.t:.9g} s '{name}' passes a jump of a prescribed motion on, in its "
@@ -256,7 +262,7 @@ class Switcher:
 
 def pushed(t: float, jumps: Jumps, impulses: Array) -> list[Event]:
     """Return what jumps as events, with the impulses of the motions that feel it."""
-    felt = np.flatnonzero(np.abs(impulses) > FELT * np.abs(impulses).max(initial=0.0))
+    felt = np.flatnonzero(np.abs(impulses) > JUMP_FELT * np.abs(impulses).max(initial=0.0))
     if not len(felt):
         return [jumped(t, jumps, len(jumps.motions))]
     return [jumped(t, jumps, int(k), float(impulses[k])) for k in felt]

@@ -1,15 +1,15 @@
-/* Loads the library of an FMI 3.0 FMU on Windows, runs it as Co-Simulation, and prints one variable after each
- * step: windows.exe LIBRARY TOKEN REFERENCE STEP COUNT */
+/* Loads the library of an FMI 3.0 FMU on Windows, runs it as Co-Simulation, and prints one variable after
+ * each step: windows.exe LIBRARY TOKEN REFERENCE STEP COUNT */
 #include <stdio.h>
 #include <stdlib.h>
 #include <windows.h>
 
 #include "fmi3FunctionTypes.h"
 
-#define LOAD(name) fmi3##name##TYPE *name = (fmi3##name##TYPE *)(void (*)(void))GetProcAddress(library, "fmi3" #name)
+#define LOAD(name) \
+    fmi3##name##TYPE *name = (fmi3##name##TYPE *)(void (*)(void))GetProcAddress(library, "fmi3" #name)
 
-int main(int count, char **given)
-{
+int main(int count, char **given) {
     HMODULE library = count > 5 ? LoadLibraryA(given[1]) : NULL;
     if (!library) return 1;
     LOAD(InstantiateCoSimulation);
@@ -22,7 +22,8 @@ int main(int count, char **given)
     fmi3ValueReference reference = (fmi3ValueReference)atoi(given[3]);
     double step = atof(given[4]), value, reached;
     bool event, end, early;
-    fmi3Instance it = InstantiateCoSimulation("it", given[2], NULL, false, false, false, false, NULL, 0, NULL, NULL, NULL);
+    fmi3Instance it =
+        InstantiateCoSimulation("it", given[2], NULL, false, false, false, false, NULL, 0, NULL, NULL, NULL);
     if (!it) return 2;
     if (EnterInitializationMode(it, true, 1e-6, 0, false, 0) || ExitInitializationMode(it)) return 3;
     for (int k = 0; k < atoi(given[5]); k++) {

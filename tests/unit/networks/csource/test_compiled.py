@@ -1,5 +1,6 @@
 """Solver "compiled" against the event loop in Python, feature by feature."""
 
+import ctypes
 from typing import Any
 
 import casadi as ca
@@ -7,6 +8,7 @@ import inertance as ia
 import numpy as np
 import pytest
 from inertance import rotational
+from inertance.networks.csource import native
 from inertance.networks.csource.toolchain import ToolchainError, compiler
 from inertance.networks.simulation.bound_dae import bound
 
@@ -392,3 +394,15 @@ def test_a_spring_that_is_all_but_rigid_does_not_blur_events() -> None:
     assert len(slips[0]) > 3
     np.testing.assert_allclose(slips[1], slips[0], atol=5e-3)
     assert stiffer.stats["steps"] < 2 * stiff.stats["steps"]
+
+
+def test_a_library_that_lays_out_numbers_otherwise_is_refused(monkeypatch: pytest.MonkeyPatch) -> None:
+    class _Shorter(ctypes.Structure):
+        _fields_ = native._Run._fields_[:-1]
+
+    monkeypatch.setattr(native, "_Run", _Shorter)
+    with pytest.raises(
+        ToolchainError,
+        match=r"192 bytes for Shorter, this Python 184; CC and CFLAGS must build for the machine",
+    ):
+        stick_slip().simulate(1.0, solver="compiled")

@@ -13,6 +13,7 @@ import numpy as np
 import pytest
 from inertance.networks import CProgram, c_program, compile_shared
 from inertance.networks.csource.toolchain import ToolchainError, compiler
+from inertance.networks.simulation.events import constants
 
 try:
     compiler()
@@ -88,6 +89,14 @@ def test_it_runs_like_the_network(program: CProgram, library: Any, core: Any) ->
     assert values(library, core, "core_variables", 2) == pytest.approx(
         [run[n][-1] for n in program.variables], abs=1e-5
     )
+
+
+def test_both_loops_have_the_same_constants(program: CProgram) -> None:
+    told = dict(line.split()[1:] for line in program.files["constants.h"].splitlines() if " " in line[8:])
+    names = {name: value for name, value in vars(constants).items() if name.isupper()}
+    assert {name: float(value) for name, value in told.items()} == names
+    text = "".join(text for name, text in program.files.items() if name != "constants.h")
+    assert [name for name in names if f"#define {name} " in text] == []
 
 
 def test_a_copy_goes_on_bit_by_bit(library: Any, core: Any) -> None:
