@@ -11,11 +11,16 @@ import numpy as np
 
 from ... import components as ia
 from ...components import Component, rotational
+from ..criteria import (
+    REVERSAL_SPEED_RATIO,
+    RIPPLE_PERIODS,
+    RIPPLES_PER_TRAVEL,
+    STRIBECK_SPEED_RATIOS,
+    YIELD_TRAVEL_RATIOS,
+)
 from .edits import Add, Connect, Edit, Insert, between
 from .effect import Array, Effect, Extent, Motion, Quantity, Values, both, register
 from .sites import Site
-
-SLOW = 0.01  # speed within which friction that cannot stick changes sides, over the usual one
 
 Maker = Callable[[Values, Site], Component]
 
@@ -35,15 +40,17 @@ def _across(
 
 
 def _speeds(motion: Extent) -> list[dict[str, float]]:
-    return [{"v_s": share * motion.speed} for share in (0.05, 0.3, 1.0)]
+    return [{"v_s": share * motion.speed} for share in STRIBECK_SPEED_RATIOS]
 
 
 def _periods(motion: Extent) -> list[dict[str, float]]:
-    return [{"period": 2 * motion.travel / count} for count in np.geomspace(2, 60, 24)]
+    return [
+        {"period": 2 * motion.travel / count} for count in np.geomspace(*RIPPLES_PER_TRAVEL, RIPPLE_PERIODS)
+    ]
 
 
 def _yields(motion: Extent) -> list[dict[str, float]]:
-    return [{"s_y": share * motion.travel} for share in (0.04, 0.15, 0.6, 2.0)]
+    return [{"s_y": share * motion.travel} for share in YIELD_TRAVEL_RATIOS]
 
 
 def _shape(values: Values) -> float:
@@ -198,7 +205,7 @@ def _loaded(site: Site, name: str, values: Values) -> list[Edit]:
     turning = site.domain == "rotational"
     sensor = rotational.TorqueSensor() if turning else ia.ForceSensor()
     family = rotational.LoadedFriction if turning else ia.LoadedFriction
-    friction = family(regularised=SLOW * site.speed, **values)
+    friction = family(regularised=REVERSAL_SPEED_RATIO * site.speed, **values)
     signal = f"{name}_load.{'tau' if turning else 'f'}"
     return [
         Insert(site.moving, f"{name}_load", sensor),
@@ -209,7 +216,7 @@ def _loaded(site: Site, name: str, values: Values) -> list[Edit]:
 
 def _drifting(site: Site, name: str, values: Values) -> list[Edit]:
     family = rotational.DriftingFriction if site.domain == "rotational" else ia.DriftingFriction
-    friction = family(regularised=SLOW * site.speed, **values)
+    friction = family(regularised=REVERSAL_SPEED_RATIO * site.speed, **values)
     return [
         *between(name, friction, site.fixed, site.moving),
         Add(f"{name}_clock", ia.signals.Clock()),

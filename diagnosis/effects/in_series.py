@@ -7,21 +7,27 @@ import numpy as np
 from ... import components as ia
 from ...components import rotational
 from ...networks import parallel
+from ..criteria import (
+    CLEARANCE_STEP_RATIO,
+    LEAST_COMPLIANCE,
+    OIL_FORCE_RATIO,
+    PLAY_FORCE_RATIO,
+    SETTLING_SECONDS,
+    STOP_DEFLECTION_RATIO,
+)
 from .edits import Add, Connect, Edit, Insert
 from .effect import Array, Effect, Motion, Values, both, register
 from .sites import Site
 
-STIFF = 1e-3  # travel of a site over the deflection of a stop under its largest force
-FAST = 1e-4  # s, in which a compliance settles
-TINY = 1e-15  # least compliance
-SHARP = 0.02  # force at which play is taken up, over the largest
-WIDE = 0.1  # change of a clearance by which its effect is judged: on a smaller scale impacts make it rough
-LEAK = 1e-4  # force of the oil in a clearance at the usual speed, over the largest force
+
+def _stop(site: Site) -> float:
+    """Return the stiffness of a stop, so large that no record shows it."""
+    return site.force / (STOP_DEFLECTION_RATIO * site.travel)
 
 
 def _play(site: Site, name: str, values: Values) -> list[Edit]:
-    stiffness, oil = site.force / (STIFF * site.travel), LEAK * site.force / site.speed
-    calming = FAST * stiffness if site.sticks else 0.0
+    stiffness, oil = _stop(site), OIL_FORCE_RATIO * site.force / site.speed
+    calming = SETTLING_SECONDS * stiffness if site.sticks else 0.0
     if site.domain == "rotational":
         turn = rotational.ElastoBacklash(c=stiffness, d=calming, b=2 * values["eps"])
         both_ways = parallel(gap=turn, oil=rotational.Damper(d=oil))
@@ -35,17 +41,17 @@ def _ballast(site: Site, name: str, stiffness: float) -> list[Edit]:
     """Return what gives dry friction an inertia of its own, so small that it settles in next to no time."""
     if not site.sticks:
         return []
-    size = stiffness * FAST**2
+    size = stiffness * SETTLING_SECONDS**2
     inertia = rotational.Inertia(J=size) if site.domain == "rotational" else ia.Mass(m=size)
     return [Add(f"{name}_ballast", inertia), Connect((f"{name}_ballast.flange", f"{name}.flange_a"))]
 
 
 def _yielding(site: Site, name: str, values: Values) -> list[Edit]:
-    value = 1 / max(values["compliance"], TINY)
+    value = 1 / max(values["compliance"], LEAST_COMPLIANCE)
     turning = site.domain == "rotational"
-    damping = FAST * value
+    damping = SETTLING_SECONDS * value
     spring = rotational.SpringDamper(c=value, d=damping) if turning else ia.SpringDamper(k=value, d=damping)
-    return [Insert(site.moving, name, spring), *_ballast(site, name, site.force / (STIFF * site.travel))]
+    return [Insert(site.moving, name, spring), *_ballast(site, name, _stop(site))]
 
 
 def _inertia(site: Site, name: str, values: Values) -> list[Edit]:
@@ -61,13 +67,13 @@ def _play_parameters(site: Site, name: str, values: Values) -> dict[str, float]:
 
 def _yield_parameters(site: Site, name: str, values: Values) -> dict[str, float]:
     stiffness = "c" if site.domain == "rotational" else "k"
-    value = 1 / max(values["compliance"], TINY)
-    return {f"{name}.{stiffness}": value, f"{name}.d": FAST * value}
+    value = 1 / max(values["compliance"], LEAST_COMPLIANCE)
+    return {f"{name}.{stiffness}": value, f"{name}.d": SETTLING_SECONDS * value}
 
 
 def _taken_up(motion: Motion, _: Values) -> list[Array]:
     """Return where play lies: on the side to which the force presses."""
-    return [np.tanh(motion.f / (SHARP * float(np.abs(motion.f).max())))]
+    return [np.tanh(motion.f / (PLAY_FORCE_RATIO * float(np.abs(motion.f).max())))]
 
 
 BACKLASH = register(
@@ -78,7 +84,7 @@ BACKLASH = register(
         _play,
         _taken_up,
         parameters=_play_parameters,
-        step=WIDE,
+        step=CLEARANCE_STEP_RATIO,
     )
 )
 COMPLIANCE = register(

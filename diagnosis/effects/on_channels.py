@@ -6,9 +6,8 @@ from math import inf
 
 import numpy as np
 
+from ..criteria import CHANNEL_STEP_RATIO
 from .effect import Array, Effect, Quantity, Values, register
-
-SMALL = 1e-3  # change of a size by which its effect is judged
 
 
 def _delayed(t: Array, y: Array, p: Values) -> Array:
@@ -36,7 +35,7 @@ def _dead_zone(t: Array, y: Array, p: Values) -> Array:
 
 def _sensor(kind: str, name: str, unit: str, low: float, change: object) -> Effect:
     quantities = {"channel": (Quantity(name, unit, low),)}
-    return register(Effect(kind, "channel", quantities, change=change, step=SMALL))  # type: ignore[arg-type]
+    return register(Effect(kind, "channel", quantities, change=change, step=CHANNEL_STEP_RATIO))  # type: ignore[arg-type]
 
 
 DELAY = _sensor("sensor_delay", "delay", "s", 0.0, _delayed)

@@ -12,14 +12,20 @@ from numpy.typing import NDArray
 from ...components import SimulationError
 from ...identification import Accuracy, Campaign, Ending, Experiment, descent
 from ...networks import Network
+from ..criteria import (
+    DESCENT_CHI_SQUARED_DROP,
+    DESCENT_LEAST_RADIUS,
+    DESCENT_RELATIVE_DROP,
+    DESCENT_STEPS,
+    SHAPED_DESCENTS,
+    START_SINGULAR_VALUE_RATIO,
+)
 from ..effects.hypothesis import Placed, driven, sensed
 from ..effects.shaping import Bounds, Shapes
 from ..models.predictor import Predicted, Standing, predictor
 
 Array = NDArray[np.float64]
 Start = tuple[Mapping[str, float], Mapping[str, float]]
-MOST_STEPS = 100
-MOST_RESHAPED = 3  # times that a fit goes on from where a shape is held
 
 
 @dataclass(frozen=True, eq=False)
@@ -123,16 +129,17 @@ class Joint:
         else:
             vector, bounds = min((self._begun(vector) for vector in vectors), key=lambda begun: begun[0])[1:]
         vector = self._descended(vector, bounds)[0]
-        for _ in range(MOST_RESHAPED):
+        for _ in range(SHAPED_DESCENTS):
             if not self.shapes.are_held(vector, bounds):
                 break
             bounds = self.shapes.bounds(vector)
             vector = self._descended(vector, bounds)[0]
         return self.seen(vector)
 
-    def _descended(self, start: Array, bounds: Bounds, steps: int = MOST_STEPS) -> tuple[Array, float]:
+    def _descended(self, start: Array, bounds: Bounds, steps: int = DESCENT_STEPS) -> tuple[Array, float]:
         """Return where a descent within bounds ends, and the sum of squares there."""
-        *_, end = descent(self.stacked, start, bounds, Ending(1e-4, 1.0, 1e-3, steps), learnt=True)
+        ending = Ending(DESCENT_RELATIVE_DROP, DESCENT_CHI_SQUARED_DROP, DESCENT_LEAST_RADIUS, steps)
+        *_, end = descent(self.stacked, start, bounds, ending, learnt=True)
         return end.vector, end.cost
 
     def _begun(self, start: Array) -> tuple[float, Array, Bounds]:
@@ -270,6 +277,6 @@ def _freed(
         return residuals, columns
     stacked = np.concatenate(list(residuals.values()))
     both = np.column_stack([stacked, columns])
-    left = both - to_start @ np.linalg.lstsq(to_start, both, rcond=1e-8)[0]
+    left = both - to_start @ np.linalg.lstsq(to_start, both, rcond=START_SINGULAR_VALUE_RATIO)[0]
     parts = np.split(left[:, 0], np.cumsum([len(r) for r in residuals.values()])[:-1])
     return dict(zip(residuals, parts, strict=True)), left[:, 1:]
