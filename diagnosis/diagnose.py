@@ -70,7 +70,7 @@ def diagnose(
     )
     tell = report or (lambda line: None)
     campaign = thinned(Campaign.of(campaign))
-    rtol = rtol or _unseen(campaign)
+    rtol = rtol or relative_tolerance(campaign)
     accuracy = Accuracy(_fastest() if solver == "auto" else solver, rtol, steps=SOLVER_STEPS_PER_SAMPLE)
     tell("refitting the parameters")
     nominal = Joint(campaign, campaign.network, campaign.start, (), accuracy)
@@ -100,7 +100,7 @@ def diagnose(
         ) from None
 
 
-def _unseen(campaign: Campaign) -> float:
+def relative_tolerance(campaign: Campaign) -> float:
     """Return a relative tolerance at which errors of runs, friction and all, do not show in the noise."""
     moved = {n: max(float(np.std(e.record.values[n])) for e in campaign.training) for n in campaign.outputs}
     share = min(sigma / (moved[name] or sigma) for name, sigma in campaign.sigma.items())
