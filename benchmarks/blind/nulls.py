@@ -67,8 +67,8 @@ def reached(campaign: Campaign) -> dict[str, float]:
     priors, left = campaign.priors, blocks(base, campaign).sum()
     moved = [abs(value - priors[name].center) / priors[name].sd for name, value in base.parameters.items()]
     found = (misfit(base), misfit(base), max(moved), candidates[0].gain)
-    clear = max(clearness(base, other, campaign) for other in fitted)
-    taken = max(1 - float(blocks(other, campaign).sum() / left) for other in fitted)
+    clear = max((clearness(base, other, campaign) for other in fitted), default=0.0)
+    taken = max((1 - float(blocks(other, campaign).sum() / left) for other in fitted), default=0.0)
     return dict(zip((*THRESHOLDS, *FITS), (*found, clear, taken), strict=True))
 
 
