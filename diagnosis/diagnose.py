@@ -12,28 +12,30 @@ from ..base import between, demand, function, instance, one_of, optional
 from ..components import InertanceError
 from ..identification import Accuracy, Campaign
 from ..networks import COARSEST, FINEST, SOLVERS, chosen_solver
+from .criteria import (
+    CLEAR_STANDARD_ERRORS,
+    COLOURED_MISFIT,
+    EARLY_END_COST_RATIO,
+    FIRST_EFFECT_SHARE,
+    FURTHER_EFFECT_SHARE,
+    GENERALISATION_SHARE,
+    MOST_EFFECTS,
+    NOISE_MISFIT,
+    PART_CHI_SQUARED,
+    RELATIVE_TOLERANCES,
+    RUNS_PER_MODEL,
+    SOLVER_STEPS_PER_SAMPLE,
+    TOLERANCE_OVER_NOISE,
+)
 from .effects.hypothesis import Placed
 from .models.predictor import subject
 from .models.read import read_model
 from .search.decimation import thinned
 from .search.joint_fit import Joint, Refit, refit
-from .search.model_comparison import COLOURED, are_alike, blocks, clearness, is_simpler, misfit, unexplained
+from .search.model_comparison import are_alike, blocks, clearness, is_simpler, misfit, unexplained
 from .search.round import Report, Round, held
 from .verdict.decide import decided
 from .verdict.verdict import DiagnosisInterruptedError, Verdict
-
-MOST_EFFECTS = 2
-CLEAR = 3.0  # standard errors by which an effect must beat the model without it
-WORTH = 0.25  # share of what a special case leaves that its generalisation must take away
-LEAST_DROP = 0.01  # share of the squared test residual that an effect must take away
-LEAST_FURTHER = 0.05  # the same for a second effect: less but mends the shape of the first
-RUNS = 200  # of each model, which is fitted from several starts and probed
-STEPS = 50  # granted to a run for each sample; a model that needs more is none to be fitted
-EARLY = 0.9  # share of its sum of squares to which a fit may still fall that has come to its end
-PART = 4.0  # drop of chi squared by which a part of an assembly must be likelier than the whole
-FINE = 1e-3  # relative tolerance of runs, over the share of noise in what is measured
-TOLERANCES = 1e-7, 1e-5
-NOISE = 1.03  # misfit over noise at which there is nothing left to find
 
 
 def diagnose(
@@ -71,9 +73,9 @@ def diagnose(
     )
     tell = report or (lambda line: None)
     campaign = thinned(Campaign.of(campaign, read_model))
-    rtol = rtol or _unseen(campaign)
+    rtol = rtol or relative_tolerance(campaign)
     samples = sum(len(experiment.record.time) for experiment in campaign.training)
-    accuracy = Accuracy(chosen_solver(solver, samples, RUNS), rtol, steps=STEPS)
+    accuracy = Accuracy(chosen_solver(solver, samples, RUNS_PER_MODEL), rtol, steps=SOLVER_STEPS_PER_SAMPLE)
     tell("refitting the parameters")
     nominal = Joint(campaign, campaign.network, campaign.start, (), accuracy)
     start = nominal.seen(nominal.start)
@@ -88,7 +90,7 @@ def diagnose(
             if chosen is None:
                 break
             without = _without(chosen.effects[-1], chosen, campaign, accuracy)
-            if without is not None and without.cost < EARLY * best.cost:
+            if without is not None and without.cost < EARLY_END_COST_RATIO * best.cost:
                 tell("the fit before had ended early: once more from where this one led")
                 best, base = without, base if best.effects else without
                 rounds.pop()
@@ -102,18 +104,18 @@ def diagnose(
         ) from None
 
 
-def _unseen(campaign: Campaign) -> float:
+def relative_tolerance(campaign: Campaign) -> float:
     """Return a relative tolerance at which errors of runs, friction and all, do not show in the noise."""
     moved = {n: max(float(np.std(e.record.values[n])) for e in campaign.training) for n in campaign.outputs}
     share = min(sigma / (moved[name] or sigma) for name, sigma in campaign.sigma.items())
-    return float(np.clip(FINE * share, *TOLERANCES))
+    return float(np.clip(TOLERANCE_OVER_NOISE * share, *RELATIVE_TOLERANCES))
 
 
 def _misses_much(best: Refit, base: Refit) -> bool:
     """Tell whether another effect could take away enough to be believed."""
     if not best.effects:
-        return misfit(best) > NOISE
-    return misfit(best) > COLOURED and unexplained(best, base) > LEAST_FURTHER
+        return misfit(best) > NOISE_MISFIT
+    return misfit(best) > COLOURED_MISFIT and unexplained(best, base) > FURTHER_EFFECT_SHARE
 
 
 def _chosen(done: Round, base: Refit, campaign: Campaign) -> Refit | None:
@@ -121,7 +123,7 @@ def _chosen(done: Round, base: Refit, campaign: Campaign) -> Refit | None:
 
     How much it must take away is counted in what the model without effects misses.
     """
-    clear = [found for found in done.fitted if clearness(done.base, found, campaign) > CLEAR]
+    clear = [found for found in done.fitted if clearness(done.base, found, campaign) > CLEAR_STANDARD_ERRORS]
     if not clear:
         return None
     best = _sited(min(clear, key=lambda f: blocks(f, campaign).sum()), clear, campaign)
@@ -129,7 +131,7 @@ def _chosen(done: Round, base: Refit, campaign: Campaign) -> Refit | None:
         if is_simpler(other, best) and not _worth_it(other, best, campaign):
             best = other
     drop = blocks(done.base, campaign).sum() - blocks(best, campaign).sum()
-    least = LEAST_FURTHER if done.base.effects else LEAST_DROP
+    least = FURTHER_EFFECT_SHARE if done.base.effects else FIRST_EFFECT_SHARE
     return best if drop > least * blocks(base, campaign).sum() else None
 
 
@@ -143,7 +145,7 @@ def _sited(best: Refit, clear: Sequence[Refit], campaign: Campaign) -> Refit:
     alike = [f for f in clear if f.effects[-1].effect.kind == kind and are_alike(f, best, campaign)]
     best = min(alike, key=lambda f: f.cost)
     for other in alike:
-        if other.effects[-1].site.holds(best.effects[-1].site) and other.cost < best.cost + PART:
+        if other.effects[-1].site.holds(best.effects[-1].site) and other.cost < best.cost + PART_CHI_SQUARED:
             best = other
     return best
 
@@ -155,15 +157,18 @@ def _worth_it(plain: Refit, richer: Refit, campaign: Campaign) -> bool:
     """
     left = misfit(plain) ** 2 - 1.0
     taken = misfit(plain) ** 2 - misfit(richer) ** 2
-    clear = misfit(richer) <= NOISE < misfit(plain) or clearness(plain, richer, campaign) >= CLEAR
-    return taken > WORTH * left and clear
+    clear = (
+        misfit(richer) <= NOISE_MISFIT < misfit(plain)
+        or clearness(plain, richer, campaign) >= CLEAR_STANDARD_ERRORS
+    )
+    return taken > GENERALISATION_SHARE * left and clear
 
 
 def _pruned(best: Refit, campaign: Campaign, accuracy: Accuracy) -> Refit:
     """Return the model without those effects that a later one has made needless."""
     for placed in best.effects[:-1]:
         less = _without(placed, best, campaign, accuracy)
-        if less is not None and clearness(less, best, campaign) < CLEAR:
+        if less is not None and clearness(less, best, campaign) < CLEAR_STANDARD_ERRORS:
             best = less
     return best
 

@@ -15,11 +15,13 @@ from .fitting.campaign_model import Stand as Stand
 from .fitting.doubts import left_prior as left_prior
 from .fitting.fit import fit as fit
 from .fitting.fit import fit_stage as fit_stage
-from .fitting.least_squares import Optimum as Optimum
-from .fitting.least_squares import Problem as Problem
+from .fitting.least_squares import Ending as Ending
+from .fitting.least_squares import descent as descent
 from .fitting.outcome import Fit as Fit
 from .fitting.outcome import FitInterruptedError as FitInterruptedError
 from .fitting.outcome import FittedStage as FittedStage
+from .fitting.problem import Optimum as Optimum
+from .fitting.problem import Problem as Problem
 from .fitting.residual_block import Block as Block
 from .fitting.residual_block import Linearised as Linearised
 from .fitting.suspects import Suspect as Suspect

@@ -10,11 +10,16 @@ from typing import Any
 import numpy as np
 
 from ...components import Component, signals
+from ..criteria import (
+    REVERSAL_SPEED_RATIO,
+    RIPPLE_PERIODS,
+    RIPPLES_PER_TRAVEL,
+    STRIBECK_SPEED_RATIOS,
+    YIELD_TRAVEL_RATIOS,
+)
 from .edits import Add, Connect, Edit, Insert, between
 from .effect import Array, Effect, Extent, Motion, Quantity, Values, both, register
 from .sites import Site
-
-SLOW = 0.01  # speed within which friction that cannot stick changes sides, over the usual one
 
 Maker = Callable[[Site, Values], Component]
 
@@ -33,15 +38,17 @@ def _across(
 
 
 def _speeds(motion: Extent) -> list[dict[str, float]]:
-    return [{"v_s": share * motion.speed} for share in (0.05, 0.3, 1.0)]
+    return [{"v_s": share * motion.speed} for share in STRIBECK_SPEED_RATIOS]
 
 
 def _periods(motion: Extent) -> list[dict[str, float]]:
-    return [{"period": 2 * motion.travel / count} for count in np.geomspace(2, 60, 24)]
+    return [
+        {"period": 2 * motion.travel / count} for count in np.geomspace(*RIPPLES_PER_TRAVEL, RIPPLE_PERIODS)
+    ]
 
 
 def _yields(motion: Extent) -> list[dict[str, float]]:
-    return [{"s_y": share * motion.travel} for share in (0.04, 0.15, 0.6, 2.0)]
+    return [{"s_y": share * motion.travel} for share in YIELD_TRAVEL_RATIOS]
 
 
 def _shape(values: Values) -> float:
@@ -180,7 +187,7 @@ HYSTERESIS = _across(
 
 def _loaded(site: Site, name: str, values: Values) -> list[Edit]:
     """Return friction by the force that arrives at a site, not by what friction leaves of it."""
-    friction = site.family.LoadedFriction(regularised=SLOW * site.speed, **values)
+    friction = site.family.LoadedFriction(regularised=REVERSAL_SPEED_RATIO * site.speed, **values)
     return [
         Insert(site.moving, f"{name}_load", site.family.ForceSensor()),
         *between(name, friction, site.fixed, f"{name}_load.flange_a"),
@@ -189,7 +196,7 @@ def _loaded(site: Site, name: str, values: Values) -> list[Edit]:
 
 
 def _drifting(site: Site, name: str, values: Values) -> list[Edit]:
-    friction = site.family.DriftingFriction(regularised=SLOW * site.speed, **values)
+    friction = site.family.DriftingFriction(regularised=REVERSAL_SPEED_RATIO * site.speed, **values)
     return [
         *between(name, friction, site.fixed, site.moving),
         Add(f"{name}_clock", signals.Clock()),

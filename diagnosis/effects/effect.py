@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 
 from ...components import Domain, ModelError, nearest
 from ...networks import Pieces
+from ..criteria import REVERSAL_SPEED_RATIO
 from .edits import Edit
 from .sites import Site
 
@@ -60,7 +61,7 @@ class Motion:
     @property
     def direction(self) -> Array:
         """Sign of the speed, smooth within a hundredth of its usual size."""
-        return np.tanh(self.v / max(0.01 * self.speed, 1e-12))
+        return np.tanh(self.v / max(REVERSAL_SPEED_RATIO * self.speed, 1e-12))
 
 
 @dataclass(frozen=True)

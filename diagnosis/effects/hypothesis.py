@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 
 from ...identification import Campaign, Experiment
 from ...networks import Network
+from ..criteria import LEAST_SIZE_RATIO, PARAMETER_STEP_RATIO
 from .edits import Edit, edited
 from .effect import Effect, Quantity
 from .sites import Site
@@ -61,7 +62,7 @@ class Placed:
         sizes = []
         for quantity in self.quantities:
             alike = [abs(self.values[q.name]) for q in self.quantities if q.unit == quantity.unit]
-            sizes.append(max(abs(self.values[quantity.name]), 0.1 * max(alike)) or 1.0)
+            sizes.append(max(abs(self.values[quantity.name]), LEAST_SIZE_RATIO * max(alike)) or 1.0)
         return np.array(sizes)
 
     def with_values(self, values: Array) -> Placed:
@@ -74,7 +75,7 @@ class Placed:
         base = np.array([self.values[q.name] for q in self.quantities])
         columns = []
         for i, scale in enumerate(scales):
-            step = 1e-6 * scale
+            step = PARAMETER_STEP_RATIO * scale
             both = []
             for sign in (1, -1):
                 moved = base.copy()

@@ -6,16 +6,24 @@ import numpy as np
 
 from ...components import Backlash, Component, Domain, rotational
 from ...networks import parallel
+from ..criteria import (
+    CLEARANCE_STEP_RATIO,
+    LEAST_COMPLIANCE,
+    OIL_FORCE_RATIO,
+    PLAY_FORCE_RATIO,
+    SETTLING_SECONDS,
+    STOP_DEFLECTION_RATIO,
+)
 from .edits import Add, Connect, Edit, Insert
 from .effect import Array, Effect, Motion, Values, both, register
 from .sites import Site
 
-STIFF = 1e-3  # travel of a site over the deflection of a stop under its largest force
-FAST = 1e-4  # s, in which a compliance settles
-TINY = 1e-15  # least compliance
-SHARP = 0.02  # force at which play is taken up, over the largest
-WIDE = 0.1  # change of a clearance by which its effect is judged: on a smaller scale impacts make it rough
-LEAK = 1e-4  # force of the oil in a clearance at the usual speed, over the largest force
+
+def _stop(site: Site) -> float:
+    """Return the stiffness of a stop, so large that no record shows it."""
+    return site.force / (STOP_DEFLECTION_RATIO * site.travel)
+
+
 CLEARANCES: dict[str, tuple[type[Component], str, float]] = {  # element, its width, halves of play in that
     Domain.TRANSLATIONAL: (Backlash, "eps", 1.0),
     Domain.ROTATIONAL: (rotational.ElastoBacklash, "b", 2.0),
@@ -28,8 +36,8 @@ def _width(site: Site, values: Values) -> dict[str, float]:
 
 
 def _play(site: Site, name: str, values: Values) -> list[Edit]:
-    stiffness, oil = site.force / (STIFF * site.travel), LEAK * site.force / site.speed
-    calming = FAST * stiffness if site.sticks else 0.0
+    stiffness, oil = _stop(site), OIL_FORCE_RATIO * site.force / site.speed
+    calming = SETTLING_SECONDS * stiffness if site.sticks else 0.0
     kind, _, _ = CLEARANCES[site.domain]
     gap = kind(**{site.mechanics.stiffness: stiffness}, d=calming, **_width(site, values))
     both_ways = parallel(gap=gap, oil=site.family.Damper(d=oil))
@@ -40,14 +48,14 @@ def _ballast(site: Site, name: str, stiffness: float) -> list[Edit]:
     """Return what gives dry friction an inertia of its own, so small that it settles in next to no time."""
     if not site.sticks:
         return []
-    inertia = site.family.Mass(**{site.mechanics.inertia: stiffness * FAST**2})
+    inertia = site.family.Mass(**{site.mechanics.inertia: stiffness * SETTLING_SECONDS**2})
     return [Add(f"{name}_ballast", inertia), Connect((f"{name}_ballast.flange", f"{name}.flange_a"))]
 
 
 def _yielding(site: Site, name: str, values: Values) -> list[Edit]:
-    value = 1 / max(values["compliance"], TINY)
-    spring = site.family.SpringDamper(**{site.mechanics.stiffness: value}, d=FAST * value)
-    return [Insert(site.moving, name, spring), *_ballast(site, name, site.force / (STIFF * site.travel))]
+    value = 1 / max(values["compliance"], LEAST_COMPLIANCE)
+    spring = site.family.SpringDamper(**{site.mechanics.stiffness: value}, d=SETTLING_SECONDS * value)
+    return [Insert(site.moving, name, spring), *_ballast(site, name, _stop(site))]
 
 
 def _inertia(site: Site, name: str, values: Values) -> list[Edit]:
@@ -59,13 +67,13 @@ def _play_parameters(site: Site, name: str, values: Values) -> dict[str, float]:
 
 
 def _yield_parameters(site: Site, name: str, values: Values) -> dict[str, float]:
-    value = 1 / max(values["compliance"], TINY)
-    return {f"{name}.{site.mechanics.stiffness}": value, f"{name}.d": FAST * value}
+    value = 1 / max(values["compliance"], LEAST_COMPLIANCE)
+    return {f"{name}.{site.mechanics.stiffness}": value, f"{name}.d": SETTLING_SECONDS * value}
 
 
 def _taken_up(motion: Motion, _: Values) -> list[Array]:
     """Return where play lies: on the side to which the force presses."""
-    return [np.tanh(motion.f / (SHARP * float(np.abs(motion.f).max())))]
+    return [np.tanh(motion.f / (PLAY_FORCE_RATIO * float(np.abs(motion.f).max())))]
 
 
 BACKLASH = register(
@@ -76,7 +84,7 @@ BACKLASH = register(
         _play,
         _taken_up,
         parameters=_play_parameters,
-        step=WIDE,
+        step=CLEARANCE_STEP_RATIO,
     )
 )
 COMPLIANCE = register(

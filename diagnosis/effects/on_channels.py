@@ -7,9 +7,8 @@ from math import inf
 
 import numpy as np
 
+from ..criteria import CHANNEL_STEP_RATIO
 from .effect import Array, Effect, Quantity, Values, register
-
-SMALL = 1e-3  # change of a size by which its effect is judged
 
 
 def _delayed(t: Array, y: Array, p: Values) -> Array:
@@ -44,7 +43,9 @@ def _on_channel(
     drives: bool = False,
 ) -> Effect:
     quantities = {"channel": (Quantity(name, unit, low),)}
-    return register(Effect(kind, "channel", quantities, change=change, drives=drives, step=SMALL))
+    return register(
+        Effect(kind, "channel", quantities, change=change, drives=drives, step=CHANNEL_STEP_RATIO)
+    )
 
 
 DELAY = _on_channel("sensor_delay", "delay", "s", 0.0, _delayed)

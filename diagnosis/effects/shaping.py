@@ -7,12 +7,11 @@ from collections.abc import Sequence
 import numpy as np
 from numpy.typing import NDArray
 
+from ..criteria import BOUND_TOLERANCE, SHAPE_FACTOR
 from .hypothesis import Placed
 
 Array = NDArray[np.float64]
 Bounds = tuple[Array, Array]
-RESHAPED = 2.0  # by which factor a shape may change at a time: the grid of what is screened is not coarser
-REACHED = 1e-6  # share of a bound within which it is reached
 
 
 class Shapes:
@@ -43,19 +42,19 @@ class Shapes:
         """Return least and largest values for a descent from a start."""
         low, high = (bound.copy() for bound in self._bounds)
         shapes = start[self._shapes]
-        low[self._shapes] = np.clip(shapes / RESHAPED, self._least, self._most)
-        high[self._shapes] = np.clip(shapes * RESHAPED, self._least, self._most)
+        low[self._shapes] = np.clip(shapes / SHAPE_FACTOR, self._least, self._most)
+        high[self._shapes] = np.clip(shapes * SHAPE_FACTOR, self._least, self._most)
         return low, high
 
     def are_held(self, vector: Array, bounds: Bounds) -> bool:
         """Tell whether a shape is at a bound beyond which more was screened."""
         at, low, high = vector[self._shapes], bounds[0][self._shapes], bounds[1][self._shapes]
-        below = (at <= low * (1 + REACHED)) & (low > self._least)
-        above = (at >= high * (1 - REACHED)) & (high < self._most)
+        below = (at <= low * (1 + BOUND_TOLERANCE)) & (low > self._least)
+        above = (at >= high * (1 - BOUND_TOLERANCE)) & (high < self._most)
         return bool((below | above).any())
 
 
 def _range(placed: Placed, name: str, size: float) -> tuple[float, float]:
     """Return least and largest value of a shape that screening comes near, in units of its size."""
     values = [shape[name] for shape in placed.effect.shaped(placed.site.domain, placed.site)]
-    return min(values) / RESHAPED / size, max(values) * RESHAPED / size
+    return min(values) / SHAPE_FACTOR / size, max(values) * SHAPE_FACTOR / size

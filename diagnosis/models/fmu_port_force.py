@@ -8,13 +8,13 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from ..criteria import STICKING_SPEED_RATIO
 from ..effects.effect import Motion
 from ..effects.hypothesis import Placed
 from .fmu_model import BlackBox
 from .fmu_port import Port
 
 Array = NDArray[np.float64]
-SHARP = 0.001  # speed below which friction is smooth, over the usual one
 
 
 class Moving:
@@ -24,7 +24,7 @@ class Moving:
     """
 
     def __init__(self, usual: float) -> None:
-        self._least = max(SHARP * usual, 1e-12)
+        self._least = max(STICKING_SPEED_RATIO * usual, 1e-12)
         self.t = self.s = self.v = self.f = self.a = 0.0
 
     @property

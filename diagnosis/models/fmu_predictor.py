@@ -14,6 +14,14 @@ from ...components import SimulationError
 from ...fmu import FMUError, Load, Replay
 from ...identification import Accuracy, Campaign, Experiment
 from ...networks import sampled_at
+from ..criteria import (
+    FMU_PROBE_SHARE,
+    FMU_RELATIVE_TOLERANCE,
+    FMU_STEP_DEVIATIONS,
+    FMU_STEP_ERROR_OVER_NOISE,
+    FMU_STEPS_PER_SAMPLE,
+    FMU_TRIAL_FORCE,
+)
 from ..effects.effect import Motion
 from ..effects.hypothesis import Placed
 from ..effects.sites import Site
@@ -21,12 +29,6 @@ from .fmu_model import BlackBox
 from .fmu_port_force import Acting, Reaction
 
 Array = NDArray[np.float64]
-STEP = 0.03  # change of a parameter, in units of what it may be expected to be, by which slopes are judged
-COARSEST, FINEST = 2, 8  # communication steps from one compared instant to the next
-CLOSE = 0.1  # of the noise, by which half the communication step may change a run
-SMALL = 0.01  # of what is there already, by which something is pushed
-TRIAL = 1e-3  # force [N or N.m] of a first push where there is no other
-RTOL = 1e-6
 
 
 @dataclass(frozen=True, eq=False)
@@ -56,10 +58,10 @@ class Replayed:
     ) -> None:
         self.box, self.channels, self.sigma = box, campaign.measured, campaign.sigma
         self.effects = [placed for placed in effects if placed.effect.basis is not None]
-        sizes = {name: STEP * prior.scale for name, prior in campaign.priors.items()}
+        sizes = {name: FMU_STEP_DEVIATIONS * prior.scale for name, prior in campaign.priors.items()}
         for placed in self.effects:
             names = placed.network_parameters
-            sizes |= dict(zip(names, (STEP * placed.scales).tolist(), strict=True))
+            sizes |= dict(zip(names, (FMU_STEP_DEVIATIONS * placed.scales).tolist(), strict=True))
         self.steps = {name: sizes[name] for name in parameters}
         self.highest = {name: prior.max for name, prior in campaign.priors.items()}
         self.driven = {c.path: box.wired(c.path) for c in self.channels.values() if c.driven}
@@ -113,11 +115,11 @@ def _refined(model: Replayed, campaign: Campaign) -> int:
         return 1
     if box.refined and not model.effects:
         return box.refined
-    count = box.refined or COARSEST
+    count = box.refined or FMU_STEPS_PER_SAMPLE[0]
     coarse = ReplayedStand(model, campaign.training[0], count).predicted(campaign.start)
-    while count < FINEST:
+    while count < FMU_STEPS_PER_SAMPLE[1]:
         fine = ReplayedStand(model, campaign.training[0], 2 * count).predicted(campaign.start)
-        if all(float((fine[n] - coarse[n]).std()) < CLOSE * model.sigma[n] for n in fine):
+        if all(float((fine[n] - coarse[n]).std()) < FMU_STEP_ERROR_OVER_NOISE * model.sigma[n] for n in fine):
             break
         count, coarse = 2 * count, fine
     if not model.effects:
@@ -205,7 +207,7 @@ class ReplayedStand:
             load = Load(port.force, port.position, port.velocity, Reaction(acting, port, box))
         try:
             rows = model.replay.run(
-                self.fine, given, box.own(parameters), box.started, load, self.refined, RTOL
+                self.fine, given, box.own(parameters), box.started, load, self.refined, FMU_RELATIVE_TOLERANCE
             )
         except FMUError as error:
             raise SimulationError(str(error)) from error
@@ -250,16 +252,16 @@ class ReplayedStand:
         if name in self.model.driven:
             variable, _ = self.model.driven[name]
             given = self.given[:, self.model.taken.index(variable)]
-            return SMALL * self.model.measures[variable].factor * float(given.std())
+            return FMU_PROBE_SHARE * self.model.measures[variable].factor * float(given.std())
         assert found.port is not None
-        force = SMALL * float(np.sqrt(np.mean(found.port.f**2)))
+        force = FMU_PROBE_SHARE * float(np.sqrt(np.mean(found.port.f**2)))
         if force:
             return force
         width = max(float(np.sqrt(np.mean(columns[:, 0] ** 2))), 1e-300)
-        after, size = self._changed(found, name, TRIAL * columns[:, 0] / width), 0.0
+        after, size = self._changed(found, name, FMU_TRIAL_FORCE * columns[:, 0] / width), 0.0
         for channel, values in before.items():
             size = max(size, float((after[channel] - values).std()) / max(float(values.std()), 1e-300))
-        return TRIAL * SMALL / size if size else TRIAL
+        return FMU_TRIAL_FORCE * FMU_PROBE_SHARE / size if size else FMU_TRIAL_FORCE
 
     def _changed(self, found: Seen, name: str, change: Array) -> dict[str, Array]:
         model, port = self.model, self.model.box.port

@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 
 from ...identification import Accuracy, Campaign, Experiment, Stand
 from ...networks import Network, Variations
+from ..criteria import ACTIVE_POWER_SHARE
 from ..effects.effect import Motion
 from ..effects.hypothesis import Placed, with_effects
 from ..effects.sites import Site, sites_of
@@ -19,7 +20,6 @@ from .fmu_predictor import Replayed
 from .probes import motion_at, probed
 
 Array = NDArray[np.float64]
-ACTIVE = 0.05  # share of the power at a port that may come out of it without a word
 
 
 class Predicted(Protocol):
@@ -174,7 +174,7 @@ class FMUSubject(Subject):
         if box.port is None or port is None:
             return told
         power = float(np.trapezoid(port.f * port.v, port.t))
-        if power < -ACTIVE * float(np.trapezoid(np.abs(port.f * port.v), port.t)):
+        if power < -ACTIVE_POWER_SHARE * float(np.trapezoid(np.abs(port.f * port.v), port.t)):
             told.append(
                 f"at the port the FMU gives energy off; if it should take it, '{box.port.force}' counts the "
                 "other way: put a minus before it"

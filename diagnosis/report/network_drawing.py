@@ -7,18 +7,18 @@ from html import escape
 
 from ...components import Component
 from ...networks import svg_sketch
+from ..criteria import SITE_SHARE_TOLD, WINDOWS_TOLD
 from ..effects.edits import part_at
 from ..models.predictor import subject
+from ..verdict.evidence import moved_parameters
 from ..verdict.verdict import Verdict
-
-MARKED = 2.0  # prior deviations by which a parameter must have moved to be marked
 
 
 def drawings(verdict: Verdict) -> Iterator[str]:
     """Yield what is known of the place, and the corrected network, outermost first."""
     if verdict.where:
         shares = ", ".join(
-            f"{escape(site)} {share:.0%}" for site, share in verdict.where.items() if share >= 0.01
+            f"{escape(site)} {share:.0%}" for site, share in verdict.where.items() if share >= SITE_SHARE_TOLD
         )
         yield f"<p>What the best effect at each site would explain, as shares: {shares}.</p>"
     for placed in verdict.effects:
@@ -57,11 +57,9 @@ def marks_of(verdict: Verdict) -> dict[str, str]:
     if verdict.verdict == "unknown" and verdict.where:
         mark(next(iter(verdict.where)), "most of the gap")
     if verdict.verdict == "parameters":
-        for name, value in verdict.parameters.items():
-            prior = campaign.priors[name]
-            if abs(value - prior.center) > MARKED * prior.scale:
-                path = subject(campaign).part(name)
-                mark(path, name.removeprefix(f"{path}."))
+        for name in moved_parameters(campaign, verdict.parameters):
+            path = subject(campaign).part(name)
+            mark(path, name.removeprefix(f"{path}."))
     return marks
 
 
@@ -94,7 +92,8 @@ def _located(verdict: Verdict) -> str:
     """Return when, in which band and in which motion the gap is largest."""
     found = verdict.windows
     spans = [f"{w['record']} {w['from']:g} to {w['to']:g} s ({w['share']:.0%})" for w in found["windows"]]
-    told = f"The gap lies in {', '.join(spans[:8])}{' and further' if len(spans) > 8 else ''}; "
+    further = " and further" if len(spans) > WINDOWS_TOLD else ""
+    told = f"The gap lies in {', '.join(spans[:WINDOWS_TOLD])}{further}; "
     told += "between {:.3g} and {:.3g} Hz".format(*found["band"])
     regime = found.get("regime", "any")
     return f"{told}; {'in any regime of motion' if regime == 'any' else f'most at {regime}'}."

@@ -9,12 +9,16 @@ import numpy as np
 
 from ...identification import Experiment
 from ...networks import pretty_unit
+from ..criteria import (
+    CHANCE_PROBABILITY,
+    LEAST_PROBABILITY_TOLD,
+    MOST_CONFIDENCE_TOLD,
+    NEGLIGIBLE_GAIN_SHARE,
+    OWN_SIGNATURE_SHARE,
+)
 from ..effects.effect import EFFECTS
 from ..effects.hypothesis import Placed
 from ..verdict.verdict import Verdict
-
-CHANCE = 0.05
-UNSEEN = 0.02  # share of a signature below which the parameters hide it
 
 
 def number(value: float) -> str:
@@ -24,12 +28,12 @@ def number(value: float) -> str:
 
 def chance(p: float) -> str:
     """Return a probability with the digits that count."""
-    return f"{p:.2g}" if p > 1e-6 else "< 1e-6"
+    return f"{p:.2g}" if p > LEAST_PROBABILITY_TOLD else "< 1e-6"
 
 
 def sure(confidence: float) -> str:
     """Return a confidence in per cent; nothing is certain."""
-    return f"{confidence:.0%}" if confidence < 0.995 else "> 99%"
+    return f"{confidence:.0%}" if confidence < MOST_CONFIDENCE_TOLD else "> 99%"
 
 
 def conclusion(verdict: Verdict) -> Iterator[str]:
@@ -64,7 +68,7 @@ def ruled_out(verdict: Verdict) -> Iterator[tuple[str, str, float, float, str]]:
 def _reason(gain: float, p: float, best: float | None) -> str:
     if gain <= 0:
         return "makes the test runs worse"
-    if p > CHANCE:
+    if p > CHANCE_PROBABILITY:
         return "no more than chance would do"
     if best is None:
         return "takes too little off"
@@ -88,9 +92,9 @@ def screened_out(verdict: Verdict) -> Iterator[tuple[str, str, str, str]]:
         if kind in fitted:
             continue
         why = "explains less than those fitted" if gain < least else "not fitted, or its fit failed"
-        if share < UNSEEN:
+        if share < OWN_SIGNATURE_SHARE:
             why = f"the parameters mimic it: {share:.1%} of its signature is its own"
-        elif gain / total < 1e-3:
+        elif gain / total < NEGLIGIBLE_GAIN_SHARE:
             why = "explains next to nothing with its physical sign"
         yield kind, site, f"{max(gain / total, 0.0):.2%}", why
     if best:

@@ -10,10 +10,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ...identification import Campaign, Experiment, Filter
+from ..criteria import COMPARISON_RATE_HZ, NOISE_PEAK_STANDARD_DEVIATIONS
 
 Array = NDArray[np.float64]
-ENOUGH = 250.0  # Hz, at which outputs are compared
-LARGEST = 6.0  # standard deviations that noise does not exceed, as what belongs to steps does
 
 
 def thinned(campaign: Campaign) -> Campaign:
@@ -30,7 +29,7 @@ def thinned(campaign: Campaign) -> Campaign:
 
 def _slowed(experiment: Experiment, driven: Sequence[str]) -> Experiment:
     record = experiment.record
-    every = max(1, int(record.rate / ENOUGH))
+    every = max(1, int(record.rate / COMPARISON_RATE_HZ))
     if every > 1:
         smooth = Filter(cutoff=0.5 * record.rate / every)
         slow = {name: _quiet(record.values[name], smooth, record.rate) for name in driven}
@@ -42,4 +41,4 @@ def _quiet(values: Array, smooth: Filter, rate: float) -> Array:
     """Return a signal without its fast noise; as it is, if it has steps."""
     slow = smooth.apply(values, rate)
     fast = values - slow
-    return slow if float(np.abs(fast).max()) < LARGEST * float(fast.std()) else values
+    return slow if float(np.abs(fast).max()) < NOISE_PEAK_STANDARD_DEVIATIONS * float(fast.std()) else values

@@ -3,23 +3,29 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from math import inf
 
 import numpy as np
 from numpy.typing import NDArray
 
 from ...components import SimulationError
-from ...identification import Accuracy, Campaign, Experiment
+from ...identification import Accuracy, Campaign, Ending, Experiment, descent
 from ...networks import Network
+from ..criteria import (
+    DESCENT_CHI_SQUARED_DROP,
+    DESCENT_LEAST_RADIUS,
+    DESCENT_RELATIVE_DROP,
+    DESCENT_STEPS,
+    SHAPED_DESCENTS,
+    START_SINGULAR_VALUE_RATIO,
+)
 from ..effects.hypothesis import Placed, driven, sensed
 from ..effects.shaping import Bounds, Shapes
 from ..models.predictor import Predicted, Standing, subject
-from .least_squares import descend
 
 Array = NDArray[np.float64]
 Start = tuple[Mapping[str, float], Mapping[str, float]]
-MOST_RESHAPED = 3  # times that a fit goes on from where a shape is held
 
 
 @dataclass(frozen=True, eq=False)
@@ -38,6 +44,23 @@ class Refit:
     train: list[dict[str, Array]]
     test: list[dict[str, Array]]
     cost: float
+
+
+@dataclass(frozen=True, eq=False)
+class _Run:
+    """A run on a record, and what it was computed with: effects, parameters and states at the start."""
+
+    experiment: Experiment
+    effects: tuple[Placed, ...]
+    given: Mapping[str, float]
+    start: Array | None
+    found: Predicted
+
+    @property
+    def seen(self) -> dict[str, Array]:
+        """The channels as their sensors pass them on."""
+        time, values = self.found.time, self.found.values
+        return {name: sensed(time, name, values[name], self.effects) for name in values}
 
 
 class Joint:
@@ -105,19 +128,25 @@ class Joint:
             bounds = self.shapes.bounds(vector)
         else:
             vector, bounds = min((self._begun(vector) for vector in vectors), key=lambda begun: begun[0])[1:]
-        vector = descend(self.stacked, vector, bounds)[0]
-        for _ in range(MOST_RESHAPED):
+        vector = self._descended(vector, bounds)[0]
+        for _ in range(SHAPED_DESCENTS):
             if not self.shapes.are_held(vector, bounds):
                 break
             bounds = self.shapes.bounds(vector)
-            vector = descend(self.stacked, vector, bounds)[0]
+            vector = self._descended(vector, bounds)[0]
         return self.seen(vector)
+
+    def _descended(self, start: Array, bounds: Bounds, steps: int = DESCENT_STEPS) -> tuple[Array, float]:
+        """Return where a descent within bounds ends, and the sum of squares there."""
+        ending = Ending(DESCENT_RELATIVE_DROP, DESCENT_CHI_SQUARED_DROP, DESCENT_LEAST_RADIUS, steps)
+        *_, end = descent(self.stacked, start, bounds, ending, learnt=True)
+        return end.vector, end.cost
 
     def _begun(self, start: Array) -> tuple[float, Array, Bounds]:
         """Return the sum of squares after a step from a start, where that leads, and the bounds."""
         bounds = self.shapes.bounds(start)
         try:
-            vector, cost = descend(self.stacked, start, bounds, steps=1)
+            vector, cost = self._descended(start, bounds, steps=1)
         except SimulationError:
             return inf, start, bounds
         return cost, vector, bounds
@@ -150,23 +179,20 @@ class Joint:
         self, vector: Array, experiment: Experiment, slopes: bool
     ) -> tuple[dict[str, Array], Array]:
         """Return the weighted residual of a record by channel, and its slopes in the vector."""
-        accuracy = self.accuracy
         parameters, effects = self.unpacked(vector)
         given = {**parameters}
         for placed in effects:
             given |= placed.network_parameters
         stand = self._driven(experiment, effects)
         free = experiment.initial == "fit"
-        start = stand.rest(given, accuracy) if free else None
-        found = stand.run(given, start, accuracy, slopes or free)
-        values = {name: sensed(found.time, name, found.values[name], effects) for name in found.values}
-        record = experiment.compared
-        residuals = {n: (record.values[n] - values[n]) / self.sigma[n] for n in values}
+        start = stand.rest(given, self.accuracy) if free else None
+        found = stand.run(given, start, self.accuracy, slopes or free)
+        run = _Run(experiment, effects, given, start, found)
+        record, seen = experiment.compared, run.seen
+        residuals = {n: (record.values[n] - seen[n]) / self.sigma[n] for n in seen}
         count = sum(len(r) for r in residuals.values())
-        columns = np.zeros((count, 0))
-        if slopes:
-            columns = self._slopes(found, effects, experiment, given, start, accuracy)
-        to_start = np.concatenate([found.start_slopes[n] / self.sigma[n] for n in values]) if free else None
+        columns = self._slopes(run) if slopes else np.zeros((count, 0))
+        to_start = np.concatenate([found.start_slopes[n] / self.sigma[n] for n in seen]) if free else None
         return _freed(residuals, columns, to_start)
 
     def _driven(self, experiment: Experiment, effects: Sequence[Placed]) -> Standing:
@@ -175,23 +201,15 @@ class Joint:
             return self.predictor.stand(driven(experiment, effects))
         return self.stands[id(experiment)]
 
-    def _slopes(
-        self,
-        found: Predicted,
-        effects: Sequence[Placed],
-        experiment: Experiment,
-        given: Mapping[str, float],
-        start: Array | None,
-        accuracy: Accuracy,
-    ) -> Array:
+    def _slopes(self, run: _Run) -> Array:
         """Return d(weighted prediction)/d(vector), channels one below the other."""
-        rows = {name: _sensed_slopes(found, name, effects) for name in found.values}
+        rows = {name: _sensed_slopes(run.found, name, run.effects) for name in run.found.values}
         at = len(self.names)
         parts = {name: [row[:, :at] * self.scale] for name, row in rows.items()}
-        for placed, size in zip(effects, self.sizes, strict=True):
+        for placed, size in zip(run.effects, self.sizes, strict=True):
             paths = len(placed.network_parameters)
             if placed.effect.step:
-                moved = self._differences(placed, size, found, effects, experiment, given, start, accuracy)
+                moved = self._differences(run, placed, size)
             else:
                 inner = placed.slopes(size) * size
                 moved = {name: row[:, at : at + paths] @ inner for name, row in rows.items()}
@@ -200,31 +218,20 @@ class Joint:
             at += paths
         return np.concatenate([np.hstack(parts[name]) / self.sigma[name] for name in rows])
 
-    def _differences(
-        self,
-        placed: Placed,
-        size: Array,
-        found: Predicted,
-        effects: Sequence[Placed],
-        experiment: Experiment,
-        given: Mapping[str, float],
-        start: Array | None,
-        accuracy: Accuracy,
-    ) -> dict[str, Array]:
+    def _differences(self, run: _Run, placed: Placed, size: Array) -> dict[str, Array]:
         """Return how each channel changes with an effect, per unit of its sizes, by differences."""
-        base = {name: sensed(found.time, name, values, effects) for name, values in found.values.items()}
+        base = run.seen
         values = np.array([placed.values[q.name] for q in placed.quantities])
         columns: dict[str, list[Array]] = {name: [] for name in base}
         for i, scale in enumerate(size):
             step = placed.effect.step * max(abs(values[i]), scale)
             other = placed.with_values(values + step * np.eye(len(values))[i])
-            changed = [other if p is placed else p for p in effects]
-            again = found
+            effects = tuple(other if p is placed else p for p in run.effects)
+            changed = replace(run, effects=effects, given={**run.given, **other.network_parameters})
             if placed.effect.drives or placed.effect.change is None:
-                stand = self._driven(experiment, changed)
-                again = stand.run({**given, **other.network_parameters}, start, accuracy, False)
-            for name in base:
-                now = sensed(again.time, name, again.values[name], changed)
+                stand = self._driven(run.experiment, effects)
+                changed = replace(changed, found=stand.run(changed.given, run.start, self.accuracy, False))
+            for name, now in changed.seen.items():
                 columns[name].append((now - base[name]) / step * scale)
         return {name: np.column_stack(found) for name, found in columns.items()}
 
@@ -270,6 +277,6 @@ def _freed(
         return residuals, columns
     stacked = np.concatenate(list(residuals.values()))
     both = np.column_stack([stacked, columns])
-    left = both - to_start @ np.linalg.lstsq(to_start, both, rcond=1e-8)[0]
+    left = both - to_start @ np.linalg.lstsq(to_start, both, rcond=START_SINGULAR_VALUE_RATIO)[0]
     parts = np.split(left[:, 0], np.cumsum([len(r) for r in residuals.values()])[:-1])
     return dict(zip(residuals, parts, strict=True)), left[:, 1:]

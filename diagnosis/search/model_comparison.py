@@ -6,14 +6,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ...identification import Campaign
+from ..criteria import ALIKE_RESIDUAL_SHARE, ALIKE_STANDARD_ERRORS, LEAST_STRETCHES, STRETCH_SECONDS
 from .joint_fit import Refit
 
 Array = NDArray[np.float64]
-STRETCH = 0.2, 1.0  # s, shortest and longest by which test residuals are compared
-COLOURED = 1.1  # misfit over noise above which something is left
-STRETCHES = 40  # wanted at least
-ALIKE = 2.0  # standard errors within which two models cannot be told apart
-SAME = 1e-3  # share of the squared test residual, of which no more is known than that it is small
 
 
 def blocks(fitted: Refit, campaign: Campaign) -> Array:
@@ -21,7 +17,7 @@ def blocks(fitted: Refit, campaign: Campaign) -> Array:
     sums = []
     experiments = campaign.testing or campaign.training
     total = sum(float(np.ptp(experiment.compared.time)) for experiment in experiments)
-    length = float(np.clip(total / STRETCHES, *STRETCH))
+    length = float(np.clip(total / LEAST_STRETCHES, *STRETCH_SECONDS))
     for residuals, experiment in zip(fitted.test or fitted.train, experiments, strict=True):
         count = max(2, round(float(np.ptp(experiment.compared.time)) / length))
         squares = np.sum([r**2 for r in residuals.values()], axis=0)
@@ -39,8 +35,8 @@ def clearness(worse: Refit, better: Refit, campaign: Campaign) -> float:
 def are_alike(one: Refit, other: Refit, campaign: Campaign) -> bool:
     """Tell whether the test records cannot tell two models apart."""
     left = blocks(one, campaign).sum(), blocks(other, campaign).sum()
-    close = abs(left[1] - left[0]) < SAME * min(left)
-    return bool(close) or abs(clearness(one, other, campaign)) < ALIKE
+    close = abs(left[1] - left[0]) < ALIKE_RESIDUAL_SHARE * min(left)
+    return bool(close) or abs(clearness(one, other, campaign)) < ALIKE_STANDARD_ERRORS
 
 
 def misfit(fitted: Refit) -> float:

@@ -10,21 +10,24 @@ from functools import lru_cache
 
 from ...components import InertanceError
 from ...identification import Accuracy, Campaign
+from ..criteria import (
+    COLOURED_MISFIT,
+    CONTENDERS_PER_ROUND,
+    FITS_PER_BATCH,
+    HIDDEN_RESIDUAL_SHARE,
+    HOPELESS_GAIN_RATIO,
+    LEAST_CHI_SQUARED_GAIN,
+    RESERVES_PER_ROUND,
+    SAME_MOTION_GAIN_TOLERANCE,
+    SERIES_START_SIZES,
+)
 from ..effects.hypothesis import Placed
 from .decimation import thinned
 from .joint_fit import Refit, Start, refit
-from .model_comparison import COLOURED, misfit, unexplained
+from .model_comparison import misfit, unexplained
 from .score_test import Candidate, screen
 
 Report = Callable[[str], None]
-
-CONTENDERS = 8  # effects fitted in each round
-RESERVE = 3  # effects of either kind that are fitted besides, if much is left
-BATCH = 3  # fitted before those are left out that promise much less than was found
-HOPELESS = 0.4  # share of the best drop of chi squared that was kept, below which a promise is left out
-HIDDEN = 0.01  # share of the squared test residual that is left, above which more is fitted
-SIZES = (0.3, 1.0, 3.0)  # of an effect in series, of which small ones tell little, to start from
-LEAST_GAIN = 40.0  # drop of chi squared below which no effect is worth a fit
 
 
 @dataclass(frozen=True, eq=False)
@@ -78,7 +81,7 @@ def held(
 
 def _much_is_left(models: Sequence[Refit], base: Refit) -> bool:
     best = min(models, key=misfit)
-    return misfit(best) > COLOURED and unexplained(best, base) > HIDDEN
+    return misfit(best) > COLOURED_MISFIT and unexplained(best, base) > HIDDEN_RESIDUAL_SHARE
 
 
 def _promising(waiting: Sequence[Candidate], kept: float) -> list[Candidate]:
@@ -86,16 +89,16 @@ def _promising(waiting: Sequence[Candidate], kept: float) -> list[Candidate]:
 
     Screening underrates what is in series.
     """
-    good = [c for c in waiting if c.effect.place == "series" or c.gain > HOPELESS * kept]
+    good = [c for c in waiting if c.effect.place == "series" or c.gain > HOPELESS_GAIN_RATIO * kept]
     return [c for c in waiting if c in good or any(_starts_from(other, c) for other in good)]
 
 
 def _next(waiting: list[Candidate]) -> tuple[list[Candidate], list[Candidate]]:
     """Return the candidates to be fitted next, none of which starts from what another one will give."""
-    for number, candidate in enumerate(waiting[:BATCH]):
+    for number, candidate in enumerate(waiting[:FITS_PER_BATCH]):
         if any(_starts_from(candidate, other) for other in waiting[:number]):
             return waiting[:number], waiting[number:]
-    return waiting[:BATCH], waiting[BATCH:]
+    return waiting[:FITS_PER_BATCH], waiting[FITS_PER_BATCH:]
 
 
 def _starts_from(candidate: Candidate, plain: Candidate | Placed) -> bool:
@@ -118,7 +121,10 @@ def _fit(
 def _starts(candidate: Candidate, fitted: Sequence[Refit]) -> list[Start]:
     """Return parameters and values to fit a candidate from: as screened, or as its special case."""
     if candidate.effect.place == "series":
-        return [(candidate.parameters, {k: size * v for k, v in candidate.values.items()}) for size in SIZES]
+        return [
+            (candidate.parameters, {k: size * v for k, v in candidate.values.items()})
+            for size in SERIES_START_SIZES
+        ]
     starts: list[Start] = [(candidate.parameters, candidate.values)]
     effect, site = candidate.effect, candidate.site
     for plain in fitted:
@@ -151,7 +157,7 @@ def _leading(candidates: Sequence[Candidate], found: Collection[str]) -> list[Ca
     """
     chosen: list[Candidate] = []
     for candidate in candidates:
-        if candidate.gain < LEAST_GAIN or len(chosen) >= CONTENDERS:
+        if candidate.gain < LEAST_CHI_SQUARED_GAIN or len(chosen) >= CONTENDERS_PER_ROUND:
             break
         if candidate.effect.kind in found:
             continue
@@ -182,14 +188,15 @@ def _reserve(
     Parameters that were fitted without a large effect go far off, and there it looks like another: what was
     screened `early`, where they were given, is fitted from there.
     """
-    series = [c for c in candidates if c.effect.place == "series" and c.gain > LEAST_GAIN]
+    series = [c for c in candidates if c.effect.place == "series" and c.gain > LEAST_CHI_SQUARED_GAIN]
     series = [c for c in series if not any(c is other or same_motion(c, other) for other in tried)]
     labels = {c.label for c in tried}
     hidden = [c for c in _leading(early, ()) if c.label not in labels]
-    return [*series[:RESERVE], *hidden[:RESERVE]]
+    return [*series[:RESERVES_PER_ROUND], *hidden[:RESERVES_PER_ROUND]]
 
 
 def same_motion(one: Candidate, other: Candidate) -> bool:
     """Tell whether two candidates are one effect seen from two sites of one motion; channels have none."""
     moved = "channel" not in one.site.places and other.gain > 0
-    return moved and one.effect.kind == other.effect.kind and abs(one.gain - other.gain) <= 1e-6 * other.gain
+    close = abs(one.gain - other.gain) <= SAME_MOTION_GAIN_TOLERANCE * other.gain
+    return moved and one.effect.kind == other.effect.kind and close

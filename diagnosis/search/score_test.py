@@ -18,6 +18,7 @@ from numpy.typing import NDArray
 
 from ...identification import Accuracy, Campaign
 from ...networks import Network
+from ..criteria import CHANNEL_PROBE_SHARE, DEPENDENT_EIGENVALUE_RATIO, FOUND_EFFECT_DEVIATIONS
 from ..effects.effect import EFFECTS, Effect, Motion
 from ..effects.hypothesis import Placed
 from ..effects.sites import Site
@@ -26,7 +27,6 @@ from ..models.probes import scaled
 from .whitened_record import Sight
 
 Array = NDArray[np.float64]
-FREE = 10.0  # how far, in its own size, an effect that was found may still change
 
 
 @dataclass(frozen=True, eq=False)
@@ -104,7 +104,7 @@ def screen(
     motions = [[sight.motion(number, site) for sight in sights] for number, site in enumerate(sites)]
     sites = [scaled(site, moved) for site, moved in zip(sites, motions, strict=True)]
     deviations = [campaign.priors[name].scale for name in parameters]
-    deviations += [FREE * (abs(value) or 1.0) for value in found.values()]
+    deviations += [FOUND_EFFECT_DEVIATIONS * (abs(value) or 1.0) for value in found.values()]
     sums = _Sums(len(names))
     for index, sight in enumerate(sights):
         slopes = sight.slopes * np.array(deviations)
@@ -181,7 +181,8 @@ def _channel_changes(sight: Sight) -> Iterator[tuple[Effect, Site, Array]]:
             signal = sight.record.values[name] if effect.drives else sight.predicted[name]
             if not np.ptp(signal):
                 continue
-            small = {"s": 1 / sight.record.rate, "unit": 0.01 * float(np.ptp(signal))}.get(quantity.unit, 1.0)
+            part = CHANNEL_PROBE_SHARE * float(np.ptp(signal))
+            small = {"s": 1 / sight.record.rate, "unit": part}.get(quantity.unit, 1.0)
             change = (effect.change(time, signal, {quantity.name: small}) - signal) / small
             site = Site(name, "channel", path, "", frozenset({"channel"}))
             if effect.drives:
@@ -216,7 +217,7 @@ def _least(matrix: Array, seen: Array, low: Array) -> tuple[Array, float]:
     sizes = np.diag(matrix)
     scale = np.sqrt(np.where(sizes > 0, sizes, 1.0))
     strength, vectors = np.linalg.eigh(matrix / np.outer(scale, scale))
-    kept = strength > 1e-9
+    kept = strength > DEPENDENT_EIGENVALUE_RATIO
     root = np.sqrt(strength[kept])[:, None] * vectors[:, kept].T
     wanted = (vectors[:, kept].T @ (seen / scale)) / np.sqrt(strength[kept])
     bounds = np.where(np.isfinite(low), 0.0, -np.inf), np.full(len(low), np.inf)

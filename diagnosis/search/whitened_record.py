@@ -8,6 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ...identification import Accuracy, Channel, Experiment
+from ..criteria import START_SINGULAR_VALUE_RATIO
 from ..effects.effect import Motion
 from ..effects.hypothesis import Placed, driven, sensed
 from ..effects.sites import Site
@@ -85,5 +86,5 @@ def _orthonormal(columns: Array) -> Array:
     if not columns.shape[1]:
         return columns
     left, strength, _ = np.linalg.svd(columns / np.maximum(np.linalg.norm(columns, axis=0), 1e-300), False)
-    kept: Array = left[:, strength > 1e-8 * strength.max()]
+    kept: Array = left[:, strength > START_SINGULAR_VALUE_RATIO * strength.max()]
     return kept

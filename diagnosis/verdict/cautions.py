@@ -9,11 +9,9 @@ import numpy as np
 
 from ...identification import Accuracy, Campaign, left_prior, likely_unit, suspects, told_of
 from ...networks import DAE
+from ..criteria import BOUND_SCALE_TOLERANCE, BOUND_TOLERANCE, SUSPECT_SIGNAL_SHARE, UNIT_GAIN_TOLERANCE
 from ..effects.hypothesis import Placed
 from ..search.joint_fit import Refit
-
-MUCH = 0.3  # share of a signal that is left, above which channels are suspected
-NEAR_UNIT = 0.02  # share by which a gain may miss the ratio of two units
 
 
 def cautions(campaign: Campaign, best: Refit) -> Iterator[str]:
@@ -27,13 +25,13 @@ def cautions(campaign: Campaign, best: Refit) -> Iterator[str]:
         if told:
             yield told
         for side in (prior.min, prior.max):
-            if isclose(value, side, rel_tol=1e-6, abs_tol=1e-9 * prior.scale):
+            if isclose(value, side, rel_tol=BOUND_TOLERANCE, abs_tol=BOUND_SCALE_TOLERANCE * prior.scale):
                 yield f"{name}: ends at its bound {side:.6g}; the bound or the model is wrong"
 
 
 def suspicions(campaign: Campaign, best: Refit, accuracy: Accuracy) -> Iterator[str]:
     """Yield what channels would explain what no effect does, if they were in another unit or exchanged."""
-    if not isinstance(campaign.machine, DAE) or max(_shares(campaign, best)) <= MUCH:
+    if not isinstance(campaign.machine, DAE) or max(_shares(campaign, best)) <= SUSPECT_SIGNAL_SHARE:
         return
     told = told_of(suspects(campaign, best.parameters, accuracy))
     if told:
@@ -51,9 +49,9 @@ def _shares(campaign: Campaign, best: Refit) -> Iterator[float]:
 def _gain(campaign: Campaign, placed: Placed) -> Iterator[str]:
     name, gain = placed.site.path, 1 + placed.values["gain"]
     channel = campaign.measured[name]
-    if isclose(gain, -1.0, rel_tol=NEAR_UNIT):
+    if isclose(gain, -1.0, rel_tol=UNIT_GAIN_TOLERANCE):
         yield f"{name}: a gain of {gain:.4g} is a wrong sign rather than a fault of the sensor"
-    unit = likely_unit(channel.unit or "1", 1 / gain, NEAR_UNIT) if gain else None
+    unit = likely_unit(channel.unit or "1", 1 / gain, UNIT_GAIN_TOLERANCE) if gain else None
     if unit:
         yield (
             f"{name}: a gain of {gain:.4g} is a wrong unit rather than a fault of the sensor: the column is "

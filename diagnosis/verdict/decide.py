@@ -7,17 +7,17 @@ from collections.abc import Sequence
 import numpy as np
 
 from ...identification import Accuracy, Campaign
+from ..criteria import COLOURED_MISFIT, EXPLAINED_GAP_SHARE
 from ..effects.hypothesis import Placed
 from ..search.joint_fit import Refit
-from ..search.model_comparison import COLOURED, are_alike, blocks, clearness, is_simpler, misfit
+from ..search.model_comparison import are_alike, blocks, clearness, is_simpler, misfit
 from ..search.round import Round, same_motion
 from .cautions import cautions, suspicions
-from .evidence import Evidence, judged
+from .evidence import Evidence, judged, moved_parameters
 from .localisation import located, shares
 from .next_experiment import separating
 from .verdict import Gap, Ranked, Verdict
 
-EXPLAINED = 0.93  # share of the gap below which the effects found are not all that is missing
 NOT_BY_SINES = (
     "No sine within what was measured parts them by more than twice the noise; measure another quantity, or "
     "excite another input."
@@ -82,14 +82,11 @@ def decided(
 def _word(campaign: Campaign, best: Refit, misfits: Sequence[float], closed: float) -> str:
     nominal, refitted, after = misfits
     if best.effects:
-        return "effect" if closed >= EXPLAINED or after < COLOURED else "unknown"
-    if refitted > COLOURED:
+        return "effect" if closed >= EXPLAINED_GAP_SHARE or after < COLOURED_MISFIT else "unknown"
+    if refitted > COLOURED_MISFIT:
         return "unknown"
-    moved = any(
-        abs(value - campaign.priors[name].center) > 3 * campaign.priors[name].sd
-        for name, value in best.parameters.items()
-    )
-    return "parameters" if moved or nominal > COLOURED * refitted else "none"
+    wrong = moved_parameters(campaign, best.parameters) or nominal > COLOURED_MISFIT * refitted
+    return "parameters" if wrong else "none"
 
 
 def _closed(refitted: float, after: float) -> float:

@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass
 
 from ...identification import Accuracy, Campaign
+from ..criteria import MOVED_STANDARD_DEVIATIONS
 from ..search.joint_fit import Refit
 from ..search.score_test import Candidate
 
@@ -38,3 +40,13 @@ class Evidence:
 def judged(campaign: Campaign) -> str:
     """Return which runs figures are of: without test runs, of those that were fitted."""
     return "test runs" if campaign.testing else "training runs"
+
+
+def moved_parameters(campaign: Campaign, parameters: Mapping[str, float]) -> list[str]:
+    """Return the parameters that are further from what was assumed than a true one is likely to be."""
+    priors = campaign.priors
+    return [
+        name
+        for name, value in parameters.items()
+        if abs(value - priors[name].center) > MOVED_STANDARD_DEVIATIONS * priors[name].sd
+    ]

@@ -10,6 +10,19 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ...identification import Accuracy, Campaign, Experiment, Record
+from ..criteria import (
+    BAND_POWER_SHARES,
+    EPISODE_TIME_SHARE,
+    LARGE_MOTION_SHARE,
+    LOCAL_TIME_SHARE,
+    REGIME_GAP_RATIO,
+    RELATIVE_TOLERANCES,
+    SITES_TOLD,
+    SLOW_SPEED_SHARE,
+    SPECTRUM_SEGMENT_SAMPLES,
+    WINDOW_SECONDS,
+    WINDOWS_GAP_SHARE,
+)
 from ..effects.effect import Motion
 from ..effects.sites import Site
 from ..models.predictor import subject
@@ -17,15 +30,6 @@ from ..search.joint_fit import Refit
 from ..search.score_test import Candidate
 
 Array = NDArray[np.float64]
-
-MOST_SITES = 8
-STRETCH = 0.25  # s, by which the residual is looked at
-MOST = 0.8  # share of the gap that windows hold
-BAND = (0.1, 0.9)  # shares of the gap's power below the band's ends
-NARROW = 0.4  # share of the time within which a gap is local
-SLOW, LARGE = 0.1, 0.7  # of the largest speed or travel
-BRIEF = 0.1  # share of the time below which a gap is an episode that tells of no regime
-MARKED = 1.5  # times the average gap that makes a regime
 
 
 def shares(candidates: Sequence[Candidate]) -> dict[str, float]:
@@ -35,7 +39,7 @@ def shares(candidates: Sequence[Candidate]) -> dict[str, float]:
         best[candidate.site.path] = max(best.get(candidate.site.path, 0.0), candidate.gain)
     total = sum(best.values())
     ordered = sorted(((site, gain / total) for site, gain in best.items() if total), key=lambda s: -s[1])
-    return {site: round(share, 4) for site, share in ordered[:MOST_SITES]}
+    return {site: round(share, 4) for site, share in ordered[:SITES_TOLD]}
 
 
 def located(
@@ -55,8 +59,8 @@ def located(
         ratios = regimes(motions, missed)
         regime = max(ratios, key=lambda name: ratios[name])
         lasting = sum(float(w["to"]) - float(w["from"]) for w in spans)
-        brief = lasting < BRIEF * sum(float(np.ptp(e.compared.time)) for e in records)
-        found["regime"] = "any" if brief or ratios[regime] < MARKED else regime
+        brief = lasting < EPISODE_TIME_SHARE * sum(float(np.ptp(e.compared.time)) for e in records)
+        found["regime"] = "any" if brief or ratios[regime] < REGIME_GAP_RATIO else regime
         found["regimes"] = ratios
     return found
 
@@ -78,14 +82,14 @@ def windows(
     for experiment, residuals in zip(experiments, missed, strict=True):
         record = experiment.compared
         above = excess(residuals)
-        count = max(1, round(len(above) / (record.rate * STRETCH)))
+        count = max(1, round(len(above) / (record.rate * WINDOW_SECONDS)))
         ends = np.linspace(0, len(above), count + 1).astype(int)
         stretches += [(record, a, b, max(float(above[a:b].sum()), 0.0)) for a, b in pairwise(ends)]
     sizes = np.array([size for *_, size in stretches])
     order = np.argsort(-sizes)
     held = np.cumsum(sizes[order]) / max(float(sizes.sum()), 1e-300)
-    count = int(np.searchsorted(held, MOST)) + 1
-    chosen = set(order[:count].tolist()) if count < NARROW * len(sizes) else set(range(len(sizes)))
+    count = int(np.searchsorted(held, WINDOWS_GAP_SHARE)) + 1
+    chosen = set(order[:count].tolist()) if count < LOCAL_TIME_SHARE * len(sizes) else set(range(len(sizes)))
     return _merged([s for number, s in enumerate(stretches) if number in chosen], float(sizes.sum()))
 
 
@@ -118,12 +122,12 @@ def band(experiments: Sequence[Experiment], missed: Sequence[Mapping[str, Array]
     above = np.zeros(len(common))
     for experiment, residuals in zip(experiments, missed, strict=True):
         for residual in residuals.values():
-            segment = min(len(residual), 4096)
+            segment = min(len(residual), SPECTRUM_SEGMENT_SAMPLES)
             f, density = spectrum(residual, experiment.compared.rate, segment)
             above += np.interp(common, f, density - 2 / experiment.compared.rate) * len(residual)
     power = np.cumsum(np.maximum(above, 0.0))
     power /= max(float(power[-1]), 1e-300)
-    return [round(float(common[np.searchsorted(power, share)]), 3) for share in BAND]
+    return [round(float(common[np.searchsorted(power, share)]), 3) for share in BAND_POWER_SHARES]
 
 
 def spectrum(values: Array, rate: float, segment: int) -> tuple[Array, Array]:
@@ -147,9 +151,9 @@ def regimes(motions: Sequence[Motion], missed: Sequence[Mapping[str, Array]]) ->
     mean = float(above.mean())
     fastest, furthest = float(np.abs(v).max()), float(np.abs(s).max())
     inside = {
-        "reversals": np.abs(v) < SLOW * fastest,
-        "high speed": np.abs(v) > LARGE * fastest,
-        "large travel": np.abs(s) > LARGE * furthest,
+        "reversals": np.abs(v) < SLOW_SPEED_SHARE * fastest,
+        "high speed": np.abs(v) > LARGE_MOTION_SHARE * fastest,
+        "large travel": np.abs(s) > LARGE_MOTION_SHARE * furthest,
     }
     return {
         name: round(float(above[at].mean()) / mean, 3) if at.any() and mean > 0 else 0.0
@@ -171,7 +175,7 @@ def moved(
     if site.domain == "channel":
         return [_signal(e.compared, site.path) for e in experiments]
     model = subject(campaign).predictor(campaign.network, (), (), [site])
-    accuracy = accuracy or Accuracy(rtol=1e-5)
+    accuracy = accuracy or Accuracy(rtol=RELATIVE_TOLERANCES[1])
     motions = []
     for experiment in experiments:
         stand = model.stand(experiment)

@@ -11,14 +11,20 @@ from numpy.typing import NDArray
 
 from ...components import SimulationError
 from ...identification import Accuracy, Campaign, Experiment, Record
+from ..criteria import (
+    COMPARISON_RATE_HZ,
+    INPUT_BAND_ENERGY_SHARES,
+    PEAK_QUANTILE,
+    SEPARATING_MISFIT,
+    TRIAL_AMPLITUDE_SHARES,
+    TRIAL_FADE_SECONDS,
+    TRIAL_FREQUENCIES,
+    TRIAL_RATE_HZ,
+    TRIAL_SECONDS,
+)
 from ..search.joint_fit import Joint, Refit
 
 Array = NDArray[np.float64]
-DURATION, RATE, FADE = 10.0, 1000.0, 1.0
-EVERY = 4
-COUNT = 6  # frequencies tried
-SHARES = (0.25, 1.0)  # of the largest amplitude that was measured
-ENOUGH = 2.0  # root mean square, in units of noise, by which models must part to be told apart
 
 
 @dataclass(frozen=True)
@@ -47,7 +53,7 @@ def separating(campaign: Campaign, one: Refit, other: Refit, accuracy: Accuracy)
         float(np.sqrt(np.mean(np.concatenate([a[name] - b[name] for name in a]) ** 2)))
         for a, b in zip(*runs, strict=True)
     ]
-    if not apart or max(apart) < ENOUGH:
+    if not apart or max(apart) < SEPARATING_MISFIT:
         return None
     best = trials[int(np.argmax(apart))]
     unit = campaign.measured[best.channel].si
@@ -67,10 +73,10 @@ def _trials(campaign: Campaign) -> Iterator[_Sine]:
         low, high = _band(records, name)
         peaks = [max(_peak(record, name, order) for record in records) for order in range(3)]
         moving = channel.si in ("m", "rad")
-        for frequency in np.geomspace(low, high, COUNT):
+        for frequency in np.geomspace(low, high, TRIAL_FREQUENCIES):
             omega = 2 * np.pi * frequency
             largest = min(p / omega**k for k, p in enumerate(peaks)) if moving else peaks[0]
-            for share in SHARES:
+            for share in TRIAL_AMPLITUDE_SHARES:
                 yield _Sine(name, float(frequency), float(share * largest))
 
 
@@ -81,9 +87,10 @@ def _band(records: list[Record], channel: str) -> tuple[float, float]:
         power = np.abs(np.fft.rfft(record.values[channel] - record.values[channel].mean())) ** 2
         share = np.cumsum(power) / max(float(power.sum()), 1e-300)
         frequencies = np.fft.rfftfreq(len(record.time), 1 / record.rate)
-        begins.append(float(frequencies[np.searchsorted(share, 0.05)]))
-        ends.append(float(frequencies[min(int(np.searchsorted(share, 0.95)), len(frequencies) - 1)]))
-    low = max(min(begins), 1 / DURATION)
+        first, last = np.searchsorted(share, INPUT_BAND_ENERGY_SHARES)
+        begins.append(float(frequencies[first]))
+        ends.append(float(frequencies[min(int(last), len(frequencies) - 1)]))
+    low = max(min(begins), 1 / TRIAL_SECONDS)
     return low, max(max(ends), 2 * low)
 
 
@@ -91,16 +98,17 @@ def _peak(record: Record, channel: str, order: int) -> float:
     values = record.values[channel] - np.median(record.values[channel])
     for _ in range(order):
         values = np.gradient(values, record.time)
-    return float(np.quantile(np.abs(values), 0.999))
+    return float(np.quantile(np.abs(values), PEAK_QUANTILE))
 
 
 def _experiment(campaign: Campaign, sine: _Sine) -> Experiment:
-    time = np.arange(round(DURATION * RATE) + 1) / RATE
-    rise = np.clip(time / FADE, 0, 1)
+    time = np.arange(round(TRIAL_SECONDS * TRIAL_RATE_HZ) + 1) / TRIAL_RATE_HZ
+    rise = np.clip(time / TRIAL_FADE_SECONDS, 0, 1)
     fade = rise**3 * (10 - 15 * rise + 6 * rise**2)
     values = {name: np.zeros(len(time)) for name in campaign.measured}
     for name, channel in campaign.measured.items():
         if channel.driven:
             values[name] += float(np.median(campaign.training[0].record.values[name]))
     values[sine.channel] += sine.amplitude * fade * np.sin(2 * np.pi * sine.frequency * time)
-    return Experiment(Record("trial", time, values), "trial", initial="rest", every=EVERY)
+    every = round(TRIAL_RATE_HZ / COMPARISON_RATE_HZ)
+    return Experiment(Record("trial", time, values), "trial", initial="rest", every=every)

@@ -19,8 +19,8 @@ from ..campaign.campaign import Campaign
 from ..campaign.stages import Stage
 from .campaign_model import Accuracy, Bench
 from .doubts import is_doubtful
-from .least_squares import Iteration, Optimum, Problem
 from .outcome import Comparison, Fit, FitInterruptedError, FittedStage, compared
+from .problem import Iteration, Optimum, Problem
 from .residual_block import Block
 from .suspects import suspects
 from .uncertainty import uncertainty
@@ -160,7 +160,7 @@ def fit_stage(
     columns = [bench.parameters.index(name) for name in priors]
     problem = Problem(blocks, priors, columns, values, accuracy)
     optimum = problem.minimise(values, report=report)
-    return FittedStage(stage, optimum, uncertainty(optimum, blocks, priors, columns), blocks)
+    return FittedStage(stage, optimum, uncertainty(optimum, blocks, priors), blocks)
 
 
 def _multistart(

@@ -19,7 +19,7 @@ from ..campaign.experiment import Experiment
 from ..campaign.stages import Stage
 from .campaign_model import Accuracy, Bench
 from .doubts import doubts, over_noise
-from .least_squares import Optimum, Problem
+from .problem import Optimum, Problem
 from .residual_block import Block
 from .suspects import Suspect
 from .uncertainty import Uncertainty

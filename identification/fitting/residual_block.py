@@ -28,11 +28,6 @@ class Linearised:
     to_n: Array
     predictions: list[Prediction]
 
-    @property
-    def cost(self) -> float:
-        """Sum of squares."""
-        return float(self.residual @ self.residual)
-
 
 class Block:
     """A record, the channels of it that count, the filter both sides pass and the noise they are weighted by.
@@ -58,6 +53,12 @@ class Block:
     def samples(self) -> float:
         """Number of independent samples: what passes the filter, of all channels."""
         return self.share * len(self.channels) * len(self.record.time)
+
+    @property
+    def rows(self) -> int:
+        """Number of residuals: samples of all channels, then by how much states miss each other at joints."""
+        joints = (len(self.pieces) - 1) * self.center.shape[1] if self.free else 0
+        return len(self.channels) * len(self.record.time) + joints
 
     @property
     def nuisances(self) -> int:

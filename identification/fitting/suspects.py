@@ -17,7 +17,7 @@ from ..campaign.priors import Prior
 from ..records.channel import Channel
 from ..records.units import sizes_of
 from .campaign_model import Accuracy, Bench
-from .least_squares import Optimum, Problem
+from .problem import Optimum, Problem
 from .residual_block import Block
 
 Array = NDArray[np.float64]

@@ -9,8 +9,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..campaign.priors import Prior
-from .least_squares import Optimum
-from .residual_block import Block, Linearised
+from .problem import Optimum
+from .residual_block import Block
 
 Array = NDArray[np.float64]
 UNTOLD = 0.7
@@ -34,13 +34,11 @@ class Uncertainty:
     warnings: list[str]
 
 
-def uncertainty(
-    optimum: Optimum, blocks: Sequence[Block], priors: Mapping[str, Prior], columns: Sequence[int]
-) -> Uncertainty:
+def uncertainty(optimum: Optimum, blocks: Sequence[Block], priors: Mapping[str, Prior]) -> Uncertainty:
     """Return what is known of the parameters at an optimum."""
     count = len(priors)
-    inverse = np.linalg.pinv(optimum.matrix.T @ optimum.matrix, rcond=1e-14, hermitian=True)
-    scatter = _scatter(optimum, blocks, priors, columns)
+    inverse = np.linalg.pinv(optimum.slopes.T @ optimum.slopes, rcond=1e-14, hermitian=True)
+    scatter = _scatter(optimum, blocks)
     covariance = (inverse @ scatter @ inverse)[:count, :count]
     sd = np.sqrt(np.maximum(np.diag(covariance), 0.0))
     safe = np.where(sd > 0, sd, 1.0)
@@ -52,23 +50,20 @@ def uncertainty(
     return Uncertainty(errors, correlation, warnings)
 
 
-def _scatter(
-    optimum: Optimum, blocks: Sequence[Block], priors: Mapping[str, Prior], columns: Sequence[int]
-) -> Array:
+def _scatter(optimum: Optimum, blocks: Sequence[Block]) -> Array:
     """Return the covariance of the scores: of residuals as coloured as they are, and of the priors."""
-    width, count = optimum.matrix.shape[1], len(priors)
-    scatter = np.zeros((width, width))
-    begin = count
-    for one, block in zip(optimum.linearised, blocks, strict=True):
-        own = [*range(count), *range(begin, begin + one.to_n.shape[1])]
-        slopes = np.hstack([one.to_p[:, list(columns)] * optimum.scales, one.to_n])
-        scatter[np.ix_(own, own)] += _coloured(one, slopes, block)
-        begin += one.to_n.shape[1]
-    weight = [prior.scale / prior.sd for prior in priors.values()]
-    return scatter + np.diag(np.concatenate([np.square(weight), np.ones(width - count)]))
+    residual, slopes = optimum.residual, optimum.slopes
+    scatter, begin = np.zeros((slopes.shape[1], slopes.shape[1])), 0
+    for block in blocks:
+        rows = slice(begin, begin + block.rows)
+        own = np.flatnonzero(slopes[rows].any(axis=0))
+        scatter[np.ix_(own, own)] += _coloured(residual[rows], slopes[rows][:, own], block)
+        begin += block.rows
+    assumed: Array = scatter + slopes[begin:].T @ slopes[begin:]
+    return assumed
 
 
-def _coloured(one: Linearised, slopes: Array, block: Block) -> Array:
+def _coloured(residual: Array, slopes: Array, block: Block) -> Array:
     """Return slopes' covariance under the autocorrelation of the residual, channel by channel."""
     from scipy.signal import fftconvolve
 
@@ -77,7 +72,7 @@ def _coloured(one: Linearised, slopes: Array, block: Block) -> Array:
     for number in range(len(block.channels)):
         rows = slice(number * samples, (number + 1) * samples)
         own = slopes[rows]
-        kernel = autocovariance(one.residual[rows])
+        kernel = autocovariance(residual[rows])
         total += own.T @ fftconvolve(own, kernel[:, None], mode="same", axes=0)
     joints = slopes[len(block.channels) * samples :]
     return total + joints.T @ joints

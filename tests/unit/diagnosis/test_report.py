@@ -233,6 +233,14 @@ def test_guilty_site_and_what_was_added_are_marked(verdict: Verdict) -> None:
     assert drawn.count('stroke-width="3"') == 2
 
 
+@pytest.mark.parametrize(("deviations", "marks"), [(2.5, {}), (3.5, {"spring": "k"})])
+def test_a_parameter_is_marked_from_where_the_verdict_says_it_moved(
+    jammed: Verdict, deviations: float, marks: dict[str, str]
+) -> None:
+    moved = {**jammed.evidence.campaign.start, "spring.k": 400.0 * (1 + 0.1 * deviations)}
+    assert marks_of(replace(jammed, verdict="parameters", parameters=moved)) == marks
+
+
 def test_site_within_parts_is_marked_at_every_depth(verdict: Verdict) -> None:
     rig = ia.inerter_rig(ia.ge_wang.planetary_inerter(regularised=0.1), ia.Sinusoid(0.01, 3.0))
     site = next(site for site in sites_of(rig) if site.path == "inerter.screw.friction")

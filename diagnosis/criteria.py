@@ -1,0 +1,125 @@
+"""Every threshold of the diagnosis: [unit] what it bounds; what fixed it.
+
+| fixed by | meaning |
+|---|---|
+| theory | a distribution or a numerical bound, as said |
+| nulls | what records of the nominal model with noise reach, with room: benchmarks/blind/nulls.py |
+| blind | cases of benchmarks/blind whose labels had been opened |
+| data | the resolution of records, runs or floating-point numbers |
+| effort | work; a verdict only where it runs out |
+| telling | what is told or drawn; no verdict rests on it |
+"""
+
+# When something is missing, and when parameters are wrong
+NOISE_MISFIT = 1.03  # [noise] rms residual at which nothing is left to find; nulls
+COLOURED_MISFIT = 1.1  # [noise] rms residual above which something is left; nulls
+MOVED_STANDARD_DEVIATIONS = 3.0  # [sd of the prior] of a parameter that has moved; theory: 0.3 % of them
+EXPLAINED_GAP_SHARE = 0.93  # [1] of the gap below which what was found is not all that is missing; blind
+
+# When one model is better than another
+CLEAR_STANDARD_ERRORS = 3.0  # [standard errors] by which an effect must beat the model without it; nulls
+ALIKE_STANDARD_ERRORS = 2.0  # [standard errors] within which models are alike; theory: 95 % of them
+ALIKE_RESIDUAL_SHARE = 1e-3  # [1] of the squared test residual within which models are alike; blind
+FIRST_EFFECT_SHARE = 0.01  # [1] of the squared test residual that an effect must take away; nulls
+FURTHER_EFFECT_SHARE = 0.05  # [1] the same for a second one: less but mends the shape of the first; blind
+GENERALISATION_SHARE = 0.25  # [1] of what a special case leaves that a generalisation takes away; blind
+PART_CHI_SQUARED = 4.0  # [chi squared] by which a part must be likelier than all; theory: 5 % of 1 dof
+EARLY_END_COST_RATIO = 0.9  # [1] of its cost to which a fit that has ended may still fall; blind
+STRETCH_SECONDS = 0.2, 1.0  # [s] shortest and longest by which test residuals are compared; data
+LEAST_STRETCHES = 40  # [1] wanted in all test records; theory: errors of a standard error below 12 %
+
+# Which effects are fitted
+RUNS_PER_MODEL = 200  # [1] of each, fitted from several starts and probed, for the choice of solver; effort
+MOST_EFFECTS = 2  # [1] in a verdict; blind
+LEAST_CHI_SQUARED_GAIN = 40.0  # [chi squared] below which no effect is worth a fit; nulls
+CONTENDERS_PER_ROUND = 8  # [1] fitted in each round; effort
+RESERVES_PER_ROUND = 3  # [1] of either kind that are fitted besides if much is left; effort
+FITS_PER_BATCH = 3  # [1] before those are left out that promise much less than was found; effort
+HOPELESS_GAIN_RATIO = 0.4  # [1] of the best drop of chi squared kept, below which one is left out; blind
+HIDDEN_RESIDUAL_SHARE = 0.01  # [1] of the squared test residual above which more is fitted; blind
+SERIES_START_SIZES = 0.3, 1.0, 3.0  # [screened size] of effects in series, to start from; blind
+FOUND_EFFECT_DEVIATIONS = 10.0  # [own size] by which an effect that was found may still change; effort
+SAME_MOTION_GAIN_TOLERANCE = 1e-6  # [1] of gains within which two sites are of one motion; data
+DEPENDENT_EIGENVALUE_RATIO = 1e-9  # [1] of the largest below which sizes are not told apart; data
+START_SINGULAR_VALUE_RATIO = 1e-8  # [1] of the largest below which start values are not told apart; data
+
+# Shapes that are screened, and how they follow in a fit
+STRIBECK_SPEED_RATIOS = 0.05, 0.3, 1.0  # [rms speed] of the site; effort
+RIPPLES_PER_TRAVEL = 2, 60  # [1] fewest and most periods in the range of the site; data
+RIPPLE_PERIODS = 24  # [1] tried between them; effort
+YIELD_TRAVEL_RATIOS = 0.04, 0.15, 0.6, 2.0  # [half the range of the site]; effort
+SHAPE_FACTOR = 2.0  # [1] by which a shape may change at a time; effort: the grids above are not coarser
+SHAPED_DESCENTS = 3  # [1] that go on from where a shape is held; effort
+BOUND_TOLERANCE = 1e-6  # [1] of a bound within which it is reached; data
+BOUND_SCALE_TOLERANCE = 1e-9  # [scale of the prior] the same for bounds near 0; data
+
+# Descents of a fit
+DESCENT_STEPS = 100  # [1] at most; effort
+DESCENT_RELATIVE_DROP = 1e-4  # [1] of chi squared that a step must promise; effort
+DESCENT_CHI_SQUARED_DROP = 1.0  # [chi squared] the same beside it; theory: a standard error
+DESCENT_LEAST_RADIUS = 1e-3  # [scale of the prior] below which steps see nothing but roughness; data
+LEAST_SIZE_RATIO = 0.1  # [1] of the largest quantity of a kind: what a small one may be; effort
+
+# What a small change is, by which slopes are judged
+PARAMETER_STEP_RATIO = 1e-6  # [scale] of what an effect's quantities do to parameters; theory: eps to the 1/3
+CHANNEL_STEP_RATIO = 1e-3  # [1] of a size of an effect on a channel; data
+CHANNEL_PROBE_SHARE = 0.01  # [range of the channel] by which a channel is changed in screening; data
+CLEARANCE_STEP_RATIO = 0.1  # [1] of a clearance: on a smaller scale impacts make runs rough; data
+FMU_STEP_DEVIATIONS = 0.03  # [scale of the prior] of a parameter of an FMU; data
+FMU_PROBE_SHARE = 0.01  # [rms of what is there] by which an input or the force at a port is pushed; data
+FMU_TRIAL_FORCE = 1e-3  # [N or N.m] of a first push where there is no other; data
+
+# Runs
+RELATIVE_TOLERANCES = 1e-7, 1e-5  # [1] finest and coarsest of runs; data
+TOLERANCE_OVER_NOISE = 1e-3  # [1] relative tolerance of runs over the share of noise in records; blind
+SOLVER_STEPS_PER_SAMPLE = 50  # [1] granted; a model that needs more is none to be fitted; effort
+FMU_STEPS_PER_SAMPLE = 2, 8  # [1] fewest and most communication steps between compared instants; effort
+FMU_STEP_ERROR_OVER_NOISE = 0.1  # [noise] by which half the communication step may change a run; data
+FMU_RELATIVE_TOLERANCE = 1e-6  # [1] of runs of an FMU; data
+COMPARISON_RATE_HZ = 250.0  # [Hz] at which outputs are compared; data: machines move below a tenth of it
+NOISE_PEAK_STANDARD_DEVIATIONS = 6.0  # [sd] that noise does not exceed, as steps do; theory: 2e-9 of it
+
+# Laws made smooth enough to be run, at scales that no record shows
+REVERSAL_SPEED_RATIO = 0.01  # [rms speed] within which friction that cannot stick changes sides; data
+STICKING_SPEED_RATIO = 0.001  # [rms speed] within which friction at a port is smooth; data
+STOP_DEFLECTION_RATIO = 1e-3  # [travel] deflection of a stop under the largest force of its site; data
+OIL_FORCE_RATIO = 1e-4  # [largest force] of the oil in a clearance at the usual speed; data
+PLAY_FORCE_RATIO = 0.02  # [largest force] at which play is taken up; data
+SETTLING_SECONDS = 1e-4  # [s] in which a compliance settles; data: far below 1/COMPARISON_RATE_HZ
+LEAST_COMPLIANCE = 1e-15  # [m/N or rad/(N.m)] of an effect; data
+
+# Cautions
+SUSPECT_SIGNAL_SHARE = 0.3  # [1] of a signal that is left, above which channels are suspected; blind
+UNIT_GAIN_TOLERANCE = 0.02  # [1] by which a gain may miss the ratio of two units; data
+ACTIVE_POWER_SHARE = 0.05  # [1] of the power at a port that may come out of it without a word; telling
+
+# Where a gap lies
+WINDOW_SECONDS = 0.25  # [s] by which the residual is looked at; telling
+WINDOWS_GAP_SHARE = 0.8  # [1] of the gap that windows hold; telling
+BAND_POWER_SHARES = 0.1, 0.9  # [1] of the gap's power below the band's ends; telling
+SPECTRUM_SEGMENT_SAMPLES = 4096  # [1] at most in a segment of Welch's method; telling
+LOCAL_TIME_SHARE = 0.4  # [1] of the time within which a gap is local; telling
+EPISODE_TIME_SHARE = 0.1  # [1] of the time below which a gap is an episode that tells of no regime; telling
+SLOW_SPEED_SHARE = 0.1  # [largest speed] below which motion reverses; telling
+LARGE_MOTION_SHARE = 0.7  # [largest speed or travel] above which motion is fast or far; telling
+REGIME_GAP_RATIO = 1.5  # [average gap] that makes a regime; telling
+
+# The next experiment
+TRIAL_SECONDS = 10.0  # [s]; telling
+TRIAL_FADE_SECONDS = 1.0  # [s]; telling
+TRIAL_RATE_HZ = 1000.0  # [Hz]; data
+TRIAL_FREQUENCIES = 6  # [1] tried in the band of an input; effort
+TRIAL_AMPLITUDE_SHARES = 0.25, 1.0  # [largest that was measured]; effort
+INPUT_BAND_ENERGY_SHARES = 0.05, 0.95  # [1] of an input's energy below the band's ends; telling
+PEAK_QUANTILE = 0.999  # [1] of a signal that counts as its largest; data
+SEPARATING_MISFIT = 2.0  # [noise] rms by which models must part to be told apart; telling
+
+# The report
+CHANCE_PROBABILITY = 0.05  # [1] of a test gain without the effect above which it is chance; telling
+LEAST_PROBABILITY_TOLD = 1e-6  # [1]; telling
+MOST_CONFIDENCE_TOLD = 0.995  # [1] above which it is told as "> 99%"; telling
+OWN_SIGNATURE_SHARE = 0.02  # [1] of a signature below which the parameters hide it; telling
+NEGLIGIBLE_GAIN_SHARE = 1e-3  # [1] of the squared residual below which an effect explains nothing; telling
+SITE_SHARE_TOLD = 0.01  # [1] of the gap below which a site is not told; telling
+SITES_TOLD = 8  # [1]; telling
+WINDOWS_TOLD = 8  # [1]; telling
