@@ -6,7 +6,7 @@ from pathlib import Path
 
 import numpy as np
 
-from ..diagnosis import Verdict, diagnose
+from ..diagnosis import Verdict, diagnose, write_report
 from ..identification import Campaign, Record
 from ..networks import Network
 from .diagnose import show
@@ -32,7 +32,7 @@ def diagnose_withheld(console: Terminal, out: Path) -> Verdict:
         f"added by {errors[1]:.1f} N; the noise is {campaign.floors['F'].sigma:.1f} N."
     )
     console.print(f"wrote {verdict.save(out / 'withheld.json')}")
-    console.print(f"wrote {verdict.report(out / 'withheld.html')}")
+    console.print(f"wrote {write_report(verdict, out / 'withheld.html')}")
     return verdict
 
 

@@ -64,7 +64,7 @@ def diagnose(
     if json is not None:
         wrote.append(verdict.save(json))
     if report is not None:
-        wrote.append(verdict.report(report))
+        wrote.append(write_report(verdict, report))
     show(verdict)
     for path in wrote:
         typer.echo(f"wrote {path}")

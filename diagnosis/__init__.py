@@ -9,6 +9,7 @@ from .effects.effect import Effect as Effect
 from .effects.effect import Quantity as Quantity
 from .effects.effect import register as register
 from .models.read import read_model as read_model
+from .report.report import write_report as write_report
 from .verdict.verdict import DiagnosisInterruptedError as DiagnosisInterruptedError
 from .verdict.verdict import Gap as Gap
 from .verdict.verdict import Ranked as Ranked

@@ -78,13 +78,14 @@ def draw(rooms: dict[str, dict[str, int]], path: Path) -> None:
 
     matplotlib.use("Agg")
     from matplotlib import pyplot as plt
+    from matplotlib.patches import Rectangle
 
     heights = [max(room.values(), default=1) for room in rooms.values()]
     figure, axes = plt.subplots(figsize=(11, 0.42 * sum(heights) + 1.2))
     top = 0.0
     for (name, room), height in zip(rooms.items(), heights, strict=True):
         axes.add_patch(
-            plt.Rectangle((0, top - height), 100, height, facecolor="#f4f1ea", edgecolor="#8a8577")
+            Rectangle((0, top - height), 100, height, facecolor="#f4f1ea", edgecolor="#8a8577")
         )
         axes.text(1, top - height / 2, name, va="center", fontsize=11, weight="bold")
         for floor in range(1, height + 1):

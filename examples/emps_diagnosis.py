@@ -16,7 +16,7 @@ from pathlib import Path
 sys.path.insert(0, str(Path(__file__).parent))
 
 import emps
-from inertance import Campaign, Network, Record, Verdict, diagnose, signals
+from inertance import Campaign, Network, Record, Verdict, diagnose, signals, write_report
 
 CHANNELS = {
     "qg": {"input": "dq_ref.u1", "unit": "m"},
@@ -75,7 +75,7 @@ def main() -> None:
         for line in found.lines:
             print(f"  {line}")
         name = "with" if coulomb else "without"
-        print(f"  wrote {found.report(options.out / f'emps_{name}_coulomb.html')}")
+        print(f"  wrote {write_report(found, options.out / f'emps_{name}_coulomb.html')}")
 
 
 if __name__ == "__main__":

@@ -130,7 +130,7 @@ class Port(Field):
     """
 
     kind = "port"
-    domain: ClassVar[Domain]
+    domain: ClassVar[Domain]  # pyright: ignore[reportIncompatibleVariableOverride]
 
     def __init__(self, doc: str = "", optional: bool = False, free: bool = False) -> None:
         super().__init__("", doc)

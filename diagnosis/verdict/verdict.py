@@ -157,9 +157,3 @@ class Verdict:
     def corrected(self) -> Network:
         """Return the network with the effects inserted."""
         return with_effects(self.network, self.effects)
-
-    def report(self, path: str | Path) -> Path:
-        """Write the report: one HTML file that needs nothing else."""
-        from ..report.report import write_report
-
-        return write_report(self, path)

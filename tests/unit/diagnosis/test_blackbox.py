@@ -89,7 +89,7 @@ def test_friction_at_the_port_of_an_fmu(cart: Any, fmus: Path, tmp_path: Path) -
     assert found.parameters["spring.k"] == pytest.approx(820.0, rel=0.01)
     assert found.closed > 0.95
     assert any("inside of it" in note for note in found.notes)
-    assert found.report(tmp_path / "gap.html").stat().st_size > 0
+    assert ia.write_report(found, tmp_path / "gap.html").stat().st_size > 0
     drive = found.evidence.campaign.testing[0].record
     run = ia.cosimulate(
         found.corrected(), 1.0, communication_step=2e-3, inputs={"push.f": drive.sampled("F")}, halving=False

@@ -84,7 +84,7 @@ def test_every_effect_fits_every_site_and_runs(kind: str) -> None:
         edits = effect.edits(scaled, "extra", values)
         run = edited(net, edits).simulate(0.05)
         assert np.isfinite(run["one.s"]).all()
-        scope = {"net": net.clone(), **{name: getattr(ia, name) for name in ia.__all__}}
+        scope = {"net": net.clone(), **{name: getattr(ia, name) for name in dir(ia)}}
         exec("\n".join(map(str, edits)), scope)
         again = scope["net"].simulate(0.05)
         assert again["one.s"] == pytest.approx(run["one.s"], abs=1e-12)

@@ -156,7 +156,7 @@ def jammed() -> Verdict:
 
 @pytest.fixture(scope="module")
 def page(verdict: Verdict, tmp_path_factory: pytest.TempPathFactory) -> Path:
-    return verdict.report(tmp_path_factory.mktemp("report") / "gap.html")
+    return ia.write_report(verdict, tmp_path_factory.mktemp("report") / "gap.html")
 
 
 class Sections(HTMLParser):
@@ -300,7 +300,7 @@ def test_gap_at_reversals_is_told_as_such(verdict: Verdict) -> None:
 
 @pytest.mark.parametrize("word", ["none", "parameters", "unknown"])
 def test_every_verdict_has_a_report(word: str, jammed: Verdict, tmp_path: Path) -> None:
-    text = replace(jammed, verdict=word).report(tmp_path / "gap.html").read_text(encoding="utf-8")
+    text = ia.write_report(replace(jammed, verdict=word), tmp_path / "gap.html").read_text(encoding="utf-8")
     read = Sections()
     read.feed(text)
     assert read.found == SECTIONS
@@ -310,7 +310,7 @@ def test_every_verdict_has_a_report(word: str, jammed: Verdict, tmp_path: Path) 
 def test_effect_on_a_channel_has_a_report(verdict: Verdict, tmp_path: Path) -> None:
     delay = next(c for c in verdict.evidence.screened if c.effect.kind == "sensor_delay")
     placed = Placed(effect_of("sensor_delay"), delay.site, "sensor_delay_1", {"delay": 0.004})
-    text = replace(verdict, effects=(placed,)).report(tmp_path / "gap.html").read_text(encoding="utf-8")
+    text = ia.write_report(replace(verdict, effects=(placed,)), tmp_path / "gap.html").read_text(encoding="utf-8")
     assert "# sensor_delay on channel x: delay = 0.004" in text
     assert "x: sensor delay" in text
 

@@ -71,7 +71,7 @@ def test_an_interrupted_diagnosis_states_no_verdict(cart: Any, tmp_path: Path, l
     assert found.effects == ()
     assert "stopped before its end" in found.sentence
     assert json.loads(found.save(tmp_path / "v.json").read_text())["verdict"] == "interrupted"
-    page = found.report(tmp_path / "v.html").read_text(encoding="utf-8")
+    page = ia.write_report(found, tmp_path / "v.html").read_text(encoding="utf-8")
     assert "Nothing yet: the diagnosis was stopped before its end" in page
 
 
