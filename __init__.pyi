@@ -78,8 +78,8 @@ from .components import variable as variable
 from .diagnosis import DiagnosisInterruptedError as DiagnosisInterruptedError
 from .diagnosis import Verdict as Verdict
 from .diagnosis import diagnose as diagnose
-from .diagnosis import write_report as write_report
 from .diagnosis import read_model as read_model
+from .diagnosis import write_report as write_report
 from .fmu import FMU as FMU
 from .fmu import CheckReport as CheckReport
 from .fmu import Connection as Connection

@@ -39,7 +39,7 @@ def diagnose(
     ] = True,
 ) -> None:
     """Say what parts measured data and model: where, why, and how much of the gap closes."""
-    from ..diagnosis import DiagnosisInterruptedError, read_model
+    from ..diagnosis import DiagnosisInterruptedError, read_model, write_report
     from ..diagnosis import diagnose as run_diagnosis
     from ..identification import Campaign
 

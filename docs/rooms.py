@@ -84,9 +84,7 @@ def draw(rooms: dict[str, dict[str, int]], path: Path) -> None:
     figure, axes = plt.subplots(figsize=(11, 0.42 * sum(heights) + 1.2))
     top = 0.0
     for (name, room), height in zip(rooms.items(), heights, strict=True):
-        axes.add_patch(
-            Rectangle((0, top - height), 100, height, facecolor="#f4f1ea", edgecolor="#8a8577")
-        )
+        axes.add_patch(Rectangle((0, top - height), 100, height, facecolor="#f4f1ea", edgecolor="#8a8577"))
         axes.text(1, top - height / 2, name, va="center", fontsize=11, weight="bold")
         for floor in range(1, height + 1):
             told = "    ".join(box for box, level in room.items() if level == floor)

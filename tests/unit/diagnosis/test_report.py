@@ -310,7 +310,9 @@ def test_every_verdict_has_a_report(word: str, jammed: Verdict, tmp_path: Path) 
 def test_effect_on_a_channel_has_a_report(verdict: Verdict, tmp_path: Path) -> None:
     delay = next(c for c in verdict.evidence.screened if c.effect.kind == "sensor_delay")
     placed = Placed(effect_of("sensor_delay"), delay.site, "sensor_delay_1", {"delay": 0.004})
-    text = ia.write_report(replace(verdict, effects=(placed,)), tmp_path / "gap.html").read_text(encoding="utf-8")
+    text = ia.write_report(replace(verdict, effects=(placed,)), tmp_path / "gap.html").read_text(
+        encoding="utf-8"
+    )
     assert "# sensor_delay on channel x: delay = 0.004" in text
     assert "x: sensor delay" in text
 
