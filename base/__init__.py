@@ -55,3 +55,9 @@ from .text_file import path_of as path_of
 from .text_file import text_of as text_of
 from .text_file import there_is_file as there_is_file
 from .text_table import aligned as aligned
+from .units import BASES as BASES
+from .units import Unit as Unit
+from .units import rate_unit as rate_unit
+from .units import unit_for as unit_for
+from .units import unit_of as unit_of
+from .units import units_like as units_like

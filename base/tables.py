@@ -15,10 +15,10 @@ from numpy.typing import NDArray
 
 from .errors import InertanceError, MissingPackageError, ModelError, nearest
 from .text_file import text_of, there_is_file
+from .units import G, unit_for
 
 Array = NDArray[np.float64]
 TIMES = ("time", "t", "zeit", "timestamp", "time_s")
-GRAVITY = 9.80665
 
 
 @dataclass(frozen=True, eq=False)
@@ -63,16 +63,17 @@ class Table:
             f"{self.path}: there is no column of time among {', '.join(self.columns)}; name one 'time' or 't'"
         )
 
-    def seconds(self, name: str) -> Array:
-        """Return a column that is in seconds.
+    def in_si(self, name: str, wanted: str) -> Array:
+        """Return a column in an SI unit, which it has unless the file says another.
 
         Raises:
-            ModelError: if there is none of that name, or it is in another unit.
+            ModelError: if there is none of that name; for an unknown unit or one of another quantity.
         """
-        unit = self.units.get(name) or "s"
-        if unit != "s":
-            raise ModelError(f"{self.at(name)}: the unit must be s, got {unit}")
-        return self.column(name)
+        values, unit = self.column(name), self.units.get(name, "")
+        try:
+            return values if unit in ("", wanted) else unit_for(unit, wanted).to_si(values)
+        except ModelError as error:
+            raise ModelError(f"{self.at(name)}: {error}") from error
 
     def number_problem(self, name: str, values: Array) -> str:
         """Say where the values of a column are no finite numbers; nothing if they all are."""
@@ -133,8 +134,8 @@ def need_pyarrow(path: Path) -> None:
 
 def _headed(header: str) -> tuple[str, str]:
     """Return name and unit of headers such as `x [mm]` or `x (mm)`."""
-    found = re.fullmatch(r"(.*?)\s*[\[(]([^\[\]()]*)[\])]", header.strip())
-    return (found[1], found[2]) if found else (header.strip(), "")
+    found = re.fullmatch(r"(.*?)\s*(?:\[([^\[\]]*)\]|\(([^()]*)\))", header.strip())
+    return (found[1], found[2] or found[3] or "") if found else (header.strip(), "")
 
 
 def _read_text(path: Path) -> Table:
@@ -257,7 +258,7 @@ def _read_peer(path: Path) -> Table:
     if len(rows) != int(facts.get("NPTS", len(rows))):
         raise ModelError(f"{path}: line 4 says {facts['NPTS']} values, there are {len(rows)}")
     time: Array = float(facts["DT"]) * np.arange(len(rows), dtype=float)
-    acceleration: Array = GRAVITY * np.array(rows, dtype=float).ravel()
+    acceleration: Array = G * np.array(rows, dtype=float).ravel()
     units = {"time": "s", "acceleration": "m/s2"}
     return Table(path, {"time": time, "acceleration": acceleration}, units, 0)
 

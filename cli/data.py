@@ -17,10 +17,8 @@ def read_inputs(path: Path, dae: DAE) -> dict[str, Sampled]:
         ModelError: with file, line and column of what is wrong.
         MissingFileError: if there is no such file.
     """
-    from ..identification import in_si
-
     table = read_table(path)
-    time = in_si(table, table.time_name, "s")
+    time = table.in_si(table.time_name, "s")
     units = {declared.path: declared.unit for declared in dae.inputs if not declared.order}
     names = [name for name in table.columns if name != table.time_name]
     _check_names(table, names, units)
@@ -28,7 +26,7 @@ def read_inputs(path: Path, dae: DAE) -> dict[str, Sampled]:
     if missing:
         told = " nor ".join(f"'{name}' [{units[name]}]" for name in sorted(missing))
         raise ModelError(f"{path}, line 1: no column {told}, an input that has no other signal")
-    columns = {name: in_si(table, name, units[name]) for name in names}
+    columns = {name: table.in_si(name, units[name]) for name in names}
     wrong = [table.number_problem(name, values) for name, values in columns.items()]
     for told in filter(None, (table.time_problem(table.time_name, time), *wrong)):
         raise ModelError(told)

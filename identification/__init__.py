@@ -25,6 +25,7 @@ from .fitting.problem import Problem as Problem
 from .fitting.residual_block import Block as Block
 from .fitting.residual_block import Linearised as Linearised
 from .fitting.suspects import Suspect as Suspect
+from .fitting.suspects import likely_unit as likely_unit
 from .fitting.suspects import suspects as suspects
 from .fitting.suspects import told_of as told_of
 from .fitting.uncertainty import Uncertainty as Uncertainty
@@ -37,6 +38,4 @@ from .records.excitation import sampled as sampled
 from .records.filters import Filter as Filter
 from .records.noise import Floor as Floor
 from .records.record import Record as Record
-from .records.record import in_si as in_si
 from .records.record import read_record as read_record
-from .records.units import likely_unit as likely_unit

@@ -7,7 +7,7 @@ from dataclasses import dataclass, field
 from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
-from ..base import ModelError, UnknownNameError, nearest, shown, text
+from ..base import ModelError, UnknownNameError, nearest, rate_unit, shown, text
 from ..components.language import Component, Parameter, Variable
 from .flattening.vectors import stacked
 
@@ -166,7 +166,7 @@ class DAE:
         if path in self.switching.mode_names:
             return ""
         if path.startswith("der("):
-            return f"{self.unit(path[4:-1])}/s"
+            return rate_unit(self.unit(path[4:-1]))
         return self.declared.facts[self.flat.variable(path)].unit
 
     def field(self, path: str) -> Parameter:

@@ -5,6 +5,8 @@ from __future__ import annotations
 from enum import StrEnum
 from typing import Self
 
+from ...base import rate_unit
+
 
 class Domain(StrEnum):
     """A kind of motion: its name, which knows the names and SI units of the quantities, and two parameters.
@@ -31,5 +33,5 @@ class Domain(StrEnum):
         self = str.__new__(cls, name)
         self._value_ = name
         self.across, self.speed, self.through, self.stiffness, self.inertia, unit, self.through_unit = names
-        self.motion_units = unit, f"{unit}/s", f"{unit}/s2"
+        self.motion_units = unit, rate_unit(unit), rate_unit(unit, 2)
         return self

@@ -8,6 +8,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
+from ...base import rate_unit
 from ...identification import Campaign, Experiment
 from ...networks import Network
 from ..criteria import LEAST_SIZE_RATIO, PARAMETER_STEP_RATIO
@@ -40,7 +41,8 @@ class Placed:
     def units(self, campaign: Campaign) -> dict[str, str]:
         """Return the units of its parameters; of an effect on a channel, in that channel's."""
         si = campaign.measured[self.site.path].si if self.site.domain == "channel" else ""
-        return {quantity.name: quantity.unit.replace("unit", si) for quantity in self.quantities}
+        told = {"unit": si, "unit/s": rate_unit(si)}
+        return {quantity.name: told.get(quantity.unit, quantity.unit) for quantity in self.quantities}
 
     @property
     def edits(self) -> list[Edit]:

@@ -13,7 +13,7 @@ from ...components.language import Parameter
 from ...fmu import FMU, FMUBlock, FMUError, FMUForce, FMUMotion, FMURotation, FMUTorque
 from ...networks import Input, Network
 from ..effects.sites import GROUND, Site
-from .fmu_port import SI, read_port
+from .fmu_port import read_port
 
 
 class BlackBox:
@@ -100,9 +100,7 @@ class BlackBox:
             return self.port.units[path]
         if not self.fmu.unit(path):
             return ""
-        measure = self.fmu.measure(self.fmu.variable(path))
-        mass, length, time = measure.exponents[:3]
-        return measure.name if measure.name in SI.values() else SI.get((mass, length, time), measure.si_name)
+        return self.fmu.measure(self.fmu.variable(path)).si_name
 
     def field(self, path: str) -> Parameter:
         """Return what is declared of a parameter."""

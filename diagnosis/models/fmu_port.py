@@ -5,14 +5,11 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass
 
+from ...base import unit_of
 from ...components import Domain, ModelError, nearest
 from ...fmu import FMU, FMUError
 
 NEEDED = ("force", "position", "velocity")
-SI = {  # exponents of kg, m, s; rad counts as 1
-    (0, 1, 0): "m", (0, 1, -1): "m/s", (0, 1, -2): "m/s2", (1, 1, -2): "N", (1, 2, -2): "N.m",
-    (0, 0, -1): "rad/s", (0, 0, -2): "rad/s2", (1, 2, -3): "W", (1, -1, -2): "Pa", (1, 0, 0): "kg",
-}  # fmt: skip
 
 
 @dataclass(frozen=True)
@@ -81,8 +78,7 @@ def read_port(fmu: FMU, entries: Mapping[str, str]) -> Port:
         )
     domain = _domain(fmu, names["force"], names["position"])
     for name, unit in zip(names.values(), _units(domain), strict=True):
-        exponents = next(key for key, value in {**SI, (0, 0, 0): "rad"}.items() if value == unit)
-        if fmu.unit(name) and fmu.measure(fmu.variables[name]).exponents[:3] != exponents:
+        if fmu.unit(name) and not _measures(fmu, name, unit):
             problems.append(f"port: '{name}' is in {fmu.unit(name)}, where {unit} belongs")
     if problems:
         raise ModelError(f"the port of FMU '{fmu.name}' cannot be used:", problems)
@@ -97,6 +93,10 @@ def _units(domain: Domain) -> tuple[str, str, str]:
 
 def _domain(fmu: FMU, force: str, position: str) -> Domain:
     """Return the rotational one if a unit says so."""
-    name, exponents = (force, (1, 2, -2)) if fmu.unit(force) else (position, (0, 0, 0))
-    turning = fmu.unit(name) and fmu.measure(fmu.variables[name]).exponents[:3] == exponents
+    name, unit = (force, "N.m") if fmu.unit(force) else (position, "rad")
+    turning = fmu.unit(name) and _measures(fmu, name, unit)
     return Domain.ROTATIONAL if turning else Domain.TRANSLATIONAL
+
+
+def _measures(fmu: FMU, name: str, unit: str) -> bool:
+    return fmu.measure(fmu.variables[name]).fits(unit_of(unit))

@@ -10,7 +10,7 @@ from pathlib import Path
 from string import Template
 from typing import Any
 
-from ...base import check_output, write_text
+from ...base import check_output, rate_unit, write_text
 from ...networks import pretty_unit
 from ..verdict.localisation import moved
 from ..verdict.verdict import Verdict
@@ -114,7 +114,7 @@ def _residual(verdict: Verdict, stages: Stages, figures: dict[str, Figure]) -> I
         motions = moved(campaign, fitted, place, records, evidence.accuracy)
         if place.domain == "channel":
             si = campaign.measured[place.path].si
-            units = si, f"{si}/s", f"{si}/s2"
+            units = si, rate_unit(si), rate_unit(si, 2)
         else:
             units = place.mechanics.motion_units
     shown = list(zip(stages, COLOURS, strict=False))[-2:]

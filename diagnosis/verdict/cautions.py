@@ -51,7 +51,7 @@ def _gain(campaign: Campaign, placed: Placed) -> Iterator[str]:
     channel = campaign.measured[name]
     if isclose(gain, -1.0, rel_tol=UNIT_GAIN_TOLERANCE):
         yield f"{name}: a gain of {gain:.4g} is a wrong sign rather than a fault of the sensor"
-    unit = likely_unit(channel.unit or "1", 1 / gain, UNIT_GAIN_TOLERANCE) if gain else None
+    unit = likely_unit(channel, 1 / gain, UNIT_GAIN_TOLERANCE) if gain else None
     if unit:
         yield (
             f"{name}: a gain of {gain:.4g} is a wrong unit rather than a fault of the sensor: the column is "

@@ -8,10 +8,10 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
+from ...base import rate_unit, unit_of
 from ...components import Component, RealInput, RealOutput, RotationalFlange, TranslationalFlange, variable
 from ..errors import FMUError
 from ..fmu import FMU
-from ..foreign.units import parsed
 from ..foreign.variable import ForeignVariable
 
 
@@ -76,7 +76,7 @@ class ForeignComponent(Component):
             if _signed(rate)[0] != sign:
                 raise FMUError(f"FMU '{self.fmu.name}': '{signed}' and '{rate}' must have the same sign")
             rate = _signed(rate)[1]
-            _check(self.fmu, self.fmu.variable(rate), f"{unit}/s")
+            _check(self.fmu, self.fmu.variable(rate), rate_unit(unit))
         self.given += (Given(name, path, rate, sign),)
 
 
@@ -274,7 +274,7 @@ def _signed(name: str) -> tuple[float, str]:
 def _check(fmu: FMU, v: ForeignVariable, unit: str) -> None:
     if v.type not in ("Real", "Float64") or v.size != 1:
         raise FMUError(f"FMU '{fmu.name}': '{v.name}' is {v.type} of size {v.size}, no real signal")
-    if unit and v.unit and not fmu.measure(v).fits(parsed(unit)):
+    if unit and v.unit and not fmu.measure(v).fits(unit_of(unit)):
         raise FMUError(f"FMU '{fmu.name}': '{v.name}' is in {v.unit}, where {unit} belongs")
 
 

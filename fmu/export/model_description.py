@@ -7,7 +7,7 @@ from collections.abc import Iterable
 from dataclasses import asdict, dataclass
 from xml.etree import ElementTree as ET
 
-from .units import unit
+from .units import QUANTITY, base_units, display_units
 from .variables import Interface, Scalar
 
 CATEGORIES = {
@@ -158,11 +158,10 @@ def _convention(scalars: Iterable[Scalar]) -> str:
 def _units(root: ET.Element, scalars: Iterable[Scalar]) -> None:
     defined = ET.SubElement(root, "UnitDefinitions")
     for name in dict.fromkeys(s.unit for s in scalars if s.unit):
-        known = unit(name)
-        entry = ET.SubElement(defined, "Unit", name=name)
-        if known.base is not None:
-            ET.SubElement(entry, "BaseUnit", {base: str(power) for base, power in known.base.items()})
-        for shown, factor in known.display.items():
+        entry, powers = ET.SubElement(defined, "Unit", name=name), base_units(name)
+        if powers is not None:
+            ET.SubElement(entry, "BaseUnit", {base: str(power) for base, power in powers.items()})
+        for shown, factor in display_units(name).items():
             ET.SubElement(entry, "DisplayUnit", name=shown, factor=repr(factor))
 
 
@@ -170,7 +169,7 @@ def _type_name(scalar: Scalar) -> str:
     """Return the type of a variable: its quantity, or the choice it is; empty if it has none."""
     if scalar.choices:
         return "Mode: " + " | ".join(scalar.choices)
-    return unit(scalar.unit).quantity if scalar.unit else ""
+    return QUANTITY.get(scalar.unit, "")
 
 
 def _types(scalars: Iterable[Scalar]) -> dict[str, Scalar]:
@@ -184,7 +183,7 @@ def _types(scalars: Iterable[Scalar]) -> dict[str, Scalar]:
 
 def _typed(parent: ET.Element, tag: str, scalar: Scalar) -> ET.Element:
     if not scalar.choices:
-        return ET.SubElement(parent, tag, quantity=unit(scalar.unit).quantity, unit=scalar.unit)
+        return ET.SubElement(parent, tag, quantity=QUANTITY[scalar.unit], unit=scalar.unit)
     listed = ET.SubElement(parent, tag)
     for value, name in enumerate(scalar.choices):
         ET.SubElement(listed, "Item", name=name, value=str(value))

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field, replace
 
+from ...base import rate_unit
 from ...networks import DAE, Input, Start, is_corner
 from .dependencies import Dependencies, dependencies
 
@@ -138,7 +139,7 @@ def _state(dae: DAE, name: str, reference: int, start: Start, k: int, shown: fro
 
 
 def _rate(dae: DAE, name: str, reference: int, state: int) -> Scalar:
-    unit = _over_seconds(dae.unit(name), 1)
+    unit = rate_unit(dae.unit(name))
     return Scalar(f"der({name})", reference, unit=unit, doc=f"rate of {name}", derivative_of=state)
 
 
@@ -147,7 +148,7 @@ def _input(dae: DAE, declared: Input, reference: int) -> Scalar:
     if declared.order:
         order = "" if declared.order == 1 else f",{declared.order}"
         name, told = f"der({name}{order})", f"time derivative {declared.order} of {name}"
-        unit = _over_seconds(unit, declared.order)
+        unit = rate_unit(unit, declared.order)
     number = declared.signal if isinstance(declared.signal, int | float) and not declared.order else 0.0
     return Scalar(name, reference, "input", initial=None, start=float(number), unit=unit, doc=told)
 
@@ -181,17 +182,3 @@ def described(dae: DAE, path: str) -> str:
     inner = path.removeprefix("der(").removesuffix(")")
     told = dae.declared.facts[dae.flat.variable(inner)].doc
     return told if inner == path else f"rate of {inner}"
-
-
-def _over_seconds(unit: str, order: int) -> str:
-    """Return the unit of a derivative: m -> m/s -> m/s2."""
-    if not order or not unit:
-        return unit
-    top, _, bottom = unit.partition("/")
-    factors = bottom.split(".") if bottom else []
-    place = next((k for k, f in enumerate(factors) if f[0] == "s" and f[1:].isdecimal() | (f == "s")), None)
-    if place is None:
-        factors.append("s")
-    else:
-        factors[place] = f"s{int(factors[place][1:] or 1) + 1}"
-    return _over_seconds(f"{top}/{'.'.join(factors)}", order - 1)

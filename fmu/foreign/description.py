@@ -9,12 +9,12 @@ from pathlib import Path
 from typing import Any
 from xml.etree import ElementTree
 
-from ...base import path_of
+from ...base import ModelError, Unit, path_of, unit_of
 from ...components import nearest
 from ..errors import FMUError
 from .archive import platform_folder, platforms, read_description
 from .model_description import KINDS, read_model_description
-from .units import Unit, declared_units, inverse_units, parsed, relative_names
+from .units import declared_units, inverse_units, is_bare, relative_names
 from .variable import ForeignVariable, foreign_variable
 
 
@@ -84,7 +84,7 @@ class FMUDescription:
 
     @cached_property
     def _bare(self) -> set[str]:
-        return {unit.name for unit in self.units.values() if unit.bare}
+        return {unit.name for unit in self.units.values() if is_bare(unit)}
 
     @cached_property
     def _faces(self) -> dict[str, dict[str, str]]:
@@ -155,12 +155,12 @@ class FMUDescription:
             FMUError: if the unit is not understood, or is declared to be another than its name says.
         """
         if not variable.unit:
-            return Unit("1", (0,) * 8)
-        unit = self.units.get(variable.unit) or parsed(variable.unit)
+            return Unit("1")
+        unit = self.units.get(variable.unit) or self._read_unit(variable, variable.unit)
         if self.validate and unit.name in self._bare:
             raise FMUError(
                 f"FMU '{self.name}': the unit {unit.name} of '{variable.name}' is declared without the "
-                f"factor that its name has, as if it were {unit.si_base}; ask its author what it is "
+                f"factor that its name has, as if it were {unit.si_name}; ask its author what it is "
                 "(validate=False believes the declaration)"
             )
         return replace(unit, offset=0.0) if variable.relative else unit
@@ -170,16 +170,24 @@ class FMUDescription:
         if not (isinstance(value, tuple) and len(value) == 2 and isinstance(value[1], str)):
             return value
         number, name = value
-        known, own = self.units.get(name), self.measure(variable)
-        given = parsed(name) if known is None or name in self._bare else known
-        given = replace(given, offset=0.0) if variable.relative else given
         if not variable.unit:
             raise FMUError(
                 f"FMU '{self.name}': '{variable.name}' declares no unit, so that {name} cannot be converted; "
                 "give a plain number as its author means it"
             )
+        known, own = None if name in self._bare else self.units.get(name), self.measure(variable)
+        given = known if known is not None and known.fits(own) else self._read_unit(variable, name, own)
+        given = replace(given, offset=0.0) if variable.relative else given
         if not own.fits(given):
             raise FMUError(
                 f"FMU '{self.name}': '{variable.name}' is in {variable.unit}, not convertible from {name}"
             )
         return own.from_si(given.to_si(number))
+
+    def _read_unit(self, variable: ForeignVariable, name: str, like: Unit | None = None) -> Unit:
+        try:
+            return unit_of(name, like)
+        except ModelError as error:
+            if name in self.units:
+                return self.units[name]
+            raise FMUError(f"FMU '{self.name}': '{variable.name}': {error}") from error

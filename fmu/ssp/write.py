@@ -6,12 +6,11 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 from xml.etree import ElementTree as ET
 
-from ...base import check_output
+from ...base import BASES, Unit, check_output
 from ...components import ModelError
 from ..export.model_description import text
 from ..export.package import write_archive
 from ..fmu import FMU
-from ..foreign.units import BASES, Unit
 from ..foreign.variable import ForeignVariable
 
 if TYPE_CHECKING:

@@ -12,12 +12,11 @@ from typing import Any, Self
 
 import numpy as np
 
-from ...base import instance, path_of, shown, text_of, there_is_file
+from ...base import instance, path_of, shown, text_of, there_is_file, unit_for
 from ...components import ModelError
 from ...networks import DAE, Network
 from ..records.channel import Channel, outputs_of
 from ..records.noise import Floor, repeated_floor, spectral_floor
-from ..records.units import factor
 from .channels import read_channels, read_noise
 from .experiment import Experiment, read_experiments, repeat_problems, strange
 from .machine import Machine, Reader, read_network
@@ -262,7 +261,7 @@ class Campaign:
             moved = [float(np.std(e.record.values[name])) for e in self.training]
             if moved and sigma > max(moved):
                 channel = self.measured[name]
-                size = factor(channel.unit or "1", channel.si)
+                size = unit_for(channel.unit, channel.si).factor
                 problems.add(
                     f"noise.{name}: {sigma / size:g} {channel.unit} is more than all that was measured "
                     f"({max(moved) / size:.3g} {channel.unit}, standard deviation); correct it or its unit"

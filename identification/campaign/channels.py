@@ -5,11 +5,10 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from typing import Any
 
-from ...base import is_number
+from ...base import is_number, unit_for
 from ...components import nearest
 from ...components.language import INTERPOLATIONS
 from ..records.channel import Channel, outputs_of
-from ..records.units import factor
 from .machine import Machine
 from .problems import TEXT, Problems
 
@@ -30,7 +29,7 @@ def read_channels(entries: Mapping[str, Any], machine: Machine, problems: Proble
                 told = list(_channel_problems(channel, channels, machine))
                 problems.found += [f"{where}: {problem}" for problem in told]
                 if not told:
-                    factor(channel.unit or "1", channel.si)
+                    unit_for(channel.unit, channel.si)
                     channels[name] = channel
     problems.found += _missing(entries, channels, machine)
     if not outputs_of(channels) and len(problems.found) == before:
@@ -95,5 +94,5 @@ def read_noise(
                 f"noise.{name}: the standard deviation must be above 0 {channels[name].unit}, got {value!r}"
             )
         else:
-            stated[name] = float(value) * factor(channels[name].unit or "1", channels[name].si)
+            stated[name] = float(value) * unit_for(channels[name].unit, channels[name].si).factor
     return stated

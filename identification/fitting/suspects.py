@@ -10,12 +10,12 @@ from math import isclose
 import numpy as np
 from numpy.typing import NDArray
 
+from ...base import unit_for, units_like
 from ...components import InertanceError
 from ..campaign.campaign import Campaign
 from ..campaign.experiment import Experiment
 from ..campaign.priors import Prior
 from ..records.channel import Channel
-from ..records.units import sizes_of
 from .campaign_model import Accuracy, Bench
 from .problem import Optimum, Problem
 from .residual_block import Block
@@ -152,12 +152,27 @@ def _candidates(campaign: Campaign, accuracy: Accuracy) -> Iterator[Suspect]:
             yield Suspect((one, other), 1.0, f"{one} and {other} are likely exchanged")
 
 
+def likely_unit(channel: Channel, factor: float, share: float) -> str | None:
+    """Return the unit in which a column is if its values are to be multiplied by a factor.
+
+    None if there is none within a share of the factor, or the factor is all but one.
+    """
+    near = {unit: (abs(times / factor - 1), times) for unit, times in _others(channel, channel.unit)}
+    unit = min(near, key=lambda one: near[one])
+    missed, times = near[unit]
+    return unit if missed < share and not isclose(times, 1.0) else None
+
+
+def _others(channel: Channel, own: str) -> Iterator[tuple[str, float]]:
+    """Yield the units in which a column may be, and by what one in its own is multiplied then."""
+    said = unit_for(own, channel.si)
+    yield from ((unit, size / said.factor) for unit, size in units_like(said).items())
+
+
 def _factors(channel: Channel, own: str) -> Iterator[tuple[float, str]]:
     """Yield by what a column is to be multiplied if it is in another unit than was said, and what to say."""
     known = []
-    sizes = sizes_of(own)
-    for unit, size in sizes.items():
-        factor = size / sizes[own] if own in sizes else 1.0
+    for unit, factor in _others(channel, own):
         if not isclose(factor, 1.0):
             known.append(factor)
             yield factor, f"in {unit}, not in {own}"

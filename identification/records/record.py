@@ -10,14 +10,13 @@ from typing import Any, Self
 import numpy as np
 from numpy.typing import NDArray
 
-from ...base import above, demand, finite, instance, one_of, path_of, shown, text, whole
+from ...base import above, demand, finite, instance, one_of, path_of, shown, text, unit_for, whole
 from ...base.tables import Table, read_table
 from ...components import ModelError, Sampled, UnknownNameError, nearest
 from ...components.language import INTERPOLATIONS
 from .channel import Channel
 from .columns import JITTER, LEAST, number_problems, time_problems, value_problems
 from .filters import decimated
-from .units import converted, factor
 
 Array = NDArray[np.float64]
 EVEN = 1e-4
@@ -194,31 +193,18 @@ def read_record(
     problems += [] if window is None else list(time_problems(_part(table, rows), table.time_name, time[rows]))
     if problems:
         raise ModelError(f"record {path.name} cannot be used:", problems)
-    values = {name: converted(columns[name][rows], c.unit, c.si) for name, c in channels.items()}
+    values = {name: unit_for(c.unit, c.si).to_si(columns[name][rows]) for name, c in channels.items()}
     extra = columns[temperature][rows] if temperature else None
     return _even(path.name, time[rows], values, extra)
 
 
 def _time(table: Table, window: tuple[float, float] | None, problems: list[str]) -> Array:
     name = table.time_name
-    time = in_si(table, name, "s")
+    time = table.in_si(name, "s")
     told = list(time_problems(table, name, time))
     if window is None or not np.isfinite(time).all() or (np.diff(time) <= 0).any():
         problems += told
     return time
-
-
-def in_si(table: Table, name: str, wanted: str) -> Array:
-    """Return a column in an SI unit, which it has unless the table says another.
-
-    Raises:
-        ModelError: for an unknown unit or one of another quantity, with file, line and column.
-    """
-    values, unit = table.column(name), table.units.get(name, "")
-    try:
-        return values if unit in ("", wanted) else converted(values, unit, wanted)
-    except ModelError as error:
-        raise ModelError(f"{table.at(name)}: {error}") from error
 
 
 def _rows(time: Array, window: tuple[float, float] | None) -> NDArray[np.bool_]:
@@ -248,9 +234,10 @@ def _columns(
 
 def _clash(table: Table, name: str, written: str, channel: Channel) -> list[str]:
     try:
-        same = np.isclose(factor(written, channel.si), factor(channel.unit, channel.si))
+        said, given = (unit_for(unit, channel.si) for unit in (written, channel.unit))
     except ModelError as error:
         return [f"{table.at(name)}: {error}"]
+    same = np.allclose([said.factor, said.offset], [given.factor, given.offset], atol=0.0)
     told = f"the file says [{written}], the campaign unit = '{channel.unit}'; correct one"
     return [] if same else [f"{table.at(name)}: {told}"]
 

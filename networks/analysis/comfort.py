@@ -9,7 +9,7 @@ from math import ceil, pi, sqrt
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from ...base import ModelError, demand, instance, number, numbers, one_of
+from ...base import ModelError, demand, instance, number, numbers, one_of, unit_for
 from ..results.over_time import OverTime
 from .statespace import StateSpace
 
@@ -112,13 +112,13 @@ def _course(run: OverTime | ArrayLike, acceleration: str | ArrayLike) -> tuple[A
         return np.asarray(run, dtype=float), np.asarray(acceleration, dtype=float)
     if not isinstance(acceleration, str):
         raise ModelError(f"name the acceleration of '{run.name}': weighted_rms(run, 'body.a')")
-    if run.unit(acceleration) not in ("m/s2", ""):
-        raise ModelError(
-            f"'{acceleration}' of '{run.name}' is in {run.unit(acceleration)}, not an acceleration in m/s2"
-        )
+    try:
+        unit = unit_for(run.unit(acceleration) or "m/s2", "m/s2")
+    except ModelError as error:
+        raise ModelError(f"'{acceleration}' of '{run.name}' is not an acceleration: {error}") from error
     lasting = float(run.time[-1] - run.time[0])
     table = run.resample(lasting / max(2, ceil(RATE * lasting)) if lasting else 1.0, acceleration)
-    return table.index.to_numpy(dtype=float), table[acceleration].to_numpy(dtype=float)
+    return table.index.to_numpy(dtype=float), unit.to_si(table[acceleration].to_numpy(dtype=float))
 
 
 def _quadratic(w: float, Q: float) -> np.poly1d:

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
-from ...base import ModelError
+from ...base import ModelError, rate_unit
 from .statespace import StateSpace
 
 if TYPE_CHECKING:
@@ -32,18 +32,6 @@ class Channel:
     def unit(self) -> str:
         """Its unit."""
         return rate_unit(self.base_unit, self.order)
-
-
-def rate_unit(unit: str, order: int) -> str:
-    """Return the unit of a derivative: m, m/s, m/s2."""
-    if not order:
-        return unit
-    stem, slash, below = unit.partition("/s")
-    known = int(below or 1) if slash and (below == "" or below.isdigit()) else 0
-    if slash and not known:
-        return f"{unit}/s{order if order > 1 else ''}"
-    total = known + order
-    return f"{stem if slash else unit}/s{total if total > 1 else ''}"
 
 
 def drop_held(A: Array, B: Array, rows: Array) -> tuple[list[int], Array] | None:

@@ -148,7 +148,7 @@ def record(path: str | Path, column: str | None = None, *, time: str = "time", s
     file = path_of(path, "a record")
     demand("record()", scale=(scale, finite()), time=(time, text), column=(column, optional(text)))
     table = read_table(file)
-    instants = table.seconds(time)
+    instants = table.in_si(time, "s")
     wanted = column or next((name for name in table.columns if name != time), "")
     values = table.column(wanted)
     wrong = table.time_problem(time, instants) or table.number_problem(wanted, values)

@@ -89,7 +89,7 @@ def load_table(path: str | Path) -> pd.DataFrame:
 
     table = read_table(path_of(path, "a table"))
     columns = {name: column for name, column in table.columns.items() if name != table.time_name}
-    frame = pd.DataFrame(columns, index=pd.Index(table.seconds(table.time_name), name="time"))
+    frame = pd.DataFrame(columns, index=pd.Index(table.in_si(table.time_name, "s"), name="time"))
     frame.attrs["units"] = {name: table.units.get(name, "") for name in columns}
     return frame
 

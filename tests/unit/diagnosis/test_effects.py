@@ -180,3 +180,15 @@ def test_an_effect_of_one_kind_of_motion_is_tried_at_its_sites_alone() -> None:
         register(straight)
         tried = {effect.kind for effect, _, _ in _forces(turning, motion, [motion], "push")}
     assert tried == kinds != set()
+
+
+def test_the_drift_of_a_sensor_of_speed_is_an_acceleration() -> None:
+    net = ia.Network("cart", push=ia.Force(), mass=ia.Mass(m=1.0))
+    net.connect(net.push.flange, net.mass.flange)
+    time = np.linspace(0.0, 1.0, 101)
+    record = ia.Record("run", time, {"F": np.sin(9 * time), "v": 1 - np.cos(9 * time)})
+    channels = {"F": {"input": "push.f"}, "v": {"output": "mass.v", "unit": "km/h"}}
+    campaign = ia.Campaign(net, channels, {"mass.m": {"rel": 0.1}}, [{"record": record}])
+    site = Site("v", "channel", "mass.v", "", frozenset({"channel"}))
+    placed = Placed(effect_of("sensor_drift"), site, "drift_1", {"rate": 0.1})
+    assert placed.units(campaign) == {"rate": "m/s2"}

@@ -104,12 +104,45 @@ def test_signals_with_an_offset_pass_in_si(variant: Variant) -> None:
         ('unit="Hz"', (50.0, "rad/s"), "in Hz, not convertible from rad/s"),
         ('unit="rpm"', (50.0, "Hz"), "in rpm, not convertible from Hz"),
         ("", (50.0, "N/m"), "declares no unit, so that N/m cannot be converted"),
-        ('unit="l/100km"', (50.0, "m"), "not understood"),
+        (
+            'unit="l/100km"',
+            (50.0, "m"),
+            "FMU 'spring': 'k': there is no unit 'l/100km'; '100km' is not understood",
+        ),
+        ('unit="N"', (50.0, "g"), "in N, not convertible from g"),
     ],
 )
 def test_units_that_do_not_convert(variant: Variant, unit: str, given: Any, told: str) -> None:
     with pytest.raises(FMUError, match=told):
         variant("spring", unit_of("100", unit)).simulate(0.1, parameters={"k": given})
+
+
+@pytest.mark.parametrize(("unit", "factor"), [("m/s2", 9.80665), ("kg", 1e-3)])
+def test_g_is_gravity_for_an_acceleration_though_the_fmu_defines_the_gram(
+    variant: Variant, unit: str, factor: float
+) -> None:
+    gram = (
+        '<Unit name="kg"><BaseUnit kg="1"/>',
+        '<Unit name="kg"><BaseUnit kg="1"/><DisplayUnit name="g" factor="1000"/>',
+    )
+    fmu = variant("spring", gram, unit_of("100", f'unit="{unit}"'))
+    assert fmu.converted(fmu.variables["k"], (2.0, "g")) == pytest.approx(2.0 * factor)
+
+
+@pytest.mark.parametrize(
+    ("unit", "si"), [("Hz", "Hz"), ("rpm", "rad/s"), ("N/(m/s)", "N.s/m"), ("kN.mm", "N.m"), ("J", "J")]
+)
+def test_the_si_unit_of_a_variable_goes_by_its_usual_name(variant: Variant, unit: str, si: str) -> None:
+    fmu = variant("spring", unit_of("100", f'unit="{unit}"'))
+    assert fmu.measure(fmu.variables["k"]).si_name == si
+
+
+def test_radians_that_a_declaration_leaves_out_are_those_of_the_name(variant: Variant) -> None:
+    bare = '<Unit name="rpm"><BaseUnit s="-1" factor="0.10471975511965977"/></Unit>' + UNITS
+    fmu = variant("spring", (UNITS, bare), unit_of("100", 'unit="rpm"'))
+    assert fmu.measure(fmu.variables["k"]).si_name == "rad/s"
+    with pytest.raises(FMUError, match="in rpm, not convertible from Hz"):
+        fmu.converted(fmu.variables["k"], (50.0, "Hz"))
 
 
 def test_a_display_unit_that_shows_the_reciprocal_is_no_unit(variant: Variant) -> None:

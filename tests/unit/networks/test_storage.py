@@ -111,12 +111,19 @@ def test_csv_of_any_country(tmp_path: Path, text: str) -> None:
     assert table["x"].iloc[1] == 3.0
 
 
+def test_time_in_another_unit_is_converted(tmp_path: Path) -> None:
+    path = tmp_path / "measured.csv"
+    path.write_text("time [ms],x [g]\n0,1\n500,2\n")
+    table = ia.load_table(path)
+    assert (table.index.tolist(), table.attrs["units"]) == ([0.0, 0.5], {"x": "g"})
+
+
 @pytest.mark.parametrize(
     ("text", "message"),
     [
         ("", "the file is empty"),
         ("when,x\n0,1\n", "no column of time among when, x; name one 'time'"),
-        ("time [ms],x\n0,1\n", r"line 1, column 'time': the unit must be s, got ms"),
+        ("time [mm],x\n0,1\n", r"line 1, column 'time': 'mm' measures m, .* in s; give one of s, ms, us"),
         ("time,x [m],x [m]\n0,1,2\n", "line 1: two columns are called 'x'"),
         ("time,x\n0,1\n1,abc\n", "line 3, column 'x': 'abc' is no number"),
         ("time;x\n0;1\n1;1,5,2\n", "line 3, column 'x': '1,5,2' is no number"),

@@ -65,7 +65,7 @@ def test_an_unstable_network_has_no_norms() -> None:
         ("time,z\n0,0\n0.1,1\n0.05,0\n0.3,1\n", "line 4, column 'time': 0.05 comes after 0.1; sort"),
         ("time,z\n0,0\n0.1\n", "line 3: 1 cells under 2 names"),
         ("time,z\n0,0\n\n0.1,1\n", "line 3: 0 cells under 2 names"),
-        ("time [ms];z\n0;0\n", "line 1, column 'time': the unit must be s, got ms"),
+        ("time [mm];z\n0;0\n", "line 1, column 'time': 'mm' measures m, the quantity of the model is in s"),
         ("when,z\n0,0\n", "no column 'time'"),
         ("", "the file is empty"),
         ("time,z\n", "at least 4 samples"),
