@@ -101,8 +101,8 @@ from .fmu import cosimulate as cosimulate
 from .fmu import export_fmu as export_fmu
 from .fmu import read_ssp as read_ssp
 from .fmu import split as split
-from .identification import Bench as Bench
 from .identification import Campaign as Campaign
+from .identification import CampaignModel as CampaignModel
 from .identification import Channel as Channel
 from .identification import Chirp as Chirp
 from .identification import Experiment as Experiment

@@ -27,13 +27,13 @@ from .criteria import (
     SOLVER_STEPS_PER_SAMPLE,
     TOLERANCE_OVER_NOISE,
 )
-from .effects.hypothesis import Placed
+from .effects.hypothesis import Hypothesis
 from .models.predictor import subject
 from .models.read import read_model
 from .search.decimation import thinned
-from .search.joint_fit import Joint, Refit, refit
+from .search.joint_fit import JointFit, Refit, refit
 from .search.model_comparison import are_alike, blocks, clearness, is_simpler, misfit, unexplained
-from .search.round import Report, Round, held
+from .search.round import Report, Round, run_round
 from .verdict.decide import decided
 from .verdict.verdict import DiagnosisInterruptedError, Verdict
 
@@ -77,7 +77,7 @@ def diagnose(
     samples = sum(len(experiment.record.time) for experiment in campaign.training)
     accuracy = Accuracy(chosen_solver(solver, samples, RUNS_PER_MODEL), rtol, steps=SOLVER_STEPS_PER_SAMPLE)
     tell("refitting the parameters")
-    nominal = Joint(campaign, campaign.network, campaign.start, (), accuracy)
+    nominal = JointFit(campaign, campaign.network, campaign.start, (), accuracy)
     start = nominal.seen(nominal.start)
     base = nominal.fitted()
     rounds: list[Round] = []
@@ -85,7 +85,7 @@ def diagnose(
     best = base
     try:
         while len(best.effects) < MOST_EFFECTS and _misses_much(best, base):
-            done = held(campaign, best, accuracy, executor, tell, rounds)
+            done = run_round(campaign, best, accuracy, executor, tell, rounds)
             chosen = _chosen(done, base, campaign)
             if chosen is None:
                 break
@@ -173,7 +173,7 @@ def _pruned(best: Refit, campaign: Campaign, accuracy: Accuracy) -> Refit:
     return best
 
 
-def _without(placed: Placed, model: Refit, campaign: Campaign, accuracy: Accuracy) -> Refit | None:
+def _without(placed: Hypothesis, model: Refit, campaign: Campaign, accuracy: Accuracy) -> Refit | None:
     """Return a model without one of its effects, fitted again from where it is; None if it cannot be run."""
     others = [p for p in model.effects if p is not placed]
     try:

@@ -9,9 +9,9 @@ from .campaign.machine import read_network as read_network
 from .campaign.priors import Prior as Prior
 from .campaign.stages import Stage as Stage
 from .fitting.campaign_model import Accuracy as Accuracy
-from .fitting.campaign_model import Bench as Bench
+from .fitting.campaign_model import CampaignModel as CampaignModel
 from .fitting.campaign_model import Prediction as Prediction
-from .fitting.campaign_model import Stand as Stand
+from .fitting.campaign_model import RecordModel as RecordModel
 from .fitting.doubts import left_prior as left_prior
 from .fitting.fit import fit as fit
 from .fitting.fit import fit_stage as fit_stage

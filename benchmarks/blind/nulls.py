@@ -20,12 +20,12 @@ import numpy as np
 from inertance.components import InertanceError
 from inertance.diagnosis import criteria
 from inertance.diagnosis.diagnose import relative_tolerance
-from inertance.diagnosis.effects.hypothesis import Placed
+from inertance.diagnosis.effects.hypothesis import Hypothesis
 from inertance.diagnosis.search.decimation import thinned
 from inertance.diagnosis.search.joint_fit import Refit, refit
 from inertance.diagnosis.search.model_comparison import blocks, clearness, misfit
 from inertance.diagnosis.search.score_test import screen
-from inertance.identification import Accuracy, Bench, Campaign, Experiment
+from inertance.identification import Accuracy, Campaign, CampaignModel, Experiment
 
 FITTED = 3
 THRESHOLDS = ("NOISE_MISFIT", "COLOURED_MISFIT", "MOVED_STANDARD_DEVIATIONS", "LEAST_CHI_SQUARED_GAIN")
@@ -37,7 +37,7 @@ def null(folder: Path, rng: np.random.Generator) -> Campaign:
     campaign = copy(Campaign.of(folder / "campaign.toml"))
 
     def predicted(experiments: Sequence[Experiment]) -> Iterator[Experiment]:
-        bench = Bench(campaign.dae, campaign.measured, experiments)
+        bench = CampaignModel(campaign.dae, campaign.measured, experiments)
         runs = bench.simulate(campaign.start, slopes=False)
         for experiment, run in zip(experiments, runs, strict=True):
             seen = {n: v + campaign.sigma[n] * rng.standard_normal(len(v)) for n, v in run.values.items()}
@@ -59,7 +59,7 @@ def reached(campaign: Campaign) -> dict[str, float]:
     candidates = screen(campaign, campaign.network, base.parameters, (), accuracy)
     fitted: list[Refit] = []
     for candidate in candidates[:FITTED]:
-        placed = Placed(candidate.effect, candidate.site, "null", candidate.values)
+        placed = Hypothesis(candidate.effect, candidate.site, "null", candidate.values)
         try:
             fitted.append(refit(campaign, campaign.network, base.parameters, [placed], accuracy))
         except InertanceError as error:

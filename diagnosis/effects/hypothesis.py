@@ -20,7 +20,7 @@ Array = NDArray[np.float64]
 
 
 @dataclass(frozen=True)
-class Placed:
+class Hypothesis:
     """An effect at a site with values, and the name of what is inserted for it."""
 
     effect: Effect
@@ -67,7 +67,7 @@ class Placed:
             sizes.append(max(abs(self.values[quantity.name]), LEAST_SIZE_RATIO * max(alike)) or 1.0)
         return np.array(sizes)
 
-    def with_values(self, values: Array) -> Placed:
+    def with_values(self, values: Array) -> Hypothesis:
         """Return it with other values, in the order of its quantities."""
         names = [quantity.name for quantity in self.quantities]
         return replace(self, values=dict(zip(names, values.tolist(), strict=True)))
@@ -88,12 +88,12 @@ class Placed:
         return slopes
 
 
-def with_effects(network: Network, effects: Sequence[Placed]) -> Network:
+def with_effects(network: Network, effects: Sequence[Hypothesis]) -> Network:
     """Return a copy of a network with effects inserted."""
     return edited(network, [edit for placed in effects for edit in placed.edits])
 
 
-def driven(experiment: Experiment, effects: Sequence[Placed]) -> Experiment:
+def driven(experiment: Experiment, effects: Sequence[Hypothesis]) -> Experiment:
     """Return an experiment with its inputs as the actuators pass them on."""
     record = experiment.record
     values = dict(record.values)
@@ -104,7 +104,7 @@ def driven(experiment: Experiment, effects: Sequence[Placed]) -> Experiment:
     return replace(experiment, record=replace(record, values=values))
 
 
-def sensed(time: Array, channel: str, values: Array, effects: Sequence[Placed]) -> Array:
+def sensed(time: Array, channel: str, values: Array, effects: Sequence[Hypothesis]) -> Array:
     """Return a channel as its sensor passes it on."""
     for placed in effects:
         effect = placed.effect

@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..criteria import BOUND_TOLERANCE, SHAPE_FACTOR
-from .hypothesis import Placed
+from .hypothesis import Hypothesis
 
 Array = NDArray[np.float64]
 Bounds = tuple[Array, Array]
@@ -26,7 +26,7 @@ class Shapes:
         sizes: the units of these, effect by effect.
     """
 
-    def __init__(self, bounds: Bounds, effects: Sequence[Placed], sizes: Sequence[Array]) -> None:
+    def __init__(self, bounds: Bounds, effects: Sequence[Hypothesis], sizes: Sequence[Array]) -> None:
         self._bounds = bounds
         quantities = [
             (p, q, s)
@@ -54,7 +54,7 @@ class Shapes:
         return bool((below | above).any())
 
 
-def _range(placed: Placed, name: str, size: float) -> tuple[float, float]:
+def _range(placed: Hypothesis, name: str, size: float) -> tuple[float, float]:
     """Return least and largest value of a shape that screening comes near, in units of its size."""
     values = [shape[name] for shape in placed.effect.shaped(placed.site.domain, placed.site)]
     return min(values) / SHAPE_FACTOR / size, max(values) * SHAPE_FACTOR / size

@@ -1,4 +1,4 @@
-"""`BlackBox`: an FMU as the model of a campaign."""
+"""`FMUModel`: an FMU as the model of a campaign."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ from ..effects.sites import GROUND, Site
 from .fmu_port import read_port
 
 
-class BlackBox:
+class FMUModel:
     """An FMU, of which nothing is known but what it does.
 
     Channels and parameters go by the names of its variables. Channels are in SI units, parameters in the unit
@@ -150,7 +150,7 @@ _FOREIGN: dict[str, Any] = {
 }
 
 
-def _network(box: BlackBox) -> Network:
+def _network(box: FMUModel) -> Network:
     port = box.port
     if port is None:
         return Network(box.name, **{box.place: FMUBlock(box.fmu, kind=box.kind)})
@@ -176,7 +176,7 @@ def _identifier(name: str) -> str:
     return "rig" if taken or cleaned[0].isdigit() else cleaned
 
 
-def read_fmu(path: Path, kind: str, port: Mapping[str, str], validate: bool = True) -> BlackBox:
+def read_fmu(path: Path, kind: str, port: Mapping[str, str], validate: bool = True) -> FMUModel:
     """Return an FMU as the model of a campaign.
 
     Args:
@@ -193,4 +193,4 @@ def read_fmu(path: Path, kind: str, port: Mapping[str, str], validate: bool = Tr
         others = [p.name for p in path.parent.glob("*.fmu")] if path.parent.is_dir() else []
         raise ModelError(f"model: there is no file '{path}'{nearest(path.name, others)}")
     fmu = FMU(path, validate=validate)
-    return BlackBox(fmu, fmu.kind(kind or ("CS" if "CS" in fmu.kinds else None)), port)
+    return FMUModel(fmu, fmu.kind(kind or ("CS" if "CS" in fmu.kinds else None)), port)

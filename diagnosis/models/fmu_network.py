@@ -1,4 +1,4 @@
-"""`Joined`: a network of one FMU and sources as the model of a campaign."""
+"""`FMUNetworkModel`: a network of one FMU and sources as the model of a campaign."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from ...components.language import Parameter
 from ...fmu import FMUBlock, FMUForce, FMUMotion, FMURotation, FMUTorque
 from ...networks import DAE, Input, Network
 from ..effects.sites import walk
-from .fmu_model import BlackBox
+from .fmu_model import FMUModel
 
 Foreign = FMUMotion | FMURotation | FMUForce | FMUTorque
 REMEDY = (
@@ -21,7 +21,7 @@ REMEDY = (
 )
 
 
-class Joined(BlackBox):
+class FMUNetworkModel(FMUModel):
     """A network of one FMU, and sources and sensors on its flanges.
 
     Channels go by the names of the network, or, as parameters do, by those of the FMU after the name of its
@@ -159,7 +159,7 @@ def _port(part: Foreign) -> dict[str, str]:
     return {"force": signed[0] if signed[1] > 0 else f"-{signed[0]}", **names}
 
 
-def recognised(network: Network) -> Joined | None:
+def recognised(network: Network) -> FMUNetworkModel | None:
     """Return the model that a network with an FMU in it is; None for one without.
 
     Raises:
@@ -171,4 +171,4 @@ def recognised(network: Network) -> Joined | None:
     ((place, part), *others) = foreign.items()
     if others or isinstance(part, FMUBlock):
         raise ModelError(f"'{network.name}' has {', '.join(foreign)}; {REMEDY}")
-    return Joined(network, place, part)
+    return FMUNetworkModel(network, place, part)

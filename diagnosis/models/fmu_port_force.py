@@ -10,8 +10,8 @@ from numpy.typing import NDArray
 
 from ..criteria import STICKING_SPEED_RATIO
 from ..effects.effect import Motion
-from ..effects.hypothesis import Placed
-from .fmu_model import BlackBox
+from ..effects.hypothesis import Hypothesis
+from .fmu_model import FMUModel
 from .fmu_port import Port
 
 Array = NDArray[np.float64]
@@ -36,7 +36,7 @@ class Moving:
 class Acting:
     """Effects at a port: their force, as a spring's, is the sum of size times basis; SI units."""
 
-    def __init__(self, effects: Sequence[Placed]) -> None:
+    def __init__(self, effects: Sequence[Hypothesis]) -> None:
         self.effects = tuple(effects)
         self.accelerating = any(placed.effect.place == "node" for placed in effects)
         self._terms = [_term(placed) for placed in effects]
@@ -56,7 +56,7 @@ class Acting:
         return force
 
 
-def _term(placed: Placed) -> tuple[Any, list[float], dict[str, float], float, Moving]:
+def _term(placed: Hypothesis) -> tuple[Any, list[float], dict[str, float], float, Moving]:
     sizes = [placed.values[q.name] for q in placed.quantities if not q.shape]
     shape = {q.name: placed.values[q.name] for q in placed.quantities if q.shape}
     rest = 0.0 if placed.effect.absolute else placed.site.rest
@@ -66,7 +66,7 @@ def _term(placed: Placed) -> tuple[Any, list[float], dict[str, float], float, Mo
 class Reaction:
     """What effects add to the force that an FMU takes at its port, in the FMU's units."""
 
-    def __init__(self, acting: Acting, port: Port, box: BlackBox) -> None:
+    def __init__(self, acting: Acting, port: Port, box: FMUModel) -> None:
         self._acting, self.accelerating = acting, acting.accelerating
         names = port.force, port.position, port.velocity
         force, self._position, self._velocity = (box.fmu.measure(box.fmu.variables[name]) for name in names)

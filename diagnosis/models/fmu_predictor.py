@@ -23,16 +23,16 @@ from ..criteria import (
     FMU_TRIAL_FORCE,
 )
 from ..effects.effect import Motion
-from ..effects.hypothesis import Placed
+from ..effects.hypothesis import Hypothesis
 from ..effects.sites import Site
-from .fmu_model import BlackBox
+from .fmu_model import FMUModel
 from .fmu_port_force import Acting, Reaction
 
 Array = NDArray[np.float64]
 
 
 @dataclass(frozen=True, eq=False)
-class Seen:
+class FMUPrediction:
     """What a run shows: the output channels, their slopes, and how the port moves, in SI units."""
 
     time: Array
@@ -43,7 +43,7 @@ class Seen:
     port: Motion | None
 
 
-class Replayed:
+class FMUPredictor:
     """A black box with effects at its port; slopes are differences of runs.
 
     Args:
@@ -54,7 +54,7 @@ class Replayed:
     """
 
     def __init__(
-        self, box: BlackBox, campaign: Campaign, effects: Sequence[Placed], parameters: Sequence[str]
+        self, box: FMUModel, campaign: Campaign, effects: Sequence[Hypothesis], parameters: Sequence[str]
     ) -> None:
         self.box, self.channels, self.sigma = box, campaign.measured, campaign.sigma
         self.effects = [placed for placed in effects if placed.effect.basis is not None]
@@ -85,17 +85,17 @@ class Replayed:
         """Return the FMU on a record."""
         return ReplayedStand(self, experiment, self.refined)
 
-    def instants(self, found: Seen) -> Array:
+    def instants(self, found: FMUPrediction) -> Array:
         """Return the instants of the record [s]."""
         return found.time
 
-    def motion(self, found: Seen, number: int, site: Site) -> Motion:
+    def motion(self, found: FMUPrediction, number: int, site: Site) -> Motion:
         """Return how the port moves."""
         assert found.port is not None
         return found.port
 
 
-def _follows(box: BlackBox, taken: Sequence[str]) -> dict[str, tuple[str, int]]:
+def _follows(box: FMUModel, taken: Sequence[str]) -> dict[str, tuple[str, int]]:
     """Return inputs that are derivatives of others that are driven: name -> (of which, order)."""
     found = {}
     for name in box.fmu.inputs:
@@ -108,7 +108,7 @@ def _follows(box: BlackBox, taken: Sequence[str]) -> dict[str, tuple[str, int]]:
     return found
 
 
-def _refined(model: Replayed, campaign: Campaign) -> int:
+def _refined(model: FMUPredictor, campaign: Campaign) -> int:
     """Return how many communication steps there must be between compared instants, effects included."""
     box = model.box
     if box.kind == "ME":
@@ -130,7 +130,7 @@ def _refined(model: Replayed, campaign: Campaign) -> int:
 class ReplayedStand:
     """A black box on one record."""
 
-    def __init__(self, model: Replayed, experiment: Experiment, refined: int) -> None:
+    def __init__(self, model: FMUPredictor, experiment: Experiment, refined: int) -> None:
         self.model, self.experiment, self.refined = model, experiment, refined
         record = experiment.record
         self.time = experiment.compared.time
@@ -160,8 +160,8 @@ class ReplayedStand:
 
     def run(
         self, parameters: Mapping[str, float], start: Array | None, accuracy: Accuracy, slopes: bool = True
-    ) -> Seen:
-        """Run the record; see `Stand.run`."""
+    ) -> FMUPrediction:
+        """Run the record; see `RecordModel.run`."""
         model, table = self.model, self._table(parameters, self.given)
         values = self._channels(table)
         columns: dict[str, list[Array]] = {name: [] for name in values}
@@ -172,7 +172,9 @@ class ReplayedStand:
                 column.append((moved[channel] - values[channel]) / step)
         none = np.zeros((len(self.time), 0))
         by_p = {name: np.column_stack(found) if found else none for name, found in columns.items()}
-        return Seen(self.time, values, by_p, dict.fromkeys(values, none), dict(parameters), self._port(table))
+        return FMUPrediction(
+            self.time, values, by_p, dict.fromkeys(values, none), dict(parameters), self._port(table)
+        )
 
     def predicted(self, parameters: Mapping[str, float]) -> dict[str, Array]:
         """Return the output channels."""
@@ -223,7 +225,7 @@ class ReplayedStand:
             table[port.force] = table[port.force] + port.sign * more
         return table
 
-    def pushed(self, found: Seen, changes: Mapping[str, Array]) -> Array:
+    def pushed(self, found: FMUPrediction, changes: Mapping[str, Array]) -> Array:
         """Return what small changes of inputs, or of the force at the port, change in the outputs.
 
         Communication steps are as long as the samples, here and in the run that it is compared to.
@@ -244,7 +246,7 @@ class ReplayedStand:
             moved.append(np.column_stack([(after[n] - before[n]) / scale for n in before]))
         return np.stack(moved, axis=2)
 
-    def _size(self, name: str, found: Seen, columns: Array, before: Mapping[str, Array]) -> float:
+    def _size(self, name: str, found: FMUPrediction, columns: Array, before: Mapping[str, Array]) -> float:
         """Return by how much, root mean square, something is pushed: a little of what is there already.
 
         Where there is nothing, as at a port that is free, so much that outputs change a little.
@@ -263,7 +265,7 @@ class ReplayedStand:
             size = max(size, float((after[channel] - values).std()) / max(float(values.std()), 1e-300))
         return FMU_TRIAL_FORCE * FMU_PROBE_SHARE / size if size else FMU_TRIAL_FORCE
 
-    def _changed(self, found: Seen, name: str, change: Array) -> dict[str, Array]:
+    def _changed(self, found: FMUPrediction, name: str, change: Array) -> dict[str, Array]:
         model, port = self.model, self.model.box.port
         fine = np.interp(self.fine, self.time, change)
         if name in model.driven:
@@ -280,7 +282,7 @@ class ReplayedStand:
         return self._channels(self._table(found.given, given))
 
 
-def _valued(placed: Placed, parameters: Mapping[str, float]) -> Placed:
+def _valued(placed: Hypothesis, parameters: Mapping[str, float]) -> Hypothesis:
     """Return an effect with the values that parameters have for it."""
     values = [parameters.get(f"{placed.name}.{q.name}", placed.values[q.name]) for q in placed.quantities]
     return placed.with_values(np.array(values))

@@ -9,14 +9,14 @@ from typing import Any, Protocol
 import numpy as np
 from numpy.typing import NDArray
 
-from ...identification import Accuracy, Campaign, Experiment, Stand
+from ...identification import Accuracy, Campaign, Experiment, RecordModel
 from ...networks import Network, Variations
 from ..criteria import ACTIVE_POWER_SHARE
 from ..effects.effect import Motion
-from ..effects.hypothesis import Placed, with_effects
+from ..effects.hypothesis import Hypothesis, with_effects
 from ..effects.sites import Site, sites_of
-from .fmu_model import BlackBox
-from .fmu_predictor import Replayed
+from .fmu_model import FMUModel
+from .fmu_predictor import FMUPredictor
 from .probes import motion_at, probed
 
 Array = NDArray[np.float64]
@@ -72,7 +72,7 @@ class Equations:
         self,
         campaign: Campaign,
         network: Network,
-        effects: Sequence[Placed],
+        effects: Sequence[Hypothesis],
         parameters: Sequence[str],
         sites: Sequence[Site],
     ) -> None:
@@ -82,9 +82,9 @@ class Equations:
         outputs = [c.path for c in self.channels.values() if not c.driven]
         self.variations = Variations(self.dae, outputs, parameters)
 
-    def stand(self, experiment: Experiment) -> Stand:
+    def stand(self, experiment: Experiment) -> RecordModel:
         """Return the network on a record."""
-        return Stand(self.dae, experiment, self.channels, self.variations)
+        return RecordModel(self.dae, experiment, self.channels, self.variations)
 
     def instants(self, found: Any) -> Array:
         """Return the points of a run [s]."""
@@ -105,7 +105,7 @@ class Subject:
     def predictor(
         self,
         network: Network,
-        effects: Sequence[Placed],
+        effects: Sequence[Hypothesis],
         parameters: Sequence[str],
         sites: Sequence[Site] = (),
     ) -> Predictor:
@@ -140,17 +140,17 @@ class Subject:
 class FMUSubject(Subject):
     """A model that is an FMU, alone or between sources and sensors; each signature takes a run of it."""
 
-    box: BlackBox
+    box: FMUModel
 
     def predictor(
         self,
         network: Network,
-        effects: Sequence[Placed],
+        effects: Sequence[Hypothesis],
         parameters: Sequence[str],
         sites: Sequence[Site] = (),
-    ) -> Replayed:
+    ) -> FMUPredictor:
         """Return its runs."""
-        return Replayed(self.box, self.campaign, effects, parameters)
+        return FMUPredictor(self.box, self.campaign, effects, parameters)
 
     def sites(self, network: Network) -> list[Site]:
         """Return its port."""
@@ -185,4 +185,4 @@ class FMUSubject(Subject):
 def subject(campaign: Campaign) -> Subject:
     """Return the model of a campaign as a diagnosis sees it."""
     machine = campaign.machine
-    return FMUSubject(campaign, machine) if isinstance(machine, BlackBox) else Subject(campaign)
+    return FMUSubject(campaign, machine) if isinstance(machine, FMUModel) else Subject(campaign)

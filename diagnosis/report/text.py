@@ -17,7 +17,7 @@ from ..criteria import (
     OWN_SIGNATURE_SHARE,
 )
 from ..effects.effect import EFFECTS
-from ..effects.hypothesis import Placed
+from ..effects.hypothesis import Hypothesis
 from ..verdict.verdict import Verdict
 
 
@@ -154,5 +154,5 @@ def _source(source: str) -> str:
     )
 
 
-def _told(placed: Placed) -> str:
+def _told(placed: Hypothesis) -> str:
     return f"{placed.effect.kind.replace('_', ' ')} at {placed.site.path}"

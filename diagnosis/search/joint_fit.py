@@ -20,7 +20,7 @@ from ..criteria import (
     SHAPED_DESCENTS,
     START_SINGULAR_VALUE_RATIO,
 )
-from ..effects.hypothesis import Placed, driven, sensed
+from ..effects.hypothesis import Hypothesis, driven, sensed
 from ..effects.shaping import Bounds, Shapes
 from ..models.predictor import Predicted, Standing, subject
 
@@ -40,7 +40,7 @@ class Refit:
     """
 
     parameters: dict[str, float]
-    effects: tuple[Placed, ...]
+    effects: tuple[Hypothesis, ...]
     train: list[dict[str, Array]]
     test: list[dict[str, Array]]
     cost: float
@@ -51,7 +51,7 @@ class _Run:
     """A run on a record, and what it was computed with: effects, parameters and states at the start."""
 
     experiment: Experiment
-    effects: tuple[Placed, ...]
+    effects: tuple[Hypothesis, ...]
     given: Mapping[str, float]
     start: Array | None
     found: Predicted
@@ -63,7 +63,7 @@ class _Run:
         return {name: sensed(time, name, values[name], self.effects) for name in values}
 
 
-class Joint:
+class JointFit:
     """Parameters and effects as one vector, in units of what they may be expected to be."""
 
     def __init__(
@@ -71,7 +71,7 @@ class Joint:
         campaign: Campaign,
         network: Network,
         parameters: Mapping[str, float],
-        effects: Sequence[Placed],
+        effects: Sequence[Hypothesis],
         accuracy: Accuracy,
     ) -> None:
         self.campaign, self.effects, self.accuracy = campaign, tuple(effects), accuracy
@@ -101,7 +101,7 @@ class Joint:
         ]
         return np.concatenate([own, *sizes])
 
-    def unpacked(self, vector: Array) -> tuple[dict[str, float], tuple[Placed, ...]]:
+    def unpacked(self, vector: Array) -> tuple[dict[str, float], tuple[Hypothesis, ...]]:
         """Return parameters and effects of a vector."""
         count = len(self.names)
         values = np.clip(self.center + vector[:count] * self.scale, *self.limits)
@@ -195,7 +195,7 @@ class Joint:
         to_start = np.concatenate([found.start_slopes[n] / self.sigma[n] for n in seen]) if free else None
         return _freed(residuals, columns, to_start)
 
-    def _driven(self, experiment: Experiment, effects: Sequence[Placed]) -> Standing:
+    def _driven(self, experiment: Experiment, effects: Sequence[Hypothesis]) -> Standing:
         """Return the stand of a record, its inputs as the actuators pass them on."""
         if any(placed.effect.drives for placed in effects):
             return self.predictor.stand(driven(experiment, effects))
@@ -218,7 +218,7 @@ class Joint:
             at += paths
         return np.concatenate([np.hstack(parts[name]) / self.sigma[name] for name in rows])
 
-    def _differences(self, run: _Run, placed: Placed, size: Array) -> dict[str, Array]:
+    def _differences(self, run: _Run, placed: Hypothesis, size: Array) -> dict[str, Array]:
         """Return how each channel changes with an effect, per unit of its sizes, by differences."""
         base = run.seen
         values = np.array([placed.values[q.name] for q in placed.quantities])
@@ -240,7 +240,7 @@ def refit(
     campaign: Campaign,
     network: Network,
     parameters: Mapping[str, float],
-    effects: Sequence[Placed] = (),
+    effects: Sequence[Hypothesis] = (),
     accuracy: Accuracy | None = None,
     starts: Sequence[Start] = (),
 ) -> Refit:
@@ -257,10 +257,10 @@ def refit(
     Raises:
         SimulationError: if the model cannot be run with the values to start from.
     """
-    return Joint(campaign, network, parameters, effects, accuracy or Accuracy()).fitted(starts)
+    return JointFit(campaign, network, parameters, effects, accuracy or Accuracy()).fitted(starts)
 
 
-def _sensed_slopes(found: Predicted, name: str, effects: Sequence[Placed]) -> Array:
+def _sensed_slopes(found: Predicted, name: str, effects: Sequence[Hypothesis]) -> Array:
     """Return slopes of a channel as its sensor passes them on; sensors are linear but for a constant."""
     slopes = found.slopes[name]
     nothing = sensed(found.time, name, np.zeros(len(found.time)), effects)

@@ -21,7 +21,7 @@ from ..criteria import (
     SAME_MOTION_GAIN_TOLERANCE,
     SERIES_START_SIZES,
 )
-from ..effects.hypothesis import Placed
+from ..effects.hypothesis import Hypothesis
 from .decimation import thinned
 from .joint_fit import Refit, Start, refit
 from .model_comparison import misfit, unexplained
@@ -39,7 +39,7 @@ class Round:
     fitted: list[Refit]
 
 
-def held(
+def run_round(
     campaign: Campaign,
     base: Refit,
     accuracy: Accuracy,
@@ -101,7 +101,7 @@ def _next(waiting: list[Candidate]) -> tuple[list[Candidate], list[Candidate]]:
     return waiting[:FITS_PER_BATCH], waiting[FITS_PER_BATCH:]
 
 
-def _starts_from(candidate: Candidate, plain: Candidate | Placed) -> bool:
+def _starts_from(candidate: Candidate, plain: Candidate | Hypothesis) -> bool:
     return candidate.effect.generalises(plain.effect.kind) and candidate.site.path == plain.site.path
 
 
@@ -109,7 +109,7 @@ def _fit(
     campaign: Campaign, base: Refit, candidate: Candidate, fitted: Sequence[Refit], accuracy: Accuracy
 ) -> Refit | None:
     name = f"{candidate.effect.kind}_{len(base.effects) + 1}"
-    placed = Placed(candidate.effect, candidate.site, name, candidate.values)
+    placed = Hypothesis(candidate.effect, candidate.site, name, candidate.values)
     starts = _starts(candidate, fitted)
     try:
         found = refit(campaign, campaign.network, base.parameters, [*base.effects, placed], accuracy, starts)

@@ -20,11 +20,11 @@ from ...identification import Accuracy, Campaign
 from ...networks import Network
 from ..criteria import CHANNEL_PROBE_SHARE, DEPENDENT_EIGENVALUE_RATIO, FOUND_EFFECT_DEVIATIONS
 from ..effects.effect import EFFECTS, Effect, Motion
-from ..effects.hypothesis import Placed
+from ..effects.hypothesis import Hypothesis
 from ..effects.sites import Site
 from ..models.predictor import subject
 from ..models.probes import scaled
-from .whitened_record import Sight
+from .whitened_record import WhitenedRecord
 
 Array = NDArray[np.float64]
 
@@ -81,7 +81,7 @@ def screen(
     campaign: Campaign,
     network: Network,
     parameters: Mapping[str, float],
-    effects: Sequence[Placed] = (),
+    effects: Sequence[Hypothesis] = (),
     accuracy: Accuracy | None = None,
 ) -> list[Candidate]:
     """Return candidates, the most explaining first.
@@ -100,7 +100,9 @@ def screen(
     experiments, sigma = model.screened()
     given, accuracy = {**parameters, **found}, accuracy or Accuracy()
     predictor = model.predictor(network, effects, names, sites)
-    sights = [Sight(predictor, e, campaign.measured, sigma, given, effects, accuracy) for e in experiments]
+    sights = [
+        WhitenedRecord(predictor, e, campaign.measured, sigma, given, effects, accuracy) for e in experiments
+    ]
     motions = [[sight.motion(number, site) for sight in sights] for number, site in enumerate(sites)]
     sites = [scaled(site, moved) for site, moved in zip(sites, motions, strict=True)]
     deviations = [campaign.priors[name].scale for name in parameters]
@@ -114,7 +116,7 @@ def screen(
 
 def _add(
     sums: _Sums,
-    sight: Sight,
+    sight: WhitenedRecord,
     slopes: Array,
     sites: Sequence[Site],
     moved: Sequence[Motion],
@@ -170,7 +172,7 @@ def _forces(
             yield effect, shape, np.column_stack(effect.basis(about, shape))
 
 
-def _channel_changes(sight: Sight) -> Iterator[tuple[Effect, Site, Array]]:
+def _channel_changes(sight: WhitenedRecord) -> Iterator[tuple[Effect, Site, Array]]:
     """Yield what a small effect on each channel changes, per unit of its size."""
     time = sight.record.time
     for effect in EFFECTS.values():

@@ -10,14 +10,14 @@ from numpy.typing import NDArray
 from ...identification import Accuracy, Channel, Experiment
 from ..criteria import START_SINGULAR_VALUE_RATIO
 from ..effects.effect import Motion
-from ..effects.hypothesis import Placed, driven, sensed
+from ..effects.hypothesis import Hypothesis, driven, sensed
 from ..effects.sites import Site
 from ..models.predictor import Predictor
 
 Array = NDArray[np.float64]
 
 
-class Sight:
+class WhitenedRecord:
     """One record beside a prediction, in units of noise, with what its start can explain taken off.
 
     Args:
@@ -37,7 +37,7 @@ class Sight:
         channels: Mapping[str, Channel],
         sigma: Mapping[str, float],
         parameters: Mapping[str, float],
-        effects: Sequence[Placed],
+        effects: Sequence[Hypothesis],
         accuracy: Accuracy,
     ) -> None:
         self.outputs = {name: c.path for name, c in channels.items() if not c.driven}

@@ -10,7 +10,7 @@ import numpy as np
 from ...identification import Accuracy, Campaign, left_prior, likely_unit, suspects, told_of
 from ...networks import DAE
 from ..criteria import BOUND_SCALE_TOLERANCE, BOUND_TOLERANCE, SUSPECT_SIGNAL_SHARE, UNIT_GAIN_TOLERANCE
-from ..effects.hypothesis import Placed
+from ..effects.hypothesis import Hypothesis
 from ..search.joint_fit import Refit
 
 
@@ -46,7 +46,7 @@ def _shares(campaign: Campaign, best: Refit) -> Iterator[float]:
             yield left / float(np.std(experiment.record.values[name]))
 
 
-def _gain(campaign: Campaign, placed: Placed) -> Iterator[str]:
+def _gain(campaign: Campaign, placed: Hypothesis) -> Iterator[str]:
     name, gain = placed.site.path, 1 + placed.values["gain"]
     channel = campaign.measured[name]
     if isclose(gain, -1.0, rel_tol=UNIT_GAIN_TOLERANCE):

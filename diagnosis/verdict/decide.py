@@ -8,7 +8,7 @@ import numpy as np
 
 from ...identification import Accuracy, Campaign
 from ..criteria import COLOURED_MISFIT, EXPLAINED_GAP_SHARE
-from ..effects.hypothesis import Placed
+from ..effects.hypothesis import Hypothesis
 from ..search.joint_fit import Refit
 from ..search.model_comparison import are_alike, blocks, clearness, is_simpler, misfit
 from ..search.round import Round, same_motion
@@ -109,7 +109,7 @@ def _gaps(campaign: Campaign, start: Refit, base: Refit, best: Refit) -> dict[st
     return gaps
 
 
-def _alike(first: Round, own: Refit, effects: Sequence[Placed], campaign: Campaign) -> list[Refit]:
+def _alike(first: Round, own: Refit, effects: Sequence[Hypothesis], campaign: Campaign) -> list[Refit]:
     """Return the fitted effects that the data cannot tell from the first of those found, the likest first."""
     chosen, alike = own.effects[-1], []
     found = {placed.label for placed in effects}
@@ -139,7 +139,7 @@ def _ranked(fitted: Refit, base: Refit, campaign: Campaign) -> Ranked:
     return Ranked(placed.effect.kind, placed.site.path, float((before - after) / before), p, placed.values)
 
 
-def _confidence(done: Round, placed: Placed, campaign: Campaign) -> float:
+def _confidence(done: Round, placed: Hypothesis, campaign: Campaign) -> float:
     """Return the chance that no other fitted effect is better on further data, a half of what is alike."""
     from scipy.stats import norm
 

@@ -22,7 +22,7 @@ from ..criteria import (
     TRIAL_RATE_HZ,
     TRIAL_SECONDS,
 )
-from ..search.joint_fit import Joint, Refit
+from ..search.joint_fit import JointFit, Refit
 
 Array = NDArray[np.float64]
 
@@ -45,7 +45,7 @@ def separating(campaign: Campaign, one: Refit, other: Refit, accuracy: Accuracy)
     tried = copy(campaign)
     tried.training, tried.testing = [_experiment(campaign, sine) for sine in trials], []
     try:
-        joints = [Joint(tried, campaign.network, f.parameters, f.effects, accuracy) for f in (one, other)]
+        joints = [JointFit(tried, campaign.network, f.parameters, f.effects, accuracy) for f in (one, other)]
         runs = [joint.seen(joint.start).train for joint in joints]
     except SimulationError:
         return None

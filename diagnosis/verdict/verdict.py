@@ -10,7 +10,7 @@ from typing import Any
 
 from ...base import check_output, write_text
 from ...networks import Network
-from ..effects.hypothesis import Placed, with_effects
+from ..effects.hypothesis import Hypothesis, with_effects
 from .evidence import Evidence
 
 WORDS = {
@@ -73,7 +73,7 @@ class Verdict:
     """
 
     verdict: str
-    effects: tuple[Placed, ...]
+    effects: tuple[Hypothesis, ...]
     confidence: tuple[float, ...]
     equivalent: tuple[tuple[str, str], ...]
     next_experiment: str | None

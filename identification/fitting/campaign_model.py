@@ -1,4 +1,4 @@
-"""`Bench`: a network run on the records of a campaign, with the slopes of what it predicts."""
+"""`CampaignModel`: a network run on the records of a campaign, with the slopes of what it predicts."""
 
 from __future__ import annotations
 
@@ -53,7 +53,7 @@ class Prediction:
     run: Result = field(repr=False)
 
 
-class Stand:
+class RecordModel:
     """A network on one record: its own equations with the record's inputs, compiled once."""
 
     def __init__(
@@ -166,7 +166,7 @@ class Stand:
         return moved
 
 
-class Bench:
+class CampaignModel:
     """A network on the records of several experiments, ready to run again and again.
 
     Args:
@@ -177,7 +177,7 @@ class Bench:
 
     Example:
         >>> def slopes(campaign, k):
-        ...     bench = Bench(campaign.dae, campaign.measured, campaign.training, ["spring.k"])
+        ...     bench = CampaignModel(campaign.dae, campaign.measured, campaign.training, ["spring.k"])
         ...     return [prediction.slopes["F"] for prediction in bench.simulate({"spring.k": k})]
     """
 
@@ -199,7 +199,7 @@ class Bench:
                 "by ElastoGap to fit it"
             )
         variations = Variations(self.dae, [*outputs, *self.dae.state_names], self.parameters)
-        self.stands = [Stand(self.dae, e, channels, variations) for e in experiments]
+        self.stands = [RecordModel(self.dae, e, channels, variations) for e in experiments]
 
     def simulate(
         self,

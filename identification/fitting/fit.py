@@ -17,7 +17,7 @@ from ...components import InertanceError, ModelError
 from ...networks import COARSEST, FINEST, SOLVERS, chosen_solver
 from ..campaign.campaign import Campaign
 from ..campaign.stages import Stage
-from .campaign_model import Accuracy, Bench
+from .campaign_model import Accuracy, CampaignModel
 from .doubts import is_doubtful
 from .outcome import Comparison, Fit, FitInterruptedError, FittedStage, compared
 from .problem import Iteration, Optimum, Problem
@@ -125,9 +125,9 @@ def _staged(
     accuracy: Accuracy,
     tell: Report,
     stages: list[FittedStage],
-) -> Bench:
+) -> CampaignModel:
     """Fit stage after stage, each kept in `stages` and `values` as soon as it is done."""
-    bench = Bench(campaign.dae, campaign.measured, campaign.training, list(campaign.priors))
+    bench = CampaignModel(campaign.dae, campaign.measured, campaign.training, list(campaign.priors))
     for number, stage in enumerate(campaign.stages, start=1):
         label = f"stage {number} of {len(campaign.stages)}, " if len(campaign.stages) > 1 else ""
 
@@ -144,7 +144,7 @@ def _staged(
 
 def fit_stage(
     campaign: Campaign,
-    bench: Bench,
+    bench: CampaignModel,
     stage: Stage,
     values: dict[str, float],
     accuracy: Accuracy | None = None,
@@ -210,7 +210,7 @@ def _drawn(campaign: Campaign, count: int, seed: int) -> list[dict[str, float]]:
 
 def _from(campaign: Campaign, values: dict[str, float], accuracy: Accuracy) -> Start:
     """Fit all stages from a start."""
-    bench = Bench(campaign.dae, campaign.measured, campaign.training, list(campaign.priors))
+    bench = CampaignModel(campaign.dae, campaign.measured, campaign.training, list(campaign.priors))
     fitted, cost = dict(values), np.inf
     try:
         for stage in campaign.stages:

@@ -17,7 +17,7 @@ from ...networks import Network
 from ..campaign.campaign import Campaign
 from ..campaign.experiment import Experiment
 from ..campaign.stages import Stage
-from .campaign_model import Accuracy, Bench
+from .campaign_model import Accuracy, CampaignModel
 from .doubts import doubts, over_noise
 from .problem import Optimum, Problem
 from .residual_block import Block
@@ -195,7 +195,7 @@ class Fit:
 
 def compared(
     campaign: Campaign,
-    bench: Bench,
+    bench: CampaignModel,
     values: Mapping[str, float],
     stages: Sequence[FittedStage],
     accuracy: Accuracy,
@@ -209,7 +209,7 @@ def compared(
         for done in stages
         for block, nuisances in zip(done.blocks, done.optimum.nuisances, strict=True)
     }
-    testing = Bench(campaign.dae, campaign.measured, campaign.testing)
+    testing = CampaignModel(campaign.dae, campaign.measured, campaign.testing)
     sigma = campaign.sigma
     found = []
     for number, stand in enumerate([*bench.stands, *testing.stands]):

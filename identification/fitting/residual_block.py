@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..records.filters import Filter
-from .campaign_model import Accuracy, Prediction, Stand
+from .campaign_model import Accuracy, Prediction, RecordModel
 
 Array = NDArray[np.float64]
 CONTINUITY = 1e-3
@@ -37,7 +37,7 @@ class Block:
     """
 
     def __init__(
-        self, stand: Stand, channels: Sequence[str], sigma: Mapping[str, float], filtered: Filter | None
+        self, stand: RecordModel, channels: Sequence[str], sigma: Mapping[str, float], filtered: Filter | None
     ) -> None:
         self.stand, self.channels, self.filter = stand, list(channels), filtered
         self.sigma = {name: sigma[name] for name in channels}

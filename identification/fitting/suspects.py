@@ -16,7 +16,7 @@ from ..campaign.campaign import Campaign
 from ..campaign.experiment import Experiment
 from ..campaign.priors import Prior
 from ..records.channel import Channel
-from .campaign_model import Accuracy, Bench
+from .campaign_model import Accuracy, CampaignModel
 from .problem import Optimum, Problem
 from .residual_block import Block
 
@@ -95,7 +95,7 @@ def _fitted(
     accuracy: Accuracy,
 ) -> Optimum | None:
     """Fit all parameters to all channels; None if the model cannot be run."""
-    bench = Bench(campaign.dae, campaign.measured, experiments, list(campaign.priors))
+    bench = CampaignModel(campaign.dae, campaign.measured, experiments, list(campaign.priors))
     blocks = [Block(stand, campaign.outputs, sigma, None) for stand in bench.stands]
     try:
         for block in blocks:
@@ -184,7 +184,7 @@ def _factors(channel: Channel, own: str) -> Iterator[tuple[float, str]]:
 
 def _nominal(campaign: Campaign, accuracy: Accuracy) -> tuple[dict[str, float], dict[str, float]]:
     """Return how large outputs are over what the model predicts as it was given, and how alike both are."""
-    bench = Bench(campaign.dae, campaign.measured, campaign.training)
+    bench = CampaignModel(campaign.dae, campaign.measured, campaign.training)
     sizes, likeness = {}, {}
     try:
         predicted = bench.simulate(campaign.start, accuracy=accuracy, slopes=False)

@@ -10,7 +10,7 @@ import pytest
 from inertance.cli.diagnose import show
 from inertance.diagnosis import Verdict, diagnose
 from inertance.diagnosis.effects.effect import effect_of
-from inertance.diagnosis.effects.hypothesis import Placed
+from inertance.diagnosis.effects.hypothesis import Hypothesis
 from inertance.diagnosis.effects.sites import Site
 from inertance.diagnosis.verdict.cautions import cautions
 
@@ -54,7 +54,7 @@ def test_a_gain_that_is_a_sign_or_a_unit_is_called_so(
     verdicts: dict[str, Verdict], gain: float, words: str | None
 ) -> None:
     evidence = verdicts["prior"].evidence
-    faulty = Placed(
+    faulty = Hypothesis(
         effect_of("sensor_gain"),
         Site("x", "channel", "carriage.s", "", frozenset({"channel"})),
         "gain_1",

@@ -9,7 +9,7 @@ import pytest
 from inertance import ge_wang
 from inertance.diagnosis.effects.edits import edited
 from inertance.diagnosis.effects.effect import EFFECTS, Effect, Motion, Quantity, effect_of, register
-from inertance.diagnosis.effects.hypothesis import Placed, driven, sensed
+from inertance.diagnosis.effects.hypothesis import Hypothesis, driven, sensed
 from inertance.diagnosis.effects.sites import GROUND, Site, sites_of
 from inertance.diagnosis.models.probes import scaled
 from inertance.diagnosis.search.score_test import _forces
@@ -160,7 +160,7 @@ def test_whether_an_effect_is_of_an_actuator_is_said_not_read_from_its_name() ->
     experiment = Experiment(Record("one", time, {"x": signal}), "one")
     for effect in (heat, replace(heat, kind="sensor_heat", drives=True)):
         site = Site("x", "channel", "carriage.s", "", frozenset({"channel"}))
-        placed = Placed(effect, site, "heat", {"gain": 0.5})
+        placed = Hypothesis(effect, site, "heat", {"gain": 0.5})
         given = driven(experiment, [placed]).record.values["x"]
         assert given == pytest.approx(1.5 * signal if effect.drives else signal)
         seen = sensed(time, "x", signal, [placed])
@@ -190,5 +190,5 @@ def test_the_drift_of_a_sensor_of_speed_is_an_acceleration() -> None:
     channels = {"F": {"input": "push.f"}, "v": {"output": "mass.v", "unit": "km/h"}}
     campaign = ia.Campaign(net, channels, {"mass.m": {"rel": 0.1}}, [{"record": record}])
     site = Site("v", "channel", "mass.v", "", frozenset({"channel"}))
-    placed = Placed(effect_of("sensor_drift"), site, "drift_1", {"rate": 0.1})
+    placed = Hypothesis(effect_of("sensor_drift"), site, "drift_1", {"rate": 0.1})
     assert placed.units(campaign) == {"rate": "m/s2"}

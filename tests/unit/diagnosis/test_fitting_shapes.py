@@ -5,7 +5,7 @@ import numpy as np
 import pytest
 from inertance.diagnosis.diagnose import _worth_it
 from inertance.diagnosis.effects.effect import effect_of
-from inertance.diagnosis.effects.hypothesis import Placed
+from inertance.diagnosis.effects.hypothesis import Hypothesis
 from inertance.diagnosis.effects.shaping import Shapes
 from inertance.diagnosis.effects.sites import BETWEEN, Site
 from inertance.diagnosis.search.joint_fit import Refit
@@ -18,8 +18,8 @@ TRAVEL = 0.01
 SITE = Site("guide", "translational", "guide.flange_b", "guide.flange_a", BETWEEN, travel=TRAVEL)
 
 
-def hysteresis(s_y: float) -> Placed:
-    return Placed(effect_of("hysteresis"), SITE, "hysteresis_1", {"k": 100.0, "s_y": s_y})
+def hysteresis(s_y: float) -> Hypothesis:
+    return Hypothesis(effect_of("hysteresis"), SITE, "hysteresis_1", {"k": 100.0, "s_y": s_y})
 
 
 def test_a_shape_goes_on_from_where_it_is_held_within_what_is_screened() -> None:

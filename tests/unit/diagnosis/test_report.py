@@ -16,11 +16,11 @@ import numpy as np
 import pytest
 from inertance.diagnosis.effects.edits import Insert
 from inertance.diagnosis.effects.effect import EFFECTS, effect_of
-from inertance.diagnosis.effects.hypothesis import Placed
+from inertance.diagnosis.effects.hypothesis import Hypothesis
 from inertance.diagnosis.effects.sites import sites_of
 from inertance.diagnosis.report.network_drawing import drawings, marks_of
 from inertance.diagnosis.report.text import advice, code, ruled_out, screened_out
-from inertance.diagnosis.search.joint_fit import Joint, Refit, refit
+from inertance.diagnosis.search.joint_fit import JointFit, Refit, refit
 from inertance.diagnosis.search.score_test import screen
 from inertance.diagnosis.verdict.evidence import Evidence
 from inertance.diagnosis.verdict.localisation import located, shares
@@ -103,7 +103,7 @@ def campaign(friction: float, k: float = 430.0, jam: float = 0.0) -> Campaign:
     )
 
 
-def verdict_of(word: str, evidence: Evidence, effects: tuple[Placed, ...] = (), **more: Any) -> Verdict:
+def verdict_of(word: str, evidence: Evidence, effects: tuple[Hypothesis, ...] = (), **more: Any) -> Verdict:
     def size(fitted: Refit) -> float:
         return float(np.sqrt(np.mean(np.concatenate([r["x"] for r in fitted.test]) ** 2)) * NOISE / 0.05)
 
@@ -127,11 +127,11 @@ def verdict_of(word: str, evidence: Evidence, effects: tuple[Placed, ...] = (), 
 def verdict() -> Verdict:
     """Return the verdict on friction that is missing."""
     rubbing = campaign(friction=1.0)
-    nominal = Joint(rubbing, rubbing.network, rubbing.start, (), Accuracy())
+    nominal = JointFit(rubbing, rubbing.network, rubbing.start, (), Accuracy())
     start, base = nominal.seen(nominal.start), nominal.fitted()
     candidates = screen(rubbing, rubbing.network, base.parameters)
     best = next(c for c in candidates if c.effect.kind == "coulomb_friction")
-    placed = Placed(best.effect, best.site, "coulomb_friction_1", best.values)
+    placed = Hypothesis(best.effect, best.site, "coulomb_friction_1", best.values)
     after = refit(rubbing, rubbing.network, base.parameters, [placed])
     ranking = (
         Ranked("coulomb_friction", "damper", 0.99, 1e-5, after.effects[0].values),
@@ -244,7 +244,7 @@ def test_a_parameter_is_marked_from_where_the_verdict_says_it_moved(
 def test_site_within_parts_is_marked_at_every_depth(verdict: Verdict) -> None:
     rig = ia.inerter_rig(ia.ge_wang.planetary_inerter(regularised=0.1), ia.Sinusoid(0.01, 3.0))
     site = next(site for site in sites_of(rig) if site.path == "inerter.screw.friction")
-    placed = Placed(effect_of("viscous_damping"), site, "viscous_damping_1", {"d": 1e-3})
+    placed = Hypothesis(effect_of("viscous_damping"), site, "viscous_damping_1", {"d": 1e-3})
     drawn = list(drawings(replace(verdict, network=rig, effects=(placed,), where={})))
     told = [re.findall(r'fill="#cc3311">([^<]*)<', figure) for figure in drawn if "<svg" in figure]
     assert sorted(told[0]) == ["added", "in screw.friction"]
@@ -309,7 +309,7 @@ def test_every_verdict_has_a_report(word: str, jammed: Verdict, tmp_path: Path) 
 
 def test_effect_on_a_channel_has_a_report(verdict: Verdict, tmp_path: Path) -> None:
     delay = next(c for c in verdict.evidence.screened if c.effect.kind == "sensor_delay")
-    placed = Placed(effect_of("sensor_delay"), delay.site, "sensor_delay_1", {"delay": 0.004})
+    placed = Hypothesis(effect_of("sensor_delay"), delay.site, "sensor_delay_1", {"delay": 0.004})
     text = ia.write_report(replace(verdict, effects=(placed,)), tmp_path / "gap.html").read_text(
         encoding="utf-8"
     )

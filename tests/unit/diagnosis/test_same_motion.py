@@ -1,7 +1,7 @@
 """What screening cannot tell apart: one motion of two sites is fitted once, each channel for itself."""
 
 from inertance.diagnosis.effects.effect import effect_of
-from inertance.diagnosis.effects.hypothesis import Placed
+from inertance.diagnosis.effects.hypothesis import Hypothesis
 from inertance.diagnosis.effects.sites import BETWEEN, Site
 from inertance.diagnosis.search.joint_fit import Refit
 from inertance.diagnosis.search.round import Round, _leading, _reserve, same_motion
@@ -15,7 +15,9 @@ def across(path: str, rank: int, gain: float) -> Candidate:
 
 
 def fitted(candidate: Candidate) -> Refit:
-    return Refit({}, (Placed(candidate.effect, candidate.site, "added_1", candidate.values),), [], [], 0.0)
+    return Refit(
+        {}, (Hypothesis(candidate.effect, candidate.site, "added_1", candidate.values),), [], [], 0.0
+    )
 
 
 def test_sites_of_one_motion_are_fitted_once_and_stand_in_the_class() -> None:

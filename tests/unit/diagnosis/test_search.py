@@ -11,7 +11,7 @@ import inertance as ia
 import numpy as np
 import pytest
 from inertance.diagnosis import Verdict, diagnose
-from inertance.diagnosis.search.joint_fit import Joint
+from inertance.diagnosis.search.joint_fit import JointFit
 from inertance.identification import Campaign
 from numpy.typing import NDArray
 
@@ -44,7 +44,7 @@ def verdict_on(cart: Any, truth: ia.Network, sensor: Sensor | None = None, **mor
 def test_a_fit_of_parameters_that_ended_early_makes_no_effect(
     cart: Any, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr(Joint, "fitted", _unfitted)
+    monkeypatch.setattr(JointFit, "fitted", _unfitted)
     told: list[str] = []
     found = verdict_on(cart, cart.rig(k=840.0, d=6.5), report=told.append)
     assert any("ended early" in line for line in told)
@@ -52,7 +52,7 @@ def test_a_fit_of_parameters_that_ended_early_makes_no_effect(
     assert found.parameters["spring.k"] == pytest.approx(840.0, rel=1e-3)
 
 
-def _unfitted(joint: Joint, starts: Any = (), fitted: Any = Joint.fitted) -> Any:
+def _unfitted(joint: JointFit, starts: Any = (), fitted: Any = JointFit.fitted) -> Any:
     """Return a fit that ends where it begins, unless the network has been fitted with an effect."""
     begun = joint.start if not joint.effects and (joint.start == 0).all() else None
     return joint.seen(begun) if begun is not None else fitted(joint, starts)

@@ -7,7 +7,7 @@ from typing import Any
 import inertance as ia
 import numpy as np
 import pytest
-from inertance.identification import Bench, Optimum, Prior, uncertainty
+from inertance.identification import CampaignModel, Optimum, Prior, uncertainty
 from numpy.typing import NDArray
 from scipy.integrate import solve_ivp
 from scipy.interpolate import CubicSpline
@@ -224,7 +224,7 @@ def test_an_input_that_jumps_between_samples_is_told_and_may_be_taken_as_linear(
     linear = {**CHANNELS, "F": {**CHANNELS["F"], "interpolation": "linear"}}
     campaign = ia.Campaign(model(), linear, PRIORS, [{"record": jumps}])
     assert not campaign.notes
-    stand = Bench(campaign.dae, campaign.measured, campaign.training).stands[0]
+    stand = CampaignModel(campaign.dae, campaign.measured, campaign.training).stands[0]
     assert stand.inputs["push.f"].interpolation == "linear"
     with pytest.raises(ia.ModelError, match="interpolation is 'cubic' or 'linear', got 'spline'"):
         ia.Campaign(
