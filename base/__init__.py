@@ -1,5 +1,9 @@
 """What every room stands on: errors, arguments, files, processes, Ctrl-C."""
 
+from .arrays import Array as Array
+from .arrays import Complex as Complex
+from .arrays import Flags as Flags
+from .arrays import Ints as Ints
 from .checks import above as above
 from .checks import at_least as at_least
 from .checks import between as between

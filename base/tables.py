@@ -11,13 +11,12 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from .arrays import Array
 from .errors import InertanceError, MissingPackageError, ModelError, nearest
 from .text_file import text_of, there_is_file
 from .units import G, unit_for
 
-Array = NDArray[np.float64]
 TIMES = ("time", "t", "zeit", "timestamp", "time_s")
 
 

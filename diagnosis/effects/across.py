@@ -9,6 +9,7 @@ from typing import Any
 
 import numpy as np
 
+from ...base import Array
 from ...components import Component, signals
 from ..criteria import (
     REVERSAL_SPEED_RATIO,
@@ -18,7 +19,7 @@ from ..criteria import (
     YIELD_TRAVEL_RATIOS,
 )
 from .edits import Add, Connect, Edit, Insert, between
-from .effect import Array, Effect, Extent, Motion, Quantity, Values, both, register
+from .effect import Effect, Extent, Motion, Quantity, Values, both, register
 from .sites import Site
 
 Maker = Callable[[Site, Values], Component]

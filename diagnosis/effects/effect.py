@@ -7,15 +7,14 @@ from dataclasses import dataclass, field
 from typing import Any, Protocol
 
 import numpy as np
-from numpy.typing import NDArray
 
+from ...base import Array
 from ...components import Domain, ModelError, nearest
 from ...networks import Pieces
 from ..criteria import REVERSAL_SPEED_RATIO
 from .edits import Edit
 from .sites import Site
 
-Array = NDArray[np.float64]
 Values = Mapping[str, float]
 
 

@@ -6,17 +6,14 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
-from numpy.typing import NDArray
 
-from ...base import rate_unit
+from ...base import Array, rate_unit
 from ...identification import Campaign, Experiment
 from ...networks import Network
 from ..criteria import LEAST_SIZE_RATIO, PARAMETER_STEP_RATIO
 from .edits import Edit, edited
 from .effect import Effect, Quantity
 from .sites import Site
-
-Array = NDArray[np.float64]
 
 
 @dataclass(frozen=True)

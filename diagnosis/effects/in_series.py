@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
+from ...base import Array
 from ...components import Backlash, Component, Domain, rotational
 from ...networks import parallel
 from ..criteria import (
@@ -15,7 +16,7 @@ from ..criteria import (
     STOP_DEFLECTION_RATIO,
 )
 from .edits import Add, Connect, Edit, Insert
-from .effect import Array, Effect, Motion, Values, both, register
+from .effect import Effect, Motion, Values, both, register
 from .sites import Site
 
 

@@ -7,8 +7,9 @@ from math import inf
 
 import numpy as np
 
+from ...base import Array
 from ..criteria import CHANNEL_STEP_RATIO
-from .effect import Array, Effect, Quantity, Values, register
+from .effect import Effect, Quantity, Values, register
 
 
 def _delayed(t: Array, y: Array, p: Values) -> Array:

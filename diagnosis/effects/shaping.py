@@ -5,12 +5,11 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 import numpy as np
-from numpy.typing import NDArray
 
+from ...base import Array
 from ..criteria import BOUND_TOLERANCE, SHAPE_FACTOR
 from .hypothesis import Hypothesis
 
-Array = NDArray[np.float64]
 Bounds = tuple[Array, Array]
 
 

@@ -6,15 +6,13 @@ from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from ...base import Array
 from ..criteria import STICKING_SPEED_RATIO
 from ..effects.effect import Motion
 from ..effects.hypothesis import Hypothesis
 from .fmu_model import FMUModel
 from .fmu_port import Port
-
-Array = NDArray[np.float64]
 
 
 class Moving:

@@ -8,8 +8,8 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
+from ...base import Array
 from ...components import SimulationError
 from ...fmu import FMUError, Load, Replay
 from ...identification import Accuracy, Campaign, Experiment
@@ -27,8 +27,6 @@ from ..effects.hypothesis import Hypothesis
 from ..effects.sites import Site
 from .fmu_model import FMUModel
 from .fmu_port_force import Acting, Reaction
-
-Array = NDArray[np.float64]
 
 
 @dataclass(frozen=True, eq=False)

@@ -7,8 +7,8 @@ from dataclasses import dataclass
 from typing import Any, Protocol
 
 import numpy as np
-from numpy.typing import NDArray
 
+from ...base import Array
 from ...identification import Accuracy, Campaign, Experiment, RecordModel
 from ...networks import Network, Variations
 from ..criteria import ACTIVE_POWER_SHARE
@@ -18,8 +18,6 @@ from ..effects.sites import Site, sites_of
 from .fmu_model import FMUModel
 from .fmu_predictor import FMUPredictor
 from .probes import motion_at, probed
-
-Array = NDArray[np.float64]
 
 
 class Predicted(Protocol):

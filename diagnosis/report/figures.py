@@ -7,8 +7,8 @@ from collections.abc import Mapping, Sequence
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from ...base import Array
 from ...identification import Experiment
 from ...networks import pretty_unit
 from ..effects.effect import Motion
@@ -16,7 +16,6 @@ from ..search.joint_fit import Refit
 from ..verdict.localisation import spectrum
 from ..verdict.verdict import Verdict
 
-Array = NDArray[np.float64]
 Figure = dict[str, Any]
 Stages = Mapping[str, Refit]
 

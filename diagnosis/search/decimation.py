@@ -7,12 +7,10 @@ from copy import copy
 from dataclasses import replace
 
 import numpy as np
-from numpy.typing import NDArray
 
+from ...base import Array
 from ...identification import Campaign, Experiment, Filter
 from ..criteria import COMPARISON_RATE_HZ, NOISE_PEAK_STANDARD_DEVIATIONS
-
-Array = NDArray[np.float64]
 
 
 def thinned(campaign: Campaign) -> Campaign:

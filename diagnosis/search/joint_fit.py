@@ -7,8 +7,8 @@ from dataclasses import dataclass, replace
 from math import inf
 
 import numpy as np
-from numpy.typing import NDArray
 
+from ...base import Array
 from ...components import SimulationError
 from ...identification import Accuracy, Campaign, Ending, Experiment, descent
 from ...networks import Network
@@ -24,7 +24,6 @@ from ..effects.hypothesis import Hypothesis, driven, sensed
 from ..effects.shaping import Bounds, Shapes
 from ..models.predictor import Predicted, Standing, subject
 
-Array = NDArray[np.float64]
 Start = tuple[Mapping[str, float], Mapping[str, float]]
 
 

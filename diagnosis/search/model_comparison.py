@@ -3,13 +3,11 @@
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import NDArray
 
+from ...base import Array
 from ...identification import Campaign
 from ..criteria import ALIKE_RESIDUAL_SHARE, ALIKE_STANDARD_ERRORS, LEAST_STRETCHES, STRETCH_SECONDS
 from .joint_fit import Refit
-
-Array = NDArray[np.float64]
 
 
 def blocks(fitted: Refit, campaign: Campaign) -> Array:

@@ -14,8 +14,8 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 
 import numpy as np
-from numpy.typing import NDArray
 
+from ...base import Array
 from ...identification import Accuracy, Campaign
 from ...networks import Network
 from ..criteria import CHANNEL_PROBE_SHARE, DEPENDENT_EIGENVALUE_RATIO, FOUND_EFFECT_DEVIATIONS
@@ -25,8 +25,6 @@ from ..effects.sites import Site
 from ..models.predictor import subject
 from ..models.probes import scaled
 from .whitened_record import WhitenedRecord
-
-Array = NDArray[np.float64]
 
 
 @dataclass(frozen=True, eq=False)

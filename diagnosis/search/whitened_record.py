@@ -5,16 +5,14 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 
 import numpy as np
-from numpy.typing import NDArray
 
+from ...base import Array
 from ...identification import Accuracy, Channel, Experiment
 from ..criteria import START_SINGULAR_VALUE_RATIO
 from ..effects.effect import Motion
 from ..effects.hypothesis import Hypothesis, driven, sensed
 from ..effects.sites import Site
 from ..models.predictor import Predictor
-
-Array = NDArray[np.float64]
 
 
 class WhitenedRecord:

@@ -7,8 +7,8 @@ from itertools import pairwise
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from ...base import Array
 from ...identification import Accuracy, Campaign, Experiment, Record
 from ..criteria import (
     BAND_POWER_SHARES,
@@ -28,8 +28,6 @@ from ..effects.sites import Site
 from ..models.predictor import subject
 from ..search.joint_fit import Refit
 from ..search.score_test import Candidate
-
-Array = NDArray[np.float64]
 
 
 def shares(candidates: Sequence[Candidate]) -> dict[str, float]:

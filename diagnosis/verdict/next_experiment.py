@@ -7,7 +7,6 @@ from copy import copy
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
 from ...components import SimulationError
 from ...identification import Accuracy, Campaign, Experiment, Record
@@ -23,8 +22,6 @@ from ..criteria import (
     TRIAL_SECONDS,
 )
 from ..search.joint_fit import JointFit, Refit
-
-Array = NDArray[np.float64]
 
 
 @dataclass(frozen=True)

@@ -7,8 +7,8 @@ from pathlib import Path
 from tempfile import TemporaryDirectory
 
 import numpy as np
-from numpy.typing import NDArray
 
+from ...base import Array
 from ...networks import DAE, Result, simulate
 from ..errors import FMUError
 from ..export.export import export_fmu
@@ -29,7 +29,6 @@ from .sections import sizes
 from .states import state_findings
 from .xml_schema import xml_findings
 
-Array = NDArray[np.float64]
 SAME_INSTANT = 0.1 * EVENTS
 
 

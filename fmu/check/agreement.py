@@ -8,11 +8,11 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from ...base import Array
 from .probe import Probe, Subject
 from .report import MOTION, Finding, measured
 from .runs import Course, Experiment
 
-Array = NDArray[np.float64]
 EVENTS = 1e-6
 LONELY = 10 * EVENTS
 SEEN = 0.05

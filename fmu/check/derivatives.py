@@ -6,13 +6,12 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field
 
 import numpy as np
-from numpy.typing import NDArray
 
+from ...base import Array
 from ..errors import FMUError
 from .probe import Probe, Subject
 from .report import Finding, measured
 
-Array = NDArray[np.float64]
 LIMIT = 1e-6
 STRIDES = 10.0 ** -np.arange(1, 11)
 ROUNDING = 64 * np.finfo(float).eps

@@ -8,8 +8,8 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from ...base import Array
 from ..fmu import FMU
 from ..foreign.in_process import LocalInstance
 from ..foreign.inputs import groups
@@ -17,7 +17,6 @@ from ..foreign.instance import Stepped, Values
 from ..foreign.unpacked import Unpacked
 from ..foreign.variable import ForeignVariable
 
-Array = NDArray[np.float64]
 NUMBERS = (
     "Real", "Float64", "Float32", "Integer", "Boolean", "Enumeration",
     *(f"{sign}Int{bits}" for sign in ("", "U") for bits in (8, 16, 32, 64)),

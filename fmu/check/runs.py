@@ -7,13 +7,11 @@ from dataclasses import dataclass, field, replace
 from itertools import pairwise
 
 import numpy as np
-from numpy.typing import NDArray
 
-from ...base import heed, interruptible
+from ...base import Array, heed, interruptible
 from ..errors import FMUError
 from .probe import Probe, Subject
 
-Array = NDArray[np.float64]
 DENSE = 300
 ACCURATE = 1e-5
 FINEST = 1e-12

@@ -6,8 +6,8 @@ from collections.abc import Callable, Iterator
 from dataclasses import dataclass, replace
 
 import numpy as np
-from numpy.typing import NDArray
 
+from ...base import Array
 from ..errors import FMUError
 from ..fmu import FMU
 from .agreement import Reference, motion_findings, outputs_finding
@@ -17,8 +17,6 @@ from .report import Finding
 from .runs import Course, Experiment, communicate, exchange
 from .states import state_findings
 from .xml_schema import xml_findings
-
-Array = NDArray[np.float64]
 
 
 @dataclass(frozen=True)

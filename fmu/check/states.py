@@ -13,15 +13,14 @@ from tempfile import TemporaryDirectory
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from ...base import Array
 from ..errors import FMUError
 from ..foreign.subprocess_instance import environment
 from .probe import Probe, Subject, same
 from .report import Finding
 from .runs import Experiment
 
-Array = NDArray[np.float64]
 MANY, REPEATED, STEPS = 100, 20, 8
 ELSEWHERE = 120.0
 SAID = "state: "

@@ -5,11 +5,10 @@ from __future__ import annotations
 from collections.abc import Callable
 
 import numpy as np
-from numpy.typing import NDArray
 
+from ...base import Array
 from ..errors import FMUError
 
-Array = NDArray[np.float64]
 ROUNDS = 30
 CLOSE = 1e-9
 

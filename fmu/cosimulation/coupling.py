@@ -8,8 +8,8 @@ from math import factorial
 from typing import TYPE_CHECKING
 
 import numpy as np
-from numpy.typing import NDArray
 
+from ...base import Array
 from ...networks import Event, Pieces, Result
 from ..foreign.communication_steps import Course
 from ..foreign.instance import Values
@@ -20,7 +20,6 @@ from .step_error import ExchangeRun
 if TYPE_CHECKING:
     import pandas as pd
 
-Array = NDArray[np.float64]
 SAME = 1e-9
 
 

@@ -7,8 +7,8 @@ from collections.abc import Iterator, Sequence
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from ...base import Array
 from ...components import ModelError
 from ...networks import DAE, Polynomial, Stepwise
 from ..errors import FMUError
@@ -21,7 +21,6 @@ from .impulses import Impulses
 from .jacobi_master import advance_together
 from .participants import Member, Participant, jumped
 
-Array = NDArray[np.float64]
 NEXT_TO_NOTHING = 1e-9
 BEYOND = 1e-6
 ROUNDS = 100

@@ -5,14 +5,13 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 import numpy as np
-from numpy.typing import NDArray
 
+from ...base import Array
 from ...networks import Event, Stepwise
 from ..errors import FMUError
 from .components import FMUBlock
 from .coupling import Coupled
 
-Array = NDArray[np.float64]
 REMEDY = (
     "FMI has no signal for impulses; put a spring between, or all that is struck together on one side, in "
     "the network or in the FMU"

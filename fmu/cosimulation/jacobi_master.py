@@ -6,8 +6,8 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
+from ...base import Array
 from ..errors import FMUError
 from ..foreign.communication_steps import Course
 from ..foreign.instance import Values
@@ -16,7 +16,6 @@ from .algebraic_loop import unchanged
 from .communication_points import CommunicationPoints
 from .participants import Member, Participant, jumped
 
-Array = NDArray[np.float64]
 ROUNDS = 100
 
 

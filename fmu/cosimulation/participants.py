@@ -7,8 +7,8 @@ from dataclasses import dataclass, field
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from ...base import Array
 from ..fmu import FMU
 from ..foreign.initialization import enter_initialization
 from ..foreign.instance import Values, finite
@@ -17,7 +17,6 @@ from ..foreign.run import ForeignEvent, empty_run
 from ..foreign.time_stepping import STEPPERS, TimeStepper
 from .communication_points import CommunicationPoints
 
-Array = NDArray[np.float64]
 Signal = Callable[[float], float]
 SAME = 1e-9
 

@@ -8,13 +8,12 @@ from dataclasses import dataclass, field
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from ...base import Array
 from ...networks import Event, OverTime
 from ..errors import FMUError
 from ..foreign.run import ForeignEvent, ForeignRun
 
-Array = NDArray[np.float64]
 NOTABLE, TINY = 0.05, 1e-6
 
 

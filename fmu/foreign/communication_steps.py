@@ -5,13 +5,11 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 
 import numpy as np
-from numpy.typing import NDArray
 
 from ..errors import FMUError
 from .description import FMUDescription
 from .instance import Values
 
-Array = NDArray[np.float64]
 Course = Callable[[float], Values]
 ROUNDING = 1e-6
 

@@ -9,12 +9,12 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from ...base import Array
 from ..errors import FMUError
 from .communication_steps import Course
 from .description import FMUDescription
 from .instance import Instance, finite
 
-Array = NDArray[np.float64]
 States = Callable[[float], Array]
 SMALLEST = 1e-6
 MANY_STEPS = 25

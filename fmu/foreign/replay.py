@@ -7,8 +7,8 @@ from types import TracebackType
 from typing import Any, Self
 
 import numpy as np
-from numpy.typing import NDArray
 
+from ...base import Array
 from ..errors import FMUError
 from .description import FMUDescription
 from .initialization import enter_initialization
@@ -17,8 +17,6 @@ from .me_integrator import Stepping
 from .port_force import Load, LoadedInstance
 from .time_stepping import STEPPERS, CoSimulation, TimeStepper
 from .unpacked import Unpacked
-
-Array = NDArray[np.float64]
 
 
 class Replay:

@@ -7,9 +7,8 @@ from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
-from numpy.typing import NDArray
 
-from ...base import text
+from ...base import Array, text
 from ...components import UnknownNameError, nearest
 from ...networks import OverTime
 from .description import FMUDescription
@@ -18,8 +17,6 @@ from .instance import Group, Values
 
 if TYPE_CHECKING:
     import pandas as pd
-
-Array = NDArray[np.float64]
 
 
 @dataclass(frozen=True)

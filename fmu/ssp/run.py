@@ -6,16 +6,14 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 import numpy as np
-from numpy.typing import NDArray
 
+from ...base import Array
 from ...components import UnknownNameError, nearest
 from ..cosimulation.step_error import ExchangeRun
 from ..foreign.run import ForeignRun
 
 if TYPE_CHECKING:
     import pandas as pd
-
-Array = NDArray[np.float64]
 
 
 @dataclass(eq=False)

@@ -9,12 +9,11 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from ...base import Array
 from ...components import ModelError
 from ...networks import ATOL, DAE, RTOL, Network, Result, Variations, dae_of, simulate
 from ..campaign.experiment import Experiment
 from ..records.channel import Channel
-
-Array = NDArray[np.float64]
 
 
 @dataclass(frozen=True)

@@ -10,7 +10,6 @@ from functools import lru_cache
 from pathlib import Path
 
 import numpy as np
-from numpy.typing import NDArray
 
 from ...base import between, demand, function, instance, one_of, optional, whole
 from ...components import InertanceError, ModelError
@@ -25,7 +24,6 @@ from .residual_block import Block
 from .suspects import suspects
 from .uncertainty import uncertainty
 
-Array = NDArray[np.float64]
 Report = Callable[[str], None]
 RUNS = 20  # usual of a fit
 

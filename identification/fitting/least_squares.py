@@ -12,11 +12,10 @@ from dataclasses import dataclass
 from typing import Protocol
 
 import numpy as np
-from numpy.typing import NDArray
 
+from ...base import Array
 from ...components import InertanceError, SimulationError
 
-Array = NDArray[np.float64]
 Bounds = tuple[Array, Array]
 GOOD_RATIO = 0.5  # share of what was promised that a step must keep for its slopes to be believed
 LEAST_RATIO = 0.05  # share below which a step is not taken

@@ -9,9 +9,8 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
-from numpy.typing import NDArray
 
-from ...base import check_output, write_text
+from ...base import Array, check_output, write_text
 from ...components import Component, SimulationError
 from ...networks import Network
 from ..campaign.campaign import Campaign
@@ -27,7 +26,6 @@ from .uncertainty import Uncertainty
 if TYPE_CHECKING:
     from .fit import Start
 
-Array = NDArray[np.float64]
 STARTS = 4
 
 

@@ -6,14 +6,13 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
-from numpy.typing import NDArray
 
+from ...base import Array
 from ..campaign.priors import Prior
 from .campaign_model import Accuracy
 from .least_squares import Ending, Point, descent
 from .residual_block import Block, Linearised
 
-Array = NDArray[np.float64]
 MOST_ITERATIONS = 40
 LEAST_DROP = 1e-2  # of chi squared, by as much noise as there is, that an iteration must promise
 LEAST_RADIUS = 1e-9  # of what parameters may be expected to be

@@ -7,12 +7,11 @@ from dataclasses import dataclass
 from itertools import pairwise
 
 import numpy as np
-from numpy.typing import NDArray
 
+from ...base import Array
 from ..records.filters import Filter
 from .campaign_model import Accuracy, Prediction, RecordModel
 
-Array = NDArray[np.float64]
 CONTINUITY = 1e-3
 
 

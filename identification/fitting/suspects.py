@@ -8,7 +8,6 @@ from itertools import combinations
 from math import isclose
 
 import numpy as np
-from numpy.typing import NDArray
 
 from ...base import unit_for, units_like
 from ...components import InertanceError
@@ -20,7 +19,6 @@ from .campaign_model import Accuracy, CampaignModel
 from .problem import Optimum, Problem
 from .residual_block import Block
 
-Array = NDArray[np.float64]
 EXPLAINS = 0.1  # share of the sum of squares that a suspect may leave
 EQUAL = 1.5  # times the residual of the best within which a suspect explains as much
 NEAR = 4.0  # times by which a nominal model may miss the size of a signal

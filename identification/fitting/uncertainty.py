@@ -6,13 +6,12 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
+from ...base import Array
 from ..campaign.priors import Prior
 from .problem import Optimum
 from .residual_block import Block
 
-Array = NDArray[np.float64]
 UNTOLD = 0.7
 TIED = 0.95
 AT_BOUND = 1e-6

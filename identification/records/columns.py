@@ -7,9 +7,9 @@ from collections.abc import Iterator
 import numpy as np
 from numpy.typing import NDArray
 
+from ...base import Array
 from ...base.tables import Table
 
-Array = NDArray[np.float64]
 LEAST = 32
 JITTER = 0.25
 GAP = 1.75

@@ -9,12 +9,21 @@ from typing import Any
 
 import casadi as ca
 import numpy as np
-from numpy.typing import NDArray
 
-from ...base import above, at_least, between, demand, finite, function, numbers, numpy_on_symbols, whole
+from ...base import (
+    Array,
+    above,
+    at_least,
+    between,
+    demand,
+    finite,
+    function,
+    numbers,
+    numpy_on_symbols,
+    whole,
+)
 from ...components import ModelError, Sampled
 
-Array = NDArray[np.float64]
 MOST_SAMPLES, MOST_LINES = 50_000_000, 1_000_000
 TRIALS = 64
 

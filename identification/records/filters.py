@@ -6,12 +6,9 @@ from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
-from ...base import above, between, demand, finite, number, numbers, shown, text, whole
+from ...base import Array, above, between, demand, finite, number, numbers, shown, text, whole
 from ...components import ModelError
-
-Array = NDArray[np.float64]
 
 
 @dataclass(frozen=True)

@@ -5,11 +5,10 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
+from ...base import Array
 from .record import Record
 
-Array = NDArray[np.float64]
 BAND = (0.6, 0.95)
 LEAST_SHARE = 1e-6
 

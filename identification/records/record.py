@@ -10,7 +10,7 @@ from typing import Any, Self
 import numpy as np
 from numpy.typing import NDArray
 
-from ...base import above, demand, finite, instance, one_of, path_of, shown, text, unit_for, whole
+from ...base import Array, above, demand, finite, instance, one_of, path_of, shown, text, unit_for, whole
 from ...base.tables import Table, read_table
 from ...components import ModelError, Sampled, UnknownNameError, nearest
 from ...components.language import INTERPOLATIONS
@@ -18,7 +18,6 @@ from .channel import Channel
 from .columns import JITTER, LEAST, number_problems, time_problems, value_problems
 from .filters import decimated
 
-Array = NDArray[np.float64]
 EVEN = 1e-4
 ROUNDED = 1e-2
 

@@ -14,16 +14,13 @@ from typing import Any
 
 import casadi as ca
 import numpy as np
-from numpy.typing import NDArray
 
-from ...base import ModelError, above, between, demand, listed, nearest, text, whole
+from ...base import Array, Complex, ModelError, above, between, demand, listed, nearest, text, whole
 from ..dae import DAE
 from ..simulation.simulate import simulate
 from .operating import operating_point
 from .orbits import Orbit
 
-Array = NDArray[np.float64]
-Complex = NDArray[np.complex128]
 MOST = 1e100
 
 

@@ -5,17 +5,15 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
-from ...base import ModelError
+from ...base import Array, ModelError
 from ..results.plotting import pretty_unit
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
     from .statespace import StateSpace
-
-Array = NDArray[np.float64]
 
 
 def frequencies(system: StateSpace, count: int = 600) -> Array:

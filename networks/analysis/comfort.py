@@ -7,13 +7,12 @@ from functools import cache
 from math import ceil, pi, sqrt
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
-from ...base import ModelError, demand, instance, number, numbers, one_of, unit_for
+from ...base import Array, ModelError, demand, instance, number, numbers, one_of, unit_for
 from ..results.over_time import OverTime
 from .statespace import StateSpace
 
-Array = NDArray[np.float64]
 BAND = {"Wk": (0.4, 100.0), "Wd": (0.4, 100.0), "Wc": (0.4, 100.0), "We": (0.4, 100.0), "Wj": (0.4, 100.0)}
 TRANSITION = {
     "Wk": (12.5, 12.5, 0.63),

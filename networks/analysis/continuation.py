@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ...base import ModelError, SimulationError, between, demand, named, numbers, shown, whole
+from ...base import Array, ModelError, SimulationError, between, demand, named, numbers, shown, whole
 from ..dae import DAE, dae_of
 from ..network import Network
 from .balance import Balance
@@ -18,7 +18,6 @@ from .orbits import Orbit
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
-Array = NDArray[np.float64]
 SLOWEST = 1e-6
 LONGEST, SHORTEST = 0.2, 1e-5
 

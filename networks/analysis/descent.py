@@ -6,15 +6,25 @@ from collections.abc import Mapping, Sequence
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
-from ...base import ModelError, by_name, demand, finite, instance, named, nearest, number, numbers, shown
+from ...base import (
+    Array,
+    ModelError,
+    by_name,
+    demand,
+    finite,
+    instance,
+    named,
+    nearest,
+    number,
+    numbers,
+    shown,
+)
 from ..dae import DAE
 from .measuring import BAD, Measure, measured
 from .norms import Norm
 from .varied import Varied
 
-Array = NDArray[np.float64]
 Bounds = Mapping[str, tuple[float, float]]
 WIDE = 100.0
 PEAKS, ROUNDS = 4, 8

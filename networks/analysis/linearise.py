@@ -10,9 +10,8 @@ from weakref import WeakKeyDictionary
 
 import casadi as ca
 import numpy as np
-from numpy.typing import NDArray
 
-from ...base import ModelError, listed, named, nearest
+from ...base import Array, ModelError, listed, named, nearest
 from ..dae import DAE, dae_of
 from ..network import Network
 from ..results.result import Result
@@ -22,7 +21,6 @@ from .resting import HOLDING
 from .statespace import StateSpace
 from .varied import Varied
 
-Array = NDArray[np.float64]
 STEP = 1e-100
 INCONSISTENT = 1e-6
 _KNOWN: WeakKeyDictionary[DAE, dict[tuple[tuple[str, ...], ...], Linearisation]] = WeakKeyDictionary()

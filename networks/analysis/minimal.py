@@ -5,11 +5,10 @@ from __future__ import annotations
 from dataclasses import replace
 
 import numpy as np
-from numpy.typing import NDArray
 
+from ...base import Array
 from .statespace import StateSpace
 
-Array = NDArray[np.float64]
 Triple = tuple[Array, Array, Array]
 Slopes = dict[str, Triple]
 

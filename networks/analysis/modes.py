@@ -8,9 +8,8 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
-from numpy.typing import NDArray
 
-from ...base import ModelError, demand, finite, shown, whole
+from ...base import Complex, ModelError, demand, finite, shown, whole
 from ..dae import DAE, dae_of
 from ..network import Network
 
@@ -19,8 +18,6 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
     from .statespace import StateSpace
-
-Complex = NDArray[np.complex128]
 
 
 @dataclass(frozen=True, eq=False)

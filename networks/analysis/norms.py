@@ -7,15 +7,13 @@ from collections.abc import Callable, Iterable, Mapping
 from typing import TYPE_CHECKING
 
 import numpy as np
-from numpy.typing import NDArray
 
-from ...base import ModelError, demand, finite
+from ...base import Array, ModelError, demand, finite
 from .minimal import balanced, minimal
 
 if TYPE_CHECKING:
     from .statespace import StateSpace
 
-Array = NDArray[np.float64]
 AXIS = 1e-11
 Gains = Callable[[Iterable[float]], list["Norm"]]
 

@@ -8,9 +8,8 @@ from typing import Any
 
 import casadi as ca
 import numpy as np
-from numpy.typing import NDArray
 
-from ...base import ModelError, between, demand, finite, named, text, whole
+from ...base import Array, ModelError, between, demand, finite, named, text, whole
 from ...base.keywords import check_keywords
 from ..dae import DAE, dae_of
 from ..network import Network
@@ -21,8 +20,6 @@ from ..simulation.coverage import check_covered
 from ..simulation.initialization import start_values
 from ..simulation.point import Point
 from .resting import HOLDING, mode_values, settle
-
-Array = NDArray[np.float64]
 
 
 @dataclass(eq=False)

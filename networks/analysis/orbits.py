@@ -5,13 +5,9 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
-from ...base import UnknownNameError, between, demand, nearest, shown, text, whole
+from ...base import Array, Complex, UnknownNameError, between, demand, nearest, shown, text, whole
 from ..dae import DAE
-
-Array = NDArray[np.float64]
-Complex = NDArray[np.complex128]
 
 
 @dataclass(frozen=True, eq=False)

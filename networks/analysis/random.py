@@ -6,13 +6,12 @@ from collections.abc import Callable
 from typing import Any
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
-from ...base import ModelError, at_least, demand, finite, instance, number, numbers, shown, whole
+from ...base import Array, ModelError, at_least, demand, finite, instance, number, numbers, shown, whole
 from .norms import stable_part
 from .statespace import StateSpace
 
-Array = NDArray[np.float64]
 Spectrum = float | Callable[[Array], ArrayLike]
 
 

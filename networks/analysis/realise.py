@@ -6,15 +6,13 @@ from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
 import numpy as np
-from numpy.typing import NDArray
 
-from ...base import ModelError, rate_unit
+from ...base import Array, ModelError, rate_unit
 from .statespace import StateSpace
 
 if TYPE_CHECKING:
     from .operating import OperatingPoint
 
-Array = NDArray[np.float64]
 Named = tuple[list[str], list[str]]
 
 

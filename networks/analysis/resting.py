@@ -7,9 +7,8 @@ from weakref import WeakKeyDictionary
 
 import casadi as ca
 import numpy as np
-from numpy.typing import NDArray
 
-from ...base import InitialConditionError, ModelError, SimulationError
+from ...base import Array, InitialConditionError, ModelError, SimulationError
 from ..dae import DAE
 from ..simulation.blame import GUARD, told_without_value
 from ..simulation.bound_dae import BoundDAE
@@ -18,7 +17,6 @@ from ..simulation.events.switcher import Switcher
 from ..simulation.initialization import StartValues
 from ..simulation.point import Point, solve_algebraic
 
-Array = NDArray[np.float64]
 TINY = 1e-9
 STILL = 1e-12
 ON_THE_WAY = (0.25, 0.5, 0.75, 0.999)

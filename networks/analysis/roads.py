@@ -9,9 +9,10 @@ from typing import Any
 
 import casadi as ca
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
 from ...base import (
+    Array,
     ModelError,
     above,
     between,
@@ -26,7 +27,6 @@ from ...base import (
 from ...base.tables import read_table
 from ...components.language import Sampled
 
-Array = NDArray[np.float64]
 N_0 = 0.1
 G_D: dict[str, float] = {letter: 16e-6 * 4.0**k for k, letter in enumerate("ABCDEFGH")}
 LONGEST = 1e7

@@ -8,9 +8,11 @@ from dataclasses import dataclass, field, replace
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
 from ...base import (
+    Array,
+    Complex,
     ModelError,
     UnknownNameError,
     between,
@@ -30,9 +32,6 @@ if TYPE_CHECKING:
     from .modes import Mode
     from .norms import Norm
     from .operating import OperatingPoint
-
-Array = NDArray[np.float64]
-Complex = NDArray[np.complex128]
 
 
 @dataclass(frozen=True, eq=False)

@@ -9,7 +9,19 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from ...base import ModelError, SimulationError, above, between, demand, listed, named, numbers, whole
+from ...base import (
+    Array,
+    Complex,
+    ModelError,
+    SimulationError,
+    above,
+    between,
+    demand,
+    listed,
+    named,
+    numbers,
+    whole,
+)
 from ...base.keywords import check_keywords
 from ...components import FAMILIES, Component, Domain, signals
 from ...components.language import PortRef
@@ -21,8 +33,6 @@ from ..simulation.simulate import simulate
 from .orbits import harmonics_of
 from .probing import port
 
-Array = NDArray[np.float64]
-Complex = NDArray[np.complex128]
 POINTS = 256
 DRIVE = "stepped_sine"
 SLOWEST, MOST = 1e-6, 1e100

@@ -7,16 +7,13 @@ from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
-from ...base import ModelError, at_least, between, demand, function, named, shown, whole
+from ...base import Array, ModelError, at_least, between, demand, function, named, shown, whole
 from ...base.keywords import check_keywords
 from ..dae import DAE, dae_of
 from ..network import Network
 from .descent import INSIDE, Bounds, Problem, check_names
 from .measuring import BAD, Measure, of_design
-
-Array = NDArray[np.float64]
 
 
 @dataclass(frozen=True)

@@ -7,11 +7,10 @@ from threading import Lock
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from ...base import Array
 from .compiled import Compiled
 
-Array = NDArray[np.float64]
 CHUNK = 512
 
 

@@ -9,8 +9,8 @@ from typing import TYPE_CHECKING, Any
 
 import casadi as ca
 import numpy as np
-from numpy.typing import NDArray
 
+from ...base import Array
 from .batch import Batch
 from .compiled import dense
 
@@ -18,8 +18,6 @@ if TYPE_CHECKING:
     from ..dae import DAE
     from ..results.result import Segment
     from ..simulation.bound_dae import BoundDAE
-
-Array = NDArray[np.float64]
 
 
 @dataclass(frozen=True, eq=False)

@@ -10,7 +10,8 @@ from dataclasses import replace
 import casadi as ca
 import numpy as np
 
-from .families import Family, Ints
+from ...base import Ints
+from .families import Family
 from .forms import Form
 from .vectors import pick
 

@@ -8,12 +8,11 @@ from typing import Any
 
 import casadi as ca
 import numpy as np
-from numpy.typing import NDArray
 
+from ...base import Ints
 from .forms import Form
 from .vectors import pick_matrix, stacked
 
-Ints = NDArray[np.int64]
 ZERO = -1
 
 

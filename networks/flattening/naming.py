@@ -9,8 +9,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from ...base import Ints
 from ...components.language import Port, Variable
-from .families import Ints
 from .flat import Flat, Instance
 
 _STATE = {"prefer": 1, "default": 0, "avoid": -1}

@@ -11,12 +11,11 @@ import casadi as ca
 import numpy as np
 from numpy.typing import NDArray
 
-from ...base import ModelError, above, at_least, demand, finite, function, instance, shown, whole
+from ...base import Array, ModelError, above, at_least, demand, finite, function, instance, shown, whole
 from ...components import Backlash, Component, Fixed, Planet, Position
 from ..network import Network
 from ..results.result import Result
 
-Array = NDArray[np.float64]
 MOST_LINES = 100_000
 
 

@@ -15,7 +15,7 @@ import casadi as ca
 import numpy as np
 from numpy.typing import NDArray
 
-from ..flattening.families import Ints
+from ...base import Ints
 from ..flattening.vectors import column, pick, stacked
 from .pantelides import System, counted
 from .tearing import Block, Torn, tear

@@ -16,8 +16,9 @@ import casadi as ca
 import numpy as np
 from numpy.typing import NDArray
 
+from ...base import Ints
 from ..flattening.duplicates import without_duplicates
-from ..flattening.families import Family, Ints
+from ..flattening.families import Family
 from ..flattening.forms import Form
 from ..flattening.union import SignedUnion
 from ..flattening.vectors import column

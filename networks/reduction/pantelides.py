@@ -14,9 +14,9 @@ import casadi as ca
 import numpy as np
 from numpy.typing import NDArray
 
-from ...base import ModelError
+from ...base import Ints, ModelError
 from ..flattening.duplicates import without_duplicates
-from ..flattening.families import Family, Ints, sum_family
+from ..flattening.families import Family, sum_family
 from ..flattening.flat import Flat
 from ..flattening.naming import Names
 

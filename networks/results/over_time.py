@@ -5,15 +5,14 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any, overload
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
-from ...base import ModelError, above, demand, finite, nearest, number, optional, shown
+from ...base import Array, ModelError, above, demand, finite, nearest, number, optional, shown
 from .pieces import Pieces
 
 if TYPE_CHECKING:
     import pandas as pd
 
-Array = NDArray[np.float64]
 SLACK, MOST_ROWS = 1e-6, 1e8
 
 

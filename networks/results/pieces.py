@@ -8,7 +8,8 @@ from dataclasses import dataclass, fields
 import numpy as np
 from numpy.typing import NDArray
 
-Array = NDArray[np.float64]
+from ...base import Array
+
 NODES, WEIGHTS = (each / 2 for each in np.polynomial.legendre.leggauss(4))
 
 

@@ -5,15 +5,12 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 import numpy as np
-from numpy.typing import NDArray
 
-from ...base import ModelError, UnknownNameError, nearest
+from ...base import Array, ModelError, UnknownNameError, nearest
 from .over_time import OverTime
 
 if TYPE_CHECKING:
     import pandas as pd
-
-Array = NDArray[np.float64]
 
 
 class Recorded(OverTime):

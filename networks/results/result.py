@@ -10,9 +10,8 @@ from typing import TYPE_CHECKING, Any
 
 import casadi as ca
 import numpy as np
-from numpy.typing import NDArray
 
-from ...base import UnknownNameError, path_of
+from ...base import Array, UnknownNameError, path_of
 from ..evaluation.compiled import dense
 from ..evaluation.jacobians import Points
 from .over_time import OverTime
@@ -25,8 +24,6 @@ if TYPE_CHECKING:
     from ..simulation.dense_output import DenseOutput
     from ..simulation.events.switcher import Event
     from ..simulation.initialization import StartReport
-
-Array = NDArray[np.float64]
 
 
 @dataclass(eq=False)

@@ -9,9 +9,8 @@ from typing import TYPE_CHECKING, Any
 
 import casadi as ca
 import numpy as np
-from numpy.typing import NDArray
 
-from ...base import ModelError, named
+from ...base import Array, ModelError, named
 from ...components.language import Sampled
 from ..dae import DAE, Input
 from ..evaluation.batch import Batch
@@ -30,7 +29,6 @@ from .tolerance import Tolerance
 if TYPE_CHECKING:
     from ..csource.native import Native
 
-Array = NDArray[np.float64]
 BINDINGS, LEGS_KEPT = 4, 64  # bindings of a DAE, and legs, that are kept
 _LEGS: dict[tuple[Any, ...], list[Leg]] = {}  # where equations hold signals as given
 

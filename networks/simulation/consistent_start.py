@@ -7,12 +7,11 @@ from dataclasses import replace
 
 import numpy as np
 
-from ...base import InitialConditionError, SimulationError
+from ...base import Array, InitialConditionError, SimulationError
 from .bound_dae import BoundDAE
 from .events.constants import JUST_BEFORE
 from .events.switcher import Event, Switcher
 from .initialization import StartValues, initial_values
-from .integrator import Array
 from .point import Point, solve_algebraic
 from .run import Run, Settings
 from .tolerance import ATOL, RTOL

@@ -11,10 +11,11 @@ from warnings import warn
 import numpy as np
 from numpy.typing import NDArray
 
+from ...base import Array
 from ..evaluation.jacobians import Points
 from ..results.pieces import Pieces
 from .events.functions import NODES
-from .integrator import Array, IntegratorError, Stepper
+from .integrator import IntegratorError, Stepper
 from .legs import Leg
 from .point import Point, solve_algebraic
 from .tolerance import Tolerance

@@ -14,13 +14,12 @@ from typing import Any, overload
 import numpy as np
 from numpy.typing import NDArray
 
-from ...base import InitialConditionError, ModelError, is_number
+from ...base import Array, InitialConditionError, ModelError, is_number
 from ...components.language import Variable
 from ..dae import DAE
 from .blame import GUARD, told_without_value
 from .bound_dae import BoundDAE
 
-Array = NDArray[np.float64]
 SOLVED = "solved from fixed values of other variables"
 RELATED = "from the start values of the motions it relates"
 KEPT = "guess kept"

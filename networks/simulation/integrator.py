@@ -8,16 +8,14 @@ from typing import TYPE_CHECKING, Any
 
 import casadi as ca
 import numpy as np
-from numpy.typing import NDArray
 
-from ...base import ModelError, foreign
+from ...base import Array, ModelError, foreign
 from ..evaluation.compiled import Compiled
 from .tolerance import Tolerance
 
 if TYPE_CHECKING:
     from .bound_dae import BoundDAE
 
-Array = NDArray[np.float64]
 SOLVERS = ("auto", "cvodes", "idas", "rosenbrock", "compiled")
 
 

@@ -10,11 +10,10 @@ from typing import Any
 
 import casadi as ca
 import numpy as np
-from numpy.typing import NDArray
 
-Array = NDArray[np.float64]
+from ...base import Array, Flags
+
 Bounds = tuple[Array, Array]
-Flags = NDArray[np.bool_]
 
 _RISING: dict[int, Callable[[Any], Any]] = {
     ca.OP_EXP: np.exp,

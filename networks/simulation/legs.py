@@ -10,12 +10,9 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 
 import numpy as np
-from numpy.typing import NDArray
 
+from ...base import Array, Flags
 from .time_signals import TimeSignals
-
-Array = NDArray[np.float64]
-Flags = NDArray[np.bool_]
 
 EIGHTHS = np.arange(9) / 8
 FIRST_BLOCKS = 16

@@ -6,14 +6,12 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 import numpy as np
-from numpy.typing import NDArray
 
+from ...base import Array
 from .events.constants import NEWTON_CLOSE, NEWTON_ROUNDS
 
 if TYPE_CHECKING:
     from .bound_dae import BoundDAE
-
-Array = NDArray[np.float64]
 
 
 @dataclass(eq=False)

@@ -6,8 +6,8 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
 import numpy as np
-from numpy.typing import NDArray
 
+from ...base import Array
 from .integrator import nominal_sizes
 from .run import FINEST
 from .tolerance import Tolerance
@@ -15,7 +15,6 @@ from .tolerance import Tolerance
 if TYPE_CHECKING:
     from ..dae import DAE
 
-Array = NDArray[np.float64]
 LOST = 3e-4  # share of a motion that the tolerance of one step may be ...
 TIMES = 10.0  # ... or so many times the relative tolerance, if that is more
 ROUNDING = 1e3 * np.finfo(float).eps

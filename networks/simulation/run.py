@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ...base import (
+    Array,
     Interrupted,
     ModelError,
     SimulationError,
@@ -25,7 +26,7 @@ from .blame import GUARD, told_without_value
 from .bound_dae import BoundDAE
 from .events.switcher import Event, Switcher, pushed
 from .initialization import StartReport
-from .integrator import SOLVERS, Array, IntegratorError, Stepper, Stretch
+from .integrator import SOLVERS, IntegratorError, Stepper, Stretch
 from .legs import Leg
 from .point import Point, solve_algebraic
 from .tolerance import Tolerance

@@ -8,15 +8,13 @@ import casadi as ca
 import numpy as np
 from numpy.typing import NDArray
 
-from ...base import ModelError, nearest
+from ...base import Array, ModelError, nearest
 
 if TYPE_CHECKING:
     from .bound_dae import BoundDAE
     from .initialization import StartValues
     from .integrator import Stepper
     from .point import Point
-
-Array = NDArray[np.float64]
 
 
 class Sensitivities:

@@ -11,6 +11,7 @@ from typing import Any, Never
 import numpy as np
 
 from ...base import (
+    Array,
     Interrupted,
     ModelError,
     RunInterruptedError,
@@ -30,7 +31,7 @@ from .coverage import check_covered, data_notes
 from .dense_output import DenseOutput
 from .events.hybrid import MOST_STEPS, NODES, run_hybrid
 from .initialization import StartValues, start_values
-from .integrator import Array, IntegratorError
+from .integrator import IntegratorError
 from .progress import Progress
 from .resolution import resolution_notes
 from .run import Run, Settings, failure, interruption, limiting_state

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import numpy as np
 
-from ...base import SimulationError
-from .integrator import Array, Stepper
+from ...base import Array, SimulationError
+from .integrator import Stepper
 from .point import Point
 from .progress import Progress
 from .run import Run, enter_next_leg, integrate, record_here

@@ -7,11 +7,10 @@ from typing import Any
 
 import casadi as ca
 import numpy as np
-from numpy.typing import NDArray
 
+from ...base import Array
 from ...components.language import Sampled
 
-Array = NDArray[np.float64]
 KEPT = 64
 SMOOTHNESS = {"cubic": 3, "linear": 0}
 """The order of the last derivative that a signal has, by its interpolation."""

@@ -9,13 +9,14 @@ from typing import Any
 import casadi as ca
 import numpy as np
 
+from ...base import Array
 from ..dae import DAE
 from ..flattening.vectors import column
 from .bound_dae import bound
 from .consistent_start import begun
 from .coverage import check_covered
 from .initialization import StartValues, guessed, leading, start_values
-from .integrator import Array, nominal_sizes
+from .integrator import nominal_sizes
 
 MOST = 400
 

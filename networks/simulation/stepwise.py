@@ -11,6 +11,7 @@ from typing import Any
 import numpy as np
 
 from ...base import (
+    Array,
     Interrupted,
     ModelError,
     RunInterruptedError,
@@ -35,7 +36,7 @@ from .coverage import check_covered
 from .events.hybrid import MOST_STEPS, NODES, run_hybrid
 from .events.switcher import Event, Switcher
 from .initialization import start_values
-from .integrator import Array, IntegratorError
+from .integrator import IntegratorError
 from .point import Point, solve_algebraic
 from .progress import Progress
 from .run import Settings, failure, interruption, shock

@@ -8,19 +8,18 @@ from typing import TYPE_CHECKING, Any
 
 import casadi as ca
 import numpy as np
-from numpy.typing import NDArray
 
+from ...base import Array, Flags
 from ...components.language import Sampled
 from ..evaluation.batch import Batch
 from ..flattening.vectors import column, pick, stacked
-from .intervals import Bounds, Enclosure, Flags
+from .intervals import Bounds, Enclosure
 from .splines import sampled_at
 
 if TYPE_CHECKING:
     from ..dae import DAE
     from .bound_dae import BoundDAE
 
-Array = NDArray[np.float64]
 STATES, CONSTANT, TIMED = range(3)
 DRAWN = 8193
 

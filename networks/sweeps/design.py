@@ -9,12 +9,21 @@ from itertools import product
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
-from ...base import MissingPackageError, ModelError, boolean, demand, is_number, listed, named, shown, whole
+from ...base import (
+    Array,
+    MissingPackageError,
+    ModelError,
+    boolean,
+    demand,
+    is_number,
+    listed,
+    named,
+    shown,
+    whole,
+)
 
 Ranges = Mapping[str, Any]
-Array = NDArray[np.float64]
 MOST_POINTS = 50_000_000
 
 

@@ -9,10 +9,9 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from ...base import ModelError, between, demand, finite, numbers, shown, text
+from ...base import Array, ModelError, between, demand, finite, numbers, shown, text
 from ..analysis import StateSpace
 
-Array = NDArray[np.float64]
 GIVEN = 1e-14
 COMPUTED = 1e-11
 LARGEST = 1e30

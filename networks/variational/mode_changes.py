@@ -7,13 +7,12 @@ from dataclasses import dataclass
 from itertools import pairwise
 
 import numpy as np
-from numpy.typing import NDArray
 
+from ...base import Array
 from ..dae import DAE
 from ..results.result import Result
 from ..simulation.events.switcher import Event
 
-Array = NDArray[np.float64]
 Instant = tuple[Array, Array, Array, float]
 
 

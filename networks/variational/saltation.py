@@ -8,8 +8,8 @@ from weakref import WeakKeyDictionary
 
 import casadi as ca
 import numpy as np
-from numpy.typing import NDArray
 
+from ...base import Array
 from ..evaluation.jacobians import Points, Slopes
 from ..flattening.vectors import pick
 from .mode_changes import Passage
@@ -18,7 +18,6 @@ if TYPE_CHECKING:
     from ..dae import DAE
     from ..simulation.bound_dae import BoundDAE
 
-Array = NDArray[np.float64]
 GRAZING = 1e-9
 
 

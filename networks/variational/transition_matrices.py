@@ -7,11 +7,10 @@ from math import isqrt
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from ...base import Array
 from ..evaluation.jacobians import Points, Slopes
 
-Array = NDArray[np.float64]
 MOST_PARTS = 32
 UNEVEN = 0.01
 

@@ -10,7 +10,7 @@ import casadi as ca
 import numpy as np
 from numpy.typing import NDArray
 
-from ...base import ModelError, demand, finite, instance, listed, named, nearest, numbers, shown
+from ...base import Array, ModelError, demand, finite, instance, listed, named, nearest, numbers, shown
 from ..dae import DAE
 from ..evaluation.batch import Batch
 from ..evaluation.compiled import dense
@@ -23,8 +23,6 @@ from ..simulation.sensitivity import start_slopes
 from .mode_changes import passages
 from .saltation import Crossings
 from .transition_matrices import Steps, steps_along
-
-Array = NDArray[np.float64]
 
 
 class Variations:

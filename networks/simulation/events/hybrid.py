@@ -6,8 +6,8 @@ from collections import deque
 
 import numpy as np
 
-from ....base import SimulationError
-from ..integrator import Array, IntegratorError, Stepper, Stretch
+from ....base import Array, SimulationError
+from ..integrator import IntegratorError, Stepper, Stretch
 from ..point import Point
 from ..progress import Progress
 from ..run import Run, attempt, enter_next_leg, integrate, record_here

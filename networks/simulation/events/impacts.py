@@ -5,13 +5,10 @@ from __future__ import annotations
 from dataclasses import replace
 
 import numpy as np
-from numpy.typing import NDArray
 
-from ....base import SimulationError
+from ....base import Array, SimulationError
 from ...reduction.transitions import Change, Switching
 from .constants import IMPACT_RANK
-
-Array = NDArray[np.float64]
 
 
 def partners(switching: Switching, modes: Array, shocks: list[Change]) -> list[Change]:

@@ -8,6 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from ....base import Array
 from ..bound_dae import BoundDAE
 from ..point import Point
 from .constants import (
@@ -18,8 +19,6 @@ from .constants import (
     SAME_INSTANT,
 )
 from .root_finding import Crossing
-
-Array = NDArray[np.float64]
 
 
 @dataclass(eq=False)

@@ -5,9 +5,9 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
+from ....base import Array
 from .constants import CUBIC_BISECTIONS, CUBIC_CREST
 
-Array = NDArray[np.float64]
 Crossing = tuple[int, int, float]
 LOST = 0.05
 

@@ -14,9 +14,8 @@ from typing import TYPE_CHECKING
 
 import casadi as ca
 import numpy as np
-from numpy.typing import NDArray
 
-from ....base import SimulationError
+from ....base import Array, SimulationError
 from ...evaluation.compiled import Compiled, dense
 from ...flattening.vectors import pick
 from ...reduction.jumps import Jumps
@@ -36,8 +35,6 @@ from .constants import (
 
 if TYPE_CHECKING:
     from ..bound_dae import BoundDAE
-
-Array = NDArray[np.float64]
 
 
 class Shocks:

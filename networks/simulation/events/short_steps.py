@@ -3,13 +3,11 @@
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import NDArray
 
+from ....base import Array
 from ..point import Point, solve_algebraic
 from ..tolerance import Tolerance
 from .indicators import Indicators
-
-Array = NDArray[np.float64]
 
 
 def hopped(

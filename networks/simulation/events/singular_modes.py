@@ -6,14 +6,11 @@ from dataclasses import dataclass, field
 from functools import lru_cache
 
 import numpy as np
-from numpy.typing import NDArray
 
-from ....base import SimulationError
+from ....base import Array, SimulationError
 from ..bound_dae import BoundDAE
 from ..point import Point
 from .constants import BLOCK_LOOSE, BLOCK_REGULAR, BLOCK_WEAK
-
-Array = NDArray[np.float64]
 
 
 @dataclass(eq=False)

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from ..integrator import Array
+from ....base import Array
 from ..run import Run, record_here
 
 LEAST, FINE, FIRST, MOST = -30, -3, 4, 6

@@ -6,9 +6,8 @@ from copy import copy
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
-from ....base import SimulationError
+from ....base import Array, SimulationError
 from ...reduction.jumps import Jumps
 from ...reduction.transitions import Change
 from ..bound_dae import BoundDAE
@@ -28,7 +27,6 @@ from .impacts import partners, solve_impact
 from .indicators import Indicators
 from .singular_modes import Completion
 
-Array = NDArray[np.float64]
 JUMP = "jump"
 
 
