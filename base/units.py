@@ -152,13 +152,13 @@ def _readings(text: str) -> tuple[Unit, ...]:
 
 
 def _product(text: str, powers: dict[str, int], known: dict[str, Size]) -> Unit:
-    factor, total = 1.0, dict.fromkeys(BASES, 0)
+    factor, total = 1.0, dict[str, int].fromkeys(BASES, 0)
     for symbol, power in powers.items():
         size, dimensions = _size(text, symbol, known)
         factor = factor * size**power if power > 0 else factor / size**-power
         for base, exponent in dimensions.items():
             total[base] += power * exponent
-    offset = OFFSETS.get(symbol, 0.0) if powers == {symbol: 1} else 0.0
+    offset = OFFSETS.get(next(iter(powers)), 0.0) if list(powers.values()) == [1] else 0.0
     return Unit(text, tuple(total.values()), factor, offset)
 
 
