@@ -7,7 +7,7 @@ from dataclasses import dataclass, field
 from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
-from ..base import ModelError, UnknownNameError, nearest, rate_unit, shown, text
+from ..base import ModelError, UnknownNameError, nearest, number, rate_unit, shown, text
 from ..components.language import Component, Parameter, Variable
 from .flattening.vectors import stacked
 
@@ -83,7 +83,13 @@ class DAE:
         return [self.name_of(v) for v in self.states]
 
     def name_of(self, variable: int) -> str:
-        """Return the best name of a joined variable."""
+        """Return the best name of a joined variable, given by its number.
+
+        Raises:
+            UnknownNameError: for a number of none.
+        """
+        if number(variable) or variable not in range(self.variables.numel()):
+            raise UnknownNameError(f"'{self.name}' has no variable of number {shown(variable)}")
         return self.declared.name(variable, self.derivative)
 
     @property

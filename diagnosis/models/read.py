@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from pathlib import Path
 
+from ...base import boolean, demand, instance
 from ...identification import Machine, fmu_and_kind, read_network
 from ...networks import Network
 from .fmu_model import read_fmu
@@ -26,6 +27,13 @@ def read_model(
     Raises:
         ModelError: telling what is wrong.
     """
+    demand(
+        "read_model()",
+        model=(model, instance(Network, str)),
+        port=(port, instance(Mapping)),
+        base=(base, instance(Path)),
+        validate=(validate, boolean),
+    )
     foreign = fmu_and_kind(model)
     if foreign:
         box = read_fmu(base / foreign[0], foreign[1], port, validate)

@@ -10,7 +10,7 @@ from pathlib import Path
 from string import Template
 from typing import Any
 
-from ...base import check_output, rate_unit, write_text
+from ...base import check_output, demand, instance, rate_unit, write_text
 from ...networks import pretty_unit
 from ..verdict.localisation import moved
 from ..verdict.verdict import Verdict
@@ -23,7 +23,17 @@ PAGES = (".html", ".htm")
 
 
 def write_report(verdict: Verdict, path: str | Path) -> Path:
-    """Write the report of a verdict and return its path."""
+    """Write the report of a verdict, one HTML file that needs nothing else, and return its path.
+
+    Args:
+        verdict: of `diagnose`.
+        path: of the file, .html or .htm.
+
+    Raises:
+        ModelError: for what is no verdict or no page.
+        OutputError: if the file cannot be written.
+    """
+    demand("write_report()", verdict=(verdict, instance(Verdict)))
     from plotly.offline import get_plotlyjs
 
     check_output(path, PAGES)

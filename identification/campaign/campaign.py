@@ -12,7 +12,7 @@ from typing import Any, Self
 
 import numpy as np
 
-from ...base import instance, path_of, shown, text_of, there_is_file, unit_for
+from ...base import demand, function, instance, path_of, shown, text_of, there_is_file, unit_for
 from ...components import ModelError
 from ...networks import DAE, Network
 from ..records.channel import Channel, outputs_of
@@ -105,6 +105,7 @@ class Campaign:
     notes: list[str] = field(init=False, repr=False)
 
     def __post_init__(self) -> None:
+        demand("Campaign", reader=(self.reader, function))
         self.source = str(self.source)
         problems = Problems(self.source)
         entries = {key: getattr(self, key) for key in KINDS}
@@ -115,7 +116,7 @@ class Campaign:
         problems.stop()
         self.base = Path(self.base)
         with problems.of("model"):
-            self.network, self.machine = self.reader(self.model, self.port, self.base, self.validate)
+            self.network, self.machine = self._read()
         problems.stop()
         self.measured = read_channels(self.channels, self.machine, problems)
         self.priors = read_priors(self.parameters, self.machine, problems)
@@ -153,6 +154,13 @@ class Campaign:
                 f"{self.source}: the model cannot be sent to other processes ({error}); give it as "
                 "model = 'path/to/file.py:function'"
             ) from error
+
+    def _read(self) -> tuple[Network, Machine]:
+        try:
+            return self.reader(self.model, self.port, self.base, self.validate)
+        except TypeError as error:
+            told = f"{type(error).__name__}: {error}"
+            raise ModelError(f"the reader {shown(self.reader)} cannot read it ({told})") from error
 
     @classmethod
     def load(cls, path: str | Path, *, validate: bool = True, reader: Reader = read_network) -> Self:

@@ -7,7 +7,6 @@ itself; its arguments need a good value in `GOOD`, by their names.
 
 from __future__ import annotations
 
-import ast
 import dataclasses
 import inspect
 import math
@@ -158,7 +157,7 @@ GOOD: dict[str, Callable[[], Any]] = {
     "tau": lambda: 0.1, "inertia": lambda: 1.0, "w": lambda: 1.0, "layout": lambda: "S1",
     "road_class": lambda: "C", "speed": lambda: 20.0, "duration": lambda: 10.0, "height": lambda: 0.1,
     "length": lambda: 1.0, "low": lambda: 0.5, "high": lambda: 2.0, "input_psd": lambda: 1.0,
-    "count": lambda: 4, "step": lambda: 0.01,
+    "count": lambda: 4, "step": lambda: 0.01, "read_model.port": dict, "read_model.base": Path,
     "values": lambda: {"spring.k": [1.0, 2.0]}, "ranges": lambda: {"spring.k": (1.0, 2.0)},
     "rate": lambda: 50.0,
     "measure": lambda: lambda dae, *, parameters: parameters.get("spring.k", 1.0),
@@ -234,23 +233,16 @@ OTHERS = {
     # made by the library alone, or without methods that take anything
     "CheckReport", "Connection", "CoupledRun", "Event", "Experiment", "FMUBlock", "Finding", "Fit", "Floor",
     "ForeignEvent", "ForeignRun", "Mode", "OperatingPoint", "PositiveReal", "Prediction", "Shock", "Split",
-    "Sweep", "SystemRun", "SystemStructure", "Tuned", "Verdict", "Channel", "Varied",
+    "Sweep", "SystemRun", "SystemStructure", "Tuned", "Verdict", "Channel", "Varied", "write_report",
     # what a declaration of a component takes is tried where components are
     "RealInput", "RealOutput", "RotationalFlange", "TranslationalFlange", "der", "impulse", "mode", "option",
     "parameter", "variable",
 }  # fmt: skip
 
 
-def face() -> set[str]:
-    """Return the names that the package shows: those it imports under their own name."""
-    tree = ast.parse(Path(ia.__file__).read_text(encoding="utf-8"))
-    imported = (alias for node in ast.walk(tree) if isinstance(node, ast.ImportFrom) for alias in node.names)
-    return {alias.name for alias in imported if alias.asname == alias.name}
-
-
 def public() -> Iterator[tuple[str, Callable[..., Any]]]:
     """Yield every public function, constructor and method with its name."""
-    for name in sorted(face()):
+    for name in dir(ia):
         found = getattr(ia, name)
         if name in OTHERS or inspect.ismodule(found) or not callable(found):
             continue
@@ -260,7 +252,10 @@ def public() -> Iterator[tuple[str, Callable[..., Any]]]:
         elif found in CONSTRUCTED:
             yield name, found
         if inspect.isclass(found) and found in INSTANCES:
+            fields = getattr(found, "__dataclass_fields__", ())
             for method, function in inspect.getmembers(found):
+                if method in fields:
+                    continue
                 taken = not method.startswith("_") or method in ("__call__", "__getitem__", "__contains__")
                 if taken and (inspect.isfunction(function) or inspect.ismethod(function)):
                     yield f"{name}.{method}", function
@@ -391,7 +386,7 @@ def test_a_bad_argument_is_refused(
 def elements() -> Iterator[tuple[str, type[ia.Component], Field]]:
     """Yield every parameter, option, input and start value of every component."""
     for room in (ia, ia.rotational, ia.signals):
-        for name in sorted(vars(room) if room is not ia else face()):
+        for name in dir(room):
             kind = getattr(room, name)
             if not (inspect.isclass(kind) and issubclass(kind, ia.Component)):
                 continue

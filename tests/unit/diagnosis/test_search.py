@@ -86,7 +86,7 @@ def test_missing_friction_is_named_and_corrected(cart: Any, tmp_path: Path) -> N
     assert found.closed > 0.95
     assert found.confidence[0] > 0.9
     assert any("screening" in line for line in told)
-    scope = {"net": cart.rig(), **vars(ia)}
+    scope = {"net": cart.rig(), **{name: getattr(ia, name) for name in dir(ia)}}
     exec("\n".join(found.lines), scope)
     push = {"push.f": lambda t: 5 * np.sin(9 * t)}
     same = scope["net"].simulate(1.0, inputs=push)
