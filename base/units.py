@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 
 from .errors import ModelError, nearest
 
-BASES = ("kg", "m", "s", "A", "K", "mol", "cd", "rad")
+BASES: tuple[str, ...] = ("kg", "m", "s", "A", "K", "mol", "cd", "rad")
 ANGLE = BASES.index("rad")
 G, INCH = 9.80665, 0.0254
 POUND = 0.45359237 * G
@@ -152,7 +152,7 @@ def _readings(text: str) -> tuple[Unit, ...]:
 
 
 def _product(text: str, powers: dict[str, int], known: dict[str, Size]) -> Unit:
-    factor, total = 1.0, dict[str, int].fromkeys(BASES, 0)
+    factor, total = 1.0, dict.fromkeys(BASES, 0)
     for symbol, power in powers.items():
         size, dimensions = _size(text, symbol, known)
         factor = factor * size**power if power > 0 else factor / size**-power
