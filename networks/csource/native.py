@@ -30,6 +30,7 @@ from numpy.typing import NDArray
 from ...base import ModelError, SimulationError, heed
 from ...components.language import Sampled
 from ..dae import DAE
+from ..flattening.flat import Flat
 from ..results.result import Segment
 from ..simulation.bound_dae import BoundDAE
 from ..simulation.events.constants import FIRING_ROUNDS
@@ -53,7 +54,7 @@ MOST_BETWEEN = 1_000_000  # steps from one output to the next
 UNEVEN = 20  # times its share of `max_steps` that an interval between outputs may take
 FIRST, PATIENCE = 256, 0.05  # steps and seconds [s] until the C program looks up from its work
 DOUBLES, INTEGERS = POINTER(c_double), POINTER(c_longlong)
-_LIBRARIES: WeakKeyDictionary[DAE, dict[Given, Any]] = WeakKeyDictionary()
+_LIBRARIES: WeakKeyDictionary[Flat, dict[Given, Any]] = WeakKeyDictionary()
 
 
 class _Run(Structure):
@@ -259,11 +260,11 @@ def _table(signal: Any, order: int) -> tuple[NDArray[np.float64], NDArray[np.flo
 
 def _library(dae: DAE, functions: dict[str, Any]) -> Any:
     """Return the compiled program of a network with some inputs built in, made once."""
-    known = _LIBRARIES.setdefault(dae, {})
+    known = _LIBRARIES.setdefault(dae.flat, {})
     key = Given(functions)
     if key not in known:
         folder = Path(mkdtemp(prefix="inertance-"))
-        finalize(dae, rmtree, folder, ignore_errors=True)
+        finalize(dae.flat, rmtree, folder, ignore_errors=True)
         model = Model(dae, functions, (), (), products=False)
         files = model.texts() | sources((*SOURCES, "records.c", "native.c"))
         for name, text in files.items():
