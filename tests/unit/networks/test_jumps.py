@@ -196,7 +196,7 @@ SOURCES: dict[str, Any] = {
         lambda d: signals.TimeTable(
             table=(
                 (0.2, 0),
-                *((t, np.sin(2 * np.pi * (t - 0.2) + 1)) for t in 0.2 + d + np.arange(1001) / 2500),
+                *((t, np.sin(2 * np.pi * (t - 0.2) + 1)) for t in 0.2 + d + np.arange(301) / 750),
             )
         ),
     ),
