@@ -56,8 +56,8 @@ from .csource import corners_as_modes as corners_as_modes
 from .csource import is_corner as is_corner
 from .dae import DAE as DAE
 from .dae import Input as Input
-from .dae import dae_of as dae_of
-from .dae import element_of as element_of
+from .given import dae_of as dae_of
+from .given import element_of as element_of
 from .given import network_of as network_of
 from .machines import TMD as TMD
 from .machines import TMDI as TMDI
@@ -107,8 +107,8 @@ from .simulation.coverage import jump_remedy as jump_remedy
 from .simulation.events.switcher import Event as Event
 from .simulation.integrator import SOLVERS as SOLVERS
 from .simulation.polynomial import Polynomial as Polynomial
-from .simulation.run import COARSEST as COARSEST
-from .simulation.run import FINEST as FINEST
+from .simulation.settings import COARSEST as COARSEST
+from .simulation.settings import FINEST as FINEST
 from .simulation.simulate import simulate as simulate
 from .simulation.solver_choice import chosen_solver as chosen_solver
 from .simulation.splines import piecewise as piecewise

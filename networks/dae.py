@@ -7,8 +7,8 @@ from dataclasses import dataclass, field
 from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
-from ..base import ModelError, UnknownNameError, nearest, number, rate_unit, shown, text
-from ..components.language import Component, Parameter, Variable
+from ..base import UnknownNameError, nearest, number, rate_unit, shown, text
+from ..components.language import Parameter, Variable
 from .flattening.vectors import stacked
 
 if TYPE_CHECKING:
@@ -196,36 +196,3 @@ class DAE:
     def constants(self) -> Any:
         """All that is constant within a segment: p, modes, impulses, completion."""
         return stacked(self.p, self.modes, self.impulses, self.completion)
-
-
-def dae_of(given: Component | DAE | Any) -> DAE:
-    """Return the equations of a network, or the equations that were given.
-
-    Raises:
-        ModelError: for anything else.
-    """
-    if isinstance(given, DAE):
-        return given
-    if isinstance(given, Component) and hasattr(given, "dae"):
-        return given.dae()  # type: ignore[no-any-return]
-    raise ModelError(f"a Network (or the DAE of one) is needed, got {shown(given)}{remedy_for(given)}")
-
-
-def element_of(given: Component | Any) -> Component:
-    """Return a component that was given, which may be a network.
-
-    Raises:
-        ModelError: for anything else.
-    """
-    if isinstance(given, Component):
-        return given
-    raise ModelError(f"a component is needed, got {shown(given)}{remedy_for(given)}")
-
-
-def remedy_for(given: Any) -> str:
-    """Return what to do with something that is no network."""
-    if isinstance(given, Component):
-        return "; put it into a Network and connect it"
-    if isinstance(given, type) and issubclass(given, Component):
-        return f"; give one, {given.__name__}(...), and not its class"
-    return "; call the function that makes it" if callable(given) else ""

@@ -10,7 +10,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ...base import Array, ModelError, SimulationError, between, demand, named, numbers, shown, whole
-from ..dae import DAE, dae_of
+from ..dae import DAE
+from ..given import dae_of
 from ..network import Network
 from .balance import Balance
 from .orbits import Orbit

@@ -12,7 +12,8 @@ import casadi as ca
 import numpy as np
 
 from ...base import Array, ModelError, listed, named, nearest
-from ..dae import DAE, dae_of
+from ..dae import DAE
+from ..given import dae_of
 from ..network import Network
 from ..results.result import Result
 from .operating import OperatingPoint, operating_point

@@ -10,7 +10,8 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from ...base import Complex, ModelError, demand, finite, shown, whole
-from ..dae import DAE, dae_of
+from ..dae import DAE
+from ..given import dae_of
 from ..network import Network
 
 if TYPE_CHECKING:

@@ -11,7 +11,8 @@ import numpy as np
 
 from ...base import Array, ModelError, between, demand, finite, named, text, whole
 from ...base.keywords import check_keywords
-from ..dae import DAE, dae_of
+from ..dae import DAE
+from ..given import dae_of
 from ..network import Network
 from ..results.result import Result
 from ..simulation.bound_dae import BoundDAE, bound

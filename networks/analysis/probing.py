@@ -8,7 +8,7 @@ from typing import Any
 from ...base import ModelError, nearest, shown
 from ...components import FAMILIES, Component, Domain
 from ...components.language import Port, PortRef, RealInput
-from ..dae import element_of
+from ..given import element_of
 from ..network import Network
 from .linearise import linearise
 from .statespace import StateSpace

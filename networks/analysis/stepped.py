@@ -25,8 +25,7 @@ from ...base import (
 from ...base.keywords import check_keywords
 from ...components import FAMILIES, Component, Domain, signals
 from ...components.language import PortRef
-from ..dae import element_of
-from ..given import network_of
+from ..given import element_of, network_of
 from ..network import Network
 from ..results.result import Result
 from ..simulation.simulate import simulate

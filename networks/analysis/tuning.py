@@ -10,7 +10,8 @@ import numpy as np
 
 from ...base import Array, ModelError, at_least, between, demand, function, named, shown, whole
 from ...base.keywords import check_keywords
-from ..dae import DAE, dae_of
+from ..dae import DAE
+from ..given import dae_of
 from ..network import Network
 from .descent import INSIDE, Bounds, Problem, check_names
 from .measuring import BAD, Measure, of_design

@@ -9,7 +9,7 @@ import numpy as np
 
 from ...base import above, between, demand, finite, number, numbers, shown, whole
 from ...components import Component, Fixed, Force, Mass, ModelError, Position, Spring, SpringDamper
-from ..dae import element_of
+from ..given import element_of
 from ..network import Network
 
 

@@ -17,7 +17,7 @@ from ...components import (
     parameter,
     variable,
 )
-from ..dae import element_of
+from ..given import element_of
 from ..network import Network
 
 

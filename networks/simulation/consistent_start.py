@@ -13,7 +13,8 @@ from .events.constants import JUST_BEFORE
 from .events.switcher import Event, Switcher
 from .initialization import StartValues, initial_values
 from .point import Point, solve_algebraic
-from .run import Run, Settings
+from .run import Run
+from .settings import Settings
 from .tolerance import ATOL, RTOL
 
 

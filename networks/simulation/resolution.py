@@ -9,7 +9,7 @@ import numpy as np
 
 from ...base import Array
 from .integrator import nominal_sizes
-from .run import FINEST
+from .settings import FINEST
 from .tolerance import Tolerance
 
 if TYPE_CHECKING:

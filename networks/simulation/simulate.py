@@ -23,7 +23,8 @@ from ...base import (
 )
 from ...base.keywords import check_keywords
 from ...components.language import Component
-from ..dae import DAE, dae_of
+from ..dae import DAE
+from ..given import dae_of
 from ..results.result import Result
 from .bound_dae import bound
 from .consistent_start import started
@@ -34,8 +35,9 @@ from .initialization import StartValues, start_values
 from .integrator import IntegratorError
 from .progress import Progress
 from .resolution import resolution_notes
-from .run import Run, Settings, failure, interruption, limiting_state
+from .run import Run, failure, interruption, limiting_state
 from .sensitivity import Sensitivities
+from .settings import Settings
 from .smooth import run_smooth, smooth_stepper
 from .tolerance import ATOL, RTOL
 

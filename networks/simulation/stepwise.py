@@ -39,7 +39,8 @@ from .initialization import start_values
 from .integrator import IntegratorError
 from .point import Point, solve_algebraic
 from .progress import Progress
-from .run import Settings, failure, interruption, shock
+from .run import failure, interruption, shock
+from .settings import Settings
 from .simulate import collected
 from .smooth import MOST_STEPS as SMOOTH_STEPS
 from .smooth import run_smooth
