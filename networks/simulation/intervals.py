@@ -14,26 +14,9 @@ import numpy as np
 from ...base import Array, Flags
 
 Bounds = tuple[Array, Array]
-
-_RISING: dict[int, Callable[[Any], Any]] = {
-    ca.OP_EXP: np.exp,
-    ca.OP_LOG: np.log,
-    ca.OP_SQRT: np.sqrt,
-    ca.OP_ATAN: np.arctan,
-    ca.OP_SINH: np.sinh,
-    ca.OP_TANH: np.tanh,
-    ca.OP_ASINH: np.arcsinh,
-    ca.OP_ASIN: np.arcsin,
-    ca.OP_ACOSH: np.arccosh,
-    ca.OP_ATANH: np.arctanh,
-    ca.OP_LOG1P: np.log1p,
-    ca.OP_EXPM1: np.expm1,
-    ca.OP_TWICE: lambda x: 2 * x,
-    ca.OP_ASSIGN: lambda x: x,
-    ca.OP_LIFT: lambda x: x,
-}
-_STEPS = {ca.OP_FLOOR: np.floor, ca.OP_CEIL: np.ceil, ca.OP_SIGN: np.sign}
-_LIMITS = {ca.OP_ERF: (-1.0, 1.0), ca.OP_ACOS: (0.0, np.pi)}
+Truth = tuple[Flags, Flags]  # where something is certainly true, and where certainly false
+Enclosed = tuple[Array, Array, Any]  # bounds, and where the result may go either way
+Rule = Callable[..., Enclosed]
 
 
 class Enclosure:
@@ -51,15 +34,7 @@ class Enclosure:
 
     def __init__(self, function: Any) -> None:
         self.rows = function.numel_out(0)
-        self._steps = [
-            (
-                function.instruction_id(k),
-                function.instruction_output(k),
-                function.instruction_input(k),
-                function.instruction_constant(k) if function.instruction_id(k) == ca.OP_CONST else 0.0,
-            )
-            for k in range(function.n_instructions())
-        ]
+        self._instructions = instructions(function)
         self._places = function.sparsity_out(0).row()
 
     def __call__(self, *columns: list[Bounds]) -> tuple[Array, Array, Flags]:
@@ -69,137 +44,132 @@ class Enclosure:
             columns: bounds of every entry of every argument, (boxes,) each.
         """
         count = next(len(low) for column in columns for low, _ in column)
-        lows, highs = np.zeros((count, self.rows)), np.zeros((count, self.rows))
+        lows, highs = np.zeros((2, count, self.rows))
         undecided = np.zeros(count, dtype=bool)
         work: dict[int, Bounds] = {}
         with np.errstate(all="ignore"):
-            for operation, into, of, number in self._steps:
+            for operation, into, of, constant in self._instructions:
                 if operation == ca.OP_OUTPUT:
                     row = self._places[into[1]]
                     lows[:, row], highs[:, row] = work[of[0]]
                 elif operation == ca.OP_INPUT:
                     work[into[0]] = columns[of[0]][of[1]]
                 elif operation == ca.OP_CONST:
-                    constant = np.full(count, number)
-                    work[into[0]] = constant, constant
+                    work[into[0]] = (np.full(count, constant),) * 2
                 else:
-                    low, high, unsure = _bounds(operation, *(work[place] for place in of))
-                    work[into[0]] = _whole_where_nan(low, high)
+                    low, high, unsure = _RULES.get(operation, _UNKNOWN)(*(work[place] for place in of))
+                    unknown = ~((low < np.inf) & (high > -np.inf))  # NaN, too
+                    work[into[0]] = np.where(unknown, -np.inf, low), np.where(unknown, np.inf, high)
                     undecided |= unsure
         return lows, highs, undecided
 
 
-def _whole_where_nan(low: Array, high: Array) -> Bounds:
-    unknown = ~((low < np.inf) & (high > -np.inf))
-    return np.where(unknown, -np.inf, low), np.where(unknown, np.inf, high)
+def instructions(function: Any) -> list[tuple[int, list[int], list[int], float]]:
+    """Return the operations of an SX function: which, into and out of which places, and its constant."""
+    found = []
+    for k in range(function.n_instructions()):
+        operation = function.instruction_id(k)
+        constant = function.instruction_constant(k) if operation == ca.OP_CONST else 0.0
+        found.append((operation, function.instruction_output(k), function.instruction_input(k), constant))
+    return found
 
 
-def _bounds(operation: int, a: Bounds, b: Bounds | None = None) -> tuple[Array, Array, Any]:
-    """Return the bounds of an operation, and where it may go either way."""
-    if operation in _RISING:
-        return _RISING[operation](a[0]), _RISING[operation](a[1]), False
-    if operation in _STEPS:
-        low, high = _STEPS[operation](a[0]), _STEPS[operation](a[1])
-        return low, high, low != high
-    if operation in _UNARY:
-        return _UNARY[operation](*a)
-    if b is not None and operation in _BINARY:
-        return _BINARY[operation](a, b)
-    least, most = _LIMITS.get(operation, (-np.inf, np.inf))
-    return np.full_like(a[0], least), np.full_like(a[0], most), False
+def _within(low: float, high: float) -> Rule:
+    """Return bounds that hold whatever the operands are."""
+    return lambda a, *_: (np.full_like(a[0], low), np.full_like(a[0], high), False)
 
 
-def _even(function: Callable[[Any], Any]) -> Callable[[Array, Array], tuple[Array, Array, Any]]:
+def _rising(function: Callable[[Any], Any]) -> Rule:
+    return lambda a: (function(a[0]), function(a[1]), False)
+
+
+def _stepped(function: Callable[[Any], Any]) -> Rule:
+    """Return bounds of a function that rises in steps."""
+    return lambda a: (function(a[0]), function(a[1]), function(a[0]) != function(a[1]))
+
+
+def _even(function: Callable[[Any], Any]) -> Rule:
     """Return bounds of an even function that rises with the size of its argument."""
-
-    def bounds(low: Array, high: Array) -> tuple[Array, Array, Any]:
-        least = np.where((low <= 0) & (high >= 0), 0.0, np.minimum(np.abs(low), np.abs(high)))
-        return function(least), function(np.maximum(np.abs(low), np.abs(high))), False
-
-    return bounds
+    return lambda a: (*map(function, _size(a)), False)
 
 
-def _wave(function: Callable[[Any], Any], shift: float) -> Callable[[Array, Array], tuple[Array, Array, Any]]:
+def _size(a: Bounds) -> Bounds:
+    ends = np.abs(a)
+    return np.where((a[0] <= 0) & (a[1] >= 0), 0.0, ends.min(axis=0)), ends.max(axis=0)
+
+
+def _wave(function: Callable[[Any], Any], shift: float) -> Rule:
     """Return bounds of a function that is sin(x + shift)."""
 
-    def bounds(low: Array, high: Array) -> tuple[Array, Array, Any]:
-        first, last = low + shift, high + shift
-        ends = function(low), function(high)
-        crest = np.floor((last - np.pi / 2) / (2 * np.pi)) > np.floor((first - np.pi / 2) / (2 * np.pi))
-        trough = np.floor((last + np.pi / 2) / (2 * np.pi)) > np.floor((first + np.pi / 2) / (2 * np.pi))
+    def rule(a: Bounds) -> Enclosed:
+        ends = function(a[0]), function(a[1])
+        crest, trough = (
+            np.floor((a[1] + shift - top) / (2 * np.pi)) > np.floor((a[0] + shift - top) / (2 * np.pi))
+            for top in (np.pi / 2, -np.pi / 2)
+        )
         return np.where(trough, -1.0, np.minimum(*ends)), np.where(crest, 1.0, np.maximum(*ends)), False
 
-    return bounds
+    return rule
 
 
-def _tangent(low: Array, high: Array) -> tuple[Array, Array, Any]:
-    pole = np.floor(high / np.pi + 0.5) > np.floor(low / np.pi + 0.5)
-    return np.where(pole, -np.inf, np.tan(low)), np.where(pole, np.inf, np.tan(high)), pole
+def _tangent(a: Bounds) -> Enclosed:
+    pole = np.floor(a[1] / np.pi + 0.5) > np.floor(a[0] / np.pi + 0.5)
+    return np.where(pole, -np.inf, np.tan(a[0])), np.where(pole, np.inf, np.tan(a[1])), pole
 
 
-def _inverse(low: Array, high: Array) -> tuple[Array, Array, Any]:
-    through = (low <= 0) & (high >= 0)
-    return np.where(through, -np.inf, 1 / high), np.where(through, np.inf, 1 / low), through
+def _inverse(a: Bounds) -> Enclosed:
+    pole = (a[0] <= 0) & (a[1] >= 0)
+    return np.where(pole, -np.inf, 1 / a[1]), np.where(pole, np.inf, 1 / a[0]), pole
 
 
-def _fabs(low: Array, high: Array) -> tuple[Array, Array, Any]:
-    return *_even(lambda x: x)(low, high)[:2], (low < 0) & (high > 0)
-
-
-def _truth(low: Array, high: Array) -> tuple[Flags, Flags]:
+def _truth(a: Bounds) -> Truth:
     """Tell where a value is certainly true (not zero), and certainly false."""
-    return (low > 0) | (high < 0), (low == 0) & (high == 0)
+    return (a[0] > 0) | (a[1] < 0), (a[0] == 0) & (a[1] == 0)
 
 
-def _logical(true: Flags, false: Flags, told: bool = True) -> tuple[Array, Array, Any]:
-    unsure = ~(true | false)
-    return np.where(true, 1.0, 0.0), np.where(false, 0.0, 1.0), unsure if told else False
+def _compared(decide: Callable[..., Truth]) -> Rule:
+    """Return bounds of a comparison, and where it may go either way."""
+
+    def rule(*operands: Any) -> Enclosed:
+        true, false = decide(*operands)
+        return np.where(true, 1.0, 0.0), np.where(false, 0.0, 1.0), ~(true | false)
+
+    return rule
 
 
-def _not(low: Array, high: Array) -> tuple[Array, Array, Any]:
-    true, false = _truth(low, high)
-    return _logical(false, true, told=False)
+def _connected(decide: Callable[..., Truth]) -> Rule:
+    """Return bounds of what joins truths; that these may go either way was told with them."""
+    rule = _compared(decide)
+    return lambda *operands: (*rule(*map(_truth, operands))[:2], False)
 
 
-def _and(a: Bounds, b: Bounds) -> tuple[Array, Array, Any]:
-    (true, false), (also, neither) = _truth(*a), _truth(*b)
-    return _logical(true & also, false | neither, told=False)
+def _same(a: Bounds, b: Bounds) -> Truth:
+    return (a[0] == a[1]) & (b[0] == b[1]) & (a[0] == b[0]), (a[1] < b[0]) | (b[1] < a[0])
 
 
-def _or(a: Bounds, b: Bounds) -> tuple[Array, Array, Any]:
-    (true, false), (also, neither) = _truth(*a), _truth(*b)
-    return _logical(true | also, false & neither, told=False)
-
-
-def _same(a: Bounds, b: Bounds) -> tuple[Flags, Flags]:
-    apart = (a[1] < b[0]) | (b[1] < a[0])
-    return (a[0] == a[1]) & (b[0] == b[1]) & (a[0] == b[0]), apart
-
-
-def _different(a: Bounds, b: Bounds) -> tuple[Array, Array, Any]:
-    same, apart = _same(a, b)
-    return _logical(apart, same)
-
-
-def _if_else_zero(a: Bounds, b: Bounds) -> tuple[Array, Array, Any]:
-    true, false = _truth(*a)
-    low, high = np.where(false, 0.0, b[0]), np.where(false, 0.0, b[1])
+def _if_else_zero(a: Bounds, b: Bounds) -> Enclosed:
+    true, false = _truth(a)
+    low, high = (np.where(false, 0.0, bound) for bound in b)
     return np.where(true, low, np.minimum(low, 0.0)), np.where(true, high, np.maximum(high, 0.0)), False
 
 
-def _product(a: Bounds, b: Bounds) -> tuple[Array, Array, Any]:
-    corners = [np.where((x == 0) | (y == 0), 0.0, x * y) for x in a for y in b]
-    return np.minimum.reduce(corners), np.maximum.reduce(corners), False
+def _corners(function: Callable[[Any, Any], Any], a: Bounds, b: Bounds) -> Bounds:
+    """Return the least and the greatest value at the corners of a box."""
+    values = [function(x, y) for x in a for y in b]
+    return np.minimum.reduce(values), np.maximum.reduce(values)
 
 
-def _quotient(a: Bounds, b: Bounds) -> tuple[Array, Array, Any]:
-    low, high, pole = _inverse(*b)
+def _product(a: Bounds, b: Bounds) -> Enclosed:
+    return *_corners(lambda x, y: np.where((x == 0) | (y == 0), 0.0, x * y), a, b), False
+
+
+def _quotient(a: Bounds, b: Bounds) -> Enclosed:
+    low, high, pole = _inverse(b)
     return *_product(a, (low, high))[:2], pole
 
 
-def _power(a: Bounds, b: Bounds) -> tuple[Array, Array, Any]:
-    corners = [x**y for x in a for y in b]
-    low, high = np.minimum.reduce(corners), np.maximum.reduce(corners)
+def _power(a: Bounds, b: Bounds) -> Enclosed:
+    low, high = _corners(np.power, a, b)
     whole = (b[0] == b[1]) & (b[0] == np.rint(b[0])) & (b[0] > 0)
     through = (a[0] < 0) & (a[1] > 0)
     low = np.where(whole & through & (b[0] % 2 == 0), 0.0, low)
@@ -208,70 +178,75 @@ def _power(a: Bounds, b: Bounds) -> tuple[Array, Array, Any]:
     return np.where(tight, low, -np.inf), np.where(tight, high, np.inf), corner
 
 
-def _greater(a: Bounds, b: Bounds) -> tuple[Array, Array, Any]:
-    return np.maximum(a[0], b[0]), np.maximum(a[1], b[1]), (a[1] > b[0]) & (b[1] > a[0])
+def _extreme(chosen: Callable[[Any, Any], Any]) -> Rule:
+    """Return bounds of the greater or the lesser of two."""
+    return lambda a, b: (chosen(a[0], b[0]), chosen(a[1], b[1]), (a[1] > b[0]) & (b[1] > a[0]))
 
 
-def _lesser(a: Bounds, b: Bounds) -> tuple[Array, Array, Any]:
-    return np.minimum(a[0], b[0]), np.minimum(a[1], b[1]), (a[1] > b[0]) & (b[1] > a[0])
-
-
-def _copysign(a: Bounds, b: Bounds) -> tuple[Array, Array, Any]:
-    least, most, _ = _even(lambda x: x)(*a)
+def _copysign(a: Bounds, b: Bounds) -> Enclosed:
+    least, most = _size(a)
     positive, negative = b[0] > 0, b[1] < 0
-    low = np.where(positive, least, -most)
-    return low, np.where(negative, -least, most), ~(positive | negative)
+    return np.where(positive, least, -most), np.where(negative, -least, most), ~(positive | negative)
 
 
-def _angle(a: Bounds, b: Bounds) -> tuple[Array, Array, Any]:
+def _angle(a: Bounds, b: Bounds) -> Enclosed:
     """Return bounds of atan2(a, b), which jumps where a changes its sign beside a negative b, and at zero."""
     cut = (a[0] <= 0) & (a[1] >= 0) & (b[0] <= 0)
-    corners = [np.arctan2(y, x) for y in a for x in b]
-    low, high = np.minimum.reduce(corners), np.maximum.reduce(corners)
+    low, high = _corners(np.arctan2, a, b)
     return np.where(cut, -np.pi, low), np.where(cut, np.pi, high), cut
 
 
-def _remains(rounded: Callable[[Any], Any]) -> Callable[[Bounds, Bounds], tuple[Array, Array, Any]]:
+def _remains(rounded: Callable[[Any], Any]) -> Rule:
     """Return bounds of a - b round(a/b), for constant b."""
 
-    def bounds(a: Bounds, b: Bounds) -> tuple[Array, Array, Any]:
+    def rule(a: Bounds, b: Bounds) -> Enclosed:
         first, last = rounded(a[0] / b[0]), rounded(a[1] / b[0])
         one = (first == last) & (b[0] == b[1]) & (np.abs(first) < 2**53)
         known = ((b[0] > 0) | (b[1] < 0)) & np.isfinite(a[0]) & np.isfinite(a[1])
-        size = np.where(known, np.maximum(np.abs(b[0]), np.abs(b[1])), np.inf)
+        size = np.where(known, np.abs(b).max(axis=0), np.inf)
         low, high = np.where(one, a[0] - first * b[0], -size), np.where(one, a[1] - last * b[0], size)
         return low, high, ~one
 
-    return bounds
+    return rule
 
 
-_UNARY: dict[int, Callable[[Array, Array], tuple[Array, Array, Any]]] = {
-    ca.OP_NEG: lambda low, high: (-high, -low, False),
+_UNKNOWN = _within(-np.inf, np.inf)
+# CasADi and NumPy call these alike.
+_RISING = "exp", "expm1", "log", "log1p", "sqrt", "sinh", "tanh", "asin", "atan", "asinh", "acosh", "atanh"
+_RULES: dict[int, Rule] = {
+    **{getattr(ca, f"OP_{name.upper()}"): _rising(getattr(np, name)) for name in _RISING},
+    ca.OP_TWICE: _rising(lambda x: 2 * x),
+    ca.OP_ASSIGN: _rising(lambda x: x),
+    ca.OP_LIFT: _rising(lambda x: x),
+    ca.OP_FLOOR: _stepped(np.floor),
+    ca.OP_CEIL: _stepped(np.ceil),
+    ca.OP_SIGN: _stepped(np.sign),
+    ca.OP_ERF: _within(-1.0, 1.0),
+    ca.OP_ACOS: _within(0.0, np.pi),
+    ca.OP_NEG: lambda a: (-a[1], -a[0], False),
     ca.OP_SQ: _even(np.square),
     ca.OP_COSH: _even(np.cosh),
-    ca.OP_FABS: _fabs,
+    ca.OP_FABS: lambda a: (*_size(a), (a[0] < 0) & (a[1] > 0)),
     ca.OP_SIN: _wave(np.sin, 0.0),
     ca.OP_COS: _wave(np.cos, np.pi / 2),
     ca.OP_TAN: _tangent,
     ca.OP_INV: _inverse,
-    ca.OP_NOT: _not,
-}
-_BINARY: dict[int, Callable[[Bounds, Bounds], tuple[Array, Array, Any]]] = {
     ca.OP_ADD: lambda a, b: (a[0] + b[0], a[1] + b[1], False),
     ca.OP_SUB: lambda a, b: (a[0] - b[1], a[1] - b[0], False),
     ca.OP_MUL: _product,
     ca.OP_DIV: _quotient,
     ca.OP_POW: _power,
     ca.OP_CONSTPOW: _power,
-    ca.OP_LT: lambda a, b: _logical(a[1] < b[0], a[0] >= b[1]),
-    ca.OP_LE: lambda a, b: _logical(a[1] <= b[0], a[0] > b[1]),
-    ca.OP_EQ: lambda a, b: _logical(*_same(a, b)),
-    ca.OP_NE: _different,
-    ca.OP_AND: _and,
-    ca.OP_OR: _or,
+    ca.OP_LT: _compared(lambda a, b: (a[1] < b[0], a[0] >= b[1])),
+    ca.OP_LE: _compared(lambda a, b: (a[1] <= b[0], a[0] > b[1])),
+    ca.OP_EQ: _compared(_same),
+    ca.OP_NE: _compared(lambda a, b: _same(a, b)[::-1]),
+    ca.OP_NOT: _connected(lambda a: a[::-1]),
+    ca.OP_AND: _connected(lambda a, b: (a[0] & b[0], a[1] | b[1])),
+    ca.OP_OR: _connected(lambda a, b: (a[0] | b[0], a[1] & b[1])),
     ca.OP_IF_ELSE_ZERO: _if_else_zero,
-    ca.OP_FMAX: _greater,
-    ca.OP_FMIN: _lesser,
+    ca.OP_FMAX: _extreme(np.maximum),
+    ca.OP_FMIN: _extreme(np.minimum),
     ca.OP_COPYSIGN: _copysign,
     ca.OP_ATAN2: _angle,
     ca.OP_FMOD: _remains(np.trunc),
