@@ -22,9 +22,9 @@ from .input_signals import Given, chosen_signals, input_value
 from .integrator import Stepper
 from .legs import Leg, legs_of
 from .polynomial import Polynomial
+from .settings import Tolerance
 from .splines import sampled_at
 from .time_signals import TimeSignals, timed_rows
-from .tolerance import Tolerance
 
 if TYPE_CHECKING:
     from ..csource.native import Native

@@ -15,7 +15,6 @@ from .initialization import StartValues, initial_values
 from .point import Point, solve_algebraic
 from .run import Run
 from .settings import Settings
-from .tolerance import ATOL, RTOL
 
 
 def started(closed: BoundDAE, settings: Settings, q: Array, wanted: StartValues) -> Run:
@@ -29,9 +28,7 @@ def started(closed: BoundDAE, settings: Settings, q: Array, wanted: StartValues)
     for modes in _first_modes(closed, q, settings.begin, wanted):
         tried = modes.copy()
         try:
-            run = _agreed(closed, settings, modes, wanted)
-            run.tried = tried
-            return run
+            return replace(_agreed(closed, settings, modes, wanted), tried=tried)
         except InitialConditionError as error:
             refusals.append(error)
     raise refusals[min(1, len(refusals) - 1)]
@@ -39,7 +36,7 @@ def started(closed: BoundDAE, settings: Settings, q: Array, wanted: StartValues)
 
 def begun(closed: BoundDAE, q: Array, time: float, wanted: StartValues) -> Run:
     """Return a run that stands where it begins, at `time` [s]."""
-    return started(closed, Settings(time, time + 1.0, 1.0, RTOL, ATOL, "auto", False), q, wanted)
+    return started(closed, Settings(time, time + 1.0, 1.0), q, wanted)
 
 
 def _agreed(closed: BoundDAE, settings: Settings, q: Array, wanted: StartValues) -> Run:
@@ -112,7 +109,7 @@ def _just_before(switcher: Switcher, point: Point) -> tuple[Point, list[Event]] 
     if not own:
         return None
     instants = point.t - max(JUST_BEFORE, 8 * float(np.spacing(abs(point.t)))), point.t
-    earlier, now = (Point(t, point.x.copy(), point.z.copy(), point.q.copy()) for t in instants)
+    earlier, now = map(point.copy, instants)
     try:
         happened = switcher.copy().settle(earlier, begins=True)
         switcher.copy().settle(now, begins=True)

@@ -18,7 +18,7 @@ from .events.functions import NODES
 from .integrator import IntegratorError, Stepper
 from .legs import Leg
 from .point import Point, solve_algebraic
-from .tolerance import Tolerance
+from .settings import Tolerance
 
 BENT, STRAY, MANY = 0.03, 0.6, 0.2
 AROUND, DEPTH, MOST_PIECES, MOST_STEPS = 8, 3, 10_000, 500
@@ -205,7 +205,7 @@ class DenseOutput:
             return None
         longest = self._longest[np.searchsorted(self._switches, point.t, side="right")]
         try:
-            found = self._stepper.run(point.t, point.x, point.z, point.q, span, float(longest))
+            found = self._stepper.run(point, span, float(longest))
         except IntegratorError:
             return None
         q = np.repeat(point.q[None], NODES, axis=0)

@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from math import ceil, log
+from functools import cache
+from math import ceil, inf, log
 from typing import TYPE_CHECKING, Any
 
 import casadi as ca
@@ -11,12 +12,11 @@ import numpy as np
 
 from ...base import Array, ModelError, foreign
 from ..evaluation.compiled import Compiled
-from .tolerance import Tolerance
+from .point import Point
+from .settings import Tolerance
 
 if TYPE_CHECKING:
     from .bound_dae import BoundDAE
-
-SOLVERS = ("auto", "cvodes", "idas", "rosenbrock", "compiled")
 
 
 class IntegratorError(Exception):
@@ -31,9 +31,13 @@ class Stretch:
     algebraic: Array
     steps: int
 
+    def end(self, t: float, q: Array) -> Point:
+        """Return where the last node lies, at time t."""
+        return Point(t, self.states[-1], self.algebraic[-1], q)
+
 
 class Stepper:
-    """Integrates from (t, x, z) over any duration, with `nodes` equidistant outputs.
+    """Integrates from a point over any duration, with `nodes` equidistant outputs.
 
     States are scaled by powers of two near their nominal values, so that one absolute tolerance
     serves them all and no value is rounded.
@@ -50,58 +54,55 @@ class Stepper:
                 f"'{dae.name}' keeps {dae.z.numel()} algebraic unknowns, which solver 'cvodes' cannot "
                 "handle; use 'idas', 'rosenbrock' or 'auto'"
             )
+        if dae.hybrid and solver != "rosenbrock":
+            tolerance = tolerance.between_events()
         self.solver, self.nodes, self.most_steps = solver, nodes, most_steps
         self.scale = nominal_sizes(dae, dae.states)
-        self.nx, self.nz = dae.x.numel(), dae.z.numel()
-        self._closed, self._tolerance, self._most_steps = closed, tolerance, most_steps
-        self._made: dict[int, Compiled] = {}
+        self.nx = dae.x.numel()
+        self._closed, self._tolerance = closed, tolerance
+        self._divided = cache(self._build)
         self._compiled = self._divided(1)
         self._stretch = 0.0, 0.0
         function = self._compiled.function
         self._unused = [np.zeros(function.nnz_in(i)) for i in range(3, function.n_in())]
 
-    def _divided(self, parts: int) -> Compiled:
-        """Return the integrator that takes at least so many steps for a stretch, made once."""
-        if parts not in self._made:
-            self._made[parts] = Compiled(self._build(self._closed, self._tolerance, parts))
-        return self._made[parts]
-
-    def _build(self, closed: BoundDAE, tolerance: Tolerance, parts: int) -> Any:
+    def _build(self, parts: int) -> Compiled:
+        """Return the integrator that takes at least so many steps for a stretch."""
+        closed = self._closed
         kind: Any = type(closed.x)
         begin, span, tau = (kind.sym(n) for n in ("begin", "span", "tau"))
-        scale = ca.DM(self.scale)
+        x, scale = closed.x, ca.DM(self.scale)
         ode, alg = closed.close(closed.dae.ode), closed.close(closed.dae.alg)
         plain = bool((self.scale == 1).all())
         if not plain or ca.depends_on(ca.vertcat(ode, alg), closed.t):
             rates = closed.function("rates", ode, alg)
-            scaled = closed.x if plain else closed.x * scale
-            ode, alg = rates(scaled, closed.z, closed.q, begin + span * tau)
-        x, ode = (closed.x, ode) if closed.x.numel() else (kind.sym("none"), kind(0))
-        scale = scale if closed.x.numel() else ca.DM(1)
-        problem = {
-            "x": x, "z": closed.z, "p": ca.vertcat(closed.q, begin, span), "t": tau,
-            "ode": span * (ode if plain else ode / scale), "alg": alg,
-        }  # fmt: skip
-        if closed.dae.hybrid and self.solver != "rosenbrock":
-            tolerance = tolerance.between_events()
-        options: dict[str, Any] = {"reltol": tolerance.rtol, "abstol": tolerance.atol}
-        options |= {"max_num_steps": self._most_steps + -(-parts // self.nodes), "show_eval_warnings": False}
+            ode, alg = rates(x if plain else x * scale, closed.z, closed.q, begin + span * tau)
+        if not self.nx:
+            x, ode, scale = kind.sym("none"), kind(0), ca.DM(1)
+        ode, p = span * (ode if plain else ode / scale), ca.vertcat(closed.q, begin, span)
+        options: dict[str, Any] = {
+            "reltol": self._tolerance.rtol,
+            "abstol": self._tolerance.atol,
+            "max_num_steps": self.most_steps + -(-parts // self.nodes),
+            "show_eval_warnings": False,
+        }
         if parts > 1:
             options["max_step_size"] = 1 / parts
         if self.solver != "rosenbrock":
             options["disable_internal_warnings"] = True
         grid = np.linspace(0, 1, self.nodes + 1)[1:]
-        return ca.integrator("run", self.solver, problem, 0.0, grid, options)
+        problem = dict(x=x, z=closed.z, p=p, t=tau, ode=ode, alg=alg)
+        return Compiled(ca.integrator("run", self.solver, problem, 0.0, grid, options))
 
-    def run(self, t: float, x: Array, z: Array, q: Array, span: float, max_step: float = np.inf) -> Stretch:
+    def run(self, point: Point, span: float, max_step: float = inf) -> Stretch:
         """Integrate over (t, t + span], in steps no longer than `max_step`, or a quarter of it."""
-        x0 = x / self.scale if self.nx else np.zeros(1)
+        x0 = point.x / self.scale if self.nx else np.zeros(1)
         self._compiled = self._divided(_parts(span, max_step))
-        self._stretch = t, span
+        self._stretch = point.t, span
         self._compiled.empty()
         try:
             with foreign():
-                results = self._compiled(x0, z, np.concatenate([q, [t, span]]), *self._unused)
+                results = self._compiled(x0, point.z, np.append(point.q, (point.t, span)), *self._unused)
         except RuntimeError as error:
             raise IntegratorError(str(error)) from error
         stretch = self._stretched(results)
@@ -126,28 +127,21 @@ class Stepper:
         t, span = self._stretch
         return t + span * self._compiled.filled()
 
-    def sensitivity(
-        self, t: float, x: Array, z: Array, q: Array, span: float, max_step: float, seeds: Any
-    ) -> Any:
+    def sensitivity(self, point: Point, span: float, max_step: float, seeds: tuple[Array, Array]) -> Array:
         """Return d(states)/d(seeds), (nx, nodes, seeds); seeds are directions (of x, of q)."""
         of_x, of_q = seeds
         count = of_x.shape[1]
         function = self._divided(_parts(span, max_step)).function
         forward = function.forward(count)
-        p = np.concatenate([q, [t, span]])
+        given = {"x0": point.x / self.scale, "z0": point.z, "p": np.append(point.q, (point.t, span))}
         with foreign():
-            plain = function(x0=x / self.scale, z0=z, p=p)
-        names = forward.name_in()
-        given: dict[str, Any] = {"x0": x / self.scale, "z0": z, "p": p}
-        given |= {f"out_{name}": plain[name] for name in plain}
-        given["fwd_x0"] = of_x / self.scale[:, None]
-        given["fwd_p"] = np.vstack([of_q, np.zeros((2, count))])
-        with foreign():
-            result = forward(**{name: given[name] for name in names if name in given})
+            given |= {f"out_{name}": value for name, value in function(**given).items()}
+            given["fwd_x0"] = of_x / self.scale[:, None]
+            given["fwd_p"] = np.vstack([of_q, np.zeros((2, count))])
+            result = forward(**{name: given[name] for name in forward.name_in() if name in given})
         by_seed = result["fwd_xf"].full()[: self.nx].reshape(self.nx, count, self.nodes)
-        moved = by_seed.transpose(0, 2, 1)
-        scaled: Array = moved * self.scale[:, None, None]
-        return scaled
+        moved: Array = by_seed.transpose(0, 2, 1) * self.scale[:, None, None]
+        return moved
 
 
 def _parts(span: float, max_step: float) -> int:

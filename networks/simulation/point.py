@@ -23,6 +23,10 @@ class Point:
     z: Array
     q: Array
 
+    def copy(self, t: float | None = None) -> Point:
+        """Return a point that goes on by itself, maybe from another time."""
+        return Point(self.t if t is None else t, self.x.copy(), self.z.copy(), self.q.copy())
+
 
 def solve_algebraic(closed: BoundDAE, point: Point) -> None:
     """Let the algebraic unknowns of a point follow its states."""

@@ -9,8 +9,7 @@ import numpy as np
 
 from ...base import Array
 from .integrator import nominal_sizes
-from .settings import FINEST
-from .tolerance import Tolerance
+from .settings import FINEST, Tolerance
 
 if TYPE_CHECKING:
     from ..dae import DAE

@@ -2,13 +2,15 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager, suppress
 from dataclasses import dataclass, field, replace
 from typing import Any
 
 import numpy as np
 
-from ...base import Array, Interrupted, SimulationError
-from ..results.result import Segment
+from ...base import Array, Interrupted, RunInterruptedError, SimulationError, interruptible
+from ..results.result import Result, Segment
 from .blame import GUARD, told_without_value
 from .bound_dae import BoundDAE
 from .events.switcher import Event, Switcher, pushed
@@ -17,6 +19,8 @@ from .integrator import IntegratorError, Stepper, Stretch
 from .legs import Leg
 from .point import Point, solve_algebraic
 from .settings import Settings
+
+KEPT = "Results up to there are kept in the error's `result`"
 
 
 @dataclass(eq=False)
@@ -77,40 +81,56 @@ def enter_next_leg(run: Run) -> bool:
 
     What was given may jump there: two points, before and after, share that instant.
     """
-    if run.point.t < run.leg.end or run.leg_number + 1 == len(run.legs):
+    last = run.leg.end
+    if run.point.t < last or run.leg_number + 1 == len(run.legs):
         return False
-    shocks, last = run.closed.shocks, run.leg.end
     run.leg_number += 1
-    jumps = run.leg.jumps
-    if jumps:
+    leg = run.leg
+    if leg.jumps:
         record_here(run)
-    seen = shocks.seen(replace(run.point, t=last)) if shocks and jumps else None
-    point = run.point = Point(run.leg.begin, run.point.x.copy(), run.point.z.copy(), run.point.q)
-    if jumps:
-        solve_algebraic(run.closed, point)
-    happened = shock(run, seen) if seen is not None else []
-    happened += run.switcher.settle(point) if run.switcher else []
-    run.events += happened
-    if jumps or happened:
-        run.open_segment()
+        seen = seen_of_jumps(run, last)
+    run.point = run.point.copy(leg.begin)
+    if leg.jumps:
+        solve_algebraic(run.closed, run.point)
+        shock(run, seen)
+    settle(run, leg.jumps)
     return True
 
 
-def shock(run: Run, seen: Array) -> list[Event]:
-    """Let what is given act where it has jumped."""
-    if run.switcher:
-        return run.switcher.jump(run.point, seen, {})
+def settle(run: Run, jumped: bool) -> bool:
+    """Fire the transitions that are due where a run stands; tell whether there were any.
+
+    A segment is opened then, and if what is given has jumped here.
+    """
+    happened = run.switcher.settle(run.point) if run.switcher else []
+    run.events += happened
+    if happened or jumped:
+        run.open_segment()
+    return bool(happened)
+
+
+def seen_of_jumps(run: Run, t: float) -> Array | None:
+    """Return what tells, after a jump at time t of what is given, how far it jumped; None if nothing acts."""
     shocks = run.closed.shocks
-    assert shocks is not None
-    size = shocks.since(seen, run.point, {})
+    return shocks.seen(replace(run.point, t=t)) if shocks else None
+
+
+def shock(run: Run, seen: Array | None) -> None:
+    """Let what is given act where it has jumped since it was `seen`."""
+    shocks, point = run.closed.shocks, run.point
+    if shocks is None or seen is None:
+        return
+    if run.switcher:
+        run.events += run.switcher.jump(point, seen, {})
+        return
+    size = shocks.since(seen, point, {})
     if not size.any():
-        return []
-    states = run.point.x
-    pushes = shocks.act(run.point, size)
-    if np.array_equal(run.point.x, states) and not pushes.any():
-        return []
-    solve_algebraic(run.closed, run.point)
-    return pushed(run.point.t, shocks.jumps, pushes)
+        return
+    states = point.x
+    pushes = shocks.act(point, size)
+    if pushes.any() or not np.array_equal(point.x, states):
+        solve_algebraic(run.closed, point)
+        run.events += pushed(point.t, shocks.jumps, pushes)
 
 
 def record_here(run: Run) -> None:
@@ -127,9 +147,9 @@ def _advance(run: Run, stepper: Stepper, point: Point, span: float) -> Stretch:
         inside = 2 * np.spacing(max(abs(leg.begin), abs(leg.end)))
         t, end = max(t, leg.begin + inside), min(end, leg.end - inside)
         if end - t < 2 * inside:
-            resting = [np.tile(values, (stepper.nodes, 1)) for values in (point.x, point.z)]
-            return Stretch(resting[0], resting[1], 0)
-    return stepper.run(t, point.x, point.z, point.q, end - t, run.max_step)
+            x, z = (np.tile(values, (stepper.nodes, 1)) for values in (point.x, point.z))
+            return Stretch(x, z, 0)
+    return stepper.run(replace(point, t=t), end - t, run.max_step)
 
 
 def integrate(run: Run, stepper: Stepper, point: Point, span: float) -> Stretch:
@@ -165,24 +185,22 @@ def attempt(run: Run, stepper: Stepper, point: Point, span: float) -> Stretch:
 
 def _node_by_node(run: Run, stepper: Stepper, point: Point, span: float) -> Stretch:
     """Integrate each interval on its own, which allows more steps; save what is reached on failure."""
-    step = span / stepper.nodes
-    t, x, z, steps = point.t, point.x, point.z, 0
+    step, here, steps = span / stepper.nodes, point, 0
     states: list[Array] = []
     algebraic: list[Array] = []
     for _ in range(stepper.nodes):
         try:
-            piece = _advance(run, stepper, Point(t, x, z, point.q), step)
-        except IntegratorError:
-            _keep(run, point, step, np.array(states), np.array(algebraic))
-            _approach(run, stepper, Point(t, x, z, point.q), step)
-            raise
-        except Interrupted:
-            if run.switcher is None:
+            piece = _advance(run, stepper, here, step)
+        except (IntegratorError, Interrupted) as error:
+            failed = isinstance(error, IntegratorError)
+            if failed or run.switcher is None:
                 _keep(run, point, step, np.array(states), np.array(algebraic))
+            if failed:
+                _approach(run, stepper, here, step)
             raise
-        t, x, z = t + step, piece.states[-1], piece.algebraic[-1]
-        states.append(x)
-        algebraic.append(z)
+        here = piece.end(here.t + step, point.q)
+        states.append(here.x)
+        algebraic.append(here.z)
         steps += piece.steps
         run.count(piece.steps)
     return Stretch(np.array(states), np.array(algebraic), steps)
@@ -190,85 +208,74 @@ def _node_by_node(run: Run, stepper: Stepper, point: Point, span: float) -> Stre
 
 def _approach(run: Run, stepper: Stepper, point: Point, span: float) -> None:
     """Advance towards a failure in ever smaller strides, recording what is reached."""
-    t, x, z = point.t, point.x, point.z
-    smallest = max(1e-6 * span, 1e-14 * abs(t))
+    smallest = max(1e-6 * span, 1e-14 * abs(point.t))
     strider = run.closed.stepper(stepper.solver, run.settings.tolerance, 1, stepper.most_steps)
     while span > smallest:
         span /= 2
-        try:
-            stretch = _advance(run, strider, Point(t, x, z, point.q), span)
-        except IntegratorError:
-            continue
-        run.count(stretch.steps)
-        t, x, z = t + span, stretch.states[-1], stretch.algebraic[-1]
-        run.record(t, x, z)
-    run.point = Point(t, x, z, point.q)
+        with suppress(IntegratorError):
+            stretch = _advance(run, strider, point, span)
+            run.count(stretch.steps)
+            point = stretch.end(point.t + span, point.q)
+            run.record(point.t, point.x, point.z)
+    run.point = point
 
 
 def limiting_state(run: Run) -> str:
     """Name the state that bends most for its tolerance at most outputs: the one that limits steps."""
-    if run.limiting:
+    dae = run.closed.dae
+    if run.limiting or not dae.states:
         return run.limiting
-    settings, dae = run.settings, run.closed.dae
     votes = np.zeros(len(dae.states), dtype=int)
     for segment in run.segments:
         states = np.vstack(segment.states)
-        if len(states) > 2 and dae.states:
-            bend = np.abs(states[2:] - 2 * states[1:-1] + states[:-2])
-            weight = settings.rtol * np.abs(states[1:-1]) + settings.atol
-            votes += np.bincount((bend / weight).argmax(axis=1), minlength=len(votes))
+        bend = np.abs(np.diff(states, 2, axis=0)) / run.settings.tolerance.of(np.abs(states[1:-1]))
+        votes += np.bincount(bend.argmax(axis=1), minlength=len(votes))
     return dae.name_of(dae.states[int(votes.argmax())]) if votes.any() else ""
 
 
-def failure(run: Run, error: Exception) -> str:
+@contextmanager
+def ending_in_results(run: Run, result: Callable[[], Result]) -> Iterator[None]:
+    """Let Ctrl-C end a run between calls; what ends it early is told with the `result` so far.
+
+    Raises:
+        SimulationError: if it cannot be finished.
+        RunInterruptedError: on Ctrl-C.
+    """
+    with interruptible():
+        try:
+            yield
+        except (IntegratorError, SimulationError) as error:
+            raise SimulationError(_failure(run, error), result()) from error
+        except Interrupted:
+            stop = run.settings.stop
+            told = f"'{run.closed.dae.name}': interrupted at t = {run.point.t:.9g} s of {stop:g} s. {KEPT}"
+            raise RunInterruptedError(told, result()) from None
+
+
+def _failure(run: Run, error: Exception) -> str:
     """Say when a run ended and which state was bending most for its tolerance."""
-    dae, point, settings = run.closed.dae, run.point, run.settings
+    closed, point, settings = run.closed, run.point, run.settings
     if isinstance(error, SimulationError):
-        return f"'{dae.name}': {error}"
-    rate, bend = _motion(run)
-    wrong = [dae.state_names[i] for i in np.flatnonzero(~np.isfinite(rate))]
-    blamed = told_without_value(run.closed, point.x, point.z, point.q, point.t, _output_step(run))
-    if wrong or blamed:
-        told = (
-            f"the rate of {', '.join(wrong[:5])} is not a finite number"
-            if wrong
-            else "the solver cannot go on"
-        )
-        return (
-            f"'{dae.name}': at t = {point.t:.9g} s {told}: {blamed or 'a division by zero makes it so'}; "
-            f"{GUARD}. Results up to there are kept in the error's `result`"
-        )
-    weight = bend / (settings.rtol * np.abs(point.x) + settings.atol)
-    worst = int(np.argmax(np.where(np.isfinite(weight), weight, np.inf))) if len(rate) else 0
-    name = dae.state_names[worst] if len(rate) else "no state"
-    state = f"{name} = {point.x[worst]:.6g} with rate {rate[worst]:.6g}" if len(rate) else name
-    reason = str(error).strip().splitlines()[-1]
-    return (
-        f"'{dae.name}': integration failed at t = {point.t:.9g} s; the state that limited the step is "
-        f"{state}. If it is really that fast, give a smaller step= than {_output_step(run):.3g} s, or "
-        f"a shorter run than {settings.stop - settings.begin:.3g} s. Results up to there are kept in the "
-        f"error's `result`. Solver: {reason}"
-    )
-
-
-def interruption(run: Run) -> str:
-    """Say when a run was interrupted."""
-    dae, point, settings = run.closed.dae, run.point, run.settings
-    return (
-        f"'{dae.name}': interrupted at t = {point.t:.9g} s of {settings.stop:g} s. Results up to there are "
-        "kept in the error's `result`"
-    )
-
-
-def _output_step(run: Run) -> float:
-    first, second = run.settings.outputs[:2]
-    return float(second - first)
-
-
-def _motion(run: Run) -> tuple[Array, Array]:
-    """Return the rates of the states where a run stands, and the size of the rates' own rates."""
-    closed, point = run.closed, run.point
+        return f"'{closed.dae.name}': {error}"
+    names, begin, step = closed.dae.state_names, settings.begin, float(settings.outputs[1] - settings.begin)
     ode = closed.close(closed.dae.ode)
-    function = closed.function("motion", ode, closed.rate(ode))
-    rate, bend = (m.full().ravel() for m in function(point.x, point.z, point.q, point.t))
-    return rate, np.abs(bend)
+    motion = closed.function("motion", ode, closed.rate(ode))
+    rate, bend = (m.full().ravel() for m in motion(point.x, point.z, point.q, point.t))
+    wrong = [names[i] for i in np.flatnonzero(~np.isfinite(rate))]
+    blamed = told_without_value(closed, point.x, point.z, point.q, point.t, step)
+    if wrong or blamed:
+        rates = f"the rate of {', '.join(wrong[:5])} is not a finite number"
+        return (
+            f"'{closed.dae.name}': at t = {point.t:.9g} s {rates if wrong else 'the solver cannot go on'}: "
+            f"{blamed or 'a division by zero makes it so'}; {GUARD}. {KEPT}"
+        )
+    state = "no state"
+    if names:
+        weight = np.abs(bend) / settings.tolerance.of(np.abs(point.x))
+        worst = int(np.argmax(np.where(np.isfinite(weight), weight, np.inf)))
+        state = f"{names[worst]} = {point.x[worst]:.6g} with rate {rate[worst]:.6g}"
+    return (
+        f"'{closed.dae.name}': integration failed at t = {point.t:.9g} s; the state that limited the step is "
+        f"{state}. If it is really that fast, give a smaller step= than {step:.3g} s, or a shorter run than "
+        f"{settings.stop - begin:.3g} s. {KEPT}. Solver: {str(error).strip().splitlines()[-1]}"
+    )

@@ -6,9 +6,8 @@ from typing import TYPE_CHECKING
 
 import casadi as ca
 import numpy as np
-from numpy.typing import NDArray
 
-from ...base import Array, ModelError, nearest
+from ...base import Array, Ints, ModelError, nearest
 
 if TYPE_CHECKING:
     from .bound_dae import BoundDAE
@@ -38,17 +37,10 @@ class Sensitivities:
         self._slopes: list[Array] = [start_slopes(closed, point, wanted, self._of_q)]
 
     def advance(
-        self,
-        stepper: Stepper,
-        point: Point,
-        span: float,
-        max_step: float,
-        begin: int,
-        nodes: NDArray[np.int64],
+        self, stepper: Stepper, point: Point, span: float, max_step: float, begin: int, nodes: Ints
     ) -> None:
         """Carry the sensitivities from point number `begin` on; some nodes of the stretch are points."""
-        seeds = self._slopes[begin], self._of_q
-        moved = stepper.sensitivity(point.t, point.x, point.z, point.q, span, max_step, seeds)
+        moved = stepper.sensitivity(point, span, max_step, (self._slopes[begin], self._of_q))
         self._slopes = [*self._slopes[: begin + 1], *moved.transpose(1, 0, 2)[nodes]]
 
     def repeat(self, points: int) -> int:

@@ -1,18 +1,43 @@
-"""`Settings`: what a run is asked to be."""
+"""`Settings`: what a run is asked to be, how exact it is to be, and which solver "auto" stands for."""
 
 from __future__ import annotations
 
 from dataclasses import dataclass
+from math import inf
 from typing import Any
 
 import numpy as np
 
 from ...base import Array, ModelError, above, between, demand, finite, one_of, optional, whole
-from .integrator import SOLVERS
-from .tolerance import Tolerance
 
-FINEST, COARSEST = 1e-14, 0.1
+SOLVERS = ("auto", "cvodes", "idas", "rosenbrock", "compiled")
+# Of runs that ask for none; with so little, motions of micrometres are as exact as those of metres.
+RTOL, ATOL = 1e-6, 1e-12
+FINEST, COARSEST = 1e-14, 0.1  # relative tolerances
+EVENT_SHARE, EVENT_RTOL = 0.01, 1e-10  # of the tolerance, between events, and its least
 MOST_OUTPUTS = 20_000_000
+WORTH_COMPILING = 40_000  # samples of all runs of one model that pay for a second or two of compiling
+
+
+@dataclass(frozen=True)
+class Tolerance:
+    """Relative and absolute tolerance of a run."""
+
+    rtol: float
+    atol: float
+
+    def of(self, sizes: Any, nominal: Any = 1.0) -> Array:
+        """Return by how much values of some sizes may be wrong."""
+        error: Array = self.rtol * sizes + self.atol * nominal
+        return error
+
+    def between_events(self) -> Tolerance:
+        """Return what a multistep method keeps to: each event makes it start anew at order 1.
+
+        Not so little that rounding errors rule its steps, unless that was asked for.
+        """
+        share = min(1.0, max(EVENT_SHARE, EVENT_RTOL / self.rtol))
+        return Tolerance(share * self.rtol, max(share * self.atol, min(self.atol, ATOL)))
 
 
 @dataclass(frozen=True)
@@ -21,13 +46,13 @@ class Settings:
 
     begin: float
     stop: float
-    step: float | None
-    rtol: float
-    atol: float
-    solver: str
-    progress: bool | None
+    step: float | None = None
+    rtol: float = RTOL
+    atol: float = ATOL
+    solver: str = "auto"
+    progress: bool | None = None
     max_steps: int | None = None
-    max_step: float = np.inf
+    max_step: float = inf
 
     def __post_init__(self) -> None:
         demand(
@@ -41,22 +66,21 @@ class Settings:
             max_steps=(self.max_steps, optional(whole(1))),
             max_step=(self.max_step, _longest),
         )
-        span = self.stop - self.begin
-        if not self.stop > self.begin:
-            problem = f"stop must be after begin ({self.begin:g} s), got {self.stop:g} s"
-        elif self.step is not None and span / self.step > MOST_OUTPUTS:
-            problem = (
+        if problem := self._problem(self.stop - self.begin):
+            raise ModelError("this run cannot be done:", [problem])
+
+    def _problem(self, span: float) -> str:
+        if not span > 0:
+            return f"stop must be after begin ({self.begin:g} s), got {self.stop:g} s"
+        if self.step is not None and span / self.step > MOST_OUTPUTS:
+            return (
                 f"step = {self.step:g} s asks for {span / self.step:.3g} outputs of {span:g} s, more "
                 f"than {MOST_OUTPUTS:.0e}; give step={span / MOST_OUTPUTS:.1g} or more (the integrator's own "
                 "steps are as small as rtol= wants them)"
             )
-        elif self.begin + span / 500 == self.begin:
-            problem = (
-                f"stop = {self.stop!r} s is too near to begin = {self.begin!r} s for numbers between them"
-            )
-        else:
-            return
-        raise ModelError("this run cannot be done:", [problem])
+        if self.begin + span / 500 == self.begin:
+            return f"stop = {self.stop!r} s is too near to begin = {self.begin!r} s for numbers between them"
+        return ""
 
     @property
     def tolerance(self) -> Tolerance:
@@ -72,4 +96,26 @@ class Settings:
 
 def _longest(step: Any) -> str:
     """Say that a longest step must be above 0 s, and may be infinite."""
-    return "" if isinstance(step, float) and step == np.inf else above(0, "s")(step)
+    return "" if isinstance(step, float) and step == inf else above(0, "s")(step)
+
+
+def chosen_solver(solver: str, samples: int, runs: int) -> str:
+    """Return the solver of a model that is run again and again: "auto" is "compiled" where that pays.
+
+    It pays from 40 000 samples in all on, where there is a C compiler. Otherwise "auto" remains, which each
+    run, as a single one, takes for "idas" if algebraic unknowns are left, and for "cvodes" if not.
+
+    Args:
+        solver: what the user asked for; anything but "auto" stays.
+        samples: of one run.
+        runs: how many are to be expected.
+    """
+    from ..csource import ToolchainError, compiler
+
+    if solver != "auto" or samples * runs < WORTH_COMPILING:
+        return solver
+    try:
+        compiler()
+    except ToolchainError:
+        return solver
+    return "compiled"

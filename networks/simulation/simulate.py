@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import time as clock
+from collections import Counter
 from collections.abc import Callable, Iterable, Mapping
 from functools import partial
 from math import inf
@@ -10,17 +11,7 @@ from typing import Any, Never
 
 import numpy as np
 
-from ...base import (
-    Array,
-    Interrupted,
-    ModelError,
-    RunInterruptedError,
-    SimulationError,
-    heed,
-    interruptible,
-    listed,
-    named,
-)
+from ...base import ModelError, heed, listed, named
 from ...base.keywords import check_keywords
 from ...components.language import Component
 from ..dae import DAE
@@ -32,14 +23,12 @@ from .coverage import check_covered, data_notes
 from .dense_output import DenseOutput
 from .events.hybrid import MOST_STEPS, NODES, run_hybrid
 from .initialization import StartValues, start_values
-from .integrator import IntegratorError
 from .progress import Progress
 from .resolution import resolution_notes
-from .run import Run, failure, interruption, limiting_state
+from .run import Run, ending_in_results, limiting_state
 from .sensitivity import Sensitivities
-from .settings import Settings
+from .settings import ATOL, RTOL, Settings
 from .smooth import run_smooth, smooth_stepper
-from .tolerance import ATOL, RTOL
 
 
 def simulate(
@@ -110,65 +99,55 @@ def simulate(
 
 def _finished(run: Run, wanted: StartValues, sensitivities: tuple[str, ...], began: float) -> Result:
     """Go from the start of a run to its end; return what it computed."""
-    closed, settings, outputs = run.closed, run.settings, run.settings.outputs
-    compiled = settings.solver == "compiled"
-    if compiled and sensitivities:
-        raise ModelError("solver 'compiled' does not follow sensitivities; use 'auto'")
-    follow = Sensitivities(closed, sensitivities, run.point, wanted) if sensitivities else None
-    solver, go = _compiled(run, outputs) if compiled else _interpreted(run, outputs, follow)
+    closed, settings = run.closed, run.settings
+    follow = None
+    if sensitivities:
+        if settings.solver == "compiled":
+            raise ModelError("solver 'compiled' does not follow sensitivities; use 'auto'")
+        follow = Sensitivities(closed, sensitivities, run.point, wanted)
+    solver, go = _way(run, follow)
+    result = partial(collected, run, solver, began, follow)
     show = Progress(closed.dae.name, settings.begin, settings.stop, settings.progress)
-    with interruptible(), show as progress:
-        try:
-            go(progress)
-            heed()
-        except (IntegratorError, SimulationError) as error:
-            result = collected(run, solver, began, follow)
-            raise SimulationError(failure(run, error), result) from error
-        except Interrupted:
-            result = collected(run, solver, began, follow)
-            raise RunInterruptedError(interruption(run), result) from None
-    return collected(run, solver, began, follow)
+    with show as progress, ending_in_results(run, result):
+        go(progress)
+        heed()
+    return result()
 
 
-def _compiled(run: Run, outputs: Array) -> tuple[str, Callable[[Progress], None]]:
-    native = run.closed.native
-    return "compiled", lambda progress: native.run(run, outputs, progress)
-
-
-def _interpreted(
-    run: Run, outputs: Array, follow: Sensitivities | None
-) -> tuple[str, Callable[[Progress], None]]:
-    switcher = run.switcher
+def _way(run: Run, follow: Sensitivities | None) -> tuple[str, Callable[[Progress], None]]:
+    """Return by which solver a run goes, and what takes it to its end."""
+    closed, settings, outputs, switcher = run.closed, run.settings, run.settings.outputs, run.switcher
+    if settings.solver == "compiled":
+        return "compiled", partial(closed.native.run, run, outputs)
+    go: Callable[[Progress], None]
     if switcher is None:
         stepper = smooth_stepper(run, outputs)
-        run.open_segment()
-        return stepper.solver, lambda progress: run_smooth(run, outputs, progress, follow)
-    stepper = run.closed.stepper(run.settings.solver, run.settings.tolerance, NODES, MOST_STEPS)
+        go = partial(run_smooth, run, outputs, follow=follow)
+    else:
+        stepper = closed.stepper(settings.solver, settings.tolerance, NODES, MOST_STEPS)
+        go = partial(run_hybrid, run, switcher, stepper, outputs)
     run.open_segment()
-    return stepper.solver, lambda progress: run_hybrid(run, switcher, stepper, outputs, progress)
+    return stepper.solver, go
 
 
 def collected(run: Run, solver: str, began: float, follow: Sensitivities | None) -> Result:
     """Return what a run has recorded, with figures on how it went."""
-    by_component: dict[str, int] = {}
-    for event in run.events:
-        by_component[event.component] = by_component.get(event.component, 0) + 1
+    closed, settings = run.closed, run.settings
     stats = {
         "solver": solver,
-        "rtol": run.settings.rtol,
-        "atol": run.settings.atol,
+        "rtol": settings.rtol,
+        "atol": settings.atol,
         "steps": run.steps,
         "integrator calls": run.calls,
         "events": len(run.events),
-        "events by component": by_component,
+        "events by component": dict(Counter(event.component for event in run.events)),
         "seconds": clock.perf_counter() - began,
     }
-    closed, notes = run.closed, list(run.switcher.notes if run.switcher else [])
-    notes += data_notes(closed.dae.inputs, closed.signals, run.settings.begin, run.settings.stop)
+    notes = list(run.switcher.notes if run.switcher else [])
+    notes += data_notes(closed.dae.inputs, closed.signals, settings.begin, settings.stop)
     if closed.dae.states:
         states = np.vstack([block for segment in run.segments for block in segment.states])
-        notes += resolution_notes(closed.dae, states, run.settings.tolerance)
-    sensitivities = follow.collected(sum(map(len, run.segments))) if follow else {}
+        notes += resolution_notes(closed.dae, states, settings.tolerance)
     return Result(
         closed,
         run.segments,
@@ -176,7 +155,7 @@ def collected(run: Run, solver: str, began: float, follow: Sensitivities | None)
         stats,
         run.initial,
         notes,
-        sensitivities,
+        follow.collected(sum(map(len, run.segments))) if follow else {},
         partial(limiting_state, run),
-        partial(DenseOutput, run.legs, solver, run.settings.tolerance),
+        partial(DenseOutput, run.legs, solver, settings.tolerance),
     )

@@ -15,24 +15,16 @@ FEW_NODES, MOST_NODES = 64, 1024
 MOST_STEPS = 20_000
 
 
-def smooth_pieces(outputs: int) -> tuple[int, int]:
-    """Return how many outputs one call covers, so that calls are equal, and the most steps for each."""
-    chunks = -(-outputs // MOST_NODES)
-    return -(-outputs // chunks), MOST_STEPS
-
-
 def run_smooth(run: Run, outputs: Array, progress: Progress, follow: Sensitivities | None) -> None:
     """Integrate to the last output, in equal chunks if nothing that is given switches on the way."""
-    if len(run.legs) == 1:
-        _in_chunks(run, outputs, progress, follow)
-    else:
-        _in_legs(run, outputs, progress, follow)
+    (_in_chunks if len(run.legs) == 1 else _in_legs)(run, outputs, progress, follow)
 
 
 def smooth_stepper(run: Run, outputs: Array) -> Stepper:
     """Return the integrator for a run that is one leg, or for the many outputs of a long one."""
-    single = len(run.legs) == 1
-    return _stepper(run, smooth_pieces(len(outputs) - 1)[0] if single else FEW_NODES)
+    count = len(outputs) - 1
+    chunks = -(-count // MOST_NODES)
+    return _stepper(run, -(-count // chunks) if len(run.legs) == 1 else FEW_NODES)
 
 
 def _stepper(run: Run, nodes: int) -> Stepper:
@@ -47,8 +39,7 @@ def _in_chunks(run: Run, outputs: Array, progress: Progress, follow: Sensitiviti
     done = 0
     while done < count:
         begin = min(done, count - nodes)
-        x, z = run.segments[-1].state(begin)
-        start = Point(outputs[begin], x, z, run.point.q)
+        start = Point(outputs[begin], *run.segments[-1].state(begin), run.point.q)
         if follow is not None:
             follow.advance(stepper, start, span, run.max_step, begin, np.arange(nodes))
         with progress.watching(stepper.now):
@@ -56,8 +47,7 @@ def _in_chunks(run: Run, outputs: Array, progress: Progress, follow: Sensitiviti
         new = slice(done - begin, nodes)
         run.record(outputs[done + 1 : begin + nodes + 1], stretch.states[new], stretch.algebraic[new])
         done = begin + nodes
-        last = stretch.states[-1], stretch.algebraic[-1]
-        run.point = Point(float(outputs[done]), *last, run.point.q)
+        run.point = stretch.end(float(outputs[done]), run.point.q)
         progress.at(run.point.t)
 
 
@@ -71,14 +61,7 @@ def _in_legs(run: Run, outputs: Array, progress: Progress, follow: Sensitivities
     while done < len(outputs):
         point = run.point
         if point.t >= run.leg.end:
-            if follow is not None:
-                record_here(run)
-            enter_next_leg(run)
-            if follow is not None and run.events:
-                raise SimulationError(
-                    f"{run.events[0].component} jumps at t = {run.point.t:.9g} s, and sensitivities are not "
-                    "followed through its shock; give a ramp instead of the jump, or exact=False"
-                )
+            _enter_leg(run, follow is not None)
             if outputs[done] <= run.point.t:
                 record_here(run)
                 done += 1
@@ -93,8 +76,8 @@ def _in_legs(run: Run, outputs: Array, progress: Progress, follow: Sensitivities
         end = float(outputs[done + intervals - 1]) if intervals else run.leg.end
         stepper = _stepper(run, MOST_NODES if intervals > FEW_NODES else FEW_NODES)
         kept = np.arange(1, intervals + 1) * (stepper.nodes // max(1, intervals)) - 1
-        chosen = kept if intervals else np.array([stepper.nodes - 1])
         if follow is not None:
+            chosen = kept if intervals else np.array([stepper.nodes - 1])
             follow.advance(stepper, point, end - point.t, run.max_step, recorded, chosen)
             recorded += len(chosen)
         with progress.watching(stepper.now):
@@ -102,5 +85,17 @@ def _in_legs(run: Run, outputs: Array, progress: Progress, follow: Sensitivities
         if intervals:
             run.record(outputs[done : done + intervals], stretch.states[kept], stretch.algebraic[kept])
         done += intervals
-        run.point = Point(end, stretch.states[-1], stretch.algebraic[-1], point.q)
+        run.point = stretch.end(end, point.q)
         progress.at(end)
+
+
+def _enter_leg(run: Run, followed: bool) -> None:
+    """Go on to the next leg; where sensitivities are followed, nothing may jump there."""
+    if followed:
+        record_here(run)
+    enter_next_leg(run)
+    if followed and run.events:
+        raise SimulationError(
+            f"{run.events[0].component} jumps at t = {run.point.t:.9g} s, and sensitivities are not "
+            "followed through its shock; give a ramp instead of the jump, or exact=False"
+        )

@@ -12,16 +12,13 @@ import numpy as np
 
 from ...base import (
     Array,
-    Interrupted,
     ModelError,
-    RunInterruptedError,
     SimulationError,
     UnknownNameError,
     between,
     by_name,
     demand,
     instance,
-    interruptible,
     named,
     nearest,
     number,
@@ -29,7 +26,7 @@ from ...base import (
     shown,
 )
 from ..dae import DAE
-from ..results.result import Result
+from ..results.result import Result, Segment
 from .bound_dae import bound
 from .consistent_start import started
 from .coverage import check_covered
@@ -37,16 +34,15 @@ from .events.hybrid import MOST_STEPS, NODES, run_hybrid
 from .events.switcher import Event, Switcher
 from .initialization import start_values
 from .integrator import IntegratorError
-from .point import Point, solve_algebraic
+from .point import solve_algebraic
 from .progress import Progress
-from .run import failure, interruption, shock
-from .settings import Settings
+from .run import ending_in_results, seen_of_jumps, settle, shock
+from .settings import ATOL, RTOL, Settings
 from .simulate import collected
 from .smooth import MOST_STEPS as SMOOTH_STEPS
 from .smooth import run_smooth
-from .tolerance import ATOL, RTOL
 
-WIDE = 4
+BEND_MARGIN = 4  # times its bend so far that an indicator may bend until the next instant
 
 
 class Stepwise:
@@ -74,17 +70,16 @@ class Stepwise:
     ) -> None:  # fmt: skip
         self._began = clock.perf_counter()
         demand("Stepwise", dae=(dae, instance(DAE)), courses=(courses, by_name(numbers(number))))
-        settings = Settings(begin, stop, None, rtol, atol, solver, False)
-        self.closed, self.settings = bound(dae, inputs), settings
-        check_covered(dae.name, self.closed.signals, begin, stop)
-        q = self.closed.blank(dae.parameters.values(named("parameters", parameters)))
-        self._write(q, settings.begin, courses)
-        self.run = started(
-            self.closed, settings, q, start_values(dae, named("start", start), named("guess", guess))
-        )
-        self.run.legs = self.closed.legs(q, begin, stop)
+        settings = Settings(begin, stop, rtol=rtol, atol=atol, solver=solver)
+        closed = self.closed = bound(dae, inputs)
+        check_covered(dae.name, closed.signals, begin, stop)
+        q = closed.blank(dae.parameters.values(named("parameters", parameters)))
+        self._write(q, begin, courses)
+        wanted = start_values(dae, named("start", start), named("guess", guess))
+        self.run = started(closed, settings, q, wanted)
+        self.run.legs = closed.legs(q, begin, stop)
         pieces = (NODES, MOST_STEPS) if self.run.switcher else (1, SMOOTH_STEPS)
-        self._stepper = self.closed.stepper(settings.solver, settings.tolerance, *pieces)
+        self._stepper = closed.stepper(solver, settings.tolerance, *pieces)
         self.run.open_segment()
         self._watched: tuple[float, Array, Array] | None = None
         self._observers: dict[tuple[tuple[str, int], ...], Any] = {}
@@ -94,13 +89,12 @@ class Stepwise:
             if path not in self.closed.courses:
                 known = nearest(path, self.closed.courses)
                 raise UnknownNameError(f"'{path}' is no input that is a Polynomial{known}")
-            place = self.closed.courses[path]
-            if len(coefficients) >= place.stop - place.start:
-                most = place.stop - place.start - 1
+            course = q[self.closed.courses[path]]
+            if len(coefficients) >= len(course):
+                most = len(course) - 1
                 raise ModelError(f"input '{path}' takes {most} coefficients, got {len(coefficients)}")
-            q[place] = 0.0
-            q[place.start] = t
-            q[place.start + 1 : place.start + 1 + len(coefficients)] = coefficients
+            course[:] = 0.0
+            course[0], course[1 : 1 + len(coefficients)] = t, coefficients
 
     @property
     def time(self) -> float:
@@ -140,12 +134,12 @@ class Stepwise:
             SimulationError: for a jump that takes infinite forces.
         """
         demand("set()", courses=(courses, by_name(numbers(number))), jumps=(jumps, instance(bool)))
-        run, shocks = self.run, self.closed.shocks
-        seen = shocks.seen(run.point) if shocks and jumps else None
+        run = self.run
+        seen = seen_of_jumps(run, self.time) if jumps else None
         self._write(run.point.q, self.time, courses)
         solve_algebraic(self.closed, run.point)
         if seen is not None:
-            run.events += shock(run, seen)
+            shock(run, seen)
             run.open_segment()
 
     def settle(self, jumped: bool = False) -> bool:
@@ -154,21 +148,15 @@ class Stepwise:
         Args:
             jumped: whether inputs jump here, so that two points share this instant: before and after.
         """
-        run = self.run
-        happened = run.switcher.settle(run.point) if run.switcher else []
-        run.events += happened
-        if happened or jumped:
-            run.open_segment()
-        return bool(happened)
+        return settle(self.run, jumped)
 
     def first_event(self, t: float) -> float | None:
         """Return when something jumps first until t, an event or what is given; the run does not move."""
         run = self.run
-        ahead = (leg.begin for leg in run.legs[run.leg_number + 1 :] if leg.jumps)
-        jump = next(ahead, np.inf)
-        event = (
-            self._foreseen(run.switcher, min(t, jump)) if run.switcher and self.closed.dae.hybrid else None
-        )
+        jump = next((leg.begin for leg in run.legs[run.leg_number + 1 :] if leg.jumps), np.inf)
+        event = None
+        if run.switcher and self.closed.dae.hybrid:
+            event = self._foreseen(run.switcher, min(t, jump))
         return event if event is not None else jump if jump <= t else None
 
     def _foreseen(self, switcher: Switcher, t: float) -> float | None:
@@ -177,8 +165,7 @@ class Stepwise:
         if not p.t < t or not self._within_reach(switcher, t):
             return None
         apart = switcher.copy()
-        here = Point(p.t, p.x.copy(), p.z.copy(), p.q.copy())
-        trial = replace(self.run, point=here, switcher=apart, segments=[], events=[])
+        trial = replace(self.run, point=p.copy(), switcher=apart, segments=[], events=[])
         trial.open_segment()
         with suppress(IntegratorError, SimulationError), Progress("", p.t, t, False) as quiet:
             run_hybrid(trial, apart, self._stepper, np.array([p.t, t]), quiet, first=True)
@@ -193,7 +180,7 @@ class Stepwise:
         if was is None or was[0] >= point.t or (was[2] != self._watched[2]).any() or self.run.max_step < span:
             return True
         bend = np.abs(rates - was[1]) / (point.t - was[0])
-        reach = values + span * (np.maximum(rates, 0.0) + WIDE * span * bend)
+        reach = values + span * (np.maximum(rates, 0.0) + BEND_MARGIN * span * bend)
         return bool((reach > -switcher.indicators.tolerance())[switcher.indicators.active(point.q)].any())
 
     def observe(self, wanted: Sequence[tuple[str, int]]) -> Array:
@@ -202,7 +189,8 @@ class Stepwise:
         Raises:
             UnknownNameError: for an unknown name, with the nearest one.
         """
-        if not all(np.shape(pair) == (2,) for pair in _pairs(wanted)):
+        several = isinstance(wanted, Sequence) and len(wanted) > 0
+        if not (several and all(np.shape(pair) == (2,) for pair in wanted)):
             raise ModelError(f"observe() takes pairs (name, order), got {shown(wanted)}")
         key = tuple(wanted)
         if key not in self._observers:
@@ -235,15 +223,9 @@ class Stepwise:
             ModelError: for a time before where the run stands, or after its `stop`.
             SimulationError: if that fails; its `result` keeps what was computed.
         """
-        run = self.run
-        demand("advance()", t=(t, between(self.time, self.settings.stop, "s")))
-        try:
-            with interruptible():
-                self._go(t)
-        except (IntegratorError, SimulationError) as error:
-            raise SimulationError(failure(run, error), self.result()) from error
-        except Interrupted:
-            raise RunInterruptedError(interruption(run), self.result()) from None
+        demand("advance()", t=(t, between(self.time, self.run.settings.stop, "s")))
+        with ending_in_results(self.run, self.result):
+            self._go(t)
 
     def _go(self, t: float) -> None:
         run = self.run
@@ -264,12 +246,8 @@ class Stepwise:
         return collected(self.run, self._stepper.solver, self._began, None)
 
 
-def _drop_first(segment: Any) -> None:
+def _drop_first(segment: Segment) -> None:
     """Forget where a segment begins when the one before ends there alike."""
     if len(segment.times) > 1:
         for column in (segment.times, segment.states, segment.algebraic):
             del column[0]
-
-
-def _pairs(wanted: Any) -> Any:
-    return wanted if isinstance(wanted, Sequence) and len(wanted) else [None]

@@ -6,7 +6,7 @@ import numpy as np
 
 from ....base import Array
 from ..point import Point, solve_algebraic
-from ..tolerance import Tolerance
+from ..settings import Tolerance
 from .indicators import Indicators
 
 

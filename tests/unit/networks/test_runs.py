@@ -7,9 +7,8 @@ import casadi as ca
 import inertance as ia
 import numpy as np
 import pytest
-from inertance.networks import ToolchainError, chosen_solver
-from inertance.networks.simulation import solver_choice
-from inertance.networks.simulation.tolerance import Tolerance
+from inertance.networks import ToolchainError, chosen_solver, csource
+from inertance.networks.simulation.settings import Tolerance
 
 TIGHT: dict[str, Any] = {"rtol": 1e-9, "atol": 1e-11}
 SOLVERS = ["cvodes", "idas", "rosenbrock"]
@@ -367,7 +366,7 @@ def test_multistep_methods_are_not_asked_for_less_than_rounding_lets(asked: floa
 
 
 def test_auto_is_decided_once_by_what_compiling_pays(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(solver_choice, "compiler", lambda: ["cc"])
+    monkeypatch.setattr(csource, "compiler", lambda: ["cc"])
     assert chosen_solver("auto", 2000, 20) == chosen_solver("auto", 200, 200) == "compiled"
     assert chosen_solver("auto", 1999, 20) == chosen_solver("auto", 500, 1) == "auto"
     assert chosen_solver("idas", 10**6, 200) == "idas"
@@ -375,5 +374,5 @@ def test_auto_is_decided_once_by_what_compiling_pays(monkeypatch: pytest.MonkeyP
     def missing() -> list[str]:
         raise ToolchainError("no C compiler was found")
 
-    monkeypatch.setattr(solver_choice, "compiler", missing)
+    monkeypatch.setattr(csource, "compiler", missing)
     assert chosen_solver("auto", 2000, 20) == "auto"
