@@ -101,7 +101,7 @@ def _rest(closed: BoundDAE, point: Point) -> list[str]:
 
     value, slope = at(y)
     if not (np.isfinite(value).all() and np.isfinite(slope).all()):
-        blamed = told_without_value(closed, point.x, point.z, point.q, point.t)
+        blamed = told_without_value(closed, point)
         raise ModelError(
             f"'{dae.name}': its equations have no value or slope at the start: "
             f"{blamed or 'a parameter of 0 may remove what they are solved for'}; {GUARD}"

@@ -5,13 +5,6 @@
 #include <math.h>
 #include <string.h>
 
-#define START_ROUNDS 10
-#define LEAD_ROUNDS 20
-#define MEET_ROUNDS 50
-#define START_CLOSE 1e-13
-#define START_MISSED 1e-8
-#define START_WEAK 1e-12
-
 void core_given(Given *given) {
     for (int i = 0; i < NX; i++) given->x[i] = model_guess[i];
     for (int i = 0; i < NAIM; i++) given->aim[i] = model_aim[i];

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
 import casadi as ca
@@ -12,25 +13,26 @@ from ..flattening.equations import local_arguments
 from ..flattening.vectors import pick
 
 if TYPE_CHECKING:
-    from ..flattening.flat import Instance
     from .bound_dae import BoundDAE
+    from .point import Point
 
-MOST = 3
+MOST_TOLD = 3
 GUARD = "docs/write-your-own-component.md says how to guard it"
 
 
-def told_without_value(closed: BoundDAE, x: Any, z: Any, q: Any, t: float, ahead: float = 0.0) -> str:
+def told_without_value(closed: BoundDAE, point: Point, ahead: float = 0.0) -> str:
     """Return a sentence that names inputs and equations without a finite value or slope at a point.
 
     It is empty if there are none. Inputs are looked at until `ahead` [s] later.
     """
-    found = [*_inputs(closed, q, np.array([t, t + ahead])), *_equations(closed, x, z, q, t)]
-    more = f", and {len(found) - MOST} more" if len(found) > MOST else ""
-    return f"{'; '.join(found[:MOST])}{more}" if found else ""
+    found = [*_inputs(closed, point, ahead), *_equations(closed, point)]
+    more = f", and {len(found) - MOST_TOLD} more" if len(found) > MOST_TOLD else ""
+    return "; ".join(found[:MOST_TOLD]) + more
 
 
-def _inputs(closed: BoundDAE, q: Any, times: Any) -> Iterator[str]:
-    values = closed.input_values(np.tile(q, (len(times), 1)), times)
+def _inputs(closed: BoundDAE, point: Point, ahead: float) -> Iterator[str]:
+    times = np.array([point.t, point.t + ahead])
+    values = closed.input_values(np.tile(point.q, (2, 1)), times)
     for declared, course in zip(closed.dae.inputs, values.T, strict=True):
         if not np.isfinite(course).all():
             k = int(np.argmin(np.isfinite(course)))
@@ -38,10 +40,10 @@ def _inputs(closed: BoundDAE, q: Any, times: Any) -> Iterator[str]:
             yield f"input '{name}' is {course[k]:g} at t = {times[k]:.6g} s"
 
 
-def _equations(closed: BoundDAE, x: Any, z: Any, q: Any, t: float) -> Iterator[str]:
-    dae, flat = closed.dae, closed.dae.flat
-    q = q[: dae.constants.numel()]
-    values = _values(closed, x, z, _padded(closed, q), t)
+def _equations(closed: BoundDAE, point: Point) -> Iterator[str]:
+    dae, flat, t = closed.dae, closed.dae.flat, point.t
+    q = point.q[: dae.constants.numel()]
+    values = _values(closed, replace(point, q=closed.blank(q)))
     for group in flat.groups:
         template = group[0].template
         if not template.residuals:
@@ -51,7 +53,8 @@ def _equations(closed: BoundDAE, x: Any, z: Any, q: Any, t: float) -> Iterator[s
         rows = [ca.vertcat(r, *s.values()) for r, s in zip(template.residuals, template.slopes, strict=True)]
         function = ca.Function("rows", [template.symbols, given, template.time], rows)
         for place, instance in enumerate(group):
-            local = _known(closed, instance, values)
+            found = [flat.joined.find(instance.base + k) for k in range(len(template.variables))]
+            local = np.array([sign * values[root] for root, sign in found])
             results = function.call([np.where(np.isfinite(local), local, 1.0), numbers[:, place], t])
             for residual, result in zip(template.residuals, results, strict=True):
                 value, *slopes = np.isfinite(result.full().ravel())
@@ -60,24 +63,14 @@ def _equations(closed: BoundDAE, x: Any, z: Any, q: Any, t: float) -> Iterator[s
                     yield f"{instance} has no {what} there{_at(template, residual, local)}"
 
 
-def _padded(closed: BoundDAE, q: Any) -> Any:
-    return np.concatenate([q, np.zeros(closed.q.numel() - len(q))])
-
-
-def _values(closed: BoundDAE, x: Any, z: Any, q: Any, t: float) -> dict[int, float]:
-    """Return every joined variable of a component."""
+def _values(closed: BoundDAE, point: Point) -> dict[int, float]:
+    """Return every joined variable of a component, not finite where its equation has no value."""
     flat = closed.dae.flat
     count = sum(len(group) * len(group[0].template.variables) for group in flat.groups)
     roots = sorted({flat.joined.find(number)[0] for number in range(count)})
     function = closed.function("variables", closed.close(pick(closed.dae.variables, roots)))
-    return dict(zip(roots, function(x, z, q, t).full().ravel().tolist(), strict=True))
-
-
-def _known(closed: BoundDAE, instance: Instance, values: dict[int, float]) -> Any:
-    """Return an instance's variables, not finite where that equation or one elsewhere has no value."""
-    joined = closed.dae.flat.joined
-    found = [joined.find(instance.base + k) for k in range(len(instance.template.variables))]
-    return np.array([sign * values[root] for root, sign in found])
+    values = function(point.x, point.z, point.q, point.t).full().ravel()
+    return dict(zip(roots, values.tolist(), strict=True))
 
 
 def _at(template: Any, residual: Any, local: Any) -> str:

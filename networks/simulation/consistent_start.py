@@ -9,7 +9,7 @@ import numpy as np
 
 from ...base import Array, InitialConditionError, SimulationError
 from .bound_dae import BoundDAE
-from .events.constants import JUST_BEFORE
+from .events.constants import JUST_BEFORE, START_ROUNDS
 from .events.switcher import Event, Switcher
 from .initialization import StartValues, initial_values
 from .point import Point, solve_algebraic
@@ -43,12 +43,11 @@ def _agreed(closed: BoundDAE, settings: Settings, q: Array, wanted: StartValues)
     """Find start values in given modes, then modes, again until both agree."""
     t = settings.begin
     switcher = Switcher(closed) if closed.dae.hybrid or closed.dae.blocks else None
-    for _ in range(10):
+    for _ in range(START_ROUNDS):
         if switcher is not None:
             guess = Point(t, np.zeros(closed.dae.x.numel()), np.zeros(closed.dae.z.numel()), q)
             switcher.completion.update(guess)
-        x, z, decisions = initial_values(closed, q, t, wanted)
-        point = Point(t, x, z, q)
+        point, decisions = initial_values(closed, q, t, wanted)
         run = Run(closed, settings, point, switcher, decisions)
         if switcher is None:
             return run
@@ -58,8 +57,8 @@ def _agreed(closed: BoundDAE, settings: Settings, q: Array, wanted: StartValues)
         struck = any(event.impulse is not None for event in run.events)
         if not run.events or not mentions_others or struck:
             return run
-        again = initial_values(closed, point.q, t, wanted)
-        if np.allclose(again[0], point.x, rtol=1e-12, atol=1e-14):
+        again, _ = initial_values(closed, point.q, t, wanted)
+        if np.allclose(again.x, point.x, rtol=1e-12, atol=1e-14):
             return run
         q = point.q
     raise InitialConditionError(
@@ -74,8 +73,7 @@ def _first_modes(closed: BoundDAE, q: Array, t: float, wanted: StartValues) -> I
     if not closed.dae.hybrid:
         return
     fixed = {v: value for v, value in wanted.fixed.items() if v in closed.dae.derivative}
-    x, z, _ = initial_values(closed, q, t, StartValues(fixed, wanted.guesses))
-    point = Point(t, x, z, q.copy())
+    point, _ = initial_values(closed, q, t, StartValues(fixed, wanted.guesses))
     switcher = Switcher(closed)
     _settled(switcher, point)
     yield point.q.copy()

@@ -19,6 +19,8 @@ from ...components.language import Variable
 from ..dae import DAE
 from .blame import GUARD, told_without_value
 from .bound_dae import BoundDAE
+from .events.constants import LEAD_ROUNDS, MEET_ROUNDS, START_CLOSE, START_MISSED, START_WEAK
+from .point import Point
 
 SOLVED = "solved from fixed values of other variables"
 RELATED = "from the start values of the motions it relates"
@@ -81,13 +83,8 @@ def start_values(dae: DAE, start: Mapping[str, float], guess: Mapping[str, float
         InitialConditionError: for two different fixed values of one variable.
     """
     _check_names(dae, {**start, **guess})
-    given: dict[str, float] = {}
-    for instance in dae.flat.instances.values():
-        for name, value in instance.component._values.items():
-            if isinstance(type(instance.component).fields.get(name), Variable):
-                given[f"{instance.path}.{name}".lstrip(".")] = float(value)
-    run = {dae.root(name)[0] for name in start}
-    given = {name: v for name, v in given.items() if dae.root(name)[0] not in run}
+    from_run = {dae.root(name)[0] for name in start}
+    given = {name: v for name, v in _given(dae) if dae.root(name)[0] not in from_run}
     fixed: dict[int, tuple[str, float]] = {}
     clashes = []
     for name, value in {**given, **start}.items():
@@ -101,11 +98,17 @@ def start_values(dae: DAE, start: Mapping[str, float], guess: Mapping[str, float
             )
     if clashes:
         raise InitialConditionError("start values contradict each other: " + "; ".join(clashes))
-    guesses = {}
-    for name, value in guess.items():
-        root, sign = dae.root(name)
-        guesses[root] = sign * float(value)
-    return StartValues(fixed, guesses)
+    roots = {name: dae.root(name) for name in guess}
+    return StartValues(fixed, {root: sign * float(guess[name]) for name, (root, sign) in roots.items()})
+
+
+def _given(dae: DAE) -> Iterator[tuple[str, float]]:
+    """Yield the start values that components were given."""
+    for instance in dae.flat.instances.values():
+        fields = type(instance.component).fields
+        for name, value in instance.component._values.items():
+            if isinstance(fields.get(name), Variable):
+                yield f"{instance.path}.{name}".lstrip("."), float(value)
 
 
 def _check_names(dae: DAE, given: Mapping[str, Any]) -> None:
@@ -122,35 +125,29 @@ def _check_names(dae: DAE, given: Mapping[str, Any]) -> None:
         raise ModelError("these start values cannot be set:", problems)
 
 
-def initial_values(
-    closed: BoundDAE, q: Array, t: float, wanted: StartValues
-) -> tuple[Array, Array, StartReport]:
-    """Return states, algebraic unknowns and how they were decided.
+def initial_values(closed: BoundDAE, q: Array, t: float, wanted: StartValues) -> tuple[Point, StartReport]:
+    """Return where a run begins, and how that was decided.
 
     Raises:
         InitialConditionError: if no start satisfies the fixed values.
     """
     dae = closed.dae
     wanted = _following(closed, q, t, wanted)
-    x, z = (guessed(dae, wanted, variables) for variables in (dae.states, dae.algebraic))
-    free = [i for i, s in enumerate(dae.states) if s not in wanted.fixed]
+    point = _guess(closed, q, t, wanted)
     states = set(dae.states)
-    others = [v for v in wanted.fixed if v not in states]
-    hard = {v: wanted.fixed[v][1] for v in others}
-    related, moved = np.zeros((2, len(x)), dtype=bool)
-    for _ in range(2 if others else 1):
-        before = x.copy()
+    hard = {v: value for v, (_, value) in wanted.fixed.items() if v not in states}
+    related, solved = np.zeros((2, len(point.x)), dtype=bool)
+    for _ in range(2 if hard else 1):
+        before = point.x
         for soft, movable in leading(dae, wanted):
-            x = _nearer(closed, q, t, (x, z), hard, soft, movable)
-        related |= x != before
-        before = x.copy()
-        followed = None if others else _followed(closed, q, t, x, z)
-        if followed is not None:
-            z = followed
-        else:
-            x, z = _solve(closed, q, t, (x, z), free, hard, wanted)
-        moved |= x != before
-    return x, z, StartReport(dae, x.copy(), np.select([moved, related], [SOLVED, RELATED], KEPT), wanted)
+            point = _nearer(closed, point, hard, soft, movable)
+        related |= point.x != before
+        before = point.x
+        there, found = (point, False) if hard else _gauss_newton(closed, point, [], {})
+        point = there if found else _met(closed, point, hard, wanted)
+        solved |= point.x != before
+    reasons = np.select([solved, related], [SOLVED, RELATED], KEPT)
+    return point, StartReport(dae, point.x.copy(), reasons, wanted)
 
 
 def leading(dae: DAE, wanted: StartValues) -> Iterator[tuple[dict[int, float], list[int]]]:
@@ -170,30 +167,29 @@ def leading(dae: DAE, wanted: StartValues) -> Iterator[tuple[dict[int, float], l
 
 
 def _nearer(
-    closed: BoundDAE,
-    q: Array,
-    t: float,
-    start: tuple[Array, Array],
-    hard: dict[int, float],
-    soft: dict[int, float],
-    movable: list[int],
-) -> Array:
+    closed: BoundDAE, start: Point, hard: dict[int, float], soft: dict[int, float], movable: list[int]
+) -> Point:
     """Move states so that `hard` is met and, as far as that allows, `soft` is nearest."""
-    x, z = start[0].copy(), start[1]
-    for _ in range(20):
-        (h, to_h), (s, to_s) = (_missed(closed, aims, x, z, q, t)[:2] for aims in (hard, soft))
+    point = start.copy()
+    for _ in range(LEAD_ROUNDS):
+        (h, to_h), (s, to_s) = (_missed(closed, aims, point)[:2] for aims in (hard, soft))
         to_h, to_s = to_h[:, movable], to_s[:, movable]
-        must = np.linalg.pinv(to_h, rcond=1e-12) @ -h
+        must = np.linalg.pinv(to_h, rcond=START_WEAK) @ -h
         _, strength, right = np.linalg.svd(to_h)
-        free = right[np.count_nonzero(strength > 1e-12 * strength.max(initial=0.0)) :].T
-        may = free @ np.linalg.lstsq(to_s @ free, -(s + to_s @ must), rcond=1e-12)[0]
+        free = right[np.count_nonzero(strength > START_WEAK * strength.max(initial=0.0)) :].T
+        may = free @ np.linalg.lstsq(to_s @ free, -(s + to_s @ must), rcond=START_WEAK)[0]
         step = must + may
         if not np.isfinite(step).all():
-            return start[0]
-        x[movable] += step
-        if np.abs(step).max(initial=0.0) <= 1e-13 * (1 + np.abs(x).max(initial=0.0)):
+            return start
+        point.x[movable] += step
+        if np.abs(step).max(initial=0.0) <= START_CLOSE * (1 + np.abs(point.x).max(initial=0.0)):
             break
-    return x
+    return point
+
+
+def _guess(closed: BoundDAE, q: Array, t: float, wanted: StartValues) -> Point:
+    x, z = (guessed(closed.dae, wanted, variables) for variables in (closed.dae.states, closed.dae.algebraic))
+    return Point(t, x, z, q)
 
 
 def guessed(dae: DAE, wanted: StartValues, variables: list[int]) -> Array:
@@ -207,88 +203,74 @@ def guessed(dae: DAE, wanted: StartValues, variables: list[int]) -> Array:
 
 
 def _following(closed: BoundDAE, q: Array, t: float, wanted: StartValues) -> StartValues:
-    """Return start_values with guesses for what starts where an input does."""
-    dae = closed.dae
+    """Return start values with guesses for what starts where an input does."""
     known = {*wanted.fixed, *wanted.guesses}
-    followed = {v: leader for v, leader in dae.followed.items() if v not in known}
+    followed = {v: leader for v, leader in closed.dae.followed.items() if v not in known}
     if not followed:
         return wanted
-    x, z = (guessed(dae, wanted, variables) for variables in (dae.states, dae.algebraic))
-    values = closed.tangent(tuple(leader for leader, _ in followed.values()), False)(x, z, q, t)[0].full()[
-        :, 0
-    ]
-    signs = [sign for _, sign in followed.values()]
-    return StartValues(
-        wanted.fixed, wanted.guesses | dict(zip(followed, (values * signs).tolist(), strict=True))
-    )
+    aims = {leader: 0.0 for leader, _ in followed.values()}
+    values = dict(zip(aims, _missed(closed, aims, _guess(closed, q, t, wanted))[0].tolist(), strict=True))
+    guesses = {v: sign * values[leader] for v, (leader, sign) in followed.items()}
+    return StartValues(wanted.fixed, wanted.guesses | guesses)
 
 
-def _followed(closed: BoundDAE, q: Array, t: float, x: Array, start: Array) -> Array | None:
-    """Return where algebraic unknowns follow the states; None if Newton finds no place."""
-    z = start.copy()
-    for _ in range(50 if len(z) else 0):
-        value, _, slope = _missed(closed, {}, x, z, q, t, algebraic=True)
-        if not (np.isfinite(value).all() and np.isfinite(slope).all()):
-            return None
-        step = np.linalg.lstsq(slope, -value, rcond=1e-12)[0]
-        z += step
-        if np.abs(step).max() <= 1e-13 * (1 + np.abs(z).max()):
-            return z
-    return None if len(z) else z
-
-
-def _solve(
-    closed: BoundDAE,
-    q: Array,
-    t: float,
-    start: tuple[Array, Array],
-    free: list[int],
-    hard: dict[int, float],
-    wanted: StartValues,
-) -> tuple[Array, Array]:
-    """Gauss-Newton with steps of least norm in the free states and z."""
-    x, z = start[0].copy(), start[1].copy()
-    for _ in range(50):
-        value, to_x, to_z = _missed(closed, hard, x, z, q, t, algebraic=True)
+def _gauss_newton(
+    closed: BoundDAE, start: Point, free: list[int], aims: dict[int, float]
+) -> tuple[Point, bool]:
+    """Meet aims and equations by steps of least norm in free states and z; tell whether they came to rest."""
+    point = start.copy()
+    for _ in range(MEET_ROUNDS):
+        value, to_x, to_z = _missed(closed, aims, point, algebraic=True)
         slope = np.hstack([to_x[:, free], to_z])
-        if not np.isfinite(value).all():
+        if not (np.isfinite(value).all() and np.isfinite(slope).all()):
             break
-        step = np.linalg.lstsq(slope, -value, rcond=1e-12)[0] if slope.size else np.zeros(0)
-        x[free] += step[: len(free)]
-        z += step[len(free) :]
-        if np.abs(step).max(initial=0.0) <= 1e-13 * (1 + np.abs(np.r_[x, z]).max(initial=0.0)):
-            break
-    value = _missed(closed, hard, x, z, q, t, algebraic=True)[0]
-    blamed = "" if np.isfinite(value).all() else told_without_value(closed, x, z, q, t)
+        step = np.linalg.lstsq(slope, -value, rcond=START_WEAK)[0]
+        point.x[free] += step[: len(free)]
+        point.z += step[len(free) :]
+        size = np.abs(np.append(point.x, point.z)).max(initial=0.0)
+        if np.abs(step).max(initial=0.0) <= START_CLOSE * (1 + size):
+            return point, True
+    return point, False
+
+
+def _met(closed: BoundDAE, start: Point, hard: dict[int, float], wanted: StartValues) -> Point:
+    """Move free states and z so that fixed values and equations hold."""
+    free = [i for i, s in enumerate(closed.dae.states) if s not in wanted.fixed]
+    point, _ = _gauss_newton(closed, start, free, hard)
+    missed = _missed(closed, hard, point, algebraic=True)
+    size = 1 + np.abs(point.x).max(initial=0.0)
+    wrong = np.flatnonzero(~(np.abs(missed[0]) <= START_MISSED * size))
+    if not len(wrong):
+        return point
+    finite = all(np.isfinite(m).all() for m in missed)
+    blamed = "" if finite else told_without_value(closed, point)
     if blamed:
         told = f"'{closed.dae.name}': its equations have no value at the start: {blamed}; {GUARD}"
         raise InitialConditionError(told)
-    wrong = np.flatnonzero(~(np.abs(value) <= 1e-8 * (1 + np.abs(x).max(initial=0.0))))
-    if len(wrong):
-        raise InitialConditionError(_contradiction(closed.dae, list(hard), wrong, wanted))
-    return x, z
+    raise InitialConditionError(_contradiction(closed.dae, list(hard), wrong, wanted))
 
 
 def _missed(
-    closed: BoundDAE, aims: dict[int, float], x: Array, z: Array, q: Array, t: float, algebraic: bool = False
+    closed: BoundDAE, aims: dict[int, float], point: Point, algebraic: bool = False
 ) -> tuple[Array, Array, Array]:
     """Return by how much variables miss their aims (and algebraic equations zero), with slopes in x, z."""
-    value, to_x, to_z = (m.full() for m in closed.tangent(tuple(aims), algebraic)(x, z, q, t))
+    tangent = closed.tangent(tuple(aims), algebraic)
+    value, to_x, to_z = (m.full() for m in tangent(point.x, point.z, point.q, point.t))
     value[: len(aims), 0] -= list(aims.values())
     return value.ravel(), to_x, to_z
 
 
 def _contradiction(dae: DAE, others: list[int], wrong: Any, wanted: StartValues) -> str:
     failed = {wanted.fixed[others[i]][0] for i in wrong if i < len(others)}
-    told = {
-        name: f"'{name}' = {dae.root(name)[1] * value:g} {dae.unit(name)}"
-        for name, value in wanted.fixed.values()
-    }
     if not failed:
         return f"'{dae.name}': no start satisfies the equations; give guess= for the states"
-    kept = ", ".join(told[name] for name in told if name not in failed)
-    given = f"with {kept}" if kept else "by any choice of the states"
-    return (
-        f"'{dae.name}': {', '.join(told[name] for name in failed)} cannot be reached {given}; give some "
-        "as guess= instead of start="
+    told, kept = (
+        ", ".join(
+            f"'{name}' = {dae.root(name)[1] * value:g} {dae.unit(name)}"
+            for name, value in wanted.fixed.values()
+            if (name in failed) == wrongly
+        )
+        for wrongly in (True, False)
     )
+    given = f"with {kept}" if kept else "by any choice of the states"
+    return f"'{dae.name}': {told} cannot be reached {given}; give some as guess= instead of start="

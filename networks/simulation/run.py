@@ -262,7 +262,7 @@ def _failure(run: Run, error: Exception) -> str:
     motion = closed.function("motion", ode, closed.rate(ode))
     rate, bend = (m.full().ravel() for m in motion(point.x, point.z, point.q, point.t))
     wrong = [names[i] for i in np.flatnonzero(~np.isfinite(rate))]
-    blamed = told_without_value(closed, point.x, point.z, point.q, point.t, step)
+    blamed = told_without_value(closed, point, step)
     if wrong or blamed:
         rates = f"the rate of {', '.join(wrong[:5])} is not a finite number"
         return (

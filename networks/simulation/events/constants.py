@@ -1,4 +1,4 @@
-"""Event constants: where an event lies, what fires there, and when a run is given up.
+"""Event constants: where an event lies, what fires there and at the start, when a run is given up.
 
 Both event loops take them from here, the one in Python as they stand, the C core as `constants.h`, which is
 written with each program. What only one loop knows stands beside it.
@@ -32,6 +32,13 @@ IMPACT_RANK = 1e-10  # share of the greatest singular value below which an impul
 PRESSED = 1e-12  # m/s, rad/s: contacts that approach faster pass a shock on
 INSIDE = 1e-9  # m, rad: what is farther beyond a stop is not at rest on it
 JUST_BEFORE = 1e-9  # s before it begins, a run asks what its signals were
+
+# Start values
+START_ROUNDS = 10  # of start values and modes, until these agree
+LEAD_ROUNDS, MEET_ROUNDS = 20, 50  # of states towards what leads them, and of what must be met
+START_CLOSE = 1e-13  # change, against 1 + size, at which they are found
+START_MISSED = 1e-8  # likewise: by how much they may miss what is wanted
+START_WEAK = 1e-12  # share of the greatest singular value below which a direction has none
 
 # Blocks of equations that modes leave singular
 BLOCK_REGULAR = 1e-6  # scaled determinant (in C: pivot) above which a block is solved as it is
