@@ -8,6 +8,7 @@ arithmetic, which misses no switch, and by samples, which tell how fine a course
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
+from itertools import pairwise
 
 import numpy as np
 
@@ -15,10 +16,9 @@ from ...base import Array, Flags
 from .time_signals import TimeSignals
 
 EIGHTHS = np.arange(9) / 8
-FIRST_BLOCKS = 16
 PARTS = 16
 MOST_BLOCKS = 400_000
-MOST_KEPT = 4096
+MOST_SWITCHES = 4096
 ADJACENT = 1e-25
 FOLLOWED = 0.02  # a flank between two of nine samples is off by 0.04 at least
 NEGLIGIBLE = 1e-7
@@ -54,7 +54,8 @@ def legs_of(signals: TimeSignals, begin: float, stop: float) -> list[Leg]:
     """Return the legs of a run, in order."""
     if not signals.count:
         return [Leg(begin, stop)]
-    return _legs_between(signals, _switches(signals, begin, stop) or [], begin, stop)
+    spans = _spans(signals, begin, stop) or (np.array([begin]), np.array([stop]))
+    return _legs_between(signals, *spans)
 
 
 def endless_legs(signals: TimeSignals, stop: float) -> list[Leg]:
@@ -66,88 +67,72 @@ def endless_legs(signals: TimeSignals, stop: float) -> list[Leg]:
     if not signals.count:
         return [Leg(0.0, np.inf)]
     seen = stop
-    while (switches := _switches(signals, 0.0, seen)) is None or len(switches) > MOST_KEPT:
+    while (spans := _spans(signals, 0.0, seen)) is None or len(spans[0]) > MOST_SWITCHES + 1:
         seen /= 10
-    legs = _legs_between(signals, switches, 0.0, seen)
+    legs = _legs_between(signals, *spans)
     shortest = min(leg.max_step for leg in legs)
     if seen < stop:
         shortest = min(shortest, SHARE * min(leg.end - leg.begin for leg in legs if leg.end > leg.begin))
     return [*legs, Leg(seen, np.inf, shortest)]
 
 
-def _legs_between(
-    signals: TimeSignals, switches: list[tuple[float, float]], begin: float, stop: float
-) -> list[Leg]:
-    starts = np.array([begin, *(b for _, b in switches)])
-    ends = np.array([*(a for a, _ in switches), stop])
-    jumped = _jumps(signals, switches)
-    size = np.zeros(signals.count)
-    legs: list[Leg] = []
-    blocks = _blocks(signals, starts, ends, size)
-    for number, (first, last, jumps) in enumerate(zip(starts, ends, jumped, strict=True)):
-        inside = (blocks.low >= first) & (blocks.high <= last) if len(starts) > 1 else slice(None)
-        part = _joined(blocks.low[inside], blocks.high[inside], blocks.scale[inside])
-        part = part or [Leg(first, last)]
-        part[0] = replace(part[0], begin=float(first), jumps=bool(jumps))
-        part[-1] = replace(part[-1], end=float(last))
-        legs += part if number or first < last else [Leg(begin, begin)]
-    return legs
+def _spans(signals: TimeSignals, begin: float, stop: float) -> tuple[Array, Array] | None:
+    """Return between which instants no formula may switch: where spans begin and end; None for too many.
 
-
-def _switches(signals: TimeSignals, begin: float, stop: float) -> list[tuple[float, float]] | None:
-    """Return the neighbouring instants between which a formula may switch; None if they are too many."""
-    edges = np.linspace(begin, stop, FIRST_BLOCKS + 1)
-    low, high = edges[:-1], edges[1:]
+    The next one begins at the floating-point number after the end, or where switches lie side by side, after
+    these.
+    """
+    low, high = np.array([begin]), np.array([stop])
     smallest = ADJACENT * max(abs(begin), abs(stop))
-    found: list[tuple[float, float]] = []
+    found = [signals.ends(begin, stop)]
     while len(low):
         if len(low) > MOST_BLOCKS:
             return None
         switching = signals.may_switch(low, high)
         low, high = low[switching], high[switching]
         final = (high <= np.nextafter(low, np.inf)) | (high - low <= smallest)
-        found += zip(low[final].tolist(), high[final].tolist(), strict=True)
+        found.append((low[final], high[final]))
         low, high = _split(low[~final], high[~final], PARTS)
-    return _merged(sorted([*found, *signals.ends(begin, stop)]))
+    before, after = (np.concatenate(side) for side in zip(*found, strict=True))
+    order = np.lexsort((after, before))
+    starts, ends = np.append(begin, after[order]), np.append(before[order], stop)
+    lasting = starts < ends
+    lasting[[0, -1]] = True
+    return starts[lasting], ends[lasting]
 
 
-def _merged(pairs: list[tuple[float, float]]) -> list[tuple[float, float]]:
-    """Return pairs that touch as one."""
-    merged: list[tuple[float, float]] = []
-    for low, high in pairs:
-        if merged and low <= merged[-1][1]:
-            merged[-1] = merged[-1][0], high
-        else:
-            merged.append((low, high))
-    return merged
+def _legs_between(signals: TimeSignals, starts: Array, ends: Array) -> list[Leg]:
+    blocks = _blocks(signals, starts, ends)
+    places = np.searchsorted(blocks[0], [*starts, np.inf]).tolist()
+    jumped = _jumps(signals, ends[:-1], starts[1:])
+    legs: list[Leg] = []
+    for first, last, jumps, span in zip(starts, ends, jumped, pairwise(places), strict=True):
+        part = _joined(*(column[slice(*span)] for column in blocks)) or [Leg(first, last)]
+        part[0] = replace(part[0], begin=float(first), jumps=jumps)
+        part[-1] = replace(part[-1], end=float(last))
+        legs += part
+    return legs
 
 
-def _jumps(signals: TimeSignals, switches: list[tuple[float, float]]) -> list[bool]:
+def _jumps(signals: TimeSignals, before: Array, after: Array) -> list[bool]:
     """Tell of the start and of each switch whether a signal jumps there, by more than rounding explains."""
-    if not switches:
-        return [False]
-    before, after = (signals(np.array(side)) for side in zip(*switches, strict=True))
-    before, after = np.nan_to_num(before), np.nan_to_num(after)
-    size = np.maximum(np.abs(before), np.abs(after)).max(axis=0)
-    return [False, *(np.abs(after - before) > NEGLIGIBLE * size).any(axis=1).tolist()]
+    one, other = (np.nan_to_num(signals(side)) for side in (before, after))
+    size = np.maximum(np.abs(one), np.abs(other)).max(axis=0, initial=0.0)
+    return [False, *(np.abs(other - one) > NEGLIGIBLE * size).any(axis=1).tolist()]
 
 
-@dataclass(frozen=True, eq=False)
-class _Blocks:
-    low: Array
-    high: Array
-    scale: Array
-
-
-def _blocks(signals: TimeSignals, starts: Array, ends: Array, size: Array) -> _Blocks:
-    """Halve intervals until a few samples of each show all that happens; keep how fine that is."""
-    low, high = _divided(starts, ends)
-    kept: list[tuple[Array, Array, Array]] = []
+def _blocks(signals: TimeSignals, starts: Array, ends: Array) -> tuple[Array, Array, Array]:
+    """Halve intervals until a few samples of each show all that happens; return them and how fine that is."""
+    lasting = starts < ends
+    low, high = starts[lasting], ends[lasting]
+    widest = 1.5 * (ends[-1] - starts[0]) / PARTS
+    size = np.zeros(signals.count)
+    kept = [(low[:0], high[:0], low[:0])]
     spent = 0
     while len(low):
         spent += len(low)
         scale, shown = _looked_at(signals, low, high, size)
-        shown |= high <= np.nextafter(low, np.inf)
+        shown = shown & (high - low <= widest) | (high <= np.nextafter(low, np.inf))
         if spent + 2 * np.count_nonzero(~shown) > MOST_BLOCKS:
             shown[:] = True
         kept.append((low[shown], high[shown], scale[shown]))
@@ -155,19 +140,7 @@ def _blocks(signals: TimeSignals, starts: Array, ends: Array, size: Array) -> _B
     columns = [np.concatenate(column) for column in zip(*kept, strict=True)]
     order = np.argsort(columns[0], kind="stable")
     first, last, scale = (column[order] for column in columns)
-    return _Blocks(first, last, _after_rest(first, last, scale))
-
-
-def _divided(starts: Array, ends: Array) -> tuple[Array, Array]:
-    """Divide each interval that is longer than a share of all into such shares."""
-    share = (ends[-1] - starts[0]) / FIRST_BLOCKS
-    low, high = [], []
-    for first, last in zip(starts, ends, strict=True):
-        if last > first:
-            edges = np.linspace(first, last, max(1, int(np.ceil((last - first) / share))) + 1)
-            low.append(edges[:-1])
-            high.append(edges[1:])
-    return np.concatenate(low), np.concatenate(high)
+    return first, last, _after_rest(first, last, scale)
 
 
 def _after_rest(low: Array, high: Array, scale: Array) -> Array:
@@ -256,9 +229,8 @@ def _joined(low: Array, high: Array, scale: Array) -> list[Leg]:
 
 
 def _alike(before: Leg, after: Leg) -> bool:
-    if before.max_step == after.max_step:
-        return True
-    return before.max_step * FINER < after.max_step < before.max_step * COARSER
+    finer, coarser = FINER * before.max_step, COARSER * before.max_step
+    return before.max_step == after.max_step or finer < after.max_step < coarser
 
 
 def _hardly_worthwhile(before: Leg, after: Leg) -> bool:

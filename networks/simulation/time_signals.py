@@ -13,7 +13,7 @@ from ...base import Array, Flags
 from ...components.language import Sampled
 from ..evaluation.batch import Batch
 from ..flattening.vectors import column, pick, stacked
-from .intervals import Bounds, Enclosure
+from .intervals import Bounds, Enclosure, instructions
 from .splines import sampled_at
 
 if TYPE_CHECKING:
@@ -21,7 +21,7 @@ if TYPE_CHECKING:
     from .bound_dae import BoundDAE
 
 STATES, CONSTANT, TIMED = range(3)
-DRAWN = 8193
+TABLE_POINTS = 8193
 
 
 class TimeSignals:
@@ -35,14 +35,15 @@ class TimeSignals:
     """
 
     def __init__(self, closed: BoundDAE, parameters: Array, begin: float, stop: float) -> None:
-        self._closed, self._parameters, self._span = closed, parameters, (begin, stop)
+        self._closed, self._dae = closed, closed.dae
+        self._parameters, self._span = parameters, (begin, stop)
         self._rows = closed.timed_rows
         self.count: int = self._rows.numel()
 
     @cached_property
     def formal(self) -> Flags:
         """Which signals are formulas, with no data in them."""
-        moved = ca.jacobian_sparsity(self._rows, pick(self._symbols[0], self._drawn)).row()
+        moved = ca.jacobian_sparsity(self._rows, pick(self._dae.u, self._drawn)).row()
         return ~np.isin(np.arange(self.count), moved)
 
     def __call__(self, times: Array) -> Array:
@@ -50,13 +51,13 @@ class TimeSignals:
         inputs = self._input_values(times)
         if self.plain is not None:
             return inputs[:, self.plain]
-        constant = np.broadcast_to(self._parameters, (len(times), len(self._parameters)))
+        constant = np.tile(self._parameters, (len(times), 1))
         return self._evaluate(inputs, constant, times[:, None])[0][:, :, 0]
 
     @cached_property
     def plain(self) -> list[int] | None:
         """Places of the inputs that the signals are, if they are nothing more."""
-        u = self._symbols[0]
+        u = self._dae.u
         place = {u.nz[k].element_hash(): k for k in range(u.numel())}
         found = [place.get(self._rows.nz[row].element_hash()) for row in range(self.count)]
         return None if None in found else [k for k in found if k is not None]
@@ -76,17 +77,17 @@ class TimeSignals:
         below, above, _ = self._slope(*self._boxes(low, high))
         return np.maximum(np.abs(below), np.abs(above))
 
-    def ends(self, begin: float, stop: float) -> list[tuple[float, float]]:
+    def ends(self, begin: float, stop: float) -> tuple[Array, Array]:
         """Return the neighbouring instants between which data that are held begin or end."""
-        signals = [self._closed.signals[self._closed.dae.inputs[k].path] for k in self._drawn]
+        signals = [self._closed.signals[self._dae.inputs[k].path] for k in self._drawn]
         held = [s for s in signals if isinstance(s, Sampled) and s.extrapolation == "hold"]
-        instants = {float(t) for s in held for t in (s.time[0], s.time[-1]) if begin < t < stop}
-        return [(float(np.nextafter(t, -np.inf)), t) for t in sorted(instants)]
+        instants = np.unique([s.time[end] for s in held for end in (0, -1)])
+        inside = instants[(begin < instants) & (instants < stop)]
+        return np.nextafter(inside, -np.inf), inside
 
     def within_data(self, low: Array, high: Array) -> Flags:
         """Tell which intervals hold no more than one instant of the data, so that a few points show all."""
-        first, last = (np.searchsorted(self._instants, side) for side in (low, high))
-        few: Flags = last - first <= 1
+        few: Flags = np.diff(np.searchsorted(self._instants, [low, high]), axis=0)[0] <= 1
         return few
 
     @cached_property
@@ -101,53 +102,46 @@ class TimeSignals:
     @cached_property
     def _drawn(self) -> list[int]:
         """Places of the inputs that are known by numbers, not by a formula."""
-        return [k for k, formula in enumerate(self._formulas) if formula is None]
+        return [k for k in range(len(self._dae.inputs)) if k not in self._formulas]
 
     @cached_property
-    def _formulas(self) -> list[Any]:
-        """Each input as an expression of time, None if there is none."""
-        time = self._symbols[2]
-        return [self._closed.formula(k, time) for k in range(len(self._closed.dae.inputs))]
+    def _formulas(self) -> dict[int, Any]:
+        """The other inputs as expressions of time."""
+        time = self._dae.time
+        found = {k: self._closed.formula(k, time) for k in range(len(self._dae.inputs))}
+        return {k: ca.densify(formula) for k, formula in found.items() if formula is not None}
 
     @cached_property
-    def _symbols(self) -> tuple[Any, Any, Any]:
-        dae = self._closed.dae
-        return dae.u, dae.p, dae.time
-
-    @cached_property
-    def _of_time(self) -> tuple[Any, Any]:
-        """The signals with formulas put in, and their slopes in time."""
-        u, _, t = self._symbols
-        known = [k for k, formula in enumerate(self._formulas) if formula is not None]
-        rows = self._rows
-        if known:
-            rows = ca.substitute(rows, pick(u, known), column([ca.densify(self._formulas[k]) for k in known]))
-        unknown = ca.SX(np.where(self.formal, 0.0, np.inf))
-        return rows, ca.densify(ca.jacobian(rows, t)) + unknown
+    def _of_time(self) -> Any:
+        """The signals with formulas put in."""
+        inputs = pick(self._dae.u, [*self._formulas])
+        return ca.substitute(self._rows, inputs, column([*self._formulas.values()]))
 
     @cached_property
     def _enclosure(self) -> Enclosure:
-        return Enclosure(self._function(self._of_time[0]))
+        return self._enclosed(self._of_time)
 
     @cached_property
     def _formulas_enclosure(self) -> Enclosure:
-        return Enclosure(self._function(pick(self._of_time[0], np.flatnonzero(self.formal).tolist())))
+        return self._enclosed(pick(self._of_time, np.flatnonzero(self.formal).tolist()))
 
     @cached_property
     def _slope(self) -> Enclosure:
-        return Enclosure(self._function(self._of_time[1]))
+        unknown = ca.SX(np.where(self.formal, 0.0, np.inf))
+        return self._enclosed(ca.densify(ca.jacobian(self._of_time, self._dae.time)) + unknown)
 
-    def _function(self, rows: Any) -> Any:
-        u, p, t = self._symbols
-        return ca.Function("timed", [pick(u, self._drawn), p, t], [ca.densify(rows)])
+    def _enclosed(self, rows: Any) -> Enclosure:
+        dae = self._dae
+        arguments = [pick(dae.u, self._drawn), dae.p, dae.time]
+        return Enclosure(ca.Function("timed", arguments, [ca.densify(rows)]))
 
     @cached_property
     def _evaluate(self) -> Batch:
-        return Batch(ca.Function("timed", [*self._symbols], [ca.densify(self._rows)]))
+        dae = self._dae
+        return Batch(ca.Function("timed", [dae.u, dae.p, dae.time], [ca.densify(self._rows)]))
 
     def _input_values(self, times: Array) -> Array:
-        constants = np.zeros((len(times), self._closed.q.numel()))
-        constants[:, : len(self._parameters)] = self._parameters
+        constants = np.tile(self._closed.blank(self._parameters), (len(times), 1))
         values: Array = self._closed.input_values(constants, times)
         return values
 
@@ -155,9 +149,9 @@ class TimeSignals:
     def _tables(self) -> dict[int, tuple[Array, Array]]:
         """Instants and values of the inputs that are known by numbers."""
         tables = {}
-        evenly = np.linspace(*self._span, DRAWN)
+        evenly = np.linspace(*self._span, TABLE_POINTS)
         for k in self._drawn:
-            declared = self._closed.dae.inputs[k]
+            declared = self._dae.inputs[k]
             signal = self._closed.signals[declared.path]
             if isinstance(signal, Sampled):
                 tables[k] = signal.time, declared.sign * sampled_at(signal, signal.time, declared.order)
@@ -193,33 +187,23 @@ def timed_rows(dae: DAE, given: Sequence[int], watched: bool = False) -> Any:
 
 
 def _largest(dae: DAE, equations: Any, given: set[int]) -> Any:
-    read = dae.jumps.before if dae.jumps else ca.SX(0, 1)
-    function = ca.Function("equations", [*dae.arguments(), read], [equations])
-    arguments = [argument.nz[:] for argument in dae.arguments()]
-    parameters = dae.p.numel()
-    work: dict[int, tuple[int, Any, int]] = {}
+    symbols = [*dae.arguments(), dae.jumps.before if dae.jumps else ca.SX(0, 1)]
+    entries = [symbol.nz[:] for symbol in symbols]
+    work: dict[int, tuple[int, Any]] = {}
     found: dict[int, Any] = {}
-    for k in range(function.n_instructions()):
-        operation, into, of = (
-            function.instruction_id(k),
-            function.instruction_output(k),
-            function.instruction_input(k),
-        )
+    for operation, into, of, constant in instructions(ca.Function("equations", symbols, [equations])):
         if operation == ca.OP_INPUT:
-            kind = _kind(of[0], of[1], parameters, given)
-            work[into[0]] = kind, arguments[of[0]][of[1]] if kind != STATES else None, k
+            work[into[0]] = _kind(*of, dae.p.numel(), given), entries[of[0]][of[1]]
         elif operation == ca.OP_CONST:
-            work[into[0]] = CONSTANT, ca.SX(function.instruction_constant(k)), k
-        elif operation == ca.OP_OUTPUT:
-            _note(found, [work[of[0]]])
+            work[into[0]] = CONSTANT, ca.SX(constant)
         else:
             operands = [work[place] for place in of]
-            if any(kind == STATES for kind, *_ in operands):
-                _note(found, operands)
-                work[into[0]] = STATES, None, k
-            else:
-                kind = max(kind for kind, *_ in operands)
-                work[into[0]] = kind, _applied(operation, [value for _, value, _ in operands]), k
+            kinds, values = [kind for kind, _ in operands], [value for _, value in operands]
+            if operation == ca.OP_OUTPUT or STATES in kinds:
+                found |= {value.element_hash(): value for kind, value in operands if kind == TIMED}
+            if operation != ca.OP_OUTPUT:
+                whole = STATES not in kinds
+                work[into[0]] = (max(kinds), _applied(operation, values)) if whole else (STATES, None)
     return column([*found.values()])
 
 
@@ -228,10 +212,6 @@ def _kind(argument: int, entry: int, parameters: int, given: set[int]) -> int:
     if argument == 4 or (argument == 2 and entry in given):
         return TIMED
     return CONSTANT if argument == 3 and entry < parameters else STATES
-
-
-def _note(found: dict[int, Any], operands: Sequence[tuple[int, Any, int]]) -> None:
-    found.update({number: value for kind, value, number in operands if kind == TIMED})
 
 
 def _applied(operation: int, operands: list[Any]) -> Any:
