@@ -105,7 +105,7 @@ from .simulation.coverage import between_samples as between_samples
 from .simulation.coverage import check_covered as check_covered
 from .simulation.coverage import jump_remedy as jump_remedy
 from .simulation.events.switcher import Event as Event
-from .simulation.polynomial import Polynomial as Polynomial
+from .simulation.input_signals import Polynomial as Polynomial
 from .simulation.settings import ATOL as ATOL
 from .simulation.settings import COARSEST as COARSEST
 from .simulation.settings import FINEST as FINEST

@@ -35,10 +35,9 @@ from ..results.result import Segment
 from ..simulation.bound_dae import BoundDAE
 from ..simulation.events.constants import FIRING_ROUNDS
 from ..simulation.events.switcher import Event, jumped
-from ..simulation.input_signals import Given
+from ..simulation.input_signals import Polynomial, SignalKey
 from ..simulation.integrator import IntegratorError
 from ..simulation.point import Point
-from ..simulation.polynomial import Polynomial
 from ..simulation.splines import piecewise
 from .model import Model
 from .program import SOURCES, sources
@@ -54,7 +53,7 @@ MOST_BETWEEN = 1_000_000  # steps from one output to the next
 UNEVEN = 20  # times its share of `max_steps` that an interval between outputs may take
 FIRST, PATIENCE = 256, 0.05  # steps and seconds [s] until the C program looks up from its work
 DOUBLES, INTEGERS = POINTER(c_double), POINTER(c_longlong)
-_LIBRARIES: WeakKeyDictionary[Flat, dict[Given, Any]] = WeakKeyDictionary()
+_LIBRARIES: WeakKeyDictionary[Flat, dict[SignalKey, Any]] = WeakKeyDictionary()
 
 
 class _Run(Structure):
@@ -261,7 +260,7 @@ def _table(signal: Any, order: int) -> tuple[NDArray[np.float64], NDArray[np.flo
 def _library(dae: DAE, functions: dict[str, Any]) -> Any:
     """Return the compiled program of a network with some inputs built in, made once."""
     known = _LIBRARIES.setdefault(dae.flat, {})
-    key = Given(functions)
+    key = SignalKey(functions)
     if key not in known:
         folder = Path(mkdtemp(prefix="inertance-"))
         finalize(dae.flat, rmtree, folder, ignore_errors=True)

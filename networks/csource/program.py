@@ -15,9 +15,8 @@ from ..dae import DAE, Input
 from ..flattening.vectors import column
 from ..simulation.bound_dae import BoundDAE
 from ..simulation.events import constants
-from ..simulation.input_signals import chosen_signals
+from ..simulation.input_signals import Polynomial, chosen_signals
 from ..simulation.legs import Leg, endless_legs
-from ..simulation.polynomial import Polynomial
 from ..simulation.starting import Start
 from ..simulation.time_signals import TimeSignals
 from .model import Model

@@ -61,7 +61,7 @@ class Points:
         first, last = intervals, intervals + 1
         share = np.linspace(0.0, 1.0, parts + 1)[None, :, None]
         step, change = (self.t[last] - self.t[first])[:, None], self.x[last] - self.x[first]
-        rates = self._rates(first), self._rates(last)
+        rates = self.only(first).rates, self.only(last).rates
         a, b = (np.clip(step * rate, -3 * np.abs(change), 3 * np.abs(change))[:, None] for rate in rates)
         cubic = share**2 * (3 - 2 * share) * change[:, None]
         cubic = cubic + share * (1 - share) ** 2 * a - share**2 * (1 - share) * b
@@ -70,10 +70,10 @@ class Points:
         t = (self.t[first][:, None] + share[:, :, 0] * step).ravel()
         return Points(self.closed, t, x, z, np.repeat(self.q[first], parts + 1, axis=0))
 
-    def _rates(self, which: Any) -> Array:
-        some = self.only(which)
-        motion = self.closed.evaluator(self.closed.dae.ode)
-        rates: Array = motion(some.x.T, some.z.T, some.q.T, some.t[None]).full().T
+    @property
+    def rates(self) -> Array:
+        """Rates of the states."""
+        rates: Array = self.closed.motion(self.x, self.z, self.q, self.t[:, None])[0][:, :, 0]
         return rates
 
     @property

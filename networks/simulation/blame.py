@@ -4,17 +4,15 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import replace
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import casadi as ca
 import numpy as np
 
 from ..flattening.equations import local_arguments
 from ..flattening.vectors import pick
-
-if TYPE_CHECKING:
-    from .bound_dae import BoundDAE
-    from .point import Point
+from .bound_dae import BoundDAE
+from .point import Point
 
 MOST_TOLD = 3
 GUARD = "docs/write-your-own-component.md says how to guard it"

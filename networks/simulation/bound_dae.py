@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from functools import cached_property
+from functools import cache, cached_property, partial
 from threading import get_ident
 from typing import TYPE_CHECKING, Any
 
@@ -18,11 +18,9 @@ from ..evaluation.compiled import Compiled, dense
 from ..flattening.vectors import pick, stacked
 from .events.functions import SwitchFunctions
 from .events.shocks import Shocks
-from .input_signals import Given, chosen_signals, input_value
+from .input_signals import Polynomial, SignalKey, chosen_signals, input_value
 from .integrator import Stepper
 from .legs import Leg, legs_of
-from .polynomial import Polynomial
-from .settings import Tolerance
 from .splines import sampled_at
 from .time_signals import TimeSignals, timed_rows
 
@@ -40,26 +38,20 @@ class BoundDAE:
     """
 
     def __init__(self, dae: DAE, signals: Mapping[str, Any]) -> None:
-        self.dae = dae
-        self.signals = signals
-        self._steppers: dict[tuple[str, Tolerance, int, int], Stepper] = {}
-        self._tangents: dict[tuple[tuple[int, ...], bool], Any] = {}
-        self._evaluators: dict[str, Batch] = {}
-        self._legs: dict[tuple[Any, ...], list[Leg]] = {}
-        self.sampled = any(isinstance(s, Sampled) for s in self.signals.values())
-        kind: Any = ca.MX if self.sampled else ca.SX
-        constants = dae.constants
-        self._constant, self.courses = constants.numel(), _courses(constants.numel(), signals)
+        self.dae, self.signals = dae, signals
+        self.sampled = any(isinstance(s, Sampled) for s in signals.values())
+        self._constant, self.courses = dae.constants.numel(), _courses(dae.constants.numel(), signals)
         added = sum(place.stop - place.start for place in self.courses.values())
-        self.x: Any = kind.sym("x", dae.x.numel()) if self.sampled else dae.x
-        self.z: Any = kind.sym("z", dae.z.numel()) if self.sampled else dae.z
-        self.q: Any = (
-            kind.sym("q", self._constant + added)
-            if self.sampled
-            else stacked(constants, ca.SX.sym("course", added))
-        )
-        self.t: Any = kind.sym("t") if self.sampled else dae.time
-        self.u = ca.densify(ca.vertcat(kind(0, 1), *[self._input(i) for i in dae.inputs]))
+        symbols = [dae.x, dae.z, stacked(dae.constants, ca.SX.sym("course", added)), dae.time]
+        if self.sampled:
+            symbols = [ca.MX.sym(name, each.numel()) for name, each in zip("xzqt", symbols, strict=True)]
+        self.x, self.z, self.q, self.t = symbols
+        self.u = ca.densify(ca.vertcat(type(self.x)(0, 1), *map(self._input, dae.inputs)))
+        self._legs: dict[tuple[Any, ...], list[Leg]] = {}
+        # Made once for each choice of arguments.
+        self.stepper = cache(partial(Stepper, self))
+        self.signal, self.moving_signal = cache(self._signal), cache(self._moving_signal)
+        self.tangent = cache(self._tangent)
 
     def _input(self, declared: Input) -> Any:
         signal = self.signals[declared.path]
@@ -92,24 +84,15 @@ class BoundDAE:
             function = function.map(f"{name}_map", "serial", instants, [2], [])
         return Compiled(function)
 
-    def evaluator(self, *expressions: Any) -> Any:
-        """Return a function of (x, z, q, t) of expressions in the DAE's symbols."""
-        joined = ca.vertcat(*expressions)
-        return self.function("evaluate", self.close(joined))
+    def _signal(self, name: str) -> Batch:
+        """Return a function of (x, z, u, q, t), at many points, of a signal by its full name."""
+        expression = ca.densify(self.dae.expression(name))
+        return Batch(ca.Function("signal", self.dae.arguments(), [expression]))
 
-    def signal(self, name: str) -> Batch:
-        """Return a function of (x, z, u, q, t), at many points, of a signal by its full name, made once."""
-        if name not in self._evaluators:
-            expression = ca.densify(self.dae.expression(name))
-            self._evaluators[name] = Batch(ca.Function("signal", self.dae.arguments(), [expression]))
-        return self._evaluators[name]
-
-    def moving_signal(self, name: str) -> Batch:
-        """Return a function of (x, z, q, t), at many points, of a signal and its rate, made once."""
-        if (key := f"moving {name}") not in self._evaluators:
-            value = self.close(ca.densify(self.dae.expression(name)))
-            self._evaluators[key] = Batch(self.function("moving", *dense(value, self.rate(value))))
-        return self._evaluators[key]
+    def _moving_signal(self, name: str) -> Batch:
+        """Return a function of (x, z, q, t), at many points, of a signal and its rate."""
+        value = self.close(ca.densify(self.dae.expression(name)))
+        return Batch(self.function("moving", *dense(value, self.rate(value))))
 
     @cached_property
     def motion(self) -> Batch:
@@ -141,15 +124,11 @@ class BoundDAE:
     def _other_inputs(self) -> Batch:
         return Batch(ca.Function("inputs", [self.q, self.t], [pick(self.u, self._others)]))
 
-    def tangent(self, variables: tuple[int, ...], algebraic: bool) -> Any:
+    def _tangent(self, variables: tuple[int, ...], algebraic: bool) -> Any:
         """Return a function of joined variables (and algebraic residuals) and their slopes in x and z."""
-        key = variables, algebraic
-        if key not in self._tangents:
-            values = pick(self.dae.variables, variables)
-            values = self.close(ca.vertcat(values, self.dae.alg) if algebraic else values)
-            slopes = ca.jacobian(values, self.x), ca.jacobian(values, self.z)
-            self._tangents[key] = self.function("tangent", values, *slopes)
-        return self._tangents[key]
+        values = pick(self.dae.variables, variables)
+        values = self.close(ca.vertcat(values, self.dae.alg) if algebraic else values)
+        return self.function("tangent", values, ca.jacobian(values, self.x), ca.jacobian(values, self.z))
 
     def rate(self, closed: Any) -> Any:
         """Return the time derivative of a closed expression along the motion."""
@@ -199,26 +178,19 @@ class BoundDAE:
         """Return the parts of a run between the instants at which inputs switch; found once for each run."""
         parameters = q[: self.dae.p.numel()]
         signals = TimeSignals(self, parameters, begin, stop)
-        known = _LEGS
-        given = {
-            (k, self.dae.inputs[k].order): self.signals[self.dae.inputs[k].path] for k in signals.plain or ()
-        }
-        key: tuple[Any, ...] = begin, stop, Given(given)
-        if signals.plain is None:
-            known = self._legs
-            key = begin, stop, parameters.tobytes() if ca.depends_on(self.timed_rows, self.dae.p) else b""
+        known, told = self._legs, b""
+        if signals.plain is not None:
+            inputs = {k: self.dae.inputs[k] for k in signals.plain}
+            given = {(k, i.order): self.signals[i.path] for k, i in inputs.items()}
+            known, told = _LEGS, SignalKey(given)
+        elif ca.depends_on(self.timed_rows, self.dae.p):
+            told = parameters.tobytes()
+        key = begin, stop, told
         if key not in known:
             known[key] = legs_of(signals, begin, stop)
             if len(known) > LEGS_KEPT:
                 known.pop(next(iter(known)), None)
         return known[key]
-
-    def stepper(self, solver: str, tolerance: Tolerance, nodes: int, most_steps: int) -> Stepper:
-        """Return a compiled integrator, made once for each choice."""
-        key = (solver, tolerance, nodes, most_steps)
-        if key not in self._steppers:
-            self._steppers[key] = Stepper(self, *key)
-        return self._steppers[key]
 
 
 def bound(dae: DAE, inputs: Mapping[str, Any]) -> BoundDAE:
@@ -228,7 +200,7 @@ def bound(dae: DAE, inputs: Mapping[str, Any]) -> BoundDAE:
         ModelError: for unknown inputs and for inputs without a signal.
     """
     chosen = chosen_signals(dae, named("inputs", inputs))
-    known, key = dae.bindings, (get_ident(), Given(chosen))
+    known, key = dae.bindings, (get_ident(), SignalKey(chosen))
     binding = known[key] = known.pop(key, None) or BoundDAE(dae, chosen)
     if len(known) > BINDINGS:
         del known[next(iter(known))]

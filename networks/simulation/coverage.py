@@ -8,16 +8,16 @@ from typing import Any
 
 import numpy as np
 
-from ...base import ModelError
+from ...base import Array, ModelError
 from ...components.language import Sampled
 from ..dae import Input
-from .splines import KEPT, piecewise
+from .splines import CACHED_SIGNALS, piecewise
 
-LEAST_SHARE = 0.01  # of the data's span, below which a run makes one ask for the unit of their time
+USED_SHARE = 0.01  # of the data's span, below which a run makes one ask for the unit of their time
 BEYOND = 0.5  # share of the data's range by which a spline that goes beyond them is no signal
 JUMP = 0.2  # share of the data's range by which they jump within a sample ...
 LONELY = 10.0  # ... so many times more than in the samples beside it
-BESIDE = 4
+NEIGHBOURS = 4
 
 
 def check_covered(name: str, signals: Mapping[str, Any], begin: float, stop: float) -> None:
@@ -48,7 +48,7 @@ def data_notes(
         if not isinstance(signal, Sampled):
             continue
         span = float(np.ptp(signal.time))
-        if stop - begin < LEAST_SHARE * span:
+        if stop - begin < USED_SHARE * span:
             yield (
                 f"input '{path}': the run uses {(stop - begin) / span:.2g} of its data, which are from "
                 f"{signal.time[0]:g} to {signal.time[-1]:g} s; is their time in seconds?"
@@ -65,22 +65,21 @@ def jump_remedy(inputs: Sequence[Input], path: str) -> str:
     return "interpolation='linear' stays within the samples"
 
 
-@lru_cache(maxsize=KEPT)
+@lru_cache(maxsize=CACHED_SIGNALS)
 def between_samples(signal: Sampled) -> str:
     """Say where a cubic spline makes of a signal what was not measured; empty if nowhere."""
-    values, steps = signal.values, np.diff(signal.values)
-    size = float(np.ptp(values))
+    size = float(np.ptp(signal.values))
     if signal.interpolation != "cubic" or not size:
         return ""
     at, beyond = _beyond(signal)
-    jump = _jump(steps, size)
-    if beyond <= BEYOND * size and jump is None:
-        return ""
     if beyond > BEYOND * size:
         return (
             f"the spline through its samples goes {beyond / size:.3g} times their range beyond them at "
             f"t = {at:.6g} s, where they are far apart or next to each other"
         )
+    jump = _jump(np.abs(np.diff(signal.values)), size)
+    if jump is None:
+        return ""
     return (
         f"it jumps within one sample at t = {signal.time[jump]:.6g} s, which a cubic spline overshoots by "
         f"{beyond / size:.0%} of its range"
@@ -90,27 +89,20 @@ def between_samples(signal: Sampled) -> str:
 def _beyond(signal: Sampled) -> tuple[float, float]:
     """Return where and by how much the signal leaves the range of its samples most."""
     course = piecewise(signal)
-    quadratic, linear, constant = (course.c[k] * (3 - k) for k in range(3))
-    with np.errstate(divide="ignore", invalid="ignore"):
-        root = np.sqrt(linear**2 - 4 * quadratic * constant)
-        found = np.concatenate([(-linear + s * root) / (2 * quadratic) for s in (1.0, -1.0)])
-    begins, lengths = np.tile(course.x[:-1], 2), np.tile(np.diff(course.x), 2)
-    inside = (found > 0) & (found < lengths)
-    turns = np.r_[(begins + found)[inside], signal.time]
+    turns = course.derivative().roots(extrapolate=False)
+    turns = np.append(turns[np.isfinite(turns)], signal.time)
     values = course(turns)
-    low, high = signal.values.min(), signal.values.max()
-    outside = np.maximum(values - high, low - values)
+    outside = np.maximum(values - signal.values.max(), signal.values.min() - values)
     worst = int(np.argmax(outside))
     return float(turns[worst]), float(outside[worst])
 
 
-def _jump(steps: Any, size: float) -> int | None:
-    """Return the sample before the largest lonely step, None if there is none."""
-    changes = np.abs(steps)
-    if len(changes) < 2 * BESIDE + 1:
+def _jump(changes: Array, size: float) -> int | None:
+    """Return the sample before the largest lonely change, None if there is none."""
+    if len(changes) < 2 * NEIGHBOURS + 1:
         return None
-    windows = np.lib.stride_tricks.sliding_window_view(changes, 2 * BESIDE + 1)
-    middle = windows[:, BESIDE]
-    others = np.delete(windows, BESIDE, axis=1).max(axis=1)
+    windows = np.lib.stride_tricks.sliding_window_view(changes, 2 * NEIGHBOURS + 1)
+    middle = windows[:, NEIGHBOURS]
+    others = np.delete(windows, NEIGHBOURS, axis=1).max(axis=1)
     lonely = np.flatnonzero((middle > JUMP * size) & (middle > LONELY * others))
-    return int(lonely[np.argmax(middle[lonely])]) + BESIDE if len(lonely) else None
+    return int(lonely[np.argmax(middle[lonely])]) + NEIGHBOURS if len(lonely) else None

@@ -9,9 +9,8 @@ from typing import Any
 from warnings import warn
 
 import numpy as np
-from numpy.typing import NDArray
 
-from ...base import Array
+from ...base import Array, Flags, Ints
 from ..evaluation.jacobians import Points
 from ..results.pieces import Pieces
 from .events.functions import NODES
@@ -20,10 +19,12 @@ from .legs import Leg
 from .point import Point, solve_algebraic
 from .settings import Tolerance
 
-BENT, STRAY, MANY = 0.03, 0.6, 0.2
-AROUND, DEPTH, MOST_PIECES, MOST_STEPS = 8, 3, 10_000, 500
-NOTABLE = 0.01
-SEEN, SLACK, ULPS = 8.0, 1e-9, 4
+BEND_SHARE, STRAY_SHARE = 0.03, 0.6  # of half a range: a signal that bends more, a state that strays more
+DOUBTFUL_SHARE = 0.2  # of the pieces, above which none is trusted
+LOST_SHARE = 0.01  # of a range over a window, above which a loss is told
+PIECES_AROUND, MOST_PIECES, MOST_LEVELS, MOST_STEPS = 8, 10_000, 3, 500
+FINE_STEPS = 8.0  # longest steps that a piece integrated again may last
+ROUNDING, ULPS = 1e-9, 4
 
 
 @dataclass(frozen=True, eq=False)
@@ -58,34 +59,6 @@ class Gaps:
         return Gaps(self.first.only(which), self.last.only(which))
 
 
-@dataclass(frozen=True, eq=False)
-class Range:
-    """Least and largest of some values, and how little of them is noise of the integrator."""
-
-    low: Array
-    high: Array
-    tolerance: Tolerance
-
-    @staticmethod
-    def of(values: Array, tolerance: Tolerance) -> Range:
-        """Return the range of the columns of values."""
-        return Range(values.min(axis=0), values.max(axis=0), tolerance)
-
-    def widened(self, values: Array) -> Range:
-        """Return the range of these values, too."""
-        if not len(values):
-            return self
-        low, high = np.minimum(self.low, values.min(axis=0)), np.maximum(self.high, values.max(axis=0))
-        return Range(low, high, self.tolerance)
-
-    @property
-    def size(self) -> Array:
-        """Half of the range, and not less than what the integrator may have left wrong."""
-        noise = self.tolerance.rtol * np.maximum(-self.low, self.high) + self.tolerance.atol
-        half: Array = np.maximum(0.5 * (self.high - self.low), 10 * noise)
-        return half
-
-
 class DenseOutput:
     """What happened between the points of a run.
 
@@ -101,39 +74,44 @@ class DenseOutput:
         self._switches = np.array([leg.begin for leg in legs[1:]])
         self._longest = np.array([leg.max_step for leg in legs])
         self._solver = "auto" if solver == "compiled" else solver
-        self._finer: dict[tuple[float, float], Points | None] = {}
+        self._finer: dict[tuple[float, float], Gaps] = {}
 
     def course(self, name: str, values: Array, begin: float, end: float) -> Pieces:
         """Return a signal between the points that enclose a window; `values` are those at all points."""
-        known, ranges = Range.of(values, self.tolerance), self._ranges
+        known, ranges = _extremes(values), self._ranges
         gaps, done, budget = Gaps.of(self.points, self._pieces(begin, end)), list[Pieces](), MOST_PIECES
-        level = 0
-        while True:
+        for level in range(MOST_LEVELS + 1):
             course = self._cubics(name, gaps)
-            known, ranges = known.widened(course.ends), ranges.widened(gaps.last.x)
-            doubtful = course.bend > BENT * known.size
+            known, ranges = _extremes(known, course.ends), _extremes(ranges, gaps.last.x)
+            doubtful = course.bend > BEND_SHARE * self._size(known)
             wanted = doubtful | self._stray(gaps, ranges)
-            wanted |= np.count_nonzero(wanted) > MANY * len(wanted)
-            wanted |= self._hidden(gaps, 1.0 if level == 0 else SEEN)
+            wanted |= np.count_nonzero(wanted) > DOUBTFUL_SHARE * len(wanted)
+            wanted |= self._hidden(gaps, FINE_STEPS if level else 1.0)
             budget -= int(np.count_nonzero(wanted))
-            if level == DEPTH or budget < 0 or not wanted.any():
+            if level == MOST_LEVELS or budget < 0 or not wanted.any():
                 break
             done.append(course[~wanted])
-            gaps, level = self._again(gaps.only(wanted)), level + 1
+            gaps = self._again(gaps.only(wanted))
         whole = course.straight(doubtful).merged(*done)
-        self._tell(name, course[doubtful], float(known.size * whole.length.sum()))
+        self._tell(name, course[doubtful], float(self._size(known) * whole.length.sum()))
         return whole
 
     @cached_property
-    def _ranges(self) -> Range:
-        return Range.of(self.points.x, self.tolerance)
+    def _ranges(self) -> Array:
+        return _extremes(self.points.x)
 
-    def _pieces(self, begin: float, end: float) -> NDArray[np.intp]:
+    def _size(self, extremes: Array) -> Array:
+        """Return half of each range, and not less than what the integrator may have left wrong."""
+        low, high = extremes
+        size: Array = np.maximum(0.5 * (high - low), 10 * self.tolerance.of(np.maximum(-low, high)))
+        return size
+
+    def _pieces(self, begin: float, end: float) -> Ints:
         """Return the numbers of the points at which pieces begin that touch a window, and some around."""
         t = self.points.t
         pieces = np.flatnonzero(np.diff(t) > ULPS * np.spacing(np.abs(t[1:])))
         first, last = np.searchsorted(t[pieces + 1], begin), np.searchsorted(t[pieces], end, side="right")
-        return pieces[max(0, int(first) - AROUND) : int(last) + AROUND]
+        return pieces[max(0, int(first) - PIECES_AROUND) : int(last) + PIECES_AROUND]
 
     def _cubics(self, name: str, gaps: Gaps) -> Pieces:
         signal = self.closed.moving_signal(name)
@@ -142,74 +120,64 @@ class DenseOutput:
         )
         return Pieces.cubics(gaps.first.t, gaps.length, (y0, y1), (s0, s1))
 
-    def _stray(self, gaps: Gaps, ranges: Range) -> NDArray[np.bool_]:
+    def _stray(self, gaps: Gaps, ranges: Array) -> Flags:
         """Tell in which pieces a state must do what points do not show, from its rates at both ends."""
-        if not gaps.first.x.shape[1]:
-            return np.zeros(len(gaps.length), dtype=bool)
         change, h = gaps.last.x - gaps.first.x, gaps.length[:, None]
-        at_first, at_last = (np.abs(h * self._rate(p) - change) for p in (gaps.first, gaps.last))
-        stray: Any = (at_first + at_last) / 12 > STRAY * ranges.size
-        return np.asarray(stray.any(axis=1))
+        at_first, at_last = (np.abs(h * p.rates - change) for p in (gaps.first, gaps.last))
+        stray: Flags = (at_first + at_last) / 12 > STRAY_SHARE * self._size(ranges)
+        return stray.any(axis=1)
 
-    def _hidden(self, gaps: Gaps, seen: float) -> NDArray[np.bool_]:
+    def _hidden(self, gaps: Gaps, steps: float) -> Flags:
         """Tell in which pieces something that is given may do what neither end shows.
 
-        That is where it switches, and in what is longer than `seen` of the longest steps that see it.
+        That is where it switches, and in what lasts longer than some of the longest steps that see it.
         """
-        begin, end = gaps.first.t, gaps.last.t
-        before = np.searchsorted(self._switches, begin, side="right")
-        after = np.searchsorted(self._switches, end, side="left")
-        hidden: NDArray[np.bool_] = (after > before) | (gaps.length > (seen + SLACK) * self._longest[before])
+        before = np.searchsorted(self._switches, gaps.first.t, side="right")
+        after = np.searchsorted(self._switches, gaps.last.t, side="left")
+        hidden: Flags = (after > before) | (gaps.length > (steps + ROUNDING) * self._longest[before])
         return hidden
 
-    def _rate(self, points: Points) -> Array:
-        rates: Array = self.closed.motion(points.x, points.z, points.q, points.t[:, None])[0][:, :, 0]
-        return rates
-
     def _again(self, gaps: Gaps) -> Gaps:
-        """Return the pieces that come of integrating each piece again; itself where that fails."""
+        """Return the pieces that come of integrating each piece again, which is done once."""
         pieces = []
         for number in range(len(gaps.length)):
             one = gaps.only([number])
-            finer = self._integrated(one)
-            pieces.append(one if finer is None else Gaps.of(finer, np.arange(len(finer.t) - 1)))
+            key = float(one.first.t[0]), float(one.last.t[0])
+            if key not in self._finer:
+                self._finer[key] = self._fine(one)
+            pieces.append(self._finer[key])
         return Gaps(*(_joined([getattr(piece, end) for piece in pieces]) for end in ("first", "last")))
 
-    def _integrated(self, gap: Gaps) -> Points | None:
-        """Return points between the ends of a piece, its ends included, computed once."""
-        key = float(gap.first.t[0]), float(gap.last.t[0])
-        if key not in self._finer:
-            self._finer[key] = self._fine(gap.first, gap.last)
-        return self._finer[key]
-
-    def _fine(self, first: Points, last: Points) -> Points | None:
+    def _fine(self, gap: Gaps) -> Gaps:
+        """Return the pieces that come of integrating one again; itself where that fails."""
+        first, last = gap.first, gap.last
         begin, end = float(first.t[0]), float(last.t[0])
         inside = (self._switches > begin) & (self._switches < end)
         parts, point = [first], Point(begin, first.x[0], first.z[0], first.q[0])
-        for stop in (*self._switches[inside].tolist(), end):
-            part = self._stretch(point, stop)
-            if part is None:
-                return None
-            parts.append(part)
-            point = Point(stop, part.x[-1], part.z[-1], point.q)
+        try:
+            for stop in (*self._switches[inside].tolist(), end):
+                parts.append(self._stretch(point, stop))
+                point = Point(stop, parts[-1].x[-1], parts[-1].z[-1], point.q)
+        except IntegratorError:
+            return gap
         fine = _joined(parts)
         fine.x[-1], fine.z[-1] = last.x[0], last.z[0]
-        return fine
+        return Gaps.of(fine, np.arange(len(fine.t) - 1))
 
-    def _stretch(self, point: Point, stop: float) -> Points | None:
-        """Return points after one up to an instant; None if they cannot be found."""
+    def _stretch(self, point: Point, stop: float) -> Points:
+        """Return points after one up to an instant.
+
+        Raises:
+            IntegratorError: if they cannot be found.
+        """
         shift = ULPS * np.spacing(abs(stop))
-        times = np.linspace(point.t, stop, NODES + 1)[1:]
         span = stop - shift - point.t
         if not span > NODES * shift:
-            return None
+            raise IntegratorError("there are too few numbers between these instants")
         longest = self._longest[np.searchsorted(self._switches, point.t, side="right")]
-        try:
-            found = self._stepper.run(point, span, float(longest))
-        except IntegratorError:
-            return None
-        q = np.repeat(point.q[None], NODES, axis=0)
-        return Points(self.closed, times, found.states, found.algebraic, q)
+        found = self._stepper.run(point, span, float(longest))
+        times = np.linspace(point.t, stop, NODES + 1)[1:]
+        return Points(self.closed, times, found.states, found.algebraic, np.tile(point.q, (NODES, 1)))
 
     @cached_property
     def _stepper(self) -> Stepper:
@@ -218,7 +186,7 @@ class DenseOutput:
     def _tell(self, name: str, lost: Pieces, most: float) -> None:
         """Warn if what is lost of a signal between points may count."""
         missed = float(lost.bend @ lost.length)
-        if missed > NOTABLE * most:
+        if missed > LOST_SHARE * most:
             dae = self.closed.dae
             warn(
                 f"'{name}' [{dae.unit(name)}] of '{dae.name}' moves faster from {lost.begin[0]:.6g} s to "
@@ -227,6 +195,12 @@ class DenseOutput:
                 RuntimeWarning,
                 stacklevel=5,
             )
+
+
+def _extremes(*values: Array) -> Array:
+    """Return the least and the greatest of the columns of values, (2, columns)."""
+    joined = np.concatenate(values)
+    return np.stack([joined.min(axis=0), joined.max(axis=0)])
 
 
 def _joined(parts: list[Points]) -> Points:

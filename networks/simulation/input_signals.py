@@ -3,20 +3,43 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
+from dataclasses import dataclass
 from numbers import Real
 from typing import Any
 
 import casadi as ca
 import numpy as np
 
-from ...base import ModelError, is_number, nearest, numpy_on_symbols
+from ...base import ModelError, demand, is_number, nearest, numpy_on_symbols, whole
 from ...components.language import RealInput, Sampled
 from ..dae import DAE, Input
-from .polynomial import Polynomial
+from ..flattening.vectors import pick
 from .splines import SMOOTHNESS, curvature, traced
 
 
-class Given:
+@dataclass(frozen=True)
+class Polynomial:
+    """An input that is a polynomial of time, exchanged on the way: u = c0 + c1 (t - t0) + c2 (t - t0)^2 ...
+
+    Its instant t0 and its coefficients are constants of a segment, so that one compiled integrator serves
+    all pieces. Derivatives of the input are those of the polynomial.
+
+    Args:
+        degree: highest power.
+    """
+
+    degree: int = 1
+
+    def __post_init__(self) -> None:
+        demand("a Polynomial", degree=(self.degree, whole(0)))
+
+    def along(self, course: Any) -> Callable[[Any], Any]:
+        """Return the signal, from the symbols of its instant and coefficients."""
+        falling = pick(course, range(self.degree + 1, 0, -1))
+        return lambda t: ca.polyval(falling, t - course[0])
+
+
+class SignalKey:
     """Signals by name as a key: equal numbers and polynomials are the same, anything else only itself."""
 
     def __init__(self, signals: Mapping[Any, Any]) -> None:
@@ -28,7 +51,7 @@ class Given:
         return hash(self._told)
 
     def __eq__(self, other: object) -> bool:
-        return isinstance(other, Given) and self._told == other._told
+        return isinstance(other, SignalKey) and self._told == other._told
 
 
 def chosen_signals(dae: DAE, given: Mapping[str, Any], free: bool = False) -> dict[str, Any]:
@@ -71,7 +94,9 @@ def _meant(dae: DAE, name: str) -> str:
 
 def _smooth_enough(dae: DAE, path: str, signal: Any) -> Any:
     """Return a signal, of a pair (time, values) what it means, if it has the derivatives that are needed."""
-    made = Sampled(*_pair(signal)) if isinstance(signal, tuple) else signal
+    if isinstance(signal, tuple) and len(signal) != 2:
+        raise ModelError(f"a sampled signal is a pair (time, values), got {len(signal)} items")
+    made = Sampled(*signal) if isinstance(signal, tuple) else signal
     if isinstance(made, Sampled):
         order = max(declared.order for declared in dae.inputs if declared.path == path)
         if order > SMOOTHNESS[made.interpolation]:
@@ -80,12 +105,6 @@ def _smooth_enough(dae: DAE, path: str, signal: Any) -> Any:
                 "give them as cubic, or a function of time"
             )
     return made
-
-
-def _pair(signal: tuple[Any, ...]) -> tuple[Any, Any]:
-    if len(signal) != 2:
-        raise ModelError(f"a sampled signal is a pair (time, values), got {len(signal)} items")
-    return signal[0], signal[1]
 
 
 def input_value(declared: Input, signal: Any, t: Any) -> Any:
@@ -106,36 +125,38 @@ def _traced(path: str, signal: Any, t: Any) -> Any:
         return traced(signal)(t)
     if is_number(signal):
         return type(t)(float(signal))
-    if isinstance(signal, Callable):  # type: ignore[arg-type]
-        return _called(path, signal, t)
-    raise ModelError(
-        f"input '{path}' takes a finite number, a function of time, a Sampled or (time, values), "
-        f"got {signal!r}"
-    )
-
-
-def _called(path: str, function: Any, t: Any) -> Any:
+    if not callable(signal):
+        raise ModelError(
+            f"input '{path}' takes a finite number, a function of time, a Sampled or (time, values), "
+            f"got {signal!r}"
+        )
     try:
         with numpy_on_symbols():
-            value, again = type(t)(function(t)), type(t)(function(t))
+            value, again = type(t)(signal(t)), type(t)(signal(t))
     except Exception as error:
         told = f"{type(error).__name__}: {str(error).partition(chr(10))[0]}"
         raise ModelError(
             f"input '{path}': the function of time could not be read ({told}); write it with CasADi "
             "or NumPy functions (`ca.sin`, `ca.if_else`), or give Sampled data"
         ) from error
-    if value.numel() != 1:
-        raise ModelError(f"input '{path}': the function of time must return one number, got {value.shape}")
-    if value.is_constant() and not np.isfinite(float(value)):
-        raise ModelError(
-            f"input '{path}': the function of time must return a finite number, got {float(value)}"
-        )
-    if not _same(value, again):
-        raise ModelError(
-            f"input '{path}': the function of time is read once, as a formula, and this one returns another "
-            "each time; draw random numbers beforehand and give them as Sampled(time, values)"
-        )
+    problem = _unlike_a_formula(value, again)
+    if problem:
+        raise ModelError(f"input '{path}': the function of time {problem}")
     return value
+
+
+def _unlike_a_formula(value: Any, again: Any) -> str:
+    """Say what is wrong with what a function of time has returned twice."""
+    if value.numel() != 1:
+        return f"must return one number, got {value.shape}"
+    if value.is_constant() and not np.isfinite(float(value)):
+        return f"must return a finite number, got {float(value)}"
+    if not _same(value, again):
+        return (
+            "is read once, as a formula, and this one returns another each time; draw random numbers "
+            "beforehand and give them as Sampled(time, values)"
+        )
+    return ""
 
 
 def _same(one: Any, other: Any) -> bool:
@@ -143,8 +164,8 @@ def _same(one: Any, other: Any) -> bool:
     both = [ca.densify(one), ca.densify(other)]
     symbols = ca.symvar(ca.vertcat(*both))
     values = ca.Function("values", symbols, both)
-    pairs = (
-        [m.full() for m in values.call([ca.DM(at + k) for k in range(len(symbols))])]
-        for at in (0.1, 1.7, 23.0)
-    )
-    return all(np.array_equal(first, second, equal_nan=True) for first, second in pairs)
+    for at in (0.1, 1.7, 23.0):
+        first, second = (m.full() for m in values.call([ca.DM(at + k) for k in range(len(symbols))]))
+        if not np.array_equal(first, second, equal_nan=True):
+            return False
+    return True

@@ -77,11 +77,7 @@ def endless_legs(signals: TimeSignals, stop: float) -> list[Leg]:
 
 
 def _spans(signals: TimeSignals, begin: float, stop: float) -> tuple[Array, Array] | None:
-    """Return between which instants no formula may switch: where spans begin and end; None for too many.
-
-    The next one begins at the floating-point number after the end, or where switches lie side by side, after
-    these.
-    """
+    """Return where the parts begin and end in which no formula may switch; None if they are too many."""
     low, high = np.array([begin]), np.array([stop])
     smallest = ADJACENT * max(abs(begin), abs(stop))
     found = [signals.ends(begin, stop)]
@@ -163,13 +159,8 @@ def _after_rest(low: Array, high: Array, scale: Array) -> Array:
 def _looked_at(signals: TimeSignals, low: Array, high: Array, size: Array) -> tuple[Array, Flags]:
     """Return how fine the course in each interval is, and which show all that happens.
 
-    It is infinite at rest, and NaN where the course is a polynomial.
-
-    Args:
-        signals: the signals.
-        low: where the intervals begin [s].
-        high: where they end [s].
-        size: the range of each signal so far; updated.
+    It is infinite at rest, and NaN where the course is a polynomial. The `size` of each signal, its range so
+    far, is updated.
     """
     times = low[:, None] + (high - low)[:, None] * EIGHTHS
     values = signals(times.ravel()).reshape(len(low), 9, -1)

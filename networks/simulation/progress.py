@@ -7,10 +7,9 @@ import time
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from threading import Event, Thread
-from types import TracebackType
 from typing import Any
 
-EVERY = 0.1
+REFRESH_PERIOD = 0.1  # s
 
 
 class Progress:
@@ -44,7 +43,7 @@ class Progress:
         done = Event()
 
         def ask() -> None:
-            while not done.wait(EVERY):
+            while not done.wait(REFRESH_PERIOD):
                 self.at(now())
 
         thread = Thread(target=ask, daemon=True)
@@ -70,11 +69,6 @@ class Progress:
         self._task = self._bar.add_task(self.name, total=self.stop - self.begin)
         return self._bar
 
-    def __exit__(
-        self,
-        kind: type[BaseException] | None,
-        error: BaseException | None,
-        trace: TracebackType | None,
-    ) -> None:
+    def __exit__(self, *_: object) -> None:
         if self._bar is not None:
             self._bar.stop()

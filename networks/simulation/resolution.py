@@ -3,19 +3,16 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import TYPE_CHECKING
 
 import numpy as np
 
 from ...base import Array
+from ..dae import DAE
 from .integrator import nominal_sizes
 from .settings import FINEST, Tolerance
 
-if TYPE_CHECKING:
-    from ..dae import DAE
-
-LOST = 3e-4  # share of a motion that the tolerance of one step may be ...
-TIMES = 10.0  # ... or so many times the relative tolerance, if that is more
+LOST_SHARE = 3e-4  # share of a motion that the tolerance of one step may be ...
+RTOL_FACTOR = 10.0  # ... or so many times the relative tolerance, if that is more
 ROUNDING = 1e3 * np.finfo(float).eps
 AT_REST = 1e-25
 
@@ -29,8 +26,9 @@ def resolution_notes(dae: DAE, states: Array, tolerance: Tolerance) -> Iterator[
         tolerance: of the run.
     """
     sizes, moved = np.abs(states).max(axis=0), np.ptp(states, axis=0)
-    off = tolerance.rtol * sizes + tolerance.atol * nominal_sizes(dae, dae.states)
-    lost = (off > max(LOST, TIMES * tolerance.rtol) * moved) & (moved > np.maximum(ROUNDING * sizes, AT_REST))
+    off = tolerance.of(sizes, nominal_sizes(dae, dae.states))
+    moves = moved > np.maximum(ROUNDING * sizes, AT_REST)
+    lost = moves & (off > max(LOST_SHARE, RTOL_FACTOR * tolerance.rtol) * moved)
     if not lost.any():
         return
     facts = dae.declared.facts
@@ -46,7 +44,7 @@ def resolution_notes(dae: DAE, states: Array, tolerance: Tolerance) -> Iterator[
 def _told(name: str, unit: str, moved: float, size: float, off: float, tolerance: Tolerance) -> str:
     far, remedy = "", f"atol={tolerance.rtol * moved:.1g}"
     if tolerance.rtol * size > off / 2:
-        far, finer = f" about {size:.3g} {unit}", LOST * moved / size / 2
+        far, finer = f" about {size:.3g} {unit}", LOST_SHARE * moved / size / 2
         remedy = f"rtol={finer:.1g}" if finer > FINEST else f"{name} counted from where it rests"
     return (
         f"{name} moves by no more than {moved:.3g} {unit}{far}, and the tolerances of this run are {off:.2g} "

@@ -13,7 +13,7 @@ from ...base import Array, Interrupted, RunInterruptedError, SimulationError, in
 from ..results.result import Result, Segment
 from .blame import GUARD, told_without_value
 from .bound_dae import BoundDAE
-from .events.switcher import Event, Switcher, pushed
+from .events.switcher import Event, Switcher
 from .initialization import StartReport
 from .integrator import IntegratorError, Stepper, Stretch
 from .legs import Leg
@@ -117,20 +117,9 @@ def seen_of_jumps(run: Run, t: float) -> Array | None:
 
 def shock(run: Run, seen: Array | None) -> None:
     """Let what is given act where it has jumped since it was `seen`."""
-    shocks, point = run.closed.shocks, run.point
-    if shocks is None or seen is None:
-        return
-    if run.switcher:
-        run.events += run.switcher.jump(point, seen, {})
-        return
-    size = shocks.since(seen, point, {})
-    if not size.any():
-        return
-    states = point.x
-    pushes = shocks.act(point, size)
-    if pushes.any() or not np.array_equal(point.x, states):
-        solve_algebraic(run.closed, point)
-        run.events += pushed(point.t, shocks.jumps, pushes)
+    if seen is not None:
+        switcher = run.switcher or Switcher(run.closed)
+        run.events += switcher.jump(run.point, seen, {})
 
 
 def record_here(run: Run) -> None:

@@ -2,18 +2,14 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
-
 import casadi as ca
 import numpy as np
 
 from ...base import Array, Ints, ModelError, nearest
-
-if TYPE_CHECKING:
-    from .bound_dae import BoundDAE
-    from .initialization import StartValues
-    from .integrator import Stepper
-    from .point import Point
+from .bound_dae import BoundDAE
+from .initialization import StartValues
+from .integrator import Stepper
+from .point import Point
 
 
 class Sensitivities:
@@ -67,10 +63,9 @@ def start_slopes(closed: BoundDAE, point: Point, wanted: StartValues, of_q: Arra
     free = [i for i, s in enumerate(dae.states) if s not in wanted.fixed]
     if others:
         missed = closed.close(ca.vertcat(dae.variables[others], dae.alg))
-        of = [ca.jacobian(missed, symbol) for symbol in (closed.x, closed.z, closed.q)]
-        to_x, to_z, to_q = (
-            m.full() for m in closed.function("start", *of)(point.x, point.z, point.q, point.t)
-        )
+        of = (ca.jacobian(missed, symbol) for symbol in (closed.x, closed.z, closed.q))
+        function = closed.function("start", *of)
+        to_x, to_z, to_q = (m.full() for m in function(point.x, point.z, point.q, point.t))
         moved = np.linalg.lstsq(np.hstack([to_x[:, free], to_z]), -to_q @ of_q, rcond=1e-12)[0]
         slopes[free] = moved[: len(free)]
     return slopes

@@ -11,12 +11,12 @@ import numpy as np
 from ...base import Array
 from ...components.language import Sampled
 
-KEPT = 64
+CACHED_SIGNALS = 64
 SMOOTHNESS = {"cubic": 3, "linear": 0}
 """The order of the last derivative that a signal has, by its interpolation."""
 
 
-@lru_cache(maxsize=KEPT)
+@lru_cache(maxsize=CACHED_SIGNALS)
 def piecewise(signal: Sampled) -> Any:
     """Return a signal as a `scipy.interpolate.PPoly`, of instants and order of derivative."""
     from scipy.interpolate import CubicSpline, PPoly
@@ -42,7 +42,7 @@ def sampled_at(signal: Sampled, times: Array, order: int = 0) -> Array:
     return values
 
 
-@lru_cache(maxsize=KEPT)
+@lru_cache(maxsize=CACHED_SIGNALS)
 def traced(signal: Sampled) -> Any:
     """Return the same as a CasADi function of time.
 
@@ -81,7 +81,7 @@ def _between(signal: Sampled) -> Any:
     return ca.Function.bspline("cubic", [spline.t.tolist()], spline.c.tolist(), [3], 1)
 
 
-@lru_cache(maxsize=KEPT)
+@lru_cache(maxsize=CACHED_SIGNALS)
 def curvature(signal: Sampled) -> Any:
     """Return the second derivative of a cubic signal as a CasADi function of time.
 

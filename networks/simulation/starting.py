@@ -18,7 +18,7 @@ from .coverage import check_covered
 from .initialization import StartValues, guessed, leading, start_values
 from .integrator import nominal_sizes
 
-MOST = 400
+MOST_SOUGHT = 400
 
 
 @dataclass(frozen=True)
@@ -79,14 +79,13 @@ def starting_point(dae: DAE, inputs: Mapping[str, Any], start: Mapping[str, floa
     numbers = dae.parameters.values({})
     wanted = start_values(dae, start, {})
     run = begun(closed, closed.blank(numbers), 0.0, wanted)
-    begin = len(numbers)
-    modes, sizes = run.tried[begin : begin + dae.modes.numel()], nominal_sizes(dae, dae.states)
-    aims, led = _aims(dae, wanted), [i for _, movable in leading(dae, wanted) for i in movable]
-    fixed, names = [aim for aim in aims if aim.fixed], [name for name, _ in wanted.fixed.values()]
-    led = _reached(dae, aims, led)
-    free = _reached(dae, fixed, [i for i, s in enumerate(dae.states) if s not in wanted.fixed], True)
-    free = free if fixed else []
-    if max(len(aims), len(fixed) + dae.z.numel() if fixed else 0, len(led), len(free)) > MOST:
+    modes, sizes = run.tried[len(numbers) :][: dae.modes.numel()], nominal_sizes(dae, dae.states)
+    aims, names = _aims(dae, wanted), [name for name, _ in wanted.fixed.values()]
+    fixed = [aim for aim in aims if aim.fixed]
+    led = _reached(dae, aims, [i for _, movable in leading(dae, wanted) for i in movable])
+    unfixed = [i for i, s in enumerate(dae.states) if s not in wanted.fixed]
+    free = _reached(dae, fixed, unfixed, algebra=True) if fixed else []
+    if max(len(aims), len(fixed) + dae.z.numel() if fixed else 0, len(led), len(free)) > MOST_SOUGHT:
         return Start(dae, run.initial.values, run.point.z, modes, sizes, [], names, [], [])
     x, z = (guessed(dae, wanted, variables) for variables in (dae.states, dae.algebraic))
     return Start(dae, x, z, modes, sizes, aims if led else fixed, names, led, free)
@@ -95,10 +94,8 @@ def starting_point(dae: DAE, inputs: Mapping[str, Any], start: Mapping[str, floa
 def _aims(dae: DAE, wanted: StartValues) -> list[Aim]:
     """Return start values of variables that are no states, fixed ones first."""
     states = set(dae.states)
-    aims = []
-    for variable, (name, value) in wanted.fixed.items():
-        if variable not in states:
-            aims.append(Aim(name, variable, dae.root(name)[1] * value, True))
+    fixed = {v: given for v, given in wanted.fixed.items() if v not in states}
+    aims = [Aim(name, v, dae.root(name)[1] * value, True) for v, (name, value) in fixed.items()]
     for soft, _ in leading(dae, wanted):
         aims += [Aim(dae.name_of(v), v, value, False) for v, value in soft.items()]
     return aims

@@ -6,6 +6,7 @@ import time as clock
 from collections.abc import Mapping, Sequence
 from contextlib import suppress
 from dataclasses import replace
+from functools import cache
 from typing import Any
 
 import numpy as np
@@ -26,7 +27,8 @@ from ...base import (
     shown,
 )
 from ..dae import DAE
-from ..results.result import Result, Segment
+from ..evaluation.compiled import Compiled
+from ..results.result import Result
 from .bound_dae import bound
 from .consistent_start import started
 from .coverage import check_covered
@@ -82,7 +84,7 @@ class Stepwise:
         self._stepper = closed.stepper(solver, settings.tolerance, *pieces)
         self.run.open_segment()
         self._watched: tuple[float, Array, Array] | None = None
-        self._observers: dict[tuple[tuple[str, int], ...], Any] = {}
+        self._observer = cache(self._compiled)
 
     def _write(self, q: Array, t: float, courses: Mapping[str, Sequence[float]]) -> None:
         for path, coefficients in courses.items():
@@ -192,12 +194,12 @@ class Stepwise:
         several = isinstance(wanted, Sequence) and len(wanted) > 0
         if not (several and all(np.shape(pair) == (2,) for pair in wanted)):
             raise ModelError(f"observe() takes pairs (name, order), got {shown(wanted)}")
-        key = tuple(wanted)
-        if key not in self._observers:
-            rows = [self._derived(name, order) for name, order in wanted]
-            self._observers[key] = self.closed.compiled("observe", *rows)
         point = self.run.point
-        return np.array([float(v[0]) for v in self._observers[key](point.x, point.z, point.q, point.t)])
+        found = self._observer(*wanted)(point.x, point.z, point.q, point.t)
+        return np.array([float(v[0]) for v in found])
+
+    def _compiled(self, *wanted: tuple[str, int]) -> Compiled:
+        return self.closed.compiled("observe", *(self._derived(name, order) for name, order in wanted))
 
     def shocks(self, name: str, order: int = 0) -> frozenset[str]:
         """Return the paths of the components whose impulses a variable, or its derivative, would show."""
@@ -238,16 +240,11 @@ class Stepwise:
                 run_hybrid(run, run.switcher, self._stepper, outputs, quiet)
             else:
                 run_smooth(run, outputs, quiet, None)
-        if not happened:
-            _drop_first(run.segments[first])
+        segment = run.segments[first]
+        if not happened and len(segment.times) > 1:  # which begins as the one before ends
+            for column in (segment.times, segment.states, segment.algebraic):
+                del column[0]
 
     def result(self) -> Result:
         """Return what was computed so far."""
         return collected(self.run, self._stepper.solver, self._began, None)
-
-
-def _drop_first(segment: Segment) -> None:
-    """Forget where a segment begins when the one before ends there alike."""
-    if len(segment.times) > 1:
-        for column in (segment.times, segment.states, segment.algebraic):
-            del column[0]

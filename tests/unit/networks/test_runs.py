@@ -347,7 +347,7 @@ def test_progress_advances_within_one_call_of_the_integrator(
     solver: str, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     told: list[float] = []
-    monkeypatch.setattr("inertance.networks.simulation.progress.EVERY", 0.005)
+    monkeypatch.setattr("inertance.networks.simulation.progress.REFRESH_PERIOD", 0.005)
     monkeypatch.setattr("inertance.networks.simulation.progress.Progress.at", lambda _, t: told.append(t))
     net = smooth()
     run = net.simulate(100.0, step=0.1, progress=True, solver=solver, **TIGHT)
