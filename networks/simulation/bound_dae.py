@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from functools import cache, cached_property, partial
+from itertools import starmap
 from threading import get_ident
 from typing import TYPE_CHECKING, Any
 
@@ -27,7 +28,7 @@ from .time_signals import TimeSignals, timed_rows
 if TYPE_CHECKING:
     from ..csource.native import Native
 
-BINDINGS, LEGS_KEPT = 4, 64  # bindings of a DAE, and legs, that are kept
+CACHED_BINDINGS, CACHED_LEGS = 4, 64  # bindings of a DAE, and legs, that are kept
 _LEGS: dict[tuple[Any, ...], list[Leg]] = {}  # where equations hold signals as given
 
 
@@ -39,6 +40,7 @@ class BoundDAE:
 
     def __init__(self, dae: DAE, signals: Mapping[str, Any]) -> None:
         self.dae, self.signals = dae, signals
+        self.given: list[tuple[Input, Any]] = [(i, signals[i.path]) for i in dae.inputs]
         self.sampled = any(isinstance(s, Sampled) for s in signals.values())
         self._constant, self.courses = dae.constants.numel(), _courses(dae.constants.numel(), signals)
         added = sum(place.stop - place.start for place in self.courses.values())
@@ -46,15 +48,14 @@ class BoundDAE:
         if self.sampled:
             symbols = [ca.MX.sym(name, each.numel()) for name, each in zip("xzqt", symbols, strict=True)]
         self.x, self.z, self.q, self.t = symbols
-        self.u = ca.densify(ca.vertcat(type(self.x)(0, 1), *map(self._input, dae.inputs)))
+        self.u = ca.densify(ca.vertcat(type(self.x)(0, 1), *starmap(self._input, self.given)))
         self._legs: dict[tuple[Any, ...], list[Leg]] = {}
         # Made once for each choice of arguments.
         self.stepper = cache(partial(Stepper, self))
         self.signal, self.moving_signal = cache(self._signal), cache(self._moving_signal)
         self.tangent = cache(self._tangent)
 
-    def _input(self, declared: Input) -> Any:
-        signal = self.signals[declared.path]
+    def _input(self, declared: Input, signal: Any) -> Any:
         if isinstance(signal, Polynomial):
             signal = signal.along(self.q[self.courses[declared.path]])
         return input_value(declared, signal, self.t)
@@ -109,16 +110,15 @@ class BoundDAE:
         values = np.empty((len(times), len(self.dae.inputs)))
         if self._others:
             values[:, self._others] = self._other_inputs(q, times[:, None])[0][:, :, 0]
-        for k, declared in enumerate(self.dae.inputs):
-            if k not in self._others:
-                signal = self.signals[declared.path]
+        for k, (declared, signal) in enumerate(self.given):
+            if isinstance(signal, Sampled):
                 values[:, k] = declared.sign * sampled_at(signal, times, declared.order)
         return values
 
     @cached_property
     def _others(self) -> list[int]:
         """Places of the inputs that are no records."""
-        return [k for k, i in enumerate(self.dae.inputs) if not isinstance(self.signals[i.path], Sampled)]
+        return [k for k, (_, signal) in enumerate(self.given) if not isinstance(signal, Sampled)]
 
     @cached_property
     def _other_inputs(self) -> Batch:
@@ -159,8 +159,7 @@ class BoundDAE:
 
     def formula(self, place: int, t: Any) -> Any:
         """Return one of the DAE's inputs as an SX expression of time, None if only its numbers are known."""
-        declared = self.dae.inputs[place]
-        signal = self.signals[declared.path]
+        declared, signal = self.given[place]
         if isinstance(signal, Sampled | Polynomial):
             return None
         try:
@@ -171,24 +170,24 @@ class BoundDAE:
     @cached_property
     def timed_rows(self) -> Any:
         """What the equations hold that depends on time, inputs and parameters alone, as SX."""
-        given = [k for k, i in enumerate(self.dae.inputs) if not isinstance(self.signals[i.path], Polynomial)]
+        given = [k for k, (_, signal) in enumerate(self.given) if not isinstance(signal, Polynomial)]
         return timed_rows(self.dae, given, watched=bool(self.courses))
 
     def legs(self, q: Array, begin: float, stop: float) -> list[Leg]:
         """Return the parts of a run between the instants at which inputs switch; found once for each run."""
         parameters = q[: self.dae.p.numel()]
         signals = TimeSignals(self, parameters, begin, stop)
-        known, told = self._legs, b""
+        known: dict[Any, list[Leg]] = self._legs
+        told: Any = b""
         if signals.plain is not None:
-            inputs = {k: self.dae.inputs[k] for k in signals.plain}
-            given = {(k, i.order): self.signals[i.path] for k, i in inputs.items()}
+            given = {(k, self.given[k][0].order): self.given[k][1] for k in signals.plain}
             known, told = _LEGS, SignalKey(given)
         elif ca.depends_on(self.timed_rows, self.dae.p):
             told = parameters.tobytes()
         key = begin, stop, told
         if key not in known:
             known[key] = legs_of(signals, begin, stop)
-            if len(known) > LEGS_KEPT:
+            if len(known) > CACHED_LEGS:
                 known.pop(next(iter(known)), None)
         return known[key]
 
@@ -202,7 +201,7 @@ def bound(dae: DAE, inputs: Mapping[str, Any]) -> BoundDAE:
     chosen = chosen_signals(dae, named("inputs", inputs))
     known, key = dae.bindings, (get_ident(), SignalKey(chosen))
     binding = known[key] = known.pop(key, None) or BoundDAE(dae, chosen)
-    if len(known) > BINDINGS:
+    if len(known) > CACHED_BINDINGS:
         del known[next(iter(known))]
     return binding
 

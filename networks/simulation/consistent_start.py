@@ -90,19 +90,14 @@ def _first_modes(closed: BoundDAE, q: Array, t: float, wanted: StartValues) -> I
 def _settled(switcher: Switcher, point: Point) -> list[Event]:
     """Find the modes in which a run begins; a signal that jumps in its first instant acts on the start."""
     try:
-        before = _just_before(switcher, point)
-        if before is None:
-            return switcher.settle(point, begins=True)
-        there, happened = before
-        point.x, point.z, point.q = there.x, there.z, there.q
-        solve_algebraic(switcher.closed, point)
-        return [*happened, *switcher.settle(point)]
+        happened = _go_to_just_before(switcher, point)
+        return [*(happened or []), *switcher.settle(point, begins=happened is None)]
     except SimulationError as error:
         raise SimulationError(f"'{switcher.closed.dae.name}': {error}") from error
 
 
-def _just_before(switcher: Switcher, point: Point) -> tuple[Point, list[Event]] | None:
-    """Return where a run stands just before it begins, and what had happened, if a signal jumps then."""
+def _go_to_just_before(switcher: Switcher, point: Point) -> list[Event] | None:
+    """Take a point through what happens just before a run begins, if a signal jumps then; tell what did."""
     own = sorted(switcher.shocks.own_modes) if switcher.shocks else []
     if not own:
         return None
@@ -116,4 +111,6 @@ def _just_before(switcher: Switcher, point: Point) -> tuple[Point, list[Event]] 
     modes = switcher.indicators.modes
     if np.array_equal(modes(earlier.q)[own], modes(now.q)[own]):
         return None
-    return earlier, [replace(event, time=point.t) for event in happened]
+    point.x, point.z, point.q = earlier.x, earlier.z, earlier.q
+    solve_algebraic(switcher.closed, point)
+    return [replace(event, time=point.t) for event in happened]

@@ -26,18 +26,15 @@ def check_covered(name: str, signals: Mapping[str, Any], begin: float, stop: flo
     Raises:
         ModelError: naming each input, its data's span, and what to do.
     """
+    wanted = f"t = {begin:.9g} s" if begin == stop else f"{begin:.9g} to {stop:.9g} s"
     problems = [
-        f"input '{path}': its data are from {s.time[0]:.9g} to {s.time[-1]:.9g} s, wanted are "
-        f"{_span(begin, stop)}; keep to the data, or give Sampled(time, values, extrapolation='hold')"
+        f"input '{path}': its data are from {s.time[0]:.9g} to {s.time[-1]:.9g} s, wanted are {wanted}; "
+        "keep to the data, or give Sampled(time, values, extrapolation='hold')"
         for path, s in signals.items()
         if isinstance(s, Sampled) and not s.covers(begin, stop)
     ]
     if problems:
         raise ModelError(f"'{name}' cannot run on these data:", problems)
-
-
-def _span(begin: float, stop: float) -> str:
-    return f"t = {begin:.9g} s" if begin == stop else f"{begin:.9g} to {stop:.9g} s"
 
 
 def data_notes(
@@ -53,8 +50,7 @@ def data_notes(
                 f"input '{path}': the run uses {(stop - begin) / span:.2g} of its data, which are from "
                 f"{signal.time[0]:g} to {signal.time[-1]:g} s; is their time in seconds?"
             )
-        told = between_samples(signal)
-        if told:
+        if told := between_samples(signal):
             yield f"input '{path}': {told}; {jump_remedy(inputs, path)}"
 
 

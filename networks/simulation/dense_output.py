@@ -14,7 +14,7 @@ from ...base import Array, Flags, Ints
 from ..evaluation.jacobians import Points
 from ..results.pieces import Pieces
 from .events.functions import NODES
-from .integrator import IntegratorError, Stepper
+from .integrator import IntegratorError
 from .legs import Leg
 from .point import Point, solve_algebraic
 from .settings import Tolerance
@@ -124,8 +124,8 @@ class DenseOutput:
         """Tell in which pieces a state must do what points do not show, from its rates at both ends."""
         change, h = gaps.last.x - gaps.first.x, gaps.length[:, None]
         at_first, at_last = (np.abs(h * p.rates - change) for p in (gaps.first, gaps.last))
-        stray: Flags = (at_first + at_last) / 12 > STRAY_SHARE * self._size(ranges)
-        return stray.any(axis=1)
+        stray: Flags = ((at_first + at_last) / 12 > STRAY_SHARE * self._size(ranges)).any(axis=1)
+        return stray
 
     def _hidden(self, gaps: Gaps, steps: float) -> Flags:
         """Tell in which pieces something that is given may do what neither end shows.
@@ -175,13 +175,10 @@ class DenseOutput:
         if not span > NODES * shift:
             raise IntegratorError("there are too few numbers between these instants")
         longest = self._longest[np.searchsorted(self._switches, point.t, side="right")]
-        found = self._stepper.run(point, span, float(longest))
+        stepper = self.closed.stepper(self._solver, self.tolerance, NODES, MOST_STEPS)
+        found = stepper.run(point, span, float(longest))
         times = np.linspace(point.t, stop, NODES + 1)[1:]
         return Points(self.closed, times, found.states, found.algebraic, np.tile(point.q, (NODES, 1)))
-
-    @cached_property
-    def _stepper(self) -> Stepper:
-        return self.closed.stepper(self._solver, self.tolerance, NODES, MOST_STEPS)
 
     def _tell(self, name: str, lost: Pieces, most: float) -> None:
         """Warn if what is lost of a signal between points may count."""

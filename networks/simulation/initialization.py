@@ -133,7 +133,7 @@ def initial_values(closed: BoundDAE, q: Array, t: float, wanted: StartValues) ->
     """
     dae = closed.dae
     wanted = _following(closed, q, t, wanted)
-    point = _guess(closed, q, t, wanted)
+    point = Point(t, *guessed(dae, wanted), q)
     states = set(dae.states)
     hard = {v: value for v, (_, value) in wanted.fixed.items() if v not in states}
     related, solved = np.zeros((2, len(point.x)), dtype=bool)
@@ -187,19 +187,15 @@ def _nearer(
     return point
 
 
-def _guess(closed: BoundDAE, q: Array, t: float, wanted: StartValues) -> Point:
-    x, z = (guessed(closed.dae, wanted, variables) for variables in (closed.dae.states, closed.dae.algebraic))
-    return Point(t, x, z, q)
-
-
-def guessed(dae: DAE, wanted: StartValues, variables: list[int]) -> Array:
-    """Return where the search for start values begins."""
+def guessed(dae: DAE, wanted: StartValues) -> tuple[Array, Array]:
+    """Return states and algebraic unknowns where the search for start values begins."""
     starts = dae.declared.start
-    values = []
-    for v in variables:
-        default = float(starts[v]) if v < len(starts) else 0.0
-        values.append(wanted.fixed[v][1] if v in wanted.fixed else wanted.guesses.get(v, default))
-    return np.array(values)
+    known = wanted.guesses | {v: value for v, (_, value) in wanted.fixed.items()}
+
+    def value(variable: int) -> float:
+        return known.get(variable, float(starts[variable]) if variable < len(starts) else 0.0)
+
+    return np.array([*map(value, dae.states)]), np.array([*map(value, dae.algebraic)])
 
 
 def _following(closed: BoundDAE, q: Array, t: float, wanted: StartValues) -> StartValues:
@@ -209,7 +205,8 @@ def _following(closed: BoundDAE, q: Array, t: float, wanted: StartValues) -> Sta
     if not followed:
         return wanted
     aims = {leader: 0.0 for leader, _ in followed.values()}
-    values = dict(zip(aims, _missed(closed, aims, _guess(closed, q, t, wanted))[0].tolist(), strict=True))
+    guess = Point(t, *guessed(closed.dae, wanted), q)
+    values = dict(zip(aims, _missed(closed, aims, guess)[0].tolist(), strict=True))
     guesses = {v: sign * values[leader] for v, (leader, sign) in followed.items()}
     return StartValues(wanted.fixed, wanted.guesses | guesses)
 
@@ -261,16 +258,12 @@ def _missed(
 
 
 def _contradiction(dae: DAE, others: list[int], wrong: Any, wanted: StartValues) -> str:
-    failed = {wanted.fixed[others[i]][0] for i in wrong if i < len(others)}
+    told = {
+        name: f"'{name}' = {dae.root(name)[1] * value:g} {dae.unit(name)}"
+        for name, value in wanted.fixed.values()
+    }
+    failed = ", ".join(told.pop(wanted.fixed[others[i]][0]) for i in wrong if i < len(others))
     if not failed:
         return f"'{dae.name}': no start satisfies the equations; give guess= for the states"
-    told, kept = (
-        ", ".join(
-            f"'{name}' = {dae.root(name)[1] * value:g} {dae.unit(name)}"
-            for name, value in wanted.fixed.values()
-            if (name in failed) == wrongly
-        )
-        for wrongly in (True, False)
-    )
-    given = f"with {kept}" if kept else "by any choice of the states"
-    return f"'{dae.name}': {told} cannot be reached {given}; give some as guess= instead of start="
+    given = f"with {', '.join(told.values())}" if told else "by any choice of the states"
+    return f"'{dae.name}': {failed} cannot be reached {given}; give some as guess= instead of start="

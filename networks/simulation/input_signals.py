@@ -14,7 +14,7 @@ from ...base import ModelError, demand, is_number, nearest, numpy_on_symbols, wh
 from ...components.language import RealInput, Sampled
 from ..dae import DAE, Input
 from ..flattening.vectors import pick
-from .splines import SMOOTHNESS, curvature, traced
+from .splines import SMOOTHNESS, traced
 
 
 @dataclass(frozen=True)
@@ -114,7 +114,7 @@ def input_value(declared: Input, signal: Any, t: Any) -> Any:
         ModelError: for what is no signal, by the name of its input.
     """
     curved = isinstance(signal, Sampled) and declared.order >= 2
-    value = curvature(signal)(t) if curved else _traced(declared.path, signal, t)
+    value = traced(signal, 2)(t) if curved else _traced(declared.path, signal, t)
     for _ in range(declared.order - 2 * curved):
         value = ca.jacobian(value, t)
     return declared.sign * value

@@ -22,7 +22,6 @@ class Progress:
         self.wanted = sys.stderr.isatty() if wanted is None else wanted
         self.started = time.perf_counter()
         self._bar: Any = None
-        self._task: Any = None
 
     def __enter__(self) -> Progress:
         return self
@@ -32,7 +31,7 @@ class Progress:
         if not self.wanted or (self._bar is None and time.perf_counter() - self.started < 1.0):
             return
         bar = self._bar or self._show()
-        bar.update(self._task, completed=t - self.begin)
+        bar.update(bar.task_ids[0], completed=t - self.begin)
 
     @contextmanager
     def watching(self, now: Callable[[], float]) -> Iterator[None]:
@@ -66,7 +65,7 @@ class Progress:
         )  # fmt: skip
         self._bar = Bar(*columns, console=Console(stderr=True), transient=True)
         self._bar.start()
-        self._task = self._bar.add_task(self.name, total=self.stop - self.begin)
+        self._bar.add_task(self.name, total=self.stop - self.begin)
         return self._bar
 
     def __exit__(self, *_: object) -> None:

@@ -36,17 +36,14 @@ def resolution_notes(dae: DAE, states: Array, tolerance: Tolerance) -> Iterator[
     for unit in dict.fromkeys(units[lost].tolist()):
         group = np.flatnonzero(units == unit)
         most = int(group[np.argmax(moved[group])])
-        if lost[most]:
-            name = dae.name_of(dae.states[most])
-            yield _told(name, unit, float(moved[most]), float(sizes[most]), float(off[most]), tolerance)
-
-
-def _told(name: str, unit: str, moved: float, size: float, off: float, tolerance: Tolerance) -> str:
-    far, remedy = "", f"atol={tolerance.rtol * moved:.1g}"
-    if tolerance.rtol * size > off / 2:
-        far, finer = f" about {size:.3g} {unit}", LOST_SHARE * moved / size / 2
-        remedy = f"rtol={finer:.1g}" if finer > FINEST else f"{name} counted from where it rests"
-    return (
-        f"{name} moves by no more than {moved:.3g} {unit}{far}, and the tolerances of this run are {off:.2g} "
-        f"{unit}: if that motion matters, run it with {remedy}"
-    )
+        if not lost[most]:
+            continue
+        name, size, motion = dae.name_of(dae.states[most]), float(sizes[most]), float(moved[most])
+        far, remedy = "", f"atol={tolerance.rtol * motion:.1g}"
+        if tolerance.rtol * size > off[most] / 2:
+            far, finer = f" about {size:.3g} {unit}", LOST_SHARE * motion / size / 2
+            remedy = f"rtol={finer:.1g}" if finer > FINEST else f"{name} counted from where it rests"
+        yield (
+            f"{name} moves by no more than {motion:.3g} {unit}{far}, and the tolerances of this run are "
+            f"{off[most]:.2g} {unit}: if that motion matters, run it with {remedy}"
+        )

@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from contextlib import contextmanager, suppress
 from dataclasses import dataclass, field, replace
+from itertools import repeat
 from typing import Any
 
 import numpy as np
@@ -151,17 +152,17 @@ def integrate(run: Run, stepper: Stepper, point: Point, span: float) -> Stretch:
         if run.switcher is None:  # otherwise nodes may lie beyond an event
             done = stepper.reached()
             run.steps += done.steps
-            _keep(run, point, span / stepper.nodes, done.states, done.algebraic)
+            times = point.t + span / stepper.nodes * np.arange(1, len(done.states) + 1)
+            _keep(run, map(Point, times.tolist(), done.states, done.algebraic, repeat(point.q)))
         raise
 
 
-def _keep(run: Run, point: Point, step: float, states: Array, algebraic: Array) -> None:
-    """Record those of the first nodes of a stretch that came to no end that are not recorded yet."""
-    times = point.t + step * np.arange(1, len(states) + 1)
-    new = times > run.segments[-1].times[-1][-1]
-    if new.any():
-        run.record(times[new], states[new], algebraic[new])
-        run.point = Point(float(times[-1]), states[-1], algebraic[-1], point.q)
+def _keep(run: Run, points: Iterable[Point]) -> None:
+    """Record what is not recorded yet of a stretch that came to no end."""
+    for point in points:
+        if point.t > run.segments[-1].times[-1][-1]:
+            run.point = point
+            run.record(point.t, point.x, point.z)
 
 
 def attempt(run: Run, stepper: Stepper, point: Point, span: float) -> Stretch:
@@ -174,25 +175,21 @@ def attempt(run: Run, stepper: Stepper, point: Point, span: float) -> Stretch:
 
 def _node_by_node(run: Run, stepper: Stepper, point: Point, span: float) -> Stretch:
     """Integrate each interval on its own, which allows more steps; save what is reached on failure."""
-    step, here, steps = span / stepper.nodes, point, 0
-    states: list[Array] = []
-    algebraic: list[Array] = []
-    for _ in range(stepper.nodes):
+    step, nodes, before = span / stepper.nodes, [point], run.steps
+    for number in range(stepper.nodes):
         try:
-            piece = _advance(run, stepper, here, step)
+            piece = _advance(run, stepper, nodes[-1], step)
         except (IntegratorError, Interrupted) as error:
             failed = isinstance(error, IntegratorError)
             if failed or run.switcher is None:
-                _keep(run, point, step, np.array(states), np.array(algebraic))
+                _keep(run, nodes[1:])
             if failed:
-                _approach(run, stepper, here, step)
+                _approach(run, stepper, nodes[-1], step)
             raise
-        here = piece.end(here.t + step, point.q)
-        states.append(here.x)
-        algebraic.append(here.z)
-        steps += piece.steps
+        nodes.append(piece.end(point.t + step * (number + 1), point.q))
         run.count(piece.steps)
-    return Stretch(np.array(states), np.array(algebraic), steps)
+    x, z = (np.array([getattr(node, name) for node in nodes[1:]]) for name in "xz")
+    return Stretch(x, z, run.steps - before)
 
 
 def _approach(run: Run, stepper: Stepper, point: Point, span: float) -> None:

@@ -33,16 +33,16 @@ class Sensitivities:
         self._slopes: list[Array] = [start_slopes(closed, point, wanted, self._of_q)]
 
     def advance(
-        self, stepper: Stepper, point: Point, span: float, max_step: float, begin: int, nodes: Ints
+        self, stepper: Stepper, point: Point, span: float, max_step: float, nodes: Ints, begin: int = -1
     ) -> None:
-        """Carry the sensitivities from point number `begin` on; some nodes of the stretch are points."""
+        """Carry the sensitivities on from a point, by its number; some nodes of the stretch are points."""
         moved = stepper.sensitivity(point, span, max_step, (self._slopes[begin], self._of_q))
-        self._slopes = [*self._slopes[: begin + 1], *moved.transpose(1, 0, 2)[nodes]]
+        del self._slopes[begin % len(self._slopes) + 1 :]
+        self._slopes += [*moved.transpose(1, 0, 2)[nodes]]
 
-    def repeat(self, points: int) -> int:
-        """Give further points at this instant the same sensitivities; return the last one's number."""
+    def repeat(self, points: int) -> None:
+        """Give further points at this instant the same sensitivities."""
         self._slopes += [self._slopes[-1]] * (points - len(self._slopes))
-        return points - 1
 
     def collected(self, points: int) -> dict[str, Array]:
         """Return, for each parameter, d(states)/d(parameter) at the points recorded, (points, states).

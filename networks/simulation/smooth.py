@@ -41,7 +41,7 @@ def _in_chunks(run: Run, outputs: Array, progress: Progress, follow: Sensitiviti
         begin = min(done, count - nodes)
         start = Point(outputs[begin], *run.segments[-1].state(begin), run.point.q)
         if follow is not None:
-            follow.advance(stepper, start, span, run.max_step, begin, np.arange(nodes))
+            follow.advance(stepper, start, span, run.max_step, np.arange(nodes), begin)
         with progress.watching(stepper.now):
             stretch = integrate(run, stepper, start, span)
         new = slice(done - begin, nodes)
@@ -57,7 +57,7 @@ def _in_legs(run: Run, outputs: Array, progress: Progress, follow: Sensitivities
     On the way 2^n outputs at once are nodes of a stretch. Where sensitivities are followed, every such
     instant is recorded.
     """
-    done, recorded = 1, 0
+    done = 1
     while done < len(outputs):
         point = run.point
         if point.t >= run.leg.end:
@@ -67,7 +67,7 @@ def _in_legs(run: Run, outputs: Array, progress: Progress, follow: Sensitivities
                 done += 1
             if follow is not None:
                 record_here(run)
-                recorded = follow.repeat(sum(map(len, run.segments)))
+                follow.repeat(sum(map(len, run.segments)))
             continue
         ahead = int(np.searchsorted(outputs, run.leg.end, "right")) - done
         intervals = 2 ** (min(ahead, MOST_NODES).bit_length() - 1) if ahead > 0 else 0
@@ -78,8 +78,7 @@ def _in_legs(run: Run, outputs: Array, progress: Progress, follow: Sensitivities
         kept = np.arange(1, intervals + 1) * (stepper.nodes // max(1, intervals)) - 1
         if follow is not None:
             chosen = kept if intervals else np.array([stepper.nodes - 1])
-            follow.advance(stepper, point, end - point.t, run.max_step, recorded, chosen)
-            recorded += len(chosen)
+            follow.advance(stepper, point, end - point.t, run.max_step, chosen)
         with progress.watching(stepper.now):
             stretch = integrate(run, stepper, point, end - point.t)
         if intervals:

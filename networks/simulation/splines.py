@@ -43,22 +43,24 @@ def sampled_at(signal: Sampled, times: Array, order: int = 0) -> Array:
 
 
 @lru_cache(maxsize=CACHED_SIGNALS)
-def traced(signal: Sampled) -> Any:
-    """Return the same as a CasADi function of time.
+def traced(signal: Sampled, order: int = 0) -> Any:
+    """Return a signal, or the second derivative of a cubic one, as a CasADi function of time.
 
     A signal that is not held goes on smoothly for the length of a sample beyond its ends, and stays there,
-    so that an integrator may look ahead.
+    so that an integrator may look ahead. At an end it is continued from the right.
+
+    The second derivative is linear between instants. CasADi 3.8.2 writes beyond its memory when the spline
+    itself is differentiated three times; this function can be differentiated once more.
     """
     t = ca.MX.sym("t")
-    between, (begin, end) = _between(signal), _ends(signal)
-    beyond = ca.if_else(t < begin, between(begin), between(end))
-    return ca.Function("signal", [t], [_within(signal, t, between(t), beyond)])
-
-
-def _within(signal: Sampled, t: Any, inside: Any, outside: Any) -> Any:
-    """Return one expression between the ends of a traced signal, from the right at either, another beyond."""
     begin, end = _ends(signal)
-    return ca.if_else(ca.logic_and(t >= begin, t < end), inside, outside)
+    if order:
+        between, beyond = _curvature(signal), 0.0
+    else:
+        between = _between(signal)
+        beyond = ca.if_else(t < begin, between(begin), between(end))
+    within = ca.logic_and(t >= begin, t < end)
+    return ca.Function("signal", [t], [ca.if_else(within, between(t), beyond)])
 
 
 def _ends(signal: Sampled) -> tuple[float, float]:
@@ -81,16 +83,8 @@ def _between(signal: Sampled) -> Any:
     return ca.Function.bspline("cubic", [spline.t.tolist()], spline.c.tolist(), [3], 1)
 
 
-@lru_cache(maxsize=CACHED_SIGNALS)
-def curvature(signal: Sampled) -> Any:
-    """Return the second derivative of a cubic signal as a CasADi function of time.
-
-    It is linear between instants. CasADi 3.8.2 writes beyond its memory when the spline itself is
-    differentiated three times; this function can be differentiated once more.
-    """
+def _curvature(signal: Sampled) -> Any:
     from scipy.interpolate import CubicSpline
 
     values = CubicSpline(signal.time, signal.values)(signal.time, 2)
-    inside = ca.interpolant("curvature", "linear", [signal.time], values)
-    t = ca.MX.sym("t")
-    return ca.Function("curvature", [t], [_within(signal, t, inside(t), 0.0)])
+    return ca.interpolant("curvature", "linear", [signal.time], values)

@@ -87,8 +87,7 @@ def starting_point(dae: DAE, inputs: Mapping[str, Any], start: Mapping[str, floa
     free = _reached(dae, fixed, unfixed, algebra=True) if fixed else []
     if max(len(aims), len(fixed) + dae.z.numel() if fixed else 0, len(led), len(free)) > MOST_SOUGHT:
         return Start(dae, run.initial.values, run.point.z, modes, sizes, [], names, [], [])
-    x, z = (guessed(dae, wanted, variables) for variables in (dae.states, dae.algebraic))
-    return Start(dae, x, z, modes, sizes, aims if led else fixed, names, led, free)
+    return Start(dae, *guessed(dae, wanted), modes, sizes, aims if led else fixed, names, led, free)
 
 
 def _aims(dae: DAE, wanted: StartValues) -> list[Aim]:

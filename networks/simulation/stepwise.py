@@ -191,8 +191,8 @@ class Stepwise:
         Raises:
             UnknownNameError: for an unknown name, with the nearest one.
         """
-        several = isinstance(wanted, Sequence) and len(wanted) > 0
-        if not (several and all(np.shape(pair) == (2,) for pair in wanted)):
+        given: Any = wanted
+        if not isinstance(given, Sequence) or {np.shape(pair) for pair in given} != {(2,)}:
             raise ModelError(f"observe() takes pairs (name, order), got {shown(wanted)}")
         point = self.run.point
         found = self._observer(*wanted)(point.x, point.z, point.q, point.t)

@@ -79,7 +79,7 @@ class TimeSignals:
 
     def ends(self, begin: float, stop: float) -> tuple[Array, Array]:
         """Return the neighbouring instants between which data that are held begin or end."""
-        signals = [self._closed.signals[self._dae.inputs[k].path] for k in self._drawn]
+        signals = [self._closed.given[k][1] for k in self._drawn]
         held = [s for s in signals if isinstance(s, Sampled) and s.extrapolation == "hold"]
         instants = np.unique([s.time[end] for s in held for end in (0, -1)])
         inside = instants[(begin < instants) & (instants < stop)]
@@ -151,8 +151,7 @@ class TimeSignals:
         tables = {}
         evenly = np.linspace(*self._span, TABLE_POINTS)
         for k in self._drawn:
-            declared = self._dae.inputs[k]
-            signal = self._closed.signals[declared.path]
+            declared, signal = self._closed.given[k]
             if isinstance(signal, Sampled):
                 tables[k] = signal.time, declared.sign * sampled_at(signal, signal.time, declared.order)
             else:
@@ -193,7 +192,7 @@ def _largest(dae: DAE, equations: Any, given: set[int]) -> Any:
     found: dict[int, Any] = {}
     for operation, into, of, constant in instructions(ca.Function("equations", symbols, [equations])):
         if operation == ca.OP_INPUT:
-            work[into[0]] = _kind(*of, dae.p.numel(), given), entries[of[0]][of[1]]
+            work[into[0]] = _kind(of[0], of[1], dae.p.numel(), given), entries[of[0]][of[1]]
         elif operation == ca.OP_CONST:
             work[into[0]] = CONSTANT, ca.SX(constant)
         else:
@@ -202,8 +201,9 @@ def _largest(dae: DAE, equations: Any, given: set[int]) -> Any:
             if operation == ca.OP_OUTPUT or STATES in kinds:
                 found |= {value.element_hash(): value for kind, value in operands if kind == TIMED}
             if operation != ca.OP_OUTPUT:
+                apply = ca.SX.unary if len(values) == 1 else ca.SX.binary
                 whole = STATES not in kinds
-                work[into[0]] = (max(kinds), _applied(operation, values)) if whole else (STATES, None)
+                work[into[0]] = (max(kinds), apply(operation, *values)) if whole else (STATES, None)
     return column([*found.values()])
 
 
@@ -212,7 +212,3 @@ def _kind(argument: int, entry: int, parameters: int, given: set[int]) -> int:
     if argument == 4 or (argument == 2 and entry in given):
         return TIMED
     return CONSTANT if argument == 3 and entry < parameters else STATES
-
-
-def _applied(operation: int, operands: list[Any]) -> Any:
-    return ca.SX.unary(operation, *operands) if len(operands) == 1 else ca.SX.binary(operation, *operands)
