@@ -14,7 +14,7 @@ from ..flattening.vectors import pick
 from .bound_dae import BoundDAE
 from .point import Point
 
-MOST_TOLD = 3
+MOST_TOLD, MOST_SHOWN = 3, 120  # laws, and characters of one
 GUARD = "docs/write-your-own-component.md says how to guard it"
 
 
@@ -57,7 +57,9 @@ def _equations(closed: BoundDAE, point: Point) -> Iterator[str]:
             for residual, result in zip(template.residuals, results, strict=True):
                 value, *slopes = np.isfinite(result.full().ravel())
                 if not (value and all(slopes)):
-                    what = f"finite {'slope' if value else 'value'} of `{_short(residual)}`"
+                    law = f"{residual} == 0"
+                    law = law if len(law) <= MOST_SHOWN else f"{law[:MOST_SHOWN]} ..."
+                    what = f"finite {'slope' if value else 'value'} of `{law}`"
                     yield f"{instance} has no {what} there{_at(template, residual, local)}"
 
 
@@ -79,8 +81,3 @@ def _at(template: Any, residual: Any, local: Any) -> str:
         if name in used and np.isfinite(local[k])
     ]
     return f" ({', '.join(told[:4])})" if told else ""
-
-
-def _short(residual: Any, most: int = 120) -> str:
-    text = f"{residual} == 0"
-    return text if len(text) <= most else f"{text[:most]} ..."

@@ -4,14 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from functools import cache, cached_property, partial
-from itertools import starmap
+from itertools import accumulate, pairwise, starmap
 from threading import get_ident
 from typing import TYPE_CHECKING, Any
 
 import casadi as ca
 import numpy as np
 
-from ...base import Array, ModelError, named
+from ...base import Array, named
 from ...components.language import Sampled
 from ..dae import DAE, Input
 from ..evaluation.batch import Batch
@@ -100,13 +100,8 @@ class BoundDAE:
         """A function of (x, z, q, t), at many points: the rates of the states."""
         return Batch(self.function("motion", *dense(self.close(self.dae.ode))))
 
-    def input_values(self, q: Any, times: Any) -> Any:
-        """Return the inputs and their derivatives at instants, (instants, inputs).
-
-        Args:
-            q: what is constant within a segment, at the instants, (instants, constants).
-            times: the instants.
-        """
+    def input_values(self, q: Array, times: Array) -> Array:
+        """Return inputs and their derivatives, (instants, inputs); `q` is given for each instant, too."""
         values = np.empty((len(times), len(self.dae.inputs)))
         if self._others:
             values[:, self._others] = self._other_inputs(q, times[:, None])[0][:, :, 0]
@@ -157,16 +152,6 @@ class BoundDAE:
 
         return Native(self)
 
-    def formula(self, place: int, t: Any) -> Any:
-        """Return one of the DAE's inputs as an SX expression of time, None if only its numbers are known."""
-        declared, signal = self.given[place]
-        if isinstance(signal, Sampled | Polynomial):
-            return None
-        try:
-            return input_value(declared, signal, t)
-        except ModelError:
-            return None
-
     @cached_property
     def timed_rows(self) -> Any:
         """What the equations hold that depends on time, inputs and parameters alone, as SX."""
@@ -208,9 +193,6 @@ def bound(dae: DAE, inputs: Mapping[str, Any]) -> BoundDAE:
 
 def _courses(first: int, signals: Mapping[str, Any]) -> dict[str, slice]:
     """Return where in q the instant and the coefficients of each polynomial input stand."""
-    places = {}
-    for path, signal in signals.items():
-        if isinstance(signal, Polynomial):
-            places[path] = slice(first, first + signal.degree + 2)
-            first = places[path].stop
-    return places
+    sizes = {path: s.degree + 2 for path, s in signals.items() if isinstance(s, Polynomial)}
+    spans = pairwise(accumulate(sizes.values(), initial=first))
+    return dict(zip(sizes, starmap(slice, spans), strict=True))

@@ -14,9 +14,9 @@ from ..dae import Input
 from .splines import CACHED_SIGNALS, piecewise
 
 USED_SHARE = 0.01  # of the data's span, below which a run makes one ask for the unit of their time
-BEYOND = 0.5  # share of the data's range by which a spline that goes beyond them is no signal
-JUMP = 0.2  # share of the data's range by which they jump within a sample ...
-LONELY = 10.0  # ... so many times more than in the samples beside it
+OVERSHOOT_SHARE = 0.5  # share of the data's range by which a spline that goes beyond them is no signal
+JUMP_SHARE = 0.2  # share of the data's range by which they jump within a sample ...
+JUMP_RATIO = 10.0  # ... so many times more than in the samples beside it
 NEIGHBOURS = 4
 
 
@@ -68,7 +68,7 @@ def between_samples(signal: Sampled) -> str:
     if signal.interpolation != "cubic" or not size:
         return ""
     at, beyond = _beyond(signal)
-    if beyond > BEYOND * size:
+    if beyond > OVERSHOOT_SHARE * size:
         return (
             f"the spline through its samples goes {beyond / size:.3g} times their range beyond them at "
             f"t = {at:.6g} s, where they are far apart or next to each other"
@@ -100,5 +100,5 @@ def _jump(changes: Array, size: float) -> int | None:
     windows = np.lib.stride_tricks.sliding_window_view(changes, 2 * NEIGHBOURS + 1)
     middle = windows[:, NEIGHBOURS]
     others = np.delete(windows, NEIGHBOURS, axis=1).max(axis=1)
-    lonely = np.flatnonzero((middle > JUMP * size) & (middle > LONELY * others))
+    lonely = np.flatnonzero((middle > JUMP_SHARE * size) & (middle > JUMP_RATIO * others))
     return int(lonely[np.argmax(middle[lonely])]) + NEIGHBOURS if len(lonely) else None

@@ -1,4 +1,4 @@
-"""`DenseOutput`: signals between the points of a run, where need be from running that piece again, finely."""
+"""`DenseOutput`: dense output, signals between the points of a run, by finer runs where need be."""
 
 from __future__ import annotations
 
@@ -51,8 +51,7 @@ class Gaps:
     @property
     def length(self) -> Array:
         """How long each piece is [s]."""
-        lasting: Array = self.last.t - self.first.t
-        return lasting
+        return self.last.t - self.first.t
 
     def only(self, which: Any) -> Gaps:
         """Return some of the pieces."""
@@ -124,7 +123,7 @@ class DenseOutput:
         """Tell in which pieces a state must do what points do not show, from its rates at both ends."""
         change, h = gaps.last.x - gaps.first.x, gaps.length[:, None]
         at_first, at_last = (np.abs(h * p.rates - change) for p in (gaps.first, gaps.last))
-        stray: Flags = ((at_first + at_last) / 12 > STRAY_SHARE * self._size(ranges)).any(axis=1)
+        stray: Flags = np.any((at_first + at_last) / 12 > STRAY_SHARE * self._size(ranges), axis=1)
         return stray
 
     def _hidden(self, gaps: Gaps, steps: float) -> Flags:

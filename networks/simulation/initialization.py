@@ -24,7 +24,7 @@ from .point import Point
 
 SOLVED = "solved from fixed values of other variables"
 RELATED = "from the start values of the motions it relates"
-KEPT = "guess kept"
+AS_GUESSED = "guess kept"
 
 
 @dataclass(frozen=True)
@@ -146,7 +146,7 @@ def initial_values(closed: BoundDAE, q: Array, t: float, wanted: StartValues) ->
         there, found = (point, False) if hard else _gauss_newton(closed, point, [], {})
         point = there if found else _met(closed, point, hard, wanted)
         solved |= point.x != before
-    reasons = np.select([solved, related], [SOLVED, RELATED], KEPT)
+    reasons = np.select([solved, related], [SOLVED, RELATED], AS_GUESSED)
     return point, StartReport(dae, point.x.copy(), reasons, wanted)
 
 

@@ -40,8 +40,7 @@ class Enclosure:
     def __call__(self, *columns: list[Bounds]) -> tuple[Array, Array, Flags]:
         """Return lower and upper bounds, (boxes, rows), and which boxes are undecided.
 
-        Args:
-            columns: bounds of every entry of every argument, (boxes,) each.
+        The bounds of every entry of every argument are given, (boxes,) each.
         """
         count = next(len(low) for column in columns for low, _ in column)
         lows, highs = np.zeros((2, count, self.rows))
@@ -184,9 +183,8 @@ def _extreme(chosen: Callable[[Any, Any], Any]) -> Rule:
 
 
 def _copysign(a: Bounds, b: Bounds) -> Enclosed:
-    least, most = _size(a)
-    positive, negative = b[0] > 0, b[1] < 0
-    return np.where(positive, least, -most), np.where(negative, -least, most), ~(positive | negative)
+    sign = np.where(b[0] > 0, 1.0, -1.0), np.where(b[1] < 0, -1.0, 1.0)
+    return *_product(_size(a), sign)[:2], sign[0] != sign[1]
 
 
 def _angle(a: Bounds, b: Bounds) -> Enclosed:

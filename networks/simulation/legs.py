@@ -19,14 +19,14 @@ EIGHTHS = np.arange(9) / 8
 PARTS = 16
 MOST_BLOCKS = 400_000
 MOST_SWITCHES = 4096
-ADJACENT = 1e-25
-FOLLOWED = 0.02  # a flank between two of nine samples is off by 0.04 at least
-NEGLIGIBLE = 1e-7
-UNSEEN = 1e-8  # of a value that samples show at rest: what may hide between them
+ADJACENT_SHARE = 1e-25
+MISSED_SHARE = 0.02  # a flank between two of nine samples is off by 0.04 at least
+NEGLIGIBLE_SHARE = 1e-7
+UNSEEN_SHARE = 1e-8  # of a value that samples show at rest: what may hide between them
 ROUNDING = 8 * np.finfo(float).eps
-HIDDEN = 0.25
-SHARE = 0.5
-FINER, COARSER, WORTHWHILE = 0.25, 8.0, 256  # the last: steps that starting anew may cost
+HIDDEN_SHARE = 0.25
+STEP_SHARE = 0.5
+FINER_RATIO, COARSER_RATIO, RESTART_STEPS = 0.25, 8.0, 256  # the last: steps that starting anew may cost
 # Values of a quartic through 0, 2, 4, 6 and 8 at 1, 3, 5 and 7.
 _QUARTIC = np.array(
     [[35, 140, -70, 28, -5], [-5, 60, 90, -20, 3], [3, -20, 90, 60, -5], [-5, 28, -70, 140, 35]]
@@ -72,14 +72,14 @@ def endless_legs(signals: TimeSignals, stop: float) -> list[Leg]:
     legs = _legs_between(signals, *spans)
     shortest = min(leg.max_step for leg in legs)
     if seen < stop:
-        shortest = min(shortest, SHARE * min(leg.end - leg.begin for leg in legs if leg.end > leg.begin))
+        shortest = min(shortest, STEP_SHARE * min(leg.end - leg.begin for leg in legs if leg.end > leg.begin))
     return [*legs, Leg(seen, np.inf, shortest)]
 
 
 def _spans(signals: TimeSignals, begin: float, stop: float) -> tuple[Array, Array] | None:
     """Return where the parts begin and end in which no formula may switch; None if they are too many."""
     low, high = np.array([begin]), np.array([stop])
-    smallest = ADJACENT * max(abs(begin), abs(stop))
+    smallest = ADJACENT_SHARE * max(abs(begin), abs(stop))
     found = [signals.ends(begin, stop)]
     while len(low):
         if len(low) > MOST_BLOCKS:
@@ -114,7 +114,7 @@ def _jumps(signals: TimeSignals, before: Array, after: Array) -> list[bool]:
     """Tell of the start and of each switch whether a signal jumps there, by more than rounding explains."""
     one, other = (np.nan_to_num(signals(side)) for side in (before, after))
     size = np.maximum(np.abs(one), np.abs(other)).max(axis=0, initial=0.0)
-    return [False, *(np.abs(other - one) > NEGLIGIBLE * size).any(axis=1).tolist()]
+    return [False, *(np.abs(other - one) > NEGLIGIBLE_SHARE * size).any(axis=1).tolist()]
 
 
 def _blocks(signals: TimeSignals, starts: Array, ends: Array) -> tuple[Array, Array, Array]:
@@ -170,23 +170,23 @@ def _looked_at(signals: TimeSignals, low: Array, high: Array, size: Array) -> tu
     np.maximum(size, ranges.max(axis=0, initial=0.0), out=size)
     missed = np.abs(np.einsum("oe,ber->bor", _QUARTIC, values[:, ::2]) - values[:, 1::2]).max(axis=1)
     largest = np.abs(values).max(axis=(0, 1), initial=0.0)
-    least = NEGLIGIBLE * size + ROUNDING * largest
+    least = NEGLIGIBLE_SHARE * size + ROUNDING * largest
     with np.errstate(invalid="ignore"):
         hidden = _hidden(signals, times, values)
-        known = hidden <= np.where(signals.formal, 0.0, HIDDEN * ranges) + least
+        known = hidden <= np.where(signals.formal, 0.0, HIDDEN_SHARE * ranges) + least
     few = ~signals.formal & signals.within_data(low, high)[:, None]
     known |= broken | few
     unknown = np.flatnonzero(~known.all(axis=1))
     scale = high - low
     if len(unknown):
         between = signals.steepest(low[unknown], high[unknown]) * scale[unknown, None] / 16
-        allowed = HIDDEN * ranges[unknown] + least + UNSEEN * largest
+        allowed = HIDDEN_SHARE * ranges[unknown] + least + UNSEEN_SHARE * largest
         bound = between <= allowed
         known[unknown] |= bound
         share = np.where(bound, 1.0, allowed / np.where(bound, 1.0, between))
         scale[unknown] *= np.maximum(share.min(axis=1), 1 / 16)
     rests, even = (((what <= least) & known).all(axis=1) for what in (ranges, missed))
-    shown = (few | (missed <= FOLLOWED * ranges + least) & known).all(axis=1)
+    shown = (few | (missed <= MISSED_SHARE * ranges + least) & known).all(axis=1)
     return np.select([rests, even], [np.inf, np.nan], scale), shown
 
 
@@ -207,7 +207,8 @@ def _hidden(signals: TimeSignals, times: Array, values: Array) -> Array:
 
 def _joined(low: Array, high: Array, scale: Array) -> list[Leg]:
     """Join neighbouring intervals of like scale, then parts that save fewer steps than a new start costs."""
-    legs = [Leg(*part) for part in zip(low.tolist(), high.tolist(), (SHARE * scale).tolist(), strict=True)]
+    columns = low.tolist(), high.tolist(), (STEP_SHARE * scale).tolist()
+    legs = [Leg(*part) for part in zip(*columns, strict=True)]
     for belong in _alike, _hardly_worthwhile:
         joined: list[Leg] = []
         for leg in legs:
@@ -220,13 +221,13 @@ def _joined(low: Array, high: Array, scale: Array) -> list[Leg]:
 
 
 def _alike(before: Leg, after: Leg) -> bool:
-    finer, coarser = FINER * before.max_step, COARSER * before.max_step
+    finer, coarser = FINER_RATIO * before.max_step, COARSER_RATIO * before.max_step
     return before.max_step == after.max_step or finer < after.max_step < coarser
 
 
 def _hardly_worthwhile(before: Leg, after: Leg) -> bool:
     finer, coarser = sorted((before, after), key=lambda leg: leg.max_step)
-    return coarser.end - coarser.begin < WORTHWHILE * finer.max_step
+    return coarser.end - coarser.begin < RESTART_STEPS * finer.max_step
 
 
 def _split(low: Array, high: Array, parts: int) -> tuple[Array, Array]:

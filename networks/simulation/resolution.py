@@ -20,10 +20,7 @@ AT_REST = 1e-25
 def resolution_notes(dae: DAE, states: Array, tolerance: Tolerance) -> Iterator[str]:
     """Yield what the tolerance of a run did not follow: all motion of one unit, by the state that moved most.
 
-    Args:
-        dae: the equations.
-        states: at all points of the run, (points, states).
-        tolerance: of the run.
+    The states are those at all points of the run, (points, states).
     """
     sizes, moved = np.abs(states).max(axis=0), np.ptp(states, axis=0)
     off = tolerance.of(sizes, nominal_sizes(dae, dae.states))

@@ -21,7 +21,7 @@ from .legs import Leg
 from .point import Point, solve_algebraic
 from .settings import Settings
 
-KEPT = "Results up to there are kept in the error's `result`"
+RESULTS_KEPT = "Results up to there are kept in the error's `result`"
 
 
 @dataclass(eq=False)
@@ -233,8 +233,8 @@ def ending_in_results(run: Run, result: Callable[[], Result]) -> Iterator[None]:
         except (IntegratorError, SimulationError) as error:
             raise SimulationError(_failure(run, error), result()) from error
         except Interrupted:
-            stop = run.settings.stop
-            told = f"'{run.closed.dae.name}': interrupted at t = {run.point.t:.9g} s of {stop:g} s. {KEPT}"
+            dae, stop = run.closed.dae, run.settings.stop
+            told = f"'{dae.name}': interrupted at t = {run.point.t:.9g} s of {stop:g} s. {RESULTS_KEPT}"
             raise RunInterruptedError(told, result()) from None
 
 
@@ -253,7 +253,7 @@ def _failure(run: Run, error: Exception) -> str:
         rates = f"the rate of {', '.join(wrong[:5])} is not a finite number"
         return (
             f"'{closed.dae.name}': at t = {point.t:.9g} s {rates if wrong else 'the solver cannot go on'}: "
-            f"{blamed or 'a division by zero makes it so'}; {GUARD}. {KEPT}"
+            f"{blamed or 'a division by zero makes it so'}; {GUARD}. {RESULTS_KEPT}"
         )
     state = "no state"
     if names:
@@ -263,5 +263,5 @@ def _failure(run: Run, error: Exception) -> str:
     return (
         f"'{closed.dae.name}': integration failed at t = {point.t:.9g} s; the state that limited the step is "
         f"{state}. If it is really that fast, give a smaller step= than {step:.3g} s, or a shorter run than "
-        f"{settings.stop - begin:.3g} s. {KEPT}. Solver: {str(error).strip().splitlines()[-1]}"
+        f"{settings.stop - begin:.3g} s. {RESULTS_KEPT}. Solver: {str(error).strip().splitlines()[-1]}"
     )

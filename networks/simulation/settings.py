@@ -102,13 +102,9 @@ def _longest(step: Any) -> str:
 def chosen_solver(solver: str, samples: int, runs: int) -> str:
     """Return the solver of a model that is run again and again: "auto" is "compiled" where that pays.
 
-    It pays from 40 000 samples in all on, where there is a C compiler. Otherwise "auto" remains, which each
-    run, as a single one, takes for "idas" if algebraic unknowns are left, and for "cvodes" if not.
-
-    Args:
-        solver: what the user asked for; anything but "auto" stays.
-        samples: of one run.
-        runs: how many are to be expected.
+    It pays where all `runs` together have 40 000 `samples` or more, and there is a C compiler. Otherwise
+    "auto" remains, which each run, as a single one, takes for "idas" if algebraic unknowns are left, and
+    for "cvodes" if not. What else the user asked for stays.
     """
     from ..csource import ToolchainError, compiler
 

@@ -148,14 +148,7 @@ def collected(run: Run, solver: str, began: float, follow: Sensitivities | None)
     if closed.dae.states:
         states = np.vstack([block for segment in run.segments for block in segment.states])
         notes += resolution_notes(closed.dae, states, settings.tolerance)
-    return Result(
-        closed,
-        run.segments,
-        run.events,
-        stats,
-        run.initial,
-        notes,
-        follow.collected(sum(map(len, run.segments))) if follow else {},
-        partial(limiting_state, run),
-        partial(DenseOutput, run.legs, solver, settings.tolerance),
-    )
+    followed = follow.collected(sum(map(len, run.segments))) if follow else {}
+    limiting = partial(limiting_state, run)
+    between = partial(DenseOutput, run.legs, solver, settings.tolerance)
+    return Result(closed, run.segments, run.events, stats, run.initial, notes, followed, limiting, between)

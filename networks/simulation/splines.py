@@ -28,9 +28,8 @@ def piecewise(signal: Sampled) -> Any:
         powers = np.vstack([np.zeros((2, len(slopes))), slopes, signal.values[:-1]])
     instants = signal.time
     if signal.extrapolation == "hold":
-        before, after = np.zeros((2, 4, 1))
-        before[3], after[3] = signal.values[0], signal.values[-1]
-        powers = np.hstack([before, powers, after])
+        powers = np.pad(powers, ((0, 0), (1, 1)))
+        powers[3, [0, -1]] = signal.values[[0, -1]]
         instants = np.r_[instants[0] - 1.0, instants, instants[-1] + 1.0]
     return PPoly(powers, instants)
 
@@ -54,11 +53,8 @@ def traced(signal: Sampled, order: int = 0) -> Any:
     """
     t = ca.MX.sym("t")
     begin, end = _ends(signal)
-    if order:
-        between, beyond = _curvature(signal), 0.0
-    else:
-        between = _between(signal)
-        beyond = ca.if_else(t < begin, between(begin), between(end))
+    between = _curvature(signal) if order else _between(signal)
+    beyond = 0.0 if order else ca.if_else(t < begin, between(begin), between(end))
     within = ca.logic_and(t >= begin, t < end)
     return ca.Function("signal", [t], [ca.if_else(within, between(t), beyond)])
 

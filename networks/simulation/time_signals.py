@@ -3,16 +3,18 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from functools import cached_property
+from contextlib import suppress
+from functools import cache, cached_property
 from typing import TYPE_CHECKING, Any
 
 import casadi as ca
 import numpy as np
 
-from ...base import Array, Flags
+from ...base import Array, Flags, ModelError
 from ...components.language import Sampled
 from ..evaluation.batch import Batch
 from ..flattening.vectors import column, pick, stacked
+from .input_signals import Polynomial, input_value
 from .intervals import Bounds, Enclosure, instructions
 from .splines import sampled_at
 
@@ -27,11 +29,7 @@ TABLE_POINTS = 8193
 class TimeSignals:
     """The largest expressions of time, inputs and parameters alone that the equations of a network hold.
 
-    Args:
-        closed: the network with its inputs.
-        parameters: values of the parameters.
-        begin: start of the run [s]; inputs that only numbers can be put into are drawn from there on
-        stop: to here [s].
+    Inputs that only numbers can be put into are drawn from `begin` to `stop` [s].
     """
 
     def __init__(self, closed: BoundDAE, parameters: Array, begin: float, stop: float) -> None:
@@ -39,6 +37,7 @@ class TimeSignals:
         self._parameters, self._span = parameters, (begin, stop)
         self._rows = closed.timed_rows
         self.count: int = self._rows.numel()
+        self._enclosure = cache(self._enclosed)
 
     @cached_property
     def formal(self) -> Flags:
@@ -64,17 +63,17 @@ class TimeSignals:
 
     def bounds(self, low: Array, high: Array) -> tuple[Array, Array]:
         """Return what the signals can be within intervals, (intervals, signals)."""
-        return self._enclosure(*self._boxes(low, high))[:2]
+        return self._enclosure("signals")(*self._boxes(low, high))[:2]
 
     def may_switch(self, low: Array, high: Array) -> Flags:
         """Tell within which intervals a formula may jump or bend."""
         if not self.formal.any():
             return np.zeros(len(low), dtype=bool)
-        return self._formulas_enclosure(*self._boxes(low, high))[2]
+        return self._enclosure("formulas")(*self._boxes(low, high))[2]
 
     def steepest(self, low: Array, high: Array) -> Array:
         """Return how fast the signals can change within intervals, (intervals, signals)."""
-        below, above, _ = self._slope(*self._boxes(low, high))
+        below, above, _ = self._enclosure("slopes")(*self._boxes(low, high))
         return np.maximum(np.abs(below), np.abs(above))
 
     def ends(self, begin: float, stop: float) -> tuple[Array, Array]:
@@ -107,9 +106,12 @@ class TimeSignals:
     @cached_property
     def _formulas(self) -> dict[int, Any]:
         """The other inputs as expressions of time."""
-        time = self._dae.time
-        found = {k: self._closed.formula(k, time) for k in range(len(self._dae.inputs))}
-        return {k: ca.densify(formula) for k, formula in found.items() if formula is not None}
+        found = {}
+        for k, (declared, signal) in enumerate(self._closed.given):
+            if not isinstance(signal, Sampled | Polynomial):
+                with suppress(ModelError):
+                    found[k] = ca.densify(input_value(declared, signal, self._dae.time))
+        return found
 
     @cached_property
     def _of_time(self) -> Any:
@@ -117,21 +119,13 @@ class TimeSignals:
         inputs = pick(self._dae.u, [*self._formulas])
         return ca.substitute(self._rows, inputs, column([*self._formulas.values()]))
 
-    @cached_property
-    def _enclosure(self) -> Enclosure:
-        return self._enclosed(self._of_time)
-
-    @cached_property
-    def _formulas_enclosure(self) -> Enclosure:
-        return self._enclosed(pick(self._of_time, np.flatnonzero(self.formal).tolist()))
-
-    @cached_property
-    def _slope(self) -> Enclosure:
-        unknown = ca.SX(np.where(self.formal, 0.0, np.inf))
-        return self._enclosed(ca.densify(ca.jacobian(self._of_time, self._dae.time)) + unknown)
-
-    def _enclosed(self, rows: Any) -> Enclosure:
-        dae = self._dae
+    def _enclosed(self, what: str) -> Enclosure:
+        """Return an enclosure of all "signals", of "formulas" alone, or of the "slopes" of all in time."""
+        dae, rows = self._dae, self._of_time
+        if what == "formulas":
+            rows = pick(rows, np.flatnonzero(self.formal).tolist())
+        if what == "slopes":
+            rows = ca.densify(ca.jacobian(rows, dae.time)) + ca.SX(np.where(self.formal, 0.0, np.inf))
         arguments = [pick(dae.u, self._drawn), dae.p, dae.time]
         return Enclosure(ca.Function("timed", arguments, [ca.densify(rows)]))
 
@@ -142,8 +136,7 @@ class TimeSignals:
 
     def _input_values(self, times: Array) -> Array:
         constants = np.tile(self._closed.blank(self._parameters), (len(times), 1))
-        values: Array = self._closed.input_values(constants, times)
-        return values
+        return self._closed.input_values(constants, times)
 
     @cached_property
     def _tables(self) -> dict[int, tuple[Array, Array]]:
@@ -171,10 +164,7 @@ def _range(times: Array, values: Array, low: Array, high: Array) -> Bounds:
 def timed_rows(dae: DAE, given: Sequence[int], watched: bool = False) -> Any:
     """Return the largest expressions of time, given inputs and parameters alone in the equations of a DAE.
 
-    Args:
-        dae: the equations.
-        given: places of the inputs that are known before a run.
-        watched: whether these themselves count, as they are looked at from outside.
+    Given inputs are told by their places; where they are `watched` from outside, they themselves count.
     """
     jumping = dae.jumps.watched if dae.jumps else ca.SX(0, 1)
     indicators = pick(dae.switching.expressions, [c.indicator for c in dae.switching.changes])
