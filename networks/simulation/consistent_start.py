@@ -73,7 +73,7 @@ def _first_modes(closed: BoundDAE, q: Array, t: float, wanted: StartValues) -> I
     if not closed.dae.hybrid:
         return
     fixed = {v: value for v, value in wanted.fixed.items() if v in closed.dae.derivative}
-    point, _ = initial_values(closed, q, t, StartValues(fixed, wanted.guesses))
+    point, _ = initial_values(closed, q.copy(), t, StartValues(fixed, wanted.guesses))
     switcher = Switcher(closed)
     _settled(switcher, point)
     yield point.q.copy()

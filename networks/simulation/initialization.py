@@ -143,8 +143,9 @@ def initial_values(closed: BoundDAE, q: Array, t: float, wanted: StartValues) ->
             point = _nearer(closed, point, hard, soft, movable)
         related |= point.x != before
         before = point.x
-        there, found = (point, False) if hard else _gauss_newton(closed, point, [], {})
-        point = there if found else _met(closed, point, hard, wanted)
+        if hard or len(point.z):
+            there, found = (point, False) if hard else _gauss_newton(closed, point, [], {})
+            point = there if found else _met(closed, point, hard, wanted)
         solved |= point.x != before
     reasons = np.select([solved, related], [SOLVED, RELATED], AS_GUESSED)
     return point, StartReport(dae, point.x.copy(), reasons, wanted)

@@ -78,7 +78,7 @@ def endless_legs(signals: TimeSignals, stop: float) -> list[Leg]:
 
 def _spans(signals: TimeSignals, begin: float, stop: float) -> tuple[Array, Array] | None:
     """Return where the parts begin and end in which no formula may switch; None if they are too many."""
-    low, high = np.array([begin]), np.array([stop])
+    low, high = _split(np.array([begin]), np.array([stop]), PARTS)
     smallest = ADJACENT_SHARE * max(abs(begin), abs(stop))
     found = [signals.ends(begin, stop)]
     while len(low):
@@ -119,8 +119,7 @@ def _jumps(signals: TimeSignals, before: Array, after: Array) -> list[bool]:
 
 def _blocks(signals: TimeSignals, starts: Array, ends: Array) -> tuple[Array, Array, Array]:
     """Halve intervals until a few samples of each show all that happens; return them and how fine that is."""
-    lasting = starts < ends
-    low, high = starts[lasting], ends[lasting]
+    low, high = _split(starts, ends, max(1, PARTS // len(starts)))
     widest = 1.5 * (ends[-1] - starts[0]) / PARTS
     size = np.zeros(signals.count)
     kept = [(low[:0], high[:0], low[:0])]
