@@ -1,13 +1,11 @@
 """The clearance law that gear teeth, screws and bearings share."""
 
-from __future__ import annotations
-
-from typing import Any
-
 import casadi as ca
 
+from .language import Expression
 
-def past_clearance(force: Any, half: Any) -> Any:
+
+def past_clearance(force: Expression, half: Expression) -> Expression:
     """Return what is left of a contact's spring and damper force behind a clearance: a dead zone.
 
     force - half above half, force + half below -half, zero between: continuous.

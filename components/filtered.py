@@ -1,7 +1,5 @@
 """Filtered motions: what a prescribed motion makes of a reference that it does not follow exactly."""
 
-from __future__ import annotations
-
 from typing import Any
 
 import casadi as ca

@@ -1,13 +1,8 @@
 """Pressed surfaces: what clutches and brakes have in common, for sliding and for turning."""
 
-from __future__ import annotations
-
-from collections.abc import Iterable
-from typing import Any
-
 import casadi as ca
 
-from .language import Component, RealInput, mode, option, parameter
+from .language import Component, Expression, RealInput, Stated, mode, option, parameter
 from .stickslip import StickSlip
 from .tables import interpolated, over_speed
 
@@ -25,7 +20,7 @@ class Pressed(Component):
         check=over_speed("coefficient"),
     )
 
-    def grip(self, speed: Any) -> Any:
+    def grip(self, speed: Expression) -> Expression:
         """Friction force mu(speed) fn while sliding."""
         return interpolated(self.mu_pos, speed) * self.fn_max * ca.fmax(self.f_normalized, 0)
 
@@ -43,15 +38,15 @@ class PressedStickSlip(Pressed, StickSlip):
     )  # fmt: skip
 
     @property
-    def grips(self) -> Any:
+    def grips(self) -> Expression:
         """Whether the surfaces are pressed."""
         return self.f_normalized > APART
 
-    def laws(self) -> dict[str, Any]:
+    def laws(self) -> dict[str, Expression]:
         """What vanishes in each mode; a plain variable would count as a motion that is held."""
         return {"free": -self.resistance, **StickSlip.laws(self)}
 
-    def transitions(self) -> Iterable[Any]:
+    def transitions(self) -> Stated:
         if self.regularised:
             return
         for pressed in ("stuck", "forward", "backward"):

@@ -1,14 +1,9 @@
 """Stick-slip: dry friction that truly holds, in the same words for sliding and for turning."""
 
-from __future__ import annotations
-
-from collections.abc import Iterable
-from typing import Any
-
 import casadi as ca
 
 from ..base import smoothing
-from .language import Component, mode, option, parameter
+from .language import Component, Expression, Stated, mode, option, parameter
 
 SLOW = 1e-9
 HOLD = 1e-10
@@ -38,20 +33,20 @@ class StickSlip(Component):
     speed_name = "v_rel"
 
     @property
-    def grips(self) -> Any:
+    def grips(self) -> Expression:
         """Condition for sticking at all, if there is one."""
         return None
 
     @property
-    def breakaway(self) -> Any:
+    def breakaway(self) -> Expression:
         """Resistance at which sliding begins."""
         return self.peak * self.sliding(0.0)
 
-    def sliding_back(self, speed: Any) -> Any:
+    def sliding_back(self, speed: Expression) -> Expression:
         """Resistance at a speed backward, by default as forward."""
         return self.sliding(speed)
 
-    def laws(self) -> dict[str, Any]:
+    def laws(self) -> dict[str, Expression]:
         """What vanishes in each mode."""
         speed = ca.fabs(self.speed)
         return {
@@ -60,7 +55,7 @@ class StickSlip(Component):
             "backward": self.resistance + self.sliding_back(speed),
         }
 
-    def equations(self) -> Iterable[Any]:
+    def equations(self) -> Stated:
         if self.regularised:
             speed = ca.fabs(self.speed)
             friction = ca.if_else(self.speed > 0, self.sliding(speed), self.sliding_back(speed))
@@ -68,7 +63,7 @@ class StickSlip(Component):
         else:
             yield self.mode.choose(**self.laws()) == 0
 
-    def transitions(self) -> Iterable[Any]:
+    def transitions(self) -> Stated:
         if self.regularised:
             return
         limits = self.breakaway, self.peak * self.sliding_back(0.0)
@@ -78,7 +73,12 @@ class StickSlip(Component):
         yield from reversals(self.mode, self.speed, self.speed_name)
 
 
-def breakaways(mode: Any, resistance: Any, limits: tuple[Any, Any], allowed: Any = None) -> Iterable[Any]:
+def breakaways(
+    mode: Expression,
+    resistance: Expression,
+    limits: tuple[Expression, Expression],
+    allowed: Expression = None,
+) -> Stated:
     """Yield the ways out of sticking: a resistance beyond its limit forward or backward.
 
     A hair beyond: then what breaks away also accelerates, for all rounding in its load.
@@ -88,7 +88,7 @@ def breakaways(mode: Any, resistance: Any, limits: tuple[Any, Any], allowed: Any
     yield mode.goes("stuck", "backward", when=-resistance > backward, allowed=allowed)
 
 
-def reversals(mode: Any, speed: Any, name: str) -> Iterable[Any]:
+def reversals(mode: Expression, speed: Expression, name: str) -> Stated:
     """Yield what a change of the speed's sign does: it ends in sticking, unless the speed jumped."""
     stop = {name: ca.if_else(ca.fabs(speed) < SLOW, 0.0, speed)}
     yield mode.goes("stuck", "forward", when=speed > 0)

@@ -1,7 +1,5 @@
 """Tables: values given over speed, in between by straight lines."""
 
-from __future__ import annotations
-
 from collections.abc import Callable
 from itertools import pairwise
 from typing import Any
@@ -9,6 +7,7 @@ from typing import Any
 import casadi as ca
 
 from ..base import rows
+from .language import Expression
 
 Table = tuple[tuple[float, ...], ...]
 
@@ -36,7 +35,7 @@ def _increase(given: list[tuple[float, ...]]) -> bool:
     return given[0][0] == 0 and all(a[0] < b[0] for a, b in pairwise(given))
 
 
-def interpolated(table: Table, at: Any, column: int = 1) -> Any:
+def interpolated(table: Table, at: Expression, column: int = 1) -> Expression:
     """Return a column of a table at a value of its first column, its ends extrapolated.
 
     A table of one row is constant.

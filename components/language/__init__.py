@@ -1,7 +1,9 @@
 """The language of components: what they declare, and how their equations are read."""
 
 from .component import Component as Component
+from .component import Expression as Expression
 from .component import PortRef as PortRef
+from .component import Stated as Stated
 from .domain import Domain as Domain
 from .fields import MISSING as MISSING
 from .fields import Field as Field

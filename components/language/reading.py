@@ -37,7 +37,7 @@ def der(variable: Any) -> Any:
 def template_of(component: Component) -> Template:
     """Return the template of a component, read once per class and choice of options."""
     kind = type(component)
-    options = tuple(component._get(option) for option in kind._options)
+    options = tuple(component._get(option) for option in kind.declared(Option))
     try:
         known = kind._templates.get(options)
     except TypeError:

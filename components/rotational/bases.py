@@ -1,11 +1,6 @@
 """What rotational elements are made from: two flanges, and a torque between them."""
 
-from __future__ import annotations
-
-from collections.abc import Iterable
-from typing import Any
-
-from ..language import Component, RotationalFlange, der, variable
+from ..language import Component, RotationalFlange, Stated, der, variable
 
 
 class TwoFlanges(Component):
@@ -15,7 +10,7 @@ class TwoFlanges(Component):
     flange_b = RotationalFlange("right flange")
     phi_rel = variable("rad", "angle between the flanges", state="avoid")
 
-    def equations(self) -> Iterable[Any]:
+    def equations(self) -> Stated:
         yield self.phi_rel == self.flange_b.phi - self.flange_a.phi
 
 
@@ -24,7 +19,7 @@ class Compliant(TwoFlanges):
 
     tau = variable("N.m", "torque between the flanges, positive when it turns b back towards a")
 
-    def equations(self) -> Iterable[Any]:
+    def equations(self) -> Stated:
         yield self.flange_b.tau == self.tau
         yield self.flange_a.tau == -self.tau
 
@@ -34,5 +29,5 @@ class CompliantWithSpeed(Compliant):
 
     w_rel = variable("rad/s", "relative speed of the flanges", state="avoid")
 
-    def equations(self) -> Iterable[Any]:
+    def equations(self) -> Stated:
         yield self.w_rel == der(self.phi_rel)

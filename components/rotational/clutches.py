@@ -1,13 +1,8 @@
 """Clutches and brakes: friction that a signal switches on."""
 
-from __future__ import annotations
-
-from collections.abc import Iterable
-from typing import Any
-
 import casadi as ca
 
-from ..language import RotationalFlange, Shock, der, impulse, mode, parameter, variable
+from ..language import Expression, RotationalFlange, Shock, Stated, der, impulse, mode, parameter, variable
 from ..pressed import Pressed, PressedStickSlip
 from ..stickslip import SLOW
 from ..tables import interpolated
@@ -18,7 +13,7 @@ from .friction import Friction
 class _Discs(Pressed):
     cgeo = parameter("m", "mean friction radius times number of friction faces", above=0, default=1.0)
 
-    def sliding(self, speed: Any) -> Any:
+    def sliding(self, speed: Expression) -> Expression:
         """Friction torque at a speed."""
         return self.cgeo * self.grip(speed)
 
@@ -53,7 +48,7 @@ class Brake(_Discs, PressedStickSlip):
     acceleration = property(lambda self: self.a)
     speed_name = "w"
 
-    def equations(self) -> Iterable[Any]:
+    def equations(self) -> Stated:
         yield self.phi == self.flange.phi - self.support.phi
         yield self.w == der(self.phi)
         yield self.a == der(self.w)
@@ -83,18 +78,18 @@ class OneWayClutch(Compliant, _Discs):
 
     least = 1e-4
 
-    def equations(self) -> Iterable[Any]:
+    def equations(self) -> Stated:
         yield self.w_rel == der(self.phi_rel)
         yield self.a_rel == der(self.w_rel)
         yield self.mode.choose(stuck=self.a_rel, forward=self.tau + self.J - self.sliding(self.w_rel)) == 0
 
     @property
-    def breakaway(self) -> Any:
+    def breakaway(self) -> Expression:
         """Torque at which flange_b begins to run ahead."""
         share = ca.fmax(self.f_normalized * ca.fmax(self.peak, 1 + self.least), self.least)
         return interpolated(self.mu_pos, 0.0) * self.cgeo * self.fn_max * share
 
-    def transitions(self) -> Iterable[Any]:
+    def transitions(self) -> Stated:
         w = self.w_rel
         stop = {"w_rel": ca.if_else(ca.fabs(w) < SLOW, 0.0, w)}
         yield self.mode.goes("stuck", "forward", when=self.tau > self.breakaway)

@@ -1,13 +1,8 @@
 """Dry friction between two shafts, and in a bearing."""
 
-from __future__ import annotations
-
-from collections.abc import Iterable
-from typing import Any
-
 import casadi as ca
 
-from ..language import Component, RotationalFlange, der, option, parameter, variable
+from ..language import Component, Expression, RotationalFlange, Stated, der, option, parameter, variable
 from ..stickslip import StickSlip
 from ..tables import interpolated, over_speed
 from .bases import Compliant
@@ -25,7 +20,7 @@ class Friction(Compliant, StickSlip):
     acceleration = property(lambda self: self.a_rel)
     speed_name = "w_rel"
 
-    def equations(self) -> Iterable[Any]:
+    def equations(self) -> Stated:
         yield self.w_rel == der(self.phi_rel)
         yield self.a_rel == der(self.w_rel)
 
@@ -38,7 +33,7 @@ class CoulombFriction(Friction):
 
     tau_c = parameter("N.m", "Coulomb friction torque", min=0)
 
-    def sliding(self, speed: Any) -> Any:
+    def sliding(self, speed: Expression) -> Expression:
         """Friction torque at a speed."""
         return self.tau_c + 0 * speed
 
@@ -58,7 +53,7 @@ class StribeckFriction(Friction):
     w_s = parameter("rad/s", "Stribeck speed", above=0)
     d = parameter("N.m.s/rad", "viscous friction", min=0, default=0.0)
 
-    def sliding(self, speed: Any) -> Any:
+    def sliding(self, speed: Expression) -> Expression:
         """Friction torque at a speed."""
         drop = (self.tau_s - self.tau_c) * ca.exp(-speed / self.w_s)
         return self.tau_c + drop + self.d * speed
@@ -78,7 +73,7 @@ class TabulatedFriction(Friction):
         check=over_speed("torque"),
     )
 
-    def sliding(self, speed: Any) -> Any:
+    def sliding(self, speed: Expression) -> Expression:
         """Friction torque at a speed."""
         return interpolated(self.tau_pos, speed)
 
@@ -98,6 +93,6 @@ class BearingFriction(Component):
     support = RotationalFlange("housing", optional=True)
     friction = CoulombFriction(tau_c=0.0)
 
-    def connections(self) -> Iterable[Any]:
+    def connections(self) -> Stated:
         yield self.support, self.friction.flange_a
         yield self.flange, self.friction.flange_b

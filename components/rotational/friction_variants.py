@@ -1,12 +1,8 @@
 """Dry friction that depends on more than speed: on direction, on a load, on time."""
 
-from __future__ import annotations
-
-from typing import Any
-
 import casadi as ca
 
-from ..language import RealInput, parameter
+from ..language import Expression, RealInput, parameter
 from .friction import Friction
 
 
@@ -22,11 +18,11 @@ class AsymmetricFriction(Friction):
     tau_forward = parameter("N.m", "friction torque while the angle grows", min=0)
     tau_backward = parameter("N.m", "friction torque while it shrinks", min=0)
 
-    def sliding(self, speed: Any) -> Any:
+    def sliding(self, speed: Expression) -> Expression:
         """Friction torque while the angle grows."""
         return self.tau_forward + 0 * speed
 
-    def sliding_back(self, speed: Any) -> Any:
+    def sliding_back(self, speed: Expression) -> Expression:
         """Friction torque while it shrinks."""
         return self.tau_backward + 0 * speed
 
@@ -44,7 +40,7 @@ class LoadedFriction(Friction):
     load = RealInput("N.m", "torque that presses the surfaces together")
     mu = parameter("1", "friction torque over load", min=0)
 
-    def sliding(self, speed: Any) -> Any:
+    def sliding(self, speed: Expression) -> Expression:
         """Friction torque at a speed."""
         return self.mu * ca.fabs(self.load) + 0 * speed
 
@@ -60,6 +56,6 @@ class DriftingFriction(Friction):
     tau_c = parameter("N.m", "friction torque at u = 0", default=0.0)
     tau_u = parameter("N.m", "change of friction torque with u")
 
-    def sliding(self, speed: Any) -> Any:
+    def sliding(self, speed: Expression) -> Expression:
         """Friction torque at a speed."""
         return self.tau_c + self.tau_u * self.u + 0 * speed

@@ -1,12 +1,7 @@
 """Gears without loss, and the elastic mesh of two gears."""
 
-from __future__ import annotations
-
-from collections.abc import Iterable
-from typing import Any
-
 from ..contact import past_clearance
-from ..language import Component, RotationalFlange, der, option, parameter, variable
+from ..language import Component, RotationalFlange, Stated, der, option, parameter, variable
 
 
 class IdealGear(Component):
@@ -22,7 +17,7 @@ class IdealGear(Component):
     support = RotationalFlange("housing", optional=True)
     ratio = parameter("1", "turns of flange_a for one of flange_b", nonzero=True)
 
-    def equations(self) -> Iterable[Any]:
+    def equations(self) -> Stated:
         a, b, housing = self.flange_a, self.flange_b, self.support
         yield a.phi - housing.phi == self.ratio * (b.phi - housing.phi)
         yield b.tau == -self.ratio * a.tau
@@ -42,7 +37,7 @@ class IdealPlanetary(Component):
     ring = RotationalFlange("ring shaft")
     ratio = parameter("1", "teeth of the ring over teeth of the sun", above=0)
 
-    def equations(self) -> Iterable[Any]:
+    def equations(self) -> Stated:
         sun, carrier, ring = self.sun, self.carrier, self.ring
         yield (1 + self.ratio) * carrier.phi == sun.phi + self.ratio * ring.phi
         yield ring.tau == self.ratio * sun.tau
@@ -74,7 +69,7 @@ class GearMesh(Component):
     v_rel = variable("m/s", "speed of approach", state="avoid")
     f = variable("N", "force along the line of action, positive against positive angles of gear a")
 
-    def equations(self) -> Iterable[Any]:
+    def equations(self) -> Stated:
         a, b, axes = self.flange_a, self.flange_b, self.support
         r_b = -self.r_b if self.internal else self.r_b
         contact = self.k * self.s_rel + self.d * self.v_rel

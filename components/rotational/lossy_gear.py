@@ -1,13 +1,8 @@
 """A gear with the losses of its mesh and its bearings."""
 
-from __future__ import annotations
-
-from collections.abc import Iterable
-from typing import Any
-
 import casadi as ca
 
-from ..language import Component, RotationalFlange, der, mode, option, parameter, variable
+from ..language import Component, Expression, RotationalFlange, Stated, der, mode, option, parameter, variable
 from ..stickslip import SLOW, breakaways, reversals
 from ..tables import interpolated, over_speed_with_losses
 
@@ -45,12 +40,12 @@ class LossyGear(Component):
     a = variable("rad/s2", "acceleration of flange_a against the support")
     tau_loss = variable("N.m", "torque lost, seen at flange_a")
 
-    def losses(self, torque: Any, speed: Any) -> tuple[Any, Any]:
+    def losses(self, torque: Expression, speed: Expression) -> tuple[Expression, Expression]:
         """Loss torque when a drives and when b drives, for turning forward."""
         eta1, eta2, tau_bf1, tau_bf2 = (interpolated(self.lossTable, ca.fabs(speed), i) for i in (1, 2, 3, 4))
         return (1 - eta1) * torque + tau_bf1, (1 - 1 / eta2) * torque + tau_bf2
 
-    def equations(self) -> Iterable[Any]:
+    def equations(self) -> Stated:
         a, b, housing, loss = self.flange_a, self.flange_b, self.support, self.tau_loss
         yield self.phi == a.phi - housing.phi
         yield self.phi == self.ratio * (b.phi - housing.phi)
@@ -64,7 +59,7 @@ class LossyGear(Component):
         )
         yield self.mode.choose(stuck=self.a, forward=loss - forward, backward=loss + backward) == 0
 
-    def transitions(self) -> Iterable[Any]:
+    def transitions(self) -> Stated:
         torque = self.flange_a.tau
         limits = tuple(ca.fmax(*self.losses(sign * torque, 0.0)) for sign in (1, -1))
         yield from breakaways(self.mode, self.tau_loss, limits, ca.fabs(self.w) < SLOW)

@@ -1,18 +1,13 @@
 """Sensors: motion and torque as signals, without effect on what they measure."""
 
-from __future__ import annotations
-
-from collections.abc import Iterable
-from typing import Any
-
-from ..language import Component, RealOutput, RotationalFlange, der, variable
+from ..language import Component, RealOutput, RotationalFlange, Stated, der, variable
 
 
 class _Absolute(Component):
     has_law = False
     flange = RotationalFlange("where it is measured")
 
-    def equations(self) -> Iterable[Any]:
+    def equations(self) -> Stated:
         yield self.flange.tau == 0
 
 
@@ -30,7 +25,7 @@ class AngleSensor(_Absolute):
 
     phi = RealOutput("rad", "angle")
 
-    def equations(self) -> Iterable[Any]:
+    def equations(self) -> Stated:
         yield self.phi == self.flange.phi
 
 
@@ -42,7 +37,7 @@ class SpeedSensor(_Absolute):
 
     w = RealOutput("rad/s", "angular velocity")
 
-    def equations(self) -> Iterable[Any]:
+    def equations(self) -> Stated:
         yield self.w == der(self.flange.phi)
 
 
@@ -55,7 +50,7 @@ class AccelerationSensor(_Absolute):
     a = RealOutput("rad/s2", "angular acceleration")
     w = variable("rad/s", "angular velocity", state="avoid")
 
-    def equations(self) -> Iterable[Any]:
+    def equations(self) -> Stated:
         yield self.w == der(self.flange.phi)
         yield self.a == der(self.w)
 
@@ -68,7 +63,7 @@ class RelativeAngleSensor(_Between):
 
     phi_rel = RealOutput("rad", "angle between the flanges")
 
-    def equations(self) -> Iterable[Any]:
+    def equations(self) -> Stated:
         yield self.phi_rel == self.flange_b.phi - self.flange_a.phi
         yield self.flange_a.tau == 0
         yield self.flange_b.tau == 0
@@ -82,7 +77,7 @@ class RelativeSpeedSensor(RelativeAngleSensor):
 
     w_rel = RealOutput("rad/s", "relative angular velocity")
 
-    def equations(self) -> Iterable[Any]:
+    def equations(self) -> Stated:
         yield self.w_rel == der(self.phi_rel)
 
 
@@ -94,7 +89,7 @@ class RelativeAccelerationSensor(RelativeSpeedSensor):
 
     a_rel = RealOutput("rad/s2", "relative angular acceleration")
 
-    def equations(self) -> Iterable[Any]:
+    def equations(self) -> Stated:
         yield self.a_rel == der(self.w_rel)
 
 
@@ -108,7 +103,7 @@ class TorqueSensor(_Between):
 
     tau = RealOutput("N.m", "torque from flange_a to flange_b")
 
-    def equations(self) -> Iterable[Any]:
+    def equations(self) -> Stated:
         yield self.flange_a.phi == self.flange_b.phi
         yield self.tau == self.flange_a.tau
         yield self.flange_a.tau == -self.flange_b.tau

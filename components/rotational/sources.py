@@ -1,12 +1,7 @@
 """Sources: torques and prescribed motions, from a signal."""
 
-from __future__ import annotations
-
-from collections.abc import Iterable
-from typing import Any
-
 from ..filtered import after_position, after_speed, critical_frequency, exactness
-from ..language import Component, RealInput, RotationalFlange, der, parameter, variable
+from ..language import Component, RealInput, RotationalFlange, Stated, der, parameter, variable
 
 
 class _Driven(Component):
@@ -14,7 +9,7 @@ class _Driven(Component):
     flange = RotationalFlange("what is driven")
     support = RotationalFlange("what reacts", optional=True)
 
-    def equations(self) -> Iterable[Any]:
+    def equations(self) -> Stated:
         yield self.support.tau == -self.flange.tau
 
 
@@ -26,7 +21,7 @@ class Torque(_Driven):
 
     tau = RealInput("N.m", "driving torque")
 
-    def equations(self) -> Iterable[Any]:
+    def equations(self) -> Stated:
         yield self.flange.tau == -self.tau
 
 
@@ -38,7 +33,7 @@ class ConstantTorque(_Driven):
 
     tau_constant = parameter("N.m", "driving torque")
 
-    def equations(self) -> Iterable[Any]:
+    def equations(self) -> Stated:
         yield self.flange.tau == -self.tau_constant
 
 
@@ -59,7 +54,7 @@ class Position(_Driven):
     phi = variable("rad", "angle against the support", follows="phi_ref")
     lead = variable("rad", "angle ahead, by which the filter moves", follows="phi_ref")
 
-    def equations(self) -> Iterable[Any]:
+    def equations(self) -> Stated:
         yield self.flange.phi - self.support.phi == self.phi
         if self.exact:
             yield self.phi == self.phi_ref
@@ -85,7 +80,7 @@ class Speed(_Driven):
     phi = variable("rad", "angle against the support")
     w = variable("rad/s", "speed against the support", follows="w_ref")
 
-    def equations(self) -> Iterable[Any]:
+    def equations(self) -> Stated:
         yield self.phi == self.flange.phi - self.support.phi
         yield der(self.phi) == self.w
         if self.exact:
@@ -104,7 +99,7 @@ class Accelerate(_Driven):
     phi = variable("rad", "angle against the support")
     w = variable("rad/s", "speed against the support")
 
-    def equations(self) -> Iterable[Any]:
+    def equations(self) -> Stated:
         yield self.phi == self.flange.phi - self.support.phi
         yield self.w == der(self.phi)
         yield der(self.w) == self.a_ref

@@ -1,13 +1,8 @@
 """Blocks without memory."""
 
-from __future__ import annotations
-
-from collections.abc import Iterable
-from typing import Any
-
 import casadi as ca
 
-from ..language import Component, RealInput, RealOutput, parameter
+from ..language import Component, Expression, RealInput, RealOutput, Stated, parameter
 
 
 class Block(Component):
@@ -25,7 +20,7 @@ class Gain(Block):
 
     k = parameter("", "gain", default=1.0)
 
-    def equations(self) -> Iterable[Any]:
+    def equations(self) -> Stated:
         yield self.y == self.k * self.u
 
 
@@ -38,7 +33,7 @@ class Limiter(Block):
     y_max = parameter("", "upper limit")
     y_min = parameter("", "lower limit", default=lambda self: -self.y_max)
 
-    def equations(self) -> Iterable[Any]:
+    def equations(self) -> Stated:
         yield self.y == limited(self.u, self.y_min, self.y_max)
 
 
@@ -54,7 +49,7 @@ class Add(Component):
     k1 = parameter("", "weight of the first input", default=1.0)
     k2 = parameter("", "weight of the second input", default=1.0)
 
-    def equations(self) -> Iterable[Any]:
+    def equations(self) -> Stated:
         yield self.y == self.k1 * self.u1 + self.k2 * self.u2
 
 
@@ -68,10 +63,10 @@ class Product(Component):
     u2 = RealInput("", "second input")
     y = RealOutput("", "product")
 
-    def equations(self) -> Iterable[Any]:
+    def equations(self) -> Stated:
         yield self.y == self.u1 * self.u2
 
 
-def limited(value: Any, low: Any, high: Any) -> Any:
+def limited(value: Expression, low: Expression, high: Expression) -> Expression:
     """Return a value brought between two limits."""
     return ca.fmin(ca.fmax(value, low), high)

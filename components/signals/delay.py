@@ -1,12 +1,7 @@
 """Transport delay of a signal."""
 
-from __future__ import annotations
-
-from collections.abc import Iterable
-from typing import Any
-
 from ...base import counting
-from ..language import Component, der, option, parameter, variable
+from ..language import Component, Stated, der, option, parameter, variable
 from .blocks import Block
 
 
@@ -39,7 +34,7 @@ class Delay(Block):
         """Return the stages."""
         return {f"stage{k}": DelayStage() for k in range(1, self.n + 1)}
 
-    def equations(self) -> Iterable[Any]:
+    def equations(self) -> Stated:
         stages = [getattr(self, f"stage{k}") for k in range(1, self.n + 1)]
         entering = (self.u + self.y) / 2
         through = [entering, *[stage.i for stage in stages], 0.0]

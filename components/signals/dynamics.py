@@ -1,11 +1,6 @@
 """Blocks with states: lag, integral and derivative."""
 
-from __future__ import annotations
-
-from collections.abc import Iterable
-from typing import Any
-
-from ..language import der, parameter, variable
+from ..language import Stated, der, parameter, variable
 from .blocks import Block
 
 
@@ -19,7 +14,7 @@ class FirstOrder(Block):
     T = parameter("s", "time constant", above=0)
     x = variable("", "state")
 
-    def equations(self) -> Iterable[Any]:
+    def equations(self) -> Stated:
         yield self.y == self.x
         yield der(self.x) == (self.k * self.u - self.x) / self.T
 
@@ -33,7 +28,7 @@ class Integrator(Block):
     k = parameter("", "gain", default=1.0)
     x = variable("", "state")
 
-    def equations(self) -> Iterable[Any]:
+    def equations(self) -> Stated:
         yield self.y == self.x
         yield der(self.x) == self.k * self.u
 
@@ -51,6 +46,6 @@ class Derivative(Block):
     T = parameter("s", "time constant of the filter", above=0)
     x = variable("", "filtered input")
 
-    def equations(self) -> Iterable[Any]:
+    def equations(self) -> Stated:
         yield self.y == self.k * (self.u - self.x) / self.T
         yield self.T * der(self.x) == self.u - self.x

@@ -1,11 +1,6 @@
 """What translational elements are made from: two flanges, and a force between them."""
 
-from __future__ import annotations
-
-from collections.abc import Iterable
-from typing import Any
-
-from ..language import Component, TranslationalFlange, der, variable
+from ..language import Component, Stated, TranslationalFlange, der, variable
 
 
 class TwoFlanges(Component):
@@ -15,7 +10,7 @@ class TwoFlanges(Component):
     flange_b = TranslationalFlange("right flange")
     s_rel = variable("m", "distance of the flanges", state="avoid")
 
-    def equations(self) -> Iterable[Any]:
+    def equations(self) -> Stated:
         yield self.s_rel == self.flange_b.s - self.flange_a.s
 
 
@@ -24,7 +19,7 @@ class Compliant(TwoFlanges):
 
     f = variable("N", "force between the flanges, positive when it pulls them together")
 
-    def equations(self) -> Iterable[Any]:
+    def equations(self) -> Stated:
         yield self.flange_b.f == self.f
         yield self.flange_a.f == -self.f
 
@@ -34,5 +29,5 @@ class CompliantWithSpeed(Compliant):
 
     v_rel = variable("m/s", "relative velocity of the flanges", state="avoid")
 
-    def equations(self) -> Iterable[Any]:
+    def equations(self) -> Stated:
         yield self.v_rel == der(self.s_rel)

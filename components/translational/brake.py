@@ -1,11 +1,6 @@
 """Brake: friction on a support that a signal switches on."""
 
-from __future__ import annotations
-
-from collections.abc import Iterable
-from typing import Any
-
-from ..language import TranslationalFlange, der, parameter, variable
+from ..language import Expression, Stated, TranslationalFlange, der, parameter, variable
 from ..pressed import PressedStickSlip
 
 
@@ -31,11 +26,11 @@ class Brake(PressedStickSlip):
     acceleration = property(lambda self: self.a)
     speed_name = "v"
 
-    def sliding(self, speed: Any) -> Any:
+    def sliding(self, speed: Expression) -> Expression:
         """Friction force at a speed."""
         return self.cgeo * self.grip(speed)
 
-    def equations(self) -> Iterable[Any]:
+    def equations(self) -> Stated:
         yield self.s == self.flange.s - self.support.s
         yield self.v == der(self.s)
         yield self.a == der(self.v)

@@ -1,14 +1,10 @@
 """Springs, dampers and the inerter: forces between two flanges."""
 
-from __future__ import annotations
-
-from collections.abc import Iterable
 from math import pi
-from typing import Any
 
 import casadi as ca
 
-from ..language import der, parameter, variable
+from ..language import Stated, der, parameter, variable
 from .bases import Compliant, CompliantWithSpeed
 
 REST = 1e-300  # m
@@ -23,7 +19,7 @@ class Spring(Compliant):
     k = parameter("N/m", "stiffness", min=0)
     s_rel0 = parameter("m", "unstretched length", default=0.0)
 
-    def equations(self) -> Iterable[Any]:
+    def equations(self) -> Stated:
         yield self.f == self.k * (self.s_rel - self.s_rel0)
 
 
@@ -35,7 +31,7 @@ class Damper(CompliantWithSpeed):
 
     d = parameter("N.s/m", "damping constant", min=0)
 
-    def equations(self) -> Iterable[Any]:
+    def equations(self) -> Stated:
         yield self.f == self.d * self.v_rel
 
 
@@ -49,7 +45,7 @@ class SpringDamper(CompliantWithSpeed):
     d = parameter("N.s/m", "damping constant", min=0)
     s_rel0 = parameter("m", "unstretched length", default=0.0)
 
-    def equations(self) -> Iterable[Any]:
+    def equations(self) -> Stated:
         yield self.f == self.k * (self.s_rel - self.s_rel0) + self.d * self.v_rel
 
 
@@ -62,7 +58,7 @@ class Inerter(CompliantWithSpeed):
     b = parameter("kg", "inertance", min=0)
     a_rel = variable("m/s2", "relative acceleration of the flanges")
 
-    def equations(self) -> Iterable[Any]:
+    def equations(self) -> Stated:
         yield self.a_rel == der(self.v_rel)
         yield self.f == self.b * self.a_rel
 
@@ -77,7 +73,7 @@ class CubicSpring(Compliant):
     k3 = parameter("N/m3", "cubic stiffness; negative softens")
     s_rel0 = parameter("m", "unstretched length", default=0.0)
 
-    def equations(self) -> Iterable[Any]:
+    def equations(self) -> Stated:
         e = self.s_rel - self.s_rel0
         yield self.f == self.k * e + self.k3 * e**3
 
@@ -92,7 +88,7 @@ class BilinearSpring(Compliant):
     k_push = parameter("N/m", "stiffness when pushed", min=0)
     s_rel0 = parameter("m", "unstretched length", default=0.0)
 
-    def equations(self) -> Iterable[Any]:
+    def equations(self) -> Stated:
         e = self.s_rel - self.s_rel0
         yield self.f == self.k_pull * ca.fmax(e, 0) + self.k_push * ca.fmin(e, 0)
 
@@ -107,7 +103,7 @@ class Ripple(Compliant):
     f_cos = parameter("N", "amplitude of the cosine", default=0.0)
     period = parameter("m", "travel after which the force comes back", above=0)
 
-    def equations(self) -> Iterable[Any]:
+    def equations(self) -> Stated:
         angle = 2 * pi * self.s_rel / self.period
         yield self.f == self.f_sin * ca.sin(angle) + self.f_cos * ca.cos(angle)
 
@@ -117,7 +113,7 @@ class QuadraticDamper(CompliantWithSpeed):
 
     c = parameter("N.s2/m2", "quadratic damping constant", min=0)
 
-    def equations(self) -> Iterable[Any]:
+    def equations(self) -> Stated:
         yield self.f == self.c * self.v_rel * ca.fabs(self.v_rel)
 
 
@@ -137,7 +133,7 @@ class BoucWen(CompliantWithSpeed):
     n = parameter("1", "sharpness of yield", min=1, default=2.0)
     z = variable("m", "hysteretic displacement")
 
-    def equations(self) -> Iterable[Any]:
+    def equations(self) -> Stated:
         v, z = self.v_rel, self.z
         size = ca.fmax(ca.fabs(z), REST)  # above 0, where x^n has a slope in n
         yield self.f == self.alpha * self.k * self.s_rel + (1 - self.alpha) * self.k * z

@@ -1,13 +1,8 @@
 """Dry friction between two flanges."""
 
-from __future__ import annotations
-
-from collections.abc import Iterable
-from typing import Any
-
 import casadi as ca
 
-from ..language import Component, TranslationalFlange, der, option, parameter, variable
+from ..language import Component, Expression, Stated, TranslationalFlange, der, option, parameter, variable
 from ..stickslip import StickSlip
 from ..tables import interpolated, over_speed
 from .bases import Compliant
@@ -24,7 +19,7 @@ class Friction(Compliant, StickSlip):
     speed = property(lambda self: self.v_rel)
     acceleration = property(lambda self: self.a_rel)
 
-    def equations(self) -> Iterable[Any]:
+    def equations(self) -> Stated:
         yield self.v_rel == der(self.s_rel)
         yield self.a_rel == der(self.v_rel)
 
@@ -37,7 +32,7 @@ class CoulombFriction(Friction):
 
     f_c = parameter("N", "Coulomb friction force", min=0)
 
-    def sliding(self, speed: Any) -> Any:
+    def sliding(self, speed: Expression) -> Expression:
         """Friction force at a speed."""
         return self.f_c + 0 * speed
 
@@ -57,7 +52,7 @@ class StribeckFriction(Friction):
     v_s = parameter("m/s", "Stribeck velocity", above=0)
     d = parameter("N.s/m", "viscous friction", min=0, default=0.0)
 
-    def sliding(self, speed: Any) -> Any:
+    def sliding(self, speed: Expression) -> Expression:
         """Friction force at a speed."""
         drop = (self.f_s - self.f_c) * ca.exp(-speed / self.v_s)
         return self.f_c + drop + self.d * speed
@@ -72,7 +67,7 @@ class TabulatedFriction(Friction):
         check=over_speed("force"),
     )
 
-    def sliding(self, speed: Any) -> Any:
+    def sliding(self, speed: Expression) -> Expression:
         """Friction force at a speed."""
         return interpolated(self.table, speed)
 
@@ -89,6 +84,6 @@ class SupportFriction(Component):
     support = TranslationalFlange("what it slides on", optional=True)
     friction = CoulombFriction(f_c=0.0)
 
-    def connections(self) -> Iterable[Any]:
+    def connections(self) -> Stated:
         yield self.support, self.friction.flange_a
         yield self.flange, self.friction.flange_b

@@ -1,12 +1,8 @@
 """Dry friction that depends on more than speed: on direction, on a load, on time."""
 
-from __future__ import annotations
-
-from typing import Any
-
 import casadi as ca
 
-from ..language import RealInput, parameter
+from ..language import Expression, RealInput, parameter
 from .friction import Friction
 
 
@@ -22,11 +18,11 @@ class AsymmetricFriction(Friction):
     f_forward = parameter("N", "friction force while the flanges part", min=0)
     f_backward = parameter("N", "friction force while they approach", min=0)
 
-    def sliding(self, speed: Any) -> Any:
+    def sliding(self, speed: Expression) -> Expression:
         """Friction force while the flanges part."""
         return self.f_forward + 0 * speed
 
-    def sliding_back(self, speed: Any) -> Any:
+    def sliding_back(self, speed: Expression) -> Expression:
         """Friction force while they approach."""
         return self.f_backward + 0 * speed
 
@@ -44,7 +40,7 @@ class LoadedFriction(Friction):
     load = RealInput("N", "force that presses the surfaces together")
     mu = parameter("1", "friction force over load", min=0)
 
-    def sliding(self, speed: Any) -> Any:
+    def sliding(self, speed: Expression) -> Expression:
         """Friction force at a speed."""
         return self.mu * ca.fabs(self.load) + 0 * speed
 
@@ -60,6 +56,6 @@ class DriftingFriction(Friction):
     f_c = parameter("N", "friction force at u = 0", default=0.0)
     f_u = parameter("N", "change of friction force with u")
 
-    def sliding(self, speed: Any) -> Any:
+    def sliding(self, speed: Expression) -> Expression:
         """Friction force at a speed."""
         return self.f_c + self.f_u * self.u + 0 * speed

@@ -1,14 +1,9 @@
 """Contacts that open: springs and dampers with a gap."""
 
-from __future__ import annotations
-
-from collections.abc import Iterable
-from typing import Any
-
 import casadi as ca
 
 from ..contact import past_clearance
-from ..language import parameter
+from ..language import Stated, parameter
 from .bases import CompliantWithSpeed
 
 TOUCH = 1e-300  # m
@@ -28,7 +23,7 @@ class ElastoGap(CompliantWithSpeed):
     s_rel0 = parameter("m", "distance at which the contact begins", default=0.0)
     n = parameter("1", "exponent of the spring", min=1, default=1.0)
 
-    def equations(self) -> Iterable[Any]:
+    def equations(self) -> Stated:
         pressed = ca.fmax(self.s_rel0 - self.s_rel, TOUCH)  # above 0, where x^n has a slope in n
         spring = -self.k * (pressed**self.n - TOUCH**self.n)
         damping = ca.fmin(ca.fmax(self.d * self.v_rel, spring), -spring)
@@ -53,6 +48,6 @@ class Backlash(CompliantWithSpeed):
     eps = parameter("m", "half of the clearance", min=0)
     s_rel0 = parameter("m", "distance at the middle of the clearance", default=0.0)
 
-    def equations(self) -> Iterable[Any]:
+    def equations(self) -> Stated:
         contact = self.k * (self.s_rel - self.s_rel0) + self.d * self.v_rel
         yield self.f == past_clearance(contact, self.k * self.eps)

@@ -1,13 +1,8 @@
 """Levers: rigid, without mass, turning about a fulcrum."""
 
-from __future__ import annotations
-
-from collections.abc import Iterable
-from typing import Any
-
 import casadi as ca
 
-from ..language import Component, TranslationalFlange, der, parameter, variable
+from ..language import Component, Stated, TranslationalFlange, der, parameter, variable
 
 
 class _Levered(Component):
@@ -15,7 +10,7 @@ class _Levered(Component):
     flange_b = TranslationalFlange("end of arm b")
     support = TranslationalFlange("fulcrum", optional=True)
 
-    def equations(self) -> Iterable[Any]:
+    def equations(self) -> Stated:
         yield self.support.f == -(self.flange_a.f + self.flange_b.f)
 
 
@@ -27,7 +22,7 @@ class Lever(_Levered):
 
     ratio = parameter("1", "motion of flange_a over motion of flange_b")
 
-    def equations(self) -> Iterable[Any]:
+    def equations(self) -> Stated:
         s_a, s_b = self.flange_a.s - self.support.s, self.flange_b.s - self.support.s
         yield s_a == self.ratio * s_b
         yield self.ratio * self.flange_a.f + self.flange_b.f == 0
@@ -50,7 +45,7 @@ class LargeAngleLever(_Levered):
     phi = variable("rad", "angle of arm a", state="prefer")
     w = variable("rad/s", "angular velocity", state="prefer")
 
-    def equations(self) -> Iterable[Any]:
+    def equations(self) -> Stated:
         angle_b = self.phi + self.alpha
         yield self.w == der(self.phi)
         yield self.flange_a.s - self.support.s == self.l_a * ca.sin(self.phi)

@@ -1,11 +1,6 @@
 """Ground, rod and mass."""
 
-from __future__ import annotations
-
-from collections.abc import Iterable
-from typing import Any
-
-from ..language import Component, TranslationalFlange, der, parameter, variable
+from ..language import Component, Stated, TranslationalFlange, der, parameter, variable
 
 
 class Fixed(Component):
@@ -18,7 +13,7 @@ class Fixed(Component):
     flange = TranslationalFlange("held flange")
     s0 = parameter("m", "position", default=0.0)
 
-    def equations(self) -> Iterable[Any]:
+    def equations(self) -> Stated:
         yield self.flange.s == self.s0
 
 
@@ -33,7 +28,7 @@ class Rod(Component):
     flange_b = TranslationalFlange("right flange", free=True)
     L = parameter("m", "length from flange_a to flange_b", default=0.0)
 
-    def equations(self) -> Iterable[Any]:
+    def equations(self) -> Stated:
         yield self.flange_b.s == self.flange_a.s + self.L
         yield self.flange_a.f == -self.flange_b.f
 
@@ -50,7 +45,7 @@ class Mass(Component):
     v = variable("m/s", "velocity")
     a = variable("m/s2", "acceleration")
 
-    def equations(self) -> Iterable[Any]:
+    def equations(self) -> Stated:
         yield self.flange.s == self.s
         yield self.v == der(self.s)
         yield self.a == der(self.v)

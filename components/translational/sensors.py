@@ -1,18 +1,13 @@
 """Sensors: motion and force as signals, without effect on what they measure."""
 
-from __future__ import annotations
-
-from collections.abc import Iterable
-from typing import Any
-
-from ..language import Component, RealOutput, TranslationalFlange, der, variable
+from ..language import Component, RealOutput, Stated, TranslationalFlange, der, variable
 
 
 class _Absolute(Component):
     has_law = False
     flange = TranslationalFlange("where it is measured")
 
-    def equations(self) -> Iterable[Any]:
+    def equations(self) -> Stated:
         yield self.flange.f == 0
 
 
@@ -30,7 +25,7 @@ class PositionSensor(_Absolute):
 
     s = RealOutput("m", "position")
 
-    def equations(self) -> Iterable[Any]:
+    def equations(self) -> Stated:
         yield self.s == self.flange.s
 
 
@@ -42,7 +37,7 @@ class SpeedSensor(_Absolute):
 
     v = RealOutput("m/s", "velocity")
 
-    def equations(self) -> Iterable[Any]:
+    def equations(self) -> Stated:
         yield self.v == der(self.flange.s)
 
 
@@ -55,7 +50,7 @@ class AccelerationSensor(_Absolute):
     a = RealOutput("m/s2", "acceleration")
     v = variable("m/s", "velocity", state="avoid")
 
-    def equations(self) -> Iterable[Any]:
+    def equations(self) -> Stated:
         yield self.v == der(self.flange.s)
         yield self.a == der(self.v)
 
@@ -68,7 +63,7 @@ class RelativePositionSensor(_Between):
 
     s_rel = RealOutput("m", "distance of the flanges")
 
-    def equations(self) -> Iterable[Any]:
+    def equations(self) -> Stated:
         yield self.s_rel == self.flange_b.s - self.flange_a.s
         yield self.flange_a.f == 0
         yield self.flange_b.f == 0
@@ -82,7 +77,7 @@ class RelativeSpeedSensor(RelativePositionSensor):
 
     v_rel = RealOutput("m/s", "relative velocity")
 
-    def equations(self) -> Iterable[Any]:
+    def equations(self) -> Stated:
         yield self.v_rel == der(self.s_rel)
 
 
@@ -94,7 +89,7 @@ class RelativeAccelerationSensor(RelativeSpeedSensor):
 
     a_rel = RealOutput("m/s2", "relative acceleration")
 
-    def equations(self) -> Iterable[Any]:
+    def equations(self) -> Stated:
         yield self.a_rel == der(self.v_rel)
 
 
@@ -108,7 +103,7 @@ class ForceSensor(_Between):
 
     f = RealOutput("N", "force from flange_a to flange_b")
 
-    def equations(self) -> Iterable[Any]:
+    def equations(self) -> Stated:
         yield self.flange_a.s == self.flange_b.s
         yield self.f == self.flange_a.f
         yield self.flange_a.f == -self.flange_b.f

@@ -1,12 +1,7 @@
 """Sources: forces and prescribed motions, from a signal."""
 
-from __future__ import annotations
-
-from collections.abc import Iterable
-from typing import Any
-
 from ..filtered import after_position, after_speed, critical_frequency, exactness
-from ..language import Component, RealInput, TranslationalFlange, der, parameter, variable
+from ..language import Component, RealInput, Stated, TranslationalFlange, der, parameter, variable
 
 
 class _Driven(Component):
@@ -14,7 +9,7 @@ class _Driven(Component):
     flange = TranslationalFlange("what is driven")
     support = TranslationalFlange("what reacts", optional=True)
 
-    def equations(self) -> Iterable[Any]:
+    def equations(self) -> Stated:
         yield self.support.f == -self.flange.f
 
 
@@ -26,7 +21,7 @@ class Force(_Driven):
 
     f = RealInput("N", "driving force")
 
-    def equations(self) -> Iterable[Any]:
+    def equations(self) -> Stated:
         yield self.flange.f == -self.f
 
 
@@ -47,7 +42,7 @@ class Position(_Driven):
     s = variable("m", "position against the support", follows="s_ref")
     lead = variable("m", "position ahead, by which the filter moves", follows="s_ref")
 
-    def equations(self) -> Iterable[Any]:
+    def equations(self) -> Stated:
         yield self.flange.s - self.support.s == self.s
         if self.exact:
             yield self.s == self.s_ref
@@ -73,7 +68,7 @@ class Speed(_Driven):
     s = variable("m", "position against the support")
     v = variable("m/s", "velocity against the support", follows="v_ref")
 
-    def equations(self) -> Iterable[Any]:
+    def equations(self) -> Stated:
         yield self.s == self.flange.s - self.support.s
         yield der(self.s) == self.v
         if self.exact:
@@ -92,7 +87,7 @@ class Accelerate(_Driven):
     s = variable("m", "position against the support")
     v = variable("m/s", "velocity against the support")
 
-    def equations(self) -> Iterable[Any]:
+    def equations(self) -> Stated:
         yield self.s == self.flange.s - self.support.s
         yield self.v == der(self.s)
         yield der(self.v) == self.a_ref
@@ -106,5 +101,5 @@ class ConstantForce(_Driven):
 
     f_constant = parameter("N", "driving force")
 
-    def equations(self) -> Iterable[Any]:
+    def equations(self) -> Stated:
         yield self.flange.f == -self.f_constant

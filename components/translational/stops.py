@@ -1,13 +1,8 @@
 """Rigid stops: contact with restitution."""
 
-from __future__ import annotations
-
-from collections.abc import Iterable
-from typing import Any
-
 import casadi as ca
 
-from ..language import Component, Shock, TranslationalFlange, der, impulse, mode, parameter, variable
+from ..language import Component, Shock, Stated, TranslationalFlange, der, impulse, mode, parameter, variable
 from .bases import Compliant
 from .friction import StribeckFriction
 from .masses import Mass
@@ -35,12 +30,12 @@ class HardStop(Compliant):
     v_rel = variable("m/s", "relative velocity of the flanges", state="prefer")
     a_rel = variable("m/s2", "relative acceleration of the flanges")
 
-    def equations(self) -> Iterable[Any]:
+    def equations(self) -> Stated:
         yield self.v_rel == der(self.s_rel)
         yield self.a_rel == der(self.v_rel)
         yield self.mode.choose(free=self.f + self.J, contact=self.a_rel) == 0
 
-    def transitions(self) -> Iterable[Any]:
+    def transitions(self) -> Stated:
         closing = self.s_rel < self.s_min
         rebound = -self.e * self.v_rel
         bounce = Shock(self.J, self.v_rel, rebound)
@@ -86,12 +81,12 @@ class MassWithStopAndFriction(Component):
     lower = HardStop(s_min=s_min)
     upper = HardStop(s_min=lambda self: -self.s_max)
 
-    def equations(self) -> Iterable[Any]:
+    def equations(self) -> Stated:
         yield self.s == self.mass.s
         yield self.v == self.mass.v
         yield self.a == self.mass.a
 
-    def connections(self) -> Iterable[Any]:
+    def connections(self) -> Stated:
         yield (
             self.flange,
             self.mass.flange,

@@ -1,12 +1,7 @@
 """Rigid flywheels: a disk, and planets without compliance or friction."""
 
-from __future__ import annotations
-
-from collections.abc import Iterable
-from typing import Any
-
 from ...base import counting
-from ..language import Component, RotationalFlange, der, option, parameter, variable
+from ..language import Component, RotationalFlange, Stated, der, option, parameter, variable
 
 
 class Flywheel(Component):
@@ -17,7 +12,7 @@ class Flywheel(Component):
     w = variable("rad/s", "angular velocity")
     a = variable("rad/s2", "angular acceleration")
 
-    def equations(self) -> Iterable[Any]:
+    def equations(self) -> Stated:
         yield self.w == der(self.flange.phi)
         yield self.a == der(self.w)
 
@@ -33,7 +28,7 @@ class DiskFlywheel(Flywheel):
     R = parameter("m", "radius", above=0)
     J_s = parameter("kg.m2", "inertia of the screw that turns with it", min=0, default=0.0)
 
-    def equations(self) -> Iterable[Any]:
+    def equations(self) -> Stated:
         yield self.flange.tau == (self.m * self.R**2 / 2 + self.J_s) * self.a
         yield self.support.tau == 0
 
@@ -57,7 +52,7 @@ class IdealPlanetaryFlywheel(Flywheel):
     J_p = parameter("kg.m2", "inertia of a planet in spin", min=0)
     J_r = parameter("kg.m2", "inertia of a planet in revolution", min=0)
 
-    def equations(self) -> Iterable[Any]:
+    def equations(self) -> Stated:
         spin = (self.R - self.r) / self.r
         J_e = self.J_s + self.N * (self.J_p * spin**2 + self.J_r)
         yield self.flange.tau == J_e * self.a

@@ -1,12 +1,8 @@
 """Turning into sliding, without loss: screw, pinion and wheel."""
 
-from __future__ import annotations
-
-from collections.abc import Iterable
 from math import pi
-from typing import Any
 
-from ..language import Component, RotationalFlange, TranslationalFlange, parameter, variable
+from ..language import Component, RotationalFlange, Stated, TranslationalFlange, parameter, variable
 
 
 class Transmission(Component):
@@ -19,7 +15,7 @@ class Transmission(Component):
     phi = variable("rad", "angle against the housing", state="prefer")
     s = variable("m", "travel against the housing", state="avoid")
 
-    def equations(self) -> Iterable[Any]:
+    def equations(self) -> Stated:
         yield self.phi == self.flange_r.phi - self.support_r.phi
         yield self.s == self.flange_t.s - self.support_t.s
         yield self.support_r.tau == -self.flange_r.tau
@@ -37,7 +33,7 @@ class NutScrew(Transmission):
 
     lead = parameter("m", "travel of the nut for one turn of the screw", above=0)
 
-    def equations(self) -> Iterable[Any]:
+    def equations(self) -> Stated:
         turns = 2 * pi / self.lead
         yield self.phi == turns * self.s
         yield self.flange_t.f + turns * self.flange_r.tau == 0
@@ -53,7 +49,7 @@ class RollingWheel(Transmission):
 
     R = parameter("m", "rolling radius", above=0)
 
-    def equations(self) -> Iterable[Any]:
+    def equations(self) -> Stated:
         yield self.s == self.R * self.phi
         yield self.R * self.flange_t.f + self.flange_r.tau == 0
 

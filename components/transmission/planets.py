@@ -1,16 +1,12 @@
 """The planetary flywheel with elastic meshes, clearance and planet friction."""
 
-from __future__ import annotations
-
-from collections.abc import Iterable
 from math import pi
-from typing import Any
 
 import casadi as ca
 
 from ...base import counting, smoothing
 from ..contact import past_clearance
-from ..language import Component, RotationalFlange, der, option, parameter, variable
+from ..language import Component, Expression, RotationalFlange, Stated, der, option, parameter, variable
 from ..rotational import Inertia
 from ..stickslip import StickSlip
 
@@ -68,11 +64,11 @@ class Planet(PlanetGear, StickSlip):
     acceleration = property(lambda self: self.a_p)
     speed_name = "w_p"
 
-    def sliding(self, speed: Any) -> Any:
+    def sliding(self, speed: Expression) -> Expression:
         """Friction torque at a speed of spin."""
         return self.T_pm + self.T_pv * speed
 
-    def equations(self) -> Iterable[Any]:
+    def equations(self) -> Stated:
         yield self.theta_s == self.bracket.phi - self.ring.phi
         yield self.w_s == der(self.theta_s)
         yield self.a_s == der(self.w_s)
@@ -121,7 +117,7 @@ class PlanetaryFlywheel(PlanetGear):
         names = (f"planet_{i + 1}" for i in range(self.N))
         return {name: Planet(regularised=self.regularised, **shared) for name in names}
 
-    def connections(self) -> Iterable[Any]:
+    def connections(self) -> Stated:
         planets = [part for name, part in self._parts.items() if name != "bracket"]
         yield self.flange, self.bracket.flange, *(planet.bracket for planet in planets)
         yield self.support, *(planet.ring for planet in planets)

@@ -1,11 +1,6 @@
 """The ball screw with nut mass, compliance, clearance and friction."""
 
-from __future__ import annotations
-
-from collections.abc import Iterable
-from typing import Any
-
-from ..language import Component, RotationalFlange, TranslationalFlange, parameter
+from ..language import Component, RotationalFlange, Stated, TranslationalFlange, parameter
 from ..rotational import Damper
 from ..translational import Backlash, Mass
 from .ideal import NutScrew
@@ -42,7 +37,7 @@ class CompliantNutScrew(Component):
     thread = NutScrew(lead=lead)
     friction = Damper(d=0.0)
 
-    def connections(self) -> Iterable[Any]:
+    def connections(self) -> Stated:
         yield self.flange_t, self.nut.flange, self.contact.flange_a
         yield self.contact.flange_b, self.thread.flange_t
         yield self.flange_r, self.thread.flange_r, self.friction.flange_b
