@@ -4,7 +4,7 @@ import casadi as ca
 
 from ..language import Expression, RotationalFlange, Shock, Stated, der, impulse, mode, parameter, variable
 from ..pressed import Pressed, PressedStickSlip
-from ..stickslip import SLOW
+from ..stickslip import REST_SPEED
 from ..tables import interpolated
 from .bases import Compliant
 from .friction import Friction
@@ -12,10 +12,6 @@ from .friction import Friction
 
 class _Discs(Pressed):
     cgeo = parameter("m", "mean friction radius times number of friction faces", above=0, default=1.0)
-
-    def sliding(self, speed: Expression) -> Expression:
-        """Friction torque at a speed."""
-        return self.cgeo * self.grip(speed)
 
 
 class Clutch(Friction, _Discs, PressedStickSlip):
@@ -43,10 +39,7 @@ class Brake(_Discs, PressedStickSlip):
     a = variable("rad/s2", "acceleration against the support")
     tau = variable("N.m", "braking torque, positive against positive speed")
 
-    resistance = property(lambda self: self.tau)
-    speed = property(lambda self: self.w)
-    acceleration = property(lambda self: self.a)
-    speed_name = "w"
+    quantities = "tau", "w", "a"
 
     def equations(self) -> Stated:
         yield self.phi == self.flange.phi - self.support.phi
@@ -91,7 +84,7 @@ class OneWayClutch(Compliant, _Discs):
 
     def transitions(self) -> Stated:
         w = self.w_rel
-        stop = {"w_rel": ca.if_else(ca.fabs(w) < SLOW, 0.0, w)}
+        stop = {"w_rel": ca.if_else(ca.fabs(w) < REST_SPEED, 0.0, w)}
         yield self.mode.goes("stuck", "forward", when=self.tau > self.breakaway)
         yield self.mode.goes("stuck", "forward", when=w > 0)
         yield self.mode.goes("forward", "stuck", when=w < 0, reset=stop)

@@ -15,10 +15,7 @@ class Friction(Compliant, StickSlip):
     w_rel = variable("rad/s", "relative speed of the flanges", state="prefer")
     a_rel = variable("rad/s2", "relative acceleration of the flanges")
 
-    resistance = property(lambda self: self.tau)
-    speed = property(lambda self: self.w_rel)
-    acceleration = property(lambda self: self.a_rel)
-    speed_name = "w_rel"
+    quantities = "tau", "w_rel", "a_rel"
 
     def equations(self) -> Stated:
         yield self.w_rel == der(self.phi_rel)

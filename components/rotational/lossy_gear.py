@@ -2,12 +2,12 @@
 
 import casadi as ca
 
-from ..language import Component, Expression, RotationalFlange, Stated, der, mode, option, parameter, variable
-from ..stickslip import SLOW, breakaways, reversals
+from ..language import Expression, RotationalFlange, Stated, der, mode, option, parameter, variable
+from ..stickslip import Sticking
 from ..tables import interpolated, over_speed_with_losses
 
 
-class LossyGear(Component):
+class LossyGear(Sticking):
     """A gearbox with mesh efficiency and bearing friction that truly sticks: phi_a = ratio phi_b.
 
     The mesh passes on tau_a - tau_loss: flange_b.tau = -ratio (flange_a.tau - tau_loss). Turning
@@ -34,16 +34,22 @@ class LossyGear(Component):
         check=over_speed_with_losses,
     )
     driver = mode("a", "b", doc="the side that drives the mesh")
-    mode = mode("stuck", "forward", "backward", doc="sticking or turning", in_shock={"stuck": "forward"})
     phi = variable("rad", "angle of flange_a against the support", state="prefer")
     w = variable("rad/s", "speed of flange_a against the support", state="prefer")
     a = variable("rad/s2", "acceleration of flange_a against the support")
     tau_loss = variable("N.m", "torque lost, seen at flange_a")
 
+    quantities = "tau_loss", "w", "a"
+
     def losses(self, torque: Expression, speed: Expression) -> tuple[Expression, Expression]:
         """Loss torque when a drives and when b drives, for turning forward."""
         eta1, eta2, tau_bf1, tau_bf2 = (interpolated(self.lossTable, ca.fabs(speed), i) for i in (1, 2, 3, 4))
         return (1 - eta1) * torque + tau_bf1, (1 - 1 / eta2) * torque + tau_bf2
+
+    @property
+    def limits(self) -> tuple[Expression, ...]:
+        """Loss torques at which turning begins, forward and backward."""
+        return tuple(ca.fmax(*self.losses(sign * self.flange_a.tau, 0.0)) for sign in (1, -1))
 
     def equations(self) -> Stated:
         a, b, housing, loss = self.flange_a, self.flange_b, self.support, self.tau_loss
@@ -60,12 +66,8 @@ class LossyGear(Component):
         yield self.mode.choose(stuck=self.a, forward=loss - forward, backward=loss + backward) == 0
 
     def transitions(self) -> Stated:
-        torque = self.flange_a.tau
-        limits = tuple(ca.fmax(*self.losses(sign * torque, 0.0)) for sign in (1, -1))
-        yield from breakaways(self.mode, self.tau_loss, limits, ca.fabs(self.w) < SLOW)
-        yield from reversals(self.mode, self.w, "w")
         (forward_a, forward_b), (backward_a, backward_b) = (
-            self.losses(sign * torque, sign * self.w) for sign in (1, -1)
+            self.losses(sign * self.flange_a.tau, sign * self.w) for sign in (1, -1)
         )
         lead = self.mode.choose(stuck=0.0, forward=forward_a - forward_b, backward=backward_a - backward_b)
         yield self.driver.goes("a", "b", when=lead < 0)

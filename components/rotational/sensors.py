@@ -1,6 +1,7 @@
 """Sensors: motion and torque as signals, without effect on what they measure."""
 
 from ..language import Component, RealOutput, RotationalFlange, Stated, der, variable
+from .bases import TwoFlanges
 
 
 class _Absolute(Component):
@@ -9,12 +10,6 @@ class _Absolute(Component):
 
     def equations(self) -> Stated:
         yield self.flange.tau == 0
-
-
-class _Between(Component):
-    has_law = False
-    flange_a = RotationalFlange("left flange")
-    flange_b = RotationalFlange("right flange")
 
 
 class AngleSensor(_Absolute):
@@ -55,16 +50,16 @@ class AccelerationSensor(_Absolute):
         yield self.a == der(self.w)
 
 
-class RelativeAngleSensor(_Between):
+class RelativeAngleSensor(TwoFlanges):
     """Angle between two flanges as a signal: phi_rel = flange_b.phi - flange_a.phi.
 
     Source: MSL Rotational.Sensors.RelAngleSensor.
     """
 
+    has_law = False
     phi_rel = RealOutput("rad", "angle between the flanges")
 
     def equations(self) -> Stated:
-        yield self.phi_rel == self.flange_b.phi - self.flange_a.phi
         yield self.flange_a.tau == 0
         yield self.flange_b.tau == 0
 
@@ -93,7 +88,7 @@ class RelativeAccelerationSensor(RelativeSpeedSensor):
         yield self.a_rel == der(self.w_rel)
 
 
-class TorqueSensor(_Between):
+class TorqueSensor(Component):
     """Torque as a signal, between flanges that turn as one: tau = flange_a.tau.
 
     tau is positive where what is joined to flange_a turns flange_b forward.
@@ -101,6 +96,9 @@ class TorqueSensor(_Between):
     Source: MSL Rotational.Sensors.TorqueSensor.
     """
 
+    has_law = False
+    flange_a = RotationalFlange("left flange")
+    flange_b = RotationalFlange("right flange")
     tau = RealOutput("N.m", "torque from flange_a to flange_b")
 
     def equations(self) -> Stated:

@@ -1,6 +1,6 @@
 """Sources: torques and prescribed motions, from a signal."""
 
-from ..filtered import after_position, after_speed, critical_frequency, exactness
+from ..filtered import Filtered
 from ..language import Component, RealInput, RotationalFlange, Stated, der, parameter, variable
 
 
@@ -37,7 +37,7 @@ class ConstantTorque(_Driven):
         yield self.flange.tau == -self.tau_constant
 
 
-class Position(_Driven):
+class Position(Filtered, _Driven):
     """A prescribed angle: flange.phi - support.phi = phi_ref. Its speed and acceleration follow.
 
     Where phi_ref bends or jumps, what that takes acts as a shock, whose impulse is an event of the run; a
@@ -49,23 +49,15 @@ class Position(_Driven):
     """
 
     phi_ref = RealInput("rad", "angle")
-    exact = exactness()
-    f_crit = critical_frequency()
     phi = variable("rad", "angle against the support", follows="phi_ref")
     lead = variable("rad", "angle ahead, by which the filter moves", follows="phi_ref")
 
     def equations(self) -> Stated:
         yield self.flange.phi - self.support.phi == self.phi
-        if self.exact:
-            yield self.phi == self.phi_ref
-            yield self.lead == self.phi_ref
-            return
-        rates = after_position(self.phi_ref, self.phi, self.lead, self.f_crit)
-        yield der(self.phi) == rates[0]
-        yield der(self.lead) == rates[1]
+        yield from self.follow_position(self.phi_ref, self.phi, self.lead)
 
 
-class Speed(_Driven):
+class Speed(Filtered, _Driven):
     """A prescribed speed: der(phi) = w_ref, from the start angle phi.
 
     Where w_ref jumps, what that takes acts as a shock, whose impulse is an event of the run. With
@@ -75,18 +67,13 @@ class Speed(_Driven):
     """
 
     w_ref = RealInput("rad/s", "speed")
-    exact = exactness()
-    f_crit = critical_frequency()
     phi = variable("rad", "angle against the support")
     w = variable("rad/s", "speed against the support", follows="w_ref")
 
     def equations(self) -> Stated:
         yield self.phi == self.flange.phi - self.support.phi
         yield der(self.phi) == self.w
-        if self.exact:
-            yield self.w == self.w_ref
-        else:
-            yield der(self.w) == after_speed(self.w_ref, self.w, self.f_crit)
+        yield from self.follow_speed(self.w_ref, self.w)
 
 
 class Accelerate(_Driven):

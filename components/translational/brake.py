@@ -1,6 +1,6 @@
 """Brake: friction on a support that a signal switches on."""
 
-from ..language import Expression, Stated, TranslationalFlange, der, parameter, variable
+from ..language import Stated, TranslationalFlange, der, parameter, variable
 from ..pressed import PressedStickSlip
 
 
@@ -21,14 +21,7 @@ class Brake(PressedStickSlip):
     a = variable("m/s2", "acceleration against the support")
     f = variable("N", "braking force, positive against positive velocity")
 
-    resistance = property(lambda self: self.f)
-    speed = property(lambda self: self.v)
-    acceleration = property(lambda self: self.a)
-    speed_name = "v"
-
-    def sliding(self, speed: Expression) -> Expression:
-        """Friction force at a speed."""
-        return self.cgeo * self.grip(speed)
+    quantities = "f", "v", "a"
 
     def equations(self) -> Stated:
         yield self.s == self.flange.s - self.support.s

@@ -15,10 +15,6 @@ class Friction(Compliant, StickSlip):
     v_rel = variable("m/s", "relative velocity of the flanges", state="prefer")
     a_rel = variable("m/s2", "relative acceleration of the flanges")
 
-    resistance = property(lambda self: self.f)
-    speed = property(lambda self: self.v_rel)
-    acceleration = property(lambda self: self.a_rel)
-
     def equations(self) -> Stated:
         yield self.v_rel == der(self.s_rel)
         yield self.a_rel == der(self.v_rel)

@@ -1,6 +1,7 @@
 """Sensors: motion and force as signals, without effect on what they measure."""
 
 from ..language import Component, RealOutput, Stated, TranslationalFlange, der, variable
+from .bases import TwoFlanges
 
 
 class _Absolute(Component):
@@ -9,12 +10,6 @@ class _Absolute(Component):
 
     def equations(self) -> Stated:
         yield self.flange.f == 0
-
-
-class _Between(Component):
-    has_law = False
-    flange_a = TranslationalFlange("left flange")
-    flange_b = TranslationalFlange("right flange")
 
 
 class PositionSensor(_Absolute):
@@ -55,16 +50,16 @@ class AccelerationSensor(_Absolute):
         yield self.a == der(self.v)
 
 
-class RelativePositionSensor(_Between):
+class RelativePositionSensor(TwoFlanges):
     """Distance as a signal: s_rel = flange_b.s - flange_a.s.
 
     Source: MSL Translational.Sensors.RelPositionSensor.
     """
 
+    has_law = False
     s_rel = RealOutput("m", "distance of the flanges")
 
     def equations(self) -> Stated:
-        yield self.s_rel == self.flange_b.s - self.flange_a.s
         yield self.flange_a.f == 0
         yield self.flange_b.f == 0
 
@@ -93,7 +88,7 @@ class RelativeAccelerationSensor(RelativeSpeedSensor):
         yield self.a_rel == der(self.v_rel)
 
 
-class ForceSensor(_Between):
+class ForceSensor(Component):
     """Force as a signal, between flanges that move as one: f = flange_a.f.
 
     f is positive where what is joined to flange_a pushes flange_b forward.
@@ -101,6 +96,9 @@ class ForceSensor(_Between):
     Source: MSL Translational.Sensors.ForceSensor.
     """
 
+    has_law = False
+    flange_a = TranslationalFlange("left flange")
+    flange_b = TranslationalFlange("right flange")
     f = RealOutput("N", "force from flange_a to flange_b")
 
     def equations(self) -> Stated:

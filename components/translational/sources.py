@@ -1,6 +1,6 @@
 """Sources: forces and prescribed motions, from a signal."""
 
-from ..filtered import after_position, after_speed, critical_frequency, exactness
+from ..filtered import Filtered
 from ..language import Component, RealInput, Stated, TranslationalFlange, der, parameter, variable
 
 
@@ -25,7 +25,7 @@ class Force(_Driven):
         yield self.flange.f == -self.f
 
 
-class Position(_Driven):
+class Position(Filtered, _Driven):
     """A prescribed position: flange.s - support.s = s_ref. Its velocity and acceleration follow.
 
     Where s_ref bends or jumps, what that takes acts as a shock, whose impulse is an event of the run; a
@@ -37,23 +37,15 @@ class Position(_Driven):
     """
 
     s_ref = RealInput("m", "position")
-    exact = exactness()
-    f_crit = critical_frequency()
     s = variable("m", "position against the support", follows="s_ref")
     lead = variable("m", "position ahead, by which the filter moves", follows="s_ref")
 
     def equations(self) -> Stated:
         yield self.flange.s - self.support.s == self.s
-        if self.exact:
-            yield self.s == self.s_ref
-            yield self.lead == self.s_ref
-            return
-        rates = after_position(self.s_ref, self.s, self.lead, self.f_crit)
-        yield der(self.s) == rates[0]
-        yield der(self.lead) == rates[1]
+        yield from self.follow_position(self.s_ref, self.s, self.lead)
 
 
-class Speed(_Driven):
+class Speed(Filtered, _Driven):
     """A prescribed velocity: der(s) = v_ref, from the start position s.
 
     Where v_ref jumps, what that takes acts as a shock, whose impulse is an event of the run. With
@@ -63,18 +55,13 @@ class Speed(_Driven):
     """
 
     v_ref = RealInput("m/s", "velocity")
-    exact = exactness()
-    f_crit = critical_frequency()
     s = variable("m", "position against the support")
     v = variable("m/s", "velocity against the support", follows="v_ref")
 
     def equations(self) -> Stated:
         yield self.s == self.flange.s - self.support.s
         yield der(self.s) == self.v
-        if self.exact:
-            yield self.v == self.v_ref
-        else:
-            yield der(self.v) == after_speed(self.v_ref, self.v, self.f_crit)
+        yield from self.follow_speed(self.v_ref, self.v)
 
 
 class Accelerate(_Driven):

@@ -59,10 +59,7 @@ class Planet(PlanetGear, StickSlip):
     F_p = variable("N", "mesh force along the line of action")
     T_fp = variable("N.m", "friction torque on the planet")
 
-    resistance = property(lambda self: self.T_fp)
-    speed = property(lambda self: self.w_p)
-    acceleration = property(lambda self: self.a_p)
-    speed_name = "w_p"
+    quantities = "T_fp", "w_p", "a_p"
 
     def sliding(self, speed: Expression) -> Expression:
         """Friction torque at a speed of spin."""
