@@ -7,7 +7,7 @@ import casadi as ca
 from ..language import Expression, Stated, der, parameter, variable
 from .bases import Compliant, CompliantWithSpeed
 
-REST = 1e-300  # rad
+LEAST_HYSTERESIS = 1e-300  # [rad]
 
 
 class Spring(Compliant):
@@ -106,7 +106,7 @@ class BoucWen(CompliantWithSpeed):
 
     def equations(self) -> Stated:
         w, z = self.w_rel, self.z
-        size = ca.fmax(ca.fabs(z), REST)  # above 0, where x^n has a slope in n
+        size = ca.fmax(ca.fabs(z), LEAST_HYSTERESIS)  # above 0, where x^n has a slope in n
         yield self.tau == self.alpha * self.c * self.phi_rel + (1 - self.alpha) * self.c * z
         yield der(z) == (
             self.A * w - self.beta * ca.fabs(w) * size ** (self.n - 1) * z - self.gamma * w * size**self.n

@@ -2,7 +2,17 @@
 
 import casadi as ca
 
-from ..language import Component, Expression, RotationalFlange, Stated, der, option, parameter, variable
+from ..language import (
+    Component,
+    Expression,
+    RealInput,
+    RotationalFlange,
+    Stated,
+    der,
+    option,
+    parameter,
+    variable,
+)
 from ..stickslip import StickSlip
 from ..tables import interpolated, over_speed
 from .bases import Compliant
@@ -31,7 +41,6 @@ class CoulombFriction(Friction):
     tau_c = parameter("N.m", "Coulomb friction torque", min=0)
 
     def sliding(self, speed: Expression) -> Expression:
-        """Friction torque at a speed."""
         return self.tau_c + 0 * speed
 
 
@@ -51,7 +60,6 @@ class StribeckFriction(Friction):
     d = parameter("N.m.s/rad", "viscous friction", min=0, default=0.0)
 
     def sliding(self, speed: Expression) -> Expression:
-        """Friction torque at a speed."""
         drop = (self.tau_s - self.tau_c) * ca.exp(-speed / self.w_s)
         return self.tau_c + drop + self.d * speed
 
@@ -71,7 +79,6 @@ class TabulatedFriction(Friction):
     )
 
     def sliding(self, speed: Expression) -> Expression:
-        """Friction torque at a speed."""
         return interpolated(self.tau_pos, speed)
 
 
@@ -93,3 +100,54 @@ class BearingFriction(Component):
     def connections(self) -> Stated:
         yield self.support, self.friction.flange_a
         yield self.flange, self.friction.flange_b
+
+
+class AsymmetricFriction(Friction):
+    """Coulomb friction that differs by direction.
+
+    tau = tau_forward for w_rel > 0 and -tau_backward for w_rel < 0.
+    While stuck, -peak tau_backward <= tau <= peak tau_forward.
+
+    Source: B. Armstrong-Helouvry, Control of Machines with Friction (1991), section 2.3.
+    """
+
+    tau_forward = parameter("N.m", "friction torque while the angle grows", min=0)
+    tau_backward = parameter("N.m", "friction torque while it shrinks", min=0)
+
+    def sliding(self, speed: Expression) -> Expression:
+        return self.tau_forward + 0 * speed
+
+    def sliding_back(self, speed: Expression) -> Expression:
+        return self.tau_backward + 0 * speed
+
+
+class LoadedFriction(Friction):
+    """Friction in proportion to a load: tau = mu |load| sgn(w_rel) while sliding.
+
+    While stuck, |tau| <= peak mu |load|.
+
+    Example:
+        >>> from inertance import rotational
+        >>> seal = rotational.LoadedFriction(mu=0.02)  # connect a TorqueSensor's torque to seal.load
+    """
+
+    load = RealInput("N.m", "torque that presses the surfaces together")
+    mu = parameter("1", "friction torque over load", min=0)
+
+    def sliding(self, speed: Expression) -> Expression:
+        return self.mu * ca.fabs(self.load) + 0 * speed
+
+
+class DriftingFriction(Friction):
+    """Friction whose level follows a signal: tau = (tau_c + tau_u u) sgn(w_rel) while sliding.
+
+    u is what the level depends on: time, or a measured temperature. With `regularised` the level may
+    be negative, so that it stands for what a drift adds to, or takes from, friction that is there.
+    """
+
+    u = RealInput("1", "what the level follows")
+    tau_c = parameter("N.m", "friction torque at u = 0", default=0.0)
+    tau_u = parameter("N.m", "change of friction torque with u")
+
+    def sliding(self, speed: Expression) -> Expression:
+        return self.tau_c + self.tau_u * self.u + 0 * speed

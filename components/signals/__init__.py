@@ -8,7 +8,7 @@ from .controllers import PI as PI
 from .controllers import PID as PID
 from .controllers import LimPI as LimPI
 from .controllers import LimPID as LimPID
-from .delay import Delay as Delay
+from .dynamics import Delay as Delay
 from .dynamics import Derivative as Derivative
 from .dynamics import FirstOrder as FirstOrder
 from .dynamics import Integrator as Integrator

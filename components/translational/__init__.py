@@ -3,7 +3,6 @@
 from .bases import Compliant as Compliant
 from .bases import CompliantWithSpeed as CompliantWithSpeed
 from .bases import TwoFlanges as TwoFlanges
-from .brake import Brake as Brake
 from .compliances import BilinearSpring as BilinearSpring
 from .compliances import BoucWen as BoucWen
 from .compliances import CubicSpring as CubicSpring
@@ -13,16 +12,15 @@ from .compliances import QuadraticDamper as QuadraticDamper
 from .compliances import Ripple as Ripple
 from .compliances import Spring as Spring
 from .compliances import SpringDamper as SpringDamper
+from .friction import AsymmetricFriction as AsymmetricFriction
+from .friction import Brake as Brake
 from .friction import CoulombFriction as CoulombFriction
+from .friction import DriftingFriction as DriftingFriction
 from .friction import Friction as Friction
+from .friction import LoadedFriction as LoadedFriction
 from .friction import StribeckFriction as StribeckFriction
 from .friction import SupportFriction as SupportFriction
 from .friction import TabulatedFriction as TabulatedFriction
-from .friction_variants import AsymmetricFriction as AsymmetricFriction
-from .friction_variants import DriftingFriction as DriftingFriction
-from .friction_variants import LoadedFriction as LoadedFriction
-from .gaps import Backlash as Backlash
-from .gaps import ElastoGap as ElastoGap
 from .lever import LargeAngleLever as LargeAngleLever
 from .lever import Lever as Lever
 from .masses import Fixed as Fixed
@@ -40,5 +38,7 @@ from .sources import ConstantForce as ConstantForce
 from .sources import Force as Force
 from .sources import Position as Position
 from .sources import Speed as Speed
+from .stops import Backlash as Backlash
+from .stops import ElastoGap as ElastoGap
 from .stops import HardStop as HardStop
 from .stops import MassWithStopAndFriction as MassWithStopAndFriction

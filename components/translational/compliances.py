@@ -7,7 +7,7 @@ import casadi as ca
 from ..language import Stated, der, parameter, variable
 from .bases import Compliant, CompliantWithSpeed
 
-REST = 1e-300  # m
+LEAST_HYSTERESIS = 1e-300  # [m]
 
 
 class Spring(Compliant):
@@ -135,7 +135,7 @@ class BoucWen(CompliantWithSpeed):
 
     def equations(self) -> Stated:
         v, z = self.v_rel, self.z
-        size = ca.fmax(ca.fabs(z), REST)  # above 0, where x^n has a slope in n
+        size = ca.fmax(ca.fabs(z), LEAST_HYSTERESIS)  # above 0, where x^n has a slope in n
         yield self.f == self.alpha * self.k * self.s_rel + (1 - self.alpha) * self.k * z
         yield der(z) == (
             self.A * v - self.beta * ca.fabs(v) * size ** (self.n - 1) * z - self.gamma * v * size**self.n

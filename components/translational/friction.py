@@ -1,8 +1,19 @@
-"""Dry friction between two flanges."""
+"""Dry friction: between two flanges, on a support, and in a brake."""
 
 import casadi as ca
 
-from ..language import Component, Expression, Stated, TranslationalFlange, der, option, parameter, variable
+from ..language import (
+    Component,
+    Expression,
+    RealInput,
+    Stated,
+    TranslationalFlange,
+    der,
+    option,
+    parameter,
+    variable,
+)
+from ..pressed import PressedStickSlip
 from ..stickslip import StickSlip
 from ..tables import interpolated, over_speed
 from .bases import Compliant
@@ -29,7 +40,6 @@ class CoulombFriction(Friction):
     f_c = parameter("N", "Coulomb friction force", min=0)
 
     def sliding(self, speed: Expression) -> Expression:
-        """Friction force at a speed."""
         return self.f_c + 0 * speed
 
 
@@ -49,7 +59,6 @@ class StribeckFriction(Friction):
     d = parameter("N.s/m", "viscous friction", min=0, default=0.0)
 
     def sliding(self, speed: Expression) -> Expression:
-        """Friction force at a speed."""
         drop = (self.f_s - self.f_c) * ca.exp(-speed / self.v_s)
         return self.f_c + drop + self.d * speed
 
@@ -64,7 +73,6 @@ class TabulatedFriction(Friction):
     )
 
     def sliding(self, speed: Expression) -> Expression:
-        """Friction force at a speed."""
         return interpolated(self.table, speed)
 
 
@@ -83,3 +91,81 @@ class SupportFriction(Component):
     def connections(self) -> Stated:
         yield self.support, self.friction.flange_a
         yield self.flange, self.friction.flange_b
+
+
+class AsymmetricFriction(Friction):
+    """Coulomb friction that differs by direction.
+
+    f = f_forward for v_rel > 0 and -f_backward for v_rel < 0.
+    While stuck, -peak f_backward <= f <= peak f_forward.
+
+    Source: B. Armstrong-Helouvry, Control of Machines with Friction (1991), section 2.3.
+    """
+
+    f_forward = parameter("N", "friction force while the flanges part", min=0)
+    f_backward = parameter("N", "friction force while they approach", min=0)
+
+    def sliding(self, speed: Expression) -> Expression:
+        return self.f_forward + 0 * speed
+
+    def sliding_back(self, speed: Expression) -> Expression:
+        return self.f_backward + 0 * speed
+
+
+class LoadedFriction(Friction):
+    """Friction in proportion to a load: f = mu |load| sgn(v_rel) while sliding.
+
+    While stuck, |f| <= peak mu |load|.
+
+    Example:
+        >>> from inertance import ForceSensor, LoadedFriction
+        >>> seal = LoadedFriction(mu=0.02)  # connect the force of a ForceSensor to seal.load
+    """
+
+    load = RealInput("N", "force that presses the surfaces together")
+    mu = parameter("1", "friction force over load", min=0)
+
+    def sliding(self, speed: Expression) -> Expression:
+        return self.mu * ca.fabs(self.load) + 0 * speed
+
+
+class DriftingFriction(Friction):
+    """Friction whose level follows a signal: f = (f_c + f_u u) sgn(v_rel) while sliding.
+
+    u is what the level depends on: time, or a measured temperature. With `regularised` the level may
+    be negative, so that it stands for what a drift adds to, or takes from, friction that is there.
+    """
+
+    u = RealInput("1", "what the level follows")
+    f_c = parameter("N", "friction force at u = 0", default=0.0)
+    f_u = parameter("N", "change of friction force with u")
+
+    def sliding(self, speed: Expression) -> Expression:
+        return self.f_c + self.f_u * self.u + 0 * speed
+
+
+class Brake(PressedStickSlip):
+    """A sliding part held by friction on a support: f = mu(|v|) cgeo fn against v while sliding.
+
+    fn = fn_max max(f_normalized, 0); |f| <= peak mu(0) cgeo fn while stuck; free when fn = 0.
+    The support, which takes -f, is the ground when left unconnected.
+
+    Source: MSL Translational.Components.Brake.
+    """
+
+    flange = TranslationalFlange("what slides")
+    support = TranslationalFlange("what it slides on", optional=True)
+    cgeo = parameter("1", "friction faces, weighted by the distribution of pressure", above=0, default=1.0)
+    s = variable("m", "position against the support", state="prefer")
+    v = variable("m/s", "velocity against the support", state="prefer")
+    a = variable("m/s2", "acceleration against the support")
+    f = variable("N", "braking force, positive against positive velocity")
+
+    quantities = "f", "v", "a"
+
+    def equations(self) -> Stated:
+        yield self.s == self.flange.s - self.support.s
+        yield self.v == der(self.s)
+        yield self.a == der(self.v)
+        yield self.flange.f == self.f
+        yield self.support.f == -self.f
