@@ -1,7 +1,5 @@
 """What options and arguments may be: each check says what a value must be if it is not."""
 
-from __future__ import annotations
-
 from collections.abc import Callable, Iterable, Mapping
 from math import isfinite
 from numbers import Integral, Real

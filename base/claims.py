@@ -1,7 +1,5 @@
 """Claims: one process at a time writes into a file that grows."""
 
-from __future__ import annotations
-
 import os
 import sys
 from collections.abc import Iterator

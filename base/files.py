@@ -1,7 +1,5 @@
 """Files that are written: whole or not at all, and refused before the work that would fill them."""
 
-from __future__ import annotations
-
 import errno
 import os
 import re

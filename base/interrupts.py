@@ -1,7 +1,5 @@
 """Ctrl-C while something long goes on: noted at once, raised where nothing is half done."""
 
-from __future__ import annotations
-
 import io
 import signal
 import sys

@@ -1,7 +1,5 @@
 """Keywords that are passed on: a wrong one is told with the nearest that there is."""
 
-from __future__ import annotations
-
 import inspect
 from collections.abc import Callable, Iterable
 from typing import Any

@@ -1,7 +1,5 @@
 """Lazy names: what a package shows is imported when it is first asked for."""
 
-from __future__ import annotations
-
 from collections.abc import Callable
 from typing import Any
 

@@ -1,7 +1,5 @@
 """Python files of a user: what stands in a file's folder is imported for the files of that folder alone."""
 
-from __future__ import annotations
-
 import builtins
 import sys
 from collections.abc import Mapping, Sequence

@@ -1,7 +1,5 @@
 """Processes for work that is spread: Ctrl-C does not reach them, and none outlives what began it."""
 
-from __future__ import annotations
-
 import os
 import signal
 from collections.abc import Callable, Iterator

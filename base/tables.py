@@ -1,7 +1,5 @@
 """Tables of numbers in files, whatever their format: columns by name, with their units."""
 
-from __future__ import annotations
-
 import csv
 import re
 from collections.abc import Callable

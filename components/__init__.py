@@ -21,6 +21,7 @@ from .language import RealOutput as RealOutput
 from .language import RotationalFlange as RotationalFlange
 from .language import Sampled as Sampled
 from .language import Shock as Shock
+from .language import Stated as Stated
 from .language import TranslationalFlange as TranslationalFlange
 from .language import der as der
 from .language import impulse as impulse

@@ -70,7 +70,7 @@ class Component:
         cls._templates = {}
 
     @classmethod
-    def declared(cls, kind: type[F]) -> tuple[F, ...]:
+    def fields_of(cls, kind: type[F]) -> tuple[F, ...]:
         """Return the fields of one kind; they are looked up once for each class."""
         if kind not in cls._by_kind:
             cls._by_kind[kind] = tuple(f for f in cls.fields.values() if isinstance(f, kind))
@@ -84,7 +84,7 @@ class Component:
         for name, value in values.items():
             if not isinstance(value, Component):
                 self._set(name, value)
-        for part in self.declared(Part):
+        for part in self.fields_of(Part):
             self._parts[part.name] = part.default.clone()
         if type(self).parts is not Component.parts and not self._shapeless:
             self._parts.update(self.parts())
@@ -97,7 +97,7 @@ class Component:
     def _shapeless(self) -> bool:
         """Whether an option is wrong, so that neither parts nor equations can be told."""
         problems = self._problems
-        return bool(problems) and any(option.name in problems for option in self.declared(Option))
+        return bool(problems) and any(option.name in problems for option in self.fields_of(Option))
 
     def _own_parts(self) -> None:
         for component in self._parts.values():
@@ -168,7 +168,7 @@ class Component:
     def problems(self) -> Iterator[str]:
         """Yield what is wrong with this component's own values."""
         yield from self._problems.values()
-        for field in self.declared(Parameter):
+        for field in self.fields_of(Parameter):
             if field.default is MISSING and field.name not in self._values:
                 yield f"{field.name} [{field.unit}] ({field.doc}) must be given"
 

@@ -4,8 +4,6 @@ What `equations` and `transitions` yield becomes residuals over a list of local 
 equalities between variables (aliases) apart from them.
 """
 
-from __future__ import annotations
-
 from collections.abc import Iterable, Iterator
 from contextvars import ContextVar
 from typing import Any
@@ -37,7 +35,7 @@ def der(variable: Any) -> Any:
 def template_of(component: Component) -> Template:
     """Return the template of a component, read once per class and choice of options."""
     kind = type(component)
-    options = tuple(component._get(option) for option in kind.declared(Option))
+    options = tuple(component._get(option) for option in kind.fields_of(Option))
     try:
         known = kind._templates.get(options)
     except TypeError:

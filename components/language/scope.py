@@ -3,8 +3,6 @@
 Every declared variable, parameter and mode is a CasADi SX symbol there.
 """
 
-from __future__ import annotations
-
 import types
 from functools import reduce
 from typing import Any

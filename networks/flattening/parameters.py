@@ -28,7 +28,7 @@ class ParameterTable:
         self.defaults: list[float] = []
         self._bound: dict[str, Any] = {}
         for instance in instances.values():
-            declared = instance.component.declared(Parameter)
+            declared = instance.component.fields_of(Parameter)
             instance.given = [self._enter(instance, field) for field in declared]
         self.symbols = ca.SX.sym("p", len(self.defaults))
         self._dependent = self._read_dependent(problems) if self._bound else _none_dependent

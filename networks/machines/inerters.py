@@ -1,8 +1,5 @@
 """Inerters as two-terminal machines: flange_a is the rod, flange_b the housing."""
 
-from __future__ import annotations
-
-from collections.abc import Iterable
 from typing import Any
 
 from ...components import (
@@ -13,6 +10,7 @@ from ...components import (
     PlanetaryFlywheel,
     RackPinion,
     RotationalFlange,
+    Stated,
     TwoFlanges,
     variable,
 )
@@ -24,10 +22,10 @@ class FlywheelInerter(TwoFlanges):
     support = RotationalFlange("what keeps the housing from turning", optional=True)
     f = variable("N", "force of the housing, positive when it pulls the flanges together")
 
-    def equations(self) -> Iterable[Any]:
+    def equations(self) -> Stated:
         yield self.f == self.flange_b.f
 
-    def joined(self, transmission: Any) -> Iterable[Any]:
+    def joined(self, transmission: Any) -> Stated:
         """Join rod, transmission, flywheel and housing."""
         yield self.flange_a, transmission.flange_t
         yield transmission.flange_r, self.flywheel.flange
@@ -53,7 +51,7 @@ class BallScrewInerter(FlywheelInerter):
     screw: Component = NutScrew()
     flywheel: Component = DiskFlywheel()
 
-    def connections(self) -> Iterable[Any]:
+    def connections(self) -> Stated:
         yield from self.joined(self.screw)
 
 
@@ -87,5 +85,5 @@ class RackPinionInerter(FlywheelInerter):
     pinion = RackPinion()
     flywheel: Component = DiskFlywheel()
 
-    def connections(self) -> Iterable[Any]:
+    def connections(self) -> Stated:
         yield from self.joined(self.pinion)

@@ -4,8 +4,6 @@ Source of all formulas: Ge & Wang, Modeling, Testing, and Characteristic Analysi
 Flywheel Inerter, eqs. (2) and (7)-(15). They take numbers, arrays or symbols.
 """
 
-from __future__ import annotations
-
 from dataclasses import dataclass, fields
 from math import pi
 from typing import Any
