@@ -9,6 +9,7 @@ from .checks import at_least as at_least
 from .checks import between as between
 from .checks import boolean as boolean
 from .checks import by_name as by_name
+from .checks import check_keywords as check_keywords
 from .checks import counting as counting
 from .checks import demand as demand
 from .checks import finite as finite

@@ -4,6 +4,7 @@ from .component import Component as Component
 from .component import Expression as Expression
 from .component import PortRef as PortRef
 from .component import Stated as Stated
+from .component import fields_of as fields_of
 from .domain import Domain as Domain
 from .fields import MISSING as MISSING
 from .fields import Field as Field

@@ -69,13 +69,6 @@ class Component:
         cls._by_kind = {}
         cls._templates = {}
 
-    @classmethod
-    def fields_of(cls, kind: type[F]) -> tuple[F, ...]:
-        """Return the fields of one kind; they are looked up once for each class."""
-        if kind not in cls._by_kind:
-            cls._by_kind[kind] = tuple(f for f in cls.fields.values() if isinstance(f, kind))
-        return cls._by_kind[kind]
-
     def __init__(self, **values: Any) -> None:
         self._values: dict[str, Any] = {}
         self._parts: dict[str, Component] = {}
@@ -84,7 +77,7 @@ class Component:
         for name, value in values.items():
             if not isinstance(value, Component):
                 self._set(name, value)
-        for part in self.fields_of(Part):
+        for part in fields_of(self, Part):
             self._parts[part.name] = part.default.clone()
         if type(self).parts is not Component.parts and not self._shapeless:
             self._parts.update(self.parts())
@@ -97,7 +90,7 @@ class Component:
     def _shapeless(self) -> bool:
         """Whether an option is wrong, so that neither parts nor equations can be told."""
         problems = self._problems
-        return bool(problems) and any(option.name in problems for option in self.fields_of(Option))
+        return bool(problems) and any(option.name in problems for option in fields_of(self, Option))
 
     def _own_parts(self) -> None:
         for component in self._parts.values():
@@ -168,7 +161,7 @@ class Component:
     def problems(self) -> Iterator[str]:
         """Yield what is wrong with this component's own values."""
         yield from self._problems.values()
-        for field in self.fields_of(Parameter):
+        for field in fields_of(self, Parameter):
             if field.default is MISSING and field.name not in self._values:
                 yield f"{field.name} [{field.unit}] ({field.doc}) must be given"
 
@@ -234,3 +227,11 @@ class Component:
     def __repr__(self) -> str:
         values = ", ".join(f"{name}={value!r}" for name, value in self._values.items())
         return f"{type(self).__name__}({values})"
+
+
+def fields_of(component: Component, kind: type[F]) -> tuple[F, ...]:
+    """Return the fields of one kind; they are looked up once for each class."""
+    known = component._by_kind
+    if kind not in known:
+        known[kind] = tuple(f for f in component.fields.values() if isinstance(f, kind))
+    return known[kind]

@@ -12,7 +12,7 @@ import casadi as ca
 
 from ...base.errors import ModelError
 from ...base.quiet import numpy_on_symbols
-from .component import Component
+from .component import Component, fields_of
 from .fields import Option, Part, Port, RealInput, RealOutput, Variable
 from .scope import Scope
 from .template import Template
@@ -35,7 +35,7 @@ def der(variable: Any) -> Any:
 def template_of(component: Component) -> Template:
     """Return the template of a component, read once per class and choice of options."""
     kind = type(component)
-    options = tuple(component._get(option) for option in kind.fields_of(Option))
+    options = tuple(component._get(option) for option in fields_of(component, Option))
     try:
         known = kind._templates.get(options)
     except TypeError:

@@ -16,12 +16,12 @@ from ...base import (
     ModelError,
     RunInterruptedError,
     SimulationError,
+    check_keywords,
     heed,
     interruptible,
     listed,
     named,
 )
-from ...base.keywords import check_keywords
 from ...components.language import Component
 from ..dae import DAE
 from ..given import dae_of
