@@ -13,10 +13,7 @@ from .files import OutputError, refusal
 def claimed(path: Path) -> Iterator[None]:
     """Keep others from `path` meanwhile, by a lock on a file beside it that a dead process leaves open.
 
-    Where the file system knows no locks, nothing is kept.
-
-    Raises:
-        OutputError: if another process, or another thread of this one, has claimed it.
+    Raises an OutputError if another process or thread has claimed it; a file system without locks keeps nothing.
     """
     beside = path.with_name(f"{path.name}.lock")
     try:

@@ -59,11 +59,7 @@ def write_text(path: str | Path, text: str) -> Path:
 
 
 def check_output(path: str | Path, endings: Sequence[str] = ()) -> str:
-    """Return the ending of a file that is to be written, in small letters.
-
-    Raises:
-        OutputError: if it ends otherwise than in one of `endings`, or cannot be written.
-    """
+    """Return the ending of a file to be written, in small letters; raise an OutputError if it must not be."""
     path = Path(path)
     ending = path.suffix.lower()
     if endings and ending not in endings and not _is_stream(path):

@@ -36,11 +36,7 @@ class Table:
         return ", ".join(filter(None, (str(self.path), place, f"column '{column}'")))
 
     def column(self, name: str) -> Array:
-        """Return a column.
-
-        Raises:
-            ModelError: if there is none of that name, with the nearest one.
-        """
+        """Return a column; raise a ModelError if there is none of that name, with the nearest one."""
         if name not in self.columns:
             known = nearest(name, self.columns) or f"; its columns are {', '.join(self.columns)}"
             raise ModelError(f"{self.path}: there is no column '{name}'{known}")
@@ -48,11 +44,7 @@ class Table:
 
     @property
     def time_name(self) -> str:
-        """Name of the column of time.
-
-        Raises:
-            ModelError: if there is none.
-        """
+        """Name of the column of time; a ModelError is raised if there is none."""
         for name in self.columns:
             if name.lower() in TIMES:
                 return name
@@ -61,11 +53,7 @@ class Table:
         )
 
     def in_si(self, name: str, wanted: str) -> Array:
-        """Return a column in an SI unit, which it has unless the file says another.
-
-        Raises:
-            ModelError: if there is none of that name; for an unknown unit or one of another quantity.
-        """
+        """Return a column in an SI unit, which it has unless the file says another of the same quantity."""
         values, unit = self.column(name), self.units.get(name, "")
         try:
             return values if unit in ("", wanted) else unit_for(unit, wanted).to_si(values)

@@ -9,12 +9,7 @@ _UTF_16 = (codecs.BOM_UTF16_LE, codecs.BOM_UTF16_BE)
 
 
 def text_of(path: Path) -> str:
-    """Return the text of a file.
-
-    Raises:
-        MissingFileError: if there is no such file, with the nearest one.
-        ModelError: for bytes that are no text, with the line where they stand.
-    """
+    """Return the text of a file; raise a ModelError, with the line, for bytes that are no text."""
     there_is_file(path)
     content = path.read_bytes()
     encoding = "utf-16" if is_utf_16(path) else "utf-8-sig"
@@ -43,11 +38,7 @@ def there_is_file(path: Path) -> None:
 
 
 def path_of(value: object, what: str) -> Path:
-    """Return a path that was given as text or as a path.
-
-    Raises:
-        ModelError: for anything else, and for an empty text.
-    """
+    """Return a path that was given as text or as a path; raise a ModelError for anything else."""
     if isinstance(value, str | Path) and str(value).strip():
         return Path(value)
     raise ModelError(f"{what} is the path of a file, got {value!r}")

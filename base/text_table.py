@@ -4,12 +4,7 @@ from collections.abc import Collection, Iterator, Sequence
 
 
 def aligned(rows: Sequence[tuple[str, ...]], right: Collection[int] = ()) -> Iterator[str]:
-    """Yield a line for each row, columns under each other.
-
-    Args:
-        rows: equally many cells each.
-        right: the numbers of columns that end in line, such as numbers.
-    """
+    """Yield a line for each row, columns under each other; those numbered in `right` are flush right."""
     widths = [max(map(len, column)) for column in zip(*rows, strict=True)]
     for row in rows:
         cells = zip(row, widths, range(len(row)), strict=True)

@@ -103,10 +103,9 @@ def unit_of(text: str, like: Unit | None = None) -> Unit:
 
 
 def unit_for(text: str, wanted: str) -> Unit:
-    """Return the unit in which a quantity is given that is wanted in an SI unit; one without unit takes any.
+    """Return the unit of what is wanted in an SI unit; raise a ModelError if it measures another quantity.
 
-    Raises:
-        ModelError: for an unknown unit or one of another quantity.
+    What has no unit takes any.
     """
     target = unit_of(wanted)
     given = unit_of(text, target)

@@ -10,11 +10,8 @@ def past_clearance(force: Expression, half: Expression) -> Expression:
 
     force - half above half, force + half below -half, zero between: continuous.
 
-    Args:
-        force: stiffness and damping force of the contact without clearance [N].
-        half: stiffness times half the clearance [N].
+    `force` [N] is that of the contact without clearance, `half` [N] stiffness times half the clearance.
 
-    Source: Ge & Wang, Modeling, Testing, and Characteristic Analysis of a Planetary Flywheel Inerter,
-    eqs. (20), (24).
+    Source: Ge & Wang, cited in full by `ge_wang`, eqs. (20), (24).
     """
     return ca.fmax(force - half, 0) + ca.fmin(force + half, 0)

@@ -195,11 +195,7 @@ class Component:
             object.__setattr__(self, name, value)
 
     def _assign(self, name: str, value: Any) -> None:
-        """Set a value later on, as `with_values` sets it on a copy.
-
-        Raises:
-            ModelError: for a value that cannot be; the one before is kept.
-        """
+        """Set a value later on; one that cannot be is a ModelError, and the one before is kept."""
         copy = self.with_values(**{name: value})
         if name in copy._problems:
             raise ModelError(f"{type(self).__name__}.{name}: {copy._problems[name]}")

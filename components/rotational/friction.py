@@ -50,8 +50,7 @@ class StribeckFriction(Friction):
     tau = [tau_c + (tau_s - tau_c) exp(-|w_rel|/w_s)] sgn(w_rel) + d w_rel while sliding;
     |tau| <= peak tau_s while stuck.
 
-    Source: Ge & Wang, Modeling, Testing, and Characteristic Analysis of a Planetary Flywheel Inerter,
-    eq. (26).
+    Source: Ge & Wang, cited in full by `ge_wang`, eq. (26).
     """
 
     tau_c = parameter("N.m", "Coulomb friction torque", min=0)

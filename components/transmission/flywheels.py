@@ -20,8 +20,7 @@ class Flywheel(Component):
 class DiskFlywheel(Flywheel):
     """A homogeneous disk: (m R^2/2 + J_s) a = tau; its housing feels nothing.
 
-    Source: Ge & Wang, Modeling, Testing, and Characteristic Analysis of a Planetary Flywheel Inerter,
-    eq. (14).
+    Source: Ge & Wang, cited in full by `ge_wang`, eq. (14).
     """
 
     m = parameter("kg", "mass", above=0)
@@ -41,8 +40,7 @@ class IdealPlanetaryFlywheel(Flywheel):
 
     Limits: the housing may move but must not accelerate in turning.
 
-    Source: Ge & Wang, Modeling, Testing, and Characteristic Analysis of a Planetary Flywheel Inerter,
-    eqs. (5), (7).
+    Source: Ge & Wang, cited in full by `ge_wang`, eqs. (5), (7).
     """
 
     N = option("number of planets", default=4, check=counting)

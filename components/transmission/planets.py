@@ -39,8 +39,7 @@ class Planet(PlanetGear, StickSlip):
     theta_s is the bracket's angle and theta_p the planet's spin, both against the ring and counted
     in opposite senses. At rest T_pm truly sticks; see `StickSlip` for `regularised` [rad/s].
 
-    Source: Ge & Wang, Modeling, Testing, and Characteristic Analysis of a Planetary Flywheel Inerter,
-    eqs. (16)-(21).
+    Source: Ge & Wang, cited in full by `ge_wang`, eqs. (16)-(21).
     """
 
     bracket = RotationalFlange("bracket that carries the pin")
@@ -92,8 +91,7 @@ class PlanetaryFlywheel(PlanetGear):
     own mesh and coordinate, is named `planet_1` to `planet_N`, and may be replaced by one with other
     parameters.
 
-    Source: Ge & Wang, Modeling, Testing, and Characteristic Analysis of a Planetary Flywheel Inerter,
-    eqs. (16)-(21).
+    Source: Ge & Wang, cited in full by `ge_wang`, eqs. (16)-(21).
     """
 
     flange = RotationalFlange("where the screw is joined", free=True)
