@@ -9,7 +9,7 @@ from .errors import nearest
 
 
 def face(package: str, file: str) -> tuple[Callable[[str], Any], Callable[[], list[str]], list[str]]:
-    """Return `__getattr__`, `__dir__` and `__all__` of a package from its stub, by its `__name__` and `__file__`."""
+    """Return `__getattr__`, `__dir__` and `__all__` of a package with this `__name__` and `__file__`."""
     found, listed, names = lazy_loader.attach_stub(package, file)
 
     def find(name: str) -> Any:

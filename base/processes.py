@@ -8,7 +8,6 @@ from contextlib import contextmanager
 from multiprocessing import get_context, parent_process
 from multiprocessing.connection import Connection, wait
 from threading import Thread
-from types import TracebackType
 from typing import Any, TypeVar
 
 T = TypeVar("T")
@@ -41,15 +40,10 @@ class Processes(ProcessPoolExecutor):
         self._told.send(None)
         self.shutdown(wait=True, cancel_futures=True)
 
-    def __exit__(
-        self,
-        kind: type[BaseException] | None,
-        error: BaseException | None,
-        trace: TracebackType | None,
-    ) -> bool | None:
-        if kind is not None:
+    def __exit__(self, *raised: Any) -> bool | None:
+        if any(raised):
             self.abandon()
-        return super().__exit__(kind, error, trace)
+        return super().__exit__(*raised)
 
 
 @contextmanager

@@ -65,10 +65,8 @@ class Table:
         wrong = np.flatnonzero(~np.isfinite(values))
         if not len(wrong):
             return ""
-        told = (
-            f"{values[wrong[0]]} is no usable number ({len(wrong)} such in this column); fill or cut it out"
-        )
-        return f"{self.at(name, int(wrong[0]))}: {told}"
+        told = f"{values[wrong[0]]} is no usable number ({len(wrong)} such in this column)"
+        return f"{self.at(name, int(wrong[0]))}: {told}; fill or cut it out"
 
     def time_problem(self, name: str, time: Array) -> str:
         """Say where the values of a column do not increase from row to row; nothing if they do."""

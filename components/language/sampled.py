@@ -44,12 +44,7 @@ class Sampled:
     extrapolation: str
 
     def __init__(
-        self,
-        time: ArrayLike,
-        values: ArrayLike,
-        *,
-        interpolation: str = "cubic",
-        extrapolation: str = "none",
+        self, time: ArrayLike, values: ArrayLike, *, interpolation: str = "cubic", extrapolation: str = "none"
     ) -> None:
         for name, choice, known in (
             ("interpolation", interpolation, INTERPOLATIONS),

@@ -4,18 +4,8 @@ from __future__ import annotations
 
 from typing import Any
 
-from ...components import (
-    Component,
-    Damper,
-    Inerter,
-    Mass,
-    Spring,
-    SpringDamper,
-    Stated,
-    TwoFlanges,
-    parameter,
-    variable,
-)
+from ...components import Damper, Inerter, Mass, Spring, SpringDamper, TwoFlanges
+from ...components.language import Component, Stated, parameter, variable
 from ..two_terminal import parallel, series
 
 

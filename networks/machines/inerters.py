@@ -2,18 +2,8 @@
 
 from typing import Any
 
-from ...components import (
-    CompliantNutScrew,
-    Component,
-    DiskFlywheel,
-    NutScrew,
-    PlanetaryFlywheel,
-    RackPinion,
-    RotationalFlange,
-    Stated,
-    TwoFlanges,
-    variable,
-)
+from ...components import CompliantNutScrew, DiskFlywheel, NutScrew, PlanetaryFlywheel, RackPinion, TwoFlanges
+from ...components.language import Component, RotationalFlange, Stated, variable
 
 
 class FlywheelInerter(TwoFlanges):

@@ -4,19 +4,8 @@ from __future__ import annotations
 
 from typing import Any
 
-from ...components import (
-    Component,
-    Force,
-    Mass,
-    Position,
-    Spring,
-    SpringDamper,
-    Stated,
-    TranslationalFlange,
-    der,
-    parameter,
-    variable,
-)
+from ...components import Force, Mass, Position, Spring, SpringDamper
+from ...components.language import Component, Stated, TranslationalFlange, der, parameter, variable
 from ..given import element_of
 from ..network import Network
 
@@ -32,13 +21,9 @@ def quarter_car(strut: Component, *, m_s: float = 250.0, m_u: float = 35.0, k_t:
 
     Source: Smith & Wang, Vehicle System Dynamics 42 (2004) 235-257, section 3.
     """
-    car = Network(
-        "quarter car", road=Position(s_ref=0.0), tyre=Spring(k=k_t), wheel=Mass(m=m_u), strut=strut,
-        body=Mass(m=m_s), load=Force(f=0.0),
-    )  # fmt: skip
-    car.connect(car.road.flange, car.tyre.flange_a)
-    car.connect(car.tyre.flange_b, car.wheel.flange, car.strut.flange_a)
-    return car.connect(car.strut.flange_b, car.body.flange, car.load.flange)
+    car, body, load = Network("quarter car"), Mass(m=m_s), Force(f=0.0)
+    _add_corner(car, "", strut, body.flange, m_u, k_t)
+    return car.add(body=body, load=load).connect(body.flange, load.flange)
 
 
 class _HeavingBody(Component):
@@ -176,7 +161,8 @@ def full_car(
 
 def _add_corner(car: Network, name: str, strut: Component, corner: Any, m_u: float, k_t: float) -> None:
     road, tyre, wheel = Position(s_ref=0.0), Spring(k=k_t), Mass(m=m_u)
-    car.add(**{f"{name}_road": road, f"{name}_tyre": tyre, f"{name}_wheel": wheel, name: strut})
+    prefix = f"{name}_" if name else ""
+    car.add(**{f"{prefix}road": road, f"{prefix}tyre": tyre, f"{prefix}wheel": wheel, name or "strut": strut})
     car.connect(road.flange, tyre.flange_a)
     car.connect(tyre.flange_b, wheel.flange, strut.flange_a)
     car.connect(strut.flange_b, corner)
