@@ -31,10 +31,7 @@ def writing(path: str | Path) -> Iterator[Path]:
 
     A file that was there keeps its permissions, a link goes on to point to its file. What cannot be replaced,
     such as a pipe or `/dev/stdout`, or a file in a folder that cannot be written to, is filled at the end.
-
-    Raises:
-        OutputError: if it cannot be written, as on a full disk.
-        BrokenPipeError: if it is a pipe that nobody reads.
+    Raises an OutputError if it cannot be written, as on a full disk, or a BrokenPipeError if nobody reads it.
     """
     path = Path(path)
     _check_place(path)

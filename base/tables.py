@@ -89,11 +89,7 @@ def read_table(path: Path) -> Table:
     Text has one line of names, such as `x`, `x [mm]` or `x (mm)`, and columns parted by commas; or by
     semicolons or tabs, and then decimal commas, too. An .at2 file of the PEER ground motion database is a
     column `acceleration` [m/s2].
-
-    Raises:
-        MissingFileError: if there is no such file.
-        MissingPackageError: for .parquet without pyarrow.
-        ModelError: for another ending, and for what is no table of numbers, with file, line and column.
+    What is no table of numbers raises a ModelError with file, line and column.
     """
     ending = path.suffix.lower()
     if ending not in READERS:

@@ -88,15 +88,9 @@ class Unit:
 def unit_of(text: str, like: Unit | None = None) -> Unit:
     """Return a unit by its text: `kN/m`, `N.m`, `m/s2`, `rev/min`, `1/(m.s)`, `N·m`, `µm`, `°/s`.
 
-    What follows a slash divides, to the end of its bracket. The dimension that is wanted decides what `g`
-    means: gravity (9.80665 m/s2) where that fits, otherwise a gram.
-
-    Args:
-        text: the unit; none is "1".
-        like: a unit of the dimension that is wanted.
-
-    Raises:
-        ModelError: for a unit that is not understood, with the nearest one.
+    What follows a slash divides, to the end of its bracket. What `g` means, the dimension that is
+    wanted decides: gravity (9.80665 m/s2) where that of `like` fits, otherwise a gram. No text is "1".
+    What is not understood raises a ModelError with the nearest unit.
     """
     readings = _readings(text)
     return next((unit for unit in readings if like is not None and unit.fits(like)), readings[0])

@@ -21,9 +21,9 @@ from .friction import LoadedFriction as LoadedFriction
 from .friction import StribeckFriction as StribeckFriction
 from .friction import SupportFriction as SupportFriction
 from .friction import TabulatedFriction as TabulatedFriction
-from .lever import LargeAngleLever as LargeAngleLever
-from .lever import Lever as Lever
 from .masses import Fixed as Fixed
+from .masses import LargeAngleLever as LargeAngleLever
+from .masses import Lever as Lever
 from .masses import Mass as Mass
 from .masses import Rod as Rod
 from .sensors import AccelerationSensor as AccelerationSensor

@@ -8,6 +8,6 @@ from .conversions import Transmission as Transmission
 from .flywheels import DiskFlywheel as DiskFlywheel
 from .flywheels import Flywheel as Flywheel
 from .flywheels import IdealPlanetaryFlywheel as IdealPlanetaryFlywheel
-from .planets import Planet as Planet
-from .planets import PlanetaryFlywheel as PlanetaryFlywheel
-from .planets import PlanetGear as PlanetGear
+from .flywheels import Planet as Planet
+from .flywheels import PlanetaryFlywheel as PlanetaryFlywheel
+from .flywheels import PlanetGear as PlanetGear
