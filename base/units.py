@@ -189,14 +189,15 @@ def _powers(text: str) -> dict[str, int]:
 
 def _written(powers: dict[str, int]) -> str:
     """Return a unit as the library writes it."""
-    above = [_raised(symbol, power) for symbol, power in powers.items() if power > 0 and symbol != "1"]
-    below = [_raised(symbol, -power) for symbol, power in powers.items() if power < 0 and symbol != "1"]
+    above, below = _raised(powers, 1), _raised(powers, -1)
     divisor = f"({'.'.join(below)})" if len(below) > 1 else "".join(below)
     return ".".join(above or "1") + (f"/{divisor}" if divisor else "")
 
 
-def _raised(symbol: str, power: int) -> str:
-    return f"{symbol}{power}" if power > 1 else symbol
+def _raised(powers: dict[str, int], sign: int) -> list[str]:
+    """Return the symbols whose powers have this sign, with these powers."""
+    alike = {symbol: sign * power for symbol, power in powers.items() if sign * power > 0 and symbol != "1"}
+    return [f"{symbol}{power}" if power > 1 else symbol for symbol, power in alike.items()]
 
 
 def _unknown(text: str, piece: str) -> ModelError:

@@ -71,14 +71,12 @@ class Component:
 
     def __init__(self, **values: Any) -> None:
         self._values: dict[str, Any] = {}
-        self._parts: dict[str, Component] = {}
+        self._parts: dict[str, Component] = {p.name: p.default.clone() for p in fields_of(self, Part)}
         self._problems: dict[str, str] = {}
         self._owner: Component | None = None
         for name, value in values.items():
             if not isinstance(value, Component):
                 self._set(name, value)
-        for part in fields_of(self, Part):
-            self._parts[part.name] = part.default.clone()
         if type(self).parts is not Component.parts and not self._shapeless:
             self._parts.update(self.parts())
         self._own_parts()

@@ -1,13 +1,12 @@
 """Elements that turn."""
 
-from .bases import Compliant as Compliant
-from .bases import CompliantWithSpeed as CompliantWithSpeed
-from .bases import TwoFlanges as TwoFlanges
 from .clutches import Brake as Brake
 from .clutches import Clutch as Clutch
 from .clutches import OneWayClutch as OneWayClutch
 from .compliances import BilinearSpring as BilinearSpring
 from .compliances import BoucWen as BoucWen
+from .compliances import Compliant as Compliant
+from .compliances import CompliantWithSpeed as CompliantWithSpeed
 from .compliances import CubicSpring as CubicSpring
 from .compliances import Damper as Damper
 from .compliances import ElastoBacklash as ElastoBacklash
@@ -16,6 +15,7 @@ from .compliances import QuadraticDamper as QuadraticDamper
 from .compliances import Ripple as Ripple
 from .compliances import Spring as Spring
 from .compliances import SpringDamper as SpringDamper
+from .compliances import TwoFlanges as TwoFlanges
 from .friction import AsymmetricFriction as AsymmetricFriction
 from .friction import BearingFriction as BearingFriction
 from .friction import CoulombFriction as CoulombFriction

@@ -6,7 +6,7 @@ from ..language import Expression, RotationalFlange, Shock, Stated, der, impulse
 from ..pressed import Pressed, PressedStickSlip
 from ..stickslip import REST_SPEED
 from ..tables import interpolated
-from .bases import Compliant
+from .compliances import Compliant
 from .friction import Friction
 
 

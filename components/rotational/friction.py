@@ -15,7 +15,7 @@ from ..language import (
 )
 from ..stickslip import StickSlip
 from ..tables import interpolated, over_speed
-from .bases import Compliant
+from .compliances import Compliant
 
 
 class Friction(Compliant, StickSlip):

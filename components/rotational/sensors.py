@@ -1,7 +1,7 @@
 """Sensors: motion and torque as signals, without effect on what they measure."""
 
 from ..language import Component, RealOutput, RotationalFlange, Stated, der, variable
-from .bases import TwoFlanges
+from .compliances import TwoFlanges
 
 
 class _Absolute(Component):

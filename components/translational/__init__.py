@@ -1,10 +1,9 @@
 """Elements that slide."""
 
-from .bases import Compliant as Compliant
-from .bases import CompliantWithSpeed as CompliantWithSpeed
-from .bases import TwoFlanges as TwoFlanges
 from .compliances import BilinearSpring as BilinearSpring
 from .compliances import BoucWen as BoucWen
+from .compliances import Compliant as Compliant
+from .compliances import CompliantWithSpeed as CompliantWithSpeed
 from .compliances import CubicSpring as CubicSpring
 from .compliances import Damper as Damper
 from .compliances import Inerter as Inerter
@@ -12,6 +11,7 @@ from .compliances import QuadraticDamper as QuadraticDamper
 from .compliances import Ripple as Ripple
 from .compliances import Spring as Spring
 from .compliances import SpringDamper as SpringDamper
+from .compliances import TwoFlanges as TwoFlanges
 from .friction import AsymmetricFriction as AsymmetricFriction
 from .friction import Brake as Brake
 from .friction import CoulombFriction as CoulombFriction

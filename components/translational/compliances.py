@@ -1,13 +1,42 @@
-"""Springs, dampers and the inerter: forces between two flanges."""
+"""What acts between two flanges: springs, dampers and the inerter."""
 
 from math import pi
 
 import casadi as ca
 
-from ..language import Stated, der, parameter, variable
-from .bases import Compliant, CompliantWithSpeed
+from ..language import Component, Stated, TranslationalFlange, der, parameter, variable
 
 LEAST_HYSTERESIS = 1e-300  # [m]
+
+
+class TwoFlanges(Component):
+    """Two flanges and the distance between them: s_rel = flange_b.s - flange_a.s."""
+
+    flange_a = TranslationalFlange("left flange")
+    flange_b = TranslationalFlange("right flange")
+    s_rel = variable("m", "distance of the flanges", state="avoid")
+
+    def equations(self) -> Stated:
+        yield self.s_rel == self.flange_b.s - self.flange_a.s
+
+
+class Compliant(TwoFlanges):
+    """Two flanges without mass between them: f = flange_b.f = -flange_a.f, tension positive."""
+
+    f = variable("N", "force between the flanges, positive when it pulls them together")
+
+    def equations(self) -> Stated:
+        yield self.flange_b.f == self.f
+        yield self.flange_a.f == -self.f
+
+
+class CompliantWithSpeed(Compliant):
+    """A compliant element whose law uses the relative velocity v_rel = der(s_rel)."""
+
+    v_rel = variable("m/s", "relative velocity of the flanges", state="avoid")
+
+    def equations(self) -> Stated:
+        yield self.v_rel == der(self.s_rel)
 
 
 class Spring(Compliant):

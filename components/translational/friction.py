@@ -16,7 +16,7 @@ from ..language import (
 from ..pressed import PressedStickSlip
 from ..stickslip import StickSlip
 from ..tables import interpolated, over_speed
-from .bases import Compliant
+from .compliances import Compliant
 
 
 class Friction(Compliant, StickSlip):

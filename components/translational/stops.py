@@ -4,7 +4,7 @@ import casadi as ca
 
 from ..contact import past_clearance
 from ..language import Component, Shock, Stated, TranslationalFlange, der, impulse, mode, parameter, variable
-from .bases import Compliant, CompliantWithSpeed
+from .compliances import Compliant, CompliantWithSpeed
 from .friction import StribeckFriction
 from .masses import Mass
 
