@@ -41,7 +41,6 @@ from .errors import SimulationError as SimulationError
 from .errors import UnknownNameError as UnknownNameError
 from .errors import UnknownPartError as UnknownPartError
 from .errors import nearest as nearest
-from .files import MissingFolderError as MissingFolderError
 from .files import OutputError as OutputError
 from .files import check_output as check_output
 from .files import refusal as refusal

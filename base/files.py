@@ -77,26 +77,24 @@ def _listed(endings: Sequence[str]) -> str:
 
 def _check_place(path: Path) -> None:
     try:
-        found = path.stat()
+        is_folder = stat.S_ISDIR(path.stat().st_mode)
     except FileNotFoundError:
-        found = None
+        if _target(path).parent.is_dir():
+            return
+        told = f"there is no folder '{path.parent}' to write '{path.name}' into; create it first"
+        raise MissingFolderError(told) from None
     except OSError as error:
         raise refusal(path, error) from error
-    if found is not None and stat.S_ISDIR(found.st_mode):
+    if is_folder:
         raise OutputError(f"'{path}' cannot be written: it is a folder; name a file in it")
-    if found is None and not _target(path).parent.is_dir():
-        raise MissingFolderError(
-            f"there is no folder '{path.parent}' to write '{path.name}' into; create it first"
-        )
-    if found is not None and not os.access(path, os.W_OK):
+    if not os.access(path, os.W_OK):
         raise OutputError(f"'{path}' cannot be written: it is protected; choose another name")
 
 
 def _is_stream(path: Path) -> bool:
     """Return whether a path is none of a file that may be replaced."""
-    if STREAMS.fullmatch(os.path.abspath(path)):
-        return True
-    return os.path.exists(path) and not os.path.isfile(path)  # not of Path, which may raise
+    irregular = os.path.exists(path) and not os.path.isfile(path)  # not of Path, which may raise
+    return irregular or STREAMS.fullmatch(os.path.abspath(path)) is not None
 
 
 def _target(path: Path) -> Path:

@@ -8,7 +8,10 @@ BESSEL_FIRST, BESSEL_SECOND = 1.3617, 0.6180  # coefficients of the filter of or
 
 
 class Filtered(Component):
-    """What a prescribed motion makes of its reference: the same, or what a filter lets through."""
+    """What a prescribed motion makes of its reference: the same, or what a filter lets through.
+
+    Source: MSL Translational.Sources.Position (Bessel, order 2) and Speed (order 1) with exact=false.
+    """
 
     exact = option(
         "whether the reference is followed exactly; else by a filter, which knows no shocks",
@@ -18,12 +21,7 @@ class Filtered(Component):
     f_crit = parameter("Hz", "critical frequency of the filter with exact=False", default=50.0, above=0)
 
     def follow_position(self, reference: Expression, position: Expression, lead: Expression) -> Stated:
-        """State how a position follows another, by a Bessel filter of order 2 if not exactly.
-
-        The lead is where it would be after 1/(2 pi f_crit) at its present speed.
-
-        Source: MSL Translational.Sources.Position with exact=false.
-        """
+        """State how a position follows another, with the lead where it would be after 1/(2 pi f_crit)."""
         if self.exact:
             yield position == reference
             yield lead == reference
@@ -34,10 +32,7 @@ class Filtered(Component):
         yield der(lead) == speed + ((reference - position) * omega - BESSEL_FIRST * speed) / BESSEL_SECOND
 
     def follow_speed(self, reference: Expression, speed: Expression) -> Stated:
-        """State how a speed follows another, by a filter of order 1 if not exactly.
-
-        Source: MSL Translational.Sources.Speed with exact=false.
-        """
+        """State how a speed follows another."""
         if self.exact:
             yield speed == reference
         else:

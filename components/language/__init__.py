@@ -31,4 +31,3 @@ from .sampled import INTERPOLATIONS as INTERPOLATIONS
 from .sampled import Sampled as Sampled
 from .template import Shock as Shock
 from .template import Template as Template
-from .template import Transition as Transition

@@ -1,8 +1,4 @@
-"""Reading a component class: its equations become a `Template`, once for all its instances.
-
-What `equations` and `transitions` yield becomes residuals over a list of local symbols, and the plain
-equalities between variables (aliases) apart from them.
-"""
+"""Reading a component class: what it yields becomes a `Template` of residuals and aliases."""
 
 from collections.abc import Iterable, Iterator
 from contextvars import ContextVar

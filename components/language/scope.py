@@ -1,7 +1,4 @@
-"""`Scope`: what `self` is while a component states its equations.
-
-Every declared variable, parameter and mode is a CasADi SX symbol there.
-"""
+"""`Scope`: what `self` is while equations are read; variables, parameters and modes are SX symbols."""
 
 import types
 from functools import reduce

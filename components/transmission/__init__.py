@@ -10,4 +10,3 @@ from .flywheels import Flywheel as Flywheel
 from .flywheels import IdealPlanetaryFlywheel as IdealPlanetaryFlywheel
 from .flywheels import Planet as Planet
 from .flywheels import PlanetaryFlywheel as PlanetaryFlywheel
-from .flywheels import PlanetGear as PlanetGear
