@@ -12,7 +12,7 @@ import numpy as np
 
 from .arrays import Array
 from .errors import InertanceError, MissingPackageError, ModelError, nearest
-from .text_file import text_of, there_is_file
+from .files import text_of, there_is_file
 from .units import G, unit_for
 
 TIMES = ("time", "t", "zeit", "timestamp", "time_s")

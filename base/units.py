@@ -70,7 +70,8 @@ class Unit:
 
     def fits(self, other: Unit) -> bool:
         """Tell whether both measure the same; rad counts as 1, as usage varies, but Hz is not rad/s."""
-        if _without_angle(self) != _without_angle(other):
+        dimensions = [unit.exponents[:ANGLE] + unit.exponents[ANGLE + 1 :] for unit in (self, other)]
+        if dimensions[0] != dimensions[1]:
             return False
         turning = [unit.exponents[ANGLE] != 0 for unit in (self, other)]
         return turning[0] == turning[1] or not any("Hz" in unit.name for unit in (self, other))
@@ -130,10 +131,6 @@ def rate_unit(unit: str, order: int = 1) -> str:
         return f"{unit}/s{order if order > 1 else ''}"
     powers["s"] = powers.pop("s", 0) - order
     return _written(powers)
-
-
-def _without_angle(unit: Unit) -> tuple[int, ...]:
-    return unit.exponents[:ANGLE] + unit.exponents[ANGLE + 1 :]
 
 
 @cache

@@ -24,11 +24,15 @@ MISSING: Any = type("Missing", (), {"__repr__": lambda _: "required"})()
 class Field:
     """One declared name of a component."""
 
-    kind: ClassVar[str] = "field"
     domain: ClassVar[Domain | None] = None
     unit: str = ""
     doc: str = ""
     name: str = field(default="", init=False)
+
+    @property
+    def kind(self) -> str:
+        """What it is, in a word, such as parameter or input."""
+        return type(self).__name__.removeprefix("Real").lower()
 
     def __set_name__(self, owner: type, name: str) -> None:
         self.name = name
@@ -41,7 +45,6 @@ class Field:
 class Parameter(Field):
     """A number that stays constant during a run."""
 
-    kind = "parameter"
     default: Any = MISSING
     min: float | None = None
     above: float | None = None
@@ -71,7 +74,6 @@ class Parameter(Field):
 class Option(Field):
     """A choice that shapes the equations themselves, fixed when the network is assembled."""
 
-    kind = "option"
     default: Any = None
     choices: tuple[Any, ...] | None = None
     check: Callable[[Any], str] | None = None
@@ -89,7 +91,6 @@ class Option(Field):
 class Variable(Field):
     """A quantity that moves."""
 
-    kind = "variable"
     start: float = 0.0
     nominal: float = float("nan")
     state: str = "default"
@@ -103,8 +104,6 @@ class Variable(Field):
 class RealInput(Field):
     """A signal that comes in: connected, bound to a function of time or data, or left to the run."""
 
-    kind = "input"
-
     def problem(self, value: Any) -> str:
         """Say what is wrong with a signal, or return an empty string."""
         good = is_number(value) or isinstance(value, Sampled) or callable(value)
@@ -114,8 +113,6 @@ class RealInput(Field):
 
 class RealOutput(Field):
     """A signal that goes out."""
-
-    kind = "output"
 
 
 @dataclass(eq=False)
@@ -129,7 +126,6 @@ class Port(Field):
             acts on it then.
     """
 
-    kind = "port"
     domain: ClassVar[Domain]  # pyright: ignore[reportIncompatibleVariableOverride]
     unit: str = field(default="", init=False)
     optional: bool = False
@@ -156,7 +152,6 @@ class RotationalFlange(Port):
 class Mode(Field):
     """A discrete state of a component; constant between events."""
 
-    kind = "mode"
     values: tuple[str, ...] = ()
     in_shock: dict[str, str] = field(default_factory=dict)
 
@@ -164,14 +159,11 @@ class Mode(Field):
 class Impulse(Field):
     """The integral of a through variable over a shock; zero except at the shock itself."""
 
-    kind = "impulse"
-
 
 @dataclass(eq=False)
 class Part(Field):
     """A component inside a component."""
 
-    kind = "part"
     default: Any = None
 
 

@@ -38,6 +38,7 @@ class HardStop(Compliant):
         yield self.mode.choose(free=self.f + self.J, contact=self.a_rel) == 0
 
     def transitions(self) -> Stated:
+        still = {"v_rel": 0.0}
         closing = self.s_rel < self.s_min
         rebound = -self.e * self.v_rel
         bounce = Shock(self.J, self.v_rel, rebound)
@@ -47,12 +48,10 @@ class HardStop(Compliant):
         leaves = ca.logic_and(rebound > self.v_rest, ca.logic_not(low))
         rests = ca.logic_and(pressed, ca.logic_not(leaves))
         yield self.mode.goes("free", "free", when=closing, allowed=leaves, shock=bounce)
-        yield self.mode.goes(
-            "free", "contact", when=closing, allowed=rests, shock=settle, reset={"v_rel": 0.0}
-        )
+        yield self.mode.goes("free", "contact", when=closing, allowed=rests, shock=settle, reset=still)
         touching = ca.logic_and(self.s_rel <= self.s_min + LOWEST_REBOUND, ca.fabs(self.v_rel) < REST_SPEED)
         load = ca.if_else(touching, -self.a_rel, -1.0)
-        yield self.mode.goes("free", "contact", when=load > 0, reset={"v_rel": 0.0})
+        yield self.mode.goes("free", "contact", when=load > 0, reset=still)
         yield self.mode.goes("contact", "free", when=self.f > 0)
         yield self.mode.goes("contact", "free", when=self.v_rel > 0)
         yield self.mode.goes("contact", "free", when=self.v_rel < 0)
@@ -89,13 +88,7 @@ class MassWithStopAndFriction(Component):
         yield self.a == self.mass.a
 
     def connections(self) -> Stated:
-        yield (
-            self.flange,
-            self.mass.flange,
-            self.friction.flange_b,
-            self.lower.flange_b,
-            self.upper.flange_a,
-        )
+        yield self.flange, self.mass.flange, self.friction.flange_b, self.lower.flange_b, self.upper.flange_a
         yield self.support, self.friction.flange_a, self.lower.flange_a, self.upper.flange_b
 
 
