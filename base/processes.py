@@ -18,11 +18,8 @@ class Processes(ProcessPoolExecutor):
     """Processes that end when they are told to, or with their parent, whatever they are at.
 
     With a process a core, threads of linear algebra only queue: those that are spawned get one, unless
-    OPENBLAS_NUM_THREADS says otherwise.
-
-    Args:
-        count: how many.
-        method: how they begin: "spawn", "fork", "forkserver"; as is usual on the system if None.
+    OPENBLAS_NUM_THREADS says otherwise. They begin by "spawn", "fork" or "forkserver", as is
+    usual on the system if `method` is None.
     """
 
     def __init__(self, count: int, method: str | None = None) -> None:

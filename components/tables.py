@@ -9,8 +9,6 @@ import casadi as ca
 from ..base import rows
 from .language import Expression
 
-Table = tuple[tuple[float, ...], ...]
-
 
 def over_speed(value: str) -> Callable[[Any], str]:
     """Return a check for rows (speed, value)."""
@@ -35,7 +33,7 @@ def _increase(given: list[tuple[float, ...]]) -> bool:
     return given[0][0] == 0 and all(a[0] < b[0] for a, b in pairwise(given))
 
 
-def interpolated(table: Table, at: Expression, column: int = 1) -> Expression:
+def interpolated(table: tuple[tuple[float, ...], ...], at: Expression, column: int = 1) -> Expression:
     """Return a column of a table at a value of its first column, its ends extrapolated.
 
     A table of one row is constant.

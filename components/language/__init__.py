@@ -9,7 +9,7 @@ from .domain import Domain as Domain
 from .fields import MISSING as MISSING
 from .fields import Field as Field
 from .fields import Impulse as Impulse
-from .fields import Mode as Mode
+from .fields import ModeField as ModeField
 from .fields import Option as Option
 from .fields import Parameter as Parameter
 from .fields import Part as Part

@@ -32,7 +32,7 @@ class Field:
     @property
     def kind(self) -> str:
         """What it is, in a word, such as parameter or input."""
-        return type(self).__name__.removeprefix("Real").lower()
+        return type(self).__name__.removeprefix("Real").removesuffix("Field").lower()
 
     def __set_name__(self, owner: type, name: str) -> None:
         self.name = name
@@ -149,7 +149,7 @@ class RotationalFlange(Port):
 
 
 @dataclass(eq=False)
-class Mode(Field):
+class ModeField(Field):
     """A discrete state of a component; constant between events."""
 
     values: tuple[str, ...] = ()
@@ -241,7 +241,7 @@ def mode(*values: str, doc: str = "mode", in_shock: dict[str, str] | None = None
         in_shock: the mode that stands in for another while an impulse acts: friction that sticks
             cannot transmit an impulse, so `{"stuck": "forward"}`.
     """
-    return Mode("1", doc, values, in_shock or {})
+    return ModeField("1", doc, values, in_shock or {})
 
 
 def impulse(unit: str, doc: str) -> Any:

@@ -91,11 +91,7 @@ class Sampled:
 
 
 def column(name: str, given: Any) -> NDArray[np.float64]:
-    """Return numbers as a vector of their own.
-
-    Raises:
-        ModelError: for what is no column of real numbers; masked values become NaN.
-    """
+    """Return real numbers as a vector of their own, masked ones as NaN; raise a ModelError for others."""
     try:
         array = np.asanyarray(given)
         kind = array.dtype.kind

@@ -6,14 +6,14 @@ from ...base import counting
 from ..language import Component, Expression, RealInput, RealOutput, Stated, der, option, parameter, variable
 
 
-class Block(Component):
-    """What a block with one input has: u in, y out."""
+class SISO(Component):
+    """What a block with a single input and a single output has: u in, y out."""
 
     u = RealInput("", "input")
     y = RealOutput("", "output")
 
 
-class Gain(Block):
+class Gain(SISO):
     """Gain: y = k u.
 
     Source: MSL Blocks.Math.Gain.
@@ -25,7 +25,7 @@ class Gain(Block):
         yield self.y == self.k * self.u
 
 
-class Limiter(Block):
+class Limiter(SISO):
     """Limits: y = min(max(u, y_min), y_max). Continuous, so it makes no event.
 
     Source: MSL Blocks.Nonlinear.Limiter.
@@ -73,7 +73,7 @@ def limited(value: Expression, low: Expression, high: Expression) -> Expression:
     return ca.fmin(ca.fmax(value, low), high)
 
 
-class FirstOrder(Block):
+class FirstOrder(SISO):
     """First-order lag: T y' + y = k u, with the state x = y.
 
     Source: MSL Blocks.Continuous.FirstOrder.
@@ -88,7 +88,7 @@ class FirstOrder(Block):
         yield der(self.x) == (self.k * self.u - self.x) / self.T
 
 
-class Integrator(Block):
+class Integrator(SISO):
     """Integral: y' = k u, with the state x = y.
 
     Source: MSL Blocks.Continuous.Integrator.
@@ -102,7 +102,7 @@ class Integrator(Block):
         yield der(self.x) == self.k * self.u
 
 
-class Derivative(Block):
+class Derivative(SISO):
     """Derivative of a filtered input: y = k (u - x)/T with T x' = u - x, which is k s/(T s + 1).
 
     The state x starts at 0 unless something fixes it: a run from u = u0 begins with y = k u0/T.
@@ -127,7 +127,7 @@ class DelayStage(Component):
     i = variable("", "signal through the stage", state="avoid")
 
 
-class Delay(Block):
+class Delay(SISO):
     """Transport delay by the Pade approximation of order n: y(t) ~ u(t - T).
 
     exp(-T s) ~ (1 - h)/(1 + h), where h is Lambert's continued fraction of tanh(T s/2) cut after n

@@ -1,10 +1,10 @@
 """Controllers."""
 
 from ..language import Component, Expression, RealInput, RealOutput, Stated, der, parameter, variable
-from .blocks import Block, limited
+from .blocks import SISO, limited
 
 
-class PI(Block):
+class PI(SISO):
     """Proportional and integral: y = k (u + x) with T x' = u, which is k (1 + 1/(T s)).
 
     Source: MSL Blocks.Continuous.PI.
@@ -19,7 +19,7 @@ class PI(Block):
         yield self.T * der(self.x) == self.u
 
 
-class PID(Block):
+class PID(SISO):
     """Proportional, integral and filtered derivative: k (1 + 1/(Ti s) + Td s/(1 + Td s/Nd)).
 
     Source: MSL Blocks.Continuous.PID.
