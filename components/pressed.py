@@ -2,7 +2,7 @@
 
 import casadi as ca
 
-from .language import Component, Expression, RealInput, Stated, mode, option, parameter
+from .language import Component, Expression, RealInput, Stated, mode, parameter
 from .stickslip import StickSlip
 from .tables import interpolated, over_speed
 
@@ -17,11 +17,7 @@ class Pressed(Component):
 
     f_normalized = RealInput("1", "normal force over its largest value")
     fn_max = parameter("N", "largest normal force", min=0)
-    mu_pos = option(
-        "rows (speed, friction coefficient), speeds increasing from 0",
-        default=((0.0, 0.5),),
-        check=over_speed("coefficient"),
-    )
+    mu_pos = over_speed("speed, friction coefficient", "coefficient", default=0.5)
 
     def sliding(self, speed: Expression) -> Expression:
         """Friction mu(speed) cgeo fn while sliding."""

@@ -1,19 +1,19 @@
 """Tables: values given over speed, in between by straight lines."""
 
-from collections.abc import Callable
 from itertools import pairwise
 from typing import Any
 
 import casadi as ca
 
 from ..base import rows
-from .language import Expression
+from .language import Expression, option
 
 
-def over_speed(value: str) -> Callable[[Any], str]:
-    """Return a check for rows (speed, value)."""
+def over_speed(columns: str, value: str, default: float = 1.0) -> Any:
+    """Declare rows (speed, value), whose columns are told with units; the default is one row, at rest."""
     what = f"takes rows (speed, {value}) of finite numbers, speeds increasing from 0, values not below 0"
-    return rows(what, 2, lambda given: _increase(given) and all(y >= 0 for _, y in given))
+    check = rows(what, 2, lambda given: _increase(given) and all(y >= 0 for _, y in given))
+    return option(f"rows ({columns}), speeds increasing from 0", default=((0.0, default),), check=check)
 
 
 def over_speed_with_losses(value: Any) -> str:

@@ -53,11 +53,12 @@ class Parameter(Field):
 
     def problem(self, value: Any) -> str:
         """Say what is wrong with a value, or return an empty string."""
-        if type(value) is not float and (isinstance(value, Parameter) or callable(value)):
-            return ""
-        if type(value) is not float and number(value):
-            return f"{self.name} must be a number [{self.unit}], got {value!r}"
-        value = float(value)
+        if type(value) is not float:
+            if isinstance(value, Parameter) or callable(value):
+                return ""
+            if number(value):
+                return f"{self.name} must be a number [{self.unit}], got {value!r}"
+            value = float(value)
         unit = f" {self.unit}" if self.unit not in ("", "1") else ""
         if not abs(value) < float("inf"):
             return f"{self.name} must be a finite number{unit and f' [{self.unit}]'}, got {value}"

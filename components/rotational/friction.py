@@ -2,17 +2,7 @@
 
 import casadi as ca
 
-from ..language import (
-    Component,
-    Expression,
-    RealInput,
-    RotationalFlange,
-    Stated,
-    der,
-    option,
-    parameter,
-    variable,
-)
+from ..language import Component, Expression, RealInput, RotationalFlange, Stated, der, parameter, variable
 from ..stickslip import StickSlip
 from ..tables import interpolated, over_speed
 from .compliances import Compliant
@@ -50,7 +40,7 @@ class StribeckFriction(Friction):
     tau = [tau_c + (tau_s - tau_c) exp(-|w_rel|/w_s)] sgn(w_rel) + d w_rel while sliding;
     |tau| <= peak tau_s while stuck.
 
-    Source: Ge & Wang, cited in full by `ge_wang`, eq. (26).
+    Source: Ge & Wang on the planetary flywheel inerter (see `ge_wang`), eq. (26).
     """
 
     tau_c = parameter("N.m", "Coulomb friction torque", min=0)
@@ -71,11 +61,7 @@ class TabulatedFriction(Friction):
     Source: MSL Rotational.Components.BearingFriction.
     """
 
-    tau_pos = option(
-        "rows (speed [rad/s], torque [N.m]), speeds increasing from 0",
-        default=((0.0, 1.0),),
-        check=over_speed("torque"),
-    )
+    tau_pos = over_speed("speed [rad/s], torque [N.m]", "torque")
 
     def sliding(self, speed: Expression) -> Expression:
         return interpolated(self.tau_pos, speed)

@@ -2,17 +2,7 @@
 
 import casadi as ca
 
-from ..language import (
-    Component,
-    Expression,
-    RealInput,
-    Stated,
-    TranslationalFlange,
-    der,
-    option,
-    parameter,
-    variable,
-)
+from ..language import Component, Expression, RealInput, Stated, TranslationalFlange, der, parameter, variable
 from ..pressed import PressedStickSlip
 from ..stickslip import StickSlip
 from ..tables import interpolated, over_speed
@@ -49,7 +39,7 @@ class StribeckFriction(Friction):
     f = [f_c + (f_s - f_c) exp(-|v_rel|/v_s)] sgn(v_rel) + d v_rel while sliding;
     |f| <= peak f_s while stuck.
 
-    Source: Ge & Wang, cited in full by `ge_wang`, eq. (26), written for translation.
+    Source: Ge & Wang on the planetary flywheel inerter (see `ge_wang`), eq. (26), written for translation.
     """
 
     f_c = parameter("N", "Coulomb friction force", min=0)
@@ -65,11 +55,7 @@ class StribeckFriction(Friction):
 class TabulatedFriction(Friction):
     """Friction force interpolated linearly in a table of (speed, force), speeds from 0 upwards."""
 
-    table = option(
-        "rows (speed [m/s], force [N]), speeds increasing from 0",
-        default=((0.0, 1.0),),
-        check=over_speed("force"),
-    )
+    table = over_speed("speed [m/s], force [N]", "force")
 
     def sliding(self, speed: Expression) -> Expression:
         return interpolated(self.table, speed)

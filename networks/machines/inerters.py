@@ -30,7 +30,7 @@ class BallScrewInerter(FlywheelInerter):
         screw: `NutScrew`, or `CompliantNutScrew` for a real one.
         flywheel: `DiskFlywheel` or any other.
 
-    Source: Ge & Wang, cited in full by `ge_wang`, eqs. (1), (2).
+    Source: Ge & Wang on the planetary flywheel inerter (see `ge_wang`), eqs. (1), (2).
 
     Example:
         >>> from inertance import BallScrewInerter, DiskFlywheel, NutScrew
@@ -53,7 +53,7 @@ class PlanetaryFlywheelInerter(BallScrewInerter):
 
     The prototype of the source is `ge_wang.planetary_inerter()`.
 
-    Source: Ge & Wang, cited in full by `ge_wang`, eqs. (16)-(27).
+    Source: Ge & Wang on the planetary flywheel inerter (see `ge_wang`), eqs. (16)-(27).
     """
 
     screw: Component = CompliantNutScrew()

@@ -1,6 +1,6 @@
 """How heavy a planetary flywheel must be for its inertance, against a disk.
 
-Source of all formulas: Ge & Wang, cited in full by `ge_wang`, eqs. (2) and (7)-(15).
+Source of all formulas: Ge & Wang on the planetary flywheel inerter (see `ge_wang`), eqs. (2) and (7)-(15).
 They take numbers, arrays or symbols.
 """
 
