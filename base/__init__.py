@@ -9,6 +9,7 @@ from .checks import at_least as at_least
 from .checks import between as between
 from .checks import boolean as boolean
 from .checks import by_name as by_name
+from .checks import check_keywords as check_keywords
 from .checks import counting as counting
 from .checks import demand as demand
 from .checks import finite as finite
@@ -40,10 +41,13 @@ from .errors import SimulationError as SimulationError
 from .errors import UnknownNameError as UnknownNameError
 from .errors import UnknownPartError as UnknownPartError
 from .errors import nearest as nearest
-from .files import MissingFolderError as MissingFolderError
 from .files import OutputError as OutputError
 from .files import check_output as check_output
+from .files import is_utf_16 as is_utf_16
+from .files import path_of as path_of
 from .files import refusal as refusal
+from .files import text_of as text_of
+from .files import there_is_file as there_is_file
 from .files import write_text as write_text
 from .files import writing as writing
 from .interrupts import Interrupted as Interrupted
@@ -54,10 +58,6 @@ from .interrupts import interruptible as interruptible
 from .private_imports import module_of as module_of
 from .processes import Processes as Processes
 from .quiet import numpy_on_symbols as numpy_on_symbols
-from .text_file import is_utf_16 as is_utf_16
-from .text_file import path_of as path_of
-from .text_file import text_of as text_of
-from .text_file import there_is_file as there_is_file
 from .text_table import aligned as aligned
 from .units import BASES as BASES
 from .units import Unit as Unit

@@ -1,7 +1,5 @@
 """Claims: one process at a time writes into a file that grows."""
 
-from __future__ import annotations
-
 import os
 import sys
 from collections.abc import Iterator
@@ -15,10 +13,7 @@ from .files import OutputError, refusal
 def claimed(path: Path) -> Iterator[None]:
     """Keep others from `path` meanwhile, by a lock on a file beside it that a dead process leaves open.
 
-    Where the file system knows no locks, nothing is kept.
-
-    Raises:
-        OutputError: if another process, or another thread of this one, has claimed it.
+    Raises an OutputError if another process or thread has claimed it; without locks on the disk, nothing is.
     """
     beside = path.with_name(f"{path.name}.lock")
     try:
@@ -47,20 +42,15 @@ def _is_there(lock: int, path: Path) -> bool:
 
 def _locked(lock: int) -> bool:
     """Lock an open file, and tell whether nobody else had."""
-    if sys.platform == "win32":
-        import msvcrt
-
-        try:
-            msvcrt.locking(lock, msvcrt.LK_NBLCK, 1)
-        except OSError:
-            return False
-        return True
-    import fcntl
-
     try:
-        fcntl.flock(lock, fcntl.LOCK_EX | fcntl.LOCK_NB)
-    except BlockingIOError:
-        return False
-    except OSError:
-        return True
+        if sys.platform == "win32":
+            import msvcrt
+
+            msvcrt.locking(lock, msvcrt.LK_NBLCK, 1)
+        else:
+            import fcntl
+
+            fcntl.flock(lock, fcntl.LOCK_EX | fcntl.LOCK_NB)
+    except OSError as error:
+        return sys.platform != "win32" and not isinstance(error, BlockingIOError)
     return True

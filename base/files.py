@@ -1,7 +1,6 @@
-"""Files that are written: whole or not at all, and refused before the work that would fill them."""
+"""Files: texts that are read, and what is written, whole or not at all and refused before the work for it."""
 
-from __future__ import annotations
-
+import codecs
 import errno
 import os
 import re
@@ -13,7 +12,7 @@ from collections.abc import Iterator, Sequence
 from contextlib import contextmanager, suppress
 from pathlib import Path
 
-from .errors import ModelError, nearest
+from .errors import MissingFileError, ModelError, nearest
 
 STREAMS = re.compile(r"/dev/(stdout|stderr|fd/\d+)|/proc/(self|\d+)/fd/\d+")
 LONGEST_ENDING = 20
@@ -33,10 +32,7 @@ def writing(path: str | Path) -> Iterator[Path]:
 
     A file that was there keeps its permissions, a link goes on to point to its file. What cannot be replaced,
     such as a pipe or `/dev/stdout`, or a file in a folder that cannot be written to, is filled at the end.
-
-    Raises:
-        OutputError: if it cannot be written, as on a full disk.
-        BrokenPipeError: if it is a pipe that nobody reads.
+    Raises an OutputError if it cannot be written, as on a full disk, or a BrokenPipeError if nobody reads it.
     """
     path = Path(path)
     _check_place(path)
@@ -61,16 +57,13 @@ def write_text(path: str | Path, text: str) -> Path:
 
 
 def check_output(path: str | Path, endings: Sequence[str] = ()) -> str:
-    """Return the ending of a file that is to be written, in small letters.
-
-    Raises:
-        OutputError: if it ends otherwise than in one of `endings`, or cannot be written.
-    """
+    """Return the ending of a file to be written, in small letters; raise an OutputError if it must not be."""
     path = Path(path)
     ending = path.suffix.lower()
     if endings and ending not in endings and not _is_stream(path):
         told = f"'{path}' ends in '{path.suffix}'" if path.suffix else f"'{path}' has no ending"
-        raise OutputError(f"{told}; it must end in {_listed(endings)}{nearest(ending, endings)}")
+        wanted = " or ".join(filter(None, (", ".join(endings[:-1]), endings[-1])))
+        raise OutputError(f"{told}; it must end in {wanted}{nearest(ending, endings)}")
     _check_place(path)
     try:
         _begun(path)[0].unlink(missing_ok=True)
@@ -79,33 +72,26 @@ def check_output(path: str | Path, endings: Sequence[str] = ()) -> str:
     return ending
 
 
-def _listed(endings: Sequence[str]) -> str:
-    *most, last = endings
-    return f"{', '.join(most)} or {last}" if most else last
-
-
 def _check_place(path: Path) -> None:
     try:
-        found = path.stat()
+        is_folder = stat.S_ISDIR(path.stat().st_mode)
     except FileNotFoundError:
-        found = None
+        if _target(path).parent.is_dir():
+            return
+        told = f"there is no folder '{path.parent}' to write '{path.name}' into; create it first"
+        raise MissingFolderError(told) from None
     except OSError as error:
         raise refusal(path, error) from error
-    if found is not None and stat.S_ISDIR(found.st_mode):
+    if is_folder:
         raise OutputError(f"'{path}' cannot be written: it is a folder; name a file in it")
-    if found is None and not _target(path).parent.is_dir():
-        raise MissingFolderError(
-            f"there is no folder '{path.parent}' to write '{path.name}' into; create it first"
-        )
-    if found is not None and not os.access(path, os.W_OK):
+    if not os.access(path, os.W_OK):
         raise OutputError(f"'{path}' cannot be written: it is protected; choose another name")
 
 
 def _is_stream(path: Path) -> bool:
     """Return whether a path is none of a file that may be replaced."""
-    if STREAMS.fullmatch(os.path.abspath(path)):
-        return True
-    return os.path.exists(path) and not os.path.isfile(path)  # not of Path, which may raise
+    irregular = os.path.exists(path) and not os.path.isfile(path)  # not of Path, which may raise
+    return irregular or STREAMS.fullmatch(os.path.abspath(path)) is not None
 
 
 def _target(path: Path) -> Path:
@@ -163,3 +149,39 @@ def refusal(path: Path, error: OSError) -> OutputError:
     remedy = {errno.ENOSPC: "; make room", errno.ENAMETOOLONG: "; choose a shorter name"}
     told = remedy.get(error.errno or 0, "; choose another place")
     return OutputError(f"'{path}' cannot be written: {why}{told}")
+
+
+def text_of(path: Path) -> str:
+    """Return the text of a file; raise a ModelError, with the line, for bytes that are no text."""
+    there_is_file(path)
+    content = path.read_bytes()
+    encoding = "utf-16" if is_utf_16(path) else "utf-8-sig"
+    try:
+        return content.decode(encoding)
+    except UnicodeDecodeError as error:
+        line = content.count(b"\n", 0, error.start) + 1
+        raise ModelError(
+            f"{path}: not a text file in UTF-8 (line {line}, byte 0x{content[error.start]:02x}: "
+            f"{error.reason}); save it as UTF-8"
+        ) from error
+
+
+def is_utf_16(path: Path) -> bool:
+    """Return whether a file begins with the mark of UTF-16."""
+    with path.open("rb") as file:
+        return file.read(2) in (codecs.BOM_UTF16_LE, codecs.BOM_UTF16_BE)
+
+
+def there_is_file(path: Path) -> None:
+    """Raise a MissingFileError if there is no such file, with the nearest one."""
+    if not path.is_file():
+        folder = path.parent
+        others = [p.name for p in folder.iterdir() if p.is_file()] if folder.is_dir() else []
+        raise MissingFileError(f"there is no file '{path}'{nearest(path.name, others)}")
+
+
+def path_of(value: object, what: str) -> Path:
+    """Return a path that was given as text or as a path; raise a ModelError for anything else."""
+    if isinstance(value, str | Path) and str(value).strip():
+        return Path(value)
+    raise ModelError(f"{what} is the path of a file, got {value!r}")

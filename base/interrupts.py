@@ -1,7 +1,5 @@
 """Ctrl-C while something long goes on: noted at once, raised where nothing is half done."""
 
-from __future__ import annotations
-
 import io
 import signal
 import sys
@@ -75,11 +73,7 @@ def interruptible() -> Iterator[None]:
 
 
 def heed(ear: _Ear | None = None) -> None:
-    """Raise if Ctrl-C was pressed.
-
-    Raises:
-        Interrupted: then, or what the program's own handler of Ctrl-C raised.
-    """
+    """Raise Interrupted if Ctrl-C was pressed, or what the program's own handler of Ctrl-C raised."""
     ear = ear or getattr(_HERE, "ear", None)
     if ear is None or ear.raised is None:
         return
@@ -90,11 +84,7 @@ def heed(ear: _Ear | None = None) -> None:
 
 
 class foreign:  # noqa: N801
-    """A call of compiled code that looks for signals itself: Ctrl-C ends it.
-
-    Raises:
-        Interrupted: if it did, whatever the call made of it.
-    """
+    """A call of compiled code that looks for signals itself: Ctrl-C ends it and raises Interrupted."""
 
     def __enter__(self) -> None:
         heed()

@@ -1,7 +1,5 @@
 """Lazy names: what a package shows is imported when it is first asked for."""
 
-from __future__ import annotations
-
 from collections.abc import Callable
 from typing import Any
 
@@ -11,12 +9,7 @@ from .errors import nearest
 
 
 def face(package: str, file: str) -> tuple[Callable[[str], Any], Callable[[], list[str]], list[str]]:
-    """Return `__getattr__`, `__dir__` and `__all__` of a package, all three from its stub, `__init__.pyi`.
-
-    Args:
-        package: its `__name__`.
-        file: its `__file__`.
-    """
+    """Return `__getattr__`, `__dir__` and `__all__` of a package with this `__name__` and `__file__`."""
     found, listed, names = lazy_loader.attach_stub(package, file)
 
     def find(name: str) -> Any:

@@ -1,7 +1,5 @@
 """Python files of a user: what stands in a file's folder is imported for the files of that folder alone."""
 
-from __future__ import annotations
-
 import builtins
 import sys
 from collections.abc import Mapping, Sequence
@@ -24,18 +22,14 @@ def module_of(path: Path) -> ModuleType:
     It imports what stands beside it as a script does, wherever the import is written and whenever that is
     reached. Nothing else sees these modules, so that those of two folders may have one name.
     """
-    name = f"{_package(path.parent)}.{path.stem}"
+    package = PREFIX + quote(str(path.parent.resolve())).replace(".", "%2E")  # tells the folder
+    name = f"{package}.{path.stem}"
     spec = spec_from_file_location(name, path, loader=_Loader(name, str(path)))
     assert spec is not None
     assert spec.loader is not None
     module = sys.modules[name] = module_from_spec(spec)  # dataclasses look themselves up there
     spec.loader.exec_module(module)
     return module
-
-
-def _package(folder: Path) -> str:
-    """Return the package that stands for a folder; other processes find the folder by it."""
-    return PREFIX + quote(str(folder.resolve())).replace(".", "%2E")
 
 
 class _Loader(SourceFileLoader):

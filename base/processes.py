@@ -1,7 +1,5 @@
 """Processes for work that is spread: Ctrl-C does not reach them, and none outlives what began it."""
 
-from __future__ import annotations
-
 import os
 import signal
 from collections.abc import Callable, Iterator
@@ -10,7 +8,6 @@ from contextlib import contextmanager
 from multiprocessing import get_context, parent_process
 from multiprocessing.connection import Connection, wait
 from threading import Thread
-from types import TracebackType
 from typing import Any, TypeVar
 
 T = TypeVar("T")
@@ -21,11 +18,8 @@ class Processes(ProcessPoolExecutor):
     """Processes that end when they are told to, or with their parent, whatever they are at.
 
     With a process a core, threads of linear algebra only queue: those that are spawned get one, unless
-    OPENBLAS_NUM_THREADS says otherwise.
-
-    Args:
-        count: how many.
-        method: how they begin: "spawn", "fork", "forkserver"; as is usual on the system if None.
+    OPENBLAS_NUM_THREADS says otherwise. They begin by "spawn", "fork" or "forkserver", as is
+    usual on the system if `method` is None.
     """
 
     def __init__(self, count: int, method: str | None = None) -> None:
@@ -43,15 +37,10 @@ class Processes(ProcessPoolExecutor):
         self._told.send(None)
         self.shutdown(wait=True, cancel_futures=True)
 
-    def __exit__(
-        self,
-        kind: type[BaseException] | None,
-        error: BaseException | None,
-        trace: TracebackType | None,
-    ) -> bool | None:
-        if kind is not None:
+    def __exit__(self, *raised: Any) -> bool | None:
+        if any(raised):
             self.abandon()
-        return super().__exit__(kind, error, trace)
+        return super().__exit__(*raised)
 
 
 @contextmanager

@@ -1,7 +1,5 @@
 """Tables of numbers in files, whatever their format: columns by name, with their units."""
 
-from __future__ import annotations
-
 import csv
 import re
 from collections.abc import Callable
@@ -14,7 +12,7 @@ import numpy as np
 
 from .arrays import Array
 from .errors import InertanceError, MissingPackageError, ModelError, nearest
-from .text_file import text_of, there_is_file
+from .files import text_of, there_is_file
 from .units import G, unit_for
 
 TIMES = ("time", "t", "zeit", "timestamp", "time_s")
@@ -38,11 +36,7 @@ class Table:
         return ", ".join(filter(None, (str(self.path), place, f"column '{column}'")))
 
     def column(self, name: str) -> Array:
-        """Return a column.
-
-        Raises:
-            ModelError: if there is none of that name, with the nearest one.
-        """
+        """Return a column; raise a ModelError if there is none of that name, with the nearest one."""
         if name not in self.columns:
             known = nearest(name, self.columns) or f"; its columns are {', '.join(self.columns)}"
             raise ModelError(f"{self.path}: there is no column '{name}'{known}")
@@ -50,11 +44,7 @@ class Table:
 
     @property
     def time_name(self) -> str:
-        """Name of the column of time.
-
-        Raises:
-            ModelError: if there is none.
-        """
+        """Name of the column of time; a ModelError is raised if there is none."""
         for name in self.columns:
             if name.lower() in TIMES:
                 return name
@@ -63,11 +53,7 @@ class Table:
         )
 
     def in_si(self, name: str, wanted: str) -> Array:
-        """Return a column in an SI unit, which it has unless the file says another.
-
-        Raises:
-            ModelError: if there is none of that name; for an unknown unit or one of another quantity.
-        """
+        """Return a column in an SI unit, which it has unless the file says another of the same quantity."""
         values, unit = self.column(name), self.units.get(name, "")
         try:
             return values if unit in ("", wanted) else unit_for(unit, wanted).to_si(values)
@@ -79,10 +65,8 @@ class Table:
         wrong = np.flatnonzero(~np.isfinite(values))
         if not len(wrong):
             return ""
-        told = (
-            f"{values[wrong[0]]} is no usable number ({len(wrong)} such in this column); fill or cut it out"
-        )
-        return f"{self.at(name, int(wrong[0]))}: {told}"
+        told = f"{values[wrong[0]]} is no usable number ({len(wrong)} such in this column)"
+        return f"{self.at(name, int(wrong[0]))}: {told}; fill or cut it out"
 
     def time_problem(self, name: str, time: Array) -> str:
         """Say where the values of a column do not increase from row to row; nothing if they do."""
@@ -105,11 +89,7 @@ def read_table(path: Path) -> Table:
     Text has one line of names, such as `x`, `x [mm]` or `x (mm)`, and columns parted by commas; or by
     semicolons or tabs, and then decimal commas, too. An .at2 file of the PEER ground motion database is a
     column `acceleration` [m/s2].
-
-    Raises:
-        MissingFileError: if there is no such file.
-        MissingPackageError: for .parquet without pyarrow.
-        ModelError: for another ending, and for what is no table of numbers, with file, line and column.
+    What is no table of numbers raises a ModelError with file, line and column.
     """
     ending = path.suffix.lower()
     if ending not in READERS:

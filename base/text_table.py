@@ -1,20 +1,10 @@
 """Tables as lines of text."""
 
-from __future__ import annotations
-
 from collections.abc import Collection, Iterator, Sequence
 
 
 def aligned(rows: Sequence[tuple[str, ...]], right: Collection[int] = ()) -> Iterator[str]:
-    """Yield a line for each row, columns under each other.
-
-    Args:
-        rows: equally many cells each.
-        right: the numbers of columns that end in line, such as numbers.
-    """
-    widths = [max(map(len, column)) for column in zip(*rows, strict=True)]
-    for row in rows:
-        cells = zip(row, widths, range(len(row)), strict=True)
-        yield "  ".join(
-            cell.rjust(width) if i in right else cell.ljust(width) for cell, width, i in cells
-        ).rstrip()
+    """Return a line for each row, columns under each other; those numbered in `right` are flush right."""
+    columns = enumerate(zip(*rows, strict=True))
+    layout = "  ".join(f"{{:{'>' if i in right else '<'}{max(map(len, cells))}}}" for i, cells in columns)
+    return (layout.format(*row).rstrip() for row in rows)

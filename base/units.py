@@ -70,7 +70,8 @@ class Unit:
 
     def fits(self, other: Unit) -> bool:
         """Tell whether both measure the same; rad counts as 1, as usage varies, but Hz is not rad/s."""
-        if _without_angle(self) != _without_angle(other):
+        dimensions = [unit.exponents[:ANGLE] + unit.exponents[ANGLE + 1 :] for unit in (self, other)]
+        if dimensions[0] != dimensions[1]:
             return False
         turning = [unit.exponents[ANGLE] != 0 for unit in (self, other)]
         return turning[0] == turning[1] or not any("Hz" in unit.name for unit in (self, other))
@@ -88,25 +89,18 @@ class Unit:
 def unit_of(text: str, like: Unit | None = None) -> Unit:
     """Return a unit by its text: `kN/m`, `N.m`, `m/s2`, `rev/min`, `1/(m.s)`, `N·m`, `µm`, `°/s`.
 
-    What follows a slash divides, to the end of its bracket. The dimension that is wanted decides what `g`
-    means: gravity (9.80665 m/s2) where that fits, otherwise a gram.
-
-    Args:
-        text: the unit; none is "1".
-        like: a unit of the dimension that is wanted.
-
-    Raises:
-        ModelError: for a unit that is not understood, with the nearest one.
+    What follows a slash divides, to the end of its bracket. What `g` means, the dimension that is
+    wanted decides: gravity (9.80665 m/s2) where that of `like` fits, otherwise a gram. No text is "1".
+    What is not understood raises a ModelError with the nearest unit.
     """
     readings = _readings(text)
     return next((unit for unit in readings if like is not None and unit.fits(like)), readings[0])
 
 
 def unit_for(text: str, wanted: str) -> Unit:
-    """Return the unit in which a quantity is given that is wanted in an SI unit; one without unit takes any.
+    """Return the unit of what is wanted in an SI unit; raise a ModelError if it measures another quantity.
 
-    Raises:
-        ModelError: for an unknown unit or one of another quantity.
+    What has no unit takes any.
     """
     target = unit_of(wanted)
     given = unit_of(text, target)
@@ -137,10 +131,6 @@ def rate_unit(unit: str, order: int = 1) -> str:
         return f"{unit}/s{order if order > 1 else ''}"
     powers["s"] = powers.pop("s", 0) - order
     return _written(powers)
-
-
-def _without_angle(unit: Unit) -> tuple[int, ...]:
-    return unit.exponents[:ANGLE] + unit.exponents[ANGLE + 1 :]
 
 
 @cache
@@ -196,14 +186,15 @@ def _powers(text: str) -> dict[str, int]:
 
 def _written(powers: dict[str, int]) -> str:
     """Return a unit as the library writes it."""
-    above = [_raised(symbol, power) for symbol, power in powers.items() if power > 0 and symbol != "1"]
-    below = [_raised(symbol, -power) for symbol, power in powers.items() if power < 0 and symbol != "1"]
+    above, below = _raised(powers, 1), _raised(powers, -1)
     divisor = f"({'.'.join(below)})" if len(below) > 1 else "".join(below)
     return ".".join(above or "1") + (f"/{divisor}" if divisor else "")
 
 
-def _raised(symbol: str, power: int) -> str:
-    return f"{symbol}{power}" if power > 1 else symbol
+def _raised(powers: dict[str, int], sign: int) -> list[str]:
+    """Return the symbols whose powers have this sign, with these powers."""
+    alike = {symbol: sign * power for symbol, power in powers.items() if sign * power > 0 and symbol != "1"}
+    return [f"{symbol}{power}" if power > 1 else symbol for symbol, power in alike.items()]
 
 
 def _unknown(text: str, piece: str) -> ModelError:

@@ -15,7 +15,7 @@ from ..components.language import (
     MISSING,
     Field,
     Impulse,
-    Mode,
+    ModeField,
     Option,
     Parameter,
     Part,
@@ -99,7 +99,7 @@ def _variable(variable: Variable) -> tuple[str, ...]:
     return variable.name, variable.unit, variable.doc
 
 
-def _mode(mode: Mode) -> tuple[str, ...]:
+def _mode(mode: ModeField) -> tuple[str, ...]:
     return mode.name, ", ".join(mode.values), mode.doc
 
 
@@ -136,7 +136,7 @@ SECTIONS: tuple[tuple[str, tuple[str, ...], Any, FieldRow], ...] = (
     ("parameters", ("name", "unit", "default", "range", ""), Parameter, _parameter),
     ("options", ("name", "default", "choices", ""), Option, _option),
     ("variables", ("name", "unit", ""), Variable, _variable),
-    ("modes", ("name", "values", ""), Mode, _mode),
+    ("modes", ("name", "values", ""), ModeField, _mode),
     ("impulses", ("name", "unit", ""), Impulse, _variable),
     ("parts", ("name", "component", ""), Part, _part),
 )

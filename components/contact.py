@@ -1,22 +1,17 @@
 """The clearance law that gear teeth, screws and bearings share."""
 
-from __future__ import annotations
-
-from typing import Any
-
 import casadi as ca
 
+from .language import Expression
 
-def past_clearance(force: Any, half: Any) -> Any:
+
+def past_clearance(force: Expression, half: Expression) -> Expression:
     """Return what is left of a contact's spring and damper force behind a clearance: a dead zone.
 
     force - half above half, force + half below -half, zero between: continuous.
 
-    Args:
-        force: stiffness and damping force of the contact without clearance [N].
-        half: stiffness times half the clearance [N].
+    `force` [N] is that of the contact without clearance, `half` [N] stiffness times half the clearance.
 
-    Source: Ge & Wang, Modeling, Testing, and Characteristic Analysis of a Planetary Flywheel Inerter,
-    eqs. (20), (24).
+    Source: Ge & Wang on the planetary flywheel inerter (see `ge_wang`), eqs. (20), (24).
     """
     return ca.fmax(force - half, 0) + ca.fmin(force + half, 0)

@@ -1,7 +1,5 @@
 """Families: the elements of each domain by one name, also where the two call them differently."""
 
-from __future__ import annotations
-
 from types import SimpleNamespace
 from typing import Any
 

@@ -1,33 +1,27 @@
 """Pressed surfaces: what clutches and brakes have in common, for sliding and for turning."""
 
-from __future__ import annotations
-
-from collections.abc import Iterable
-from typing import Any
-
 import casadi as ca
 
-from .language import Component, RealInput, mode, option, parameter
+from .language import Component, Expression, RealInput, Stated, mode, parameter
 from .stickslip import StickSlip
 from .tables import interpolated, over_speed
 
-APART = 1e-9
+RELEASED_SIGNAL = 1e-9
 
 
 class Pressed(Component):
-    """Two surfaces that a signal presses together: fn = fn_max max(f_normalized, 0)."""
+    """Two surfaces that a signal presses together: fn = fn_max max(f_normalized, 0).
+
+    A subclass declares `cgeo`, what fn is multiplied by.
+    """
 
     f_normalized = RealInput("1", "normal force over its largest value")
     fn_max = parameter("N", "largest normal force", min=0)
-    mu_pos = option(
-        "rows (speed, friction coefficient), speeds increasing from 0",
-        default=((0.0, 0.5),),
-        check=over_speed("coefficient"),
-    )
+    mu_pos = over_speed("speed, friction coefficient", "coefficient", default=0.5)
 
-    def grip(self, speed: Any) -> Any:
-        """Friction force mu(speed) fn while sliding."""
-        return interpolated(self.mu_pos, speed) * self.fn_max * ca.fmax(self.f_normalized, 0)
+    def sliding(self, speed: Expression) -> Expression:
+        """Friction mu(speed) cgeo fn while sliding."""
+        return self.cgeo * (interpolated(self.mu_pos, speed) * self.fn_max * ca.fmax(self.f_normalized, 0))
 
 
 class PressedStickSlip(Pressed, StickSlip):
@@ -43,19 +37,19 @@ class PressedStickSlip(Pressed, StickSlip):
     )  # fmt: skip
 
     @property
-    def grips(self) -> Any:
+    def grips(self) -> Expression:
         """Whether the surfaces are pressed."""
-        return self.f_normalized > APART
+        return self.f_normalized > RELEASED_SIGNAL
 
-    def laws(self) -> dict[str, Any]:
+    def laws(self) -> dict[str, Expression]:
         """What vanishes in each mode; a plain variable would count as a motion that is held."""
         return {"free": -self.resistance, **StickSlip.laws(self)}
 
-    def transitions(self) -> Iterable[Any]:
+    def transitions(self) -> Stated:
         if self.regularised:
             return
         for pressed in ("stuck", "forward", "backward"):
-            yield self.mode.goes(pressed, "free", when=self.f_normalized < APART)
+            yield self.mode.goes(pressed, "free", when=self.f_normalized < RELEASED_SIGNAL)
         yield self.mode.goes("free", "forward", when=self.grips, allowed=self.speed > 0)
         yield self.mode.goes("free", "backward", when=self.grips, allowed=self.speed < 0)
         yield self.mode.goes("free", "stuck", when=self.grips, allowed=self.speed == 0)

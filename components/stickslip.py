@@ -1,33 +1,64 @@
 """Stick-slip: dry friction that truly holds, in the same words for sliding and for turning."""
 
-from __future__ import annotations
-
-from collections.abc import Iterable
-from typing import Any
-
 import casadi as ca
 
 from ..base import smoothing
-from .language import Component, mode, option, parameter
+from .language import Component, Expression, Stated, mode, option, parameter
 
-SLOW = 1e-9
-HOLD = 1e-10
+REST_SPEED = 1e-9  # [m/s, rad/s]
+BREAKAWAY_MARGIN = 1e-10  # share by which a limit is passed: so it accelerates, for all rounding in its load
 
 
-class StickSlip(Component):
+class Sticking(Component):
+    """What sticks and slips: the three modes of dry friction, and when they change.
+
+    A subclass names its resistance, speed and acceleration in `quantities`, and gives `limits`, the
+    resistances forward and backward beyond which sticking ends.
+    """
+
+    mode = mode("stuck", "forward", "backward", doc="sticking or sliding", in_shock={"stuck": "forward"})
+    quantities = "f", "v_rel", "a_rel"
+    regularised: Expression = None
+
+    resistance = property(lambda self: getattr(self, self.quantities[0]))
+    speed = property(lambda self: getattr(self, self.quantities[1]))
+    acceleration = property(lambda self: getattr(self, self.quantities[2]))
+
+    @property
+    def grips(self) -> Expression:
+        """Condition for sticking at all, if there is one."""
+        return None
+
+    def transitions(self) -> Stated:
+        """Break away beyond a limit; stick where the speed changes its sign, unless it jumped."""
+        if self.regularised:
+            return
+        resistance, speed = self.resistance, self.speed
+        forward, backward = ((1 + BREAKAWAY_MARGIN) * limit for limit in self.limits)
+        rests = ca.fabs(speed) < REST_SPEED
+        allowed = rests if self.grips is None else ca.logic_and(rests, self.grips)
+        stop = {self.quantities[1]: ca.if_else(rests, 0.0, speed)}
+        yield self.mode.goes("stuck", "forward", when=resistance > forward, allowed=allowed)
+        yield self.mode.goes("stuck", "backward", when=-resistance > backward, allowed=allowed)
+        yield self.mode.goes("stuck", "forward", when=speed > 0)
+        yield self.mode.goes("stuck", "backward", when=speed < 0)
+        yield self.mode.goes("forward", "stuck", when=speed < 0, reset=stop)
+        yield self.mode.goes("backward", "stuck", when=speed > 0, reset=stop)
+
+
+class StickSlip(Sticking):
     """Dry friction with three modes.
 
     Stuck: the acceleration is zero and the resistance whatever that takes, up to break-away.
     Forward and backward: the resistance follows the law `sliding(speed)` against the motion.
 
-    A subclass defines `resistance`, `speed`, `acceleration` (properties), `speed_name`, and
-    `sliding(speed)`, the resistance at a speed that is not negative; `sliding_back` if it differs backward.
+    A subclass defines `quantities` and `sliding(speed)`, the resistance at a speed that is not negative;
+    `sliding_back` if it differs backward.
 
     Source: M. Otter, H. Elmqvist, S. E. Mattsson, Hybrid modeling in Modelica based on the
     synchronous data flow principle (1999), section 4.
     """
 
-    mode = mode("stuck", "forward", "backward", doc="sticking or sliding", in_shock={"stuck": "forward"})
     peak = parameter("1", "break-away resistance over sliding resistance at rest", default=1.0, min=1.0)
     regularised = option(
         "speed over which the sign of the motion is smoothed (no events, but creeps when it should stick)",
@@ -35,23 +66,21 @@ class StickSlip(Component):
         check=smoothing,
     )
 
-    speed_name = "v_rel"
-
     @property
-    def grips(self) -> Any:
-        """Condition for sticking at all, if there is one."""
-        return None
-
-    @property
-    def breakaway(self) -> Any:
+    def breakaway(self) -> Expression:
         """Resistance at which sliding begins."""
         return self.peak * self.sliding(0.0)
 
-    def sliding_back(self, speed: Any) -> Any:
+    @property
+    def limits(self) -> tuple[Expression, Expression]:
+        """Resistances at which sliding begins, forward and backward."""
+        return self.breakaway, self.peak * self.sliding_back(0.0)
+
+    def sliding_back(self, speed: Expression) -> Expression:
         """Resistance at a speed backward, by default as forward."""
         return self.sliding(speed)
 
-    def laws(self) -> dict[str, Any]:
+    def laws(self) -> dict[str, Expression]:
         """What vanishes in each mode."""
         speed = ca.fabs(self.speed)
         return {
@@ -60,38 +89,10 @@ class StickSlip(Component):
             "backward": self.resistance + self.sliding_back(speed),
         }
 
-    def equations(self) -> Iterable[Any]:
+    def equations(self) -> Stated:
         if self.regularised:
             speed = ca.fabs(self.speed)
             friction = ca.if_else(self.speed > 0, self.sliding(speed), self.sliding_back(speed))
             yield self.resistance == ca.tanh(self.speed / self.regularised) * friction
         else:
             yield self.mode.choose(**self.laws()) == 0
-
-    def transitions(self) -> Iterable[Any]:
-        if self.regularised:
-            return
-        limits = self.breakaway, self.peak * self.sliding_back(0.0)
-        slow = ca.fabs(self.speed) < SLOW
-        allowed = slow if self.grips is None else ca.logic_and(slow, self.grips)
-        yield from breakaways(self.mode, self.resistance, limits, allowed)
-        yield from reversals(self.mode, self.speed, self.speed_name)
-
-
-def breakaways(mode: Any, resistance: Any, limits: tuple[Any, Any], allowed: Any = None) -> Iterable[Any]:
-    """Yield the ways out of sticking: a resistance beyond its limit forward or backward.
-
-    A hair beyond: then what breaks away also accelerates, for all rounding in its load.
-    """
-    forward, backward = ((1 + HOLD) * limit for limit in limits)
-    yield mode.goes("stuck", "forward", when=resistance > forward, allowed=allowed)
-    yield mode.goes("stuck", "backward", when=-resistance > backward, allowed=allowed)
-
-
-def reversals(mode: Any, speed: Any, name: str) -> Iterable[Any]:
-    """Yield what a change of the speed's sign does: it ends in sticking, unless the speed jumped."""
-    stop = {name: ca.if_else(ca.fabs(speed) < SLOW, 0.0, speed)}
-    yield mode.goes("stuck", "forward", when=speed > 0)
-    yield mode.goes("stuck", "backward", when=speed < 0)
-    yield mode.goes("forward", "stuck", when=speed < 0, reset=stop)
-    yield mode.goes("backward", "stuck", when=speed > 0, reset=stop)

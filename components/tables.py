@@ -1,22 +1,19 @@
 """Tables: values given over speed, in between by straight lines."""
 
-from __future__ import annotations
-
-from collections.abc import Callable
 from itertools import pairwise
 from typing import Any
 
 import casadi as ca
 
 from ..base import rows
+from .language import Expression, option
 
-Table = tuple[tuple[float, ...], ...]
 
-
-def over_speed(value: str) -> Callable[[Any], str]:
-    """Return a check for rows (speed, value)."""
+def over_speed(columns: str, value: str, default: float = 1.0) -> Any:
+    """Declare rows (speed, value), whose columns are told with units; the default is one row, at rest."""
     what = f"takes rows (speed, {value}) of finite numbers, speeds increasing from 0, values not below 0"
-    return rows(what, 2, lambda given: _increase(given) and all(y >= 0 for _, y in given))
+    check = rows(what, 2, lambda given: _increase(given) and all(y >= 0 for _, y in given))
+    return option(f"rows ({columns}), speeds increasing from 0", default=((0.0, default),), check=check)
 
 
 def over_speed_with_losses(value: Any) -> str:
@@ -36,7 +33,7 @@ def _increase(given: list[tuple[float, ...]]) -> bool:
     return given[0][0] == 0 and all(a[0] < b[0] for a, b in pairwise(given))
 
 
-def interpolated(table: Table, at: Any, column: int = 1) -> Any:
+def interpolated(table: tuple[tuple[float, ...], ...], at: Expression, column: int = 1) -> Expression:
     """Return a column of a table at a value of its first column, its ends extrapolated.
 
     A table of one row is constant.

@@ -5,8 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping
 from typing import TYPE_CHECKING, Any, Self
 
-from ..base import ModelError, nearest, text
-from ..base.keywords import check_keywords
+from ..base import ModelError, check_keywords, nearest, text
 from ..components.language import Component, PortRef
 
 if TYPE_CHECKING:

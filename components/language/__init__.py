@@ -1,12 +1,15 @@
 """The language of components: what they declare, and how their equations are read."""
 
 from .component import Component as Component
+from .component import Expression as Expression
 from .component import PortRef as PortRef
+from .component import Stated as Stated
+from .component import fields_of as fields_of
 from .domain import Domain as Domain
 from .fields import MISSING as MISSING
 from .fields import Field as Field
 from .fields import Impulse as Impulse
-from .fields import Mode as Mode
+from .fields import ModeField as ModeField
 from .fields import Option as Option
 from .fields import Parameter as Parameter
 from .fields import Part as Part
@@ -28,4 +31,3 @@ from .sampled import INTERPOLATIONS as INTERPOLATIONS
 from .sampled import Sampled as Sampled
 from .template import Shock as Shock
 from .template import Template as Template
-from .template import Transition as Transition

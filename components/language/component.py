@@ -2,17 +2,20 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
-from typing import Any, ClassVar, Self
+from typing import Any, ClassVar, Self, TypeVar
 
-from ...base.checks import is_number, number
+from ...base.checks import is_number
 from ...base.errors import ModelError, UnknownPartError, nearest
 from .domain import Domain
 from .fields import MISSING, Field, Option, Parameter, Part, Port, RealInput, RealOutput, Variable
-from .sampled import Sampled
 
-_PORTS = (Port, RealInput, RealOutput)
+Expression = Any  # of symbols while equations are read; a number or an array anywhere else
+Stated = Iterable[Any]  # equations, transitions or connections, as a component yields them
+F = TypeVar("F", bound=Field)
+CONNECTABLE = (Port, RealInput, RealOutput)
+SETTABLE = (Parameter, Option, Variable, RealInput)
 
 
 @dataclass(slots=True, eq=False)
@@ -47,61 +50,45 @@ class Component:
 
     has_law: ClassVar[bool] = True
     fields: ClassVar[dict[str, Field]] = {}
-    _options: ClassVar[tuple[Option, ...]] = ()
-    _required: ClassVar[tuple[Parameter, ...]] = ()
-    _declared_parts: ClassVar[tuple[Part, ...]] = ()
-    _parameters: ClassVar[tuple[Parameter, ...]] = ()
-    _ports: ClassVar[tuple[Port, ...]] = ()
-    _inputs: ClassVar[tuple[RealInput, ...]] = ()
+    _by_kind: ClassVar[dict[type[Field], tuple[Any, ...]]] = {}
     _templates: ClassVar[dict[tuple[Any, ...], Any]] = {}
 
     def __init_subclass__(cls) -> None:
         super().__init_subclass__()
         for name, value in list(vars(cls).items()):
             if isinstance(value, Component):
-                declared = Part(value)
-                declared.name = name
-                setattr(cls, name, declared)
+                part = Part(doc=type(value).__name__, default=value)
+                part.__set_name__(cls, name)
+                setattr(cls, name, part)
         cls.fields = {
             name: value
             for klass in reversed(cls.__mro__)
             for name, value in vars(klass).items()
             if isinstance(value, Field)
         }
-        declared_fields = cls.fields.values()
-        cls._options = tuple(f for f in declared_fields if isinstance(f, Option))
-        cls._parameters = tuple(f for f in declared_fields if isinstance(f, Parameter))
-        cls._required = tuple(f for f in cls._parameters if f.default is MISSING)
-        cls._declared_parts = tuple(f for f in declared_fields if isinstance(f, Part))
-        cls._ports = tuple(f for f in declared_fields if isinstance(f, Port))
-        cls._inputs = tuple(f for f in declared_fields if isinstance(f, RealInput))
+        cls._by_kind = {}
         cls._templates = {}
 
     def __init__(self, **values: Any) -> None:
         self._values: dict[str, Any] = {}
-        self._parts: dict[str, Component] = {}
+        self._parts: dict[str, Component] = {p.name: p.default.clone() for p in fields_of(self, Part)}
         self._problems: dict[str, str] = {}
         self._owner: Component | None = None
-        cls = type(self)
-        replacements: dict[str, Component] = {}
         for name, value in values.items():
-            if isinstance(value, Component):
-                replacements[name] = value
-            else:
+            if not isinstance(value, Component):
                 self._set(name, value)
-        for declared in cls._declared_parts:
-            self._parts[declared.name] = declared.default.clone()
-        if cls.parts is not Component.parts and not self._shapeless:
+        if type(self).parts is not Component.parts and not self._shapeless:
             self._parts.update(self.parts())
         self._own_parts()
-        for name, replacement in replacements.items():
-            self._replace(name, replacement)
+        for name, value in values.items():
+            if isinstance(value, Component):
+                self._replace(name, value)
 
     @property
     def _shapeless(self) -> bool:
         """Whether an option is wrong, so that neither parts nor equations can be told."""
         problems = self._problems
-        return bool(problems) and any(option.name in problems for option in type(self)._options)
+        return bool(problems) and any(option.name in problems for option in fields_of(self, Option))
 
     def _own_parts(self) -> None:
         for component in self._parts.values():
@@ -111,11 +98,11 @@ class Component:
         """Return parts that depend on options (a number of planets); called once, at creation."""
         return {}
 
-    def equations(self) -> Iterable[Any]:
+    def equations(self) -> Stated:
         """Yield the equations, each `left == right`; those of base classes are added by themselves."""
         return ()
 
-    def transitions(self) -> Iterable[Any]:
+    def transitions(self) -> Stated:
         """Yield the mode transitions, each `self.mode.goes(source, target, when=...)`."""
         return ()
 
@@ -158,19 +145,7 @@ class Component:
 
     def _set(self, name: str, value: Any) -> None:
         field = type(self).fields.get(name)
-        if isinstance(field, Parameter):
-            problem = _parameter_problem(field, value)
-        elif isinstance(field, Option):
-            problem = field.problem(value)
-        elif isinstance(field, Variable):
-            problem = "" if is_number(value) else f"start value of {name} must be a number, got {value!r}"
-        elif isinstance(field, RealInput):
-            good = is_number(value) or isinstance(value, Sampled | Callable)
-            problem = (
-                "" if good else f"{name} takes a number, a function of time or Sampled data, got {value!r}"
-            )
-        else:
-            problem = self._unknown(name)
+        problem = field.problem(value) if isinstance(field, SETTABLE) else self._unknown(name)
         self._problems.pop(name, None)
         if problem:
             self._problems[name] = problem
@@ -184,22 +159,18 @@ class Component:
     def problems(self) -> Iterator[str]:
         """Yield what is wrong with this component's own values."""
         yield from self._problems.values()
-        for field in type(self)._required:
-            if field.name not in self._values:
+        for field in fields_of(self, Parameter):
+            if field.default is MISSING and field.name not in self._values:
                 yield f"{field.name} [{field.unit}] ({field.doc}) must be given"
 
     def _get(self, field: Field) -> Any:
-        if isinstance(field, _PORTS):
+        if isinstance(field, CONNECTABLE):
             return PortRef(self, field.name)
         if isinstance(field, Part):
             return self._parts[field.name]
         if isinstance(field, Parameter):
             return self._parameter_value(field)
-        if field.name in self._values:
-            return self._values[field.name]
-        if isinstance(field, Option):
-            return field.default
-        return field
+        return self._values.get(field.name, field.default if isinstance(field, Option) else field)
 
     def _parameter_value(self, field: Parameter) -> Any:
         value = self._values.get(field.name, MISSING)
@@ -215,18 +186,14 @@ class Component:
     def __setattr__(self, name: str, value: Any) -> None:
         if name.startswith("_"):
             object.__setattr__(self, name, value)
-        elif isinstance(type(self).fields.get(name), _SETTABLE):
+        elif isinstance(type(self).fields.get(name), SETTABLE):
             self._assign(name, value)
         else:
             self._refuse(name, value)
             object.__setattr__(self, name, value)
 
     def _assign(self, name: str, value: Any) -> None:
-        """Set a value later on, as `with_values` sets it on a copy.
-
-        Raises:
-            ModelError: for a value that cannot be; the one before is kept.
-        """
+        """Set a value later on; one that cannot be is a ModelError, and the one before is kept."""
         copy = self.with_values(**{name: value})
         if name in copy._problems:
             raise ModelError(f"{type(self).__name__}.{name}: {copy._problems[name]}")
@@ -256,12 +223,9 @@ class Component:
         return f"{type(self).__name__}({values})"
 
 
-_SETTABLE = (Parameter, Option, Variable, RealInput)
-
-
-def _parameter_problem(field: Parameter, value: Any) -> str:
-    if type(value) is not float and (isinstance(value, Parameter) or callable(value)):
-        return ""
-    if type(value) is not float and number(value):
-        return f"{field.name} must be a number [{field.unit}], got {value!r}"
-    return field.problem(float(value))
+def fields_of(component: Component, kind: type[F]) -> tuple[F, ...]:
+    """Return the fields of one kind; they are looked up once for each class."""
+    known = component._by_kind
+    if kind not in known:
+        known[kind] = tuple(f for f in component.fields.values() if isinstance(f, kind))
+    return known[kind]

@@ -1,7 +1,5 @@
 """`Domain`: sliding or turning, and what each calls its quantities."""
 
-from __future__ import annotations
-
 from enum import StrEnum
 from typing import Self
 

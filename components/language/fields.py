@@ -7,9 +7,12 @@ port to connect, a part); inside `equations` it gives the symbol.
 from __future__ import annotations
 
 from collections.abc import Callable
+from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any, ClassVar
 
+from ...base.checks import is_number, number
 from .domain import Domain
+from .sampled import Sampled
 
 if TYPE_CHECKING:
     from .component import Component
@@ -17,14 +20,19 @@ if TYPE_CHECKING:
 MISSING: Any = type("Missing", (), {"__repr__": lambda _: "required"})()
 
 
+@dataclass(eq=False)
 class Field:
     """One declared name of a component."""
 
-    kind: ClassVar[str] = "field"
     domain: ClassVar[Domain | None] = None
+    unit: str = ""
+    doc: str = ""
+    name: str = field(default="", init=False)
 
-    def __init__(self, unit: str = "", doc: str = "") -> None:
-        self.unit, self.doc, self.name = unit, doc, ""
+    @property
+    def kind(self) -> str:
+        """What it is, in a word, such as parameter or input."""
+        return type(self).__name__.removeprefix("Real").removesuffix("Field").lower()
 
     def __set_name__(self, owner: type, name: str) -> None:
         self.name = name
@@ -33,26 +41,24 @@ class Field:
         return self if instance is None else instance._get(self)
 
 
+@dataclass(eq=False)
 class Parameter(Field):
     """A number that stays constant during a run."""
 
-    kind = "parameter"
+    default: Any = MISSING
+    min: float | None = None
+    above: float | None = None
+    max: float | None = None
+    nonzero: bool = False
 
-    def __init__(
-        self,
-        unit: str,
-        doc: str,
-        default: Any = MISSING,
-        min: float | None = None,
-        above: float | None = None,
-        max: float | None = None,
-        nonzero: bool = False,
-    ) -> None:
-        super().__init__(unit, doc)
-        self.default, self.min, self.above, self.max, self.nonzero = default, min, above, max, nonzero
-
-    def problem(self, value: float) -> str:
+    def problem(self, value: Any) -> str:
         """Say what is wrong with a value, or return an empty string."""
+        if type(value) is not float:
+            if isinstance(value, Parameter) or callable(value):
+                return ""
+            if number(value):
+                return f"{self.name} must be a number [{self.unit}], got {value!r}"
+            value = float(value)
         unit = f" {self.unit}" if self.unit not in ("", "1") else ""
         if not abs(value) < float("inf"):
             return f"{self.name} must be a finite number{unit and f' [{self.unit}]'}, got {value}"
@@ -65,20 +71,13 @@ class Parameter(Field):
         return f"{self.name} must not be 0{unit}" if self.nonzero and value == 0 else ""
 
 
+@dataclass(eq=False)
 class Option(Field):
     """A choice that shapes the equations themselves, fixed when the network is assembled."""
 
-    kind = "option"
-
-    def __init__(
-        self,
-        doc: str,
-        default: Any,
-        choices: tuple[Any, ...] | None = None,
-        check: Callable[[Any], str] | None = None,
-    ) -> None:
-        super().__init__("", doc)
-        self.default, self.choices, self.check = default, choices, check
+    default: Any = None
+    choices: tuple[Any, ...] | None = None
+    check: Callable[[Any], str] | None = None
 
     def problem(self, value: Any) -> str:
         """Say what is wrong with a value, or return an empty string."""
@@ -89,36 +88,35 @@ class Option(Field):
         return f"{self.name} {told}, got {value!r}" if told else ""
 
 
+@dataclass(eq=False)
 class Variable(Field):
     """A quantity that moves."""
 
-    kind = "variable"
+    start: float = 0.0
+    nominal: float = float("nan")
+    state: str = "default"
+    follows: str = ""
 
-    def __init__(
-        self,
-        unit: str,
-        doc: str,
-        start: float = 0.0,
-        nominal: float = float("nan"),
-        state: str = "default",
-        follows: str = "",
-    ) -> None:
-        super().__init__(unit, doc)
-        self.start, self.nominal, self.state, self.follows = start, nominal, state, follows
+    def problem(self, value: Any) -> str:
+        """Say what is wrong with a start value, or return an empty string."""
+        return "" if is_number(value) else f"start value of {self.name} must be a number, got {value!r}"
 
 
 class RealInput(Field):
     """A signal that comes in: connected, bound to a function of time or data, or left to the run."""
 
-    kind = "input"
+    def problem(self, value: Any) -> str:
+        """Say what is wrong with a signal, or return an empty string."""
+        good = is_number(value) or isinstance(value, Sampled) or callable(value)
+        told = f"{self.name} takes a number, a function of time or Sampled data, got {value!r}"
+        return "" if good else told
 
 
 class RealOutput(Field):
     """A signal that goes out."""
 
-    kind = "output"
 
-
+@dataclass(eq=False)
 class Port(Field):
     """A mechanical connection point: an across and a through variable.
 
@@ -129,12 +127,12 @@ class Port(Field):
             acts on it then.
     """
 
-    kind = "port"
     domain: ClassVar[Domain]  # pyright: ignore[reportIncompatibleVariableOverride]
+    unit: str = field(default="", init=False)
+    optional: bool = False
+    free: bool = False
 
-    def __init__(self, doc: str = "", optional: bool = False, free: bool = False) -> None:
-        super().__init__("", doc)
-        self.optional, self.free = optional, free
+    def __post_init__(self) -> None:
         self.across, self.through = self.domain.across, self.domain.through
         self.units = self.domain.motion_units[0], self.domain.through_unit
 
@@ -151,30 +149,23 @@ class RotationalFlange(Port):
     domain = Domain.ROTATIONAL
 
 
-class Mode(Field):
+@dataclass(eq=False)
+class ModeField(Field):
     """A discrete state of a component; constant between events."""
 
-    kind = "mode"
-
-    def __init__(self, values: tuple[str, ...], doc: str, in_shock: dict[str, str]) -> None:
-        super().__init__("1", doc)
-        self.values, self.in_shock = values, in_shock
+    values: tuple[str, ...] = ()
+    in_shock: dict[str, str] = field(default_factory=dict)
 
 
 class Impulse(Field):
     """The integral of a through variable over a shock; zero except at the shock itself."""
 
-    kind = "impulse"
 
-
+@dataclass(eq=False)
 class Part(Field):
     """A component inside a component."""
 
-    kind = "part"
-
-    def __init__(self, default: Component, doc: str = "") -> None:
-        super().__init__("", doc or type(default).__name__)
-        self.default = default
+    default: Any = None
 
 
 def parameter(
@@ -217,7 +208,7 @@ def option(
         choices: the values allowed.
         check: a function that says what a value must be (`"must be above 0"`) if it is not.
     """
-    return Option(doc, default, choices, check)
+    return Option("", doc, default, choices, check)
 
 
 def variable(
@@ -251,7 +242,7 @@ def mode(*values: str, doc: str = "mode", in_shock: dict[str, str] | None = None
         in_shock: the mode that stands in for another while an impulse acts: friction that sticks
             cannot transmit an impulse, so `{"stuck": "forward"}`.
     """
-    return Mode(values, doc, in_shock or {})
+    return ModeField("1", doc, values, in_shock or {})
 
 
 def impulse(unit: str, doc: str) -> Any:

@@ -1,10 +1,4 @@
-"""Reading a component class: its equations become a `Template`, once for all its instances.
-
-What `equations` and `transitions` yield becomes residuals over a list of local symbols, and the plain
-equalities between variables (aliases) apart from them.
-"""
-
-from __future__ import annotations
+"""Reading a component class: what it yields becomes a `Template` of residuals and aliases."""
 
 from collections.abc import Iterable, Iterator
 from contextvars import ContextVar
@@ -14,7 +8,7 @@ import casadi as ca
 
 from ...base.errors import ModelError
 from ...base.quiet import numpy_on_symbols
-from .component import Component
+from .component import Component, fields_of
 from .fields import Option, Part, Port, RealInput, RealOutput, Variable
 from .scope import Scope
 from .template import Template
@@ -37,7 +31,7 @@ def der(variable: Any) -> Any:
 def template_of(component: Component) -> Template:
     """Return the template of a component, read once per class and choice of options."""
     kind = type(component)
-    options = tuple(component._get(option) for option in kind._options)
+    options = tuple(component._get(option) for option in fields_of(component, Option))
     try:
         known = kind._templates.get(options)
     except TypeError:

@@ -9,9 +9,15 @@ from numpy.typing import ArrayLike, NDArray
 from ...base.errors import ModelError
 
 INTERPOLATIONS = ("cubic", "linear")
-LEAST = {"cubic": 4, "linear": 2}
+LEAST_SAMPLES = {"cubic": 4, "linear": 2}
 EXTRAPOLATIONS = ("none", "hold")
-SLACK = 1e-9  # share of a run by which it may go beyond its data, for rounding
+OVERRUN_SHARE = 1e-9  # share of a run by which it may go beyond its data, for rounding
+REMEDIES = {
+    "M": "; give seconds, (t - t[0]) / np.timedelta64(1, 's')",
+    "m": "; give seconds, t / np.timedelta64(1, 's')",
+    "c": "; give its real part or its size",
+    "b": "; give 0.0 and 1.0",
+}
 
 
 @dataclass(frozen=True, eq=False)
@@ -44,18 +50,13 @@ class Sampled:
     extrapolation: str
 
     def __init__(
-        self,
-        time: ArrayLike,
-        values: ArrayLike,
-        *,
-        interpolation: str = "cubic",
-        extrapolation: str = "none",
+        self, time: ArrayLike, values: ArrayLike, *, interpolation: str = "cubic", extrapolation: str = "none"
     ) -> None:
         for name, choice, known in (
             ("interpolation", interpolation, INTERPOLATIONS),
             ("extrapolation", extrapolation, EXTRAPOLATIONS),
         ):
-            if choice not in [one for one in known if type(choice) is str]:
+            if type(choice) is not str or choice not in known:
                 told = " or ".join(f"'{one}'" for one in known)
                 raise ModelError(f"Sampled signal: {name} is {told}, got {choice!r}")
             object.__setattr__(self, name, choice)
@@ -67,14 +68,14 @@ class Sampled:
 
     def covers(self, begin: float, stop: float) -> bool:
         """Return whether it is known from one instant to another [s]."""
-        slack = SLACK * (stop - begin) + 4 * float(np.spacing(max(abs(begin), abs(stop))))
+        slack = OVERRUN_SHARE * (stop - begin) + 4 * float(np.spacing(max(abs(begin), abs(stop))))
         known = self.time[0] - slack <= begin and stop <= self.time[-1] + slack
         return self.extrapolation == "hold" or bool(known)
 
     def _problem(self) -> str:
         if len(self.time) != len(self.values):
             return f"{len(self.time)} instants but {len(self.values)} values"
-        least = LEAST[self.interpolation]
+        least = LEAST_SAMPLES[self.interpolation]
         if len(self.time) < least:
             smooth = "a smooth" if self.interpolation == "cubic" else "a linear"
             return f"at least {least} samples are needed for {smooth} signal, got {len(self.time)}"
@@ -90,30 +91,16 @@ class Sampled:
 
 
 def column(name: str, given: Any) -> NDArray[np.float64]:
-    """Return numbers as a vector of their own.
-
-    Raises:
-        ModelError: for what is no column of real numbers; masked values become NaN.
-    """
+    """Return real numbers as a vector of their own, masked ones as NaN; raise a ModelError for others."""
     try:
         array = np.asanyarray(given)
         kind = array.dtype.kind
         if kind not in "iufO":
-            raise TypeError(_wrong_kind(name, array.dtype))
+            held = "text" if kind in "SU" else array.dtype
+            raise TypeError(f"{name} is {held}{REMEDIES.get(kind, '')}")
         if array.size != max(array.shape, default=1):
             raise TypeError(f"{name} is one column, got an array of shape {array.shape}")
         numbers = np.array(array, dtype=float)
         return np.where(np.ma.getmaskarray(array), np.nan, numbers).ravel()
     except (TypeError, ValueError, OverflowError) as error:
         raise ModelError(f"Sampled signal: time and values must be numbers ({error})") from None
-
-
-def _wrong_kind(name: str, dtype: Any) -> str:
-    """Say what a column holds that is no number, and how to make numbers of it."""
-    remedies = {
-        "M": "; give seconds, (t - t[0]) / np.timedelta64(1, 's')",
-        "m": "; give seconds, t / np.timedelta64(1, 's')",
-        "c": "; give its real part or its size",
-        "b": "; give 0.0 and 1.0",
-    }
-    return f"{name} is {'text' if dtype.kind in 'SU' else dtype}{remedies.get(dtype.kind, '')}"

@@ -1,9 +1,4 @@
-"""`Scope`: what `self` is while a component states its equations.
-
-Every declared variable, parameter and mode is a CasADi SX symbol there.
-"""
-
-from __future__ import annotations
+"""`Scope`: what `self` is while equations are read; variables, parameters and modes are SX symbols."""
 
 import types
 from functools import reduce
@@ -13,7 +8,7 @@ import casadi as ca
 
 from ...base.errors import ModelError, nearest
 from .component import Component
-from .fields import Field, Impulse, Mode, Option, Port, RealInput, RealOutput, Variable
+from .fields import Field, Impulse, ModeField, Option, Port, RealInput, RealOutput, Variable
 from .template import Shock, Template, Transition
 
 
@@ -48,7 +43,7 @@ class Scope:
         if self._prefix:
             raise ModelError(f"equations cannot use {field_.kind} '{field_.name}' of a part")
         template, name = self._template, field_.name
-        if isinstance(field_, Mode):
+        if isinstance(field_, ModeField):
             symbol = template.modes.setdefault(name, ca.SX.sym(name))
             return _ModeScope(template, field_, symbol)
         table = template.impulses if isinstance(field_, Impulse) else template.parameters
@@ -82,7 +77,7 @@ class _PortScope:
 
 
 class _ModeScope:
-    def __init__(self, template: Template, mode: Mode, symbol: Any) -> None:
+    def __init__(self, template: Template, mode: ModeField, symbol: Any) -> None:
         self._template, self._mode, self._symbol = template, mode, symbol
 
     def _index(self, value: str) -> int:

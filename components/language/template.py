@@ -1,7 +1,5 @@
 """`Template`: the equations of one component class in its own local symbols."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass, field
 from functools import cached_property
 from typing import Any

@@ -1,13 +1,12 @@
 """Elements that turn."""
 
-from .bases import Compliant as Compliant
-from .bases import CompliantWithSpeed as CompliantWithSpeed
-from .bases import TwoFlanges as TwoFlanges
 from .clutches import Brake as Brake
 from .clutches import Clutch as Clutch
 from .clutches import OneWayClutch as OneWayClutch
 from .compliances import BilinearSpring as BilinearSpring
 from .compliances import BoucWen as BoucWen
+from .compliances import Compliant as Compliant
+from .compliances import CompliantWithSpeed as CompliantWithSpeed
 from .compliances import CubicSpring as CubicSpring
 from .compliances import Damper as Damper
 from .compliances import ElastoBacklash as ElastoBacklash
@@ -16,21 +15,22 @@ from .compliances import QuadraticDamper as QuadraticDamper
 from .compliances import Ripple as Ripple
 from .compliances import Spring as Spring
 from .compliances import SpringDamper as SpringDamper
+from .compliances import TwoFlanges as TwoFlanges
+from .friction import AsymmetricFriction as AsymmetricFriction
 from .friction import BearingFriction as BearingFriction
 from .friction import CoulombFriction as CoulombFriction
+from .friction import DriftingFriction as DriftingFriction
 from .friction import Friction as Friction
+from .friction import LoadedFriction as LoadedFriction
 from .friction import StribeckFriction as StribeckFriction
 from .friction import TabulatedFriction as TabulatedFriction
-from .friction_variants import AsymmetricFriction as AsymmetricFriction
-from .friction_variants import DriftingFriction as DriftingFriction
-from .friction_variants import LoadedFriction as LoadedFriction
 from .gears import GearMesh as GearMesh
 from .gears import IdealGear as IdealGear
 from .gears import IdealPlanetary as IdealPlanetary
+from .gears import LossyGear as LossyGear
 from .inertias import Disc as Disc
 from .inertias import Fixed as Fixed
 from .inertias import Inertia as Inertia
-from .lossy_gear import LossyGear as LossyGear
 from .sensors import AccelerationSensor as AccelerationSensor
 from .sensors import AngleSensor as AngleSensor
 from .sensors import RelativeAccelerationSensor as RelativeAccelerationSensor

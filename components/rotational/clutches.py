@@ -1,26 +1,17 @@
 """Clutches and brakes: friction that a signal switches on."""
 
-from __future__ import annotations
-
-from collections.abc import Iterable
-from typing import Any
-
 import casadi as ca
 
-from ..language import RotationalFlange, Shock, der, impulse, mode, parameter, variable
+from ..language import Expression, RotationalFlange, Shock, Stated, der, impulse, mode, parameter, variable
 from ..pressed import Pressed, PressedStickSlip
-from ..stickslip import SLOW
+from ..stickslip import REST_SPEED
 from ..tables import interpolated
-from .bases import Compliant
+from .compliances import Compliant
 from .friction import Friction
 
 
 class _Discs(Pressed):
     cgeo = parameter("m", "mean friction radius times number of friction faces", above=0, default=1.0)
-
-    def sliding(self, speed: Any) -> Any:
-        """Friction torque at a speed."""
-        return self.cgeo * self.grip(speed)
 
 
 class Clutch(Friction, _Discs, PressedStickSlip):
@@ -48,12 +39,9 @@ class Brake(_Discs, PressedStickSlip):
     a = variable("rad/s2", "acceleration against the support")
     tau = variable("N.m", "braking torque, positive against positive speed")
 
-    resistance = property(lambda self: self.tau)
-    speed = property(lambda self: self.w)
-    acceleration = property(lambda self: self.a)
-    speed_name = "w"
+    quantities = "tau", "w", "a"
 
-    def equations(self) -> Iterable[Any]:
+    def equations(self) -> Stated:
         yield self.phi == self.flange.phi - self.support.phi
         yield self.w == der(self.phi)
         yield self.a == der(self.w)
@@ -83,20 +71,20 @@ class OneWayClutch(Compliant, _Discs):
 
     least = 1e-4
 
-    def equations(self) -> Iterable[Any]:
+    def equations(self) -> Stated:
         yield self.w_rel == der(self.phi_rel)
         yield self.a_rel == der(self.w_rel)
         yield self.mode.choose(stuck=self.a_rel, forward=self.tau + self.J - self.sliding(self.w_rel)) == 0
 
     @property
-    def breakaway(self) -> Any:
+    def breakaway(self) -> Expression:
         """Torque at which flange_b begins to run ahead."""
         share = ca.fmax(self.f_normalized * ca.fmax(self.peak, 1 + self.least), self.least)
         return interpolated(self.mu_pos, 0.0) * self.cgeo * self.fn_max * share
 
-    def transitions(self) -> Iterable[Any]:
+    def transitions(self) -> Stated:
         w = self.w_rel
-        stop = {"w_rel": ca.if_else(ca.fabs(w) < SLOW, 0.0, w)}
+        stop = {"w_rel": ca.if_else(ca.fabs(w) < REST_SPEED, 0.0, w)}
         yield self.mode.goes("stuck", "forward", when=self.tau > self.breakaway)
         yield self.mode.goes("stuck", "forward", when=w > 0)
         yield self.mode.goes("forward", "stuck", when=w < 0, reset=stop)

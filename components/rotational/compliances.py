@@ -1,17 +1,42 @@
-"""Springs, dampers, the inerter and backlash: torques between two flanges."""
+"""What acts between two shafts: springs, dampers, the inerter and backlash."""
 
-from __future__ import annotations
-
-from collections.abc import Iterable
 from math import pi
-from typing import Any
 
 import casadi as ca
 
-from ..language import der, parameter, variable
-from .bases import Compliant, CompliantWithSpeed
+from ..language import Component, Expression, RotationalFlange, Stated, der, parameter, variable
 
-REST = 1e-300  # rad
+LEAST_HYSTERESIS = 1e-300  # [rad]
+
+
+class TwoFlanges(Component):
+    """Two flanges and the angle between them: phi_rel = flange_b.phi - flange_a.phi."""
+
+    flange_a = RotationalFlange("left flange")
+    flange_b = RotationalFlange("right flange")
+    phi_rel = variable("rad", "angle between the flanges", state="avoid")
+
+    def equations(self) -> Stated:
+        yield self.phi_rel == self.flange_b.phi - self.flange_a.phi
+
+
+class Compliant(TwoFlanges):
+    """Two flanges without inertia between them: tau = flange_b.tau = -flange_a.tau."""
+
+    tau = variable("N.m", "torque between the flanges, positive when it turns b back towards a")
+
+    def equations(self) -> Stated:
+        yield self.flange_b.tau == self.tau
+        yield self.flange_a.tau == -self.tau
+
+
+class CompliantWithSpeed(Compliant):
+    """A compliant element whose law uses the relative speed w_rel = der(phi_rel)."""
+
+    w_rel = variable("rad/s", "relative speed of the flanges", state="avoid")
+
+    def equations(self) -> Stated:
+        yield self.w_rel == der(self.phi_rel)
 
 
 class Spring(Compliant):
@@ -23,7 +48,7 @@ class Spring(Compliant):
     c = parameter("N.m/rad", "stiffness", min=0)
     phi_rel0 = parameter("rad", "unstretched angle", default=0.0)
 
-    def equations(self) -> Iterable[Any]:
+    def equations(self) -> Stated:
         yield self.tau == self.c * (self.phi_rel - self.phi_rel0)
 
 
@@ -35,7 +60,7 @@ class Damper(CompliantWithSpeed):
 
     d = parameter("N.m.s/rad", "damping constant", min=0)
 
-    def equations(self) -> Iterable[Any]:
+    def equations(self) -> Stated:
         yield self.tau == self.d * self.w_rel
 
 
@@ -49,7 +74,7 @@ class SpringDamper(CompliantWithSpeed):
     d = parameter("N.m.s/rad", "damping constant", min=0)
     phi_rel0 = parameter("rad", "unstretched angle", default=0.0)
 
-    def equations(self) -> Iterable[Any]:
+    def equations(self) -> Stated:
         yield self.tau == self.c * (self.phi_rel - self.phi_rel0) + self.d * self.w_rel
 
 
@@ -60,7 +85,7 @@ class CubicSpring(Compliant):
     c3 = parameter("N.m/rad3", "cubic stiffness; negative softens")
     phi_rel0 = parameter("rad", "unstretched angle", default=0.0)
 
-    def equations(self) -> Iterable[Any]:
+    def equations(self) -> Stated:
         e = self.phi_rel - self.phi_rel0
         yield self.tau == self.c * e + self.c3 * e**3
 
@@ -75,7 +100,7 @@ class BilinearSpring(Compliant):
     c_push = parameter("N.m/rad", "stiffness when pushed", min=0)
     phi_rel0 = parameter("rad", "unstretched angle", default=0.0)
 
-    def equations(self) -> Iterable[Any]:
+    def equations(self) -> Stated:
         e = self.phi_rel - self.phi_rel0
         yield self.tau == self.c_pull * ca.fmax(e, 0) + self.c_push * ca.fmin(e, 0)
 
@@ -87,7 +112,7 @@ class Ripple(Compliant):
     tau_cos = parameter("N.m", "amplitude of the cosine", default=0.0)
     period = parameter("rad", "angle after which the torque comes back", above=0)
 
-    def equations(self) -> Iterable[Any]:
+    def equations(self) -> Stated:
         angle = 2 * pi * self.phi_rel / self.period
         yield self.tau == self.tau_sin * ca.sin(angle) + self.tau_cos * ca.cos(angle)
 
@@ -108,9 +133,9 @@ class BoucWen(CompliantWithSpeed):
     n = parameter("1", "sharpness of yield", min=1, default=2.0)
     z = variable("rad", "hysteretic angle")
 
-    def equations(self) -> Iterable[Any]:
+    def equations(self) -> Stated:
         w, z = self.w_rel, self.z
-        size = ca.fmax(ca.fabs(z), REST)  # above 0, where x^n has a slope in n
+        size = ca.fmax(ca.fabs(z), LEAST_HYSTERESIS)  # above 0, where x^n has a slope in n
         yield self.tau == self.alpha * self.c * self.phi_rel + (1 - self.alpha) * self.c * z
         yield der(z) == (
             self.A * w - self.beta * ca.fabs(w) * size ** (self.n - 1) * z - self.gamma * w * size**self.n
@@ -122,7 +147,7 @@ class QuadraticDamper(CompliantWithSpeed):
 
     k = parameter("N.m.s2/rad2", "quadratic damping constant", min=0)
 
-    def equations(self) -> Iterable[Any]:
+    def equations(self) -> Stated:
         yield self.tau == self.k * self.w_rel * ca.fabs(self.w_rel)
 
 
@@ -135,7 +160,7 @@ class Inerter(CompliantWithSpeed):
     J = parameter("kg.m2", "rotational inertance", min=0)
     a_rel = variable("rad/s2", "relative acceleration of the flanges")
 
-    def equations(self) -> Iterable[Any]:
+    def equations(self) -> Stated:
         yield self.a_rel == der(self.w_rel)
         yield self.tau == self.J * self.a_rel
 
@@ -156,11 +181,11 @@ class ElastoBacklash(CompliantWithSpeed):
     b = parameter("rad", "total backlash", min=0, default=0.0)
     phi_rel0 = parameter("rad", "angle in the middle of the backlash", default=0.0)
 
-    def pressed(self, depth: Any, speed: Any) -> Any:
+    def pressed(self, depth: Expression, speed: Expression) -> Expression:
         """Torque of one flank, from how deep and how fast it is pressed."""
         spring = self.c * ca.fmax(depth, 0)
         return ca.fmax(spring + ca.fmin(spring, self.d * speed), 0)
 
-    def equations(self) -> Iterable[Any]:
+    def equations(self) -> Stated:
         x, w, half = self.phi_rel - self.phi_rel0, self.w_rel, self.b / 2
         yield self.tau == self.pressed(x - half, w) - self.pressed(-x - half, -w)

@@ -1,16 +1,11 @@
 """Dry friction between two shafts, and in a bearing."""
 
-from __future__ import annotations
-
-from collections.abc import Iterable
-from typing import Any
-
 import casadi as ca
 
-from ..language import Component, RotationalFlange, der, option, parameter, variable
+from ..language import Component, Expression, RealInput, RotationalFlange, Stated, der, parameter, variable
 from ..stickslip import StickSlip
 from ..tables import interpolated, over_speed
-from .bases import Compliant
+from .compliances import Compliant
 
 
 class Friction(Compliant, StickSlip):
@@ -20,12 +15,9 @@ class Friction(Compliant, StickSlip):
     w_rel = variable("rad/s", "relative speed of the flanges", state="prefer")
     a_rel = variable("rad/s2", "relative acceleration of the flanges")
 
-    resistance = property(lambda self: self.tau)
-    speed = property(lambda self: self.w_rel)
-    acceleration = property(lambda self: self.a_rel)
-    speed_name = "w_rel"
+    quantities = "tau", "w_rel", "a_rel"
 
-    def equations(self) -> Iterable[Any]:
+    def equations(self) -> Stated:
         yield self.w_rel == der(self.phi_rel)
         yield self.a_rel == der(self.w_rel)
 
@@ -38,8 +30,7 @@ class CoulombFriction(Friction):
 
     tau_c = parameter("N.m", "Coulomb friction torque", min=0)
 
-    def sliding(self, speed: Any) -> Any:
-        """Friction torque at a speed."""
+    def sliding(self, speed: Expression) -> Expression:
         return self.tau_c + 0 * speed
 
 
@@ -49,8 +40,7 @@ class StribeckFriction(Friction):
     tau = [tau_c + (tau_s - tau_c) exp(-|w_rel|/w_s)] sgn(w_rel) + d w_rel while sliding;
     |tau| <= peak tau_s while stuck.
 
-    Source: Ge & Wang, Modeling, Testing, and Characteristic Analysis of a Planetary Flywheel Inerter,
-    eq. (26).
+    Source: Ge & Wang on the planetary flywheel inerter (see `ge_wang`), eq. (26).
     """
 
     tau_c = parameter("N.m", "Coulomb friction torque", min=0)
@@ -58,8 +48,7 @@ class StribeckFriction(Friction):
     w_s = parameter("rad/s", "Stribeck speed", above=0)
     d = parameter("N.m.s/rad", "viscous friction", min=0, default=0.0)
 
-    def sliding(self, speed: Any) -> Any:
-        """Friction torque at a speed."""
+    def sliding(self, speed: Expression) -> Expression:
         drop = (self.tau_s - self.tau_c) * ca.exp(-speed / self.w_s)
         return self.tau_c + drop + self.d * speed
 
@@ -72,14 +61,9 @@ class TabulatedFriction(Friction):
     Source: MSL Rotational.Components.BearingFriction.
     """
 
-    tau_pos = option(
-        "rows (speed [rad/s], torque [N.m]), speeds increasing from 0",
-        default=((0.0, 1.0),),
-        check=over_speed("torque"),
-    )
+    tau_pos = over_speed("speed [rad/s], torque [N.m]", "torque")
 
-    def sliding(self, speed: Any) -> Any:
-        """Friction torque at a speed."""
+    def sliding(self, speed: Expression) -> Expression:
         return interpolated(self.tau_pos, speed)
 
 
@@ -98,6 +82,57 @@ class BearingFriction(Component):
     support = RotationalFlange("housing", optional=True)
     friction = CoulombFriction(tau_c=0.0)
 
-    def connections(self) -> Iterable[Any]:
+    def connections(self) -> Stated:
         yield self.support, self.friction.flange_a
         yield self.flange, self.friction.flange_b
+
+
+class AsymmetricFriction(Friction):
+    """Coulomb friction that differs by direction.
+
+    tau = tau_forward for w_rel > 0 and -tau_backward for w_rel < 0.
+    While stuck, -peak tau_backward <= tau <= peak tau_forward.
+
+    Source: B. Armstrong-Helouvry, Control of Machines with Friction (1991), section 2.3.
+    """
+
+    tau_forward = parameter("N.m", "friction torque while the angle grows", min=0)
+    tau_backward = parameter("N.m", "friction torque while it shrinks", min=0)
+
+    def sliding(self, speed: Expression) -> Expression:
+        return self.tau_forward + 0 * speed
+
+    def sliding_back(self, speed: Expression) -> Expression:
+        return self.tau_backward + 0 * speed
+
+
+class LoadedFriction(Friction):
+    """Friction in proportion to a load: tau = mu |load| sgn(w_rel) while sliding.
+
+    While stuck, |tau| <= peak mu |load|.
+
+    Example:
+        >>> from inertance import rotational
+        >>> seal = rotational.LoadedFriction(mu=0.02)  # connect a TorqueSensor's torque to seal.load
+    """
+
+    load = RealInput("N.m", "torque that presses the surfaces together")
+    mu = parameter("1", "friction torque over load", min=0)
+
+    def sliding(self, speed: Expression) -> Expression:
+        return self.mu * ca.fabs(self.load) + 0 * speed
+
+
+class DriftingFriction(Friction):
+    """Friction whose level follows a signal: tau = (tau_c + tau_u u) sgn(w_rel) while sliding.
+
+    u is what the level depends on: time, or a measured temperature. With `regularised` the level may
+    be negative, so that it stands for what a drift adds to, or takes from, friction that is there.
+    """
+
+    u = RealInput("1", "what the level follows")
+    tau_c = parameter("N.m", "friction torque at u = 0", default=0.0)
+    tau_u = parameter("N.m", "change of friction torque with u")
+
+    def sliding(self, speed: Expression) -> Expression:
+        return self.tau_c + self.tau_u * self.u + 0 * speed

@@ -1,12 +1,8 @@
 """Ground, inertia and disc."""
 
-from __future__ import annotations
-
-from collections.abc import Iterable
 from math import pi
-from typing import Any
 
-from ..language import Component, RotationalFlange, der, parameter, variable
+from ..language import Component, Expression, RotationalFlange, Stated, der, parameter, variable
 
 
 class Fixed(Component):
@@ -19,7 +15,7 @@ class Fixed(Component):
     flange = RotationalFlange("held flange")
     phi0 = parameter("rad", "angle", default=0.0)
 
-    def equations(self) -> Iterable[Any]:
+    def equations(self) -> Stated:
         yield self.flange.phi == self.phi0
 
 
@@ -35,7 +31,7 @@ class Inertia(Component):
     w = variable("rad/s", "speed")
     a = variable("rad/s2", "acceleration")
 
-    def equations(self) -> Iterable[Any]:
+    def equations(self) -> Stated:
         yield self.flange.phi == self.phi
         yield self.w == der(self.phi)
         yield self.a == der(self.w)
@@ -64,6 +60,6 @@ class Disc(Inertia):
     )
 
     @property
-    def m(self) -> Any:
+    def m(self) -> Expression:
         """Mass [kg], pi rho l (r^2 - r_i^2)."""
         return pi * self.rho * self.l * (self.r**2 - self.r_i**2)

@@ -1,25 +1,15 @@
 """Sensors: motion and torque as signals, without effect on what they measure."""
 
-from __future__ import annotations
-
-from collections.abc import Iterable
-from typing import Any
-
-from ..language import Component, RealOutput, RotationalFlange, der, variable
+from ..language import Component, RealOutput, RotationalFlange, Stated, der, variable
+from .compliances import TwoFlanges
 
 
 class _Absolute(Component):
     has_law = False
     flange = RotationalFlange("where it is measured")
 
-    def equations(self) -> Iterable[Any]:
+    def equations(self) -> Stated:
         yield self.flange.tau == 0
-
-
-class _Between(Component):
-    has_law = False
-    flange_a = RotationalFlange("left flange")
-    flange_b = RotationalFlange("right flange")
 
 
 class AngleSensor(_Absolute):
@@ -30,7 +20,7 @@ class AngleSensor(_Absolute):
 
     phi = RealOutput("rad", "angle")
 
-    def equations(self) -> Iterable[Any]:
+    def equations(self) -> Stated:
         yield self.phi == self.flange.phi
 
 
@@ -42,7 +32,7 @@ class SpeedSensor(_Absolute):
 
     w = RealOutput("rad/s", "angular velocity")
 
-    def equations(self) -> Iterable[Any]:
+    def equations(self) -> Stated:
         yield self.w == der(self.flange.phi)
 
 
@@ -55,21 +45,21 @@ class AccelerationSensor(_Absolute):
     a = RealOutput("rad/s2", "angular acceleration")
     w = variable("rad/s", "angular velocity", state="avoid")
 
-    def equations(self) -> Iterable[Any]:
+    def equations(self) -> Stated:
         yield self.w == der(self.flange.phi)
         yield self.a == der(self.w)
 
 
-class RelativeAngleSensor(_Between):
+class RelativeAngleSensor(TwoFlanges):
     """Angle between two flanges as a signal: phi_rel = flange_b.phi - flange_a.phi.
 
     Source: MSL Rotational.Sensors.RelAngleSensor.
     """
 
+    has_law = False
     phi_rel = RealOutput("rad", "angle between the flanges")
 
-    def equations(self) -> Iterable[Any]:
-        yield self.phi_rel == self.flange_b.phi - self.flange_a.phi
+    def equations(self) -> Stated:
         yield self.flange_a.tau == 0
         yield self.flange_b.tau == 0
 
@@ -82,7 +72,7 @@ class RelativeSpeedSensor(RelativeAngleSensor):
 
     w_rel = RealOutput("rad/s", "relative angular velocity")
 
-    def equations(self) -> Iterable[Any]:
+    def equations(self) -> Stated:
         yield self.w_rel == der(self.phi_rel)
 
 
@@ -94,11 +84,11 @@ class RelativeAccelerationSensor(RelativeSpeedSensor):
 
     a_rel = RealOutput("rad/s2", "relative angular acceleration")
 
-    def equations(self) -> Iterable[Any]:
+    def equations(self) -> Stated:
         yield self.a_rel == der(self.w_rel)
 
 
-class TorqueSensor(_Between):
+class TorqueSensor(Component):
     """Torque as a signal, between flanges that turn as one: tau = flange_a.tau.
 
     tau is positive where what is joined to flange_a turns flange_b forward.
@@ -106,9 +96,12 @@ class TorqueSensor(_Between):
     Source: MSL Rotational.Sensors.TorqueSensor.
     """
 
+    has_law = False
+    flange_a = RotationalFlange("left flange")
+    flange_b = RotationalFlange("right flange")
     tau = RealOutput("N.m", "torque from flange_a to flange_b")
 
-    def equations(self) -> Iterable[Any]:
+    def equations(self) -> Stated:
         yield self.flange_a.phi == self.flange_b.phi
         yield self.tau == self.flange_a.tau
         yield self.flange_a.tau == -self.flange_b.tau

@@ -1,12 +1,7 @@
 """Sources: torques and prescribed motions, from a signal."""
 
-from __future__ import annotations
-
-from collections.abc import Iterable
-from typing import Any
-
-from ..filtered import after_position, after_speed, critical_frequency, exactness
-from ..language import Component, RealInput, RotationalFlange, der, parameter, variable
+from ..filtered import Filtered
+from ..language import Component, RealInput, RotationalFlange, Stated, der, parameter, variable
 
 
 class _Driven(Component):
@@ -14,7 +9,7 @@ class _Driven(Component):
     flange = RotationalFlange("what is driven")
     support = RotationalFlange("what reacts", optional=True)
 
-    def equations(self) -> Iterable[Any]:
+    def equations(self) -> Stated:
         yield self.support.tau == -self.flange.tau
 
 
@@ -26,7 +21,7 @@ class Torque(_Driven):
 
     tau = RealInput("N.m", "driving torque")
 
-    def equations(self) -> Iterable[Any]:
+    def equations(self) -> Stated:
         yield self.flange.tau == -self.tau
 
 
@@ -38,11 +33,11 @@ class ConstantTorque(_Driven):
 
     tau_constant = parameter("N.m", "driving torque")
 
-    def equations(self) -> Iterable[Any]:
+    def equations(self) -> Stated:
         yield self.flange.tau == -self.tau_constant
 
 
-class Position(_Driven):
+class Position(Filtered, _Driven):
     """A prescribed angle: flange.phi - support.phi = phi_ref. Its speed and acceleration follow.
 
     Where phi_ref bends or jumps, what that takes acts as a shock, whose impulse is an event of the run; a
@@ -54,23 +49,15 @@ class Position(_Driven):
     """
 
     phi_ref = RealInput("rad", "angle")
-    exact = exactness()
-    f_crit = critical_frequency()
     phi = variable("rad", "angle against the support", follows="phi_ref")
     lead = variable("rad", "angle ahead, by which the filter moves", follows="phi_ref")
 
-    def equations(self) -> Iterable[Any]:
+    def equations(self) -> Stated:
         yield self.flange.phi - self.support.phi == self.phi
-        if self.exact:
-            yield self.phi == self.phi_ref
-            yield self.lead == self.phi_ref
-            return
-        rates = after_position(self.phi_ref, self.phi, self.lead, self.f_crit)
-        yield der(self.phi) == rates[0]
-        yield der(self.lead) == rates[1]
+        yield from self.follow_position(self.phi_ref, self.phi, self.lead)
 
 
-class Speed(_Driven):
+class Speed(Filtered, _Driven):
     """A prescribed speed: der(phi) = w_ref, from the start angle phi.
 
     Where w_ref jumps, what that takes acts as a shock, whose impulse is an event of the run. With
@@ -80,18 +67,13 @@ class Speed(_Driven):
     """
 
     w_ref = RealInput("rad/s", "speed")
-    exact = exactness()
-    f_crit = critical_frequency()
     phi = variable("rad", "angle against the support")
     w = variable("rad/s", "speed against the support", follows="w_ref")
 
-    def equations(self) -> Iterable[Any]:
+    def equations(self) -> Stated:
         yield self.phi == self.flange.phi - self.support.phi
         yield der(self.phi) == self.w
-        if self.exact:
-            yield self.w == self.w_ref
-        else:
-            yield der(self.w) == after_speed(self.w_ref, self.w, self.f_crit)
+        yield from self.follow_speed(self.w_ref, self.w)
 
 
 class Accelerate(_Driven):
@@ -104,7 +86,7 @@ class Accelerate(_Driven):
     phi = variable("rad", "angle against the support")
     w = variable("rad/s", "speed against the support")
 
-    def equations(self) -> Iterable[Any]:
+    def equations(self) -> Stated:
         yield self.phi == self.flange.phi - self.support.phi
         yield self.w == der(self.phi)
         yield der(self.w) == self.a_ref

@@ -1,17 +1,17 @@
 """Signals: sources over time and the blocks that close a loop."""
 
 from .blocks import Add as Add
+from .blocks import Delay as Delay
+from .blocks import Derivative as Derivative
+from .blocks import FirstOrder as FirstOrder
 from .blocks import Gain as Gain
+from .blocks import Integrator as Integrator
 from .blocks import Limiter as Limiter
 from .blocks import Product as Product
 from .controllers import PI as PI
 from .controllers import PID as PID
 from .controllers import LimPI as LimPI
 from .controllers import LimPID as LimPID
-from .delay import Delay as Delay
-from .dynamics import Derivative as Derivative
-from .dynamics import FirstOrder as FirstOrder
-from .dynamics import Integrator as Integrator
 from .periodic import Pulse as Pulse
 from .periodic import Trapezoid as Trapezoid
 from .sources import Clock as Clock

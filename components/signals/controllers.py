@@ -1,15 +1,10 @@
 """Controllers."""
 
-from __future__ import annotations
-
-from collections.abc import Iterable
-from typing import Any
-
-from ..language import Component, RealInput, RealOutput, der, parameter, variable
-from .blocks import Block, limited
+from ..language import Component, Expression, RealInput, RealOutput, Stated, der, parameter, variable
+from .blocks import SISO, limited
 
 
-class PI(Block):
+class PI(SISO):
     """Proportional and integral: y = k (u + x) with T x' = u, which is k (1 + 1/(T s)).
 
     Source: MSL Blocks.Continuous.PI.
@@ -19,12 +14,12 @@ class PI(Block):
     T = parameter("s", "integral time", above=0)
     x = variable("", "integral part")
 
-    def equations(self) -> Iterable[Any]:
+    def equations(self) -> Stated:
         yield self.y == self.k * (self.u + self.x)
         yield self.T * der(self.x) == self.u
 
 
-class PID(Block):
+class PID(SISO):
     """Proportional, integral and filtered derivative: k (1 + 1/(Ti s) + Td s/(1 + Td s/Nd)).
 
     Source: MSL Blocks.Continuous.PID.
@@ -37,7 +32,7 @@ class PID(Block):
     x = variable("", "integral part")
     filtered = variable("", "input of the derivative part, filtered")
 
-    def equations(self) -> Iterable[Any]:
+    def equations(self) -> Stated:
         lag = self.u - self.filtered
         yield self.y == self.k * (self.u + self.x + self.Nd * lag)
         yield self.Ti * der(self.x) == self.u
@@ -65,11 +60,11 @@ class LimPI(Component):
     v = variable("", "output before the limits")
 
     @property
-    def rate(self) -> Any:
+    def rate(self) -> Expression:
         """Derivative part."""
         return 0.0
 
-    def equations(self) -> Iterable[Any]:
+    def equations(self) -> Stated:
         error, cut = self.u_s - self.u_m, self.y - self.v
         yield self.v == self.k * (self.wp * self.u_s - self.u_m + self.x + self.rate)
         yield self.y == limited(self.v, self.y_min, self.y_max)
@@ -90,9 +85,9 @@ class LimPID(LimPI):
     x_d = variable("", "input of the derivative part, filtered")
 
     @property
-    def rate(self) -> Any:
+    def rate(self) -> Expression:
         """Derivative part."""
         return self.Nd * (self.wd * self.u_s - self.u_m - self.x_d)
 
-    def equations(self) -> Iterable[Any]:
+    def equations(self) -> Stated:
         yield self.Td * der(self.x_d) == self.rate

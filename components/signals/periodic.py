@@ -1,13 +1,8 @@
 """Periodic signals with edges: every edge is a time event."""
 
-from __future__ import annotations
-
-from collections.abc import Iterable
-from typing import Any
-
 import casadi as ca
 
-from ..language import der, mode, parameter, variable
+from ..language import Expression, Stated, der, mode, parameter, variable
 from .sources import Source, portion
 
 
@@ -21,22 +16,22 @@ class Periodic(Source):
     count = variable("1", "periods begun", state="prefer")
 
     @property
-    def next_period(self) -> Any:
+    def next_period(self) -> Expression:
         """The condition that the next period begins."""
         return self.time > self.start_time + self.count * self.period
 
     @property
-    def elapsed(self) -> Any:
+    def elapsed(self) -> Expression:
         """Time since the present period began."""
         return self.time - self.start_time - (self.count - 1) * self.period
 
     @property
-    def begun(self) -> dict[str, Any]:
+    def begun(self) -> dict[str, Expression]:
         """What a new period resets; a run that begins late catches up at once."""
         passed = ca.floor((self.time - self.start_time) / self.period)
         return {"count": ca.fmax(self.count, passed) + 1}
 
-    def equations(self) -> Iterable[Any]:
+    def equations(self) -> Stated:
         yield der(self.count) == 0
 
 
@@ -49,10 +44,10 @@ class Pulse(Periodic):
     width = parameter("1", "share of the period at offset + amplitude", above=0, max=1, default=0.5)
     mode = mode("low", "high", doc="between or in pulses")
 
-    def equations(self) -> Iterable[Any]:
+    def equations(self) -> Stated:
         yield self.y == self.offset + self.mode.choose(low=0.0, high=self.amplitude)
 
-    def transitions(self) -> Iterable[Any]:
+    def transitions(self) -> Stated:
         yield self.mode.goes("low", "high", when=self.next_period, reset=self.begun)
         yield self.mode.goes("high", "low", when=self.elapsed > self.width * self.period)
 
@@ -70,13 +65,13 @@ class Trapezoid(Periodic):
     falling = parameter("s", "how long it falls", min=0)
     mode = mode("low", "rising", "high", "falling", doc="where in the period")
 
-    def equations(self) -> Iterable[Any]:
+    def equations(self) -> Stated:
         up = portion(self.elapsed, self.rising)
         down = 1 - portion(self.elapsed - self.rising - self.width, self.falling)
         shape = self.mode.choose(low=0.0, rising=up, high=1.0, falling=down)
         yield self.y == self.offset + self.amplitude * shape
 
-    def transitions(self) -> Iterable[Any]:
+    def transitions(self) -> Stated:
         top = self.rising + self.width
         yield self.mode.goes("low", "rising", when=self.next_period, reset=self.begun)
         yield self.mode.goes("rising", "high", when=self.elapsed > self.rising)

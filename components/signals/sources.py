@@ -1,15 +1,12 @@
 """Signals of time; where they jump or bend, the run makes a time event."""
 
-from __future__ import annotations
-
 from collections.abc import Iterable
 from itertools import pairwise
-from typing import Any
 
 import casadi as ca
 
 from ...base import instant, rows
-from ..language import Component, RealOutput, mode, option, parameter
+from ..language import Component, Expression, RealOutput, Stated, mode, option, parameter
 
 
 class Source(Component):
@@ -26,7 +23,7 @@ class Constant(Source):
 
     k = parameter("", "value")
 
-    def equations(self) -> Iterable[Any]:
+    def equations(self) -> Stated:
         yield self.y == self.k
 
 
@@ -38,7 +35,7 @@ class Clock(Source):
 
     y = RealOutput("s", "time")
 
-    def equations(self) -> Iterable[Any]:
+    def equations(self) -> Stated:
         yield self.y == self.time
 
 
@@ -53,10 +50,10 @@ class Step(Source):
     start_time = parameter("s", "time of the step", default=0.0)
     mode = mode("before", "after", doc="before or after the step")
 
-    def equations(self) -> Iterable[Any]:
+    def equations(self) -> Stated:
         yield self.y == self.offset + self.mode.choose(before=0.0, after=self.height)
 
-    def transitions(self) -> Iterable[Any]:
+    def transitions(self) -> Stated:
         yield self.mode.goes("before", "after", when=self.time > self.start_time)
 
 
@@ -74,11 +71,11 @@ class Ramp(Source):
     start_time = parameter("s", "when it begins to rise", default=0.0)
     mode = mode("before", "rising", "after", doc="before, on or after the slope")
 
-    def equations(self) -> Iterable[Any]:
+    def equations(self) -> Stated:
         share = portion(self.time - self.start_time, self.duration)
         yield self.y == self.offset + self.height * self.mode.choose(before=0.0, rising=share, after=1.0)
 
-    def transitions(self) -> Iterable[Any]:
+    def transitions(self) -> Stated:
         elapsed = self.time - self.start_time
         yield self.mode.goes("before", "rising", when=elapsed > 0)
         yield self.mode.goes("rising", "after", when=elapsed > self.duration)
@@ -100,14 +97,14 @@ class Sine(Source):
     start_time = option("time [s] before which y = offset", default=None, check=instant)
     mode = mode("before", "running", doc="before or after start_time")
 
-    def equations(self) -> Iterable[Any]:
+    def equations(self) -> Stated:
         since = self.time - (self.start_time or 0.0)
         wave = self.amplitude * ca.sin(2 * ca.pi * self.f * since + self.phase)
         held = self.start_time is not None
         gated = self.mode.choose(before=0.0, running=wave) if held else wave
         yield self.y == self.offset + gated
 
-    def transitions(self) -> Iterable[Any]:
+    def transitions(self) -> Stated:
         if self.start_time is not None:
             yield self.mode.goes("before", "running", when=self.time > self.start_time)
 
@@ -131,7 +128,7 @@ class TimeTable(Source):
         ),
     )
 
-    def slopes(self) -> Iterable[tuple[str, Any, Any]]:
+    def slopes(self) -> Iterable[tuple[str, Expression, Expression]]:
         """Yield a name, the row before and the row after, wherever the signal changes."""
         for number, (last, following) in enumerate(zip(self.table, self.table[1:], strict=False)):
             if last[1] != following[1]:
@@ -144,10 +141,10 @@ class TimeTable(Source):
             for name, (t0, y0), (t1, y1) in self.slopes()
         }
 
-    def equations(self) -> Iterable[Any]:
+    def equations(self) -> Stated:
         yield self.y == self.table[0][1] + sum(getattr(self, name).y for name, *_ in self.slopes())
 
 
-def portion(elapsed: Any, duration: Any) -> Any:
+def portion(elapsed: Expression, duration: Expression) -> Expression:
     """Return elapsed/duration, without dividing by a duration of zero."""
     return elapsed / ca.if_else(duration > 0, duration, 1.0)

@@ -1,11 +1,9 @@
 """Elements that slide."""
 
-from .bases import Compliant as Compliant
-from .bases import CompliantWithSpeed as CompliantWithSpeed
-from .bases import TwoFlanges as TwoFlanges
-from .brake import Brake as Brake
 from .compliances import BilinearSpring as BilinearSpring
 from .compliances import BoucWen as BoucWen
+from .compliances import Compliant as Compliant
+from .compliances import CompliantWithSpeed as CompliantWithSpeed
 from .compliances import CubicSpring as CubicSpring
 from .compliances import Damper as Damper
 from .compliances import Inerter as Inerter
@@ -13,19 +11,19 @@ from .compliances import QuadraticDamper as QuadraticDamper
 from .compliances import Ripple as Ripple
 from .compliances import Spring as Spring
 from .compliances import SpringDamper as SpringDamper
+from .compliances import TwoFlanges as TwoFlanges
+from .friction import AsymmetricFriction as AsymmetricFriction
+from .friction import Brake as Brake
 from .friction import CoulombFriction as CoulombFriction
+from .friction import DriftingFriction as DriftingFriction
 from .friction import Friction as Friction
+from .friction import LoadedFriction as LoadedFriction
 from .friction import StribeckFriction as StribeckFriction
 from .friction import SupportFriction as SupportFriction
 from .friction import TabulatedFriction as TabulatedFriction
-from .friction_variants import AsymmetricFriction as AsymmetricFriction
-from .friction_variants import DriftingFriction as DriftingFriction
-from .friction_variants import LoadedFriction as LoadedFriction
-from .gaps import Backlash as Backlash
-from .gaps import ElastoGap as ElastoGap
-from .lever import LargeAngleLever as LargeAngleLever
-from .lever import Lever as Lever
 from .masses import Fixed as Fixed
+from .masses import LargeAngleLever as LargeAngleLever
+from .masses import Lever as Lever
 from .masses import Mass as Mass
 from .masses import Rod as Rod
 from .sensors import AccelerationSensor as AccelerationSensor
@@ -40,5 +38,7 @@ from .sources import ConstantForce as ConstantForce
 from .sources import Force as Force
 from .sources import Position as Position
 from .sources import Speed as Speed
+from .stops import Backlash as Backlash
+from .stops import ElastoGap as ElastoGap
 from .stops import HardStop as HardStop
 from .stops import MassWithStopAndFriction as MassWithStopAndFriction

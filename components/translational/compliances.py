@@ -1,17 +1,42 @@
-"""Springs, dampers and the inerter: forces between two flanges."""
+"""What acts between two flanges: springs, dampers and the inerter."""
 
-from __future__ import annotations
-
-from collections.abc import Iterable
 from math import pi
-from typing import Any
 
 import casadi as ca
 
-from ..language import der, parameter, variable
-from .bases import Compliant, CompliantWithSpeed
+from ..language import Component, Stated, TranslationalFlange, der, parameter, variable
 
-REST = 1e-300  # m
+LEAST_HYSTERESIS = 1e-300  # [m]
+
+
+class TwoFlanges(Component):
+    """Two flanges and the distance between them: s_rel = flange_b.s - flange_a.s."""
+
+    flange_a = TranslationalFlange("left flange")
+    flange_b = TranslationalFlange("right flange")
+    s_rel = variable("m", "distance of the flanges", state="avoid")
+
+    def equations(self) -> Stated:
+        yield self.s_rel == self.flange_b.s - self.flange_a.s
+
+
+class Compliant(TwoFlanges):
+    """Two flanges without mass between them: f = flange_b.f = -flange_a.f, tension positive."""
+
+    f = variable("N", "force between the flanges, positive when it pulls them together")
+
+    def equations(self) -> Stated:
+        yield self.flange_b.f == self.f
+        yield self.flange_a.f == -self.f
+
+
+class CompliantWithSpeed(Compliant):
+    """A compliant element whose law uses the relative velocity v_rel = der(s_rel)."""
+
+    v_rel = variable("m/s", "relative velocity of the flanges", state="avoid")
+
+    def equations(self) -> Stated:
+        yield self.v_rel == der(self.s_rel)
 
 
 class Spring(Compliant):
@@ -23,7 +48,7 @@ class Spring(Compliant):
     k = parameter("N/m", "stiffness", min=0)
     s_rel0 = parameter("m", "unstretched length", default=0.0)
 
-    def equations(self) -> Iterable[Any]:
+    def equations(self) -> Stated:
         yield self.f == self.k * (self.s_rel - self.s_rel0)
 
 
@@ -35,7 +60,7 @@ class Damper(CompliantWithSpeed):
 
     d = parameter("N.s/m", "damping constant", min=0)
 
-    def equations(self) -> Iterable[Any]:
+    def equations(self) -> Stated:
         yield self.f == self.d * self.v_rel
 
 
@@ -49,7 +74,7 @@ class SpringDamper(CompliantWithSpeed):
     d = parameter("N.s/m", "damping constant", min=0)
     s_rel0 = parameter("m", "unstretched length", default=0.0)
 
-    def equations(self) -> Iterable[Any]:
+    def equations(self) -> Stated:
         yield self.f == self.k * (self.s_rel - self.s_rel0) + self.d * self.v_rel
 
 
@@ -62,7 +87,7 @@ class Inerter(CompliantWithSpeed):
     b = parameter("kg", "inertance", min=0)
     a_rel = variable("m/s2", "relative acceleration of the flanges")
 
-    def equations(self) -> Iterable[Any]:
+    def equations(self) -> Stated:
         yield self.a_rel == der(self.v_rel)
         yield self.f == self.b * self.a_rel
 
@@ -77,7 +102,7 @@ class CubicSpring(Compliant):
     k3 = parameter("N/m3", "cubic stiffness; negative softens")
     s_rel0 = parameter("m", "unstretched length", default=0.0)
 
-    def equations(self) -> Iterable[Any]:
+    def equations(self) -> Stated:
         e = self.s_rel - self.s_rel0
         yield self.f == self.k * e + self.k3 * e**3
 
@@ -92,7 +117,7 @@ class BilinearSpring(Compliant):
     k_push = parameter("N/m", "stiffness when pushed", min=0)
     s_rel0 = parameter("m", "unstretched length", default=0.0)
 
-    def equations(self) -> Iterable[Any]:
+    def equations(self) -> Stated:
         e = self.s_rel - self.s_rel0
         yield self.f == self.k_pull * ca.fmax(e, 0) + self.k_push * ca.fmin(e, 0)
 
@@ -107,7 +132,7 @@ class Ripple(Compliant):
     f_cos = parameter("N", "amplitude of the cosine", default=0.0)
     period = parameter("m", "travel after which the force comes back", above=0)
 
-    def equations(self) -> Iterable[Any]:
+    def equations(self) -> Stated:
         angle = 2 * pi * self.s_rel / self.period
         yield self.f == self.f_sin * ca.sin(angle) + self.f_cos * ca.cos(angle)
 
@@ -117,7 +142,7 @@ class QuadraticDamper(CompliantWithSpeed):
 
     c = parameter("N.s2/m2", "quadratic damping constant", min=0)
 
-    def equations(self) -> Iterable[Any]:
+    def equations(self) -> Stated:
         yield self.f == self.c * self.v_rel * ca.fabs(self.v_rel)
 
 
@@ -137,9 +162,9 @@ class BoucWen(CompliantWithSpeed):
     n = parameter("1", "sharpness of yield", min=1, default=2.0)
     z = variable("m", "hysteretic displacement")
 
-    def equations(self) -> Iterable[Any]:
+    def equations(self) -> Stated:
         v, z = self.v_rel, self.z
-        size = ca.fmax(ca.fabs(z), REST)  # above 0, where x^n has a slope in n
+        size = ca.fmax(ca.fabs(z), LEAST_HYSTERESIS)  # above 0, where x^n has a slope in n
         yield self.f == self.alpha * self.k * self.s_rel + (1 - self.alpha) * self.k * z
         yield der(z) == (
             self.A * v - self.beta * ca.fabs(v) * size ** (self.n - 1) * z - self.gamma * v * size**self.n

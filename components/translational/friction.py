@@ -1,16 +1,12 @@
-"""Dry friction between two flanges."""
-
-from __future__ import annotations
-
-from collections.abc import Iterable
-from typing import Any
+"""Dry friction: between two flanges, on a support, and in a brake."""
 
 import casadi as ca
 
-from ..language import Component, TranslationalFlange, der, option, parameter, variable
+from ..language import Component, Expression, RealInput, Stated, TranslationalFlange, der, parameter, variable
+from ..pressed import PressedStickSlip
 from ..stickslip import StickSlip
 from ..tables import interpolated, over_speed
-from .bases import Compliant
+from .compliances import Compliant
 
 
 class Friction(Compliant, StickSlip):
@@ -20,11 +16,7 @@ class Friction(Compliant, StickSlip):
     v_rel = variable("m/s", "relative velocity of the flanges", state="prefer")
     a_rel = variable("m/s2", "relative acceleration of the flanges")
 
-    resistance = property(lambda self: self.f)
-    speed = property(lambda self: self.v_rel)
-    acceleration = property(lambda self: self.a_rel)
-
-    def equations(self) -> Iterable[Any]:
+    def equations(self) -> Stated:
         yield self.v_rel == der(self.s_rel)
         yield self.a_rel == der(self.v_rel)
 
@@ -37,8 +29,7 @@ class CoulombFriction(Friction):
 
     f_c = parameter("N", "Coulomb friction force", min=0)
 
-    def sliding(self, speed: Any) -> Any:
-        """Friction force at a speed."""
+    def sliding(self, speed: Expression) -> Expression:
         return self.f_c + 0 * speed
 
 
@@ -48,8 +39,7 @@ class StribeckFriction(Friction):
     f = [f_c + (f_s - f_c) exp(-|v_rel|/v_s)] sgn(v_rel) + d v_rel while sliding;
     |f| <= peak f_s while stuck.
 
-    Source: Ge & Wang, Modeling, Testing, and Characteristic Analysis of a Planetary Flywheel Inerter,
-    eq. (26), written for translation.
+    Source: Ge & Wang on the planetary flywheel inerter (see `ge_wang`), eq. (26), written for translation.
     """
 
     f_c = parameter("N", "Coulomb friction force", min=0)
@@ -57,8 +47,7 @@ class StribeckFriction(Friction):
     v_s = parameter("m/s", "Stribeck velocity", above=0)
     d = parameter("N.s/m", "viscous friction", min=0, default=0.0)
 
-    def sliding(self, speed: Any) -> Any:
-        """Friction force at a speed."""
+    def sliding(self, speed: Expression) -> Expression:
         drop = (self.f_s - self.f_c) * ca.exp(-speed / self.v_s)
         return self.f_c + drop + self.d * speed
 
@@ -66,14 +55,9 @@ class StribeckFriction(Friction):
 class TabulatedFriction(Friction):
     """Friction force interpolated linearly in a table of (speed, force), speeds from 0 upwards."""
 
-    table = option(
-        "rows (speed [m/s], force [N]), speeds increasing from 0",
-        default=((0.0, 1.0),),
-        check=over_speed("force"),
-    )
+    table = over_speed("speed [m/s], force [N]", "force")
 
-    def sliding(self, speed: Any) -> Any:
-        """Friction force at a speed."""
+    def sliding(self, speed: Expression) -> Expression:
         return interpolated(self.table, speed)
 
 
@@ -89,6 +73,84 @@ class SupportFriction(Component):
     support = TranslationalFlange("what it slides on", optional=True)
     friction = CoulombFriction(f_c=0.0)
 
-    def connections(self) -> Iterable[Any]:
+    def connections(self) -> Stated:
         yield self.support, self.friction.flange_a
         yield self.flange, self.friction.flange_b
+
+
+class AsymmetricFriction(Friction):
+    """Coulomb friction that differs by direction.
+
+    f = f_forward for v_rel > 0 and -f_backward for v_rel < 0.
+    While stuck, -peak f_backward <= f <= peak f_forward.
+
+    Source: B. Armstrong-Helouvry, Control of Machines with Friction (1991), section 2.3.
+    """
+
+    f_forward = parameter("N", "friction force while the flanges part", min=0)
+    f_backward = parameter("N", "friction force while they approach", min=0)
+
+    def sliding(self, speed: Expression) -> Expression:
+        return self.f_forward + 0 * speed
+
+    def sliding_back(self, speed: Expression) -> Expression:
+        return self.f_backward + 0 * speed
+
+
+class LoadedFriction(Friction):
+    """Friction in proportion to a load: f = mu |load| sgn(v_rel) while sliding.
+
+    While stuck, |f| <= peak mu |load|.
+
+    Example:
+        >>> from inertance import ForceSensor, LoadedFriction
+        >>> seal = LoadedFriction(mu=0.02)  # connect the force of a ForceSensor to seal.load
+    """
+
+    load = RealInput("N", "force that presses the surfaces together")
+    mu = parameter("1", "friction force over load", min=0)
+
+    def sliding(self, speed: Expression) -> Expression:
+        return self.mu * ca.fabs(self.load) + 0 * speed
+
+
+class DriftingFriction(Friction):
+    """Friction whose level follows a signal: f = (f_c + f_u u) sgn(v_rel) while sliding.
+
+    u is what the level depends on: time, or a measured temperature. With `regularised` the level may
+    be negative, so that it stands for what a drift adds to, or takes from, friction that is there.
+    """
+
+    u = RealInput("1", "what the level follows")
+    f_c = parameter("N", "friction force at u = 0", default=0.0)
+    f_u = parameter("N", "change of friction force with u")
+
+    def sliding(self, speed: Expression) -> Expression:
+        return self.f_c + self.f_u * self.u + 0 * speed
+
+
+class Brake(PressedStickSlip):
+    """A sliding part held by friction on a support: f = mu(|v|) cgeo fn against v while sliding.
+
+    fn = fn_max max(f_normalized, 0); |f| <= peak mu(0) cgeo fn while stuck; free when fn = 0.
+    The support, which takes -f, is the ground when left unconnected.
+
+    Source: MSL Translational.Components.Brake.
+    """
+
+    flange = TranslationalFlange("what slides")
+    support = TranslationalFlange("what it slides on", optional=True)
+    cgeo = parameter("1", "friction faces, weighted by the distribution of pressure", above=0, default=1.0)
+    s = variable("m", "position against the support", state="prefer")
+    v = variable("m/s", "velocity against the support", state="prefer")
+    a = variable("m/s2", "acceleration against the support")
+    f = variable("N", "braking force, positive against positive velocity")
+
+    quantities = "f", "v", "a"
+
+    def equations(self) -> Stated:
+        yield self.s == self.flange.s - self.support.s
+        yield self.v == der(self.s)
+        yield self.a == der(self.v)
+        yield self.flange.f == self.f
+        yield self.support.f == -self.f

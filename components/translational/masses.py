@@ -1,11 +1,8 @@
-"""Ground, rod and mass."""
+"""What is rigid: ground, rod, mass and levers."""
 
-from __future__ import annotations
+import casadi as ca
 
-from collections.abc import Iterable
-from typing import Any
-
-from ..language import Component, TranslationalFlange, der, parameter, variable
+from ..language import Component, Stated, TranslationalFlange, der, parameter, variable
 
 
 class Fixed(Component):
@@ -18,7 +15,7 @@ class Fixed(Component):
     flange = TranslationalFlange("held flange")
     s0 = parameter("m", "position", default=0.0)
 
-    def equations(self) -> Iterable[Any]:
+    def equations(self) -> Stated:
         yield self.flange.s == self.s0
 
 
@@ -33,7 +30,7 @@ class Rod(Component):
     flange_b = TranslationalFlange("right flange", free=True)
     L = parameter("m", "length from flange_a to flange_b", default=0.0)
 
-    def equations(self) -> Iterable[Any]:
+    def equations(self) -> Stated:
         yield self.flange_b.s == self.flange_a.s + self.L
         yield self.flange_a.f == -self.flange_b.f
 
@@ -50,8 +47,57 @@ class Mass(Component):
     v = variable("m/s", "velocity")
     a = variable("m/s2", "acceleration")
 
-    def equations(self) -> Iterable[Any]:
+    def equations(self) -> Stated:
         yield self.flange.s == self.s
         yield self.v == der(self.s)
         yield self.a == der(self.v)
         yield self.m * self.a == self.flange.f
+
+
+class _Levered(Component):
+    flange_a = TranslationalFlange("end of arm a")
+    flange_b = TranslationalFlange("end of arm b")
+    support = TranslationalFlange("fulcrum", optional=True)
+
+    def equations(self) -> Stated:
+        yield self.support.f == -(self.flange_a.f + self.flange_b.f)
+
+
+class Lever(_Levered):
+    """Lever at small angles: s_a = ratio s_b, ratio f_a + f_b = 0, s_a and s_b from the fulcrum.
+
+    The ratio is arm a over arm b, negative when the fulcrum lies between the flanges.
+    """
+
+    ratio = parameter("1", "motion of flange_a over motion of flange_b")
+
+    def equations(self) -> Stated:
+        s_a, s_b = self.flange_a.s - self.support.s, self.flange_b.s - self.support.s
+        yield s_a == self.ratio * s_b
+        yield self.ratio * self.flange_a.f + self.flange_b.f == 0
+
+
+class LargeAngleLever(_Levered):
+    """Lever at any angle: s_a = l_a sin(phi), s_b = l_b sin(phi + alpha), both from the fulcrum.
+
+    l_a cos(phi) f_a + l_b cos(phi + alpha) f_b = 0: power is conserved. The ends slide on parallel
+    guides; alpha = pi is a straight lever with the fulcrum between, alpha = 0 one with both arms on
+    one side, anything else a bent one.
+
+    Limits: where an arm lies along its guide, phi or phi + alpha = pi/2, is a dead centre: its flange
+    moves no more whatever the lever does.
+    """
+
+    l_a = parameter("m", "length of arm a", above=0)
+    l_b = parameter("m", "length of arm b", above=0)
+    alpha = parameter("rad", "angle from arm a to arm b", default=ca.pi)
+    phi = variable("rad", "angle of arm a", state="prefer")
+    w = variable("rad/s", "angular velocity", state="prefer")
+
+    def equations(self) -> Stated:
+        angle_b = self.phi + self.alpha
+        yield self.w == der(self.phi)
+        yield self.flange_a.s - self.support.s == self.l_a * ca.sin(self.phi)
+        yield self.flange_b.s - self.support.s == self.l_b * ca.sin(angle_b)
+        moment_a = self.l_a * ca.cos(self.phi) * self.flange_a.f
+        yield moment_a + self.l_b * ca.cos(angle_b) * self.flange_b.f == 0

@@ -1,25 +1,15 @@
 """Sensors: motion and force as signals, without effect on what they measure."""
 
-from __future__ import annotations
-
-from collections.abc import Iterable
-from typing import Any
-
-from ..language import Component, RealOutput, TranslationalFlange, der, variable
+from ..language import Component, RealOutput, Stated, TranslationalFlange, der, variable
+from .compliances import TwoFlanges
 
 
 class _Absolute(Component):
     has_law = False
     flange = TranslationalFlange("where it is measured")
 
-    def equations(self) -> Iterable[Any]:
+    def equations(self) -> Stated:
         yield self.flange.f == 0
-
-
-class _Between(Component):
-    has_law = False
-    flange_a = TranslationalFlange("left flange")
-    flange_b = TranslationalFlange("right flange")
 
 
 class PositionSensor(_Absolute):
@@ -30,7 +20,7 @@ class PositionSensor(_Absolute):
 
     s = RealOutput("m", "position")
 
-    def equations(self) -> Iterable[Any]:
+    def equations(self) -> Stated:
         yield self.s == self.flange.s
 
 
@@ -42,7 +32,7 @@ class SpeedSensor(_Absolute):
 
     v = RealOutput("m/s", "velocity")
 
-    def equations(self) -> Iterable[Any]:
+    def equations(self) -> Stated:
         yield self.v == der(self.flange.s)
 
 
@@ -55,21 +45,21 @@ class AccelerationSensor(_Absolute):
     a = RealOutput("m/s2", "acceleration")
     v = variable("m/s", "velocity", state="avoid")
 
-    def equations(self) -> Iterable[Any]:
+    def equations(self) -> Stated:
         yield self.v == der(self.flange.s)
         yield self.a == der(self.v)
 
 
-class RelativePositionSensor(_Between):
+class RelativePositionSensor(TwoFlanges):
     """Distance as a signal: s_rel = flange_b.s - flange_a.s.
 
     Source: MSL Translational.Sensors.RelPositionSensor.
     """
 
+    has_law = False
     s_rel = RealOutput("m", "distance of the flanges")
 
-    def equations(self) -> Iterable[Any]:
-        yield self.s_rel == self.flange_b.s - self.flange_a.s
+    def equations(self) -> Stated:
         yield self.flange_a.f == 0
         yield self.flange_b.f == 0
 
@@ -82,7 +72,7 @@ class RelativeSpeedSensor(RelativePositionSensor):
 
     v_rel = RealOutput("m/s", "relative velocity")
 
-    def equations(self) -> Iterable[Any]:
+    def equations(self) -> Stated:
         yield self.v_rel == der(self.s_rel)
 
 
@@ -94,11 +84,11 @@ class RelativeAccelerationSensor(RelativeSpeedSensor):
 
     a_rel = RealOutput("m/s2", "relative acceleration")
 
-    def equations(self) -> Iterable[Any]:
+    def equations(self) -> Stated:
         yield self.a_rel == der(self.v_rel)
 
 
-class ForceSensor(_Between):
+class ForceSensor(Component):
     """Force as a signal, between flanges that move as one: f = flange_a.f.
 
     f is positive where what is joined to flange_a pushes flange_b forward.
@@ -106,9 +96,12 @@ class ForceSensor(_Between):
     Source: MSL Translational.Sensors.ForceSensor.
     """
 
+    has_law = False
+    flange_a = TranslationalFlange("left flange")
+    flange_b = TranslationalFlange("right flange")
     f = RealOutput("N", "force from flange_a to flange_b")
 
-    def equations(self) -> Iterable[Any]:
+    def equations(self) -> Stated:
         yield self.flange_a.s == self.flange_b.s
         yield self.f == self.flange_a.f
         yield self.flange_a.f == -self.flange_b.f

@@ -1,12 +1,7 @@
 """Sources: forces and prescribed motions, from a signal."""
 
-from __future__ import annotations
-
-from collections.abc import Iterable
-from typing import Any
-
-from ..filtered import after_position, after_speed, critical_frequency, exactness
-from ..language import Component, RealInput, TranslationalFlange, der, parameter, variable
+from ..filtered import Filtered
+from ..language import Component, RealInput, Stated, TranslationalFlange, der, parameter, variable
 
 
 class _Driven(Component):
@@ -14,7 +9,7 @@ class _Driven(Component):
     flange = TranslationalFlange("what is driven")
     support = TranslationalFlange("what reacts", optional=True)
 
-    def equations(self) -> Iterable[Any]:
+    def equations(self) -> Stated:
         yield self.support.f == -self.flange.f
 
 
@@ -26,11 +21,11 @@ class Force(_Driven):
 
     f = RealInput("N", "driving force")
 
-    def equations(self) -> Iterable[Any]:
+    def equations(self) -> Stated:
         yield self.flange.f == -self.f
 
 
-class Position(_Driven):
+class Position(Filtered, _Driven):
     """A prescribed position: flange.s - support.s = s_ref. Its velocity and acceleration follow.
 
     Where s_ref bends or jumps, what that takes acts as a shock, whose impulse is an event of the run; a
@@ -42,23 +37,15 @@ class Position(_Driven):
     """
 
     s_ref = RealInput("m", "position")
-    exact = exactness()
-    f_crit = critical_frequency()
     s = variable("m", "position against the support", follows="s_ref")
     lead = variable("m", "position ahead, by which the filter moves", follows="s_ref")
 
-    def equations(self) -> Iterable[Any]:
+    def equations(self) -> Stated:
         yield self.flange.s - self.support.s == self.s
-        if self.exact:
-            yield self.s == self.s_ref
-            yield self.lead == self.s_ref
-            return
-        rates = after_position(self.s_ref, self.s, self.lead, self.f_crit)
-        yield der(self.s) == rates[0]
-        yield der(self.lead) == rates[1]
+        yield from self.follow_position(self.s_ref, self.s, self.lead)
 
 
-class Speed(_Driven):
+class Speed(Filtered, _Driven):
     """A prescribed velocity: der(s) = v_ref, from the start position s.
 
     Where v_ref jumps, what that takes acts as a shock, whose impulse is an event of the run. With
@@ -68,18 +55,13 @@ class Speed(_Driven):
     """
 
     v_ref = RealInput("m/s", "velocity")
-    exact = exactness()
-    f_crit = critical_frequency()
     s = variable("m", "position against the support")
     v = variable("m/s", "velocity against the support", follows="v_ref")
 
-    def equations(self) -> Iterable[Any]:
+    def equations(self) -> Stated:
         yield self.s == self.flange.s - self.support.s
         yield der(self.s) == self.v
-        if self.exact:
-            yield self.v == self.v_ref
-        else:
-            yield der(self.v) == after_speed(self.v_ref, self.v, self.f_crit)
+        yield from self.follow_speed(self.v_ref, self.v)
 
 
 class Accelerate(_Driven):
@@ -92,7 +74,7 @@ class Accelerate(_Driven):
     s = variable("m", "position against the support")
     v = variable("m/s", "velocity against the support")
 
-    def equations(self) -> Iterable[Any]:
+    def equations(self) -> Stated:
         yield self.s == self.flange.s - self.support.s
         yield self.v == der(self.s)
         yield der(self.v) == self.a_ref
@@ -106,5 +88,5 @@ class ConstantForce(_Driven):
 
     f_constant = parameter("N", "driving force")
 
-    def equations(self) -> Iterable[Any]:
+    def equations(self) -> Stated:
         yield self.flange.f == -self.f_constant

@@ -1,19 +1,16 @@
-"""Rigid stops: contact with restitution."""
-
-from __future__ import annotations
-
-from collections.abc import Iterable
-from typing import Any
+"""Contacts that open: rigid stops with restitution, and elastic ones with a gap."""
 
 import casadi as ca
 
-from ..language import Component, Shock, TranslationalFlange, der, impulse, mode, parameter, variable
-from .bases import Compliant
+from ..contact import past_clearance
+from ..language import Component, Shock, Stated, TranslationalFlange, der, impulse, mode, parameter, variable
+from .compliances import Compliant, CompliantWithSpeed
 from .friction import StribeckFriction
 from .masses import Mass
 
-STILL = 1e-12
-LOWEST = 1e-12
+REST_SPEED = 1e-12  # [m/s]
+LOWEST_REBOUND = 1e-12  # [m]
+LEAST_DEPTH = 1e-300  # [m]
 
 
 class HardStop(Compliant):
@@ -35,27 +32,26 @@ class HardStop(Compliant):
     v_rel = variable("m/s", "relative velocity of the flanges", state="prefer")
     a_rel = variable("m/s2", "relative acceleration of the flanges")
 
-    def equations(self) -> Iterable[Any]:
+    def equations(self) -> Stated:
         yield self.v_rel == der(self.s_rel)
         yield self.a_rel == der(self.v_rel)
         yield self.mode.choose(free=self.f + self.J, contact=self.a_rel) == 0
 
-    def transitions(self) -> Iterable[Any]:
+    def transitions(self) -> Stated:
+        still = {"v_rel": 0.0}
         closing = self.s_rel < self.s_min
         rebound = -self.e * self.v_rel
         bounce = Shock(self.J, self.v_rel, rebound)
         settle = Shock(self.J, self.v_rel, 0.0)
-        pressed = ca.logic_or(self.v_rel < 0, ca.logic_and(self.v_rel < STILL, self.a_rel < 0))
-        low = ca.logic_and(self.a_rel < 0, rebound**2 < -2 * LOWEST * self.a_rel)
+        pressed = ca.logic_or(self.v_rel < 0, ca.logic_and(self.v_rel < REST_SPEED, self.a_rel < 0))
+        low = ca.logic_and(self.a_rel < 0, rebound**2 < -2 * LOWEST_REBOUND * self.a_rel)
         leaves = ca.logic_and(rebound > self.v_rest, ca.logic_not(low))
         rests = ca.logic_and(pressed, ca.logic_not(leaves))
         yield self.mode.goes("free", "free", when=closing, allowed=leaves, shock=bounce)
-        yield self.mode.goes(
-            "free", "contact", when=closing, allowed=rests, shock=settle, reset={"v_rel": 0.0}
-        )
-        touching = ca.logic_and(self.s_rel <= self.s_min + LOWEST, ca.fabs(self.v_rel) < STILL)
+        yield self.mode.goes("free", "contact", when=closing, allowed=rests, shock=settle, reset=still)
+        touching = ca.logic_and(self.s_rel <= self.s_min + LOWEST_REBOUND, ca.fabs(self.v_rel) < REST_SPEED)
         load = ca.if_else(touching, -self.a_rel, -1.0)
-        yield self.mode.goes("free", "contact", when=load > 0, reset={"v_rel": 0.0})
+        yield self.mode.goes("free", "contact", when=load > 0, reset=still)
         yield self.mode.goes("contact", "free", when=self.f > 0)
         yield self.mode.goes("contact", "free", when=self.v_rel > 0)
         yield self.mode.goes("contact", "free", when=self.v_rel < 0)
@@ -86,17 +82,54 @@ class MassWithStopAndFriction(Component):
     lower = HardStop(s_min=s_min)
     upper = HardStop(s_min=lambda self: -self.s_max)
 
-    def equations(self) -> Iterable[Any]:
+    def equations(self) -> Stated:
         yield self.s == self.mass.s
         yield self.v == self.mass.v
         yield self.a == self.mass.a
 
-    def connections(self) -> Iterable[Any]:
-        yield (
-            self.flange,
-            self.mass.flange,
-            self.friction.flange_b,
-            self.lower.flange_b,
-            self.upper.flange_a,
-        )
+    def connections(self) -> Stated:
+        yield self.flange, self.mass.flange, self.friction.flange_b, self.lower.flange_b, self.upper.flange_a
         yield self.support, self.friction.flange_a, self.lower.flange_a, self.upper.flange_b
+
+
+class ElastoGap(CompliantWithSpeed):
+    """Spring and damper that touch only while s_rel < s_rel0.
+
+    f = f_c + f_d with f_c = -k (s_rel0 - s_rel)^n and f_d = min(max(d v_rel, f_c), -f_c); f = 0 apart.
+    So 2 f_c <= f <= 0: the contact never pulls, and f is continuous at touch and release.
+
+    Source: MSL Translational.Components.ElastoGap.
+    """
+
+    k = parameter("N/m^n", "stiffness", min=0)
+    d = parameter("N.s/m", "damping constant", min=0)
+    s_rel0 = parameter("m", "distance at which the contact begins", default=0.0)
+    n = parameter("1", "exponent of the spring", min=1, default=1.0)
+
+    def equations(self) -> Stated:
+        pressed = ca.fmax(self.s_rel0 - self.s_rel, LEAST_DEPTH)  # above 0, where x^n has a slope in n
+        spring = -self.k * (pressed**self.n - LEAST_DEPTH**self.n)
+        damping = ca.fmin(ca.fmax(self.d * self.v_rel, spring), -spring)
+        yield self.f == spring + damping
+
+
+class Backlash(CompliantWithSpeed):
+    """Spring and damper with clearance: a dead zone of half-width k eps on P + D.
+
+    f = u - k eps where u = P + D >= k eps, u + k eps where u <= -k eps, else 0, with
+    P = k (s_rel - s_rel0) and D = d v_rel. So f is continuous and never opposes u.
+
+    Limits: the damper counts inside the clearance too. Where d |v_rel| > k (eps - |s_rel - s_rel0|),
+    f acts before contact, and on fast separation it may pull; `ElastoGap` limits the damping instead.
+
+    Source: Ge & Wang on the planetary flywheel inerter (see `ge_wang`), eqs. (20) and (24).
+    """
+
+    k = parameter("N/m", "stiffness", min=0)
+    d = parameter("N.s/m", "damping constant", min=0)
+    eps = parameter("m", "half of the clearance", min=0)
+    s_rel0 = parameter("m", "distance at the middle of the clearance", default=0.0)
+
+    def equations(self) -> Stated:
+        contact = self.k * (self.s_rel - self.s_rel0) + self.d * self.v_rel
+        yield self.f == past_clearance(contact, self.k * self.eps)

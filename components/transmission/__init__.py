@@ -1,13 +1,12 @@
 """Elements between turning and sliding, and the flywheels they drive."""
 
+from .conversions import CompliantNutScrew as CompliantNutScrew
+from .conversions import NutScrew as NutScrew
+from .conversions import RackPinion as RackPinion
+from .conversions import RollingWheel as RollingWheel
+from .conversions import Transmission as Transmission
 from .flywheels import DiskFlywheel as DiskFlywheel
 from .flywheels import Flywheel as Flywheel
 from .flywheels import IdealPlanetaryFlywheel as IdealPlanetaryFlywheel
-from .ideal import NutScrew as NutScrew
-from .ideal import RackPinion as RackPinion
-from .ideal import RollingWheel as RollingWheel
-from .ideal import Transmission as Transmission
-from .planets import Planet as Planet
-from .planets import PlanetaryFlywheel as PlanetaryFlywheel
-from .planets import PlanetGear as PlanetGear
-from .screw import CompliantNutScrew as CompliantNutScrew
+from .flywheels import Planet as Planet
+from .flywheels import PlanetaryFlywheel as PlanetaryFlywheel

@@ -9,8 +9,7 @@ from typing import Any
 import casadi as ca
 import numpy as np
 
-from ...base import Array, ModelError, between, demand, finite, named, text, whole
-from ...base.keywords import check_keywords
+from ...base import Array, ModelError, between, check_keywords, demand, finite, named, text, whole
 from ..dae import DAE
 from ..given import dae_of
 from ..network import Network

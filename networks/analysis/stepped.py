@@ -16,13 +16,13 @@ from ...base import (
     SimulationError,
     above,
     between,
+    check_keywords,
     demand,
     listed,
     named,
     numbers,
     whole,
 )
-from ...base.keywords import check_keywords
 from ...components import FAMILIES, Component, Domain, signals
 from ...components.language import PortRef
 from ..given import element_of, network_of

@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 
 from ...base import Array, ModelError, at_least, between, demand, function, named, shown, whole
-from ...base.keywords import check_keywords
+from ...base.checks import check_keywords
 from ..dae import DAE
 from ..given import dae_of
 from ..network import Network

@@ -6,7 +6,7 @@ from collections import defaultdict
 from dataclasses import dataclass, field
 from typing import Any
 
-from ...components.language import Domain, PortRef, RealInput, RealOutput
+from ...components.language import Domain, Port, PortRef, RealInput, RealOutput, fields_of
 from .flat import Flat, Instance
 from .problems import FatalProblem
 
@@ -166,7 +166,7 @@ def _unconnected(flat: Flat, outside: set[tuple[Instance, str]], problems: list[
     for instance in flat.instances.values():
         if instance.parent is None:
             continue
-        for declared in type(instance.component)._ports:
+        for declared in fields_of(instance.component, Port):
             if (instance, declared.name) in outside:
                 continue
             across, through = (
@@ -177,7 +177,7 @@ def _unconnected(flat: Flat, outside: set[tuple[Instance, str]], problems: list[
             elif declared.free:
                 found.free.append(through)
             else:
-                others = [p for p in type(instance.component)._ports if not p.optional and p is not declared]
+                others = sum(not port.optional for port in fields_of(instance.component, Port)) > 1
                 remedy = "connect it (to a Fixed if it is held, alone if its end is free)"
                 remedy = remedy if others else "connect it, or leave it out"
                 problems.append(f"{instance}: {declared.name} is not connected; {remedy}")
@@ -195,7 +195,7 @@ def find_inputs(flat: Flat, nodes: list[Node]) -> None:
             if isinstance(declared, source) and (sign > 0 or instance.parent is not None):
                 driven.update((id(i), n) for i, n, _ in node.ports)
     for instance in flat.instances.values():
-        for declared in type(instance.component)._inputs:
+        for declared in fields_of(instance.component, RealInput):
             if (id(instance), declared.name) not in driven:
                 path = f"{instance.path}.{declared.name}" if instance.path else declared.name
                 flat.inputs[path] = instance.index(declared.name)

@@ -9,7 +9,7 @@ from typing import Any
 import casadi as ca
 
 from ...base import UnknownNameError, nearest, shown
-from ...components.language import Component, Mode, Template
+from ...components.language import Component, ModeField, Template
 from .families import Family
 from .parameters import ParameterTable
 from .union import SignedUnion
@@ -52,7 +52,7 @@ class Flat:
     table: ParameterTable
     problems: list[str] = field(default_factory=list)
     families: list[Family] = field(default_factory=list)
-    modes: list[tuple[Instance, Mode]] = field(default_factory=list)
+    modes: list[tuple[Instance, ModeField]] = field(default_factory=list)
     impulses: list[tuple[Instance, str]] = field(default_factory=list)
     mode_symbols: Any = None
     impulse_symbols: Any = None

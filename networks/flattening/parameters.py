@@ -10,7 +10,7 @@ import casadi as ca
 import numpy as np
 
 from ...base import ModelError, nearest, number, numpy_on_symbols, shown, text
-from ...components.language import MISSING, Component, Option, Parameter
+from ...components.language import MISSING, Component, Option, Parameter, fields_of
 from .problems import FatalProblem
 from .vectors import column, pick_matrix
 
@@ -28,7 +28,8 @@ class ParameterTable:
         self.defaults: list[float] = []
         self._bound: dict[str, Any] = {}
         for instance in instances.values():
-            instance.given = [self._enter(instance, field) for field in type(instance.component)._parameters]
+            declared = fields_of(instance.component, Parameter)
+            instance.given = [self._enter(instance, field) for field in declared]
         self.symbols = ca.SX.sym("p", len(self.defaults))
         self._dependent = self._read_dependent(problems) if self._bound else _none_dependent
         if not problems:

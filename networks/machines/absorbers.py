@@ -2,32 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
 from typing import Any
 
-from ...components import (
-    Component,
-    Damper,
-    Inerter,
-    Mass,
-    Spring,
-    SpringDamper,
-    TwoFlanges,
-    parameter,
-    variable,
-)
+from ...components import Damper, Inerter, Mass, Spring, SpringDamper, TwoFlanges
+from ...components.language import Component, Stated, parameter, variable
 from ..two_terminal import parallel, series
 
 
-class TMD(TwoFlanges):
-    """Tuned mass damper: a mass on spring and damper at flange_b; nothing acts on flange_a.
-
-    Args:
-        m: mass [kg]; k: stiffness [N/m]; d: damping constant [N.s/m].
-
-    Source: J. P. Den Hartog, Mechanical Vibrations, 4th ed. (1956), section 3.3.
-    """
-
+class _TunedMass(TwoFlanges):
     m = parameter("kg", "mass", above=0)
     k = parameter("N/m", "stiffness", min=0)
     d = parameter("N.s/m", "damping constant", min=0)
@@ -36,16 +18,28 @@ class TMD(TwoFlanges):
     mass = Mass(m=m)
     link = SpringDamper(k=k, d=d)
 
-    def equations(self) -> Iterable[Any]:
+    def equations(self) -> Stated:
         yield self.f == self.flange_b.f
-        yield self.flange_a.f == 0.0
 
-    def connections(self) -> Iterable[Any]:
+    def connections(self) -> Stated:
         yield self.flange_b, self.link.flange_a
         yield self.link.flange_b, self.mass.flange
 
 
-class TMDI(TwoFlanges):
+class TMD(_TunedMass):
+    """Tuned mass damper: a mass on spring and damper at flange_b; nothing acts on flange_a.
+
+    Args:
+        m: mass [kg]; k: stiffness [N/m]; d: damping constant [N.s/m].
+
+    Source: J. P. Den Hartog, Mechanical Vibrations, 4th ed. (1956), section 3.3.
+    """
+
+    def equations(self) -> Stated:
+        yield self.flange_a.f == 0.0
+
+
+class TMDI(_TunedMass):
     """Tuned mass damper inerter: a mass on spring and damper at flange_b, and an inerter from it to flange_a.
 
     Args:
@@ -56,22 +50,13 @@ class TMDI(TwoFlanges):
     Source: Marian & Giaralis, Probabilistic Engineering Mechanics 38 (2014) 156-164.
     """
 
-    m = parameter("kg", "mass", above=0)
-    k = parameter("N/m", "stiffness", min=0)
-    d = parameter("N.s/m", "damping constant", min=0)
     b = parameter("kg", "inertance", min=0, default=0.0)
-    f = variable("N", "force on the structure")
 
-    mass = Mass(m=m)
-    link = SpringDamper(k=k, d=d)
     inerter: Component = Inerter(b=b)
 
-    def equations(self) -> Iterable[Any]:
-        yield self.f == self.flange_b.f
-
-    def connections(self) -> Iterable[Any]:
-        yield self.flange_b, self.link.flange_a
-        yield self.link.flange_b, self.mass.flange, self.inerter.flange_b
+    def connections(self) -> Stated:
+        yield from super().connections()
+        yield self.mass.flange, self.inerter.flange_b
         yield self.inerter.flange_a, self.flange_a
 
 

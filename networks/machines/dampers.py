@@ -1,13 +1,8 @@
 """Dampers and stops as they are built: two slopes, a slope that falls, a bump stop that stiffens."""
 
-from __future__ import annotations
-
-from collections.abc import Iterable
-from typing import Any
-
 import casadi as ca
 
-from ...components import Compliant, CompliantWithSpeed, parameter
+from ...components import Compliant, CompliantWithSpeed, Stated, parameter
 
 
 class BilinearDamper(CompliantWithSpeed):
@@ -19,7 +14,7 @@ class BilinearDamper(CompliantWithSpeed):
     d_c = parameter("N.s/m", "damping constant in compression", min=0)
     d_r = parameter("N.s/m", "damping constant in rebound", min=0)
 
-    def equations(self) -> Iterable[Any]:
+    def equations(self) -> Stated:
         yield self.f == self.d_r * ca.fmax(self.v_rel, 0.0) + self.d_c * ca.fmin(self.v_rel, 0.0)
 
 
@@ -35,7 +30,7 @@ class DigressiveDamper(CompliantWithSpeed):
     d_h = parameter("N.s/m", "damping constant at high speed", min=0)
     v_k = parameter("m/s", "speed of the knee", above=0)
 
-    def equations(self) -> Iterable[Any]:
+    def equations(self) -> Stated:
         v = self.v_rel
         yield self.f == self.d_h * v + (self.d - self.d_h) * v / (1 + ca.fabs(v) / self.v_k)
 
@@ -51,6 +46,6 @@ class BumpStop(Compliant):
     s_min = parameter("m", "distance at which it is compressed")
     s_max = parameter("m", "distance at which it is drawn out")
 
-    def equations(self) -> Iterable[Any]:
+    def equations(self) -> Stated:
         e = ca.fmax(self.s_rel - self.s_max, 0.0) + ca.fmin(self.s_rel - self.s_min, 0.0)
         yield self.f == self.k * e + self.k3 * e**3

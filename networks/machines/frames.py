@@ -9,6 +9,7 @@ import numpy as np
 
 from ...base import above, between, demand, finite, number, numbers, shown, whole
 from ...components import Component, Fixed, Force, Mass, ModelError, Position, Spring, SpringDamper
+from ...components.language import PortRef
 from ..given import element_of
 from ..network import Network
 
@@ -47,29 +48,36 @@ def shear_frame(
     frame = Network("shear frame", ground=Position(s_ref=0.0))
     flanges = [frame.ground.flange]
     for n, (mass, stiffness, loss) in enumerate(zip(m, k, damping, strict=True), start=1):
-        column = SpringDamper(k=stiffness, d=loss) if loss else Spring(k=stiffness)
-        frame.add(**{f"storey{n}": column, f"floor{n}": Mass(m=mass)})
-        flanges.append(getattr(frame, f"floor{n}").flange)
-        frame.connect(flanges[n - 1], getattr(frame, f"storey{n}").flange_a)
-        frame.connect(getattr(frame, f"storey{n}").flange_b, flanges[n])
-    for count, (floors, absorber) in enumerate((absorbers or {}).items(), start=1):
-        if not _joins(floors, len(flanges)):
-            raise ModelError(
-                f"absorber {count} joins two floors, (lower, upper), there are 0 to {len(m)}; got {floors}"
-            )
-        lower, upper = floors
-        if not {"flange_a", "flange_b"} <= type(element_of(absorber)).fields.keys():
-            raise ModelError(f"absorber {count} must have flange_a and flange_b, got {shown(absorber)}")
-        frame.add(**{f"absorber{count}": absorber})
-        frame.connect(absorber.flange_a, flanges[lower]).connect(absorber.flange_b, flanges[upper])
+        storey = SpringDamper(k=stiffness, d=loss) if loss else Spring(k=stiffness)
+        floor = Mass(m=mass)
+        frame.add(**{f"storey{n}": storey, f"floor{n}": floor})
+        frame.connect(flanges[-1], storey.flange_a).connect(storey.flange_b, floor.flange)
+        flanges.append(floor.flange)
+    _add_absorbers(frame, flanges, absorbers or {})
     frame.add(wind=Force(f=0.0))
     return frame.connect(frame.wind.flange, flanges[-1])
 
 
-def _joins(floors: Any, count: int) -> bool:
+def _add_absorbers(
+    frame: Network, flanges: Sequence[PortRef], absorbers: Mapping[tuple[int, int], Component]
+) -> None:
+    top = len(flanges) - 1
+    for count, (floors, absorber) in enumerate(absorbers.items(), start=1):
+        if not _joins(floors, top):
+            raise ModelError(
+                f"absorber {count} joins two floors, (lower, upper), there are 0 to {top}; got {floors}"
+            )
+        if not {"flange_a", "flange_b"} <= type(element_of(absorber)).fields.keys():
+            raise ModelError(f"absorber {count} must have flange_a and flange_b, got {shown(absorber)}")
+        lower, upper = (flanges[floor] for floor in floors)
+        frame.add(**{f"absorber{count}": absorber})
+        frame.connect(absorber.flange_a, lower).connect(absorber.flange_b, upper)
+
+
+def _joins(floors: Any, top: int) -> bool:
     """Return whether something is a pair of different floors."""
     pair = isinstance(floors, tuple) and len(floors) == 2 and not numbers(whole(0))(floors)
-    return pair and max(floors) < count and floors[0] != floors[1]
+    return pair and max(floors) <= top and floors[0] != floors[1]
 
 
 def _check_lists(m: Any, k: Any, d: Any) -> None:
@@ -98,13 +106,13 @@ def taut_cable(
 
     Limits: the frequency of mode n is low by about (n pi/parts)^2/24.
     """
-    demand("taut_cable()", parts=(parts, between(2, 100_000)), at=(at, whole(1)))
     demand(
         "taut_cable()",
         L=(L, finite("m")),
         T=(T, above(0, "N")),
         m=(m, above(0, "kg/m")),
-        parts=(parts, whole(2)),
+        parts=(parts, lambda value: between(2, 100_000)(value) or whole(2)(value)),
+        at=(at, whole(1)),
     )
     if not 1 <= at < parts:
         raise ModelError(f"the cable of {parts} parts has beads 1 to {parts - 1}, got {at}")
@@ -112,22 +120,15 @@ def taut_cable(
         raise ModelError(f"the cable needs a length above 0 m, got {L:g}")
     step = L / parts
     cable = Network("taut cable", left=Fixed(), right=Fixed(), wind=Force(f=0.0))
-    before = cable.left.flange
+    flanges = [cable.left.flange]
     for n in range(1, parts + 1):
-        cable.add(**{f"segment{n}": Spring(k=T / step)})
-        segment = getattr(cable, f"segment{n}")
-        cable.connect(before, segment.flange_a)
-        if n < parts:
-            cable.add(**{f"bead{n}": Mass(m=m * step)})
-            before = getattr(cable, f"bead{n}").flange
-            cable.connect(segment.flange_b, before)
-        else:
-            cable.connect(segment.flange_b, cable.right.flange)
-    cable.connect(cable.wind.flange, getattr(cable, f"bead{parts // 2}").flange)
+        segment, end = Spring(k=T / step), Mass(m=m * step) if n < parts else cable.right
+        cable.add(**{f"segment{n}": segment}, **({f"bead{n}": end} if n < parts else {}))
+        cable.connect(flanges[-1], segment.flange_a).connect(segment.flange_b, end.flange)
+        flanges.append(end.flange)
+    cable.connect(cable.wind.flange, flanges[parts // 2])
     if damper is not None:
-        cable.add(damper=damper)
-        cable.connect(damper.flange_a, cable.left.flange)
-        cable.connect(damper.flange_b, getattr(cable, f"bead{at}").flange)
+        cable.add(damper=damper).connect(damper.flange_a, flanges[0]).connect(damper.flange_b, flanges[at])
     return cable
 
 

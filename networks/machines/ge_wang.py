@@ -10,14 +10,8 @@ more than the 0.780 kg that eq. (14) gives for a solid disk of 100 mm.
 
 from __future__ import annotations
 
-from ...components import (
-    CompliantNutScrew,
-    DiskFlywheel,
-    IdealPlanetaryFlywheel,
-    NutScrew,
-    PlanetaryFlywheel,
-    rotational,
-)
+from ...components import CompliantNutScrew, DiskFlywheel, IdealPlanetaryFlywheel, NutScrew, PlanetaryFlywheel
+from ...components.rotational import StribeckFriction
 from .inerters import BallScrewInerter, PlanetaryFlywheelInerter
 from .planetary_design import PlanetaryGeometry, disk_mass, equivalent_inertia, screw_inertance
 
@@ -61,5 +55,5 @@ def ideal_inerter() -> PlanetaryFlywheelInerter:
 
 def screw(regularised: float | None = None) -> CompliantNutScrew:
     """Return the prototype's ball screw."""
-    friction = rotational.StribeckFriction(**FRICTION, regularised=regularised)
+    friction = StribeckFriction(**FRICTION, regularised=regularised)
     return CompliantNutScrew(**SCREW, friction=friction)

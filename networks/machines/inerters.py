@@ -1,21 +1,9 @@
 """Inerters as two-terminal machines: flange_a is the rod, flange_b the housing."""
 
-from __future__ import annotations
-
-from collections.abc import Iterable
 from typing import Any
 
-from ...components import (
-    CompliantNutScrew,
-    Component,
-    DiskFlywheel,
-    NutScrew,
-    PlanetaryFlywheel,
-    RackPinion,
-    RotationalFlange,
-    TwoFlanges,
-    variable,
-)
+from ...components import CompliantNutScrew, DiskFlywheel, NutScrew, PlanetaryFlywheel, RackPinion, TwoFlanges
+from ...components.language import Component, RotationalFlange, Stated, variable
 
 
 class FlywheelInerter(TwoFlanges):
@@ -24,10 +12,10 @@ class FlywheelInerter(TwoFlanges):
     support = RotationalFlange("what keeps the housing from turning", optional=True)
     f = variable("N", "force of the housing, positive when it pulls the flanges together")
 
-    def equations(self) -> Iterable[Any]:
+    def equations(self) -> Stated:
         yield self.f == self.flange_b.f
 
-    def joined(self, transmission: Any) -> Iterable[Any]:
+    def joined(self, transmission: Any) -> Stated:
         """Join rod, transmission, flywheel and housing."""
         yield self.flange_a, transmission.flange_t
         yield transmission.flange_r, self.flywheel.flange
@@ -42,8 +30,7 @@ class BallScrewInerter(FlywheelInerter):
         screw: `NutScrew`, or `CompliantNutScrew` for a real one.
         flywheel: `DiskFlywheel` or any other.
 
-    Source: Ge & Wang, Modeling, Testing, and Characteristic Analysis of a Planetary Flywheel Inerter,
-    eqs. (1), (2).
+    Source: Ge & Wang on the planetary flywheel inerter (see `ge_wang`), eqs. (1), (2).
 
     Example:
         >>> from inertance import BallScrewInerter, DiskFlywheel, NutScrew
@@ -53,7 +40,7 @@ class BallScrewInerter(FlywheelInerter):
     screw: Component = NutScrew()
     flywheel: Component = DiskFlywheel()
 
-    def connections(self) -> Iterable[Any]:
+    def connections(self) -> Stated:
         yield from self.joined(self.screw)
 
 
@@ -66,8 +53,7 @@ class PlanetaryFlywheelInerter(BallScrewInerter):
 
     The prototype of the source is `ge_wang.planetary_inerter()`.
 
-    Source: Ge & Wang, Modeling, Testing, and Characteristic Analysis of a Planetary Flywheel Inerter,
-    eqs. (16)-(27).
+    Source: Ge & Wang on the planetary flywheel inerter (see `ge_wang`), eqs. (16)-(27).
     """
 
     screw: Component = CompliantNutScrew()
@@ -87,5 +73,5 @@ class RackPinionInerter(FlywheelInerter):
     pinion = RackPinion()
     flywheel: Component = DiskFlywheel()
 
-    def connections(self) -> Iterable[Any]:
+    def connections(self) -> Stated:
         yield from self.joined(self.pinion)

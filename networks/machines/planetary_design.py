@@ -1,10 +1,8 @@
 """How heavy a planetary flywheel must be for its inertance, against a disk.
 
-Source of all formulas: Ge & Wang, Modeling, Testing, and Characteristic Analysis of a Planetary
-Flywheel Inerter, eqs. (2) and (7)-(15). They take numbers, arrays or symbols.
+Source of all formulas: Ge & Wang on the planetary flywheel inerter (see `ge_wang`), eqs. (2) and (7)-(15).
+They take numbers, arrays or symbols.
 """
-
-from __future__ import annotations
 
 from dataclasses import dataclass, fields
 from math import pi
@@ -36,14 +34,8 @@ def equivalent_inertia(N: Any, lam: Any, J_s: Any, J_p: Any, J_r: Any) -> Any:
         J_p: inertia of a planet in spin [kg.m2].
         J_r: inertia of a planet in revolution [kg.m2].
     """
-    demand(
-        "equivalent_inertia()",
-        N=(N, quantity),
-        lam=(lam, quantity_above_0),
-        J_s=(J_s, quantity),
-        J_p=(J_p, quantity),
-        J_r=(J_r, quantity),
-    )
+    others = {name: (value, quantity) for name, value in (("J_s", J_s), ("J_p", J_p), ("J_r", J_r))}
+    demand("equivalent_inertia()", N=(N, quantity), lam=(lam, quantity_above_0), **others)
     return J_s + N * (J_p * ((1 - lam) / lam) ** 2 + J_r)
 
 

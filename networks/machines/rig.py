@@ -16,7 +16,7 @@ from ...components import Backlash, Component, Fixed, Planet, Position
 from ..network import Network
 from ..results.result import Result
 
-MOST_LINES = 100_000
+LINE_LIMIT = 100_000
 
 
 @dataclass(frozen=True)
@@ -52,8 +52,7 @@ class RandomDisplacement:
         low, high: the band [Hz].
         level: [m2.Hz].
 
-    Source: Ge & Wang, Modeling, Testing, and Characteristic Analysis of a Planetary Flywheel Inerter,
-    eq. (31).
+    Source: Ge & Wang on the planetary flywheel inerter (see `ge_wang`), eq. (31).
     """
 
     seed: int
@@ -71,9 +70,9 @@ class RandomDisplacement:
             high=(self.high, above(0, "Hz")),
             level=(self.level, above(0, "m2.Hz")),
         )
-        if not 1 <= (self.high - self.low) * self.period <= MOST_LINES or not len(self.lines):
+        if not 1 <= (self.high - self.low) * self.period <= LINE_LIMIT or not len(self.lines):
             raise ModelError(
-                f"a RandomDisplacement is of 1 to {MOST_LINES:.0e} lines, 1/period apart, from low to high, "
+                f"a RandomDisplacement is of 1 to {LINE_LIMIT:.0e} lines, 1/period apart, from low to high, "
                 f"got {self.low:g} to {self.high:g} Hz with a period of {self.period:g} s"
             )
 
@@ -135,16 +134,14 @@ def rig_response(
         displacements: realisations over which the spectra are averaged.
         settle: time left out before the period that is evaluated [s].
 
-    Source: Ge & Wang, Modeling, Testing, and Characteristic Analysis of a Planetary Flywheel Inerter,
-    eq. (32).
+    Source: Ge & Wang on the planetary flywheel inerter (see `ge_wang`), eq. (32).
     """
     demand("rig_response()", inerter=(inerter, instance(Component)), settle=(settle, at_least(0, "s")))
     given: Any = displacements
     if not (isinstance(given, Sequence) and given and all(isinstance(d, RandomDisplacement) for d in given)):
         raise ModelError(f"displacements are RandomDisplacements of one band, got {shown(displacements)}")
     lines, period = displacements[0].lines, displacements[0].period
-    cross = np.zeros(len(lines), dtype=np.complex128)
-    power = np.zeros_like(cross)
+    cross, power = np.zeros((2, len(lines)), dtype=np.complex128)
     for displacement in displacements:
         run = run_on_rig(inerter.clone(), displacement, period, begin=-settle, step=1e-3)
         x, F = (_spectrum(run, name, period)[lines] for name in ("actuator.s_ref", "inerter.flange_a.f"))

@@ -14,28 +14,6 @@ from ...base import demand, finite, text
 from ...components import Component, Damper, Inerter, ModelError, Spring
 from ..two_terminal import parallel, series
 
-LAYOUTS: dict[str, Callable[..., Any]] = {
-    "S1": lambda damper, **_: damper,
-    "S2": lambda damper, relaxation, **_: series(damper=damper, relaxation=relaxation),
-    "S3": lambda damper, inerter, **_: parallel(damper=damper, inerter=inerter),
-    "S4": lambda damper, inerter, **_: series(damper=damper, inerter=inerter),
-    "S5": lambda damper, inerter, relaxation, **_: series(
-        pair=parallel(damper=damper, inerter=inerter), relaxation=relaxation
-    ),
-    "S6": lambda damper, inerter, relaxation, **_: series(
-        relaxation=relaxation, damper=damper, inerter=inerter
-    ),
-    "S7": lambda damper, inerter, centring_d, centring_b, **_: series(
-        upper=parallel(damper=damper, centring=centring_d),
-        lower=parallel(inerter=inerter, centring=centring_b),
-    ),
-    "S8": lambda damper, inerter, centring_d, centring_b, relaxation, **_: series(
-        relaxation=relaxation,
-        upper=parallel(damper=damper, centring=centring_d),
-        lower=parallel(inerter=inerter, centring=centring_b),
-    ),
-}
-
 
 def suspension(
     layout: str,
@@ -79,16 +57,35 @@ def suspension(
         k_1=(k_1, finite("N/m")),
         k_2=(k_2, finite("N/m")),
     )
-    if layout not in LAYOUTS:
-        raise ModelError(f"suspension layouts are {', '.join(LAYOUTS)}, got {layout!r}")
-    rest = LAYOUTS[layout](
-        damper=d if isinstance(d, Component) else Damper(d=d),
-        inerter=b if isinstance(b, Component) else Inerter(b=b),
-        relaxation=Spring(k=k_b),
-        centring_d=Spring(k=k_1),
-        centring_b=Spring(k=k_2),
-    )
-    return parallel(spring=Spring(k=k), rest=rest)
+    damper = d if isinstance(d, Component) else Damper(d=d)
+    inerter = b if isinstance(b, Component) else Inerter(b=b)
+    layouts = _layouts(damper, inerter, Spring(k=k_b), Spring(k=k_1), Spring(k=k_2))
+    if layout not in layouts:
+        raise ModelError(f"suspension layouts are {', '.join(layouts)}, got {layout!r}")
+    return parallel(spring=Spring(k=k), rest=layouts[layout]())
+
+
+def _layouts(
+    damper: Component, inerter: Component, relaxation: Spring, centring_d: Spring, centring_b: Spring
+) -> dict[str, Callable[[], Any]]:
+    """Return what makes each layout; only one is made, as a part belongs to one assembly."""
+
+    def centred() -> dict[str, Component]:
+        return {
+            "upper": parallel(damper=damper, centring=centring_d),
+            "lower": parallel(inerter=inerter, centring=centring_b),
+        }
+
+    return {
+        "S1": lambda: damper,
+        "S2": lambda: series(damper=damper, relaxation=relaxation),
+        "S3": lambda: parallel(damper=damper, inerter=inerter),
+        "S4": lambda: series(damper=damper, inerter=inerter),
+        "S5": lambda: series(pair=parallel(damper=damper, inerter=inerter), relaxation=relaxation),
+        "S6": lambda: series(relaxation=relaxation, damper=damper, inerter=inerter),
+        "S7": lambda: series(**centred()),
+        "S8": lambda: series(relaxation=relaxation, **centred()),
+    }
 
 
 def _number_or_component(value: Any) -> str:

@@ -2,21 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
 from typing import Any
 
-from ...components import (
-    Component,
-    Force,
-    Mass,
-    Position,
-    Spring,
-    SpringDamper,
-    TranslationalFlange,
-    der,
-    parameter,
-    variable,
-)
+from ...components import Force, Mass, Position, Spring, SpringDamper
+from ...components.language import Component, Stated, TranslationalFlange, der, parameter, variable
 from ..given import element_of
 from ..network import Network
 
@@ -32,25 +21,13 @@ def quarter_car(strut: Component, *, m_s: float = 250.0, m_u: float = 35.0, k_t:
 
     Source: Smith & Wang, Vehicle System Dynamics 42 (2004) 235-257, section 3.
     """
-    car = Network(
-        "quarter car", road=Position(s_ref=0.0), tyre=Spring(k=k_t), wheel=Mass(m=m_u), strut=strut,
-        body=Mass(m=m_s), load=Force(f=0.0),
-    )  # fmt: skip
-    car.connect(car.road.flange, car.tyre.flange_a)
-    car.connect(car.tyre.flange_b, car.wheel.flange, car.strut.flange_a)
-    return car.connect(car.strut.flange_b, car.body.flange, car.load.flange)
+    car, body, load = Network("quarter car"), Mass(m=m_s), Force(f=0.0)
+    _add_corner(car, "", strut, body.flange, m_u, k_t)
+    return car.add(body=body, load=load).connect(body.flange, load.flange)
 
 
-class PitchingBody(Component):
-    """A rigid body that heaves and pitches: m a = f_f + f_r, J alpha = l_r f_r - l_f f_f; small angles.
-
-    Seen from the side with the nose at the front flange, theta > 0 lifts the tail.
-    """
-
-    front = TranslationalFlange("front axle", free=True)
-    rear = TranslationalFlange("rear axle", free=True)
+class _HeavingBody(Component):
     m = parameter("kg", "mass", above=0)
-    J = parameter("kg.m2", "moment of inertia in pitch", above=0)
     l_f = parameter("m", "from the centre of mass to the front axle", above=0)
     l_r = parameter("m", "from the centre of mass to the rear axle", above=0)
     s = variable("m", "height of the centre of mass", state="prefer")
@@ -59,10 +36,23 @@ class PitchingBody(Component):
     theta = variable("rad", "pitch", state="prefer")
     q = variable("rad/s", "pitch rate", state="prefer")
 
-    def equations(self) -> Iterable[Any]:
+    def equations(self) -> Stated:
         yield self.v == der(self.s)
         yield self.a == der(self.v)
         yield self.q == der(self.theta)
+
+
+class PitchingBody(_HeavingBody):
+    """A rigid body that heaves and pitches: m a = f_f + f_r, J alpha = l_r f_r - l_f f_f; small angles.
+
+    Seen from the side with the nose at the front flange, theta > 0 lifts the tail.
+    """
+
+    front = TranslationalFlange("front axle", free=True)
+    rear = TranslationalFlange("rear axle", free=True)
+    J = parameter("kg.m2", "moment of inertia in pitch", above=0)
+
+    def equations(self) -> Stated:
         yield self.front.s == self.s - self.l_f * self.theta
         yield self.rear.s == self.s + self.l_r * self.theta
         yield self.m * self.a == self.front.f + self.rear.f
@@ -98,7 +88,7 @@ def half_car(
     return car
 
 
-class RigidBody(Component):
+class RigidBody(_HeavingBody):
     """A rigid body on four corners that heaves, pitches and rolls; small angles.
 
         m a = sum f,   J_y alpha = sum of -x f,   J_x beta = sum of y f,   s_corner = s - x theta + y phi
@@ -110,21 +100,13 @@ class RigidBody(Component):
     front_right = TranslationalFlange("front right corner", free=True)
     rear_left = TranslationalFlange("rear left corner", free=True)
     rear_right = TranslationalFlange("rear right corner", free=True)
-    m = parameter("kg", "mass", above=0)
     J_x = parameter("kg.m2", "moment of inertia in roll", above=0)
     J_y = parameter("kg.m2", "moment of inertia in pitch", above=0)
-    l_f = parameter("m", "from the centre of mass to the front axle", above=0)
-    l_r = parameter("m", "from the centre of mass to the rear axle", above=0)
     w = parameter("m", "track", above=0)
-    s = variable("m", "height of the centre of mass", state="prefer")
-    v = variable("m/s", "velocity of the centre of mass", state="prefer")
-    a = variable("m/s2", "acceleration of the centre of mass")
-    theta = variable("rad", "pitch", state="prefer")
-    q = variable("rad/s", "pitch rate", state="prefer")
     phi = variable("rad", "roll", state="prefer")
     p = variable("rad/s", "roll rate", state="prefer")
 
-    def equations(self) -> Iterable[Any]:
+    def equations(self) -> Stated:
         half = self.w / 2
         corners = (
             (self.front_left, self.l_f, half),
@@ -132,9 +114,6 @@ class RigidBody(Component):
             (self.rear_left, -self.l_r, half),
             (self.rear_right, -self.l_r, -half),
         )
-        yield self.v == der(self.s)
-        yield self.a == der(self.v)
-        yield self.q == der(self.theta)
         yield self.p == der(self.phi)
         for corner, x, y in corners:
             yield corner.s == self.s - x * self.theta + y * self.phi
@@ -181,15 +160,9 @@ def full_car(
 
 
 def _add_corner(car: Network, name: str, strut: Component, corner: Any, m_u: float, k_t: float) -> None:
-    car.add(
-        **{
-            f"{name}_road": Position(s_ref=0.0),
-            f"{name}_tyre": Spring(k=k_t),
-            f"{name}_wheel": Mass(m=m_u),
-            name: strut,
-        }
-    )
-    road, tyre, wheel = (getattr(car, f"{name}_{part}") for part in ("road", "tyre", "wheel"))
+    road, tyre, wheel = Position(s_ref=0.0), Spring(k=k_t), Mass(m=m_u)
+    prefix = f"{name}_" if name else ""
+    car.add(**{f"{prefix}road": road, f"{prefix}tyre": tyre, f"{prefix}wheel": wheel, name or "strut": strut})
     car.connect(road.flange, tyre.flange_a)
     car.connect(tyre.flange_b, wheel.flange, strut.flange_a)
     car.connect(strut.flange_b, corner)

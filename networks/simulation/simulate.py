@@ -11,8 +11,7 @@ from typing import Any, Never
 
 import numpy as np
 
-from ...base import ModelError, heed, listed, named
-from ...base.keywords import check_keywords
+from ...base import ModelError, check_keywords, heed, listed, named
 from ...components.language import Component
 from ..dae import DAE
 from ..given import dae_of
