@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import ctypes
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
 from contextlib import chdir, suppress
 from pathlib import Path
 from threading import Lock
@@ -15,14 +15,33 @@ from .instance import Group, Stepped, Update, Values
 from .model_description import KINDS
 from .unpacked import Unpacked
 
-KEPT_MESSAGES = 5
+KEPT_MESSAGES, NAMED_FUNCTIONS, MOST_ITERATIONS = 5, 6, 1000
+NAMES = {
+    2: {
+        "real": "Real", "Enumeration": "Integer", "update": "newDiscreteStates", "rates": "getDerivatives",
+    },
+    3: {
+        "real": "Float64", "Enumeration": "Int64", "update": "updateDiscreteStates",
+        "rates": "getContinuousStateDerivatives",
+    },
+}  # fmt: skip
+CASTS: dict[str, Callable[[Any], Any]] = {
+    "Real": float, "Float64": float, "Float32": float, "String": str, "Boolean": bool,
+}  # fmt: skip
 _LOADING = Lock()
 
 
 class LocalInstance:
-    """An instance in this process; see `Instance`.
+    """An instance in this process; only plain numbers, texts and lists pass.
 
-    Its files are its own, in a temporary folder, or those given; `events` asks for event mode.
+    Its files are its own, in a temporary folder, or those given; `events` asks for event mode. A group is
+    (FMI type, value references, number of values). The inputs chosen at the start are set with every
+    evaluation.
+
+    Attributes:
+        instance: FMPy's object.
+        event_mode: whether Co-Simulation has event mode.
+        interpolates: whether Co-Simulation follows rates of the inputs.
     """
 
     def __init__(
@@ -32,9 +51,9 @@ class LocalInstance:
         self._files, self._shared = files or Unpacked(path), files is not None
         self.description = self._files.description
         self.name, self.major = self.description.modelName, self.description.fmiMajorVersion
+        self._names, self._inputs = NAMES[self.major], list[int]()
         self._kept: Any = None
-        self._slave: Any = None
-        self._inputs: list[int] = []
+        self.instance: Any = None
         face = getattr(self.description, KINDS[kind])
         self._steps_completed = kind == "ME" and face.needsCompletedIntegratorStep
         self.event_mode = events and kind == "CS" and bool(face.hasEventMode)
@@ -46,11 +65,6 @@ class LocalInstance:
             raise
         nx, nz = self.description.numberOfContinuousStates, self.description.numberOfEventIndicators
         self._x, self._dx, self._z = ((ctypes.c_double * n)() for n in (nx, nx, nz))
-
-    @property
-    def instance(self) -> Any:
-        """FMPy's object."""
-        return self._slave
 
     def _leave(self) -> None:
         if not self._shared:
@@ -65,7 +79,7 @@ class LocalInstance:
         kind = {"ME": "ModelExchange", "CS": "CoSimulation"}[self.kind]
         try:
             with _LOADING, chdir("."):  # FMPy goes into the folder of the library meanwhile
-                self._slave = instantiate_fmu(
+                self.instance = instantiate_fmu(
                     str(folder), self.description, kind, logger=self._log,
                     early_return_allowed=self.event_mode, event_mode_used=self.event_mode,
                 )  # fmt: skip
@@ -88,7 +102,7 @@ class LocalInstance:
         from fmpy.fmi1 import FMICallException
 
         try:
-            return getattr(self._slave, method)(*arguments)
+            return getattr(self.instance, method)(*arguments)
         except FMICallException as error:
             raise FMUError(f"FMU '{self.name}': {error}{self._said()}") from error
 
@@ -111,22 +125,21 @@ class LocalInstance:
     def set(self, group: Group, values: Values) -> None:
         """Set variables of one type."""
         kind, references, _ = group
-        cast = _CASTS.get(kind, int)
-        self._call(f"set{_method(kind, self.major)}", references, [cast(value) for value in values])
+        cast = CASTS.get(kind, int)
+        self._call(f"set{self._names.get(kind, kind)}", references, [cast(value) for value in values])
 
     def get(self, groups: list[Group]) -> Values:
         """Return the values of variables, group after group, as numbers."""
         found: Values = []
         for kind, references, count in groups:
             extra = (count,) if self.major == 3 else ()
-            values = self._call(f"get{_method(kind, self.major)}", references, *extra)
-            found += [float(value) for value in values]
+            found += map(float, self._call(f"get{self._names.get(kind, kind)}", references, *extra))
         return found
 
     def drive(self, inputs: Values) -> None:
         """Set the inputs chosen at the start."""
         if self._inputs:
-            self.set((_real(self.major), self._inputs, len(inputs)), inputs)
+            self.set((self._names["real"], self._inputs, len(inputs)), inputs)
 
     def _at(self, t: float, x: Values, inputs: Values) -> None:
         self._call("setTime", t)
@@ -135,23 +148,26 @@ class LocalInstance:
             self._call("setContinuousStates", self._x, len(x))
         self.drive(inputs)
 
+    def _read(self, method: str, values: Any) -> Values:
+        if len(values):
+            self._call(method, values, len(values))
+        return list(values)
+
     def states(self) -> Values:
         """Return the continuous states."""
-        if len(self._x):
-            self._call("getContinuousStates", self._x, len(self._x))
-        return list(self._x)
+        return self._read("getContinuousStates", self._x)
 
     def nominals(self) -> Values:
         """Return the sizes of the continuous states."""
-        if len(self._dx):
-            self._call("getNominalsOfContinuousStates", self._dx, len(self._dx))
-        return list(self._dx)
+        return self._read("getNominalsOfContinuousStates", self._dx)
 
     def derivatives(self, t: float, x: Values, inputs: Values) -> Values:
         """Return the rates of the states at a point."""
         self._at(t, x, inputs)
-        self._call("getDerivatives" if self.major == 2 else "getContinuousStateDerivatives", self._dx, len(x))
-        return list(self._dx)
+        return self._rates()
+
+    def _rates(self) -> Values:
+        return self._read(self._names["rates"], self._dx)
 
     def indicators(self, t: float, x: Values, inputs: Values) -> Values:
         """Return the event indicators at a point."""
@@ -160,9 +176,7 @@ class LocalInstance:
 
     def watched(self) -> Values:
         """Return the event indicators where it stands."""
-        if len(self._z):
-            self._call("getEventIndicators", self._z, len(self._z))
-        return list(self._z)
+        return self._read("getEventIndicators", self._z)
 
     def look(self, t: float, x: Values, inputs: Values, groups: list[Group]) -> Values:
         """Return variables at a point."""
@@ -183,9 +197,8 @@ class LocalInstance:
     def update(self) -> Update:
         """Iterate events until none is left and leave event mode."""
         nominals = states = False
-        for _ in range(1000):
-            update = "newDiscreteStates" if self.major == 2 else "updateDiscreteStates"
-            again, terminate, renamed, moved, timed, following = self._call(update)
+        for _ in range(MOST_ITERATIONS):
+            again, terminate, renamed, moved, timed, following = self._call(self._names["update"])
             nominals, states = nominals or renamed, states or moved
             if terminate or not again:
                 break
@@ -210,7 +223,7 @@ class LocalInstance:
         from fmpy.fmi2 import fmi2Discard, fmi2LastSuccessfulTime, fmi2Terminated
 
         try:
-            self._slave.doStep(t, duration, self._kept is None)
+            self.instance.doStep(t, duration, self._kept is None)
         except FMICallException as error:
             if error.status != fmi2Discard:
                 raise FMUError(f"FMU '{self.name}' at t = {t:g} s: {error}{self._said()}") from error
@@ -235,7 +248,7 @@ class LocalInstance:
 
     def close(self) -> None:
         """Free the instance and remove its files."""
-        slave, self._slave = self._slave, None
+        slave, self.instance = self.instance, None
         if slave is None:
             return
         with suppress(Exception):
@@ -253,24 +266,9 @@ class LocalInstance:
         self.close()
 
 
-_CASTS: dict[str, Callable[[Any], Any]] = {
-    "Real": float, "Float64": float, "Float32": float, "String": str, "Boolean": bool,
-}  # fmt: skip
-
-
-def _real(major: int) -> str:
-    return "Real" if major == 2 else "Float64"
-
-
-def _method(kind: str, major: int) -> str:
-    return kind if kind != "Enumeration" else "Integer" if major == 2 else "Int64"
-
-
 def _check_symbols(name: str, library: Path, major: int, kind: str) -> None:
     """Load a library and refuse it if a function that FMI demands is not in it, before any is called."""
-    from fmpy import freeLibrary
-    from fmpy.fmi2 import FMU2Model, FMU2Slave
-    from fmpy.fmi3 import FMU3Model, FMU3Slave
+    from fmpy import fmi2, fmi3, freeLibrary
 
     if not library.is_file():
         raise FMUError(f"FMU '{name}' has no library '{library.name}' among its binaries for this machine")
@@ -278,12 +276,10 @@ def _check_symbols(name: str, library: Path, major: int, kind: str) -> None:
         loaded = ctypes.CDLL(str(library))
     except OSError as error:
         raise FMUError(f"FMU '{name}': its binary does not load: {error}") from error
-    faces: dict[tuple[int, str], type] = {
-        (2, "ME"): FMU2Model, (2, "CS"): FMU2Slave, (3, "ME"): FMU3Model, (3, "CS"): FMU3Slave,
-    }  # fmt: skip
-    wanted = [n for n in dir(faces[major, kind]) if n.startswith(f"fmi{major}")]
-    missing = [n for n in wanted if not hasattr(loaded, n)]
+    face = getattr(fmi2 if major == 2 else fmi3, f"FMU{major}{'Model' if kind == 'ME' else 'Slave'}")
+    missing = [n for n in dir(face) if n.startswith(f"fmi{major}") and not hasattr(loaded, n)]
     freeLibrary(loaded._handle)
     if missing:
-        told: Sequence[str] = missing if len(missing) <= 6 else [*missing[:6], f"{len(missing) - 6} more"]
-        raise FMUError(f"FMU '{name}': its binary lacks FMI functions: {', '.join(told)}")
+        more = [f"{len(missing) - NAMED_FUNCTIONS} more"] if len(missing) > NAMED_FUNCTIONS else []
+        told = ", ".join(missing[:NAMED_FUNCTIONS] + more)
+        raise FMUError(f"FMU '{name}': its binary lacks FMI functions: {told}")

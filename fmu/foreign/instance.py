@@ -1,13 +1,18 @@
-"""Instances: what a run asks of an FMU, wherever its binary runs."""
+"""Instances of an FMU, wherever its binary runs, and what passes between them and a run."""
 
 from __future__ import annotations
 
-from typing import Any, NamedTuple, Protocol, Self
+from typing import TYPE_CHECKING, Any, NamedTuple, TypeAlias
 
 import numpy as np
 
 from ..errors import FMUError
 
+if TYPE_CHECKING:
+    from .in_process import LocalInstance
+    from .subprocess_instance import IsolatedInstance
+
+Instance: TypeAlias = "LocalInstance | IsolatedInstance"
 Values = list[Any]
 Group = tuple[str, list[int], int]
 
@@ -39,57 +44,6 @@ class Stepped(NamedTuple):
         if self.reached <= t and not (self.event or self.terminate):
             raise FMUError(f"FMU '{name}' does not advance beyond t = {t:.9g} s")
         return self.reached, False
-
-
-class Instance(Protocol):
-    """What a run does with an instance; only plain numbers, texts and lists pass.
-
-    A group is (FMI type, value references, number of values). The inputs chosen at the start are set
-    with every evaluation.
-    """
-
-    def start(
-        self, begin: float, stop: float, rtol: float, values: list[tuple[Group, Values]], inputs: list[int]
-    ) -> None: ...
-
-    def started(self) -> None: ...
-
-    def set(self, group: Group, values: Values) -> None: ...
-
-    def get(self, groups: list[Group]) -> Values: ...
-
-    def drive(self, inputs: Values) -> None: ...
-
-    def states(self) -> Values: ...
-
-    def nominals(self) -> Values: ...
-
-    def derivatives(self, t: float, x: Values, inputs: Values) -> Values: ...
-
-    def indicators(self, t: float, x: Values, inputs: Values) -> Values: ...
-
-    def look(self, t: float, x: Values, inputs: Values, groups: list[Group]) -> Values: ...
-
-    def completed_step(self) -> tuple[bool, bool]: ...
-
-    def enter_events(self) -> None: ...
-
-    def update(self) -> Update: ...
-
-    def step(self, t: float, duration: float, inputs: Values, rates: Values) -> Stepped: ...
-
-    def save(self) -> None: ...
-
-    def restore(self) -> None: ...
-
-    event_mode: bool
-    interpolates: bool
-
-    def close(self) -> None: ...
-
-    def __enter__(self) -> Self: ...
-
-    def __exit__(self, *_: object) -> None: ...
 
 
 def finite(name: str, what: str, t: float, values: Values) -> Any:

@@ -129,7 +129,4 @@ class LoadedInstance(LocalInstance):
                 f"FMU '{self.name}': its velocity is no state of it, so that an inertia cannot be joined"
             )
         self.drive(self.loaded(inputs, force))
-        self._call(
-            "getDerivatives" if self.major == 2 else "getContinuousStateDerivatives", self._dx, len(self._dx)
-        )
-        return float(self._dx[self._fast])
+        return float(self._rates()[self._fast])
