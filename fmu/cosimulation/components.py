@@ -17,14 +17,13 @@ from ..foreign.variable import ForeignVariable
 
 @dataclass(frozen=True)
 class Given:
-    """What the network takes from an FMU: a component's input, and the variables it comes from.
+    """What the network takes from an FMU: a component's input, and the variable it comes from.
 
-    `rate` is the variable that gives its time derivative, if there is one.
+    A second variable gives its time derivative, if there is one.
     """
 
     name: str
-    value: str
-    rate: str | None
+    variables: tuple[str, ...]
     sign: float
 
 
@@ -64,20 +63,30 @@ class ForeignComponent(Component):
         self.chosen, self.started = dict(parameters or {}), dict(start or {})
         self.taken, self.given = (), ()
 
+    @property
+    def exchanged(self) -> list[str]:
+        """Names of what passes between it and its FMU."""
+        return [*(taken.name for taken in self.taken), *(given.name for given in self.given)]
+
     def _take(self, signed: str, name: str, order: int, unit: str) -> None:
         sign, path = _signed(signed)
         _check(self.fmu, self.fmu.variable(path, self.fmu.inputs), unit)
         self.taken += (Taken(path, name, order, sign),)
 
-    def _give(self, name: str, signed: str, rate: str | None, unit: str) -> None:
-        sign, path = _signed(signed)
-        _check(self.fmu, self.fmu.variable(path), unit)
-        if rate is not None:
-            if _signed(rate)[0] != sign:
-                raise FMUError(f"FMU '{self.fmu.name}': '{signed}' and '{rate}' must have the same sign")
-            rate = _signed(rate)[1]
-            _check(self.fmu, self.fmu.variable(rate), rate_unit(unit))
-        self.given += (Given(name, path, rate, sign),)
+    def _take_motion(self, name: str, signed: Iterable[str | None], unit: str) -> None:
+        """Take a variable of the network, its rate and the rate of that, as far as there are inputs."""
+        for order, path in enumerate(signed):
+            if path is not None:
+                self._take(path, name, order, rate_unit(unit, order))
+
+    def _give(self, name: str, unit: str, *signed: str) -> None:
+        signs, paths = zip(*map(_signed, signed), strict=True)
+        for order, path in enumerate(paths):
+            _check(self.fmu, self.fmu.variable(path), rate_unit(unit, order))
+        if len(set(signs)) > 1:
+            told = " and ".join(map(repr, signed))
+            raise FMUError(f"FMU '{self.fmu.name}': {told} must have the same sign")
+        self.given += (Given(name, paths, signs[0]),)
 
 
 class FMUBlock(ForeignComponent):
@@ -123,7 +132,7 @@ class FMUBlock(ForeignComponent):
         for v in self._ins:
             self._take(v.name, _identifier(v.name), 0, "")
         for v in self._outs:
-            self._give(_inner(v.name), v.name, None, "")
+            self._give(_inner(v.name), "", v.name)
 
     def equations(self) -> Iterable[Any]:
         for v in self._outs:
@@ -163,10 +172,8 @@ class FMUForce(ForeignComponent):
         acceleration: str | None = None, force: str, **values: Any,
     ) -> None:  # fmt: skip
         super().__init__(fmu, **values)
-        for order, name in enumerate((position, velocity, acceleration)):
-            if name is not None:
-                self._take(name, "s_rel", order, ("m", "m/s", "m/s2")[order])
-        self._give("f", force, None, "N")
+        self._take_motion("s_rel", (position, velocity, acceleration), "m")
+        self._give("f", "N", force)
 
     def equations(self) -> Iterable[Any]:
         yield self.s_rel == self.flange_b.s - self.flange_a.s
@@ -195,10 +202,8 @@ class FMUTorque(ForeignComponent):
         acceleration: str | None = None, torque: str, **values: Any,
     ) -> None:  # fmt: skip
         super().__init__(fmu, **values)
-        for order, name in enumerate((angle, speed, acceleration)):
-            if name is not None:
-                self._take(name, "phi_rel", order, ("rad", "rad/s", "rad/s2")[order])
-        self._give("tau", torque, None, "N.m")
+        self._take_motion("phi_rel", (angle, speed, acceleration), "rad")
+        self._give("tau", "N.m", torque)
 
     def equations(self) -> Iterable[Any]:
         yield self.phi_rel == self.flange_b.phi - self.flange_a.phi
@@ -236,7 +241,7 @@ class FMUMotion(ForeignComponent):
     ) -> None:
         super().__init__(fmu, **values)
         self._take(force, "f", 0, "N")
-        self._give("s", position, velocity, "m")
+        self._give("s", "m", position, velocity)
 
     def equations(self) -> Iterable[Any]:
         yield self.flange.s == self.s
@@ -260,7 +265,7 @@ class FMURotation(ForeignComponent):
     def __init__(self, fmu: FMU | str | Path, *, torque: str, angle: str, speed: str, **values: Any) -> None:
         super().__init__(fmu, **values)
         self._take(torque, "tau", 0, "N.m")
-        self._give("phi", angle, speed, "rad")
+        self._give("phi", "rad", angle, speed)
 
     def equations(self) -> Iterable[Any]:
         yield self.flange.phi == self.phi

@@ -2,25 +2,24 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
-from dataclasses import dataclass, field
+from collections.abc import Iterator
+from dataclasses import dataclass
 from math import factorial
 from typing import TYPE_CHECKING
 
 import numpy as np
 
 from ...base import Array
-from ...networks import Event, Pieces, Result
+from ...networks import Event, Pieces, Result, Stepwise
 from ..foreign.communication_steps import Course
 from ..foreign.instance import Values
-from .components import ForeignComponent, Given, Taken
-from .participants import Participant
+from .components import ForeignComponent
 from .step_error import ExchangeRun
 
 if TYPE_CHECKING:
     import pandas as pd
 
-SAME = 1e-9
+SAME_VELOCITY = 1e-9
 
 
 @dataclass(eq=False)
@@ -70,79 +69,61 @@ class CoupledRun(ExchangeRun):
         return self.network.events
 
 
-@dataclass(eq=False)
-class Coupled:
-    """One FMU in the network: its participant and how its variables convert."""
+class Coupling:
+    """What passes between the network and one FMU in it.
 
-    path: str
-    component: ForeignComponent
-    fmu: Participant
-    order: int
-    was: Array = field(default_factory=lambda: np.zeros(0))
+    Args:
+        path: of the component in the network.
+        component: which has the FMU.
+        order: of the extrapolation.
+    """
 
-    def wanted(self) -> list[tuple[str, int]]:
-        """Return what is to be observed in the network: values and rates of what the FMU takes."""
-        return [
-            (f"{self.path}.{taken.name}", taken.order + i)
-            for taken in self.component.taken
-            for i in range(self.order + 1)
-        ]
+    def __init__(self, path: str, component: ForeignComponent, order: int) -> None:
+        self.path, self.component = path, component
+        orders = [(taken, taken.order + i) for taken in component.taken for i in range(order + 1)]
+        self._observed = [(f"{path}.{taken.name}", order) for taken, order in orders]
+        self._factorials = [factorial(i) for i in range(order + 1)]
+        fmu = component.fmu
+        self._taken = [(one.sign, fmu.measure(fmu.variables[one.input])) for one in component.taken]
+        self._given = {
+            f"{path}.{one.name}": [(one.sign, fmu.measure(fmu.variables[name])) for name in one.variables]
+            for one in component.given
+        }
 
-    def course(self, observed: Array, t: float) -> Course:
-        """Return what the FMU takes as a function of time, from observations at t."""
-        table = observed.reshape(-1, self.order + 1) / [factorial(i) for i in range(self.order + 1)]
-        pairs = list(zip(self.component.taken, table.tolist(), strict=True))
+    def course(self, network: Stepwise, t: float) -> Course:
+        """Return what the FMU takes as a function of time, extrapolated from where the network is, at t."""
+        observed = network.observe(self._observed) if self._observed else np.zeros(0)
+        table = observed.reshape(-1, len(self._factorials)) / self._factorials
+        rows = [(*measured, row) for measured, row in zip(self._taken, table.tolist(), strict=True)]
 
         def at(time: float) -> Values:
-            return [self._foreign(taken, _polynomial(row, time - t)) for taken, row in pairs]
+            ahead = time - t
+            return [
+                unit.from_si(sign * sum(c * ahead**i for i, c in enumerate(row))) for sign, unit, row in rows
+            ]
 
         return at
 
-    def _foreign(self, taken: Taken, value: float) -> float:
-        fmu = self.component.fmu
-        return fmu.measure(fmu.variables[taken.input]).from_si(taken.sign * value)
+    def courses(self, gave: Array) -> dict[str, list[float]]:
+        """Return values, or values and rates, of the inputs of the network, as the FMU gave them."""
+        values = iter(gave.tolist())
+        return {
+            name: [sign * unit.to_si(next(values)) for sign, unit in measures]
+            for name, measures in self._given.items()
+        }
 
-    def start_inputs(self) -> Values:
-        """Return the values that the FMU itself declares for its inputs."""
-        variables = self.component.fmu.variables
-        return [float(variables[taken.input].start or 0.0) for taken in self.component.taken]
+    def courses_between(self, gave: Array, gives: Array, duration: float) -> dict[str, list[float]]:
+        """Return the polynomials from what it gave to what it gives a step later."""
+        before, after = self.courses(gave), self.courses(gives)
+        return {name: _between(before[name], after[name], duration) for name in before}
 
-    def courses(self, now: Array, duration: float | None = None) -> dict[str, Sequence[float]]:
-        """Return the polynomials from what was to what is now; without duration, from what was on."""
-        found: dict[str, Sequence[float]] = {}
-        place = 0
-        for given in self.component.given:
-            width = 1 if given.rate is None else 2
-            part = slice(place, place + width)
-            place += width
-            before, after = self._si(given, self.was[part]), self._si(given, now[part])
-            course = before if duration is None else _between(before, after, duration)
-            found[f"{self.path}.{given.name}"] = course
-        return found
-
-    def jumps(self, was: Array) -> Iterator[tuple[str, list[float], float]]:
+    def jumps(self, gave: Array, gives: Array) -> Iterator[tuple[str, list[float], float]]:
         """Yield the motions whose velocity is another than it was: name, course from now on, and the jump."""
-        place = 0
-        for given in self.component.given:
-            width = 1 if given.rate is None else 2
-            part = slice(place, place + width)
-            place += width
-            before, now = self._si(given, was[part]), self._si(given, self.was[part])
-            if width == 2 and abs(now[1] - before[1]) > SAME * (abs(now[1]) + abs(before[1])):
-                yield f"{self.path}.{given.name}", now, now[1] - before[1]
-
-    def _si(self, given: Given, values: Array) -> list[float]:
-        fmu = self.component.fmu
-        names = [given.value] if given.rate is None else [given.value, given.rate]
-        measures = [fmu.measure(fmu.variables[name]) for name in names]
-        return [given.sign * m.to_si(float(v)) for m, v in zip(measures, values, strict=True)]
-
-
-def _polynomial(coefficients: list[float], x: float) -> float:
-    value = 0.0
-    for coefficient in reversed(coefficients):
-        value = value * x + coefficient
-    return value
+        before, after = self.courses(gave), self.courses(gives)
+        for name, course in after.items():
+            was, now = before[name][-1], course[-1]
+            if len(course) == 2 and abs(now - was) > SAME_VELOCITY * (abs(now) + abs(was)):
+                yield name, course, now - was
 
 
 def _between(before: list[float], after: list[float], duration: float) -> list[float]:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 
 import numpy as np
 
@@ -10,7 +10,7 @@ from ...base import Array
 from ...networks import Event, Stepwise
 from ..errors import FMUError
 from .components import FMUBlock
-from .coupling import Coupled
+from .coupling import Coupling
 
 REMEDY = (
     "FMI has no signal for impulses; put a spring between, or all that is struck together on one side, in "
@@ -21,16 +21,14 @@ REMEDY = (
 class Impulses:
     """Refuses shocks that would act on both sides at once, of which one would know nothing."""
 
-    def __init__(self, network: Stepwise, everyone: Sequence[Coupled]) -> None:
-        self._network = network
-        self._everyone = list(everyone)
-        self._feels = [one.path for one in everyone if not isinstance(one.component, FMUBlock)]
+    def __init__(self, network: Stepwise, couplings: Mapping[str, Coupling]) -> None:
+        self._network, self._couplings = network, couplings
+        self._feels = [p for p, one in couplings.items() if not isinstance(one.component, FMUBlock)]
         self._answer = {
-            shock: one.path
-            for one in everyone
-            if not isinstance(one.component, FMUBlock)
-            for taken in one.component.taken
-            for shock in network.shocks(f"{one.path}.{taken.name}", taken.order)
+            shock: path
+            for path in self._feels
+            for taken in couplings[path].component.taken
+            for shock in network.shocks(f"{path}.{taken.name}", taken.order)
         }
 
     def check_shocks(self, events: Sequence[Event]) -> None:
@@ -53,18 +51,19 @@ class Impulses:
                     f"cannot be told; {REMEDY}"
                 )
 
-    def check_jumps(self, before: Sequence[Array]) -> None:
+    def check_jumps(self, gave: Mapping[str, Array], give: Mapping[str, Array]) -> None:
         """Refuse jumps of an FMU's velocity that move inertia of the network with it.
 
         Args:
-            before: what the FMUs gave before they jumped.
+            gave: what the FMUs gave before they jumped, by path.
+            give: what they give now.
 
         Raises:
             FMUError: naming the FMU and the inertia.
         """
-        for one, was in zip(self._everyone, before, strict=True):
-            for name, course, jump in one.jumps(was):
-                wanted = [(f"{one.path}.{taken.name}", 0) for taken in one.component.taken]
+        for path, one in self._couplings.items():
+            for name, course, jump in one.jumps(gave[path], give[path]):
+                wanted = [(f"{path}.{taken.name}", 0) for taken in one.component.taken]
                 self._network.set({name: course})
                 still = self._network.observe(wanted)
                 self._network.set({name: [*course, 0.5]})

@@ -1,9 +1,9 @@
-"""Participants: FMUs that advance in communication steps, whatever their kind."""
+"""Participants: FMUs that advance from communication point to communication point, whatever their kind."""
 
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import Any
 
 import numpy as np
@@ -15,10 +15,30 @@ from ..foreign.instance import Values, finite
 from ..foreign.me_integrator import Stepping
 from ..foreign.run import ForeignEvent, empty_run
 from ..foreign.time_stepping import STEPPERS, TimeStepper
-from .communication_points import CommunicationPoints
 
 Signal = Callable[[float], float]
-SAME = 1e-9
+SAME_VALUE = 1e-9
+
+
+@dataclass(frozen=True)
+class CommunicationPoints:
+    """Points from `begin` to `stop`, every `step` [s], and the order of extrapolation between them."""
+
+    begin: float
+    stop: float
+    step: float
+    order: int
+
+    @property
+    def times(self) -> Array:
+        """The points [s]."""
+        count = max(1, round((self.stop - self.begin) / self.step))
+        return np.linspace(self.begin, self.stop, count + 1)
+
+    @property
+    def halved(self) -> CommunicationPoints:
+        """Points at half the step."""
+        return replace(self, step=self.step / 2)
 
 
 @dataclass(frozen=True)
@@ -129,4 +149,4 @@ class Participant:
 def jumped(before: Values, now: Values) -> bool:
     """Tell whether values are others than before, by more than rounding."""
     size = np.abs([*before, *now]).max(initial=0.0)
-    return bool(np.abs(np.subtract(now, before)).max(initial=0.0) > SAME * size)
+    return bool(np.abs(np.subtract(now, before)).max(initial=0.0) > SAME_VALUE * size)

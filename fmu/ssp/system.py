@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import time as clock
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
@@ -11,9 +10,8 @@ from typing import Any
 import numpy as np
 
 from ...components import nearest
-from ..cosimulation.communication_points import CommunicationPoints
 from ..cosimulation.jacobi_master import JacobiMaster, Link
-from ..cosimulation.participants import Member, Signal
+from ..cosimulation.participants import CommunicationPoints, Member, Signal
 from ..cosimulation.step_error import compare
 from ..errors import FMUError
 from ..fmu import FMU
@@ -185,11 +183,9 @@ class SystemStructure:
         members, links = self._members(dict(inputs or {}), kind), self._links()
 
         def run(points: CommunicationPoints) -> SystemRun:
-            began = clock.perf_counter()
             master = JacobiMaster(members, links, points, rtol)
-            fmus = master.run()
-            stats = {"communication steps": master.steps, "seconds": clock.perf_counter() - began}
-            return SystemRun(fmus, points.step, order, self.name, notes=master.notes, stats=stats)
+            fmus = master.march()
+            return SystemRun(fmus, points.step, order, self.name, notes=master.notes, stats=master.stats)
 
         points = CommunicationPoints(self.begin, stop, communication_step, order)
         result = run(points)
