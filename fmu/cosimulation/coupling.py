@@ -11,8 +11,8 @@ import numpy as np
 
 from ...base import Array
 from ...networks import Event, Pieces, Result, Stepwise
-from ..foreign.communication_steps import Course
 from ..foreign.instance import Values
+from ..foreign.time_stepping import Course
 from .components import ForeignComponent
 from .step_error import ExchangeRun
 

@@ -8,8 +8,8 @@ from dataclasses import dataclass
 import numpy as np
 
 from ...base import Array
-from ..foreign.communication_steps import Course
 from ..foreign.instance import Values
+from ..foreign.time_stepping import Course
 from .master import Master
 from .participants import CommunicationPoints, Member, Participant
 

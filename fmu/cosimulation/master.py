@@ -11,9 +11,9 @@ import numpy as np
 
 from ...base import Array
 from ..errors import FMUError
-from ..foreign.communication_steps import Course
 from ..foreign.instance import Values
 from ..foreign.run import ForeignRun
+from ..foreign.time_stepping import Course
 from .algebraic_loop import unchanged
 from .participants import CommunicationPoints, Participant, jumped
 

@@ -10,11 +10,10 @@ import numpy as np
 
 from ...base import Array
 from ..fmu import FMU
-from ..foreign.initialization import enter_initialization
+from ..foreign.initialization import STEPPERS, enter_initialization
 from ..foreign.instance import Values, finite
-from ..foreign.me_integrator import Stepping
 from ..foreign.run import ForeignEvent, empty_run
-from ..foreign.time_stepping import STEPPERS, TimeStepper
+from ..foreign.time_stepping import Stepping, TimeStepper
 
 Signal = Callable[[float], float]
 SAME_VALUE = 1e-9

@@ -4,44 +4,27 @@ from __future__ import annotations
 
 import lzma
 import stat
-import sys
 import zipfile
 import zlib
 from collections import Counter
 from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path, PurePosixPath
-from platform import machine
 
 from ..errors import FMUError
 
 DESCRIPTION = "modelDescription.xml"
-CHUNK = 1 << 20
-MOST_BYTES = 4 << 30
-MOST_DESCRIPTION = 512 << 20
-MOST_RATIO = 200
-UNSUSPECTED = 64 << 20
-MOST_ENTRIES = 100_000
-BROKEN = (zipfile.BadZipFile, zlib.error, lzma.LZMAError, EOFError, OSError, RuntimeError)
-
-_SYSTEMS = {"linux": ("linux", ".so"), "win32": ("windows", ".dll"), "darwin": ("darwin", ".dylib")}
-_SHORT = {"linux": "linux", "windows": "win", "darwin": "darwin"}
+CHUNK_BYTES = 1 << 20
+MOST_BYTES, MOST_DESCRIPTION_BYTES, UNSUSPECTED_BYTES = 4 << 30, 512 << 20, 64 << 20
+MOST_RATIO, MOST_ENTRIES = 200, 100_000
+BROKEN_ARCHIVE = (zipfile.BadZipFile, zlib.error, lzma.LZMAError, EOFError, OSError, RuntimeError)
 
 
 def platform_folder(version: str) -> str:
     """Return the folder of `binaries/` that this machine runs, as FMI `version` names it."""
-    system, _ = _SYSTEMS[sys.platform]
-    processor = machine().lower()
-    architecture = {"amd64": "x86_64", "arm64": "aarch64"}.get(processor, processor)
-    if version.startswith("3"):
-        return f"{architecture}-{system}"
-    bits = "64" if sys.maxsize > 2**32 else "32"
-    return f"{_SHORT[system]}{bits}"
+    import fmpy
 
-
-def library_name(identifier: str) -> str:
-    """Return the file name of a model's library on this machine."""
-    return identifier + _SYSTEMS[sys.platform][1]
+    return str(fmpy.platform_tuple if version.startswith("3") else fmpy.platform)
 
 
 def platforms(path: Path) -> list[str]:
@@ -61,7 +44,7 @@ def read_description(path: Path) -> bytes:
     Raises:
         FMUError: if the archive is broken, unsafe, or has none.
     """
-    return read_entry(path, DESCRIPTION, "FMU", MOST_DESCRIPTION)
+    return read_entry(path, DESCRIPTION, "FMU", MOST_DESCRIPTION_BYTES)
 
 
 def read_entry(path: Path, name: str, kind: str, most: int = MOST_BYTES) -> bytes:
@@ -74,8 +57,7 @@ def read_entry(path: Path, name: str, kind: str, most: int = MOST_BYTES) -> byte
         if name not in archive.namelist():
             raise FMUError(f"'{path}' has no {name}: it is no {kind}")
         _check_single(path, archive, {name})
-        most = min(most, max(UNSUSPECTED, MOST_RATIO * path.stat().st_size))
-        return b"".join(_chunks(path, archive, name, most))
+        return b"".join(_chunks(path, archive, name, min(most, _most_bytes(path))))
 
 
 def unpack(path: Path, folder: Path, binaries: str) -> None:
@@ -92,12 +74,11 @@ def unpack(path: Path, folder: Path, binaries: str) -> None:
     wanted = f"binaries/{binaries}/", "resources/"
     (folder / "resources").mkdir()
     with _opened(path) as archive:
-        left = min(MOST_BYTES, max(UNSUSPECTED, MOST_RATIO * path.stat().st_size))
-        needed = {n for n in archive.namelist() if n == DESCRIPTION or n.startswith(wanted)}
+        left = _most_bytes(path)
+        files = (name for name in archive.namelist() if not name.endswith("/"))
+        needed = {name for name in files if name == DESCRIPTION or name.startswith(wanted)}
         _check_single(path, archive, needed)
         for name in sorted(needed):
-            if name.endswith("/"):
-                continue
             target = folder / name
             target.parent.mkdir(parents=True, exist_ok=True)
             with target.open("wb") as file:
@@ -116,7 +97,7 @@ def _opened(path: Path) -> Iterator[zipfile.ZipFile]:
         with zipfile.ZipFile(path) as archive:
             _check_names(path, archive)
             yield archive
-    except BROKEN as error:
+    except BROKEN_ARCHIVE as error:
         if isinstance(error, FMUError):
             raise
         raise FMUError(f"'{path}' cannot be unpacked, it is no sound zip archive: {error}") from error
@@ -162,10 +143,14 @@ def _problem(name: str, entry: zipfile.ZipInfo) -> str:
     return "is encrypted" if entry.flag_bits & 1 else ""
 
 
+def _most_bytes(path: Path) -> int:
+    return min(MOST_BYTES, max(UNSUSPECTED_BYTES, MOST_RATIO * path.stat().st_size))
+
+
 def _chunks(path: Path, archive: zipfile.ZipFile, name: str, most: int) -> Iterator[bytes]:
     """Yield an entry piece by piece; what counts is what comes out, not what the header promises."""
     with archive.open(name) as stream:
-        while chunk := stream.read(CHUNK):
+        while chunk := stream.read(CHUNK_BYTES):
             most -= len(chunk)
             if most < 0:
                 raise FMUError(

@@ -10,7 +10,6 @@ from threading import Lock
 from typing import Any, Self
 
 from ..errors import FMUError
-from .archive import library_name
 from .instance import Group, Stepped, Update, Values
 from .model_description import KINDS
 from .unpacked import Unpacked
@@ -71,10 +70,10 @@ class LocalInstance:
             self._files.remove()
 
     def _load(self, face: Any) -> None:
-        from fmpy import instantiate_fmu
+        from fmpy import instantiate_fmu, sharedLibraryExtension
 
         folder = self._files.folder
-        library = folder / "binaries" / self._files.binaries / library_name(face.modelIdentifier)
+        library = folder / "binaries" / self._files.binaries / (face.modelIdentifier + sharedLibraryExtension)
         _check_symbols(self.name, library, self.major, self.kind)
         kind = {"ME": "ModelExchange", "CS": "CoSimulation"}[self.kind]
         try:

@@ -8,10 +8,14 @@ from typing import Any
 import numpy as np
 
 from ..errors import FMUError
+from .communication_steps import CoSimulation
 from .description import FMUDescription
 from .instance import Group, Instance, Values
-from .me_integrator import Stepping
+from .me_integrator import ModelExchange
+from .time_stepping import Stepping, TimeStepper
 from .values import checked
+
+STEPPERS: dict[str, type[TimeStepper]] = {"ME": ModelExchange, "CS": CoSimulation}
 
 
 def enter_initialization(

@@ -10,12 +10,12 @@ import numpy as np
 
 from ...base import Array
 from ..errors import FMUError
+from .communication_steps import CoSimulation
 from .description import FMUDescription
-from .initialization import enter_initialization
+from .initialization import STEPPERS, enter_initialization
 from .instance import Group, Values, finite
-from .me_integrator import Stepping
 from .port_force import Load, LoadedInstance
-from .time_stepping import STEPPERS, CoSimulation, TimeStepper
+from .time_stepping import Stepping, TimeStepper
 from .unpacked import Unpacked
 
 

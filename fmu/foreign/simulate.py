@@ -11,12 +11,11 @@ import numpy as np
 
 from ..errors import FMUError
 from .description import FMUDescription
-from .initialization import enter_initialization
+from .initialization import STEPPERS, enter_initialization
 from .inputs import Inputs, chosen_inputs
 from .instance import Group, Instance, finite
-from .me_integrator import Stepping
 from .run import ForeignEvent, ForeignRun, empty_run
-from .time_stepping import STEPPERS, TimeStepper
+from .time_stepping import Stepping, TimeStepper
 
 ALIKE = 1e-6
 

@@ -139,12 +139,9 @@ class _Cut:
     def __init__(self, network: Network, first: set[str], through: set[str]) -> None:
         self.network, self.problems = network, list[str]()
         parts = network._parts
-        self.problems += [
-            f"there is no component '{n}'{nearest(n, parts)}" for n in sorted((first | through) - set(parts))
-        ]
-        self.problems += [
-            f"'{n}' is in `first` and in `through`; give it once" for n in sorted(first & through)
-        ]
+        unknown, twice = sorted((first | through) - set(parts)), sorted(first & through)
+        self.problems += [f"there is no component '{n}'{nearest(n, parts)}" for n in unknown]
+        self.problems += [f"'{n}' is in `first` and in `through`; give it once" for n in twice]
         self.side = {n: 2 if n in through else 0 if n in first else 1 for n in parts}
         self.paths = {id(c): path for name in parts for c, path in _inside(parts[name], name)}
         self.terminals: tuple[dict[str, str], dict[str, str]] = ({}, {})
@@ -165,13 +162,14 @@ class _Cut:
 
     def _nodes(self) -> list[list[PortRef]]:
         """Return the ports that are joined, node by node, however many `connect` they took."""
-        nodes: list[list[PortRef]] = []
+        nodes: list[dict[str, PortRef]] = []
         for ports in self.network.connections():
-            met = [n for n in nodes if any(_same(p, q) for p in n for q in ports)]
-            joined = [p for n in met for p in n]
-            joined += [p for p in ports if not any(_same(p, q) for q in joined)]
-            nodes = [n for n in nodes if n not in met] + [joined]
-        return nodes
+            joined = {self._path(port): port for port in ports}
+            for met in [node for node in reversed(nodes) if node.keys() & joined.keys()]:
+                nodes.remove(met)
+                joined = met | joined
+            nodes.append(joined)
+        return [list(node.values()) for node in nodes]
 
     def _path(self, port: PortRef) -> str:
         return f"{self.paths[id(port.component)]}.{port.name}"
@@ -182,8 +180,9 @@ class _Cut:
     def _cut(self, node: list[PortRef]) -> None:
         ports = [[self._path(p) for p in node if self._of(p) == k] for k in (0, 1, 2)]
         first, second, coupling = ports
-        crosses = bool(first and second) or bool(coupling and (first or second))
-        if crosses and node[0].domain is None:
+        if sum(map(bool, ports)) < 2:
+            return
+        if node[0].domain is None:
             self.problems.append(
                 f"the signal at '{self._path(node[0])}' crosses the cut; keep it on one side"
             )
@@ -194,7 +193,7 @@ class _Cut:
             )
         elif first and second:
             self._publish((0, first[0], "force-in"), (1, second[0], "motion-in"))
-        elif coupling and (first or second):
+        else:
             owner, other = (0, 1) if first else (1, 0)
             self._publish((owner, ports[owner][0], "motion-out"), (other, coupling[0], "motion-in"))
 
@@ -213,18 +212,13 @@ class _Cut:
             if len(own) > 1:
                 half.connect(*own)
         for name, element in parts.items():
-            port = inserted.get(id(element))
-            if port is None:
+            if (port := inserted.get(id(element))) is None:
                 continue
             if self._of(port) != self.side[name]:
                 self.problems.append(f"'{name}' is inserted at '{self._path(port)}'; both go to one side")
             else:
                 half.insert(port, **{name: element})
         return half.clone()
-
-
-def _same(one: PortRef, other: PortRef) -> bool:
-    return one.component is other.component and one.name == other.name
 
 
 def _inside(component: Component, path: str) -> Iterable[tuple[Component, str]]:
