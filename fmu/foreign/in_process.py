@@ -15,15 +15,13 @@ from .model_description import KINDS
 from .unpacked import Unpacked
 
 KEPT_MESSAGES, NAMED_FUNCTIONS, MOST_ITERATIONS = 5, 6, 1000
-NAMES = {
-    2: {
-        "real": "Real", "Enumeration": "Integer", "update": "newDiscreteStates", "rates": "getDerivatives",
-    },
-    3: {
-        "real": "Float64", "Enumeration": "Int64", "update": "updateDiscreteStates",
-        "rates": "getContinuousStateDerivatives",
-    },
-}  # fmt: skip
+NAMES = {  # of FMPy, for FMI 2 and FMI 3
+    "set": ("fmi2SetReal", "fmi3SetFloat64"),
+    "get": ("fmi2GetReal", "fmi3GetFloat64"),
+    "rates": ("getDerivatives", "getContinuousStateDerivatives"),
+    "update": ("newDiscreteStates", "updateDiscreteStates"),
+    "Enumeration": ("Integer", "Int64"),
+}
 CASTS: dict[str, Callable[[Any], Any]] = {
     "Real": float, "Float64": float, "Float32": float, "String": str, "Boolean": bool,
 }  # fmt: skip
@@ -46,11 +44,14 @@ class LocalInstance:
     def __init__(
         self, path: Path, kind: str, *, files: Unpacked | None = None, events: bool = True
     ) -> None:  # fmt: skip
+        from fmpy.fmi1 import FMICallException
+
         self.kind, self.messages = kind, list[str]()
         self._files, self._shared = files or Unpacked(path), files is not None
         self.description = self._files.description
         self.name, self.major = self.description.modelName, self.description.fmiMajorVersion
-        self._names, self._inputs = NAMES[self.major], list[int]()
+        self._names = {role: names[self.major - 2] for role, names in NAMES.items()}
+        self._inputs, self._failure = list[int](), FMICallException
         self._kept: Any = None
         self.instance: Any = None
         face = getattr(self.description, KINDS[kind])
@@ -98,18 +99,16 @@ class LocalInstance:
         return f"; it says: {said}" if said else ""
 
     def _call(self, method: str, *arguments: Any) -> Any:
-        from fmpy.fmi1 import FMICallException
-
         try:
             return getattr(self.instance, method)(*arguments)
-        except FMICallException as error:
+        except self._failure as error:
             raise FMUError(f"FMU '{self.name}': {error}{self._said()}") from error
 
     def start(
         self, begin: float, stop: float, rtol: float, values: list[tuple[Group, Values]], inputs: list[int]
     ) -> None:
         """Set values and enter initialization mode."""
-        self._inputs = inputs
+        self._inputs, self._driven = inputs, self._reals(inputs)
         tolerance = rtol if self.kind == "CS" else None
         if self.major == 2:
             self._call("setupExperiment", tolerance, begin, stop)
@@ -135,10 +134,19 @@ class LocalInstance:
             found += map(float, self._call(f"get{self._names.get(kind, kind)}", references, *extra))
         return found
 
+    def _reals(self, references: list[int]) -> tuple[Any, tuple[Any, ...]]:
+        """Return an array for real variables, and the arguments with which FMI sets or gets it as a whole."""
+        count = len(references)
+        values, place = (ctypes.c_double * count)(), (ctypes.c_uint32 * count)(*references)
+        more = () if self.major == 2 else (count,)
+        return values, (self.instance.component, place, count, values, *more)
+
     def drive(self, inputs: Values) -> None:
         """Set the inputs chosen at the start."""
         if self._inputs:
-            self.set((self._names["real"], self._inputs, len(inputs)), inputs)
+            values, arguments = self._driven
+            values[:] = inputs
+            self._call(self._names["set"], *arguments)
 
     def _at(self, t: float, x: Values, inputs: Values) -> None:
         self._call("setTime", t)
@@ -218,12 +226,11 @@ class LocalInstance:
         return Stepped(reached if early else t + duration, bool(event), bool(terminate))
 
     def _step_2(self, t: float, duration: float) -> Stepped:
-        from fmpy.fmi1 import FMICallException
         from fmpy.fmi2 import fmi2Discard, fmi2LastSuccessfulTime, fmi2Terminated
 
         try:
             self.instance.doStep(t, duration, self._kept is None)
-        except FMICallException as error:
+        except self._failure as error:
             if error.status != fmi2Discard:
                 raise FMUError(f"FMU '{self.name}' at t = {t:g} s: {error}{self._said()}") from error
             reached = self._call("getRealStatus", fmi2LastSuccessfulTime)
