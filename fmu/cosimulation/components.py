@@ -113,11 +113,11 @@ class FMUBlock(ForeignComponent):
         ins = _chosen(fmu, inputs, fmu.inputs)
         outs = _chosen(fmu, outputs, fmu.outputs if outputs is None else fmu.variables)
         fields: dict[str, Any] = {"_ins": ins, "_outs": outs}
-        for v in ins:
-            fields[_identifier(v.name)] = RealInput(_si(fmu, v), v.text or v.name)
+        for v in (*ins, *outs):
+            name, unit, doc = _identifier(v.name), fmu.measure(v).si_name, v.text or v.name
+            fields[name] = RealInput(unit, doc) if v in ins else RealOutput(unit, doc)
         for v in outs:
-            fields[_identifier(v.name)] = RealOutput(_si(fmu, v), v.text or v.name)
-            fields[_inner(v.name)] = RealInput(_si(fmu, v), f"{v.name}, from the FMU")
+            fields[_inner(v.name)] = RealInput(fmu.measure(v).si_name, f"{v.name}, from the FMU")
         made: FMUBlock = object.__new__(type(cls.__name__, (cls,), fields))
         return made
 
@@ -298,7 +298,3 @@ def _identifier(name: str) -> str:
 
 def _inner(name: str) -> str:
     return f"{_identifier(name)}_from_fmu"
-
-
-def _si(fmu: FMU, v: ForeignVariable) -> str:
-    return fmu.measure(v).si_name

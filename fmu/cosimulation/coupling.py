@@ -1,8 +1,8 @@
-"""Coupling: what passes between a network and an FMU in it, and what they did together."""
+"""Coupling: what passes between a network and an FMU in it, also in no time, and what they did together."""
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from math import factorial
 from typing import TYPE_CHECKING
@@ -11,15 +11,20 @@ import numpy as np
 
 from ...base import Array
 from ...networks import Event, Pieces, Result, Stepwise
+from ..errors import FMUError
 from ..foreign.instance import Values
 from ..foreign.time_stepping import Course
-from .components import ForeignComponent
+from .components import FMUBlock, ForeignComponent
 from .step_error import ExchangeRun
 
 if TYPE_CHECKING:
     import pandas as pd
 
 SAME_VELOCITY = 1e-9
+IMPULSE_REMEDY = (
+    "FMI has no signal for impulses; put a spring between, or all that is struck together on one side, in "
+    "the network or in the FMU"
+)
 
 
 @dataclass(eq=False)
@@ -70,13 +75,7 @@ class CoupledRun(ExchangeRun):
 
 
 class Coupling:
-    """What passes between the network and one FMU in it.
-
-    Args:
-        path: of the component in the network.
-        component: which has the FMU.
-        order: of the extrapolation.
-    """
+    """What passes between the network and the FMU of one component in it, at `path`."""
 
     def __init__(self, path: str, component: ForeignComponent, order: int) -> None:
         self.path, self.component = path, component
@@ -124,6 +123,54 @@ class Coupling:
             was, now = before[name][-1], course[-1]
             if len(course) == 2 and abs(now - was) > SAME_VELOCITY * (abs(now) + abs(was)):
                 yield name, course, now - was
+
+
+class Impulses:
+    """Refuses shocks that would act on both sides at once, of which one would know nothing."""
+
+    def __init__(self, network: Stepwise, couplings: Mapping[str, Coupling]) -> None:
+        self._network, self._couplings = network, couplings
+        self._feels = [p for p, one in couplings.items() if not isinstance(one.component, FMUBlock)]
+        self._answer = {
+            shock: path
+            for path in self._feels
+            for taken in couplings[path].component.taken
+            for shock in network.shocks(f"{path}.{taken.name}", taken.order)
+        }
+
+    def check_shocks(self, events: Sequence[Event]) -> None:
+        """Refuse events of the network whose impulse would act on an FMU, by name."""
+        for event in events:
+            path = event.mode.rpartition(".")[0]
+            if self._feels and event.mode not in self._network.modes:
+                raise FMUError(
+                    f"'{self._network.name}': {event.component} jumps at t = {event.time:.9g} s, and what "
+                    f"that does to the FMU '{self._feels[0]}' cannot be told; give a ramp, or exact=False"
+                )
+            if event.impulse and path in self._answer:
+                raise FMUError(
+                    f"'{self._network.name}': the impulse of {event.component} at t = {event.time:.9g} s "
+                    f"({event.impulse:.4g} N.s, or N.m.s) acts on the FMU '{self._answer[path]}', too, which "
+                    f"cannot be told; {IMPULSE_REMEDY}"
+                )
+
+    def check_jumps(self, gave: Mapping[str, Array], give: Mapping[str, Array]) -> None:
+        """Refuse jumps of velocity, from what an FMU gave to what it gives, that move inertia with it."""
+        for path, one in self._couplings.items():
+            for name, course, jump in one.jumps(gave[path], give[path]):
+                wanted = [(f"{path}.{taken.name}", 0) for taken in one.component.taken]
+                self._network.set({name: course})
+                still = self._network.observe(wanted)
+                self._network.set({name: [*course, 0.5]})
+                inertia = float(np.abs(self._network.observe(wanted) - still).max())
+                self._network.set({name: course})
+                if inertia > 0:
+                    raise FMUError(
+                        f"'{self._network.name}': at t = {self._network.time:.9g} s an event of an FMU lets "
+                        f"the velocity of '{name}' jump by {jump:.4g} m/s (or rad/s), and {inertia:.4g} kg "
+                        "(or kg.m2) of the network with it, whose impulse the FMU cannot be told; "
+                        + IMPULSE_REMEDY
+                    )
 
 
 def _between(before: list[float], after: list[float], duration: float) -> list[float]:

@@ -12,8 +12,7 @@ from ...components import ModelError
 from ...networks import DAE, Polynomial, Stepwise
 from ..foreign.instance import Values
 from .components import ForeignComponent
-from .coupling import CoupledRun, Coupling
-from .impulses import Impulses
+from .coupling import CoupledRun, Coupling, Impulses
 from .master import Master
 from .participants import CommunicationPoints, Member, Participant
 
@@ -24,14 +23,7 @@ BEYOND_EVENT_SHARE = 1e-6
 class GaussSeidelMaster(Master):
     """Advances the FMUs in a network, and then the network, over the same step; see `cosimulate`.
 
-    Args:
-        dae: of the network.
-        points: where all exchange.
-        inputs: signals of the network's other inputs.
-        options: of the network's run.
-
-    Raises:
-        ModelError: for a network without FMU.
+    Of the network are its `dae`, the signals of its other `inputs` and the `options` of its run.
     """
 
     network: Stepwise
@@ -137,8 +129,7 @@ class GaussSeidelMaster(Master):
     def _exchange(self, foreseen: Array | None) -> None:
         """Exchange what there is now, and iterate the events that the step ended at.
 
-        Args:
-            foreseen: what the FMUs were driven with, if the network had events within the step.
+        If the network had events within the step, the FMUs were driven with what had been `foreseen`.
         """
         taken = self._all_now()
         for path, values in self._shares(taken):

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import time as clock
 from abc import ABC, abstractmethod
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from typing import Any
 
 import numpy as np
@@ -14,10 +14,10 @@ from ..errors import FMUError
 from ..foreign.instance import Values
 from ..foreign.run import ForeignRun
 from ..foreign.time_stepping import Course
-from .algebraic_loop import unchanged
 from .participants import CommunicationPoints, Participant, jumped
 
-MOST_ROUNDS = 100
+MOST_ROUNDS, MOST_BROYDEN_STEPS = 100, 30
+LOOP_TOLERANCE = 1e-9
 
 
 class Master(ABC):
@@ -26,11 +26,8 @@ class Master(ABC):
     At each they agree on what they exchange, and iterate the events that the step ended at until there is
     none, as each can bring about others.
 
-    Args:
-        who: what is run, for messages.
-        points: where all exchange.
-
     Attributes:
+        who: what is run, for messages.
         time: where all stand [s].
         given: what each gave last.
     """
@@ -53,7 +50,7 @@ class Master(ABC):
                     self._step(target)
         finally:
             for one in self.everyone.values():
-                one.close()
+                one.instance.close()
         self.notes += [note for one in self.everyone.values() for note in one.conclude()]
         self.stats["seconds"] = clock.perf_counter() - began
         return {name: one.run for name, one in self.everyone.items()}
@@ -75,18 +72,14 @@ class Master(ABC):
         """Return what all exchange, as what they gave has it."""
 
     def _ended(self) -> bool:
-        return any(one.ended for one in self.everyone.values())
+        return any(one.stepper.ended for one in self.everyone.values())
 
     def _record(self) -> None:
         for one in self.everyone.values():
             one.record()
 
     def _leave_initialization(self, inputs: Iterable[tuple[str, str]]) -> Array:
-        """Let all agree before they begin; return what they exchange.
-
-        Args:
-            inputs: participant and variable for each value exchanged, whose declared starts are the guess.
-        """
+        """Let all begin with values they agree on, from declared starts of the inputs on; return these."""
         starts = (self.everyone[name].fmu.variables[variable].start for name, variable in inputs)
         agreed = self._agreed(np.array([float(start or 0.0) for start in starts]))
         self._initializing = False
@@ -104,7 +97,7 @@ class Master(ABC):
             return self._answered()
 
         what = "start" if self._initializing else "values"
-        return unchanged(answer, guess, f"{self.who} find no common {what} at t = {self.time:.9g} s")
+        return _unchanged(answer, guess, f"{self.who} find no common {what} at t = {self.time:.9g} s")
 
     def _settled(self, before: Array, now: Array) -> bool:
         """Iterate the events that are due, also as inputs were others before; tell whether there were any."""
@@ -121,11 +114,7 @@ class Master(ABC):
         raise FMUError(f"{self.who}: events at t = {self.time:.9g} s bring about each other without end")
 
     def _advance(self, target: float, courses: Mapping[str, Course]) -> None:
-        """Advance all to `target` or the first event before it; who went beyond goes back.
-
-        Raises:
-            FMUError: if one that went beyond cannot go back.
-        """
+        """Advance all to `target` or the first event before it; who went beyond goes back, or is refused."""
         for one in self.everyone.values():
             if len(self.everyone) > 1 and one.reversible:
                 one.stepper.save()
@@ -133,16 +122,40 @@ class Master(ABC):
         reached = target
         for name, one in everyone:
             one.stepper.advance(reached, courses[name])
-            reached = min(reached, one.t)
+            reached = min(reached, one.stepper.t)
         for name, one in everyone:
-            if one.t <= reached + 1e-12 * abs(reached):
+            t = one.stepper.t
+            if t <= reached + 1e-12 * abs(reached):
                 continue
             if not one.reversible:
                 raise FMUError(
-                    f"FMU '{one.fmu.name}' ({name}) stands at {one.t:g} s and cannot go back to the event of "
+                    f"FMU '{one.fmu.name}' ({name}) stands at {t:g} s and cannot go back to the event of "
                     f"another at {reached:g} s: it does not save its state; couple it in a run of its own"
                 )
             one.stepper.restore()
             one.stepper.advance(reached, courses[name])
         self.time = reached
         self.stats["communication steps"] += 1
+
+
+def _unchanged(answer: Callable[[Array], Array], guess: Array, problem: str) -> Array:
+    """Return u = answer(u) of an algebraic loop, by Broyden's method from plain repetition on.
+
+    If there is none, the error begins with the `problem`.
+    """
+    u, leap = guess, np.eye(len(guess))
+    rest = answer(u) - u
+    for _ in range(MOST_BROYDEN_STEPS + len(guess)):
+        if (np.abs(rest) <= LOOP_TOLERANCE * np.abs(u) + LOOP_TOLERANCE**2).all():
+            return u
+        move = leap @ rest
+        u = u + move
+        change = answer(u) - u - rest
+        rest = rest + change
+        weight = move @ leap
+        if abs(weight @ change) > 0:
+            leap = leap - np.outer(move + leap @ change, weight) / (weight @ change)
+    raise FMUError(
+        f"{problem}, as one answers to the other at once and they contradict; put a state (a mass, a lag) "
+        "between them"
+    )

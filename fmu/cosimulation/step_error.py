@@ -48,11 +48,7 @@ class ExchangeRun(OverTime):
 
 
 def compare(run: ExchangeRun, finer: ExchangeRun, exchanged: Iterable[str]) -> None:
-    """Tell what the communication step costs, and refuse a run that it spoils.
-
-    Raises:
-        FMUError: if half the step changes something by more than all that it does.
-    """
+    """Tell what the communication step costs; refuse a run in which it changes more than all that moves."""
     begin, end = run.time[[0, -1]]
     points = np.linspace(begin, end, round((end - begin) / run.communication_step) + 1)
     for name in dict.fromkeys(exchanged):

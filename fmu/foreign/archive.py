@@ -39,11 +39,7 @@ def platforms(path: Path) -> list[str]:
 
 
 def read_description(path: Path) -> bytes:
-    """Return the text of modelDescription.xml.
-
-    Raises:
-        FMUError: if the archive is broken, unsafe, or has none.
-    """
+    """Return the text of modelDescription.xml."""
     return read_entry(path, DESCRIPTION, "FMU", MOST_DESCRIPTION_BYTES)
 
 
@@ -61,12 +57,7 @@ def read_entry(path: Path, name: str, kind: str, most: int = MOST_BYTES) -> byte
 
 
 def unpack(path: Path, folder: Path, binaries: str) -> None:
-    """Unpack what a run needs into an empty folder: description, resources, one platform's binaries.
-
-    Args:
-        path: the .fmu file.
-        folder: where to; nothing is written outside.
-        binaries: the folder of `binaries/` that is wanted.
+    """Unpack what a run needs into an empty folder: description, resources, one folder of `binaries/`.
 
     Raises:
         FMUError: if the archive is broken, unsafe or too large.

@@ -38,11 +38,7 @@ class CoSimulation(TimeStepper):
         look_back()
 
     def _check_size(self, duration: float) -> None:
-        """Refuse a step that an FMU of one size does not take.
-
-        Raises:
-            FMUError: if it has another size than those before, or is no multiple of the FMU's own step.
-        """
+        """Refuse a step of another size than those before, or that is no multiple of the FMU's own."""
         only = self._only_step = self._only_step or duration
         if abs(duration - only) > SAME_SIZE * only:
             raise FMUError(

@@ -11,7 +11,7 @@ from typing import Any, Self
 
 from ..errors import FMUError
 from .instance import Group, Stepped, Update, Values
-from .model_description import KINDS
+from .model_description import FACES, KINDS
 from .unpacked import Unpacked
 
 KEPT_MESSAGES, NAMED_FUNCTIONS, MOST_ITERATIONS = 5, 6, 1000
@@ -54,7 +54,7 @@ class LocalInstance:
         self._inputs, self._failure = list[int](), FMICallException
         self._kept: Any = None
         self.instance: Any = None
-        face = getattr(self.description, KINDS[kind])
+        face = getattr(self.description, FACES[kind])
         self._steps_completed = kind == "ME" and face.needsCompletedIntegratorStep
         self.event_mode = events and kind == "CS" and bool(face.hasEventMode)
         self.interpolates = kind == "CS" and self.major == 2 and bool(face.canInterpolateInputs)
@@ -76,11 +76,10 @@ class LocalInstance:
         folder = self._files.folder
         library = folder / "binaries" / self._files.binaries / (face.modelIdentifier + sharedLibraryExtension)
         _check_symbols(self.name, library, self.major, self.kind)
-        kind = {"ME": "ModelExchange", "CS": "CoSimulation"}[self.kind]
         try:
             with _LOADING, chdir("."):  # FMPy goes into the folder of the library meanwhile
                 self.instance = instantiate_fmu(
-                    str(folder), self.description, kind, logger=self._log,
+                    str(folder), self.description, KINDS[self.kind], logger=self._log,
                     early_return_allowed=self.event_mode, event_mode_used=self.event_mode,
                 )  # fmt: skip
         except Exception as error:
@@ -203,17 +202,15 @@ class LocalInstance:
 
     def update(self) -> Update:
         """Iterate events until none is left and leave event mode."""
-        nominals = states = False
         for _ in range(MOST_ITERATIONS):
-            again, terminate, renamed, moved, timed, following = self._call(self._names["update"])
-            nominals, states = nominals or renamed, states or moved
+            again, terminate, _, _, timed, following = self._call(self._names["update"])
             if terminate or not again:
                 break
         else:
             raise FMUError(f"FMU '{self.name}': its event iteration has no end{self._said()}")
         if not terminate:
             self._call("enterContinuousTimeMode" if self.kind == "ME" else "enterStepMode")
-        return Update(bool(terminate), bool(nominals), bool(states), float(following) if timed else None)
+        return Update(bool(terminate), float(following) if timed else None)
 
     def step(self, t: float, duration: float, inputs: Values, rates: Values) -> Stepped:
         """Advance a Co-Simulation FMU; rates of the inputs are used if it interpolates, else ignored."""

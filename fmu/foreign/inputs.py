@@ -14,11 +14,11 @@ from ...components import Sampled
 from ...networks import check_covered, piecewise
 from ..errors import FMUError
 from .description import FMUDescription
+from .initialization import checked
 from .instance import Group, Instance, Values
-from .values import checked
 from .variable import ForeignVariable
 
-SAMPLES_A_STEP, QUIET, STILL = 4, 4, 1e-9
+SAMPLES_A_STEP, STRAIGHT_SAMPLES, STRAIGHT_SHARE = 4, 4, 1e-9
 
 
 def groups(variables: Iterable[ForeignVariable]) -> list[Group]:
@@ -39,7 +39,7 @@ class Inputs:
 
     Attributes:
         continuous: real inputs, set with every evaluation; a function of time each.
-        discrete: the others, constant between their jumps.
+        discrete: the others, constant between their `jumps`.
         longest_step: steps [s] that do not pass over what data do between their samples.
         bends: instants at which data bend again that had been straight.
     """
@@ -51,17 +51,8 @@ class Inputs:
     longest_step: float = np.inf
     bends: list[float] = field(default_factory=list)
 
-    @property
-    def references(self) -> list[int]:
-        """Value references of the continuous inputs."""
-        return [self.fmu.variables[name].reference for name in self.continuous]
-
     def at(self, t: float) -> Values:
-        """Return the continuous inputs at an instant.
-
-        Raises:
-            FMUError: if a signal gives no finite number.
-        """
+        """Return the continuous inputs at an instant; refuse what is no finite number."""
         values = [float(signal(t)) for signal in self.continuous.values()]
         for name, value in zip(self.continuous, values, strict=True):
             if not np.isfinite(value):
@@ -74,14 +65,14 @@ class Inputs:
             v = self.fmu.variables[name]
             instance.set((v.type, [v.reference], v.size), checked(self.fmu, v, signal(t)))
 
-    def next_jump(self, t: float) -> float:
-        """Return when a discrete input changes next."""
-        return min((jump for jump in self.jumps if jump > t), default=np.inf)
+    def next_changes(self, t: float) -> tuple[float, float]:
+        """Return when a discrete input jumps next, and when data bend next that are straight now."""
+        return _next(self.jumps, t), _next(self.bends, t)
 
-    def next_bend(self, t: float) -> float:
-        """Return when data bend next that are straight now."""
-        place = bisect_right(self.bends, t)
-        return self.bends[place] if place < len(self.bends) else np.inf
+
+def _next(instants: list[float], t: float) -> float:
+    place = bisect_right(instants, t)
+    return instants[place] if place < len(instants) else np.inf
 
 
 def chosen_inputs(fmu: FMUDescription, signals: Mapping[str, Any], begin: float, stop: float) -> Inputs:
@@ -126,16 +117,16 @@ def _bends(data: Sampled) -> list[float]:
     """Return the instants at which data bend again after some that lay on a line."""
     slopes = np.diff(data.values) / np.diff(data.time)
     steepest = np.abs(slopes).max()
-    bent = np.concatenate([[False] * QUIET, np.abs(np.diff(slopes)) > STILL * steepest])
-    quiet = np.convolve(bent, np.ones(QUIET), "full")[: len(bent)] - bent == 0
-    return [float(t) for t in data.time[np.flatnonzero((bent & quiet)[QUIET:])]]
+    bent = np.concatenate([[False] * STRAIGHT_SAMPLES, np.abs(np.diff(slopes)) > STRAIGHT_SHARE * steepest])
+    straight = np.convolve(bent, np.ones(STRAIGHT_SAMPLES), "full")[: len(bent)] - bent == 0
+    return [float(t) for t in data.time[np.flatnonzero((bent & straight)[STRAIGHT_SAMPLES:])]]
 
 
 def _discrete(inputs: Inputs, v: ForeignVariable, signal: Any, begin: float) -> Callable[[float], Any]:
+    where = f"input '{v.name}' of FMU '{inputs.fmu.name}'"
     if callable(signal):
         raise FMUError(
-            f"input '{v.name}' of FMU '{inputs.fmu.name}' is {v.variability} {v.type}: give a value or "
-            "(time, values), each held until the next"
+            f"{where} is {v.variability} {v.type}: give a value or (time, values), each held until the next"
         )
     signal = inputs.fmu.converted(v, signal)
     if not isinstance(signal, tuple):
@@ -143,13 +134,12 @@ def _discrete(inputs: Inputs, v: ForeignVariable, signal: Any, begin: float) -> 
         return lambda t: signal
     time, values = (np.asarray(a) for a in _pair(inputs.fmu, v, signal))
     if (np.diff(time) <= 0).any() or len(time) != len(values):
-        raise FMUError(f"input '{v.name}' of FMU '{inputs.fmu.name}': time must increase, one value each")
+        raise FMUError(f"{where}: time must increase, one value each")
     for value in values:
         checked(inputs.fmu, v, value)
     if not len(time) or time[0] > begin:
         raise FMUError(
-            f"input '{v.name}' of FMU '{inputs.fmu.name}': its values begin after the run does, at "
-            f"{begin:g} s; give the value at its start"
+            f"{where}: its values begin after the run does, at {begin:g} s; give the value at its start"
         )
     inputs.jumps = sorted({*inputs.jumps, *time.tolist()})
     return lambda t: values[max(0, int(np.searchsorted(time, t, side="right")) - 1)]

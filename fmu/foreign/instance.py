@@ -21,8 +21,6 @@ class Update(NamedTuple):
     """What an FMU says after its events were iterated."""
 
     terminate: bool
-    nominals_changed: bool
-    states_changed: bool
     next_event: float | None
 
 
@@ -34,11 +32,7 @@ class Stepped(NamedTuple):
     terminate: bool
 
     def landed(self, name: str, t: float, target: float) -> tuple[float, bool]:
-        """Return where a step from `t` led, and whether that is its target, which rounding may hide.
-
-        Raises:
-            FMUError: if it led nowhere, neither to an event nor to the end.
-        """
+        """Return where a step from `t` led, and whether that is its target; refuse one that led nowhere."""
         if self.reached >= target - 4 * np.spacing(abs(target)):
             return target, True
         if self.reached <= t and not (self.event or self.terminate):
@@ -47,11 +41,7 @@ class Stepped(NamedTuple):
 
 
 def finite(name: str, what: str, t: float, values: Values) -> Any:
-    """Return values as an array.
-
-    Raises:
-        FMUError: if one is no finite number.
-    """
+    """Return values as an array; refuse what is no finite number."""
     array = np.asarray(values, dtype=float)
     if not np.isfinite(array).all():
         bad = float(array[~np.isfinite(array)][0])

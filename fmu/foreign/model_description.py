@@ -13,9 +13,9 @@ from ..errors import FMUError
 from .archive import DESCRIPTION, doubled, read_description
 from .validation import checked
 
-KINDS = {"ME": "modelExchange", "CS": "coSimulation"}
-FACES = *KINDS.values(), "scheduledExecution"
-PLAIN = re.compile(r"\w[\w.+-]*")
+KINDS = {"ME": "ModelExchange", "CS": "CoSimulation"}
+FACES = {"ME": "modelExchange", "CS": "coSimulation"}  # FMPy's names
+PLAIN_NAME = re.compile(r"\w[\w.+-]*")
 
 
 def read_model_description(path: Path, validate: bool) -> tuple[Any, list[str]]:
@@ -43,7 +43,7 @@ def read_model_description(path: Path, validate: bool) -> tuple[Any, list[str]]:
 def _check_names(path: Path, description: Any) -> None:
     """Refuse names that lead to other files, or to two variables."""
     for name in _identifiers(description):
-        if not PLAIN.fullmatch(name) or ".." in name:
+        if not PLAIN_NAME.fullmatch(name) or ".." in name:
             raise FMUError(
                 f"'{path}': modelIdentifier={name!r} is no plain name of a file, so that its library could "
                 "be anywhere: nothing was unpacked or run"
@@ -74,8 +74,8 @@ def _breaches(description: Any) -> list[str]:
 
 
 def _identifiers(description: Any) -> list[str]:
-    faces = [face for name in FACES if (face := getattr(description, name)) is not None]
-    return list(dict.fromkeys(str(face.modelIdentifier) for face in faces))
+    faces = (getattr(description, name) for name in (*FACES.values(), "scheduledExecution"))
+    return list(dict.fromkeys(str(face.modelIdentifier) for face in faces if face is not None))
 
 
 def _check_version(path: Path, text: bytes) -> None:

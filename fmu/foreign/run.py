@@ -30,13 +30,7 @@ class ForeignEvent:
 class Recorded(OverTime):
     """What was recorded along a run, every variable at the same points."""
 
-    if TYPE_CHECKING:
-
-        @property
-        def units(self) -> dict[str, str]:
-            """Units of what was recorded, by name."""
-            ...
-
+    units: dict[str, str]
     _remedy = ""
 
     def names(self) -> list[str]:

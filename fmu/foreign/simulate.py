@@ -98,7 +98,7 @@ class _Alone:
         stepper, stop = self.stepper, self.outputs[-1]
         self._record()
         while stepper.t < stop and not stepper.ended:
-            jump, bend = self.inputs.next_jump(stepper.t), self.inputs.next_bend(stepper.t)
+            jump, bend = self.inputs.next_changes(stepper.t)
             if stepper.dense:
                 limit = min(stop, jump, bend)
             else:

@@ -40,13 +40,8 @@ class Stepping:
 class TimeStepper(ABC):
     """An instance that leaves initialization mode and advances from event to event.
 
-    Args:
-        instance: in initialization mode.
-        fmu: what it says of itself.
-        course: the continuous inputs as a function of time; may be exchanged between steps.
-        stepping: what the steps keep to.
-
     Attributes:
+        course: the continuous inputs as a function of time; may be exchanged between steps.
         t: where it stands [s].
         event: what the last step ended at: "state", "time", "step" (the FMU asked for it), or empty.
         ended: whether the FMU asked to end.
@@ -54,9 +49,6 @@ class TimeStepper(ABC):
         flexible: whether it takes steps of any size.
         dense: whether variables are known throughout a step.
         stats: what solved it, in how many steps.
-
-    Raises:
-        FMUError: if Model Exchange asks to end at its start.
     """
 
     switches = flexible = dense = True
@@ -85,11 +77,7 @@ class TimeStepper(ABC):
         self.step(target)
 
     def switch(self, set_inputs: Callable[[], None] = lambda: None) -> None:
-        """Iterate the events where it stands, with inputs that are set in event mode.
-
-        Raises:
-            FMUError: if events crowd into no time.
-        """
+        """Iterate the events where it stands, with inputs that are set in event mode; refuse chattering."""
         self.instance.enter_events()
         set_inputs()
         self._update()

@@ -16,9 +16,7 @@ TRUE = "true", "1"
 def declared_units(definitions: list[Any], inverse: set[str]) -> dict[str, Unit]:
     """Return the units that an FMU defines, its display units included (under the unit they display).
 
-    Args:
-        definitions: units as FMPy reads them.
-        inverse: display units that show the reciprocal of a value, which is no unit of it.
+    Display units that are `inverse` show the reciprocal of a value, which is no unit of it.
     """
     units: dict[str, Unit] = {}
     for definition in definitions:

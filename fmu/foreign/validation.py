@@ -14,17 +14,10 @@ from .archive import DESCRIPTION
 ANNOTATIONS = "Annotations", "Annotation", "VendorAnnotations"
 UNREAD = (*ANNOTATIONS, "LogCategories", "SourceFiles")
 LISTS = (*UNREAD, "UnitDefinitions", "TypeDefinitions", "Outputs", "Derivatives", "InitialUnknowns")
-HEADLINES = (
-    "author",
-    "copyright",
-    "license",
-    "version",
-    "generationTool",
-    "generationDateAndTime",
-    "description",
-)
-KINDS = "ModelExchange", "CoSimulation", "ScheduledExecution"
-_TOP = *KINDS, "UnitDefinitions", "TypeDefinitions", "LogCategories", "DefaultExperiment"
+ORIGIN = "version", "generationTool", "generationDateAndTime"
+HEADLINES = "author", "copyright", "license", "description", *ORIGIN
+_KINDS = "ModelExchange", "CoSimulation", "ScheduledExecution"
+_TOP = *_KINDS, "UnitDefinitions", "TypeDefinitions", "LogCategories", "DefaultExperiment"
 _VARIABLES = "ModelVariables", "ModelStructure"
 ORDER: dict[str, dict[str, tuple[str, ...]]] = {
     "2": {
@@ -42,7 +35,7 @@ ORDER: dict[str, dict[str, tuple[str, ...]]] = {
     },
 }  # fmt: skip
 IN_VARIABLES = "Annotations", "Dimension", "Start", "Alias"
-MOST_TOLD = 5
+TOLD_PROBLEMS = 5
 
 
 def checked(path: Path, text: bytes, validate: bool) -> tuple[bytes, list[str]]:
@@ -66,15 +59,9 @@ def checked(path: Path, text: bytes, validate: bool) -> tuple[bytes, list[str]]:
     notes = [f"{what}{f' ({n} times)' if n > 1 else ''}" for what, n in mended.items()]
     problems = [f"line {e.line}: {e.message}" for e in schema.error_log]
     if problems and validate:
-        more = [f"and {len(problems) - MOST_TOLD} more"] if len(problems) > MOST_TOLD else []
-        raise FMUError(
-            "\n  - ".join(
-                [
-                    f"'{path}': {DESCRIPTION} is invalid (validate=False, or --no-validate, tries it):",
-                    *problems[:MOST_TOLD], *more, *notes,
-                ]
-            )
-        )  # fmt: skip
+        more = [f"and {len(problems) - TOLD_PROBLEMS} more"] if len(problems) > TOLD_PROBLEMS else []
+        title = f"'{path}': {DESCRIPTION} is invalid (validate=False, or --no-validate, tries it):"
+        raise FMUError("\n  - ".join([title, *problems[:TOLD_PROBLEMS], *more, *notes]))
     return _plain(root), [*problems, *notes]
 
 
@@ -96,8 +83,7 @@ def _parsed(path: Path, text: bytes) -> Any:
 
 def _plain(root: Any) -> bytes:
     """Return XML without a document type, whose entities could lead elsewhere."""
-    text: bytes = _etree().tostring(root, encoding="utf-8", xml_declaration=True)
-    return text
+    return bytes(_etree().tostring(root, encoding="utf-8", xml_declaration=True))
 
 
 @cache
@@ -120,12 +106,9 @@ def _sort(root: Any, major: str, mended: Counter[str]) -> None:
         ranks = [order.index(child.tag) for child in element]
         if ranks != sorted(ranks):
             odd = next(c for c, a, b in zip(element[1:], ranks, ranks[1:], strict=False) if b < a)
-            mended[
-                f"'{odd.tag}' in '{element.tag}' comes too late; its place was taken as if it were right"
-            ] += 1
-            element[:] = [
-                child for _, child in sorted(zip(ranks, element, strict=True), key=lambda pair: pair[0])
-            ]
+            what = f"'{odd.tag}' in '{element.tag}' comes too late; its place was taken as if it were right"
+            mended[what] += 1
+            element[:] = [child for tag in order for child in element.findall(tag)]
 
 
 def _mend(root: Any, error: Any, mended: Counter[str]) -> bool:

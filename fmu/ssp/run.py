@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-from functools import cached_property
+from dataclasses import dataclass, field
 
 from ...base import Array
 from ..cosimulation.step_error import ExchangeRun
@@ -18,6 +17,11 @@ class SystemRun(Recorded, ExchangeRun):
     """
 
     system: str
+    units: dict[str, str] = field(init=False, repr=False)
+
+    def __post_init__(self) -> None:
+        runs = self.fmus.items()
+        self.units = {f"{name}.{v}": unit for name, run in runs for v, unit in run.units.items()}
 
     @property
     def name(self) -> str:
@@ -28,11 +32,6 @@ class SystemRun(Recorded, ExchangeRun):
     def time(self) -> Array:
         """Instants of the points [s]."""
         return next(iter(self.fmus.values())).time
-
-    @cached_property
-    def units(self) -> dict[str, str]:
-        """Units of what was recorded, by name."""
-        return {f"{name}.{v}": unit for name, run in self.fmus.items() for v, unit in run.units.items()}
 
     def __getitem__(self, name: str) -> Array:
         """Return a variable along the run.

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -12,7 +12,7 @@ from ...components import Component, ModelError
 from ...components.language import PortRef
 from ...networks import Network, network_of
 from ..export.export import export_fmu
-from ..export.terminals import Terminal, members, publish
+from ..export.terminals import members, publish
 from ..fmu import FMU
 from .system import Connection, SystemStructure
 
@@ -70,9 +70,12 @@ class Split:
             )  # fmt: skip
             fmus[side] = FMU(path)
         system = SystemStructure(self.name, fmus, stop=options.get("stop", 1.0))
-        for (a, flange), (b, other) in self.pairs:
-            system.connections += _joined(a, published[a][flange], b, published[b][other], fmus)
-            system.connections += _joined(b, published[b][other], a, published[a][flange], fmus)
+        for pair in self.pairs:
+            for (a, flange), (b, other) in (pair, pair[::-1]):
+                given = members(published[a][flange], fmus[a].outputs)
+                taken = members(published[b][other], fmus[b].inputs)
+                met = [m for m in taken if m in given]
+                system.connections += [Connection(f"{a}.{given[m]}", f"{b}.{taken[m]}") for m in met]
         return system
 
     def _check(self, names: Iterable[str]) -> None:
@@ -84,12 +87,6 @@ class Split:
         ]
         if problems:
             raise ModelError(f"'{self.name}' in two cannot be exported:", problems)
-
-
-def _joined(a: str, source: Terminal, b: str, target: Terminal, fmus: Mapping[str, FMU]) -> list[Connection]:
-    """Return the connections from the outputs of one terminal to the inputs of another."""
-    given, taken = members(source, fmus[a].outputs), members(target, fmus[b].inputs)
-    return [Connection(f"{a}.{given[m]}", f"{b}.{name}") for m, name in taken.items() if m in given]
 
 
 def split(

@@ -11,6 +11,7 @@ from ...components import ModelError
 from ..export.model_description import text
 from ..export.package import write_archive
 from ..fmu import FMU
+from ..foreign.model_description import KINDS
 from ..foreign.variable import ForeignVariable
 
 if TYPE_CHECKING:
@@ -73,8 +74,7 @@ def _element(parent: ET.Element | None, tag: str, **attributes: str) -> ET.Eleme
 def _component(
     elements: ET.Element, name: str, fmu: FMU, values: dict[str, Any], units: dict[str, Unit]
 ) -> None:
-    both = len(fmu.kinds) > 1
-    implementation = "any" if both else {"ME": "ModelExchange", "CS": "CoSimulation"}[fmu.kind()]
+    implementation = "any" if len(fmu.kinds) > 1 else KINDS[fmu.kind()]
     component = _element(
         elements, "ssd:Component", name=name, type="application/x-fmu-sharedlibrary",
         source=_resource(name), implementation=implementation,
