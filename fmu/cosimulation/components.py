@@ -277,7 +277,7 @@ def _signed(name: str) -> tuple[float, str]:
 
 
 def _check(fmu: FMU, v: ForeignVariable, unit: str) -> None:
-    if v.type not in ("Real", "Float64") or v.size != 1:
+    if not v.is_signal:
         raise FMUError(f"FMU '{fmu.name}': '{v.name}' is {v.type} of size {v.size}, no real signal")
     if unit and v.unit and not fmu.measure(v).fits(unit_of(unit)):
         raise FMUError(f"FMU '{fmu.name}': '{v.name}' is in {v.unit}, where {unit} belongs")
@@ -286,9 +286,9 @@ def _check(fmu: FMU, v: ForeignVariable, unit: str) -> None:
 def _chosen(
     fmu: FMU, names: Iterable[str] | None, known: Mapping[str, ForeignVariable]
 ) -> tuple[ForeignVariable, ...]:
-    if names is not None:
-        return tuple(fmu.variable(name, known) for name in names)
-    return tuple(v for v in known.values() if v.type in ("Real", "Float64") and v.size == 1)
+    if names is None:
+        return tuple(v for v in known.values() if v.is_signal)
+    return tuple(fmu.variable(name, known) for name in names)
 
 
 def _identifier(name: str) -> str:

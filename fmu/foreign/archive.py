@@ -14,6 +14,7 @@ from pathlib import Path, PurePosixPath
 from ..errors import FMUError
 
 DESCRIPTION = "modelDescription.xml"
+LIBRARY_ENDINGS = ".so", ".dll", ".dylib"
 CHUNK_BYTES = 1 << 20
 MOST_BYTES, MOST_DESCRIPTION_BYTES, UNSUSPECTED_BYTES = 4 << 30, 512 << 20, 64 << 20
 MOST_RATIO, MOST_ENTRIES = 200, 100_000
@@ -29,13 +30,9 @@ def platform_folder(version: str) -> str:
 
 def platforms(path: Path) -> list[str]:
     """Return the folders of `binaries/` that hold a library."""
-    found = set()
     with _opened(path) as archive:
-        for entry in archive.infolist():
-            parts = PurePosixPath(entry.filename).parts
-            if len(parts) == 3 and parts[0] == "binaries" and parts[2].endswith((".so", ".dll", ".dylib")):
-                found.add(parts[1])
-    return sorted(found)
+        files = [PurePosixPath(name) for name in archive.namelist() if name.endswith(LIBRARY_ENDINGS)]
+    return sorted({file.parts[1] for file in files if len(file.parts) == 3 and file.parts[0] == "binaries"})
 
 
 def read_description(path: Path) -> bytes:
@@ -57,11 +54,7 @@ def read_entry(path: Path, name: str, kind: str, most: int = MOST_BYTES) -> byte
 
 
 def unpack(path: Path, folder: Path, binaries: str) -> None:
-    """Unpack what a run needs into an empty folder: description, resources, one folder of `binaries/`.
-
-    Raises:
-        FMUError: if the archive is broken, unsafe or too large.
-    """
+    """Unpack what a run needs into an empty folder: description, resources, one folder of `binaries/`."""
     wanted = f"binaries/{binaries}/", "resources/"
     (folder / "resources").mkdir()
     with _opened(path) as archive:

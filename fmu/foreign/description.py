@@ -12,7 +12,7 @@ from xml.etree import ElementTree
 from ...base import ModelError, Unit, path_of, unit_of
 from ...components import nearest
 from ..errors import FMUError
-from .archive import platform_folder, platforms, read_description
+from .archive import platform_folder, platforms
 from .model_description import FACES, KINDS, read_model_description
 from .units import declared_units, inverse_units, is_bare, relative_names
 from .variable import ForeignVariable, foreign_variable
@@ -31,7 +31,8 @@ class FMUDescription:
 
     def __init__(self, path: str | Path, *, validate: bool = True) -> None:
         self.path, self.validate = path_of(path, "an FMU"), validate
-        self.description, self.notes = read_model_description(self.path, validate)
+        self.description, text, self.notes = read_model_description(self.path, validate)
+        self._xml = ElementTree.fromstring(text)
         self.name = str(self.description.modelName)
         self.version = str(self.description.fmiVersion)
         self.tool = self.description.generationTool or "unknown tool"
@@ -77,10 +78,6 @@ class FMUDescription:
         names = {"start": "startTime", "stop": "stopTime", "tolerance": "tolerance", "step": "stepSize"}
         values = {k: getattr(suggested, name, None) for k, name in names.items()}
         return {k: float(v) for k, v in values.items() if v is not None}
-
-    @cached_property
-    def _xml(self) -> ElementTree.Element:
-        return ElementTree.fromstring(read_description(self.path))
 
     @cached_property
     def _bare(self) -> set[str]:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from bisect import bisect_right
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, field
+from itertools import groupby
 from numbers import Real
 from typing import Any
 
@@ -23,14 +24,8 @@ SAMPLES_A_STEP, STRAIGHT_SAMPLES, STRAIGHT_SHARE = 4, 4, 1e-9
 
 def groups(variables: Iterable[ForeignVariable]) -> list[Group]:
     """Return variables as groups to get, one a variable run of the same type, in their order."""
-    found: list[Group] = []
-    for v in variables:
-        if found and found[-1][0] == v.type:
-            kind, references, count = found[-1]
-            found[-1] = (kind, [*references, v.reference], count + v.size)
-        else:
-            found.append((v.type, [v.reference], v.size))
-    return found
+    alike = ((kind, list(group)) for kind, group in groupby(variables, key=lambda v: v.type))
+    return [(kind, [v.reference for v in group], sum(v.size for v in group)) for kind, group in alike]
 
 
 @dataclass(eq=False)
@@ -86,7 +81,7 @@ def chosen_inputs(fmu: FMUDescription, signals: Mapping[str, Any], begin: float,
     smooth: dict[str, Sampled] = {}
     for name, signal in signals.items():
         v = fmu.variable(name, fmu.inputs)
-        if v.type in ("Real", "Float64") and v.variability == "continuous" and v.size == 1:
+        if v.is_signal and v.variability == "continuous":
             inputs.continuous[name] = _continuous(inputs, v, signal, smooth)
         else:
             inputs.discrete[name] = _discrete(inputs, v, signal, begin)
@@ -100,11 +95,10 @@ def _continuous(
     """Return a signal as a function of time; note it in `smooth` if it is sampled."""
     signal = inputs.fmu.converted(v, signal)
     if callable(signal):
-        given: Callable[[float], Any] = signal
-        return lambda t: float(given(t))
+        return lambda t: float(signal(t))
     if isinstance(signal, Real):
-        number = checked(inputs.fmu, v, signal)[0]
-        return lambda t: float(number)
+        number = float(checked(inputs.fmu, v, signal)[0])
+        return lambda t: number
     sampled = signal if isinstance(signal, Sampled) else Sampled(*_pair(inputs.fmu, v, signal))
     smooth[v.name] = sampled
     inputs.longest_step = min(inputs.longest_step, SAMPLES_A_STEP * float(np.median(np.diff(sampled.time))))

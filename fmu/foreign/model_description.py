@@ -7,37 +7,36 @@ import re
 import zipfile
 from pathlib import Path
 from typing import Any
-from xml.etree import ElementTree
 
 from ..errors import FMUError
 from .archive import DESCRIPTION, doubled, read_description
-from .validation import checked
+from .validation import checked, parsed
 
 KINDS = {"ME": "ModelExchange", "CS": "CoSimulation"}
 FACES = {"ME": "modelExchange", "CS": "coSimulation"}  # FMPy's names
 PLAIN_NAME = re.compile(r"\w[\w.+-]*")
 
 
-def read_model_description(path: Path, validate: bool) -> tuple[Any, list[str]]:
-    """Return FMPy's model description, and what in it and its archive breaks the standard but harms nothing.
+def read_model_description(path: Path, validate: bool) -> tuple[Any, bytes, list[str]]:
+    """Return FMPy's model description, its text, and what breaks the standard but harms nothing.
 
     Raises:
         FMUError: if it cannot be read, names a file outside of its folder, or is invalid and that is asked.
     """
     import fmpy
 
-    text = read_description(path)
-    _check_version(path, text)
-    mended, notes = checked(path, text, validate)
+    root = parsed(path, read_description(path))
+    _check_version(path, root)
+    text, notes = checked(path, root, validate)
     alone = io.BytesIO()
     with zipfile.ZipFile(alone, "w") as archive:
-        archive.writestr(DESCRIPTION, mended)
+        archive.writestr(DESCRIPTION, text)
     try:
         description = fmpy.read_model_description(alone, validate=False)
     except Exception as error:
         raise FMUError(f"'{path}': {DESCRIPTION} is invalid: {error}") from error
     _check_names(path, description)
-    return description, [*doubled(path), *notes, *_breaches(description)]
+    return description, text, [*doubled(path), *notes, *_breaches(description)]
 
 
 def _check_names(path: Path, description: Any) -> None:
@@ -78,11 +77,7 @@ def _identifiers(description: Any) -> list[str]:
     return list(dict.fromkeys(str(face.modelIdentifier) for face in faces if face is not None))
 
 
-def _check_version(path: Path, text: bytes) -> None:
-    try:
-        root = ElementTree.fromstring(text)
-    except ElementTree.ParseError as error:
-        raise FMUError(f"'{path}': {DESCRIPTION} is no XML: {error}") from error
+def _check_version(path: Path, root: Any) -> None:
     version = root.get("fmiVersion")
     if root.tag != "fmiModelDescription" or version is None:
         raise FMUError(f"'{path}': {DESCRIPTION} describes no FMU (no fmiVersion)")

@@ -38,7 +38,7 @@ IN_VARIABLES = "Annotations", "Dimension", "Start", "Alias"
 TOLD_PROBLEMS = 5
 
 
-def checked(path: Path, text: bytes, validate: bool) -> tuple[bytes, list[str]]:
+def checked(path: Path, root: Any, validate: bool) -> tuple[bytes, list[str]]:
     """Return a description that its schema allows, mended where that changes nothing, and what was amiss.
 
     Mended are: elements in another order; annotations, categories of logs and lists of source files, which
@@ -48,12 +48,10 @@ def checked(path: Path, text: bytes, validate: bool) -> tuple[bytes, list[str]]:
     Raises:
         FMUError: for whatever else the schema does not allow, if that is asked.
     """
-    root = _parsed(path, text)
-    schema, told = _schema(root.get("fmiVersion")[0]), root.getroottree().docinfo.doctype
-    if schema.validate(root):
-        return (_plain(root) if told else text), []
-    mended = Counter[str]()
-    _sort(root, root.get("fmiVersion")[0], mended)
+    major, mended = root.get("fmiVersion")[0], Counter[str]()
+    schema = _schema(major)
+    if not schema.validate(root):
+        _sort(root, major, mended)
     while not schema.validate(root) and any([_mend(root, error, mended) for error in schema.error_log]):
         pass
     notes = [f"{what}{f' ({n} times)' if n > 1 else ''}" for what, n in mended.items()]
@@ -62,7 +60,8 @@ def checked(path: Path, text: bytes, validate: bool) -> tuple[bytes, list[str]]:
         more = [f"and {len(problems) - TOLD_PROBLEMS} more"] if len(problems) > TOLD_PROBLEMS else []
         title = f"'{path}': {DESCRIPTION} is invalid (validate=False, or --no-validate, tries it):"
         raise FMUError("\n  - ".join([title, *problems[:TOLD_PROBLEMS], *more, *notes]))
-    return _plain(root), [*problems, *notes]
+    plain = bytes(_etree().tostring(root, encoding="utf-8", xml_declaration=True))
+    return plain, [*problems, *notes]
 
 
 def _etree() -> Any:
@@ -72,18 +71,14 @@ def _etree() -> Any:
     return etree
 
 
-def _parsed(path: Path, text: bytes) -> Any:
+def parsed(path: Path, text: bytes) -> Any:
+    """Return the root of a description, without the document type, whose entities could lead elsewhere."""
     etree = _etree()
     reader = etree.XMLParser(resolve_entities=False, no_network=True, remove_comments=True, remove_pis=True)
     try:
         return etree.fromstring(text, reader)
     except etree.XMLSyntaxError as error:
         raise FMUError(f"'{path}': {DESCRIPTION} is no XML: {error}") from error
-
-
-def _plain(root: Any) -> bytes:
-    """Return XML without a document type, whose entities could lead elsewhere."""
-    return bytes(_etree().tostring(root, encoding="utf-8", xml_declaration=True))
 
 
 @cache
