@@ -63,11 +63,6 @@ class ForeignComponent(Component):
         self.chosen, self.started = dict(parameters or {}), dict(start or {})
         self.taken, self.given = (), ()
 
-    @property
-    def exchanged(self) -> list[str]:
-        """Names of what passes between it and its FMU."""
-        return [*(taken.name for taken in self.taken), *(given.name for given in self.given)]
-
     def _take(self, signed: str, name: str, order: int, unit: str) -> None:
         sign, path = _signed(signed)
         _check(self.fmu, self.fmu.variable(path, self.fmu.inputs), unit)

@@ -78,7 +78,7 @@ class Coupling:
     """What passes between the network and the FMU of one component in it, at `path`."""
 
     def __init__(self, path: str, component: ForeignComponent, order: int) -> None:
-        self.path, self.component = path, component
+        self.component = component
         orders = [(taken, taken.order + i) for taken in component.taken for i in range(order + 1)]
         self._observed = [(f"{path}.{taken.name}", order) for taken, order in orders]
         self._factorials = [factorial(i) for i in range(order + 1)]
@@ -88,6 +88,7 @@ class Coupling:
             f"{path}.{one.name}": [(one.sign, fmu.measure(fmu.variables[name])) for name in one.variables]
             for one in component.given
         }
+        self.exchanged = [*(f"{path}.{taken.name}" for taken in component.taken), *self._given]
 
     def course(self, network: Stepwise, t: float) -> Course:
         """Return what the FMU takes as a function of time, extrapolated from where the network is, at t."""

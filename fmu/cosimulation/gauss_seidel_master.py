@@ -50,11 +50,7 @@ class GaussSeidelMaster(Master):
     @property
     def exchanged(self) -> list[str]:
         """Names of what passes between network and FMUs."""
-        return [
-            f"{path}.{name}"
-            for path, coupling in self._couplings.items()
-            for name in coupling.component.exchanged
-        ]
+        return [name for coupling in self._couplings.values() for name in coupling.exchanged]
 
     def run(self) -> CoupledRun:
         """Run from the first point to the last."""

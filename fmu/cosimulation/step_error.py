@@ -8,7 +8,6 @@ from typing import Any
 
 import numpy as np
 
-from ...base import Array
 from ...networks import Event, OverTime
 from ..errors import FMUError
 from ..foreign.run import ForeignEvent, ForeignRun
@@ -54,7 +53,8 @@ def compare(run: ExchangeRun, finer: ExchangeRun, exchanged: Iterable[str]) -> N
     for name in dict.fromkeys(exchanged):
         values, better = (np.interp(points, each.time, each[name]) for each in (run, finer))
         error = float(np.abs(values - better).max())
-        size, most = (float(min(of(values), of(better))) for of in (np.ptp, _largest))
+        size = float(min(np.ptp(values), np.ptp(better)))
+        most = float(min(np.abs(values).max(), np.abs(better).max()))
         change = f"half the communication step changes '{name}' by {error:.3g} {run.unit(name)}"
         run.step_error[name] = error
         if not error <= size + ROUNDING_SHARE * most:
@@ -65,7 +65,3 @@ def compare(run: ExchangeRun, finer: ExchangeRun, exchanged: Iterable[str]) -> N
             )
         if error > NOTED_RANGE_SHARE * size:
             run.notes.append(f"{change}, {error / size:.0%} of its range; give a smaller step")
-
-
-def _largest(values: Array) -> float:
-    return float(np.abs(values).max())

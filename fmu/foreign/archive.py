@@ -41,11 +41,7 @@ def read_description(path: Path) -> bytes:
 
 
 def read_entry(path: Path, name: str, kind: str, most: int = MOST_BYTES) -> bytes:
-    """Return an entry that an archive of this kind must have.
-
-    Raises:
-        FMUError: if the archive is broken, unsafe, or has none.
-    """
+    """Return an entry that an archive of this kind must have; refuse one that is broken or unsafe."""
     with _opened(path) as archive:
         if name not in archive.namelist():
             raise FMUError(f"'{path}' has no {name}: it is no {kind}")

@@ -4,8 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 
-import numpy as np
-
 from ..errors import FMUError
 from .description import FMUDescription
 from .instance import Group, Instance, Values
@@ -21,7 +19,7 @@ class CoSimulation(TimeStepper):
 
     def __init__(self, instance: Instance, fmu: FMUDescription, course: Course, stepping: Stepping) -> None:
         super().__init__(instance, fmu, course, stepping)
-        self.switches, self.rated = instance.event_mode, rated_inputs(stepping.inputs)
+        self.switches, self._rated = instance.event_mode, _rated(stepping.inputs)
         self.flexible = fmu.capable("CS", "canHandleVariableCommunicationStepSize")
         self._own_step = float(fmu.declared("CS", "fixedInternalStepSize") or 0.0)
         self._only_step = 0.0
@@ -33,9 +31,26 @@ class CoSimulation(TimeStepper):
         duration = limit - self.t
         if self._arrived and not self.flexible:
             self._check_size(duration)
-        given = step_inputs(self.course, self.t, duration, self.instance.interpolates, self.rated)
-        self.communicate(limit, *given)
+        first, middle, last = (self.course(self.t + share * duration) for share in (0.0, 0.5, 1.0))
+        mean = [(a + 4 * b + c) / 6 for a, b, c in zip(first, middle, last, strict=True)]
+        inputs, rates = self.step_inputs(first, mean, last, duration)
+        for place, rate in self._rated.items():
+            rates[place] = inputs[rate]
+        self.communicate(limit, inputs, rates)
         look_back()
+
+    def step_inputs(
+        self, first: Values, mean: Values, last: Values, duration: float
+    ) -> tuple[Values, Values]:
+        """Return inputs for a communication step, and their rates for an FMU that interpolates.
+
+        What it holds over the step is their mean. An input x beside an input der(x) is given where the step
+        begins, as it follows der(x).
+        """
+        if self.instance.interpolates:
+            return first, [(b - a) / duration for a, b in zip(first, last, strict=True)]
+        inputs = [first[place] if place in self._rated else value for place, value in enumerate(mean)]
+        return inputs, [0.0] * len(inputs)
 
     def _check_size(self, duration: float) -> None:
         """Refuse a step of another size than those before, or that is no multiple of the FMU's own."""
@@ -76,25 +91,7 @@ class CoSimulation(TimeStepper):
         self.ended = self.instance.update().terminate
 
 
-def step_inputs(
-    course: Course, t: float, duration: float, interpolates: bool, rated: dict[int, int]
-) -> tuple[Values, Values]:
-    """Return inputs for a communication step, and their rates for an FMU that interpolates.
-
-    What it holds over the step is the mean of the course. An input x beside an input der(x) is given where
-    the step begins, as it follows der(x).
-    """
-    first, middle, last = (np.array(course(t + share * duration)) for share in (0.0, 0.5, 1.0))
-    if interpolates:
-        inputs, rates = first, (last - first) / duration
-    else:
-        inputs, rates = (first + 4 * middle + last) / 6, 0 * first
-    for place, rate in rated.items():
-        inputs[place], rates[place] = first[place], inputs[rate]
-    return inputs.tolist(), rates.tolist()
-
-
-def rated_inputs(inputs: Sequence[str]) -> dict[int, int]:
+def _rated(inputs: Sequence[str]) -> dict[int, int]:
     """Return the places of inputs whose derivative is an input, too, and of that: x and der(x), der(x,2)."""
     found = {}
     for place, name in enumerate(inputs):

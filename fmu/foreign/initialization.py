@@ -30,11 +30,7 @@ def enter_initialization(
     instance: Instance, fmu: FMUDescription, stepping: Stepping, parameters: Mapping[str, Any],
     start: Mapping[str, Any],
 ) -> list[str]:  # fmt: skip
-    """Set values and enter initialization mode; return notes on values that were not taken.
-
-    Raises:
-        FMUError: for unknown names, what cannot be set, and values out of range.
-    """
+    """Set values, if they can be, and enter initialization mode; return notes on values not taken."""
     values = _chosen_values(fmu, parameters, start)
     references = [fmu.variables[name].reference for name in stepping.inputs]
     instance.start(stepping.begin, stepping.stop, stepping.rtol, list(values.values()), references)
@@ -71,11 +67,7 @@ def _untaken(fmu: FMUDescription, instance: Instance, chosen: dict[str, tuple[An
 
 
 def checked(fmu: FMUDescription, variable: ForeignVariable, value: Any) -> Values:
-    """Return the elements of a value in the unit and the type of its variable.
-
-    Raises:
-        FMUError: if type, number or range is wrong, or an enumeration has no such choice.
-    """
+    """Return the elements of a value in the unit of its variable; refuse a wrong type, number or range."""
     value = fmu.converted(variable, value)
     values = [value] if np.ndim(value) == 0 else np.ravel(value).tolist()
     where = f"FMU '{fmu.name}': '{variable.name}'"

@@ -71,12 +71,7 @@ def _next(instants: list[float], t: float) -> float:
 
 
 def chosen_inputs(fmu: FMUDescription, signals: Mapping[str, Any], begin: float, stop: float) -> Inputs:
-    """Return the signals of a run from `begin` to `stop` [s].
-
-    Raises:
-        FMUError: for unknown inputs and signals that are none.
-        ModelError: for data that are not known throughout the run.
-    """
+    """Return the signals of a run; refuse data that are not known from `begin` to `stop` [s]."""
     inputs = Inputs(fmu)
     smooth: dict[str, Sampled] = {}
     for name, signal in signals.items():

@@ -20,8 +20,7 @@ PLAIN_NAME = re.compile(r"\w[\w.+-]*")
 def read_model_description(path: Path, validate: bool) -> tuple[Any, bytes, list[str]]:
     """Return FMPy's model description, its text, and what breaks the standard but harms nothing.
 
-    Raises:
-        FMUError: if it cannot be read, names a file outside of its folder, or is invalid and that is asked.
+    Refused is what cannot be read, names a file outside of its folder, or is invalid, if that is asked.
     """
     import fmpy
 

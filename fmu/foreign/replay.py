@@ -125,24 +125,12 @@ def _communicated(
         if k % every == 0:
             stepper.hold(row)
             found.append(stepper.look(wanted))
-        inputs, rates = _mean_inputs(stepper, row, after, end - t)
+        mean = [0.5 * (a + b) for a, b in zip(row, after, strict=True)]
+        inputs, rates = stepper.step_inputs(row, mean, after, end - t)
         while k + 1 < len(samples) and stepper.t < end:
             stepper.communicate(end, inputs, rates)
             _switch(stepper)
     return found
-
-
-def _mean_inputs(stepper: CoSimulation, row: Values, after: Values, step: float) -> tuple[Values, Values]:
-    """Return inputs for a communication step, and their rates for an FMU that interpolates.
-
-    An input x beside an input der(x) is given where the step begins, as it follows der(x).
-    """
-    if stepper.instance.interpolates:
-        return row, [(b - a) / step for a, b in zip(row, after, strict=True)]
-    inputs = [0.5 * (a + b) for a, b in zip(row, after, strict=True)]
-    for place in stepper.rated:
-        inputs[place] = row[place]
-    return inputs, [0.0] * len(row)
 
 
 def _switch(stepper: TimeStepper) -> None:

@@ -43,10 +43,7 @@ def checked(path: Path, root: Any, validate: bool) -> tuple[bytes, list[str]]:
 
     Mended are: elements in another order; annotations, categories of logs and lists of source files, which
     nothing reads; empty lists; attributes that the schema does not know; texts about the author, the tool
-    and the date that have a wrong form.
-
-    Raises:
-        FMUError: for whatever else the schema does not allow, if that is asked.
+    and the date that have a wrong form. Whatever else the schema does not allow is refused, if that is asked.
     """
     major, mended = root.get("fmiVersion")[0], Counter[str]()
     schema = _schema(major)
@@ -72,13 +69,16 @@ def _etree() -> Any:
 
 
 def parsed(path: Path, text: bytes) -> Any:
-    """Return the root of a description, without the document type, whose entities could lead elsewhere."""
+    """Return the root of a description; refuse entities, which could lead elsewhere."""
     etree = _etree()
     reader = etree.XMLParser(resolve_entities=False, no_network=True, remove_comments=True, remove_pis=True)
     try:
-        return etree.fromstring(text, reader)
+        root = etree.fromstring(text, reader)
     except etree.XMLSyntaxError as error:
         raise FMUError(f"'{path}': {DESCRIPTION} is no XML: {error}") from error
+    for entity in root.iter(etree.Entity):
+        raise FMUError(f"'{path}': {DESCRIPTION} is no plain XML: it refers to the entity {entity.text}")
+    return root
 
 
 @cache

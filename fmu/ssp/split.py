@@ -52,12 +52,9 @@ class Split:
             "start": dict(options.pop("start", {})),
         }
         self._check(name for names in shared.values() for name in names)
-        published = {
-            side: {t.flange: t for t in publish(network, self.terminals[side])[1]}
-            for side, network in self.sides.items()
-        }
-        fmus = {}
+        fmus, published = {}, {}
         for side, network in self.sides.items():
+            published[side] = {t.flange: t for t in publish(network, self.terminals[side])[1]}
             own = {
                 key: {n: v for n, v in names.items() if n.partition(".")[0] in network._parts}
                 for key, names in shared.items()
