@@ -16,7 +16,7 @@ from ..foreign.variable import ForeignVariable
 
 
 @dataclass(frozen=True)
-class Given:
+class CouplingOutput:
     """What the network takes from an FMU: a component's input, and the variable it comes from.
 
     A second variable gives its time derivative, if there is one.
@@ -28,7 +28,7 @@ class Given:
 
 
 @dataclass(frozen=True)
-class Taken:
+class CouplingInput:
     """What an FMU takes from the network: one of its inputs, and `order` times the rate of a variable."""
 
     input: str
@@ -49,8 +49,8 @@ class ForeignComponent(Component):
     """
 
     fmu: FMU
-    taken: tuple[Taken, ...]
-    given: tuple[Given, ...]
+    taken: tuple[CouplingInput, ...]
+    given: tuple[CouplingOutput, ...]
 
     def __init__(
         self, fmu: FMU | str | Path, *, kind: str | None = None,
@@ -66,7 +66,7 @@ class ForeignComponent(Component):
     def _take(self, signed: str, name: str, order: int, unit: str) -> None:
         sign, path = _signed(signed)
         _check(self.fmu, self.fmu.variable(path, self.fmu.inputs), unit)
-        self.taken += (Taken(path, name, order, sign),)
+        self.taken += (CouplingInput(path, name, order, sign),)
 
     def _take_motion(self, name: str, signed: Iterable[str | None], unit: str) -> None:
         """Take a variable of the network, its rate and the rate of that, as far as there are inputs."""
@@ -81,7 +81,7 @@ class ForeignComponent(Component):
         if len(set(signs)) > 1:
             told = " and ".join(map(repr, signed))
             raise FMUError(f"FMU '{self.fmu.name}': {told} must have the same sign")
-        self.given += (Given(name, paths, signs[0]),)
+        self.given += (CouplingOutput(name, paths, signs[0]),)
 
 
 class FMUBlock(ForeignComponent):

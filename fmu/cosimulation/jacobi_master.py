@@ -66,11 +66,12 @@ class JacobiMaster(Master):
         self._past = [*self._past, (self.time, agreed)][-1 - self.points.order :]
 
     def _answered(self) -> Array:
-        return np.array([self._passed(link) for link in self._links])
-
-    def _passed(self, link: Link) -> float:
-        name, output = link.source
-        return link.factor * float(self.given[name][self._outputs[name].index(output)]) + link.offset
+        gave = {
+            (name, output): value
+            for name, outputs in self._outputs.items()
+            for output, value in zip(outputs, self.given[name].tolist(), strict=True)
+        }
+        return np.array([link.factor * gave[link.source] + link.offset for link in self._links])
 
     def _shares(self, exchanged: Array) -> Iterator[tuple[str, Values]]:
         for name in self.everyone:

@@ -35,11 +35,6 @@ def platforms(path: Path) -> list[str]:
     return sorted({file.parts[1] for file in files if len(file.parts) == 3 and file.parts[0] == "binaries"})
 
 
-def read_description(path: Path) -> bytes:
-    """Return the text of modelDescription.xml."""
-    return read_entry(path, DESCRIPTION, "FMU", MOST_DESCRIPTION_BYTES)
-
-
 def read_entry(path: Path, name: str, kind: str, most: int = MOST_BYTES) -> bytes:
     """Return an entry that an archive of this kind must have; refuse one that is broken or unsafe."""
     with _opened(path) as archive:

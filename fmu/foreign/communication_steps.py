@@ -16,6 +16,7 @@ class CoSimulation(TimeStepper):
     """Steps are the FMU's own, from communication point to communication point or an event before."""
 
     dense = False
+    _standing = "t", "_arrived"
 
     def __init__(self, instance: Instance, fmu: FMUDescription, course: Course, stepping: Stepping) -> None:
         super().__init__(instance, fmu, course, stepping)
@@ -78,14 +79,6 @@ class CoSimulation(TimeStepper):
     def look(self, groups: list[Group], t: float | None = None) -> Values:
         self.instance.drive(self.course(self.t))
         return self.instance.get(groups)
-
-    def save(self) -> None:
-        super().save()
-        self._saved = self.t, self._arrived
-
-    def restore(self) -> None:
-        super().restore()
-        self.t, self._arrived = self._saved
 
     def _update(self) -> None:
         self.ended = self.instance.update().terminate

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import ctypes
+from collections import deque
 from collections.abc import Callable
 from contextlib import chdir, suppress
 from pathlib import Path
@@ -46,7 +47,7 @@ class LocalInstance:
     ) -> None:  # fmt: skip
         from fmpy.fmi1 import FMICallException
 
-        self.kind, self.messages = kind, list[str]()
+        self.kind, self.messages = kind, deque[str](maxlen=KEPT_MESSAGES)
         self._files, self._shared = files or Unpacked(path), files is not None
         self.description = self._files.description
         self.name, self.major = self.description.modelName, self.description.fmiMajorVersion
@@ -91,7 +92,7 @@ class LocalInstance:
 
     def _log(self, *told: Any) -> None:
         texts = [t.decode("utf-8", "replace") for t in told if isinstance(t, bytes)]
-        self.messages = [*self.messages[1 - KEPT_MESSAGES :], texts[-1] if texts else ""]
+        self.messages.append(texts[-1] if texts else "")
 
     def _said(self) -> str:
         said = " | ".join(message.strip() for message in self.messages if message.strip())

@@ -17,12 +17,12 @@ from .me_integrator import ModelExchange
 from .time_stepping import Stepping, TimeStepper
 from .variable import ForeignVariable
 
-WHOLE = {"Integer": (-(2**31), 2**31 - 1), "Enumeration": (-(2**63), 2**63 - 1)} | {
+INTEGER_RANGES = {"Integer": (-(2**31), 2**31 - 1), "Enumeration": (-(2**63), 2**63 - 1)} | {
     f"{sign}Int{bits}": ((0, 2**bits - 1) if sign else (-(2 ** (bits - 1)), 2 ** (bits - 1) - 1))
     for sign in ("", "U")
     for bits in (8, 16, 32, 64)
 }
-REFUSED = "Binary", "Clock"
+UNSUPPORTED_TYPES = "Binary", "Clock"
 STEPPERS: dict[str, type[TimeStepper]] = {"ME": ModelExchange, "CS": CoSimulation}
 
 
@@ -77,7 +77,7 @@ def checked(fmu: FMUDescription, variable: ForeignVariable, value: Any) -> Value
 
 
 def _element(where: str, variable: ForeignVariable, element: Any) -> Any:
-    if variable.type in REFUSED:
+    if variable.type in UNSUPPORTED_TYPES:
         raise FMUError(f"{where} is {variable.type}, which is not supported")
     if variable.type == "String":
         if not isinstance(element, str):
@@ -98,11 +98,11 @@ def _element(where: str, variable: ForeignVariable, element: Any) -> Any:
         if element not in (0, 1):
             raise FMUError(f"{where} is true or false, got {element!r}")
         return bool(element)
-    return _whole(where, variable, element) if variable.type in WHOLE else float(element)
+    return _whole(where, variable, element) if variable.type in INTEGER_RANGES else float(element)
 
 
 def _whole(where: str, variable: ForeignVariable, element: Any) -> int:
-    least, most = WHOLE[variable.type]
+    least, most = INTEGER_RANGES[variable.type]
     if int(element) != element or not least <= element <= most:
         raise FMUError(f"{where} is {variable.type}, a whole number from {least} to {most}, got {element!r}")
     if variable.choices and element not in variable.choices.values():

@@ -46,12 +46,16 @@ class Inputs:
     longest_step: float = np.inf
     bends: list[float] = field(default_factory=list)
 
+    def named(self, name: str) -> str:
+        """Return an input as messages name it."""
+        return f"input '{name}' of FMU '{self.fmu.name}'"
+
     def at(self, t: float) -> Values:
         """Return the continuous inputs at an instant; refuse what is no finite number."""
         values = [float(signal(t)) for signal in self.continuous.values()]
         for name, value in zip(self.continuous, values, strict=True):
             if not np.isfinite(value):
-                raise FMUError(f"input '{name}' of FMU '{self.fmu.name}' is {value} at t = {t:g} s")
+                raise FMUError(f"{self.named(name)} is {value} at t = {t:g} s")
         return values
 
     def set_discrete(self, instance: Instance, t: float) -> None:
@@ -76,6 +80,7 @@ def chosen_inputs(fmu: FMUDescription, signals: Mapping[str, Any], begin: float,
     smooth: dict[str, Sampled] = {}
     for name, signal in signals.items():
         v = fmu.variable(name, fmu.inputs)
+        signal = fmu.converted(v, signal)
         if v.is_signal and v.variability == "continuous":
             inputs.continuous[name] = _continuous(inputs, v, signal, smooth)
         else:
@@ -88,13 +93,12 @@ def _continuous(
     inputs: Inputs, v: ForeignVariable, signal: Any, smooth: dict[str, Sampled]
 ) -> Callable[[float], float]:
     """Return a signal as a function of time; note it in `smooth` if it is sampled."""
-    signal = inputs.fmu.converted(v, signal)
     if callable(signal):
         return lambda t: float(signal(t))
     if isinstance(signal, Real):
         number = float(checked(inputs.fmu, v, signal)[0])
         return lambda t: number
-    sampled = signal if isinstance(signal, Sampled) else Sampled(*_pair(inputs.fmu, v, signal))
+    sampled = signal if isinstance(signal, Sampled) else Sampled(*_pair(inputs.named(v.name), signal))
     smooth[v.name] = sampled
     inputs.longest_step = min(inputs.longest_step, SAMPLES_A_STEP * float(np.median(np.diff(sampled.time))))
     inputs.bends = sorted({*inputs.bends, *_bends(sampled)})
@@ -112,16 +116,15 @@ def _bends(data: Sampled) -> list[float]:
 
 
 def _discrete(inputs: Inputs, v: ForeignVariable, signal: Any, begin: float) -> Callable[[float], Any]:
-    where = f"input '{v.name}' of FMU '{inputs.fmu.name}'"
+    where = inputs.named(v.name)
     if callable(signal):
         raise FMUError(
             f"{where} is {v.variability} {v.type}: give a value or (time, values), each held until the next"
         )
-    signal = inputs.fmu.converted(v, signal)
     if not isinstance(signal, tuple):
         checked(inputs.fmu, v, signal)
         return lambda t: signal
-    time, values = (np.asarray(a) for a in _pair(inputs.fmu, v, signal))
+    time, values = (np.asarray(a) for a in _pair(where, signal))
     if (np.diff(time) <= 0).any() or len(time) != len(values):
         raise FMUError(f"{where}: time must increase, one value each")
     for value in values:
@@ -134,10 +137,7 @@ def _discrete(inputs: Inputs, v: ForeignVariable, signal: Any, begin: float) -> 
     return lambda t: values[max(0, int(np.searchsorted(time, t, side="right")) - 1)]
 
 
-def _pair(fmu: FMUDescription, v: ForeignVariable, signal: Any) -> tuple[Any, Any]:
+def _pair(where: str, signal: Any) -> tuple[Any, Any]:
     if not isinstance(signal, tuple) or len(signal) != 2:
-        raise FMUError(
-            f"input '{v.name}' of FMU '{fmu.name}' takes a number, a function of time or (time, values), "
-            f"got {signal!r}"
-        )
+        raise FMUError(f"{where} takes a number, a function of time or (time, values), got {signal!r}")
     return signal

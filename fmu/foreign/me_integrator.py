@@ -15,7 +15,7 @@ from .instance import Group, Instance, Values, finite
 from .time_stepping import Course, Stepping, TimeStepper
 
 ATOL_SHARE = 1e-6
-MANY_STEPS = 25
+STIFF_STEPS = 25
 WATCHED_SHARES = (0.25, 0.5, 0.75, 1.0)
 UNDERFLOWING_RATE = 1e-100
 
@@ -31,6 +31,7 @@ class ModelExchange(TimeStepper):
     looked for at four points of the dense output of every step and bisected to rounding error.
     """
 
+    _standing = "t", "_x", "_next_event"
     _method: Any
     _next_event: float
 
@@ -72,14 +73,6 @@ class ModelExchange(TimeStepper):
         t = self.t if t is None else t
         return self.instance.look(t, x.tolist(), self.course(t), groups)
 
-    def save(self) -> None:
-        super().save()
-        self._saved = self.t, self._x, self._next_event
-
-    def restore(self) -> None:
-        super().restore()
-        self.t, self._x, self._next_event = self._saved
-
     def _update(self) -> None:
         update = self.instance.update()
         self.ended = update.terminate
@@ -110,8 +103,8 @@ class ModelExchange(TimeStepper):
         if not len(self._x) or limit - self.t <= 4 * np.spacing(max(abs(limit), abs(self.t))):
             x, self._method = self._x, None
             return lambda t: x, min(limit, self.t + self._longest)
-        self._intervals = self._intervals and self._taken <= MANY_STEPS
-        if self._method is None or self._method.t_bound != limit or self._taken == MANY_STEPS + 1:
+        self._intervals = self._intervals and self._taken <= STIFF_STEPS
+        if self._method is None or self._method.t_bound != limit or self._taken == STIFF_STEPS + 1:
             self._method = self._begun(limit)
         message = self._method.step()
         self.stats["steps"] += 1
@@ -124,13 +117,11 @@ class ModelExchange(TimeStepper):
     def _begun(self, limit: float) -> Any:
         from scipy.integrate import LSODA, RK45
 
-        options: dict[str, Any] = {"rtol": self._rtol, "atol": ATOL_SHARE * self._rtol * self._nominals}
-        options["max_step"] = self._longest
-        if not self._intervals:
-            return LSODA(self._rates, self.t, self._x, limit, **options)
-        return RK45(
-            self._rates, self.t, self._x, limit, first_step=min(limit - self.t, self._stride), **options
-        )
+        atol = ATOL_SHARE * self._rtol * self._nominals
+        options = {"rtol": self._rtol, "atol": atol, "max_step": self._longest}
+        if self._intervals:
+            options["first_step"] = min(limit - self.t, self._stride)
+        return (RK45 if self._intervals else LSODA)(self._rates, self.t, self._x, limit, **options)
 
     def _failure(self, message: str) -> str:
         rates = self._rates(self.t, self._x)
@@ -143,9 +134,7 @@ class ModelExchange(TimeStepper):
     def _first_event(self, end: float) -> float | None:
         """Return the first instant of the last step at which an indicator has changed its domain."""
         low, begin = self.t, self.t
-        if not self._indicator_count:
-            return None
-        for share in WATCHED_SHARES:
+        for share in WATCHED_SHARES if self._indicator_count else ():
             high = begin + share * (end - begin)
             if self._crossed(high):
                 return self._bisected(low, high)

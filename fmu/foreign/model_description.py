@@ -9,8 +9,8 @@ from pathlib import Path
 from typing import Any
 
 from ..errors import FMUError
-from .archive import DESCRIPTION, doubled, read_description
-from .validation import checked, parsed
+from .archive import DESCRIPTION, MOST_DESCRIPTION_BYTES, doubled, read_entry
+from .validation import checked, parsed, plain
 
 KINDS = {"ME": "ModelExchange", "CS": "CoSimulation"}
 FACES = {"ME": "modelExchange", "CS": "coSimulation"}  # FMPy's names
@@ -24,12 +24,13 @@ def read_model_description(path: Path, validate: bool) -> tuple[Any, bytes, list
     """
     import fmpy
 
-    root = parsed(path, read_description(path))
+    root = parsed(path, read_entry(path, DESCRIPTION, "FMU", MOST_DESCRIPTION_BYTES))
     _check_version(path, root)
-    text, notes = checked(path, root, validate)
+    text = plain(root)
+    mended, notes = checked(path, root, validate)
     alone = io.BytesIO()
     with zipfile.ZipFile(alone, "w") as archive:
-        archive.writestr(DESCRIPTION, text)
+        archive.writestr(DESCRIPTION, mended)
     try:
         description = fmpy.read_model_description(alone, validate=False)
     except Exception as error:

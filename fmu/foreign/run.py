@@ -27,7 +27,7 @@ class ForeignEvent:
     cause: str
 
 
-class Recorded(OverTime):
+class RecordedVariables(OverTime):
     """What was recorded along a run, every variable at the same points."""
 
     units: dict[str, str]
@@ -62,7 +62,7 @@ class Recorded(OverTime):
 
 
 @dataclass(eq=False)
-class ForeignRun(Recorded):
+class ForeignRun(RecordedVariables):
     """What an FMU gave along a run, in the units it declares.
 
     At an event two points share one time: before and after.

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from abc import ABC, abstractmethod
+from collections import deque
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from typing import Any
@@ -53,11 +54,13 @@ class TimeStepper(ABC):
 
     switches = flexible = dense = True
     stats: dict[str, Any]
+    _standing: tuple[str, ...]
 
     def __init__(self, instance: Instance, fmu: FMUDescription, course: Course, stepping: Stepping) -> None:
         self.instance, self.name, self.course = instance, fmu.name, course
         self.t, self.event, self.ended = stepping.begin, "", False
-        self._span, self._switched = stepping.stop - stepping.begin, list[float]()
+        self._span = stepping.stop - stepping.begin
+        self._switched = deque[float](maxlen=CHATTERING_EVENTS)
         instance.started()
 
     @abstractmethod
@@ -82,7 +85,7 @@ class TimeStepper(ABC):
         set_inputs()
         self._update()
         self.event = ""
-        self._switched = [*self._switched[1 - CHATTERING_EVENTS :], self.t]
+        self._switched.append(self.t)
         duration = self.t - self._switched[0]
         if len(self._switched) == CHATTERING_EVENTS and duration < CHATTERING_SHARE * self._span:
             raise FMUError(
@@ -101,11 +104,12 @@ class TimeStepper(ABC):
     def save(self) -> None:
         """Remember where it stands."""
         self.instance.save()
+        self._saved = {name: getattr(self, name) for name in self._standing}
 
     def restore(self) -> None:
         """Go back to what was remembered."""
         self.instance.restore()
-        self.event = ""
+        vars(self).update(self._saved, event="")
 
     @abstractmethod
     def _update(self) -> None:

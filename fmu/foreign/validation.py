@@ -12,14 +12,15 @@ from ..errors import FMUError
 from .archive import DESCRIPTION
 
 ANNOTATIONS = "Annotations", "Annotation", "VendorAnnotations"
-UNREAD = (*ANNOTATIONS, "LogCategories", "SourceFiles")
-LISTS = (*UNREAD, "UnitDefinitions", "TypeDefinitions", "Outputs", "Derivatives", "InitialUnknowns")
+IGNORED_ELEMENTS = (*ANNOTATIONS, "LogCategories", "SourceFiles")
+_LISTS = "UnitDefinitions", "TypeDefinitions", "Outputs", "Derivatives", "InitialUnknowns"
+OPTIONAL_LISTS = *IGNORED_ELEMENTS, *_LISTS
 ORIGIN = "version", "generationTool", "generationDateAndTime"
 HEADLINES = "author", "copyright", "license", "description", *ORIGIN
 _KINDS = "ModelExchange", "CoSimulation", "ScheduledExecution"
 _TOP = *_KINDS, "UnitDefinitions", "TypeDefinitions", "LogCategories", "DefaultExperiment"
 _VARIABLES = "ModelVariables", "ModelStructure"
-ORDER: dict[str, dict[str, tuple[str, ...]]] = {
+CHILD_ORDER: dict[str, dict[str, tuple[str, ...]]] = {
     "2": {
         "fmiModelDescription": (*_TOP, "VendorAnnotations", *_VARIABLES),
         "ModelStructure": ("Outputs", "Derivatives", "InitialUnknowns"),
@@ -34,7 +35,7 @@ ORDER: dict[str, dict[str, tuple[str, ...]]] = {
         "Unit": ("BaseUnit", "DisplayUnit", "Annotations"),
     },
 }  # fmt: skip
-IN_VARIABLES = "Annotations", "Dimension", "Start", "Alias"
+VARIABLE_CHILD_ORDER = "Annotations", "Dimension", "Start", "Alias"
 TOLD_PROBLEMS = 5
 
 
@@ -57,8 +58,7 @@ def checked(path: Path, root: Any, validate: bool) -> tuple[bytes, list[str]]:
         more = [f"and {len(problems) - TOLD_PROBLEMS} more"] if len(problems) > TOLD_PROBLEMS else []
         title = f"'{path}': {DESCRIPTION} is invalid (validate=False, or --no-validate, tries it):"
         raise FMUError("\n  - ".join([title, *problems[:TOLD_PROBLEMS], *more, *notes]))
-    plain = bytes(_etree().tostring(root, encoding="utf-8", xml_declaration=True))
-    return plain, [*problems, *notes]
+    return plain(root), [*problems, *notes]
 
 
 def _etree() -> Any:
@@ -81,6 +81,11 @@ def parsed(path: Path, text: bytes) -> Any:
     return root
 
 
+def plain(root: Any) -> bytes:
+    """Return XML without a document type."""
+    return bytes(_etree().tostring(root, encoding="utf-8", xml_declaration=True))
+
+
 @cache
 def _schema(major: str) -> Any:
     import fmpy
@@ -92,9 +97,9 @@ def _schema(major: str) -> Any:
 
 def _sort(root: Any, major: str, mended: Counter[str]) -> None:
     """Bring children into the order of the schema, where it fixes one and nothing depends on it."""
-    places = [(e, ORDER[major][e.tag]) for e in root.iter() if e.tag in ORDER[major]]
+    places = [(e, CHILD_ORDER[major][e.tag]) for e in root.iter() if e.tag in CHILD_ORDER[major]]
     if major == "3":
-        places += [(variable, IN_VARIABLES) for variable in root.iterfind("ModelVariables/*")]
+        places += [(variable, VARIABLE_CHILD_ORDER) for variable in root.iterfind("ModelVariables/*")]
     for element, order in places:
         if any(child.tag not in order for child in element):
             continue
@@ -112,12 +117,12 @@ def _mend(root: Any, error: Any, mended: Counter[str]) -> bool:
     if not found:
         return False
     element = found[0]
-    unread = next((e for e in (element, *element.iterancestors()) if e.tag in UNREAD), None)
+    unread = next((e for e in (element, *element.iterancestors()) if e.tag in IGNORED_ELEMENTS), None)
     if unread is not None:
         mended[f"'{unread.tag}' is not as the schema wants it; it was ignored, nothing depends on it"] += 1
         unread.getparent().remove(unread)
         return True
-    if "Missing child element" in error.message and element.tag in LISTS and not len(element):
+    if "Missing child element" in error.message and element.tag in OPTIONAL_LISTS and not len(element):
         mended[f"'{element.tag}' is empty; it was ignored"] += 1
         element.getparent().remove(element)
         return True

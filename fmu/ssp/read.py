@@ -17,7 +17,7 @@ from ..foreign.archive import read_entry
 from .system import Connection, SystemStructure
 from .write import DESCRIPTION, NAMESPACES
 
-REFUSED = {
+UNSUPPORTED_ELEMENTS = {
     "ssd:Elements/ssd:System": "a system inside the system",
     "ssd:Elements/ssd:SignalDictionaryReference": "a signal dictionary",
     ".//ssd:ParameterMapping": "a parameter mapping",
@@ -48,7 +48,7 @@ def read_ssp(path: str | Path) -> SystemStructure:
     file = path_of(path, "an SSP")
     root = _validated(file, DESCRIPTION, "SystemStructureDescription.xsd")
     whole = root.find("ssd:System", NAMESPACES)
-    for pattern, what in REFUSED.items():
+    for pattern, what in UNSUPPORTED_ELEMENTS.items():
         if whole.find(pattern, NAMESPACES) is not None:
             raise FMUError(
                 f"'{file}' has {what}, which is not supported; flatten it in the tool that wrote it"

@@ -6,11 +6,11 @@ from dataclasses import dataclass, field
 
 from ...base import Array
 from ..cosimulation.step_error import ExchangeRun
-from ..foreign.run import Recorded
+from ..foreign.run import RecordedVariables
 
 
 @dataclass(eq=False)
-class SystemRun(Recorded, ExchangeRun):
+class SystemRun(RecordedVariables, ExchangeRun):
     """What the FMUs of a system did together; `run["body.mass.s"]` is `mass.s` of the component `body`.
 
     At an event two points share one time: before and after. Of every FMU there are outputs and states.
