@@ -82,11 +82,10 @@ class FMUNetworkModel(FMUModel):
         if own != path and own in self.fmu.variables:
             return own, 1.0
         source = self._linear(path)
-        if source is not None and source[0].path in self._given and source[0].order < 2:
+        if source is not None and source[0].path in self._given:
             given = self._given[source[0].path]
-            variable = given.rate if source[0].order else given.value
-            if variable is not None:
-                return variable, source[1] * given.sign
+            if source[0].order < len(given.variables):
+                return given.variables[source[0].order], source[1] * given.sign
         if source is not None and source[0].path in self._sources and not source[0].order:
             variable, sign = self._sources[source[0].path]
             return variable, sign * source[1]
@@ -146,13 +145,12 @@ def _port(part: Foreign) -> dict[str, str]:
     by_order = {taken.order: taken for taken in part.taken}
     (given,) = part.given
     if isinstance(part, FMUMotion | FMURotation):
-        force, position, velocity = by_order[0], given, given.rate
-        signed, turned = (force.input, force.sign), position.sign
-        names = {"position": position.value, "velocity": velocity or ""}
+        signed, turned = (by_order[0].input, by_order[0].sign), given.sign
+        names = dict(zip(("position", "velocity"), given.variables, strict=True))
     else:
         if 0 not in by_order or 1 not in by_order:
             raise ModelError("an FMU that is moved must take position and velocity; " + REMEDY)
-        signed, turned = (given.value, given.sign), min(by_order[0].sign, by_order[1].sign)
+        signed, turned = (given.variables[0], given.sign), min(by_order[0].sign, by_order[1].sign)
         names = {"position": by_order[0].input, "velocity": by_order[1].input}
     if turned < 0:
         raise ModelError("an FMU whose position counts the other way cannot be diagnosed; turn its flanges")

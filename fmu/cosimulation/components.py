@@ -16,20 +16,19 @@ from ..foreign.variable import ForeignVariable
 
 
 @dataclass(frozen=True)
-class Given:
-    """What the network takes from an FMU: a component's input, and the variables it comes from.
+class CouplingOutput:
+    """What the network takes from an FMU: a component's input, and the variable it comes from.
 
-    `rate` is the variable that gives its time derivative, if there is one.
+    A second variable gives its time derivative, if there is one.
     """
 
     name: str
-    value: str
-    rate: str | None
+    variables: tuple[str, ...]
     sign: float
 
 
 @dataclass(frozen=True)
-class Taken:
+class CouplingInput:
     """What an FMU takes from the network: one of its inputs, and `order` times the rate of a variable."""
 
     input: str
@@ -50,8 +49,8 @@ class ForeignComponent(Component):
     """
 
     fmu: FMU
-    taken: tuple[Taken, ...]
-    given: tuple[Given, ...]
+    taken: tuple[CouplingInput, ...]
+    given: tuple[CouplingOutput, ...]
 
     def __init__(
         self, fmu: FMU | str | Path, *, kind: str | None = None,
@@ -67,17 +66,22 @@ class ForeignComponent(Component):
     def _take(self, signed: str, name: str, order: int, unit: str) -> None:
         sign, path = _signed(signed)
         _check(self.fmu, self.fmu.variable(path, self.fmu.inputs), unit)
-        self.taken += (Taken(path, name, order, sign),)
+        self.taken += (CouplingInput(path, name, order, sign),)
 
-    def _give(self, name: str, signed: str, rate: str | None, unit: str) -> None:
-        sign, path = _signed(signed)
-        _check(self.fmu, self.fmu.variable(path), unit)
-        if rate is not None:
-            if _signed(rate)[0] != sign:
-                raise FMUError(f"FMU '{self.fmu.name}': '{signed}' and '{rate}' must have the same sign")
-            rate = _signed(rate)[1]
-            _check(self.fmu, self.fmu.variable(rate), rate_unit(unit))
-        self.given += (Given(name, path, rate, sign),)
+    def _take_motion(self, name: str, signed: Iterable[str | None], unit: str) -> None:
+        """Take a variable of the network, its rate and the rate of that, as far as there are inputs."""
+        for order, path in enumerate(signed):
+            if path is not None:
+                self._take(path, name, order, rate_unit(unit, order))
+
+    def _give(self, name: str, unit: str, *signed: str) -> None:
+        signs, paths = zip(*map(_signed, signed), strict=True)
+        for order, path in enumerate(paths):
+            _check(self.fmu, self.fmu.variable(path), rate_unit(unit, order))
+        if len(set(signs)) > 1:
+            told = " and ".join(map(repr, signed))
+            raise FMUError(f"FMU '{self.fmu.name}': {told} must have the same sign")
+        self.given += (CouplingOutput(name, paths, signs[0]),)
 
 
 class FMUBlock(ForeignComponent):
@@ -104,11 +108,11 @@ class FMUBlock(ForeignComponent):
         ins = _chosen(fmu, inputs, fmu.inputs)
         outs = _chosen(fmu, outputs, fmu.outputs if outputs is None else fmu.variables)
         fields: dict[str, Any] = {"_ins": ins, "_outs": outs}
-        for v in ins:
-            fields[_identifier(v.name)] = RealInput(_si(fmu, v), v.text or v.name)
+        for v in (*ins, *outs):
+            name, unit, doc = _identifier(v.name), fmu.measure(v).si_name, v.text or v.name
+            fields[name] = RealInput(unit, doc) if v in ins else RealOutput(unit, doc)
         for v in outs:
-            fields[_identifier(v.name)] = RealOutput(_si(fmu, v), v.text or v.name)
-            fields[_inner(v.name)] = RealInput(_si(fmu, v), f"{v.name}, from the FMU")
+            fields[_inner(v.name)] = RealInput(fmu.measure(v).si_name, f"{v.name}, from the FMU")
         made: FMUBlock = object.__new__(type(cls.__name__, (cls,), fields))
         return made
 
@@ -123,7 +127,7 @@ class FMUBlock(ForeignComponent):
         for v in self._ins:
             self._take(v.name, _identifier(v.name), 0, "")
         for v in self._outs:
-            self._give(_inner(v.name), v.name, None, "")
+            self._give(_inner(v.name), "", v.name)
 
     def equations(self) -> Iterable[Any]:
         for v in self._outs:
@@ -163,10 +167,8 @@ class FMUForce(ForeignComponent):
         acceleration: str | None = None, force: str, **values: Any,
     ) -> None:  # fmt: skip
         super().__init__(fmu, **values)
-        for order, name in enumerate((position, velocity, acceleration)):
-            if name is not None:
-                self._take(name, "s_rel", order, ("m", "m/s", "m/s2")[order])
-        self._give("f", force, None, "N")
+        self._take_motion("s_rel", (position, velocity, acceleration), "m")
+        self._give("f", "N", force)
 
     def equations(self) -> Iterable[Any]:
         yield self.s_rel == self.flange_b.s - self.flange_a.s
@@ -195,10 +197,8 @@ class FMUTorque(ForeignComponent):
         acceleration: str | None = None, torque: str, **values: Any,
     ) -> None:  # fmt: skip
         super().__init__(fmu, **values)
-        for order, name in enumerate((angle, speed, acceleration)):
-            if name is not None:
-                self._take(name, "phi_rel", order, ("rad", "rad/s", "rad/s2")[order])
-        self._give("tau", torque, None, "N.m")
+        self._take_motion("phi_rel", (angle, speed, acceleration), "rad")
+        self._give("tau", "N.m", torque)
 
     def equations(self) -> Iterable[Any]:
         yield self.phi_rel == self.flange_b.phi - self.flange_a.phi
@@ -236,7 +236,7 @@ class FMUMotion(ForeignComponent):
     ) -> None:
         super().__init__(fmu, **values)
         self._take(force, "f", 0, "N")
-        self._give("s", position, velocity, "m")
+        self._give("s", "m", position, velocity)
 
     def equations(self) -> Iterable[Any]:
         yield self.flange.s == self.s
@@ -260,7 +260,7 @@ class FMURotation(ForeignComponent):
     def __init__(self, fmu: FMU | str | Path, *, torque: str, angle: str, speed: str, **values: Any) -> None:
         super().__init__(fmu, **values)
         self._take(torque, "tau", 0, "N.m")
-        self._give("phi", angle, speed, "rad")
+        self._give("phi", "rad", angle, speed)
 
     def equations(self) -> Iterable[Any]:
         yield self.flange.phi == self.phi
@@ -272,7 +272,7 @@ def _signed(name: str) -> tuple[float, str]:
 
 
 def _check(fmu: FMU, v: ForeignVariable, unit: str) -> None:
-    if v.type not in ("Real", "Float64") or v.size != 1:
+    if not v.is_signal:
         raise FMUError(f"FMU '{fmu.name}': '{v.name}' is {v.type} of size {v.size}, no real signal")
     if unit and v.unit and not fmu.measure(v).fits(unit_of(unit)):
         raise FMUError(f"FMU '{fmu.name}': '{v.name}' is in {v.unit}, where {unit} belongs")
@@ -281,9 +281,9 @@ def _check(fmu: FMU, v: ForeignVariable, unit: str) -> None:
 def _chosen(
     fmu: FMU, names: Iterable[str] | None, known: Mapping[str, ForeignVariable]
 ) -> tuple[ForeignVariable, ...]:
-    if names is not None:
-        return tuple(fmu.variable(name, known) for name in names)
-    return tuple(v for v in known.values() if v.type in ("Real", "Float64") and v.size == 1)
+    if names is None:
+        return tuple(v for v in known.values() if v.is_signal)
+    return tuple(fmu.variable(name, known) for name in names)
 
 
 def _identifier(name: str) -> str:
@@ -293,7 +293,3 @@ def _identifier(name: str) -> str:
 
 def _inner(name: str) -> str:
     return f"{_identifier(name)}_from_fmu"
-
-
-def _si(fmu: FMU, v: ForeignVariable) -> str:
-    return fmu.measure(v).si_name

@@ -10,9 +10,9 @@ import numpy as np
 from ...base import boolean, demand, finite, named, whole
 from ...components import ModelError
 from ...networks import ATOL, DAE, RTOL, Network, dae_of
-from .communication_points import CommunicationPoints
 from .coupling import CoupledRun
 from .gauss_seidel_master import GaussSeidelMaster
+from .participants import CommunicationPoints
 from .step_error import compare
 
 MOST_STEPS = 100_000_000

@@ -1,26 +1,30 @@
-"""Coupling: what passes between a network and an FMU in it, and what they did together."""
+"""Coupling: what passes between a network and an FMU in it, also in no time, and what they did together."""
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
-from dataclasses import dataclass, field
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
 from math import factorial
 from typing import TYPE_CHECKING
 
 import numpy as np
 
 from ...base import Array
-from ...networks import Event, Pieces, Result
-from ..foreign.communication_steps import Course
+from ...networks import Event, Pieces, Result, Stepwise
+from ..errors import FMUError
 from ..foreign.instance import Values
-from .components import ForeignComponent, Given, Taken
-from .participants import Participant
+from ..foreign.time_stepping import Course
+from .components import FMUBlock, ForeignComponent
 from .step_error import ExchangeRun
 
 if TYPE_CHECKING:
     import pandas as pd
 
-SAME = 1e-9
+SAME_VELOCITY = 1e-9
+IMPULSE_REMEDY = (
+    "FMI has no signal for impulses; put a spring between, or all that is struck together on one side, in "
+    "the network or in the FMU"
+)
 
 
 @dataclass(eq=False)
@@ -70,79 +74,104 @@ class CoupledRun(ExchangeRun):
         return self.network.events
 
 
-@dataclass(eq=False)
-class Coupled:
-    """One FMU in the network: its participant and how its variables convert."""
+class Coupling:
+    """What passes between the network and the FMU of one component in it, at `path`."""
 
-    path: str
-    component: ForeignComponent
-    fmu: Participant
-    order: int
-    was: Array = field(default_factory=lambda: np.zeros(0))
+    def __init__(self, path: str, component: ForeignComponent, order: int) -> None:
+        self.component = component
+        orders = [(taken, taken.order + i) for taken in component.taken for i in range(order + 1)]
+        self._observed = [(f"{path}.{taken.name}", order) for taken, order in orders]
+        self._factorials = [factorial(i) for i in range(order + 1)]
+        fmu = component.fmu
+        self._taken = [(one.sign, fmu.measure(fmu.variables[one.input])) for one in component.taken]
+        self._given = {
+            f"{path}.{one.name}": [(one.sign, fmu.measure(fmu.variables[name])) for name in one.variables]
+            for one in component.given
+        }
+        self.exchanged = [*(f"{path}.{taken.name}" for taken in component.taken), *self._given]
 
-    def wanted(self) -> list[tuple[str, int]]:
-        """Return what is to be observed in the network: values and rates of what the FMU takes."""
-        return [
-            (f"{self.path}.{taken.name}", taken.order + i)
-            for taken in self.component.taken
-            for i in range(self.order + 1)
-        ]
-
-    def course(self, observed: Array, t: float) -> Course:
-        """Return what the FMU takes as a function of time, from observations at t."""
-        table = observed.reshape(-1, self.order + 1) / [factorial(i) for i in range(self.order + 1)]
-        pairs = list(zip(self.component.taken, table.tolist(), strict=True))
+    def course(self, network: Stepwise, t: float) -> Course:
+        """Return what the FMU takes as a function of time, extrapolated from where the network is, at t."""
+        observed = network.observe(self._observed) if self._observed else np.zeros(0)
+        table = observed.reshape(-1, len(self._factorials)) / self._factorials
+        rows = [(*measured, row) for measured, row in zip(self._taken, table.tolist(), strict=True)]
 
         def at(time: float) -> Values:
-            return [self._foreign(taken, _polynomial(row, time - t)) for taken, row in pairs]
+            ahead = time - t
+            return [
+                unit.from_si(sign * sum(c * ahead**i for i, c in enumerate(row))) for sign, unit, row in rows
+            ]
 
         return at
 
-    def _foreign(self, taken: Taken, value: float) -> float:
-        fmu = self.component.fmu
-        return fmu.measure(fmu.variables[taken.input]).from_si(taken.sign * value)
+    def courses(self, gave: Array) -> dict[str, list[float]]:
+        """Return values, or values and rates, of the inputs of the network, as the FMU gave them."""
+        values = iter(gave.tolist())
+        return {
+            name: [sign * unit.to_si(next(values)) for sign, unit in measures]
+            for name, measures in self._given.items()
+        }
 
-    def start_inputs(self) -> Values:
-        """Return the values that the FMU itself declares for its inputs."""
-        variables = self.component.fmu.variables
-        return [float(variables[taken.input].start or 0.0) for taken in self.component.taken]
+    def courses_between(self, gave: Array, gives: Array, duration: float) -> dict[str, list[float]]:
+        """Return the polynomials from what it gave to what it gives a step later."""
+        before, after = self.courses(gave), self.courses(gives)
+        return {name: _between(before[name], after[name], duration) for name in before}
 
-    def courses(self, now: Array, duration: float | None = None) -> dict[str, Sequence[float]]:
-        """Return the polynomials from what was to what is now; without duration, from what was on."""
-        found: dict[str, Sequence[float]] = {}
-        place = 0
-        for given in self.component.given:
-            width = 1 if given.rate is None else 2
-            part = slice(place, place + width)
-            place += width
-            before, after = self._si(given, self.was[part]), self._si(given, now[part])
-            course = before if duration is None else _between(before, after, duration)
-            found[f"{self.path}.{given.name}"] = course
-        return found
-
-    def jumps(self, was: Array) -> Iterator[tuple[str, list[float], float]]:
+    def jumps(self, gave: Array, gives: Array) -> Iterator[tuple[str, list[float], float]]:
         """Yield the motions whose velocity is another than it was: name, course from now on, and the jump."""
-        place = 0
-        for given in self.component.given:
-            width = 1 if given.rate is None else 2
-            part = slice(place, place + width)
-            place += width
-            before, now = self._si(given, was[part]), self._si(given, self.was[part])
-            if width == 2 and abs(now[1] - before[1]) > SAME * (abs(now[1]) + abs(before[1])):
-                yield f"{self.path}.{given.name}", now, now[1] - before[1]
-
-    def _si(self, given: Given, values: Array) -> list[float]:
-        fmu = self.component.fmu
-        names = [given.value] if given.rate is None else [given.value, given.rate]
-        measures = [fmu.measure(fmu.variables[name]) for name in names]
-        return [given.sign * m.to_si(float(v)) for m, v in zip(measures, values, strict=True)]
+        before, after = self.courses(gave), self.courses(gives)
+        for name, course in after.items():
+            was, now = before[name][-1], course[-1]
+            if len(course) == 2 and abs(now - was) > SAME_VELOCITY * (abs(now) + abs(was)):
+                yield name, course, now - was
 
 
-def _polynomial(coefficients: list[float], x: float) -> float:
-    value = 0.0
-    for coefficient in reversed(coefficients):
-        value = value * x + coefficient
-    return value
+class Impulses:
+    """Refuses shocks that would act on both sides at once, of which one would know nothing."""
+
+    def __init__(self, network: Stepwise, couplings: Mapping[str, Coupling]) -> None:
+        self._network, self._couplings = network, couplings
+        self._feels = [p for p, one in couplings.items() if not isinstance(one.component, FMUBlock)]
+        self._answer = {
+            shock: path
+            for path in self._feels
+            for taken in couplings[path].component.taken
+            for shock in network.shocks(f"{path}.{taken.name}", taken.order)
+        }
+
+    def check_shocks(self, events: Sequence[Event]) -> None:
+        """Refuse events of the network whose impulse would act on an FMU, by name."""
+        for event in events:
+            path = event.mode.rpartition(".")[0]
+            if self._feels and event.mode not in self._network.modes:
+                raise FMUError(
+                    f"'{self._network.name}': {event.component} jumps at t = {event.time:.9g} s, and what "
+                    f"that does to the FMU '{self._feels[0]}' cannot be told; give a ramp, or exact=False"
+                )
+            if event.impulse and path in self._answer:
+                raise FMUError(
+                    f"'{self._network.name}': the impulse of {event.component} at t = {event.time:.9g} s "
+                    f"({event.impulse:.4g} N.s, or N.m.s) acts on the FMU '{self._answer[path]}', too, which "
+                    f"cannot be told; {IMPULSE_REMEDY}"
+                )
+
+    def check_jumps(self, gave: Mapping[str, Array], give: Mapping[str, Array]) -> None:
+        """Refuse jumps of velocity, from what an FMU gave to what it gives, that move inertia with it."""
+        for path, one in self._couplings.items():
+            for name, course, jump in one.jumps(gave[path], give[path]):
+                wanted = [(f"{path}.{taken.name}", 0) for taken in one.component.taken]
+                self._network.set({name: course})
+                still = self._network.observe(wanted)
+                self._network.set({name: [*course, 0.5]})
+                inertia = float(np.abs(self._network.observe(wanted) - still).max())
+                self._network.set({name: course})
+                if inertia > 0:
+                    raise FMUError(
+                        f"'{self._network.name}': at t = {self._network.time:.9g} s an event of an FMU lets "
+                        f"the velocity of '{name}' jump by {jump:.4g} m/s (or rad/s), and {inertia:.4g} kg "
+                        "(or kg.m2) of the network with it, whose impulse the FMU cannot be told; "
+                        + IMPULSE_REMEDY
+                    )
 
 
 def _between(before: list[float], after: list[float], duration: float) -> list[float]:

@@ -1,24 +1,43 @@
-"""Participants: FMUs that advance in communication steps, whatever their kind."""
+"""Participants: FMUs that advance from communication point to communication point, whatever their kind."""
 
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import Any
 
 import numpy as np
 
 from ...base import Array
 from ..fmu import FMU
-from ..foreign.initialization import enter_initialization
+from ..foreign.initialization import STEPPERS, enter_initialization
 from ..foreign.instance import Values, finite
-from ..foreign.me_integrator import Stepping
 from ..foreign.run import ForeignEvent, empty_run
-from ..foreign.time_stepping import STEPPERS, TimeStepper
-from .communication_points import CommunicationPoints
+from ..foreign.time_stepping import Stepping, TimeStepper
 
 Signal = Callable[[float], float]
-SAME = 1e-9
+SAME_VALUE = 1e-9
+
+
+@dataclass(frozen=True)
+class CommunicationPoints:
+    """Points from `begin` to `stop`, every `step` [s], and the order of extrapolation between them."""
+
+    begin: float
+    stop: float
+    step: float
+    order: int
+
+    @property
+    def times(self) -> Array:
+        """The points [s]."""
+        count = max(1, round((self.stop - self.begin) / self.step))
+        return np.linspace(self.begin, self.stop, count + 1)
+
+    @property
+    def halved(self) -> CommunicationPoints:
+        """Points at half the step."""
+        return replace(self, step=self.step / 2)
 
 
 @dataclass(frozen=True)
@@ -35,12 +54,7 @@ class Member:
 class Participant:
     """One FMU in co-simulation: it is initialised, advances step by step, and switches at its events.
 
-    Args:
-        member: which, and with which values.
-        inputs: names of the inputs that it is given.
-        outputs: names of the variables that the others need.
-        points: where they exchange.
-        rtol: relative tolerance.
+    It is given `inputs` by name, and gives the `outputs` that the others need.
     """
 
     stepper: TimeStepper
@@ -79,7 +93,7 @@ class Participant:
     def outputs(self, inputs: Values) -> Array:
         """Return the outputs where it stands."""
         self.stepper.hold(inputs)
-        return self._read(self.t, self.stepper.look(self._wanted))
+        return self._read(self.stepper.t, self.stepper.look(self._wanted))
 
     def _read(self, t: float, values: Values) -> Array:
         self._row: Array = finite(self.fmu.name, "an output", t, values)
@@ -87,46 +101,29 @@ class Participant:
 
     def record(self) -> None:
         """Record all that was read last."""
-        self.run.record(self.t, self._row.tolist())
-
-    @property
-    def t(self) -> float:
-        """Where it stands [s]."""
-        return self.stepper.t
-
-    @property
-    def ended(self) -> bool:
-        """Whether the FMU asked to end."""
-        return self.stepper.ended
+        self.run.record(self.stepper.t, self._row.tolist())
 
     def settle(self, inputs: Values, jumped: bool = False) -> bool:
-        """Iterate the event that the last step ended at, or that inputs which jumped bring about.
-
-        Return whether there was one.
-        """
-        reached = self.stepper.event
-        cause = reached or ("input" if jumped and self.stepper.switches else "")
-        if not cause or self.ended:
+        """Iterate the event that the last step ended at, or that jumps bring about; tell if there was one."""
+        stepper, reached = self.stepper, self.stepper.event
+        cause = reached or ("input" if jumped and stepper.switches else "")
+        if not cause or stepper.ended:
             return False
-        self.stepper.hold(inputs)
-        self.stepper.switch(lambda: self.instance.drive(inputs))
-        if reached or self.t > self._last_event:
-            self.run.events.append(ForeignEvent(self.t, cause))
-        self._last_event = self.t
+        stepper.hold(inputs)
+        stepper.switch(lambda: self.instance.drive(inputs))
+        if reached or stepper.t > self._last_event:
+            self.run.events.append(ForeignEvent(stepper.t, cause))
+        self._last_event = stepper.t
         return True
 
     def conclude(self) -> list[str]:
         """Note whether it ended early, and return all notes."""
-        if self.ended and self.t < self._stepping.stop:
-            self.run.notes.append(f"the FMU asked to end at t = {self.t:.9g} s, and so the run did")
+        if self.stepper.ended and self.stepper.t < self._stepping.stop:
+            self.run.notes.append(f"the FMU asked to end at t = {self.stepper.t:.9g} s, and so the run did")
         return [f"FMU '{self.fmu.name}': {note}" for note in self.run.notes]
-
-    def close(self) -> None:
-        """Free the instance."""
-        self.instance.close()
 
 
 def jumped(before: Values, now: Values) -> bool:
     """Tell whether values are others than before, by more than rounding."""
     size = np.abs([*before, *now]).max(initial=0.0)
-    return bool(np.abs(np.subtract(now, before)).max(initial=0.0) > SAME * size)
+    return bool(np.abs(np.subtract(now, before)).max(initial=0.0) > SAME_VALUE * size)

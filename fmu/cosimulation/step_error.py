@@ -1,24 +1,22 @@
-"""Exchange: what every run of several participants tells, and what its communication step costs."""
+"""What every run of several participants tells, and what its communication step costs."""
 
 from __future__ import annotations
 
-from abc import ABC, abstractmethod
 from collections.abc import Iterable
 from dataclasses import dataclass, field
 from typing import Any
 
 import numpy as np
 
-from ...base import Array
 from ...networks import Event, OverTime
 from ..errors import FMUError
 from ..foreign.run import ForeignEvent, ForeignRun
 
-NOTABLE, TINY = 0.05, 1e-6
+NOTED_RANGE_SHARE, ROUNDING_SHARE = 0.05, 1e-6
 
 
 @dataclass(eq=False)
-class ExchangeRun(OverTime, ABC):
+class ExchangeRun(OverTime):
     """What participants did together that exchange at communication points.
 
     Attributes:
@@ -39,24 +37,6 @@ class ExchangeRun(OverTime, ABC):
     stats: dict[str, Any] = field(default_factory=dict, kw_only=True)
 
     @property
-    @abstractmethod
-    def name(self) -> str:
-        """What was run."""
-
-    @property
-    @abstractmethod
-    def time(self) -> Array:
-        """Instants of the points [s]."""
-
-    @abstractmethod
-    def __getitem__(self, name: str) -> Array:
-        """Return a variable along the run."""
-
-    @abstractmethod
-    def unit(self, name: str) -> str:
-        """Return the unit of a variable."""
-
-    @property
     def events(self) -> list[Event | ForeignEvent]:
         """Events of all, in order."""
         every = [event for run in self.fmus.values() for event in run.events]
@@ -67,28 +47,21 @@ class ExchangeRun(OverTime, ABC):
 
 
 def compare(run: ExchangeRun, finer: ExchangeRun, exchanged: Iterable[str]) -> None:
-    """Tell what the communication step costs, and refuse a run that it spoils.
-
-    Raises:
-        FMUError: if half the step changes something by more than all that it does.
-    """
+    """Tell what the communication step costs; refuse a run in which it changes more than all that moves."""
     begin, end = run.time[[0, -1]]
     points = np.linspace(begin, end, round((end - begin) / run.communication_step) + 1)
     for name in dict.fromkeys(exchanged):
         values, better = (np.interp(points, each.time, each[name]) for each in (run, finer))
         error = float(np.abs(values - better).max())
-        size, most = (float(min(of(values), of(better))) for of in (np.ptp, _largest))
+        size = float(min(np.ptp(values), np.ptp(better)))
+        most = float(min(np.abs(values).max(), np.abs(better).max()))
         change = f"half the communication step changes '{name}' by {error:.3g} {run.unit(name)}"
         run.step_error[name] = error
-        if not error <= size + TINY * most:
+        if not error <= size + ROUNDING_SHARE * most:
             raise FMUError(
                 f"'{run.name}': {change}, more than all that it does ({size:.3g}): the coupling is "
                 "unstable; give a much smaller step, or cut the model where the side that extrapolates has "
                 "more mass or less stiffness"
             )
-        if error > NOTABLE * size:
+        if error > NOTED_RANGE_SHARE * size:
             run.notes.append(f"{change}, {error / size:.0%} of its range; give a smaller step")
-
-
-def _largest(values: Array) -> float:
-    return float(np.abs(values).max())

@@ -4,100 +4,56 @@ from __future__ import annotations
 
 import lzma
 import stat
-import sys
 import zipfile
 import zlib
 from collections import Counter
 from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path, PurePosixPath
-from platform import machine
 
 from ..errors import FMUError
 
 DESCRIPTION = "modelDescription.xml"
-CHUNK = 1 << 20
-MOST_BYTES = 4 << 30
-MOST_DESCRIPTION = 512 << 20
-MOST_RATIO = 200
-UNSUSPECTED = 64 << 20
-MOST_ENTRIES = 100_000
-BROKEN = (zipfile.BadZipFile, zlib.error, lzma.LZMAError, EOFError, OSError, RuntimeError)
-
-_SYSTEMS = {"linux": ("linux", ".so"), "win32": ("windows", ".dll"), "darwin": ("darwin", ".dylib")}
-_SHORT = {"linux": "linux", "windows": "win", "darwin": "darwin"}
+LIBRARY_ENDINGS = ".so", ".dll", ".dylib"
+CHUNK_BYTES = 1 << 20
+MOST_BYTES, MOST_DESCRIPTION_BYTES, UNSUSPECTED_BYTES = 4 << 30, 512 << 20, 64 << 20
+MOST_RATIO, MOST_ENTRIES = 200, 100_000
+BROKEN_ARCHIVE = (zipfile.BadZipFile, zlib.error, lzma.LZMAError, EOFError, OSError, RuntimeError)
 
 
 def platform_folder(version: str) -> str:
     """Return the folder of `binaries/` that this machine runs, as FMI `version` names it."""
-    system, _ = _SYSTEMS[sys.platform]
-    processor = machine().lower()
-    architecture = {"amd64": "x86_64", "arm64": "aarch64"}.get(processor, processor)
-    if version.startswith("3"):
-        return f"{architecture}-{system}"
-    bits = "64" if sys.maxsize > 2**32 else "32"
-    return f"{_SHORT[system]}{bits}"
+    import fmpy
 
-
-def library_name(identifier: str) -> str:
-    """Return the file name of a model's library on this machine."""
-    return identifier + _SYSTEMS[sys.platform][1]
+    return str(fmpy.platform_tuple if version.startswith("3") else fmpy.platform)
 
 
 def platforms(path: Path) -> list[str]:
     """Return the folders of `binaries/` that hold a library."""
-    found = set()
     with _opened(path) as archive:
-        for entry in archive.infolist():
-            parts = PurePosixPath(entry.filename).parts
-            if len(parts) == 3 and parts[0] == "binaries" and parts[2].endswith((".so", ".dll", ".dylib")):
-                found.add(parts[1])
-    return sorted(found)
-
-
-def read_description(path: Path) -> bytes:
-    """Return the text of modelDescription.xml.
-
-    Raises:
-        FMUError: if the archive is broken, unsafe, or has none.
-    """
-    return read_entry(path, DESCRIPTION, "FMU", MOST_DESCRIPTION)
+        files = [PurePosixPath(name) for name in archive.namelist() if name.endswith(LIBRARY_ENDINGS)]
+    return sorted({file.parts[1] for file in files if len(file.parts) == 3 and file.parts[0] == "binaries"})
 
 
 def read_entry(path: Path, name: str, kind: str, most: int = MOST_BYTES) -> bytes:
-    """Return an entry that an archive of this kind must have.
-
-    Raises:
-        FMUError: if the archive is broken, unsafe, or has none.
-    """
+    """Return an entry that an archive of this kind must have; refuse one that is broken or unsafe."""
     with _opened(path) as archive:
         if name not in archive.namelist():
             raise FMUError(f"'{path}' has no {name}: it is no {kind}")
         _check_single(path, archive, {name})
-        most = min(most, max(UNSUSPECTED, MOST_RATIO * path.stat().st_size))
-        return b"".join(_chunks(path, archive, name, most))
+        return b"".join(_chunks(path, archive, name, min(most, _most_bytes(path))))
 
 
 def unpack(path: Path, folder: Path, binaries: str) -> None:
-    """Unpack what a run needs into an empty folder: description, resources, one platform's binaries.
-
-    Args:
-        path: the .fmu file.
-        folder: where to; nothing is written outside.
-        binaries: the folder of `binaries/` that is wanted.
-
-    Raises:
-        FMUError: if the archive is broken, unsafe or too large.
-    """
+    """Unpack what a run needs into an empty folder: description, resources, one folder of `binaries/`."""
     wanted = f"binaries/{binaries}/", "resources/"
     (folder / "resources").mkdir()
     with _opened(path) as archive:
-        left = min(MOST_BYTES, max(UNSUSPECTED, MOST_RATIO * path.stat().st_size))
-        needed = {n for n in archive.namelist() if n == DESCRIPTION or n.startswith(wanted)}
+        left = _most_bytes(path)
+        files = (name for name in archive.namelist() if not name.endswith("/"))
+        needed = {name for name in files if name == DESCRIPTION or name.startswith(wanted)}
         _check_single(path, archive, needed)
         for name in sorted(needed):
-            if name.endswith("/"):
-                continue
             target = folder / name
             target.parent.mkdir(parents=True, exist_ok=True)
             with target.open("wb") as file:
@@ -116,7 +72,7 @@ def _opened(path: Path) -> Iterator[zipfile.ZipFile]:
         with zipfile.ZipFile(path) as archive:
             _check_names(path, archive)
             yield archive
-    except BROKEN as error:
+    except BROKEN_ARCHIVE as error:
         if isinstance(error, FMUError):
             raise
         raise FMUError(f"'{path}' cannot be unpacked, it is no sound zip archive: {error}") from error
@@ -162,10 +118,14 @@ def _problem(name: str, entry: zipfile.ZipInfo) -> str:
     return "is encrypted" if entry.flag_bits & 1 else ""
 
 
+def _most_bytes(path: Path) -> int:
+    return min(MOST_BYTES, max(UNSUSPECTED_BYTES, MOST_RATIO * path.stat().st_size))
+
+
 def _chunks(path: Path, archive: zipfile.ZipFile, name: str, most: int) -> Iterator[bytes]:
     """Yield an entry piece by piece; what counts is what comes out, not what the header promises."""
     with archive.open(name) as stream:
-        while chunk := stream.read(CHUNK):
+        while chunk := stream.read(CHUNK_BYTES):
             most -= len(chunk)
             if most < 0:
                 raise FMUError(

@@ -1,73 +1,90 @@
-"""Communication steps: which sizes an FMU takes, and what it is given for one."""
+"""Co-Simulation: communication steps, which sizes an FMU takes, and what it is given for one."""
 
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 
-import numpy as np
-
 from ..errors import FMUError
 from .description import FMUDescription
-from .instance import Values
+from .instance import Group, Instance, Values
+from .time_stepping import Course, Stepping, TimeStepper
 
-Course = Callable[[float], Values]
-ROUNDING = 1e-6
+SAME_SIZE = 1e-6
 
 
-class StepSizes:
-    """Holds communication steps to the sizes that a Co-Simulation FMU takes.
+class CoSimulation(TimeStepper):
+    """Steps are the FMU's own, from communication point to communication point or an event before."""
 
-    Attributes:
-        flexible: whether it takes any size.
-    """
+    dense = False
+    _standing = "t", "_arrived"
 
-    def __init__(self, fmu: FMUDescription) -> None:
-        self._name = fmu.name
+    def __init__(self, instance: Instance, fmu: FMUDescription, course: Course, stepping: Stepping) -> None:
+        super().__init__(instance, fmu, course, stepping)
+        self.switches, self._rated = instance.event_mode, _rated(stepping.inputs)
         self.flexible = fmu.capable("CS", "canHandleVariableCommunicationStepSize")
-        self._inner = float(fmu.declared("CS", "fixedInternalStepSize") or 0.0)
-        self._only: float | None = None
+        self._own_step = float(fmu.declared("CS", "fixedInternalStepSize") or 0.0)
+        self._only_step = 0.0
+        self.stats, self._arrived = {"solver": "the FMU's own", "steps": 0}, True
+        if self.switches:
+            self._update()
 
-    def check(self, t: float, duration: float) -> None:
-        """Refuse a step that an FMU of one size does not take.
+    def step(self, limit: float, look_back: Callable[[], None] = lambda: None) -> None:
+        duration = limit - self.t
+        if self._arrived and not self.flexible:
+            self._check_size(duration)
+        first, middle, last = (self.course(self.t + share * duration) for share in (0.0, 0.5, 1.0))
+        mean = [(a + 4 * b + c) / 6 for a, b, c in zip(first, middle, last, strict=True)]
+        inputs, rates = self.step_inputs(first, mean, last, duration)
+        for place, rate in self._rated.items():
+            rates[place] = inputs[rate]
+        self.communicate(limit, inputs, rates)
+        look_back()
 
-        Raises:
-            FMUError: if it has another size than those before, or is no multiple of the FMU's own step.
+    def step_inputs(
+        self, first: Values, mean: Values, last: Values, duration: float
+    ) -> tuple[Values, Values]:
+        """Return inputs for a communication step, and their rates for an FMU that interpolates.
+
+        What it holds over the step is their mean. An input x beside an input der(x) is given where the step
+        begins, as it follows der(x).
         """
-        if self.flexible:
-            return
-        self._only = self._only or duration
-        if abs(duration - self._only) > ROUNDING * self._only:
+        if self.instance.interpolates:
+            return first, [(b - a) / duration for a, b in zip(first, last, strict=True)]
+        inputs = [first[place] if place in self._rated else value for place, value in enumerate(mean)]
+        return inputs, [0.0] * len(inputs)
+
+    def _check_size(self, duration: float) -> None:
+        """Refuse a step of another size than those before, or that is no multiple of the FMU's own."""
+        only = self._only_step = self._only_step or duration
+        if abs(duration - only) > SAME_SIZE * only:
             raise FMUError(
-                f"FMU '{self._name}' takes communication steps of one size only ({self._only:g} s) and "
-                f"cannot stop at t = {t + duration:g} s, where another has an event or an input jumps"
+                f"FMU '{self.name}' takes communication steps of one size only ({only:g} s) and cannot stop "
+                f"at t = {self.t + duration:g} s, where another has an event or an input jumps"
             )
-        count = duration / self._inner if self._inner else 1.0
-        if round(count) < 1 or abs(count - round(count)) > ROUNDING * count:
+        count = duration / self._own_step if self._own_step else 1.0
+        if round(count) < 1 or abs(count - round(count)) > SAME_SIZE * count:
             raise FMUError(
-                f"FMU '{self._name}' takes communication steps that are multiples of its own step of "
-                f"{self._inner:g} s, got {duration:g} s"
+                f"FMU '{self.name}' takes communication steps that are multiples of its own step of "
+                f"{self._own_step:g} s, got {duration:g} s"
             )
 
+    def communicate(self, limit: float, inputs: Values, rates: Values) -> None:
+        """Make one step with inputs and their rates, which count if the FMU interpolates."""
+        stepped = self.instance.step(self.t, limit - self.t, inputs, rates)
+        self.t, self._arrived = stepped.landed(self.name, self.t, limit)
+        self.ended = stepped.terminate
+        self.event = "state" if stepped.event and self.switches else ""
+        self.stats["steps"] += 1
 
-def step_inputs(
-    course: Course, t: float, duration: float, interpolates: bool, rated: dict[int, int]
-) -> tuple[Values, Values]:
-    """Return inputs for a communication step, and their rates for an FMU that interpolates.
+    def look(self, groups: list[Group], t: float | None = None) -> Values:
+        self.instance.drive(self.course(self.t))
+        return self.instance.get(groups)
 
-    What it holds over the step is the mean of the course. An input x beside an input der(x) is given where
-    the step begins, as it follows der(x).
-    """
-    first, middle, last = (np.array(course(t + share * duration)) for share in (0.0, 0.5, 1.0))
-    if interpolates:
-        inputs, rates = first, (last - first) / duration
-    else:
-        inputs, rates = (first + 4 * middle + last) / 6, 0 * first
-    for place, rate in rated.items():
-        inputs[place], rates[place] = first[place], inputs[rate]
-    return inputs.tolist(), rates.tolist()
+    def _update(self) -> None:
+        self.ended = self.instance.update().terminate
 
 
-def rated_inputs(inputs: Sequence[str]) -> dict[int, int]:
+def _rated(inputs: Sequence[str]) -> dict[int, int]:
     """Return the places of inputs whose derivative is an input, too, and of that: x and der(x), der(x,2)."""
     found = {}
     for place, name in enumerate(inputs):

@@ -12,8 +12,8 @@ from xml.etree import ElementTree
 from ...base import ModelError, Unit, path_of, unit_of
 from ...components import nearest
 from ..errors import FMUError
-from .archive import platform_folder, platforms, read_description
-from .model_description import KINDS, read_model_description
+from .archive import platform_folder, platforms
+from .model_description import FACES, KINDS, read_model_description
 from .units import declared_units, inverse_units, is_bare, relative_names
 from .variable import ForeignVariable, foreign_variable
 
@@ -31,11 +31,12 @@ class FMUDescription:
 
     def __init__(self, path: str | Path, *, validate: bool = True) -> None:
         self.path, self.validate = path_of(path, "an FMU"), validate
-        self.description, self.notes = read_model_description(self.path, validate)
+        self.description, text, self.notes = read_model_description(self.path, validate)
+        self._xml = ElementTree.fromstring(text)
         self.name = str(self.description.modelName)
         self.version = str(self.description.fmiVersion)
         self.tool = self.description.generationTool or "unknown tool"
-        self.kinds = [k for k, attribute in KINDS.items() if getattr(self.description, attribute) is not None]
+        self.kinds = [k for k, attribute in FACES.items() if getattr(self.description, attribute) is not None]
         self.platforms = platforms(self.path)
         self.units = declared_units(self.description.unitDefinitions, inverse_units(self._xml))
 
@@ -79,24 +80,8 @@ class FMUDescription:
         return {k: float(v) for k, v in values.items() if v is not None}
 
     @cached_property
-    def _xml(self) -> ElementTree.Element:
-        return ElementTree.fromstring(read_description(self.path))
-
-    @cached_property
     def _bare(self) -> set[str]:
         return {unit.name for unit in self.units.values() if is_bare(unit)}
-
-    @cached_property
-    def _faces(self) -> dict[str, dict[str, str]]:
-        """What each kind declares of itself; the names of FMI 2 and 3 differ by a capital or an s."""
-        root = self._xml
-        tags = {"ME": "ModelExchange", "CS": "CoSimulation"}
-        found = {kind: root.find(tag) for kind, tag in tags.items()}
-        return {
-            kind: {name.lower().rstrip("s"): value for name, value in face.attrib.items()}
-            for kind, face in found.items()
-            if face is not None
-        }
 
     def capable(self, kind: str, capability: str) -> bool:
         """Tell whether a kind declares a capability, by its FMI name such as `canGetAndSetFMUstate`."""
@@ -104,7 +89,10 @@ class FMUDescription:
 
     def declared(self, kind: str, attribute: str) -> str:
         """Return what a kind declares of itself by the FMI name of an attribute, empty if nothing."""
-        return self._faces[self.kind(kind)].get(attribute.lower().rstrip("s"), "")
+        face = self._xml.find(KINDS[self.kind(kind)])
+        told = {} if face is None else face.attrib  # names in FMI 2 and 3 differ by a capital or an s
+        same = (value for name, value in told.items() if _plain(name) == _plain(attribute))
+        return next(same, "")
 
     def kind(self, wanted: str | None = None) -> str:
         """Return the kind to use: the one wanted, else Model Exchange before Co-Simulation.
@@ -191,3 +179,7 @@ class FMUDescription:
             if name in self.units:
                 return self.units[name]
             raise FMUError(f"FMU '{self.name}': '{variable.name}': {error}") from error
+
+
+def _plain(name: str) -> str:
+    return name.lower().rstrip("s")

@@ -3,39 +3,59 @@
 from __future__ import annotations
 
 import ctypes
-from collections.abc import Callable, Sequence
+from collections import deque
+from collections.abc import Callable
 from contextlib import chdir, suppress
 from pathlib import Path
 from threading import Lock
 from typing import Any, Self
 
 from ..errors import FMUError
-from .archive import library_name
 from .instance import Group, Stepped, Update, Values
-from .model_description import KINDS
+from .model_description import FACES, KINDS
 from .unpacked import Unpacked
 
-KEPT_MESSAGES = 5
+KEPT_MESSAGES, NAMED_FUNCTIONS, MOST_ITERATIONS = 5, 6, 1000
+NAMES = {  # of FMPy, for FMI 2 and FMI 3
+    "set": ("fmi2SetReal", "fmi3SetFloat64"),
+    "get": ("fmi2GetReal", "fmi3GetFloat64"),
+    "rates": ("getDerivatives", "getContinuousStateDerivatives"),
+    "update": ("newDiscreteStates", "updateDiscreteStates"),
+    "Enumeration": ("Integer", "Int64"),
+}
+CASTS: dict[str, Callable[[Any], Any]] = {
+    "Real": float, "Float64": float, "Float32": float, "String": str, "Boolean": bool,
+}  # fmt: skip
 _LOADING = Lock()
 
 
 class LocalInstance:
-    """An instance in this process; see `Instance`.
+    """An instance in this process; only plain numbers, texts and lists pass.
 
-    Its files are its own, in a temporary folder, or those given; `events` asks for event mode.
+    Its files are its own, in a temporary folder, or those given; `events` asks for event mode. A group is
+    (FMI type, value references, number of values). The inputs chosen at the start are set with every
+    evaluation.
+
+    Attributes:
+        instance: FMPy's object.
+        event_mode: whether Co-Simulation has event mode.
+        interpolates: whether Co-Simulation follows rates of the inputs.
     """
 
     def __init__(
         self, path: Path, kind: str, *, files: Unpacked | None = None, events: bool = True
     ) -> None:  # fmt: skip
-        self.kind, self.messages = kind, list[str]()
+        from fmpy.fmi1 import FMICallException
+
+        self.kind, self.messages = kind, deque[str](maxlen=KEPT_MESSAGES)
         self._files, self._shared = files or Unpacked(path), files is not None
         self.description = self._files.description
         self.name, self.major = self.description.modelName, self.description.fmiMajorVersion
+        self._names = {role: names[self.major - 2] for role, names in NAMES.items()}
+        self._inputs, self._failure = list[int](), FMICallException
         self._kept: Any = None
-        self._slave: Any = None
-        self._inputs: list[int] = []
-        face = getattr(self.description, KINDS[kind])
+        self.instance: Any = None
+        face = getattr(self.description, FACES[kind])
         self._steps_completed = kind == "ME" and face.needsCompletedIntegratorStep
         self.event_mode = events and kind == "CS" and bool(face.hasEventMode)
         self.interpolates = kind == "CS" and self.major == 2 and bool(face.canInterpolateInputs)
@@ -47,26 +67,20 @@ class LocalInstance:
         nx, nz = self.description.numberOfContinuousStates, self.description.numberOfEventIndicators
         self._x, self._dx, self._z = ((ctypes.c_double * n)() for n in (nx, nx, nz))
 
-    @property
-    def instance(self) -> Any:
-        """FMPy's object."""
-        return self._slave
-
     def _leave(self) -> None:
         if not self._shared:
             self._files.remove()
 
     def _load(self, face: Any) -> None:
-        from fmpy import instantiate_fmu
+        from fmpy import instantiate_fmu, sharedLibraryExtension
 
         folder = self._files.folder
-        library = folder / "binaries" / self._files.binaries / library_name(face.modelIdentifier)
+        library = folder / "binaries" / self._files.binaries / (face.modelIdentifier + sharedLibraryExtension)
         _check_symbols(self.name, library, self.major, self.kind)
-        kind = {"ME": "ModelExchange", "CS": "CoSimulation"}[self.kind]
         try:
             with _LOADING, chdir("."):  # FMPy goes into the folder of the library meanwhile
-                self._slave = instantiate_fmu(
-                    str(folder), self.description, kind, logger=self._log,
+                self.instance = instantiate_fmu(
+                    str(folder), self.description, KINDS[self.kind], logger=self._log,
                     early_return_allowed=self.event_mode, event_mode_used=self.event_mode,
                 )  # fmt: skip
         except Exception as error:
@@ -78,25 +92,23 @@ class LocalInstance:
 
     def _log(self, *told: Any) -> None:
         texts = [t.decode("utf-8", "replace") for t in told if isinstance(t, bytes)]
-        self.messages = [*self.messages[1 - KEPT_MESSAGES :], texts[-1] if texts else ""]
+        self.messages.append(texts[-1] if texts else "")
 
     def _said(self) -> str:
         said = " | ".join(message.strip() for message in self.messages if message.strip())
         return f"; it says: {said}" if said else ""
 
     def _call(self, method: str, *arguments: Any) -> Any:
-        from fmpy.fmi1 import FMICallException
-
         try:
-            return getattr(self._slave, method)(*arguments)
-        except FMICallException as error:
+            return getattr(self.instance, method)(*arguments)
+        except self._failure as error:
             raise FMUError(f"FMU '{self.name}': {error}{self._said()}") from error
 
     def start(
         self, begin: float, stop: float, rtol: float, values: list[tuple[Group, Values]], inputs: list[int]
     ) -> None:
         """Set values and enter initialization mode."""
-        self._inputs = inputs
+        self._inputs, self._driven = inputs, self._reals(inputs)
         tolerance = rtol if self.kind == "CS" else None
         if self.major == 2:
             self._call("setupExperiment", tolerance, begin, stop)
@@ -111,22 +123,30 @@ class LocalInstance:
     def set(self, group: Group, values: Values) -> None:
         """Set variables of one type."""
         kind, references, _ = group
-        cast = _CASTS.get(kind, int)
-        self._call(f"set{_method(kind, self.major)}", references, [cast(value) for value in values])
+        cast = CASTS.get(kind, int)
+        self._call(f"set{self._names.get(kind, kind)}", references, [cast(value) for value in values])
 
     def get(self, groups: list[Group]) -> Values:
         """Return the values of variables, group after group, as numbers."""
         found: Values = []
         for kind, references, count in groups:
             extra = (count,) if self.major == 3 else ()
-            values = self._call(f"get{_method(kind, self.major)}", references, *extra)
-            found += [float(value) for value in values]
+            found += map(float, self._call(f"get{self._names.get(kind, kind)}", references, *extra))
         return found
+
+    def _reals(self, references: list[int]) -> tuple[Any, tuple[Any, ...]]:
+        """Return an array for real variables, and the arguments with which FMI sets or gets it as a whole."""
+        count = len(references)
+        values, place = (ctypes.c_double * count)(), (ctypes.c_uint32 * count)(*references)
+        more = () if self.major == 2 else (count,)
+        return values, (self.instance.component, place, count, values, *more)
 
     def drive(self, inputs: Values) -> None:
         """Set the inputs chosen at the start."""
         if self._inputs:
-            self.set((_real(self.major), self._inputs, len(inputs)), inputs)
+            values, arguments = self._driven
+            values[:] = inputs
+            self._call(self._names["set"], *arguments)
 
     def _at(self, t: float, x: Values, inputs: Values) -> None:
         self._call("setTime", t)
@@ -135,23 +155,26 @@ class LocalInstance:
             self._call("setContinuousStates", self._x, len(x))
         self.drive(inputs)
 
+    def _read(self, method: str, values: Any) -> Values:
+        if len(values):
+            self._call(method, values, len(values))
+        return list(values)
+
     def states(self) -> Values:
         """Return the continuous states."""
-        if len(self._x):
-            self._call("getContinuousStates", self._x, len(self._x))
-        return list(self._x)
+        return self._read("getContinuousStates", self._x)
 
     def nominals(self) -> Values:
         """Return the sizes of the continuous states."""
-        if len(self._dx):
-            self._call("getNominalsOfContinuousStates", self._dx, len(self._dx))
-        return list(self._dx)
+        return self._read("getNominalsOfContinuousStates", self._dx)
 
     def derivatives(self, t: float, x: Values, inputs: Values) -> Values:
         """Return the rates of the states at a point."""
         self._at(t, x, inputs)
-        self._call("getDerivatives" if self.major == 2 else "getContinuousStateDerivatives", self._dx, len(x))
-        return list(self._dx)
+        return self._rates()
+
+    def _rates(self) -> Values:
+        return self._read(self._names["rates"], self._dx)
 
     def indicators(self, t: float, x: Values, inputs: Values) -> Values:
         """Return the event indicators at a point."""
@@ -160,9 +183,7 @@ class LocalInstance:
 
     def watched(self) -> Values:
         """Return the event indicators where it stands."""
-        if len(self._z):
-            self._call("getEventIndicators", self._z, len(self._z))
-        return list(self._z)
+        return self._read("getEventIndicators", self._z)
 
     def look(self, t: float, x: Values, inputs: Values, groups: list[Group]) -> Values:
         """Return variables at a point."""
@@ -182,18 +203,15 @@ class LocalInstance:
 
     def update(self) -> Update:
         """Iterate events until none is left and leave event mode."""
-        nominals = states = False
-        for _ in range(1000):
-            update = "newDiscreteStates" if self.major == 2 else "updateDiscreteStates"
-            again, terminate, renamed, moved, timed, following = self._call(update)
-            nominals, states = nominals or renamed, states or moved
+        for _ in range(MOST_ITERATIONS):
+            again, terminate, _, _, timed, following = self._call(self._names["update"])
             if terminate or not again:
                 break
         else:
             raise FMUError(f"FMU '{self.name}': its event iteration has no end{self._said()}")
         if not terminate:
             self._call("enterContinuousTimeMode" if self.kind == "ME" else "enterStepMode")
-        return Update(bool(terminate), bool(nominals), bool(states), float(following) if timed else None)
+        return Update(bool(terminate), float(following) if timed else None)
 
     def step(self, t: float, duration: float, inputs: Values, rates: Values) -> Stepped:
         """Advance a Co-Simulation FMU; rates of the inputs are used if it interpolates, else ignored."""
@@ -206,12 +224,11 @@ class LocalInstance:
         return Stepped(reached if early else t + duration, bool(event), bool(terminate))
 
     def _step_2(self, t: float, duration: float) -> Stepped:
-        from fmpy.fmi1 import FMICallException
         from fmpy.fmi2 import fmi2Discard, fmi2LastSuccessfulTime, fmi2Terminated
 
         try:
-            self._slave.doStep(t, duration, self._kept is None)
-        except FMICallException as error:
+            self.instance.doStep(t, duration, self._kept is None)
+        except self._failure as error:
             if error.status != fmi2Discard:
                 raise FMUError(f"FMU '{self.name}' at t = {t:g} s: {error}{self._said()}") from error
             reached = self._call("getRealStatus", fmi2LastSuccessfulTime)
@@ -235,7 +252,7 @@ class LocalInstance:
 
     def close(self) -> None:
         """Free the instance and remove its files."""
-        slave, self._slave = self._slave, None
+        slave, self.instance = self.instance, None
         if slave is None:
             return
         with suppress(Exception):
@@ -253,24 +270,9 @@ class LocalInstance:
         self.close()
 
 
-_CASTS: dict[str, Callable[[Any], Any]] = {
-    "Real": float, "Float64": float, "Float32": float, "String": str, "Boolean": bool,
-}  # fmt: skip
-
-
-def _real(major: int) -> str:
-    return "Real" if major == 2 else "Float64"
-
-
-def _method(kind: str, major: int) -> str:
-    return kind if kind != "Enumeration" else "Integer" if major == 2 else "Int64"
-
-
 def _check_symbols(name: str, library: Path, major: int, kind: str) -> None:
     """Load a library and refuse it if a function that FMI demands is not in it, before any is called."""
-    from fmpy import freeLibrary
-    from fmpy.fmi2 import FMU2Model, FMU2Slave
-    from fmpy.fmi3 import FMU3Model, FMU3Slave
+    from fmpy import fmi2, fmi3, freeLibrary
 
     if not library.is_file():
         raise FMUError(f"FMU '{name}' has no library '{library.name}' among its binaries for this machine")
@@ -278,12 +280,10 @@ def _check_symbols(name: str, library: Path, major: int, kind: str) -> None:
         loaded = ctypes.CDLL(str(library))
     except OSError as error:
         raise FMUError(f"FMU '{name}': its binary does not load: {error}") from error
-    faces: dict[tuple[int, str], type] = {
-        (2, "ME"): FMU2Model, (2, "CS"): FMU2Slave, (3, "ME"): FMU3Model, (3, "CS"): FMU3Slave,
-    }  # fmt: skip
-    wanted = [n for n in dir(faces[major, kind]) if n.startswith(f"fmi{major}")]
-    missing = [n for n in wanted if not hasattr(loaded, n)]
+    face = getattr(fmi2 if major == 2 else fmi3, f"FMU{major}{'Model' if kind == 'ME' else 'Slave'}")
+    missing = [n for n in dir(face) if n.startswith(f"fmi{major}") and not hasattr(loaded, n)]
     freeLibrary(loaded._handle)
     if missing:
-        told: Sequence[str] = missing if len(missing) <= 6 else [*missing[:6], f"{len(missing) - 6} more"]
-        raise FMUError(f"FMU '{name}': its binary lacks FMI functions: {', '.join(told)}")
+        more = [f"{len(missing) - NAMED_FUNCTIONS} more"] if len(missing) > NAMED_FUNCTIONS else []
+        told = ", ".join(missing[:NAMED_FUNCTIONS] + more)
+        raise FMUError(f"FMU '{name}': its binary lacks FMI functions: {told}")

@@ -16,7 +16,7 @@ CAPABILITIES = {
     "canBeInstantiatedOnlyOncePerProcess": "one instance a process only",
     "needsExecutionTool": "needs its tool installed",
 }
-MOST = 40
+LISTED_VARIABLES = 40
 
 
 def info(fmu: FMUDescription) -> str:
@@ -33,10 +33,8 @@ def info(fmu: FMUDescription) -> str:
         lines.append("  suggested   " + ", ".join(f"{k} {v:g}" for k, v in fmu.defaults.items()))
     states, indicators = fmu.description.numberOfContinuousStates, fmu.description.numberOfEventIndicators
     lines.append(f"  states      {states}, event indicators {indicators}")
-    for title, variables in (
-        ("inputs", fmu.inputs), ("outputs", fmu.outputs), ("parameters", fmu.parameters),
-    ):  # fmt: skip
-        lines += _listed(title, list(variables.values()))
+    for title in ("inputs", "outputs", "parameters"):
+        lines += _listed(title, list(getattr(fmu, title).values()))
     lines += [f"  note: {note}" for note in fmu.notes]
     return "\n".join(lines)
 
@@ -44,15 +42,15 @@ def info(fmu: FMUDescription) -> str:
 def _listed(title: str, variables: list[ForeignVariable]) -> list[str]:
     if not variables:
         return []
-    width = max(len(v.name) for v in variables[:MOST])
+    width = max(len(v.name) for v in variables[:LISTED_VARIABLES])
     lines = [f"  {title}"]
-    for v in variables[:MOST]:
+    for v in variables[:LISTED_VARIABLES]:
         unit = f"[{v.unit}]" if v.unit else ""
         start = f"= {v.start}" if v.start is not None else ""
         size = f"x {v.size}" if v.size > 1 else ""
         lines.append(
             "    " + "  ".join(p for p in (v.name.ljust(width), v.type, size, start, unit, v.text) if p)
         )
-    if len(variables) > MOST:
-        lines.append(f"    ... and {len(variables) - MOST} more")
+    if len(variables) > LISTED_VARIABLES:
+        lines.append(f"    ... and {len(variables) - LISTED_VARIABLES} more")
     return lines

@@ -5,6 +5,7 @@ from __future__ import annotations
 from bisect import bisect_right
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, field
+from itertools import groupby
 from numbers import Real
 from typing import Any
 
@@ -14,23 +15,17 @@ from ...components import Sampled
 from ...networks import check_covered, piecewise
 from ..errors import FMUError
 from .description import FMUDescription
+from .initialization import checked
 from .instance import Group, Instance, Values
-from .values import checked
 from .variable import ForeignVariable
 
-SAMPLES_A_STEP, QUIET, STILL = 4, 4, 1e-9
+SAMPLES_A_STEP, STRAIGHT_SAMPLES, STRAIGHT_SHARE = 4, 4, 1e-9
 
 
 def groups(variables: Iterable[ForeignVariable]) -> list[Group]:
     """Return variables as groups to get, one a variable run of the same type, in their order."""
-    found: list[Group] = []
-    for v in variables:
-        if found and found[-1][0] == v.type:
-            kind, references, count = found[-1]
-            found[-1] = (kind, [*references, v.reference], count + v.size)
-        else:
-            found.append((v.type, [v.reference], v.size))
-    return found
+    alike = ((kind, list(group)) for kind, group in groupby(variables, key=lambda v: v.type))
+    return [(kind, [v.reference for v in group], sum(v.size for v in group)) for kind, group in alike]
 
 
 @dataclass(eq=False)
@@ -39,7 +34,7 @@ class Inputs:
 
     Attributes:
         continuous: real inputs, set with every evaluation; a function of time each.
-        discrete: the others, constant between their jumps.
+        discrete: the others, constant between their `jumps`.
         longest_step: steps [s] that do not pass over what data do between their samples.
         bends: instants at which data bend again that had been straight.
     """
@@ -51,21 +46,16 @@ class Inputs:
     longest_step: float = np.inf
     bends: list[float] = field(default_factory=list)
 
-    @property
-    def references(self) -> list[int]:
-        """Value references of the continuous inputs."""
-        return [self.fmu.variables[name].reference for name in self.continuous]
+    def named(self, name: str) -> str:
+        """Return an input as messages name it."""
+        return f"input '{name}' of FMU '{self.fmu.name}'"
 
     def at(self, t: float) -> Values:
-        """Return the continuous inputs at an instant.
-
-        Raises:
-            FMUError: if a signal gives no finite number.
-        """
+        """Return the continuous inputs at an instant; refuse what is no finite number."""
         values = [float(signal(t)) for signal in self.continuous.values()]
         for name, value in zip(self.continuous, values, strict=True):
             if not np.isfinite(value):
-                raise FMUError(f"input '{name}' of FMU '{self.fmu.name}' is {value} at t = {t:g} s")
+                raise FMUError(f"{self.named(name)} is {value} at t = {t:g} s")
         return values
 
     def set_discrete(self, instance: Instance, t: float) -> None:
@@ -74,28 +64,24 @@ class Inputs:
             v = self.fmu.variables[name]
             instance.set((v.type, [v.reference], v.size), checked(self.fmu, v, signal(t)))
 
-    def next_jump(self, t: float) -> float:
-        """Return when a discrete input changes next."""
-        return min((jump for jump in self.jumps if jump > t), default=np.inf)
+    def next_changes(self, t: float) -> tuple[float, float]:
+        """Return when a discrete input jumps next, and when data bend next that are straight now."""
+        return _next(self.jumps, t), _next(self.bends, t)
 
-    def next_bend(self, t: float) -> float:
-        """Return when data bend next that are straight now."""
-        place = bisect_right(self.bends, t)
-        return self.bends[place] if place < len(self.bends) else np.inf
+
+def _next(instants: list[float], t: float) -> float:
+    place = bisect_right(instants, t)
+    return instants[place] if place < len(instants) else np.inf
 
 
 def chosen_inputs(fmu: FMUDescription, signals: Mapping[str, Any], begin: float, stop: float) -> Inputs:
-    """Return the signals of a run from `begin` to `stop` [s].
-
-    Raises:
-        FMUError: for unknown inputs and signals that are none.
-        ModelError: for data that are not known throughout the run.
-    """
+    """Return the signals of a run; refuse data that are not known from `begin` to `stop` [s]."""
     inputs = Inputs(fmu)
     smooth: dict[str, Sampled] = {}
     for name, signal in signals.items():
         v = fmu.variable(name, fmu.inputs)
-        if v.type in ("Real", "Float64") and v.variability == "continuous" and v.size == 1:
+        signal = fmu.converted(v, signal)
+        if v.is_signal and v.variability == "continuous":
             inputs.continuous[name] = _continuous(inputs, v, signal, smooth)
         else:
             inputs.discrete[name] = _discrete(inputs, v, signal, begin)
@@ -107,14 +93,12 @@ def _continuous(
     inputs: Inputs, v: ForeignVariable, signal: Any, smooth: dict[str, Sampled]
 ) -> Callable[[float], float]:
     """Return a signal as a function of time; note it in `smooth` if it is sampled."""
-    signal = inputs.fmu.converted(v, signal)
     if callable(signal):
-        given: Callable[[float], Any] = signal
-        return lambda t: float(given(t))
+        return lambda t: float(signal(t))
     if isinstance(signal, Real):
-        number = checked(inputs.fmu, v, signal)[0]
-        return lambda t: float(number)
-    sampled = signal if isinstance(signal, Sampled) else Sampled(*_pair(inputs.fmu, v, signal))
+        number = float(checked(inputs.fmu, v, signal)[0])
+        return lambda t: number
+    sampled = signal if isinstance(signal, Sampled) else Sampled(*_pair(inputs.named(v.name), signal))
     smooth[v.name] = sampled
     inputs.longest_step = min(inputs.longest_step, SAMPLES_A_STEP * float(np.median(np.diff(sampled.time))))
     inputs.bends = sorted({*inputs.bends, *_bends(sampled)})
@@ -126,39 +110,34 @@ def _bends(data: Sampled) -> list[float]:
     """Return the instants at which data bend again after some that lay on a line."""
     slopes = np.diff(data.values) / np.diff(data.time)
     steepest = np.abs(slopes).max()
-    bent = np.concatenate([[False] * QUIET, np.abs(np.diff(slopes)) > STILL * steepest])
-    quiet = np.convolve(bent, np.ones(QUIET), "full")[: len(bent)] - bent == 0
-    return [float(t) for t in data.time[np.flatnonzero((bent & quiet)[QUIET:])]]
+    bent = np.concatenate([[False] * STRAIGHT_SAMPLES, np.abs(np.diff(slopes)) > STRAIGHT_SHARE * steepest])
+    straight = np.convolve(bent, np.ones(STRAIGHT_SAMPLES), "full")[: len(bent)] - bent == 0
+    return [float(t) for t in data.time[np.flatnonzero((bent & straight)[STRAIGHT_SAMPLES:])]]
 
 
 def _discrete(inputs: Inputs, v: ForeignVariable, signal: Any, begin: float) -> Callable[[float], Any]:
+    where = inputs.named(v.name)
     if callable(signal):
         raise FMUError(
-            f"input '{v.name}' of FMU '{inputs.fmu.name}' is {v.variability} {v.type}: give a value or "
-            "(time, values), each held until the next"
+            f"{where} is {v.variability} {v.type}: give a value or (time, values), each held until the next"
         )
-    signal = inputs.fmu.converted(v, signal)
     if not isinstance(signal, tuple):
         checked(inputs.fmu, v, signal)
         return lambda t: signal
-    time, values = (np.asarray(a) for a in _pair(inputs.fmu, v, signal))
+    time, values = (np.asarray(a) for a in _pair(where, signal))
     if (np.diff(time) <= 0).any() or len(time) != len(values):
-        raise FMUError(f"input '{v.name}' of FMU '{inputs.fmu.name}': time must increase, one value each")
+        raise FMUError(f"{where}: time must increase, one value each")
     for value in values:
         checked(inputs.fmu, v, value)
     if not len(time) or time[0] > begin:
         raise FMUError(
-            f"input '{v.name}' of FMU '{inputs.fmu.name}': its values begin after the run does, at "
-            f"{begin:g} s; give the value at its start"
+            f"{where}: its values begin after the run does, at {begin:g} s; give the value at its start"
         )
     inputs.jumps = sorted({*inputs.jumps, *time.tolist()})
     return lambda t: values[max(0, int(np.searchsorted(time, t, side="right")) - 1)]
 
 
-def _pair(fmu: FMUDescription, v: ForeignVariable, signal: Any) -> tuple[Any, Any]:
+def _pair(where: str, signal: Any) -> tuple[Any, Any]:
     if not isinstance(signal, tuple) or len(signal) != 2:
-        raise FMUError(
-            f"input '{v.name}' of FMU '{fmu.name}' takes a number, a function of time or (time, values), "
-            f"got {signal!r}"
-        )
+        raise FMUError(f"{where} takes a number, a function of time or (time, values), got {signal!r}")
     return signal

@@ -7,28 +7,27 @@ import re
 import zipfile
 from pathlib import Path
 from typing import Any
-from xml.etree import ElementTree
 
 from ..errors import FMUError
-from .archive import DESCRIPTION, doubled, read_description
-from .validation import checked
+from .archive import DESCRIPTION, MOST_DESCRIPTION_BYTES, doubled, read_entry
+from .validation import checked, parsed, plain
 
-KINDS = {"ME": "modelExchange", "CS": "coSimulation"}
-FACES = *KINDS.values(), "scheduledExecution"
-PLAIN = re.compile(r"\w[\w.+-]*")
+KINDS = {"ME": "ModelExchange", "CS": "CoSimulation"}
+FACES = {"ME": "modelExchange", "CS": "coSimulation"}  # FMPy's names
+PLAIN_NAME = re.compile(r"\w[\w.+-]*")
 
 
-def read_model_description(path: Path, validate: bool) -> tuple[Any, list[str]]:
-    """Return FMPy's model description, and what in it and its archive breaks the standard but harms nothing.
+def read_model_description(path: Path, validate: bool) -> tuple[Any, bytes, list[str]]:
+    """Return FMPy's model description, its text, and what breaks the standard but harms nothing.
 
-    Raises:
-        FMUError: if it cannot be read, names a file outside of its folder, or is invalid and that is asked.
+    Refused is what cannot be read, names a file outside of its folder, or is invalid, if that is asked.
     """
     import fmpy
 
-    text = read_description(path)
-    _check_version(path, text)
-    mended, notes = checked(path, text, validate)
+    root = parsed(path, read_entry(path, DESCRIPTION, "FMU", MOST_DESCRIPTION_BYTES))
+    _check_version(path, root)
+    text = plain(root)
+    mended, notes = checked(path, root, validate)
     alone = io.BytesIO()
     with zipfile.ZipFile(alone, "w") as archive:
         archive.writestr(DESCRIPTION, mended)
@@ -37,13 +36,13 @@ def read_model_description(path: Path, validate: bool) -> tuple[Any, list[str]]:
     except Exception as error:
         raise FMUError(f"'{path}': {DESCRIPTION} is invalid: {error}") from error
     _check_names(path, description)
-    return description, [*doubled(path), *notes, *_breaches(description)]
+    return description, text, [*doubled(path), *notes, *_breaches(description)]
 
 
 def _check_names(path: Path, description: Any) -> None:
     """Refuse names that lead to other files, or to two variables."""
     for name in _identifiers(description):
-        if not PLAIN.fullmatch(name) or ".." in name:
+        if not PLAIN_NAME.fullmatch(name) or ".." in name:
             raise FMUError(
                 f"'{path}': modelIdentifier={name!r} is no plain name of a file, so that its library could "
                 "be anywhere: nothing was unpacked or run"
@@ -74,15 +73,11 @@ def _breaches(description: Any) -> list[str]:
 
 
 def _identifiers(description: Any) -> list[str]:
-    faces = [face for name in FACES if (face := getattr(description, name)) is not None]
-    return list(dict.fromkeys(str(face.modelIdentifier) for face in faces))
+    faces = (getattr(description, name) for name in (*FACES.values(), "scheduledExecution"))
+    return list(dict.fromkeys(str(face.modelIdentifier) for face in faces if face is not None))
 
 
-def _check_version(path: Path, text: bytes) -> None:
-    try:
-        root = ElementTree.fromstring(text)
-    except ElementTree.ParseError as error:
-        raise FMUError(f"'{path}': {DESCRIPTION} is no XML: {error}") from error
+def _check_version(path: Path, root: Any) -> None:
     version = root.get("fmiVersion")
     if root.tag != "fmiModelDescription" or version is None:
         raise FMUError(f"'{path}': {DESCRIPTION} describes no FMU (no fmiVersion)")

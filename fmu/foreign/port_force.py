@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import ctypes
 from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Protocol
@@ -10,8 +9,8 @@ from typing import Protocol
 from ..errors import FMUError
 from .description import FMUDescription
 from .in_process import LocalInstance
-from .inputs import groups
-from .instance import Group, Values
+from .instance import Values
+from .unpacked import Unpacked
 
 
 class Law(Protocol):
@@ -43,63 +42,41 @@ class Load:
     law: Law
 
 
-class _Reals:
-    """Real variables of an instance, set and read together through arrays that are made once."""
-
-    def __init__(self, instance: LocalInstance, references: Sequence[int]) -> None:
-        slave, count = instance.instance, len(references)
-        self._values = (ctypes.c_double * count)()
-        place = (ctypes.c_uint32 * count)(*references)
-        names = (
-            ("fmi2SetReal", "fmi2GetReal") if instance.major == 2 else ("fmi3SetFloat64", "fmi3GetFloat64")
-        )
-        self._set, self._get = (getattr(slave, name) for name in names)
-        more = () if instance.major == 2 else (count,)
-        self._arguments = (slave.component, place, count, self._values, *more)
-
-    def set(self, values: Values) -> None:
-        """Set them."""
-        self._values[:] = values
-        self._set(*self._arguments)
-
-    def get(self) -> Values:
-        """Return them."""
-        self._get(*self._arguments)
-        return list(self._values)
-
-
 class LoadedInstance(LocalInstance):
     """An instance with a load at its port."""
 
-    load: Load | None = None
-
-    def prepare(
-        self, fmu: FMUDescription, inputs: Sequence[str], outputs: Sequence[str], load: Load | None
+    def __init__(
+        self, fmu: FMUDescription, kind: str, files: Unpacked, inputs: Sequence[str], load: Load | None
     ) -> None:
-        """Look up what will be set and read."""
+        super().__init__(fmu.path, kind, files=files)
         self.load = load
-        self.wanted: list[Group] = groups(fmu.variables[name] for name in outputs)
-        self._given = _Reals(self, [fmu.variables[name].reference for name in inputs])
         if load is not None:
-            self._place = list(inputs).index(load.force)
-            names = load.position, load.velocity
-            self._port = _Reals(self, [fmu.variables[name].reference for name in names])
+            position, velocity = (fmu.variables[name].reference for name in (load.position, load.velocity))
             states = [fmu.variables[name].reference for name in fmu.states]
-            speed = fmu.variables[load.velocity].reference
-            self._fast = states.index(speed) if speed in states else None
+            self._place, self._port = list(inputs).index(load.force), self._reals([position, velocity])
+            self._fast = states.index(velocity) if velocity in states else None
+            self._before: float | None = None
 
     def moved(self) -> tuple[float, float]:
         """Return position and velocity of the port."""
-        s, v = self._port.get()
-        return s, v
+        values, arguments = self._port
+        self._call(self._names["get"], *arguments)
+        position, velocity = values
+        return position, velocity
 
-    def drive(self, inputs: Values) -> None:
-        """Set the inputs chosen at the start."""
-        if inputs:
-            self._given.set(inputs)
+    def extrapolated(self, t: float, step: float) -> tuple[float, float]:
+        """Return the load at t, and a step later if the port goes on as it did in the step before."""
+        if self.load is None:
+            return 0.0, 0.0
+        law, (s, v) = self.load.law, self.moved()
+        a = 0.0 if self._before is None else (v - self._before) / step
+        self._before = v
+        return law(t, s, v, a), law(t + step, s + step * (v + 0.5 * step * a), v + step * a, a)
 
     def loaded(self, inputs: Values, force: float) -> Values:
-        """Return inputs with a force added."""
+        """Return inputs with a force added, if there is a load."""
+        if self.load is None:
+            return inputs
         inputs = list(inputs)
         inputs[self._place] += force
         return inputs
@@ -129,7 +106,4 @@ class LoadedInstance(LocalInstance):
                 f"FMU '{self.name}': its velocity is no state of it, so that an inertia cannot be joined"
             )
         self.drive(self.loaded(inputs, force))
-        self._call(
-            "getDerivatives" if self.major == 2 else "getContinuousStateDerivatives", self._dx, len(self._dx)
-        )
-        return float(self._dx[self._fast])
+        return float(self._rates()[self._fast])

@@ -3,20 +3,22 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
-from types import TracebackType
 from typing import Any, Self
 
 import numpy as np
 
 from ...base import Array
 from ..errors import FMUError
+from .communication_steps import CoSimulation
 from .description import FMUDescription
-from .initialization import enter_initialization
+from .initialization import STEPPERS, enter_initialization
+from .inputs import groups
 from .instance import Group, Values, finite
-from .me_integrator import Stepping
 from .port_force import Load, LoadedInstance
-from .time_stepping import STEPPERS, CoSimulation, TimeStepper
+from .time_stepping import Stepping, TimeStepper
 from .unpacked import Unpacked
+
+Samples = list[tuple[float, Values]]
 
 
 class Replay:
@@ -41,7 +43,7 @@ class Replay:
     def __enter__(self) -> Self:
         return self
 
-    def __exit__(self, *_: type[BaseException] | BaseException | TracebackType | None) -> None:
+    def __exit__(self, *_: object) -> None:
         self.close()
 
     def close(self) -> None:
@@ -66,24 +68,20 @@ class Replay:
         Raises:
             FMUError: if the FMU fails, ends early or returns no finite numbers.
         """
-        from fmpy.fmi1 import FMICallException
-
         fmu, longest = self.fmu, float(time[every] - time[0])
         stepping = Stepping(float(time[0]), float(time[-1]), rtol, self.inputs, longest)
         course = _spline(time, given) if self.kind == "ME" else lambda t: given[0].tolist()
-        with LoadedInstance(fmu.path, self.kind, files=self._files) as instance:
-            try:
-                instance.prepare(fmu, self.inputs, self.outputs, load)
-                enter_initialization(instance, fmu, stepping, parameters, start or {})
-                instance.drive(given[0].tolist())
-                stepper = STEPPERS[self.kind](instance, fmu, course, stepping)
-                _switch(stepper)
-                if isinstance(stepper, CoSimulation):
-                    found = _communicated(stepper, instance, time, given, every)
-                else:
-                    found = _integrated(stepper, instance.wanted, time[::every].tolist())
-            except FMICallException as error:
-                raise FMUError(f"FMU '{fmu.name}': {error}") from error
+        wanted = groups(fmu.variables[name] for name in self.outputs)
+        with LoadedInstance(fmu, self.kind, self._files, self.inputs, load) as instance:
+            enter_initialization(instance, fmu, stepping, parameters, start or {})
+            instance.drive(given[0].tolist())
+            stepper = STEPPERS[self.kind](instance, fmu, course, stepping)
+            _switch(stepper)
+            if isinstance(stepper, CoSimulation):
+                samples = list(zip(time.tolist(), given.tolist(), strict=True))
+                found = _communicated(stepper, instance, wanted, samples, every)
+            else:
+                found = _integrated(stepper, wanted, time[::every].tolist())
         return _table(fmu.name, found, time[::every])
 
 
@@ -117,51 +115,26 @@ def _spline(time: Array, given: Array) -> Callable[[float], Values]:
 
 
 def _communicated(
-    stepper: CoSimulation, instance: LoadedInstance, time: Array, given: Array, every: int
+    stepper: CoSimulation, instance: LoadedInstance, wanted: list[Group], samples: Samples, every: int
 ) -> list[Values]:
-    rows, instants, load = given.tolist(), time.tolist(), instance.load
-    found, before, force, following = [], None, 0.0, 0.0
-    for k, (t, row) in enumerate(zip(instants, rows, strict=True)):
-        step = instants[k + 1] - t if k + 1 < len(rows) else t - instants[k - 1]
-        if load is not None:
-            s, v = instance.moved()
-            a = 0.0 if before is None else (v - before) / step
-            before = v
-            force = load.law(t, s, v, a)
-            following = load.law(t + step, s + step * (v + 0.5 * step * a), v + step * a, a)
-            row = instance.loaded(row, force)
+    found = []
+    for k, (t, row) in enumerate(samples):
+        end, after = samples[k + 1] if k + 1 < len(samples) else (2 * t - samples[k - 1][0], row)
+        force, following = instance.extrapolated(t, end - t)
+        row, after = instance.loaded(row, force), instance.loaded(after, following)
         if k % every == 0:
             stepper.hold(row)
-            found.append(stepper.look(instance.wanted))
-        if k + 1 == len(rows):
-            break
-        after = rows[k + 1] if load is None else instance.loaded(rows[k + 1], following)
-        inputs, rates = _mean_inputs(stepper, row, after, step)
-        while stepper.t < instants[k + 1]:
-            stepper.communicate(instants[k + 1], inputs, rates)
+            found.append(stepper.look(wanted))
+        mean = [0.5 * (a + b) for a, b in zip(row, after, strict=True)]
+        inputs, rates = stepper.step_inputs(row, mean, after, end - t)
+        while k + 1 < len(samples) and stepper.t < end:
+            stepper.communicate(end, inputs, rates)
             _switch(stepper)
     return found
 
 
-def _mean_inputs(stepper: CoSimulation, row: Values, after: Values, step: float) -> tuple[Values, Values]:
-    """Return inputs for a communication step, and their rates for an FMU that interpolates.
-
-    An input x beside an input der(x) is given where the step begins, as it follows der(x).
-    """
-    if stepper.instance.interpolates:
-        return row, [(b - a) / step for a, b in zip(row, after, strict=True)]
-    inputs = [0.5 * (a + b) for a, b in zip(row, after, strict=True)]
-    for place in stepper.rated:
-        inputs[place] = row[place]
-    return inputs, [0.0] * len(row)
-
-
 def _switch(stepper: TimeStepper) -> None:
-    """Iterate the event that the last step ended at, if at any.
-
-    Raises:
-        FMUError: if the FMU asks to end.
-    """
+    """Iterate the event that the last step ended at, if at any; refuse an end before that of the record."""
     if stepper.event and not stepper.ended:
         stepper.switch()
     if stepper.ended:

@@ -27,8 +27,42 @@ class ForeignEvent:
     cause: str
 
 
+class RecordedVariables(OverTime):
+    """What was recorded along a run, every variable at the same points."""
+
+    units: dict[str, str]
+    _remedy = ""
+
+    def names(self) -> list[str]:
+        """Return the names of what was recorded."""
+        return ["time", *self.units]
+
+    def __contains__(self, name: str) -> bool:
+        return name == "time" or name in self.units
+
+    def unit(self, name: str) -> str:
+        """Return the unit of a variable; errors as for its values."""
+        return "s" if name == "time" else self.units[self.known(name)]
+
+    def known(self, name: str) -> str:
+        """Return a name that was recorded; for another raise an UnknownNameError with the nearest."""
+        if not text(name) and name in self.units:
+            return name
+        told = f"'{name}' of '{self.name}' was not recorded{self._remedy}"
+        raise UnknownNameError(f"{told}{nearest(name, self.units)}")
+
+    def to_dataframe(self) -> pd.DataFrame:
+        """Return everything as a pandas DataFrame indexed by time."""
+        import pandas as pd
+
+        columns = {name: self[name] for name in self.units}
+        table = pd.DataFrame(columns, index=pd.Index(self.time, name="time"))
+        table.attrs["units"] = dict(self.units)
+        return table
+
+
 @dataclass(eq=False)
-class ForeignRun(OverTime):
+class ForeignRun(RecordedVariables):
     """What an FMU gave along a run, in the units it declares.
 
     At an event two points share one time: before and after.
@@ -39,6 +73,8 @@ class ForeignRun(OverTime):
         stats: solver, steps, evaluations, seconds.
         notes: what is to be known, such as an end that the FMU asked for.
     """
+
+    _remedy = " (record=[...])"
 
     fmu: str
     units: dict[str, str]
@@ -68,13 +104,6 @@ class ForeignRun(OverTime):
         """Instants of the points [s]."""
         return np.array(self._times)
 
-    def names(self) -> list[str]:
-        """Return the names of what was recorded."""
-        return ["time", *self.units]
-
-    def __contains__(self, name: str) -> bool:
-        return name == "time" or name in self.units
-
     def __getitem__(self, name: str) -> Array:
         """Return a variable along the run.
 
@@ -83,28 +112,8 @@ class ForeignRun(OverTime):
         """
         if name == "time":
             return self.time
-        place = list(self.units).index(self._known(name))
+        place = list(self.units).index(self.known(name))
         return np.array([row[place] for row in self._rows])
-
-    def unit(self, name: str) -> str:
-        """Return the unit of a variable; errors as for its values."""
-        return "s" if name == "time" else self.units[self._known(name)]
-
-    def _known(self, name: str) -> str:
-        if not text(name) and name in self.units:
-            return name
-        raise UnknownNameError(
-            f"'{name}' of '{self.name}' was not recorded (record=[...]){nearest(name, self.units)}"
-        )
-
-    def to_dataframe(self) -> pd.DataFrame:
-        """Return everything as a pandas DataFrame indexed by time."""
-        import pandas as pd
-
-        rows = np.array(self._rows, dtype=float).reshape(len(self._rows), len(self.units))
-        table = pd.DataFrame(rows, columns=list(self.units), index=pd.Index(self.time, name="time"))
-        table.attrs["units"] = dict(self.units)
-        return table
 
 
 def empty_run(fmu: FMUDescription, extra: Iterable[str]) -> tuple[ForeignRun, list[Group]]:

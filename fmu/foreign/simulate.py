@@ -11,14 +11,13 @@ import numpy as np
 
 from ..errors import FMUError
 from .description import FMUDescription
-from .initialization import enter_initialization
+from .initialization import STEPPERS, enter_initialization
 from .inputs import Inputs, chosen_inputs
 from .instance import Group, Instance, finite
-from .me_integrator import Stepping
 from .run import ForeignEvent, ForeignRun, empty_run
-from .time_stepping import STEPPERS, TimeStepper
+from .time_stepping import Stepping, TimeStepper
 
-ALIKE = 1e-6
+SAME_STEP = 1e-6
 
 
 @dataclass(frozen=True)
@@ -73,10 +72,10 @@ def _step_notes(settings: RunSettings, inputs: Inputs, flexible: bool) -> list[s
     """Return notes on communication steps that are others than asked, and jumps that come too late."""
     notes, outputs = [], np.array(settings.outputs)
     step = float(outputs[1] - outputs[0])
-    if settings.step is not None and abs(step - settings.step) > ALIKE * settings.step:
+    if settings.step is not None and abs(step - settings.step) > SAME_STEP * settings.step:
         notes.append(f"communication steps are {step:.9g} s, as {settings.step:g} s do not divide the run")
     inside = [jump for jump in inputs.jumps if settings.begin < jump < settings.stop]
-    late = [jump for jump in inside if np.abs(outputs - jump).min() > ALIKE * step]
+    late = [jump for jump in inside if np.abs(outputs - jump).min() > SAME_STEP * step]
     if late and not flexible:
         notes.append(
             f"inputs that jump at {', '.join(f'{jump:g}' for jump in late[:3])} s do so at the "
@@ -99,7 +98,7 @@ class _Alone:
         stepper, stop = self.stepper, self.outputs[-1]
         self._record()
         while stepper.t < stop and not stepper.ended:
-            jump, bend = self.inputs.next_jump(stepper.t), self.inputs.next_bend(stepper.t)
+            jump, bend = self.inputs.next_changes(stepper.t)
             if stepper.dense:
                 limit = min(stop, jump, bend)
             else:

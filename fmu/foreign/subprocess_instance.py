@@ -12,16 +12,22 @@ import signal
 import subprocess
 import sys
 import threading
+from collections.abc import Callable
 from contextlib import suppress
+from functools import wraps
 from pathlib import Path
 from tempfile import TemporaryDirectory
-from typing import IO, Any, Self
+from typing import IO, Any, Concatenate, ParamSpec, Self, TypeVar, cast
 
 from ..errors import FMUError
-from .instance import Group, Stepped, Update, Values
+from .in_process import LocalInstance
+from .instance import Stepped, Update, Values
+from .unpacked import Unpacked
 
-STARTUP, MOMENT = 60.0, 1.0
-MOST_SAID = 2000
+STARTUP_TIMEOUT, EXIT_TIMEOUT = 60.0, 1.0
+QUOTED_CHARACTERS = 2000
+P = ParamSpec("P")
+R = TypeVar("R")
 
 
 def environment() -> dict[str, str]:
@@ -29,8 +35,21 @@ def environment() -> dict[str, str]:
     return {**os.environ, "PYTHONPATH": os.pathsep.join(p or os.getcwd() for p in sys.path)}
 
 
+def _asked(
+    method: Callable[Concatenate[LocalInstance, P], R], read: Callable[..., R] | None = None
+) -> Callable[Concatenate[IsolatedInstance, P], R]:
+    """Return a method that asks the other process for what a method of its instance does."""
+
+    @wraps(method)
+    def ask(self: IsolatedInstance, /, *arguments: P.args, **_: P.kwargs) -> R:
+        answer = self._ask(method.__name__, *arguments)
+        return cast(R, answer) if read is None else read(*answer)
+
+    return ask
+
+
 class IsolatedInstance:
-    """An instance in another process; see `Instance`.
+    """An instance in another process; see `LocalInstance`.
 
     Raises:
         FMUError: from any call, if the process dies or does not answer in time; it is then gone.
@@ -49,7 +68,7 @@ class IsolatedInstance:
         self._reader = threading.Thread(target=self._listen, daemon=True)
         self._reader.start()
         try:
-            self._ask("unpack", str(path.resolve()), self._folder.name, within=max(timeout, STARTUP))
+            self._ask("unpack", str(path.resolve()), self._folder.name, within=max(timeout, STARTUP_TIMEOUT))
             self.event_mode, self.interpolates = self._ask("instantiate", kind)
         except FMUError:
             self._end()
@@ -62,7 +81,8 @@ class IsolatedInstance:
         self._answers.put("")
 
     def _ask(self, method: str, *arguments: Any, within: float | None = None) -> Any:
-        question, longest = json.dumps([method, arguments]), self.timeout if within is None else within
+        question = json.dumps([method, arguments], default=lambda number: number.item())  # of NumPy
+        longest = self.timeout if within is None else within
         assert self._process.stdin is not None
         try:
             self._process.stdin.write(question + "\n")
@@ -92,10 +112,10 @@ class IsolatedInstance:
 
     def _fate(self) -> str:
         with suppress(subprocess.TimeoutExpired):
-            self._process.wait(MOMENT)
+            self._process.wait(EXIT_TIMEOUT)
         code = self._process.poll()
         self._errors.seek(0)
-        said = self._errors.read()[-MOST_SAID:].strip().splitlines()[-1:]
+        said = self._errors.read()[-QUOTED_CHARACTERS:].strip().splitlines()[-1:]
         self._end()
         if code is not None and code < 0:
             fate = f"was killed by {signal.Signals(-code).name}"
@@ -106,64 +126,27 @@ class IsolatedInstance:
     def _end(self) -> None:
         self._process.kill()
         self._process.wait()
-        self._reader.join(MOMENT)
+        self._reader.join(EXIT_TIMEOUT)
         for pipe in (self._process.stdin, self._process.stdout, self._errors):
             if pipe is not None:
                 with suppress(OSError):
                     pipe.close()
         self._folder.cleanup()
 
-    def start(
-        self, begin: float, stop: float, rtol: float, values: list[tuple[Group, Values]], inputs: list[int]
-    ) -> None:
-        self._ask("start", begin, stop, rtol, values, inputs)
-
-    def started(self) -> None:
-        self._ask("started")
-
-    def set(self, group: Group, values: Values) -> None:
-        self._ask("set", group, [v.item() if hasattr(v, "item") else v for v in values])
-
-    def get(self, groups: list[Group]) -> Values:
-        return list(self._ask("get", groups))
+    start, started = _asked(LocalInstance.start), _asked(LocalInstance.started)
+    set, get = _asked(LocalInstance.set), _asked(LocalInstance.get)
+    states, nominals = _asked(LocalInstance.states), _asked(LocalInstance.nominals)
+    derivatives, indicators = _asked(LocalInstance.derivatives), _asked(LocalInstance.indicators)
+    look = _asked(LocalInstance.look)
+    completed_step, enter_events = _asked(LocalInstance.completed_step), _asked(LocalInstance.enter_events)
+    update = _asked(LocalInstance.update, Update)
+    step = _asked(LocalInstance.step, Stepped)
+    save, restore = _asked(LocalInstance.save), _asked(LocalInstance.restore)
 
     def drive(self, inputs: Values) -> None:
+        """Set the inputs chosen at the start; nothing is asked if there are none."""
         if inputs:
             self._ask("drive", inputs)
-
-    def states(self) -> Values:
-        return list(self._ask("states"))
-
-    def nominals(self) -> Values:
-        return list(self._ask("nominals"))
-
-    def derivatives(self, t: float, x: Values, inputs: Values) -> Values:
-        return list(self._ask("derivatives", t, x, inputs))
-
-    def indicators(self, t: float, x: Values, inputs: Values) -> Values:
-        return list(self._ask("indicators", t, x, inputs))
-
-    def look(self, t: float, x: Values, inputs: Values, groups: list[Group]) -> Values:
-        return list(self._ask("look", t, x, inputs, groups))
-
-    def completed_step(self) -> tuple[bool, bool]:
-        enter, terminate = self._ask("completed_step")
-        return enter, terminate
-
-    def enter_events(self) -> None:
-        self._ask("enter_events")
-
-    def update(self) -> Update:
-        return Update(*self._ask("update"))
-
-    def step(self, t: float, duration: float, inputs: Values, rates: Values) -> Stepped:
-        return Stepped(*self._ask("step", t, duration, inputs, rates))
-
-    def save(self) -> None:
-        self._ask("save")
-
-    def restore(self) -> None:
-        self._ask("restore")
 
     def close(self) -> None:
         """Free the instance, remove its files and end the process."""
@@ -189,9 +172,6 @@ def serve() -> None:
 
 
 def _answer(questions: IO[str], answers: IO[str]) -> None:
-    from .in_process import LocalInstance
-    from .unpacked import Unpacked
-
     files: Unpacked | None = None
     instance: LocalInstance | None = None
     for line in questions:

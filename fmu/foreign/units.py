@@ -9,16 +9,14 @@ from xml.etree import ElementTree
 
 from ...base import BASES, ModelError, Unit, unit_of
 
-SAME = 1e-6
-TRUE = "true", "1"
+SAME_FACTOR = 1e-6
+XML_TRUE = "true", "1"
 
 
 def declared_units(definitions: list[Any], inverse: set[str]) -> dict[str, Unit]:
     """Return the units that an FMU defines, its display units included (under the unit they display).
 
-    Args:
-        definitions: units as FMPy reads them.
-        inverse: display units that show the reciprocal of a value, which is no unit of it.
+    Display units that are `inverse` show the reciprocal of a value, which is no unit of it.
     """
     units: dict[str, Unit] = {}
     for definition in definitions:
@@ -26,7 +24,9 @@ def declared_units(definitions: list[Any], inverse: set[str]) -> dict[str, Unit]
         if base is None:
             continue
         exponents = tuple(getattr(base, name) for name in BASES)
-        unit = _with_angle(Unit(definition.name, exponents, base.factor, base.offset))
+        unit = Unit(definition.name, exponents, base.factor, base.offset)
+        if named := _named(unit):  # which has the radians that some tools do not declare
+            unit = replace(unit, exponents=named.exponents)
         units[unit.name] = unit
         for display in definition.displayUnits:
             if display.name in inverse:
@@ -43,14 +43,8 @@ def is_bare(unit: Unit) -> bool:
     return (
         (unit.factor, unit.offset) == (1.0, 0.0)
         and named is not None
-        and not isclose(named.factor, 1.0, rel_tol=SAME)
+        and not isclose(named.factor, 1.0, rel_tol=SAME_FACTOR)
     )
-
-
-def _with_angle(unit: Unit) -> Unit:
-    """Return a unit with the radians that its name has, as some tools declare none."""
-    named = _named(unit)
-    return unit if named is None else replace(unit, exponents=named.exponents)
 
 
 def _named(unit: Unit) -> Unit | None:
@@ -65,10 +59,10 @@ def _named(unit: Unit) -> Unit | None:
 def inverse_units(description: ElementTree.Element) -> set[str]:
     """Return the names of display units that show the reciprocal of a value."""
     displays = description.iterfind("UnitDefinitions/Unit/DisplayUnit")
-    return {display.get("name", "") for display in displays if display.get("inverse") in TRUE}
+    return {display.get("name", "") for display in displays if display.get("inverse") in XML_TRUE}
 
 
 def relative_names(description: ElementTree.Element) -> set[str]:
     """Return the names of variables that say of themselves that they are relative quantities."""
-    variables = description.iterfind("ModelVariables/*")
-    return {v.get("name", "") for v in variables if any(e.get("relativeQuantity") in TRUE for e in (v, *v))}
+    told = ((v.get("name", ""), e) for v in description.iterfind("ModelVariables/*") for e in (v, *v))
+    return {name for name, element in told if element.get("relativeQuantity") in XML_TRUE}

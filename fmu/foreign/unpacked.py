@@ -14,7 +14,7 @@ class Unpacked:
 
     def __init__(self, path: Path, parent: Path | None = None) -> None:
         self.path = path
-        self.description, _ = read_model_description(path, validate=False)
+        self.description, *_ = read_model_description(path, validate=False)
         self._folder = TemporaryDirectory(prefix="inertance-fmu-", dir=parent, ignore_cleanup_errors=True)
         self.folder, self.binaries = Path(self._folder.name), platform_folder(self.description.fmiVersion)
         try:

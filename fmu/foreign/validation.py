@@ -12,21 +12,15 @@ from ..errors import FMUError
 from .archive import DESCRIPTION
 
 ANNOTATIONS = "Annotations", "Annotation", "VendorAnnotations"
-UNREAD = (*ANNOTATIONS, "LogCategories", "SourceFiles")
-LISTS = (*UNREAD, "UnitDefinitions", "TypeDefinitions", "Outputs", "Derivatives", "InitialUnknowns")
-HEADLINES = (
-    "author",
-    "copyright",
-    "license",
-    "version",
-    "generationTool",
-    "generationDateAndTime",
-    "description",
-)
-KINDS = "ModelExchange", "CoSimulation", "ScheduledExecution"
-_TOP = *KINDS, "UnitDefinitions", "TypeDefinitions", "LogCategories", "DefaultExperiment"
+IGNORED_ELEMENTS = (*ANNOTATIONS, "LogCategories", "SourceFiles")
+_LISTS = "UnitDefinitions", "TypeDefinitions", "Outputs", "Derivatives", "InitialUnknowns"
+OPTIONAL_LISTS = *IGNORED_ELEMENTS, *_LISTS
+ORIGIN = "version", "generationTool", "generationDateAndTime"
+HEADLINES = "author", "copyright", "license", "description", *ORIGIN
+_KINDS = "ModelExchange", "CoSimulation", "ScheduledExecution"
+_TOP = *_KINDS, "UnitDefinitions", "TypeDefinitions", "LogCategories", "DefaultExperiment"
 _VARIABLES = "ModelVariables", "ModelStructure"
-ORDER: dict[str, dict[str, tuple[str, ...]]] = {
+CHILD_ORDER: dict[str, dict[str, tuple[str, ...]]] = {
     "2": {
         "fmiModelDescription": (*_TOP, "VendorAnnotations", *_VARIABLES),
         "ModelStructure": ("Outputs", "Derivatives", "InitialUnknowns"),
@@ -41,41 +35,30 @@ ORDER: dict[str, dict[str, tuple[str, ...]]] = {
         "Unit": ("BaseUnit", "DisplayUnit", "Annotations"),
     },
 }  # fmt: skip
-IN_VARIABLES = "Annotations", "Dimension", "Start", "Alias"
-MOST_TOLD = 5
+VARIABLE_CHILD_ORDER = "Annotations", "Dimension", "Start", "Alias"
+TOLD_PROBLEMS = 5
 
 
-def checked(path: Path, text: bytes, validate: bool) -> tuple[bytes, list[str]]:
+def checked(path: Path, root: Any, validate: bool) -> tuple[bytes, list[str]]:
     """Return a description that its schema allows, mended where that changes nothing, and what was amiss.
 
     Mended are: elements in another order; annotations, categories of logs and lists of source files, which
     nothing reads; empty lists; attributes that the schema does not know; texts about the author, the tool
-    and the date that have a wrong form.
-
-    Raises:
-        FMUError: for whatever else the schema does not allow, if that is asked.
+    and the date that have a wrong form. Whatever else the schema does not allow is refused, if that is asked.
     """
-    root = _parsed(path, text)
-    schema, told = _schema(root.get("fmiVersion")[0]), root.getroottree().docinfo.doctype
-    if schema.validate(root):
-        return (_plain(root) if told else text), []
-    mended = Counter[str]()
-    _sort(root, root.get("fmiVersion")[0], mended)
+    major, mended = root.get("fmiVersion")[0], Counter[str]()
+    schema = _schema(major)
+    if not schema.validate(root):
+        _sort(root, major, mended)
     while not schema.validate(root) and any([_mend(root, error, mended) for error in schema.error_log]):
         pass
     notes = [f"{what}{f' ({n} times)' if n > 1 else ''}" for what, n in mended.items()]
     problems = [f"line {e.line}: {e.message}" for e in schema.error_log]
     if problems and validate:
-        more = [f"and {len(problems) - MOST_TOLD} more"] if len(problems) > MOST_TOLD else []
-        raise FMUError(
-            "\n  - ".join(
-                [
-                    f"'{path}': {DESCRIPTION} is invalid (validate=False, or --no-validate, tries it):",
-                    *problems[:MOST_TOLD], *more, *notes,
-                ]
-            )
-        )  # fmt: skip
-    return _plain(root), [*problems, *notes]
+        more = [f"and {len(problems) - TOLD_PROBLEMS} more"] if len(problems) > TOLD_PROBLEMS else []
+        title = f"'{path}': {DESCRIPTION} is invalid (validate=False, or --no-validate, tries it):"
+        raise FMUError("\n  - ".join([title, *problems[:TOLD_PROBLEMS], *more, *notes]))
+    return plain(root), [*problems, *notes]
 
 
 def _etree() -> Any:
@@ -85,19 +68,22 @@ def _etree() -> Any:
     return etree
 
 
-def _parsed(path: Path, text: bytes) -> Any:
+def parsed(path: Path, text: bytes) -> Any:
+    """Return the root of a description; refuse entities, which could lead elsewhere."""
     etree = _etree()
     reader = etree.XMLParser(resolve_entities=False, no_network=True, remove_comments=True, remove_pis=True)
     try:
-        return etree.fromstring(text, reader)
+        root = etree.fromstring(text, reader)
     except etree.XMLSyntaxError as error:
         raise FMUError(f"'{path}': {DESCRIPTION} is no XML: {error}") from error
+    for entity in root.iter(etree.Entity):
+        raise FMUError(f"'{path}': {DESCRIPTION} is no plain XML: it refers to the entity {entity.text}")
+    return root
 
 
-def _plain(root: Any) -> bytes:
-    """Return XML without a document type, whose entities could lead elsewhere."""
-    text: bytes = _etree().tostring(root, encoding="utf-8", xml_declaration=True)
-    return text
+def plain(root: Any) -> bytes:
+    """Return XML without a document type."""
+    return bytes(_etree().tostring(root, encoding="utf-8", xml_declaration=True))
 
 
 @cache
@@ -111,21 +97,18 @@ def _schema(major: str) -> Any:
 
 def _sort(root: Any, major: str, mended: Counter[str]) -> None:
     """Bring children into the order of the schema, where it fixes one and nothing depends on it."""
-    places = [(e, ORDER[major][e.tag]) for e in root.iter() if e.tag in ORDER[major]]
+    places = [(e, CHILD_ORDER[major][e.tag]) for e in root.iter() if e.tag in CHILD_ORDER[major]]
     if major == "3":
-        places += [(variable, IN_VARIABLES) for variable in root.iterfind("ModelVariables/*")]
+        places += [(variable, VARIABLE_CHILD_ORDER) for variable in root.iterfind("ModelVariables/*")]
     for element, order in places:
         if any(child.tag not in order for child in element):
             continue
         ranks = [order.index(child.tag) for child in element]
         if ranks != sorted(ranks):
             odd = next(c for c, a, b in zip(element[1:], ranks, ranks[1:], strict=False) if b < a)
-            mended[
-                f"'{odd.tag}' in '{element.tag}' comes too late; its place was taken as if it were right"
-            ] += 1
-            element[:] = [
-                child for _, child in sorted(zip(ranks, element, strict=True), key=lambda pair: pair[0])
-            ]
+            what = f"'{odd.tag}' in '{element.tag}' comes too late; its place was taken as if it were right"
+            mended[what] += 1
+            element[:] = [child for tag in order for child in element.findall(tag)]
 
 
 def _mend(root: Any, error: Any, mended: Counter[str]) -> bool:
@@ -134,12 +117,12 @@ def _mend(root: Any, error: Any, mended: Counter[str]) -> bool:
     if not found:
         return False
     element = found[0]
-    unread = next((e for e in (element, *element.iterancestors()) if e.tag in UNREAD), None)
+    unread = next((e for e in (element, *element.iterancestors()) if e.tag in IGNORED_ELEMENTS), None)
     if unread is not None:
         mended[f"'{unread.tag}' is not as the schema wants it; it was ignored, nothing depends on it"] += 1
         unread.getparent().remove(unread)
         return True
-    if "Missing child element" in error.message and element.tag in LISTS and not len(element):
+    if "Missing child element" in error.message and element.tag in OPTIONAL_LISTS and not len(element):
         mended[f"'{element.tag}' is empty; it was ignored"] += 1
         element.getparent().remove(element)
         return True

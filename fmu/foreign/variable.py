@@ -37,6 +37,11 @@ class ForeignVariable:
         return self.type in REAL
 
     @property
+    def is_signal(self) -> bool:
+        """Whether it is one real number of double precision."""
+        return self.type in ("Real", "Float64") and self.size == 1
+
+    @property
     def settable(self) -> bool:
         """Whether a value can be given before the start."""
         chosen = self.causality == "input" or self.initial in ("exact", "approx")

@@ -17,7 +17,7 @@ from ..foreign.archive import read_entry
 from .system import Connection, SystemStructure
 from .write import DESCRIPTION, NAMESPACES
 
-REFUSED = {
+UNSUPPORTED_ELEMENTS = {
     "ssd:Elements/ssd:System": "a system inside the system",
     "ssd:Elements/ssd:SignalDictionaryReference": "a signal dictionary",
     ".//ssd:ParameterMapping": "a parameter mapping",
@@ -48,7 +48,7 @@ def read_ssp(path: str | Path) -> SystemStructure:
     file = path_of(path, "an SSP")
     root = _validated(file, DESCRIPTION, "SystemStructureDescription.xsd")
     whole = root.find("ssd:System", NAMESPACES)
-    for pattern, what in REFUSED.items():
+    for pattern, what in UNSUPPORTED_ELEMENTS.items():
         if whole.find(pattern, NAMESPACES) is not None:
             raise FMUError(
                 f"'{file}' has {what}, which is not supported; flatten it in the tool that wrote it"
@@ -60,32 +60,26 @@ def read_ssp(path: str | Path) -> SystemStructure:
     system = SystemStructure(root.get("name"), {}, begin=begin, stop=stop)
     for entry in whole.findall("ssd:Elements/ssd:Component", NAMESPACES):
         name = entry.get("name")
-        system.components[name] = _fmu(file, entry)
-        values = _bound(file, entry, system.components[name])
-        if values:
+        fmu = system.components[name] = _fmu(file, entry)
+        values = {n: v for n, v in _bound(file, entry).items() if n in fmu.variables}
+        if values:  # of a set that may name more than the component has
             system.parameters[name] = values
-    for binding, values in _sets(file, whole):
-        for path_, value in _prefixed(binding, values).items():
-            component, variable = system.variable(path_)
-            system.parameters.setdefault(component, {})[variable.name] = value
+    for place, value in _bound(file, whole).items():
+        component, variable = system.variable(place)
+        system.parameters.setdefault(component, {})[variable.name] = value
     system.connections += _connections(whole)
     system.check()
     return system
 
 
 def _validated(file: Path, name: str, schema: str) -> Any:
-    return _checked(file, name, schema, read_entry(file, name, "SSP"))
-
-
-def _checked(file: Path, name: str, schema: str, content: bytes) -> Any:
     """Return the root of a document that its schema allows; entities are not resolved."""
     from fmpy.ssp.ssd import validate_tree
     from lxml import etree  # type: ignore[import-untyped]
 
+    content = BytesIO(read_entry(file, name, "SSP"))
     try:
-        root = etree.parse(
-            BytesIO(content), etree.XMLParser(resolve_entities=False, no_network=True)
-        ).getroot()
+        root = etree.parse(content, etree.XMLParser(resolve_entities=False, no_network=True)).getroot()
         validate_tree(root, schema)
     except Exception as error:
         told = str(error).removeprefix("Failed to validate SystemStructure.ssd:").strip()
@@ -111,29 +105,17 @@ def _fmu(file: Path, entry: Any) -> FMU:
     return fmu
 
 
-def _bound(file: Path, entry: Any, fmu: FMU) -> dict[str, Any]:
-    """Return the values bound to a component; a set may name more than it has."""
+def _bound(file: Path, element: Any) -> dict[str, Any]:
+    """Return the values bound to a component, or to the system, by the names of their sets with prefix."""
     found: dict[str, Any] = {}
-    for binding, values in _sets(file, entry):
-        found |= {n: v for n, v in _prefixed(binding, values).items() if n in fmu.variables}
-    return found
-
-
-def _prefixed(binding: Any, values: dict[str, Any]) -> dict[str, Any]:
-    prefix = binding.get("prefix", "")
-    return {f"{prefix}{name}": value for name, value in values.items()}
-
-
-def _sets(file: Path, element: Any) -> list[tuple[Any, dict[str, Any]]]:
-    found = []
     for binding in element.findall("ssd:ParameterBindings/ssd:ParameterBinding", NAMESPACES):
-        source = binding.get("source")
+        source, prefix = binding.get("source"), binding.get("prefix", "")
         if source is not None:
             parameters = _validated(file, unquote(source), "SystemStructureParameterValues.xsd")
         else:
             parameters = binding.find("ssd:ParameterValues/ssv:ParameterSet", NAMESPACES)
         listed = parameters.findall("ssv:Parameters/ssv:Parameter", NAMESPACES)
-        found.append((binding, {one.get("name"): _value(one) for one in listed}))
+        found |= {f"{prefix}{one.get('name')}": _value(one) for one in listed}
     return found
 
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -12,7 +12,7 @@ from ...components import Component, ModelError
 from ...components.language import PortRef
 from ...networks import Network, network_of
 from ..export.export import export_fmu
-from ..export.terminals import Terminal, members, publish
+from ..export.terminals import members, publish
 from ..fmu import FMU
 from .system import Connection, SystemStructure
 
@@ -52,12 +52,9 @@ class Split:
             "start": dict(options.pop("start", {})),
         }
         self._check(name for names in shared.values() for name in names)
-        published = {
-            side: {t.flange: t for t in publish(network, self.terminals[side])[1]}
-            for side, network in self.sides.items()
-        }
-        fmus = {}
+        fmus, published = {}, {}
         for side, network in self.sides.items():
+            published[side] = {t.flange: t for t in publish(network, self.terminals[side])[1]}
             own = {
                 key: {n: v for n, v in names.items() if n.partition(".")[0] in network._parts}
                 for key, names in shared.items()
@@ -70,9 +67,12 @@ class Split:
             )  # fmt: skip
             fmus[side] = FMU(path)
         system = SystemStructure(self.name, fmus, stop=options.get("stop", 1.0))
-        for (a, flange), (b, other) in self.pairs:
-            system.connections += _joined(a, published[a][flange], b, published[b][other], fmus)
-            system.connections += _joined(b, published[b][other], a, published[a][flange], fmus)
+        for pair in self.pairs:
+            for (a, flange), (b, other) in (pair, pair[::-1]):
+                given = members(published[a][flange], fmus[a].outputs)
+                taken = members(published[b][other], fmus[b].inputs)
+                met = [m for m in taken if m in given]
+                system.connections += [Connection(f"{a}.{given[m]}", f"{b}.{taken[m]}") for m in met]
         return system
 
     def _check(self, names: Iterable[str]) -> None:
@@ -84,12 +84,6 @@ class Split:
         ]
         if problems:
             raise ModelError(f"'{self.name}' in two cannot be exported:", problems)
-
-
-def _joined(a: str, source: Terminal, b: str, target: Terminal, fmus: Mapping[str, FMU]) -> list[Connection]:
-    """Return the connections from the outputs of one terminal to the inputs of another."""
-    given, taken = members(source, fmus[a].outputs), members(target, fmus[b].inputs)
-    return [Connection(f"{a}.{given[m]}", f"{b}.{name}") for m, name in taken.items() if m in given]
 
 
 def split(
@@ -139,12 +133,9 @@ class _Cut:
     def __init__(self, network: Network, first: set[str], through: set[str]) -> None:
         self.network, self.problems = network, list[str]()
         parts = network._parts
-        self.problems += [
-            f"there is no component '{n}'{nearest(n, parts)}" for n in sorted((first | through) - set(parts))
-        ]
-        self.problems += [
-            f"'{n}' is in `first` and in `through`; give it once" for n in sorted(first & through)
-        ]
+        unknown, twice = sorted((first | through) - set(parts)), sorted(first & through)
+        self.problems += [f"there is no component '{n}'{nearest(n, parts)}" for n in unknown]
+        self.problems += [f"'{n}' is in `first` and in `through`; give it once" for n in twice]
         self.side = {n: 2 if n in through else 0 if n in first else 1 for n in parts}
         self.paths = {id(c): path for name in parts for c, path in _inside(parts[name], name)}
         self.terminals: tuple[dict[str, str], dict[str, str]] = ({}, {})
@@ -165,13 +156,14 @@ class _Cut:
 
     def _nodes(self) -> list[list[PortRef]]:
         """Return the ports that are joined, node by node, however many `connect` they took."""
-        nodes: list[list[PortRef]] = []
+        nodes: list[dict[str, PortRef]] = []
         for ports in self.network.connections():
-            met = [n for n in nodes if any(_same(p, q) for p in n for q in ports)]
-            joined = [p for n in met for p in n]
-            joined += [p for p in ports if not any(_same(p, q) for q in joined)]
-            nodes = [n for n in nodes if n not in met] + [joined]
-        return nodes
+            joined = {self._path(port): port for port in ports}
+            for met in [node for node in reversed(nodes) if node.keys() & joined.keys()]:
+                nodes.remove(met)
+                joined = met | joined
+            nodes.append(joined)
+        return [list(node.values()) for node in nodes]
 
     def _path(self, port: PortRef) -> str:
         return f"{self.paths[id(port.component)]}.{port.name}"
@@ -182,8 +174,9 @@ class _Cut:
     def _cut(self, node: list[PortRef]) -> None:
         ports = [[self._path(p) for p in node if self._of(p) == k] for k in (0, 1, 2)]
         first, second, coupling = ports
-        crosses = bool(first and second) or bool(coupling and (first or second))
-        if crosses and node[0].domain is None:
+        if sum(map(bool, ports)) < 2:
+            return
+        if node[0].domain is None:
             self.problems.append(
                 f"the signal at '{self._path(node[0])}' crosses the cut; keep it on one side"
             )
@@ -194,7 +187,7 @@ class _Cut:
             )
         elif first and second:
             self._publish((0, first[0], "force-in"), (1, second[0], "motion-in"))
-        elif coupling and (first or second):
+        else:
             owner, other = (0, 1) if first else (1, 0)
             self._publish((owner, ports[owner][0], "motion-out"), (other, coupling[0], "motion-in"))
 
@@ -213,18 +206,13 @@ class _Cut:
             if len(own) > 1:
                 half.connect(*own)
         for name, element in parts.items():
-            port = inserted.get(id(element))
-            if port is None:
+            if (port := inserted.get(id(element))) is None:
                 continue
             if self._of(port) != self.side[name]:
                 self.problems.append(f"'{name}' is inserted at '{self._path(port)}'; both go to one side")
             else:
                 half.insert(port, **{name: element})
         return half.clone()
-
-
-def _same(one: PortRef, other: PortRef) -> bool:
-    return one.component is other.component and one.name == other.name
 
 
 def _inside(component: Component, path: str) -> Iterable[tuple[Component, str]]:

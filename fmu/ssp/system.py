@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import time as clock
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
@@ -10,17 +9,15 @@ from typing import Any
 
 import numpy as np
 
+from ...base import Unit
 from ...components import nearest
-from ..cosimulation.communication_points import CommunicationPoints
 from ..cosimulation.jacobi_master import JacobiMaster, Link
-from ..cosimulation.participants import Member, Signal
+from ..cosimulation.participants import CommunicationPoints, Member, Signal
 from ..cosimulation.step_error import compare
 from ..errors import FMUError
 from ..fmu import FMU
 from ..foreign.variable import ForeignVariable
 from .run import SystemRun
-
-SIGNALS = ("Real", "Float64", "Float32")
 
 
 @dataclass(frozen=True)
@@ -110,19 +107,23 @@ class SystemStructure:
         unknown = self._unknown(connection.start) + self._unknown(connection.end)
         if unknown:
             return unknown
-        source, target = self.variable(connection.start)[1], self.variable(connection.end)[1]
+        source, target = (self.variable(path)[1] for path in (connection.start, connection.end))
         told = f"'{connection.start}' to '{connection.end}'"
         if source.causality != "output" or target.causality != "input":
             return [f"{told}: goes from {source.causality} to {target.causality}, not from output to input"]
-        if source.type not in SIGNALS or target.type not in SIGNALS or source.size * target.size != 1:
+        if not (source.real and target.real) or source.size * target.size != 1:
             return [f"{told}: only single real numbers are exchanged, got {source.type} to {target.type}"]
-        if connection.convert and source.unit and target.unit and not self._fits(connection):
+        units = self._units(connection)
+        if units and not units[0].fits(units[1]):
             return [f"{told}: {source.unit} does not convert to {target.unit}"]
         return []
 
-    def _fits(self, connection: Connection) -> bool:
-        (a, source), (b, target) = self.variable(connection.start), self.variable(connection.end)
-        return self.components[a].measure(source).fits(self.components[b].measure(target))
+    def _units(self, connection: Connection) -> list[Unit]:
+        """Return the units from which and to which a connection converts, none if it does not."""
+        ends = [self.variable(path) for path in (connection.start, connection.end)]
+        if not connection.convert or not all(variable.unit for _, variable in ends):
+            return []
+        return [self.components[name].measure(variable) for name, variable in ends]
 
     def free_inputs(self) -> list[str]:
         """Return the inputs that nothing is connected to."""
@@ -182,14 +183,13 @@ class SystemStructure:
                 f"system '{self.name}' cannot run from {self.begin:g} s to {stop:g} s with "
                 f"communication_step={communication_step:g} and order={order} (0 or 1)"
             )
-        members, links = self._members(dict(inputs or {}), kind), self._links()
+        members = self._members(dict(inputs or {}), kind)
+        links = [self._link(connection) for connection in self.connections]
 
         def run(points: CommunicationPoints) -> SystemRun:
-            began = clock.perf_counter()
             master = JacobiMaster(members, links, points, rtol)
-            fmus = master.run()
-            stats = {"communication steps": master.steps, "seconds": clock.perf_counter() - began}
-            return SystemRun(fmus, points.step, order, self.name, notes=master.notes, stats=stats)
+            fmus = master.march()
+            return SystemRun(fmus, points.step, order, self.name, notes=master.notes, stats=master.stats)
 
         points = CommunicationPoints(self.begin, stop, communication_step, order)
         result = run(points)
@@ -215,15 +215,11 @@ class SystemStructure:
             )  # fmt: skip
         return found
 
-    def _links(self) -> list[Link]:
-        return [self._link(connection) for connection in self.connections]
-
     def _link(self, connection: Connection) -> Link:
         (a, source), (b, target) = self.variable(connection.start), self.variable(connection.end)
         factor, offset = connection.factor, connection.offset
-        if connection.convert and source.unit and target.unit:
-            given, taken = self.components[a].measure(source), self.components[b].measure(target)
-            zero, one = (taken.from_si(given.to_si(value)) for value in (0.0, 1.0))
+        if units := self._units(connection):
+            zero, one = (units[1].from_si(units[0].to_si(value)) for value in (0.0, 1.0))
             factor, offset = factor * (one - zero), offset + factor * zero
         return Link((a, source.name), (b, target.name), factor, offset)
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Collection
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 from xml.etree import ElementTree as ET
@@ -11,6 +12,7 @@ from ...components import ModelError
 from ..export.model_description import text
 from ..export.package import write_archive
 from ..fmu import FMU
+from ..foreign.model_description import KINDS
 from ..foreign.variable import ForeignVariable
 
 if TYPE_CHECKING:
@@ -46,15 +48,19 @@ def description(system: SystemStructure) -> bytes:
         ET.register_namespace(prefix, uri)
     root = _element(None, "ssd:SystemStructureDescription", version="1.0", name=system.name)
     whole = _element(root, "ssd:System", name="system", description=system.name)
-    free, units = system.free_inputs(), dict[str, Unit]()
+    free = system.free_inputs()
     if free:
         listed = _element(whole, "ssd:Connectors")
         for path in free:
-            name, variable = system.variable(path)
-            _connector(listed, path.replace(".", ":", 1), "input", system.components[name], variable, units)
-    elements = _element(whole, "ssd:Elements")
+            _, variable = system.variable(path)
+            _connector(listed, path.replace(".", ":", 1), "input", variable)
+    elements, units = _element(whole, "ssd:Elements"), dict[str, Unit]()
     for name, fmu in system.components.items():
-        _component(elements, name, fmu, system.parameters.get(name, {}), units)
+        values = system.parameters.get(name, {})
+        parameters = {n: fmu.variables[n] for n in values if n in fmu.parameters}
+        connected = {**fmu.inputs, **fmu.outputs, **parameters}.values()
+        _component(elements, name, fmu, connected, values)
+        units = {v.unit: fmu.measure(v) for v in connected if v.unit} | units
     _connections(whole, system.connections, free)
     if units:
         listed = _element(root, "ssd:Units")
@@ -71,19 +77,17 @@ def _element(parent: ET.Element | None, tag: str, **attributes: str) -> ET.Eleme
 
 
 def _component(
-    elements: ET.Element, name: str, fmu: FMU, values: dict[str, Any], units: dict[str, Unit]
+    elements: ET.Element, name: str, fmu: FMU, connected: Collection[ForeignVariable], values: dict[str, Any]
 ) -> None:
-    both = len(fmu.kinds) > 1
-    implementation = "any" if both else {"ME": "ModelExchange", "CS": "CoSimulation"}[fmu.kind()]
+    implementation = "any" if len(fmu.kinds) > 1 else KINDS[fmu.kind()]
     component = _element(
         elements, "ssd:Component", name=name, type="application/x-fmu-sharedlibrary",
         source=_resource(name), implementation=implementation,
     )  # fmt: skip
-    shown = {**fmu.inputs, **fmu.outputs, **{n: fmu.variables[n] for n in values if n in fmu.parameters}}
-    if shown:
+    if connected:
         connectors = _element(component, "ssd:Connectors")
-        for variable in shown.values():
-            _connector(connectors, variable.name, variable.causality, fmu, variable, units)
+        for variable in connected:
+            _connector(connectors, variable.name, variable.causality, variable)
     if values:
         binding = _element(_element(component, "ssd:ParameterBindings"), "ssd:ParameterBinding")
         given = _element(binding, "ssd:ParameterValues")
@@ -92,13 +96,9 @@ def _component(
             _parameter(listed, fmu, fmu.variables[parameter], value)
 
 
-def _connector(
-    listed: ET.Element, name: str, kind: str, fmu: FMU, variable: ForeignVariable, units: dict[str, Unit]
-) -> None:
+def _connector(listed: ET.Element, name: str, kind: str, variable: ForeignVariable) -> None:
     connector = _element(listed, "ssd:Connector", name=name, kind=kind)
     _element(connector, f"ssc:{TYPES.get(variable.type, 'Integer')}", **_measured(variable))
-    if variable.unit:
-        units.setdefault(variable.unit, fmu.measure(variable))
 
 
 def _measured(variable: ForeignVariable) -> dict[str, str]:

@@ -185,7 +185,7 @@ def test_values_that_would_be_rounded_or_cut(variant: Variant, kind: str, value:
 def test_a_choice_by_its_name(variant: Variant) -> None:
     gear = ('<Real unit="N/m" start="100"/>', '<Enumeration declaredType="Gear" start="1"/>')
     fmu = variant("spring", (UNITS, TYPES), gear)
-    from inertance.fmu.foreign.values import checked
+    from inertance.fmu.foreign.initialization import checked
 
     assert checked(fmu, fmu.variables["k"], "high") == [4]
     small = replace(fmu.variables["k"], type="UInt8", choices={}, size=2)
