@@ -21,9 +21,9 @@ from ...base import (
     shown,
 )
 from ..dae import DAE
+from .linearise import Varied
 from .measuring import BAD, Measure, measured
 from .norms import Norm
-from .varied import Varied
 
 Bounds = Mapping[str, tuple[float, float]]
 WIDE = 100.0

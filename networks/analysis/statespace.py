@@ -21,7 +21,6 @@ from ...base import (
     listed,
     nearest,
     numbers,
-    optional,
     shown,
     text,
 )
@@ -71,26 +70,20 @@ class StateSpace:
         object.__setattr__(self, "D_s", tuple(_matrix("D_s", D) for D in several))
         demand("this system", name=(self.name, text))
         n, m, p = len(self.A), self.B.shape[1], len(self.C)
-        if (
-            self.A.shape != (n, n)
-            or self.B.shape != (n, m)
-            or self.C.shape != (p, n)
-            or self.D.shape != (p, m)
-        ):
-            told = ", ".join(f"{k} {getattr(self, k).shape}" for k in "ABCD")
+        shapes = {letter: getattr(self, letter).shape for letter in "ABCD"}
+        if list(shapes.values()) != [(n, n), (n, m), (p, n), (p, m)]:
+            told = ", ".join(f"{letter} {shape}" for letter, shape in shapes.items())
             raise ModelError(f"'{self.name}': matrices do not fit each other: {told}")
         if not all(np.isfinite(M).all() for M in (self.A, self.B, self.C, self.D, *self.D_s)):
             raise ModelError(f"'{self.name}': matrices must be of finite numbers")
-        for names, stem, count in (("states", "x", n), ("inputs", "u", m), ("outputs", "y", p)):
-            defaults = {
-                names: tuple(f"{stem}{k + 1}" for k in range(count)),
-                f"{names[:-1]}_units": ("1",) * count,
-            }
-            for field_, default in defaults.items():
-                labels = listed(field_, getattr(self, field_))
+        for kind, letter, count in (("state", "x", n), ("input", "u", m), ("output", "y", p)):
+            defaults = numbered(letter, count), ("1",) * count
+            for attribute, default in zip((f"{kind}s", f"{kind}_units"), defaults, strict=True):
+                labels = listed(attribute, getattr(self, attribute))
                 if labels and len(labels) != count:
-                    raise ModelError(f"'{self.name}': there are {count} {names}, but {len(labels)} {field_}")
-                object.__setattr__(self, field_, labels or default)
+                    told = f"there are {count} {kind}s, but {len(labels)} {attribute}"
+                    raise ModelError(f"'{self.name}': {told}")
+                object.__setattr__(self, attribute, labels or default)
 
     @property
     def proper(self) -> bool:
@@ -101,12 +94,12 @@ class StateSpace:
     def poles(self) -> Complex:
         """Poles [rad/s], slowest first."""
         poles = np.linalg.eigvals(self.A).astype(np.complex128)
-        return poles[np.lexsort((poles.imag, np.abs(poles)))]
+        return poles[slowest_first(poles)]
 
     @property
     def zeros(self) -> Complex:
-        """Transmission zeros [rad/s] of a system with as many inputs as outputs."""
-        from .zeros import transmission_zeros
+        """Transmission zeros [rad/s] of a proper system with as many inputs as outputs, slowest first."""
+        from .modes import transmission_zeros
 
         return transmission_zeros(self)
 
@@ -183,14 +176,10 @@ class StateSpace:
         """
         from .realise import chained
 
-        demand(
-            "then()",
-            after=(after, instance(StateSpace)),
-            output=(output, instance(int, str)),
-            name=(name, text),
-        )
-        demand("then()", output=(0 if isinstance(output, str) else output, between(0, len(self.outputs) - 1)))
-        k = output if isinstance(output, int) else self._place(output, self.outputs, "output")
+        given = {"after": (after, instance(StateSpace)), "output": (output, instance(int, str))}
+        demand("then()", **given, name=(name, text))
+        k = self._place(output, self.outputs, "output") if isinstance(output, str) else output
+        demand("then()", output=(k, between(0, len(self.outputs) - 1)))
         return chained(self, after, k, name or f"{self.outputs[k]} ({after.name})")
 
     def minimal(self, tolerance: float = 1e-9) -> StateSpace:
@@ -266,21 +255,28 @@ class StateSpace:
         """Draw gain and phase over frequency [Hz], one column an input; return the figure."""
         from .bode import plot_bode
 
-        demand("plot_bode()", f=(f, optional(numbers(between(0, 1e60, "Hz")))))
         return plot_bode(self, f)
 
     def plot_nyquist(self, f: ArrayLike | None = None) -> Figure:
         """Draw the frequency response in the complex plane; return the figure."""
         from .bode import plot_nyquist
 
-        demand("plot_nyquist()", f=(f, optional(numbers(between(0, 1e60, "Hz")))))
         return plot_nyquist(self, f)
 
     def __repr__(self) -> str:
-        size = f"{len(self.states)} states"
         improper = "" if self.proper else f", improper of order {len(self.D_s)}"
         ways = f"{', '.join(self.inputs)} -> {', '.join(self.outputs)}"
-        return f"<StateSpace '{self.name}': {ways}, {size}{improper}>"
+        return f"<StateSpace '{self.name}': {ways}, {len(self.states)} states{improper}>"
+
+
+def slowest_first(values: Complex) -> Any:
+    """Return the order in which poles or zeros are told."""
+    return np.lexsort((values.imag, np.abs(values)))
+
+
+def numbered(letter: str, count: int) -> tuple[str, ...]:
+    """Return names such as x1, x2, ... for what has none of its own."""
+    return tuple(f"{letter}{k + 1}" for k in range(count))
 
 
 def _are_numbers(values: Any) -> bool:
