@@ -8,7 +8,7 @@ from math import pi, sqrt
 from ...base import above, at_least, demand, one_of
 from ..dae import DAE
 from ..network import Network
-from .comfort import BAND, weighted
+from .comfort import WEIGHTINGS, weighted
 from .linearise import linearise
 from .norms import Norm
 
@@ -107,7 +107,7 @@ def ride_comfort(
     parameters: Mapping[str, float] | None = None,
 ) -> Norm:
     """Return the rms acceleration of the body on a random road, weighted after ISO 2631-1 [m/s2]."""
-    demand("ride_comfort()", weighting=(weighting, one_of(tuple(BAND))))
+    demand("ride_comfort()", weighting=(weighting, one_of(WEIGHTINGS)))
     return _on_road(car, f"der({road}.s_ref)", f"{body}.a", V, kappa, parameters, weighting)
 
 

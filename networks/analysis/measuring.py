@@ -10,7 +10,7 @@ import numpy as np
 from ...base import InertanceError, ModelError, number, shown
 from ..dae import DAE
 
-BAD = 1e30
+NO_VALUE = 1e30  # stands for a measure that has none
 
 
 class Measure(Protocol):
@@ -21,22 +21,12 @@ class Measure(Protocol):
         ...
 
 
-def measured(measure: Measure, dae: DAE, parameters: Mapping[str, float]) -> float:
-    """Return a measure for some parameters, a large number where the library finds none."""
-    try:
-        return of_design(measure, dae, parameters)
-    except BadMeasureError:
-        raise
-    except (InertanceError, np.linalg.LinAlgError):
-        return BAD
-
-
 class BadMeasureError(ModelError):
     """A measure that raises an error of its own, or returns no number."""
 
 
-def of_design(measure: Measure, dae: DAE, parameters: Mapping[str, float]) -> float:
-    """Return a measure for some parameters.
+def measured(measure: Measure, dae: DAE, parameters: Mapping[str, float], *, lenient: bool = False) -> float:
+    """Return a measure for some parameters; if `lenient`, a large number where the library finds none.
 
     Raises:
         BadMeasureError: for a measure that raises an error of its own, or returns no number.
@@ -44,7 +34,9 @@ def of_design(measure: Measure, dae: DAE, parameters: Mapping[str, float]) -> fl
     name = getattr(measure, "__name__", repr(measure))
     try:
         found = measure(dae, parameters=parameters)
-    except (InertanceError, np.linalg.LinAlgError):
+    except (InertanceError, np.linalg.LinAlgError) as error:
+        if lenient and not isinstance(error, BadMeasureError):
+            return NO_VALUE
         raise
     except Exception as error:
         told = ", ".join(f"{n} = {v:g}" for n, v in parameters.items())

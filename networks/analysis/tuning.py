@@ -13,8 +13,8 @@ from ...base.keywords import check_keywords
 from ..dae import DAE
 from ..given import dae_of
 from ..network import Network
-from .descent import INSIDE, Bounds, Problem, check_names
-from .measuring import BAD, Measure, of_design
+from .descent import INSIDE, Bounds, TuningProblem, check_names
+from .measuring import NO_VALUE, Measure, measured
 
 
 @dataclass(frozen=True)
@@ -75,9 +75,9 @@ def tune(
     """
     demand("tune()", starts=(starts, whole(1)), seed=(seed, whole(0)))
     dae = dae_of(network)
-    problem = Problem(dae, measure, bounds, limits)
+    problem = TuningProblem(dae, measure, bounds, limits)
     tried = [problem.search(x) for x in problem.starts(start, starts, seed)]
-    allowed = [(value, x) for value, x in tried if problem.allowed(x) and value < BAD]
+    allowed = [(value, x) for value, x in tried if problem.allowed(x) and value < NO_VALUE]
     if not allowed:
         told = ", ".join(f"{getattr(m, '__name__', 'measure')} <= {limit:g}" for m, limit in limits)
         raise ModelError(
@@ -92,12 +92,7 @@ def tune(
 
 
 def front(
-    network: Network | DAE,
-    first: Measure,
-    second: Measure,
-    bounds: Bounds,
-    points: int = 9,
-    **options: Any,
+    network: Network | DAE, first: Measure, second: Measure, bounds: Bounds, points: int = 9, **options: Any
 ) -> list[tuple[float, float, dict[str, float]]]:
     """Return designs none of which beats another in both measures: (first, second, parameters).
 
@@ -182,14 +177,11 @@ def scatter(
     below = [f"{name}: {shown(share)}" for name, share in spread.items() if at_least(0)(share)]
     if below or not spread:
         raise ModelError("scatter takes relative deviations of at least 0:", below or ["there are none"])
-    given = {**dae.parameter_values, **parameters}
     check_names(dae, spread)
+    given = {**dae.parameter_values, **parameters}
     unit = qmc.LatinHypercube(len(spread), rng=np.random.default_rng(seed)).random(samples)
     shift = norm.ppf(norm.cdf(-3) + unit * (norm.cdf(3) - norm.cdf(-3)))
-    factors = 1 + shift * np.array(list(spread.values()))
-    base = parameters
-    values = [
-        of_design(measure, dae, base | {n: given[n] * float(c) for n, c in zip(spread, row, strict=True)})
-        for row in factors
-    ]
-    return Scatter(float(of_design(measure, dae, base)), np.array(values, dtype=float))
+    scattered = np.array([given[name] for name in spread]) * (1 + shift * np.array(list(spread.values())))
+    designs = [parameters | dict(zip(spread, row, strict=True)) for row in scattered.tolist()]
+    nominal, *values = (float(measured(measure, dae, design)) for design in (parameters, *designs))
+    return Scatter(nominal, np.array(values))
