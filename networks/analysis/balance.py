@@ -20,7 +20,7 @@ from ..dae import DAE
 from ..given import dae_of
 from ..network import Network
 from ..simulation.simulate import simulate
-from .operating import operating_point
+from .operating import inputs_at_rest, operating_point
 from .orbits import Orbit, drive_amplitude
 
 
@@ -119,9 +119,8 @@ class Balance:
     def simulated(self, w: float, periods: int = 60) -> Array:
         """Return the coefficients of the last of some simulated periods."""
         period = 2 * np.pi / w
-        held = {i.path: 0.0 for i in self.dae.inputs if i.order == 0 and i.signal is None} | self.signals
         drive: dict[str, Any] = {self.driven: lambda t: self.amplitude * np.sin(w * t)}
-        step, given = period / self.points, held | drive
+        step, given = period / self.points, inputs_at_rest(self.dae) | self.signals | drive
         run = simulate(
             self.dae, periods * period, inputs=given, parameters=self.parameters, step=step, progress=False
         )

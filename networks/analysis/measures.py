@@ -12,6 +12,7 @@ from .comfort import WEIGHTINGS, weighted
 from .linearise import linearise
 from .norms import Norm
 
+Changes = Mapping[str, float] | None
 V, KAPPA = 25.0, 5e-7
 
 
@@ -22,7 +23,7 @@ def ride_j1(
     road: str = "road",
     V: float = V,
     kappa: float = KAPPA,
-    parameters: Mapping[str, float] | None = None,
+    parameters: Changes = None,
 ) -> Norm:
     """Return the rms acceleration of the body on a road, J1 = 2 pi sqrt(V kappa) ||s T(z_r, z_s)||_2 [m/s2].
 
@@ -46,7 +47,7 @@ def tyre_j3(
     road: str = "road",
     V: float = V,
     kappa: float = KAPPA,
-    parameters: Mapping[str, float] | None = None,
+    parameters: Changes = None,
 ) -> Norm:
     """Return the rms dynamic tyre load [N], J3 = 2 pi sqrt(V kappa) ||(1/s) T(z_r -> k_t (z_u - z_r))||_2.
 
@@ -64,11 +65,7 @@ def tyre_j3(
 
 
 def load_j5(
-    car: Network | DAE,
-    *,
-    body: str = "body",
-    load: str = "load",
-    parameters: Mapping[str, float] | None = None,
+    car: Network | DAE, *, body: str = "body", load: str = "load", parameters: Changes = None
 ) -> Norm:
     """Return how much a load on the body moves it at worst, J5 = ||T(F_s -> z_s)||_inf [m/N].
 
@@ -90,7 +87,7 @@ def suspension_travel(
     road: str = "road",
     V: float = V,
     kappa: float = KAPPA,
-    parameters: Mapping[str, float] | None = None,
+    parameters: Changes = None,
 ) -> Norm:
     """Return the rms travel of a suspension on a random road [m]."""
     return _on_road(car, f"der({road}.s_ref)", f"{strut}.s_rel", V, kappa, parameters)
@@ -104,7 +101,7 @@ def ride_comfort(
     V: float = V,
     kappa: float = KAPPA,
     weighting: str = "Wk",
-    parameters: Mapping[str, float] | None = None,
+    parameters: Changes = None,
 ) -> Norm:
     """Return the rms acceleration of the body on a random road, weighted after ISO 2631-1 [m/s2]."""
     demand("ride_comfort()", weighting=(weighting, one_of(WEIGHTINGS)))
@@ -112,22 +109,14 @@ def ride_comfort(
 
 
 def base_shear(
-    frame: Network | DAE,
-    *,
-    storey: str = "storey1",
-    ground: str = "ground",
-    parameters: Mapping[str, float] | None = None,
+    frame: Network | DAE, *, storey: str = "storey1", ground: str = "ground", parameters: Changes = None
 ) -> Norm:
     """Return the greatest force in the first storey for a unit harmonic ground acceleration [N.s2/m]."""
     return _at_worst(frame, f"der(der({ground}.s_ref))", f"{storey}.f", parameters)
 
 
 def drift(
-    frame: Network | DAE,
-    *,
-    storey: str = "storey1",
-    ground: str = "ground",
-    parameters: Mapping[str, float] | None = None,
+    frame: Network | DAE, *, storey: str = "storey1", ground: str = "ground", parameters: Changes = None
 ) -> Norm:
     """Return the greatest drift of a storey for a unit harmonic ground acceleration [s2]."""
     return _at_worst(frame, f"der(der({ground}.s_ref))", f"{storey}.s_rel", parameters)
@@ -139,16 +128,14 @@ def _on_road(
     output: str,
     V: float,
     kappa: float,
-    parameters: Mapping[str, float] | None,
-    weighting: str | None = None,
+    parameters: Changes,
+    weighting: str = "",
 ) -> Norm:
     demand("this measure", V=(V, above(0, "m/s")), kappa=(kappa, at_least(0, "m3/cycle")))
     system = linearise(car, [road], [output], parameters=parameters)
-    felt = weighted(system.minimal(), weighting) if weighting is not None else system
+    felt = weighted(system.minimal(), weighting) if weighting else system
     return felt.h2().scaled(2 * pi * sqrt(V * kappa))
 
 
-def _at_worst(
-    network: Network | DAE, given: str, output: str, parameters: Mapping[str, float] | None
-) -> Norm:
+def _at_worst(network: Network | DAE, given: str, output: str, parameters: Changes) -> Norm:
     return linearise(network, [given], [output], parameters=parameters).hinf()

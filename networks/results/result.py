@@ -8,12 +8,11 @@ from functools import cached_property
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-import casadi as ca
 import numpy as np
 
 from ...base import Array, UnknownNameError, path_of
-from ..evaluation.compiled import dense
-from ..evaluation.jacobians import Points
+from ..evaluation.jacobians import Points, Slopes
+from ..flattening.vectors import pick
 from .over_time import OverTime
 from .pieces import Pieces
 
@@ -53,10 +52,13 @@ class Segment:
         raise IndexError(number)
 
 
+@dataclass(eq=False, repr=False)
 class Result(OverTime):
     """What a run computed; signals are evaluated by name when they are asked for.
 
     Attributes:
+        closed: the equations, with the inputs of the run put in.
+        segments: the points between events.
         events: the changes of mode and the shocks, in order.
         initial: how every start value was decided.
         notes: what the run wants to be known (forces that are not unique).
@@ -73,25 +75,20 @@ class Result(OverTime):
         (501,)
     """
 
-    def __init__(
-        self,
-        closed: BoundDAE,
-        segments: list[Segment],
-        events: list[Event],
-        stats: dict[str, Any],
-        initial: StartReport,
-        notes: list[str],
-        sensitivities: dict[str, Array],
-        limiting: Callable[[], str],
-        dense_output: Callable[[Points], DenseOutput],
-    ) -> None:
-        self.dae = closed.dae
-        self.events, self.initial, self.notes = events, initial, notes
-        self._figures, self._limiting, self._dense_output = stats, limiting, dense_output
-        self._closed, self._segments = closed, segments
-        self._sensitivities = sensitivities
-        self._cache: dict[str, Array] = {}
-        self._time: Array = np.concatenate([t for s in segments for t in s.times])
+    closed: BoundDAE
+    segments: list[Segment]
+    events: list[Event]
+    _figures: dict[str, Any]
+    initial: StartReport
+    notes: list[str]
+    _sensitivities: dict[str, Array]
+    _limiting: Callable[[], str]
+    _dense_output: Callable[[Points], DenseOutput]
+
+    def __post_init__(self) -> None:
+        self.dae = self.closed.dae
+        self._signals: dict[str, Array] = {}
+        self._time: Array = np.concatenate([t for s in self.segments for t in s.times])
 
     @property
     def name(self) -> str:
@@ -117,10 +114,12 @@ class Result(OverTime):
         self.dae.flat.check_name(name)
         if name == "time":
             return self.time
-        if name not in self._cache:
-            state = self._state(name)
-            self._cache[name] = self._evaluate(name) if state is None else state
-        return self._cache[name]
+        if name not in self._signals:
+            found = self._state(name)
+            if found is None:
+                found = self.closed.signal(name)(*self.points.arguments)[0].ravel()
+            self._signals[name] = found
+        return self._signals[name]
 
     def _state(self, name: str) -> Array | None:
         """Return what was recorded, if a name stands for a state."""
@@ -130,16 +129,12 @@ class Result(OverTime):
         if root not in self.dae.states:
             return None
         place = self.dae.states.index(root)
-        return sign * np.concatenate([states[:, place] for s in self._segments for states in s.states])
-
-    def _evaluate(self, name: str) -> Array:
-        values: Array = self._closed.signal(name)(*self.points.arguments)[0].ravel()
-        return values
+        return sign * np.concatenate([states[:, place] for s in self.segments for states in s.states])
 
     @cached_property
     def points(self) -> Points:
         """All points of the run, events included."""
-        return Points.of(self._closed, self._segments)
+        return Points.of(self.closed, self.segments)
 
     def __contains__(self, name: str) -> bool:
         try:
@@ -185,18 +180,9 @@ class Result(OverTime):
         self.dae.field(parameter)
         if parameter not in self._sensitivities:
             raise UnknownNameError(f"run again with sensitivities=['{parameter}']")
-        closed, dae = self._closed, self.dae
-        residuals = closed.close(ca.vertcat(dae.expression(name), dae.alg))
-        number = dae.parameters.index[parameter]
-        of_x, of_z, of_q = (ca.jacobian(residuals, symbol) for symbol in (closed.x, closed.z, closed.q))
-        function = closed.function("slopes", *dense(of_x, of_z, of_q[:, number]))
-        points = Points.of(closed, self._segments)
-        slopes = function(points.x.T, points.z.T, self._segments[0].q, self.time[None, :])
-        count = residuals.numel()
-        to_x, to_z, to_p = (m.full().reshape(count, len(self.time), -1).transpose(1, 0, 2) for m in slopes)
-        moved = to_x @ self._sensitivities[parameter][:, :, None] + to_p
-        total: Array = moved[:, :1] - to_z[:, :1] @ np.linalg.solve(to_z[:, 1:], moved[:, 1:])
-        return total.ravel()
+        column = pick(self.dae.p, [self.dae.parameters.index[parameter]])
+        of_x, of_p, _ = Slopes(self.dae, self.dae.expression(name), column)(self.points)
+        return np.ravel(of_x @ self._sensitivities[parameter][:, :, None] + of_p)
 
     def to_dataframe(self, *names: str) -> pd.DataFrame:
         """Return signals as a pandas DataFrame indexed by time; the states if no names are given.

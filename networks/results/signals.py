@@ -13,28 +13,20 @@ if TYPE_CHECKING:
 
 
 def chosen_signals(dae: DAE, names: Iterable[str]) -> list[str]:
-    """Return the full names behind names and patterns, each once, in the order given.
-
-    Args:
-        dae: whose signals they are.
-        names: full names; a `*` stands for any part of one.
+    """Return the full names behind names and patterns, in which `*` stands for anything, each once, in order.
 
     Raises:
         UnknownNameError: for an unknown signal, with the nearest one, or a pattern that matches none.
     """
+    known = [*dae.names(), *dae.switching.mode_names]
     chosen: dict[str, None] = {}
     for name in names:
+        matches = [name]
         if not text(name) and "*" in name:
-            chosen |= dict.fromkeys(_matching(dae, name))
+            matches = [other for other in known if fnmatchcase(other, name)]
+            if not matches:
+                raise UnknownNameError(f"'{dae.name}' has no variable like '{name}'")
         else:
             dae.expression(name)
-            chosen[name] = None
+        chosen |= dict.fromkeys(matches)
     return list(chosen)
-
-
-def _matching(dae: DAE, pattern: str) -> list[str]:
-    known = [*dae.names(), *dae.switching.mode_names]
-    matches = [name for name in known if fnmatchcase(name, pattern)]
-    if not matches:
-        raise UnknownNameError(f"'{dae.name}' has no variable like '{pattern}'")
-    return matches

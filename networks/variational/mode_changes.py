@@ -30,7 +30,7 @@ class Passage:
 
 def passages(result: Result) -> Iterator[Passage]:
     """Yield the passages of a run in order."""
-    dae, segments, events = result.dae, result._segments, list(result.events)
+    dae, segments, events = result.dae, result.segments, list(result.events)
     modes_at = slice(dae.p.numel(), dae.p.numel() + dae.modes.numel())
     for last, following in pairwise(segments):
         before = (last.states[-1][-1], last.algebraic[-1][-1], last.q, float(last.times[-1][-1]))

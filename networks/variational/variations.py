@@ -110,7 +110,7 @@ class Variations:
         line = self._linearised(result)
         added = np.zeros((len(line.steps.own), nx, count + nx))
         added[:, :, :count] = line.steps.own
-        slopes = line.to_x[:, nx:] @ line.steps.carry(self._held(result._segments[0], moved), added)
+        slopes = line.to_x[:, nx:] @ line.steps.carry(self._held(result.segments[0], moved), added)
         slopes[:, :, :count] += line.to_p[:, nx:]
         return slopes
 
@@ -154,11 +154,11 @@ class Variations:
         """
         self._check(result)
         start = named("start", start)
-        table, segment = self.dae.parameters, result._segments[0]
+        table, segment = self.dae.parameters, result.segments[0]
         of_q = np.zeros((len(segment.q), len(self.parameters)))
         of_q[[table.index[name] for name in self.parameters], range(len(self.parameters))] = 1.0
         point = Point(float(segment.times[0][0]), segment.states[0][0], segment.algebraic[0][0], segment.q)
-        return start_slopes(result._closed, point, start_values(self.dae, start, {}), of_q)
+        return start_slopes(result.closed, point, start_values(self.dae, start, {}), of_q)
 
     def _check(self, result: Result) -> None:
         demand("Variations", result=(result, instance(Result)))
@@ -171,11 +171,11 @@ class Variations:
             to_x, to_p, to_u = self._slopes(points)
             steps = steps_along(points, self._slopes, to_x, to_p)
             passed = list(passages(result))
-            edges = np.cumsum([len(segment) for segment in result._segments])[:-1] - 1
+            edges = np.cumsum([len(segment) for segment in result.segments])[:-1] - 1
             by_u = np.zeros((0, 0, 0))
             if passed:
                 parts = np.cumsum([to_x.shape[2], to_p.shape[2]])
-                by_x, by_p, by_u = np.split(self._crossings(result._closed, passed), parts, axis=2)
+                by_x, by_p, by_u = np.split(self._crossings(result.closed, passed), parts, axis=2)
                 steps.map[edges], steps.own[edges], steps.weight[edges] = by_x, by_p, 0.0
             self._line = _Line(result, to_x, to_p, to_u, steps, edges, by_u)
         return self._line
