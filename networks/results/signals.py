@@ -18,11 +18,11 @@ def chosen_signals(dae: DAE, names: Iterable[str]) -> list[str]:
     Raises:
         UnknownNameError: for an unknown signal, with the nearest one, or a pattern that matches none.
     """
-    known = [*dae.names(), *dae.switching.mode_names]
     chosen: dict[str, None] = {}
     for name in names:
         matches = [name]
         if not text(name) and "*" in name:
+            known = (*dae.names(), *dae.switching.mode_names)
             matches = [other for other in known if fnmatchcase(other, name)]
             if not matches:
                 raise UnknownNameError(f"'{dae.name}' has no variable like '{name}'")
