@@ -43,12 +43,13 @@ class Segment:
     def __len__(self) -> int:
         return sum(map(len, self.times))
 
-    def state(self, number: int) -> tuple[Array, Array]:
-        """Return states and algebraic unknowns of one point."""
-        for states, algebraic in zip(self.states, self.algebraic, strict=True):
-            if number < len(states):
-                return states[number], algebraic[number]
-            number -= len(states)
+    def point(self, number: int) -> tuple[float, Array, Array, Array]:
+        """Return instant, states, algebraic unknowns and what is constant of a point; the last for -1."""
+        k = number if number >= 0 else len(self) + number
+        for times, states, algebraic in zip(self.times, self.states, self.algebraic, strict=True):
+            if k < len(times):
+                return float(times[k]), states[k], algebraic[k], self.q
+            k -= len(times)
         raise IndexError(number)
 
 

@@ -13,8 +13,7 @@ import numpy as np
 from ...base import Array, ModelError, named
 from ...components.language import Sampled
 from ..dae import DAE, Input
-from ..evaluation.batch import Batch
-from ..evaluation.compiled import Compiled, dense
+from ..evaluation.compiled import Batch, Compiled, dense
 from ..flattening.vectors import pick, stacked
 from .events.functions import SwitchFunctions
 from .events.shocks import Shocks
@@ -91,11 +90,6 @@ class BoundDAE:
         if instants:
             function = function.map(f"{name}_map", "serial", instants, [2], [])
         return Compiled(function)
-
-    def evaluator(self, *expressions: Any) -> Any:
-        """Return a function of (x, z, q, t) of expressions in the DAE's symbols."""
-        joined = ca.vertcat(*expressions)
-        return self.function("evaluate", self.close(joined))
 
     def signal(self, name: str) -> Batch:
         """Return a function of (x, z, u, q, t), at many points, of a signal by its full name, made once."""

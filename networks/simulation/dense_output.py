@@ -147,7 +147,7 @@ class DenseOutput:
         if not gaps.first.x.shape[1]:
             return np.zeros(len(gaps.length), dtype=bool)
         change, h = gaps.last.x - gaps.first.x, gaps.length[:, None]
-        at_first, at_last = (np.abs(h * self._rate(p) - change) for p in (gaps.first, gaps.last))
+        at_first, at_last = (np.abs(h * points.rates - change) for points in (gaps.first, gaps.last))
         stray: Any = (at_first + at_last) / 12 > STRAY * ranges.size
         return np.asarray(stray.any(axis=1))
 
@@ -161,10 +161,6 @@ class DenseOutput:
         after = np.searchsorted(self._switches, end, side="left")
         hidden: NDArray[np.bool_] = (after > before) | (gaps.length > (seen + SLACK) * self._longest[before])
         return hidden
-
-    def _rate(self, points: Points) -> Array:
-        rates: Array = self.closed.motion(points.x, points.z, points.q, points.t[:, None])[0][:, :, 0]
-        return rates
 
     def _again(self, gaps: Gaps) -> Gaps:
         """Return the pieces that come of integrating each piece again; itself where that fails."""

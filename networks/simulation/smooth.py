@@ -47,7 +47,7 @@ def _in_chunks(run: Run, outputs: Array, progress: Progress, follow: Sensitiviti
     done = 0
     while done < count:
         begin = min(done, count - nodes)
-        x, z = run.segments[-1].state(begin)
+        _, x, z, _ = run.segments[-1].point(begin)
         start = Point(outputs[begin], x, z, run.point.q)
         if follow is not None:
             follow.advance(stepper, start, span, run.max_step, begin, np.arange(nodes))

@@ -11,7 +11,7 @@ import numpy as np
 
 from ...base import Array, Flags
 from ...components.language import Sampled
-from ..evaluation.batch import Batch
+from ..evaluation.compiled import Batch
 from ..flattening.vectors import column, pick, stacked
 from .intervals import Bounds, Enclosure
 from .splines import sampled_at

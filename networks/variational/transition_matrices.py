@@ -1,4 +1,4 @@
-"""Carrying small changes of the states along a run, from point to point and over its events."""
+"""State-transition matrices: small changes of the states along a run, from point to point, over events."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from ...base import Array
 from ..evaluation.jacobians import Points, Slopes
 
 MOST_PARTS = 32
-UNEVEN = 0.01
+UNEVENNESS = 0.01  # of slopes over an interval, times its length, from which it is cut into parts
 
 
 @dataclass(frozen=True, eq=False)
@@ -79,10 +79,11 @@ def steps_along(points: Points, slopes: Slopes, to_x: Array, to_p: Array) -> Ste
         matrices = _repeated(points, A, B, scale)
     else:
         matrices = _single(lengths, _middle(A), _middle(B), scale)
-        changing = np.flatnonzero(_size(np.diff(A, axis=0), scale) * lengths > UNEVEN)
+        changing = np.flatnonzero(_size(np.diff(A, axis=0), scale) * lengths > UNEVENNESS)
         if len(changing):
             matrices[changing], bent = _in_parts(points, changing, 2, slopes, scale)
-            parts = _powers_of_2(2 * bent / UNEVEN)
+            least = np.maximum(2 * bent / UNEVENNESS, 1.0)
+            parts = np.minimum(2 ** np.ceil(np.log2(least)), MOST_PARTS).astype(int)
             for count in np.unique(parts[parts > 2]):
                 some = changing[parts == count]
                 matrices[some], _ = _in_parts(points, some, count, slopes, scale)
@@ -106,10 +107,6 @@ def _in_parts(
     return _chained(t, A, B, scale), bent
 
 
-def _powers_of_2(least: Array) -> Any:
-    return np.minimum(2 ** np.ceil(np.log2(np.maximum(least, 1.0))), MOST_PARTS).astype(int)
-
-
 def _middle(values: Array) -> Array:
     return 0.5 * (values[1:] + values[:-1])
 
@@ -126,8 +123,7 @@ def _balance(A: Array) -> Array:
 
 def _size(A: Array, scale: Array) -> Array:
     """Return the largest entry of each matrix, balanced."""
-    largest: Array = np.abs(A * scale.T / scale).max(axis=(1, 2), initial=0.0)
-    return largest
+    return np.asarray(np.abs(A * scale.T / scale).max(axis=(1, 2), initial=0.0))
 
 
 def _single(lengths: Array, A: Array, B: Array, scale: Array) -> Array:
