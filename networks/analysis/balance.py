@@ -28,13 +28,7 @@ class Balance:
     """The residual of harmonic balance for a network driven by amplitude sin(w t) at one input.
 
     Args:
-        network: what is driven, without modes.
-        driven: path of the input.
-        amplitude: of its sine.
-        outputs: names of what is looked at.
-        harmonics: how many are kept.
-        signals: constant values of the other inputs.
-        parameters: changed parameters.
+        network, driven, amplitude, outputs, harmonics, signals, parameters: as for `harmonic_response`.
     """
 
     def __init__(
@@ -131,8 +125,7 @@ class Balance:
 
     def motion(self, y: Array) -> Array:
         """Return states and algebraic unknowns at the instants, (instants, unknowns)."""
-        moved: Array = self._synthesis @ y.reshape(-1, self.size)
-        return moved
+        return np.asarray(self._synthesis @ y.reshape(-1, self.size))
 
     def residual(self, y: Array, w: float) -> tuple[Array, Array, Array]:
         """Return the residual and its slopes in the coefficients and in w [rad/s]."""

@@ -125,15 +125,7 @@ def harmonic_orbit(
 ) -> Orbit:
     """Return one periodic motion under amplitude sin(2 pi f t): the one that grows from rest.
 
-    Args:
-        network: as for `harmonic_response`, like all that follows.
-        driven: the input.
-        amplitude: of its sine, in its unit.
-        frequency: [Hz].
-        outputs: what is looked at, by name.
-        harmonics: how many.
-        signals: constant values of other inputs.
-        parameters: changed parameters.
+    `frequency` is that of the drive [Hz]; all other arguments, and errors, are as for `harmonic_response`.
     """
     demand("harmonic_orbit()", frequency=(frequency, drive_frequency))
     balance = Balance(network, driven, amplitude, outputs, harmonics, signals, parameters)
@@ -177,11 +169,10 @@ def _followed(balance: Balance, band: tuple[float, float], most: int) -> list[tu
 
 def _at_frequency(balance: Balance, y: Array, w: float) -> Array:
     """Solve at one frequency: from a guess, else from a simulated motion, else with rising amplitude."""
-    for guess in (lambda: y, lambda: balance.simulated(w)):
-        found = _newton(balance, guess(), w)
-        if found is not None:
-            return found
-    return _raised(balance, w)
+    found = _newton(balance, y, w)
+    if found is None:
+        found = _newton(balance, balance.simulated(w), w)
+    return _raised(balance, w) if found is None else found
 
 
 def _raised(balance: Balance, w: float) -> Array:

@@ -7,22 +7,10 @@ from typing import Any
 
 import numpy as np
 
-from ...base import (
-    Array,
-    ModelError,
-    by_name,
-    demand,
-    finite,
-    instance,
-    named,
-    nearest,
-    number,
-    numbers,
-    shown,
-)
+from ...base import Array, ModelError, by_name, demand, finite, named, nearest, number, numbers, shown
 from ..dae import DAE
 from .linearise import Varied
-from .measuring import NO_VALUE, Measure, measured
+from .measures import NO_VALUE, Measure, measured
 from .norms import Norm
 
 Bounds = Mapping[str, tuple[float, float]]
@@ -40,8 +28,11 @@ def check_names(dae: DAE, names: Mapping[str, Any]) -> None:
         raise ModelError(f"'{dae.name}' cannot be tuned:", problems)
 
 
-def _is_limit(given: Any) -> bool:
-    return isinstance(given, tuple | list) and len(given) == 2 and callable(given[0]) and not number(given[1])
+def _are_limits(given: Any) -> bool:
+    if not isinstance(given, Sequence):
+        return False
+    pairs = all(isinstance(pair, tuple | list) and len(pair) == 2 for pair in given)
+    return pairs and all(callable(measure) and not number(limit) for measure, limit in given)
 
 
 class TuningProblem:
@@ -65,18 +56,18 @@ class TuningProblem:
         ]
         if wrong or not bounds:
             raise ModelError(f"'{dae.name}' cannot be tuned:", wrong or ["there are no parameters to tune"])
-        if instance(Sequence)(limits) or not all(map(_is_limit, limits)):
+        if not _are_limits(limits):
             raise ModelError(f"limits are pairs (measure, number), got {shown(limits)}")
-        low_limits = [limit for _, limit in limits if not limit > 0]
-        if low_limits:
-            raise ModelError(f"'{dae.name}': a limit must be above 0, got {low_limits[0]:g}")
+        for _, limit in limits:
+            if not limit > 0:
+                raise ModelError(f"'{dae.name}': a limit must be above 0, got {limit:g}")
         self.dae, self.measure, self.names, self.limits = dae, measure, list(bounds), limits
         low, high = (np.array([b[k] for b in bounds.values()], dtype=float) for k in (0, 1))
         self.logarithmic = (low > 0) & (high > LOGARITHMIC_RATIO * low)
         self.low, self.high = self._scaled(low), self._scaled(high)
         self.count = 0
         self.exact = True
-        self._at: tuple[bytes, dict[int, float]] = (b"", {})
+        self._at: tuple[bytes, dict[int, Norm]] = (b"", {})
 
     def _scaled(self, values: Array) -> Array:
         return np.where(self.logarithmic, np.log(np.where(self.logarithmic, values, 1.0)), values)
@@ -101,7 +92,7 @@ class TuningProblem:
             return [first]
         return [first, *qmc.LatinHypercube(len(first), rng=np.random.default_rng(seed)).random(count - 1)]
 
-    def of(self, measure: Measure, x: Array) -> float:
+    def of(self, measure: Measure, x: Array) -> Norm:
         """Return a measure at a point, a large number where it has none."""
         x = np.clip(x, 0.0, 1.0)
         if self._at[0] != x.tobytes():
@@ -111,7 +102,8 @@ class TuningProblem:
             self.count += 1
             given = self.parameters(x)
             found = measured(measure, self.dae, Varied(given) if self.exact else given, lenient=True)
-            known[id(measure)] = found if np.isfinite(found) else NO_VALUE
+            norm = found if isinstance(found, Norm) else Norm(found)
+            known[id(measure)] = norm if np.isfinite(found) else Norm(NO_VALUE)
         return known[id(measure)]
 
     def value(self, x: Array) -> float:
@@ -126,8 +118,8 @@ class TuningProblem:
         """Return the least value near a point that SLSQP finds, and where."""
         measures = self.measure, *(measure for measure, _ in self.limits)
         self.exact = self.exact and all(self._true(measure, x) for measure in measures)
-        peaks = getattr(self.of(self.measure, x), "peaks", ())
-        best = self._below_peaks(x) if self.exact and peaks else self._smooth(x)
+        peaky = self.exact and self.of(self.measure, x).peaks
+        best = self._below_peaks(x) if peaky else self._smooth(x)
         return self.value(best), best
 
     def _smooth(self, x: Array) -> Array:
@@ -152,8 +144,8 @@ class TuningProblem:
         scale, n = max(abs(self.value(x)), 1e-300), len(x)
 
         def gains(y: Array) -> list[Norm]:
-            gains_at = getattr(self.of(self.measure, y[:-1]), "gains", lambda f: [Norm(0.0)] * len(f))
-            return [*self._peaks(y[:-1]), *gains_at(watched)]
+            where_peaks_were = self.of(self.measure, y[:-1]).gains(watched) or [Norm(0.0)] * len(watched)
+            return [*self._peaks(y[:-1]), *where_peaks_were]
 
         def room(y: Array) -> Array:
             return np.asarray(y[-1] - np.array(gains(y), dtype=float) / scale)
@@ -168,8 +160,7 @@ class TuningProblem:
 
     def _peaks(self, x: Array) -> list[Norm]:
         found = self.of(self.measure, x)
-        peaks = list(getattr(found, "peaks", ())) or [Norm(found)]
-        return (peaks + [Norm(0.0)] * PEAKS_FOLLOWED)[:PEAKS_FOLLOWED]
+        return [*(found.peaks or [Norm(found)]), *[Norm(0.0)] * PEAKS_FOLLOWED][:PEAKS_FOLLOWED]
 
     def _constraints(self, n: int) -> list[dict[str, Any]]:
         """Return the limits as SLSQP takes them; what follows the first n coordinates is not theirs."""
@@ -179,7 +170,7 @@ class TuningProblem:
                 return 1.0 - float(self.of(measure, y[:n])) / limit
 
             def slope(y: Array) -> Array:
-                return np.r_[-self.gradient(measure, y[:n]) / limit, np.zeros(len(y) - n)]
+                return np.append(-self.gradient(measure, y[:n]) / limit, np.zeros(len(y) - n))
 
             return {"type": "ineq", "fun": room} | ({"jac": slope} if self.exact else {})
 
@@ -196,23 +187,22 @@ class TuningProblem:
         found: Any = minimize(
             function, y, jac=slope, method="SLSQP", bounds=bounds, constraints=constraints, options=options
         )
-        return np.r_[np.clip(found.x[:n], INSIDE, 1 - INSIDE), found.x[n:]]
+        return np.append(np.clip(found.x[:n], INSIDE, 1 - INSIDE), found.x[n:])
 
     def gradient(self, measure: Measure, x: Array) -> Array:
         """Return the exact derivatives of a measure in the cube."""
         return self._in_cube(self.of(measure, x), x)
 
-    def _in_cube(self, norm: float, x: Array) -> Array:
-        slopes = getattr(norm, "gradient", {})
+    def _in_cube(self, norm: Norm, x: Array) -> Array:
         per = (self.high - self.low) * np.where(self.logarithmic, list(self.parameters(x).values()), 1.0)
-        return np.asarray([slopes.get(name, 0.0) for name in self.names] * per)
+        return np.asarray([norm.gradient.get(name, 0.0) for name in self.names] * per)
 
     def _true(self, measure: Measure, x: Array) -> bool:
         """Return whether a measure's derivatives are there, and are those of what it returns."""
         found = self.of(measure, x)
         if found >= NO_VALUE:
             return True
-        if not set(self.names) <= set(getattr(found, "gradient", ())):
+        if not set(self.names) <= set(found.gradient):
             return False
         slope, along = self.gradient(measure, x), np.where(x < 0.5, DIFFERENCE, -DIFFERENCE)
         missed = abs(self.of(measure, x + along) - found - float(slope @ along))

@@ -44,7 +44,7 @@ def from_other(system: Any, name: str = "system") -> StateSpace:
     if getattr(system, "dt", None) not in (None, 0):
         raise ModelError(f"from_ss() takes a continuous system, got one with dt = {system.dt} s")
     A, B, C, D = (np.array(getattr(system, letter), dtype=float) for letter in "ABCD")
-    labels = {
+    labels: dict[str, Any] = {
         f"{kind}s": getattr(system, f"{kind}_labels", None) or () for kind in ("state", "input", "output")
     }
     return StateSpace(A, B, C, D, name=name, **labels)

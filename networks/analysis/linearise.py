@@ -169,11 +169,12 @@ class Linearisation:
 
         The point moves along: for an equilibrium 0 = f(y, p), dy/dp = -(df/dy)^-1 df/dp.
         """
-        dae, found = self.dae, {}
+        dae, found, known = self.dae, {}, self.dae.parameter_values
         rows = slice(0, dae.x.numel() + dae.z.numel())
         rest = np.hstack([m[rows] for m in matrices[:2]])
         for name in by:
-            _check_parameter(dae, name)
+            if name not in known:
+                raise ModelError(f"'{dae.name}' has no parameter '{name}' to be varied{nearest(name, known)}")
             k = dae.parameters.index[name]
             along = np.zeros(dae.p.numel())
             along[k] = 1.0
@@ -278,12 +279,6 @@ def _drive(dae: DAE, name: str) -> Drive:
     if path in place and not order:
         return Drive(name, path, 0, dae.unit(path), place[path])
     raise ModelError(f"'{dae.name}' has no input '{path}'{nearest(path, [*dae.input_names, *place])}")
-
-
-def _check_parameter(dae: DAE, name: str) -> None:
-    known = dae.parameter_values
-    if name not in known:
-        raise ModelError(f"'{dae.name}' has no parameter '{name}' to be varied{nearest(name, known)}")
 
 
 def _expression(dae: DAE, name: str) -> Any:

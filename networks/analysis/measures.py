@@ -1,11 +1,17 @@
-"""What a vehicle or a building is judged by. Each takes `parameters=`, so that `tune` can change them."""
+"""Measures: what a vehicle or a building is judged by, and what comes of measures that fail.
+
+Each takes `parameters=`, so that `tune` can change them.
+"""
 
 from __future__ import annotations
 
 from collections.abc import Mapping
 from math import pi, sqrt
+from typing import Protocol
 
-from ...base import above, at_least, demand, one_of
+import numpy as np
+
+from ...base import InertanceError, ModelError, above, at_least, demand, number, one_of, shown
 from ..dae import DAE
 from ..network import Network
 from .comfort import WEIGHTINGS, weighted
@@ -14,6 +20,15 @@ from .norms import Norm
 
 Changes = Mapping[str, float] | None
 V, KAPPA = 25.0, 5e-7
+NO_VALUE = 1e30  # stands for a measure that has none
+
+
+class Measure(Protocol):
+    """What is to be small: a function of the equations and of changed parameters, such as `ride_j1`."""
+
+    def __call__(self, dae: DAE, /, *, parameters: Mapping[str, float]) -> float:
+        """Return the measure for some parameters."""
+        ...
 
 
 def ride_j1(
@@ -51,13 +66,7 @@ def tyre_j3(
 ) -> Norm:
     """Return the rms dynamic tyre load [N], J3 = 2 pi sqrt(V kappa) ||(1/s) T(z_r -> k_t (z_u - z_r))||_2.
 
-    Args:
-        car: the vehicle, with an input `road`.s_ref and a spring `tyre`.
-        tyre: path of the spring.
-        road: path of the road.
-        V: speed [m/s].
-        kappa: roughness of the road [m3/cycle].
-        parameters: changed parameters by name.
+    `tyre` is the path of a spring; all other arguments are as for `ride_j1`.
 
     Source: Smith & Wang, Vehicle System Dynamics 42 (2004) 235-257, eq. (5).
     """
@@ -139,3 +148,26 @@ def _on_road(
 
 def _at_worst(network: Network | DAE, given: str, output: str, parameters: Changes) -> Norm:
     return linearise(network, [given], [output], parameters=parameters).hinf()
+
+
+class BadMeasureError(ModelError):
+    """A measure that raises an error of its own, or returns no number."""
+
+
+def measured(measure: Measure, dae: DAE, parameters: Mapping[str, float], *, lenient: bool = False) -> float:
+    """Return a measure for some parameters; if `lenient`, a large number where the library finds none."""
+    name = getattr(measure, "__name__", repr(measure))
+    try:
+        found = measure(dae, parameters=parameters)
+    except (InertanceError, np.linalg.LinAlgError) as error:
+        if lenient and not isinstance(error, BadMeasureError):
+            return NO_VALUE
+        raise
+    except Exception as error:
+        told = ", ".join(f"{n} = {v:g}" for n, v in parameters.items())
+        raise BadMeasureError(
+            f"measure '{name}' failed at {told}: {type(error).__name__}: {error}"
+        ) from error
+    if number(found):
+        raise BadMeasureError(f"measure '{name}' must return a number, got {shown(found)}")
+    return found

@@ -74,11 +74,7 @@ def _scaled(names: Sequence[str], values: Complex) -> dict[str, complex]:
 
 
 def transmission_zeros(system: StateSpace) -> Complex:
-    """Return the finite generalised eigenvalues of [[A, B], [C, D]], slowest first.
-
-    Raises:
-        ModelError: if there are not as many inputs as outputs, or the system is improper.
-    """
+    """Return the finite generalised eigenvalues of [[A, B], [C, D]]; see `StateSpace.zeros`."""
     import scipy.linalg
 
     n, m = system.B.shape

@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterable, Mapping
-from typing import TYPE_CHECKING
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from dataclasses import InitVar, dataclass, field
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -19,6 +20,7 @@ HINF_ROUNDS = 50
 Gains = Callable[[Iterable[float]], list["Norm"]]
 
 
+@dataclass(eq=False, repr=False)
 class Norm(float):
     """A norm: a number that knows the frequency [Hz] of its peak, and why it is infinite if it is.
 
@@ -28,25 +30,15 @@ class Norm(float):
         gains: returns the gains at frequencies [Hz], with their gradients, of such a norm.
     """
 
-    frequency: float | None
-    reason: str
-    gradient: Mapping[str, float]
-    peaks: tuple[Norm, ...]
-    gains: Gains
+    value: InitVar[float]
+    frequency: float | None = None
+    reason: str = ""
+    gradient: Mapping[str, float] = field(default_factory=dict)
+    peaks: Sequence[Norm] = ()
+    gains: Gains = lambda _: []
 
-    def __new__(
-        cls,
-        value: float,
-        frequency: float | None = None,
-        reason: str = "",
-        gradient: Mapping[str, float] | None = None,
-        peaks: Iterable[Norm] = (),
-        gains: Gains = lambda _: [],
-    ) -> Norm:
-        norm = super().__new__(cls, value)
-        norm.frequency, norm.reason = frequency, reason
-        norm.gradient, norm.peaks, norm.gains = dict(gradient or {}), tuple(peaks), gains
-        return norm
+    def __new__(cls, value: float, *_: Any, **__: Any) -> Norm:
+        return super().__new__(cls, value)
 
     def scaled(self, factor: float) -> Norm:
         """Return the norm times a positive constant, with its gradient."""
@@ -169,8 +161,7 @@ def local_peaks(system: StateSpace) -> list[float]:
 
     def gain(w: Array) -> Array:
         sums = np.einsum("ok,...k,ki->...oi", to_outputs, 1 / (1j * w[..., None] - poles), from_inputs)
-        found: Array = np.linalg.norm(sums + system.D, 2, axis=(-2, -1))
-        return found
+        return np.asarray(np.linalg.norm(sums + system.D, 2, axis=(-2, -1)))
 
     natural = np.abs(poles)
     near = np.outer(natural, [0.9, 0.97, 0.99, 1.0, 1.01, 1.03, 1.1])

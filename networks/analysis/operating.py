@@ -28,8 +28,6 @@ class OperatingPoint:
     """States, algebraic unknowns, inputs and constants at one instant, and what is to be known about them.
 
     Attributes:
-        values: states by name.
-        modes: name of each mode's present value.
         notes: free directions, other equilibria, friction that holds.
     """
 
@@ -144,16 +142,14 @@ def _held(dae: DAE, signals: dict[str, Any], time: float) -> dict[str, Any]:
 
 
 def _of_run(run: Result, time: float) -> OperatingPoint:
-    for segment in run.segments:
-        times = np.concatenate(segment.times)
-        if times[0] <= time <= times[-1]:
-            break
-    else:
-        begin, end = run.time[0], run.time[-1]
+    points = run.points
+    begin, end = points.t[0], points.t[-1]
+    if not begin <= time <= end:
         raise ModelError(f"'{run.name}' ran from {begin:g} s to {end:g} s, not to {time:g} s")
-    rows = np.vstack(segment.states), np.vstack(segment.algebraic)
-    x, z = (np.array([np.interp(time, times, column) for column in table.T]) for table in rows)
-    return _point(run.closed, Point(time, x, z, segment.q.copy()), [])
+    k = int(np.searchsorted(points.t, time))
+    near = points.only(slice(max(k - 1, 0), k + 1))
+    x, z = (np.array([np.interp(time, near.t, column) for column in m.T]) for m in (near.x, near.z))
+    return _point(run.closed, Point(time, x, z, points.q[k].copy()), [])
 
 
 def _point(closed: BoundDAE, point: Point, notes: list[str]) -> OperatingPoint:

@@ -64,12 +64,7 @@ class Orbit:
 
 
 def harmonics_of(outputs: dict[str, Complex], output: str, harmonic: int = 0) -> Complex:
-    """Return the harmonics of an output, which are along its last axis, one of them being asked for.
-
-    Raises:
-        UnknownNameError: for an unknown output, with the nearest one.
-        ModelError: for a harmonic that was not computed.
-    """
+    """Return the harmonics of an output, along its last axis; an error unless the one asked for is there."""
     if text(output) or output not in outputs:
         raise UnknownNameError(f"'{shown(output)}' was not among the outputs{nearest(str(output), outputs)}")
     lines = outputs[output]

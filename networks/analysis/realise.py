@@ -6,7 +6,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from ...base import Array, ModelError, rate_unit
+from ...base import Array, rate_unit
 from .statespace import StateSpace
 
 
@@ -22,7 +22,6 @@ class Drive:
 
     @property
     def unit(self) -> str:
-        """Its unit."""
         return rate_unit(self.base_unit, self.order)
 
 
@@ -99,26 +98,4 @@ def realised(frame: StateSpace, drives: list[tuple[Drive, dict[int, Array]]]) ->
         frame, A=A, B=B[0], C=C, D=D[0], D_s=tuple(D[1 : left + 1]), notes=tuple(notes),
         states=tuple(names), state_units=tuple(units),
         inputs=tuple(drive.name for drive, _ in drives), input_units=tuple(drive.unit for drive, _ in drives),
-    )  # fmt: skip
-
-
-def chained(system: StateSpace, after: StateSpace, row: int, name: str) -> StateSpace:
-    """Return a system with one output passed through another; see `StateSpace.then`."""
-    if not (system.proper and after.proper):
-        raise ModelError(f"'{system.name}': only proper systems are chained; take a derivative as the input")
-    n, added, of_row = len(system.A), len(after.A), [row]
-    A = np.block([[system.A, np.zeros((n, added))], [after.B @ system.C[of_row], after.A]])
-    B = np.vstack([system.B, after.B @ system.D[of_row]])
-    C, D = np.hstack([system.C, np.zeros((len(system.C), added))]), system.D.copy()
-    C[row], D[row] = np.hstack([after.D @ system.C[of_row], after.C]), after.D @ system.D[of_row]
-    still = replace(after, A=np.zeros_like(after.A), C=np.zeros_like(after.C))
-    slopes = {by: chained(slope, still, row, name) for by, slope in system.slopes.items()}
-    outputs, units = list(system.outputs), list(system.output_units)
-    outputs[row] = name
-    if after.output_units != after.input_units:
-        units[row] = after.output_units[0]
-    return replace(
-        system, A=A, B=B, C=C, D=D, outputs=tuple(outputs), output_units=tuple(units),
-        states=(*system.states, *(f"{name}.{state}" for state in after.states)),
-        state_units=(*system.state_units, *after.state_units), slopes=slopes,
     )  # fmt: skip

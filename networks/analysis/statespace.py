@@ -4,26 +4,13 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import ArrayLike
 
-from ...base import (
-    Array,
-    Complex,
-    ModelError,
-    UnknownNameError,
-    between,
-    demand,
-    instance,
-    listed,
-    nearest,
-    numbers,
-    shown,
-    text,
-)
+from ...base import Array, Complex, Ints, ModelError, between, demand, listed, numbers, shown, text
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -98,7 +85,7 @@ class StateSpace:
 
     @property
     def zeros(self) -> Complex:
-        """Transmission zeros [rad/s] of a proper system with as many inputs as outputs, slowest first."""
+        """Transmission zeros [rad/s], slowest first; a `ModelError` unless proper and square."""
         from .modes import transmission_zeros
 
         return transmission_zeros(self)
@@ -144,24 +131,9 @@ class StateSpace:
 
     def __getitem__(self, pair: tuple[str | Sequence[str], str | Sequence[str]]) -> StateSpace:
         """Return the part from some inputs to some outputs: `system[outputs, inputs]`, by name."""
-        if instance(tuple)(pair) or len(pair) != 2:
-            raise ModelError(f"'{self.name}': a part is system[outputs, inputs], got [{shown(pair)}]")
-        rows = [self._place(name, self.outputs, "output") for name in listed("outputs", pair[0])]
-        columns = [self._place(name, self.inputs, "input") for name in listed("inputs", pair[1])]
-        picked = np.ix_(rows, columns)
-        return replace(
-            self, B=self.B[:, columns], C=self.C[rows], D=self.D[picked],
-            D_s=_trimmed([D[picked] for D in self.D_s]),
-            inputs=tuple(self.inputs[k] for k in columns), outputs=tuple(self.outputs[k] for k in rows),
-            input_units=tuple(self.input_units[k] for k in columns),
-            output_units=tuple(self.output_units[k] for k in rows),
-            slopes={by: slope[pair] for by, slope in self.slopes.items()},
-        )  # fmt: skip
+        from .composition import part_of
 
-    def _place(self, name: str, known: tuple[str, ...], kind: str) -> int:
-        if name not in known:
-            raise UnknownNameError(f"'{self.name}' has no {kind} '{name}'{nearest(name, known)}")
-        return known.index(name)
+        return part_of(self, pair)
 
     def then(self, after: StateSpace, output: int | str = 0, name: str = "") -> StateSpace:
         """Return the system with one of its outputs passed through another system of one input and output.
@@ -174,13 +146,9 @@ class StateSpace:
         Raises:
             ModelError: if one of both is improper.
         """
-        from .realise import chained
+        from .composition import chained
 
-        given = {"after": (after, instance(StateSpace)), "output": (output, instance(int, str))}
-        demand("then()", **given, name=(name, text))
-        k = self._place(output, self.outputs, "output") if isinstance(output, str) else output
-        demand("then()", output=(k, between(0, len(self.outputs) - 1)))
-        return chained(self, after, k, name or f"{self.outputs[k]} ({after.name})")
+        return chained(self, after, output, name)
 
     def minimal(self, tolerance: float = 1e-9) -> StateSpace:
         """Return the part that inputs reach and outputs show; what is left out is told in `notes`.
@@ -269,9 +237,9 @@ class StateSpace:
         return f"<StateSpace '{self.name}': {ways}, {len(self.states)} states{improper}>"
 
 
-def slowest_first(values: Complex) -> Any:
+def slowest_first(values: Complex) -> Ints:
     """Return the order in which poles or zeros are told."""
-    return np.lexsort((values.imag, np.abs(values)))
+    return np.asarray(np.lexsort((values.imag, np.abs(values))))
 
 
 def numbered(letter: str, count: int) -> tuple[str, ...]:
@@ -290,9 +258,3 @@ def _matrix(name: str, given: Any) -> Any:
     if not _are_numbers(given) or np.ndim(given) != 2:
         raise ModelError(f"{name} must be a matrix of numbers, got {shown(given)}")
     return np.asarray(given)
-
-
-def _trimmed(parts: list[Array]) -> tuple[Array, ...]:
-    while parts and not parts[-1].any():
-        parts.pop()
-    return tuple(parts)

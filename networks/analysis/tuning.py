@@ -14,7 +14,7 @@ from ..dae import DAE
 from ..given import dae_of
 from ..network import Network
 from .descent import INSIDE, Bounds, TuningProblem, check_names
-from .measuring import NO_VALUE, Measure, measured
+from .measures import NO_VALUE, Measure, measured
 
 
 @dataclass(frozen=True)
@@ -112,16 +112,15 @@ def front(
         raise ModelError(f"a front has at least its two ends, got points={points}")
     check_keywords("front()", options, tune)
     dae = dae_of(network)
-    ends = [tune(dae, measure, bounds, **options) for measure in (first, second)]
-    others = [float(second(dae, parameters=end.parameters)) for end in ends]
-    found = [(ends[0].value, others[0], ends[0].parameters)]
-    given = dict(ends[0].parameters)
-    for level in np.linspace(others[0], others[1], points)[1:-1]:
-        best = tune(dae, first, bounds, limits=[(second, float(level))], **{**options, "start": given})
-        given = dict(best.parameters)
-        found.append((best.value, float(second(dae, parameters=given)), given))
-    last = ends[1].parameters
-    found.append((float(first(dae, parameters=last)), others[1], last))
+    begin, end = (tune(dae, measure, bounds, **options) for measure in (first, second))
+    highest = float(second(dae, parameters=begin.parameters))
+    found = [(begin.value, highest, begin.parameters)]
+    for level in np.linspace(highest, end.value, points)[1:-1].tolist():
+        limits = [*options.get("limits", ()), (second, level)]
+        limited = {**options, "start": found[-1][2], "limits": limits}
+        best = tune(dae, first, bounds, **limited)
+        found.append((best.value, float(second(dae, parameters=best.parameters)), best.parameters))
+    found.append((float(first(dae, parameters=end.parameters)), end.value, end.parameters))
     return [d for d in found if not any(o[0] < d[0] and o[1] < d[1] for o in found)]
 
 

@@ -74,20 +74,14 @@ class Batch:
         self._free = Lock()
 
     def __call__(self, *columns: Array) -> list[Array]:
-        """Return one array a result, (points, rows, columns).
-
-        Args:
-            columns: what the function takes, (points, entries) each.
-        """
-        pieces = [
-            self._chunk([values[begin : begin + BATCH_POINTS] for values in columns])
-            for begin in range(0, len(columns[-1]), BATCH_POINTS)
-        ]
+        """Return one array a result, (points, rows, columns), of arguments (points, entries)."""
+        begins = range(0, len(columns[-1]), BATCH_POINTS)
+        pieces = [self._piece([values[k : k + BATCH_POINTS] for values in columns]) for k in begins]
         if not pieces:
             return [np.zeros((0, *shape)) for shape in self._shapes]
         return [np.concatenate(parts) for parts in zip(*pieces, strict=True)]
 
-    def _chunk(self, given: Sequence[Array]) -> list[Array]:
+    def _piece(self, given: Sequence[Array]) -> list[Array]:
         count = len(given[-1])
         if count < BATCH_POINTS:
             given = [np.resize(values, (BATCH_POINTS, values.shape[1])) for values in given]

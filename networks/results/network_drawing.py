@@ -11,7 +11,7 @@ from ...components.language import Component, Port, PortRef
 MOST_BOXES = 60
 ROW, GAP, BOX = 52, 46, 36
 COLOURS = {"translational": "#4477aa", "rotational": "#ee6677", "both": "#aa3377", "": "#228833"}
-MARK = "#cc3311"
+MARK_COLOUR = "#cc3311"
 
 
 @dataclass(eq=False)
@@ -43,12 +43,7 @@ class _Wire:
 
 
 def svg_sketch(component: Component, marks: Mapping[str, str] | None = None) -> str:
-    """Return the parts of a composite and how they are joined, as SVG; empty if too many.
-
-    Args:
-        component: the composite.
-        marks: name of a part -> a word that marks it.
-    """
+    """Return the parts of a composite, some marked by a word, joined, as SVG; empty if too many."""
     boxes, lines = _graph(component, marks or {})
     if not boxes or len(boxes) > MOST_BOXES:
         return ""
@@ -73,21 +68,21 @@ def _graph(component: Component, marks: Mapping[str, str]) -> tuple[list[_Box], 
     lines: list[_Wire] = []
     for ports in _nodes(component):
         told = " — ".join(f"{paths.get(id(p.component), '')}.{p.name}".lstrip(".") for p in ports)
-        found: dict[_Box, None] = {}
+        ends: list[_Box] = []
         for port in ports:
             if port.component is component:
-                found[outer.setdefault(port.name, _Box(port.name))] = None
+                ends.append(outer.setdefault(port.name, _Box(port.name)))
             elif id(port.component) in paths:
-                found[parts[paths[id(port.component)].partition(".")[0]]] = None
-        ends = list(found)
+                ends.append(parts[paths[id(port.component)].partition(".")[0]])
+        ends = list(dict.fromkeys(ends))
         signal = not isinstance(type(ports[0].component).fields.get(ports[0].name), Port)
         if len(ends) > 2:
             nodes.append(_Box())
             ends.insert(0, nodes[-1])
-        lines += [_Wire(ends[0], end, told, signal) for end in ends[1:]]
-    for line in lines:
-        line.left.joined.append(line.right)
-        line.right.joined.append(line.left)
+        for end in ends[1:]:
+            lines.append(_Wire(ends[0], end, told, signal))
+            ends[0].joined.append(end)
+            end.joined.append(ends[0])
     return [*outer.values(), *parts.values(), *nodes], lines
 
 
@@ -194,9 +189,9 @@ def _drawn_box(box: _Box) -> str:
     if not box.label:
         return f'<circle cx="{box.x:.1f}" cy="{box.y:.1f}" r="4"/>'
     left, up = box.x - box.width / 2, box.y - BOX / 2
-    frame = MARK if box.mark else box.colour or "currentColor"
+    frame = MARK_COLOUR if box.mark else box.colour or "currentColor"
     texts = [
-        (box.mark, up - 4, f'font-size="10" fill="{MARK}"'),
+        (box.mark, up - 4, f'font-size="10" fill="{MARK_COLOUR}"'),
         (box.label, box.y - 2 if box.kind else box.y + 4, 'fill-opacity="1.0"'),
         (box.kind, box.y + 12, 'fill-opacity="0.65"'),
     ]

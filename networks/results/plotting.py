@@ -9,13 +9,11 @@ from typing import TYPE_CHECKING, Any, cast
 import numpy as np
 
 from ...base import ModelError
-from .signals import chosen_signals
+from .result import Result, chosen_signals
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
-
-    from .result import Result
 
 PANEL_HEIGHT = 2.4
 MOST_LEGEND_LINES = 12
@@ -93,8 +91,14 @@ def _label(ax: Axes, panel: list[str], unit: str) -> None:
     if len(panel) > MOST_LEGEND_LINES:
         ax.set_title(f"{len(panel)} signals, {panel[0]} to {panel[-1]}", fontsize="small")
         return
-    above = {"loc": "lower left", "bbox_to_anchor": (0.0, 1.0), "borderaxespad": 0.1}
-    ax.legend(fontsize="small", ncols=3, frameon=False, **above)
+    ax.legend(
+        fontsize="small",
+        ncols=3,
+        frameon=False,
+        loc="lower left",
+        bbox_to_anchor=(0.0, 1.0),
+        borderaxespad=0.1,
+    )
 
 
 def _mark_events(ax: Axes, result: Result) -> None:

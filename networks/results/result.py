@@ -2,15 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from dataclasses import dataclass, field
+from fnmatch import fnmatchcase
 from functools import cached_property
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from ...base import Array, UnknownNameError, path_of
+from ...base import Array, UnknownNameError, path_of, text
 from ..evaluation.jacobians import Points, Slopes
 from ..flattening.vectors import pick
 from .over_time import OverTime
@@ -19,6 +20,7 @@ from .pieces import Pieces
 if TYPE_CHECKING:
     import pandas as pd
 
+    from ..dae import DAE
     from ..simulation.bound_dae import BoundDAE
     from ..simulation.dense_output import DenseOutput
     from ..simulation.events.switcher import Event
@@ -196,8 +198,6 @@ class Result(OverTime):
         """
         import pandas as pd
 
-        from .signals import chosen_signals
-
         chosen = chosen_signals(self.dae, names or self.dae.state_names)
         table = pd.DataFrame({name: self[name] for name in chosen}, index=pd.Index(self.time, name="time"))
         table.attrs["units"] = {name: self.unit(name) for name in chosen}
@@ -216,11 +216,13 @@ class Result(OverTime):
         return plot_result(self, names or tuple(self.dae.state_names[:4]), axes)
 
     def save(self, path: str | Path, *names: str) -> Path:
-        """Write signals to .csv, .parquet or .npz; read them back with `load_table`.
+        """Write signals (`mass.*` for several) to .csv, .parquet or .npz, which `load_table` reads back.
 
         Raises:
+            UnknownNameError: for an unknown signal, with the nearest one.
             ModelError: for another ending.
-            MissingFileError: if the folder does not exist.
+            OutputError: for a file that cannot be written; a `FileNotFoundError`, too, without its folder.
+            MissingPackageError: for .parquet without pyarrow.
         """
         from .storage import save_result
 
@@ -237,3 +239,23 @@ class Result(OverTime):
         from .notebook import result_html
 
         return result_html(self)
+
+
+def chosen_signals(dae: DAE, names: Iterable[str]) -> list[str]:
+    """Return the full names behind names and patterns, in which `*` stands for anything, each once, in order.
+
+    Raises:
+        UnknownNameError: for an unknown signal, with the nearest one, or a pattern that matches none.
+    """
+    chosen: dict[str, None] = {}
+    for name in names:
+        matches = [name]
+        if not text(name) and "*" in name:
+            known = (*dae.names(), *dae.switching.mode_names)
+            matches = [other for other in known if fnmatchcase(other, name)]
+            if not matches:
+                raise UnknownNameError(f"'{dae.name}' has no variable like '{name}'")
+        else:
+            dae.expression(name)
+        chosen |= dict.fromkeys(matches)
+    return list(chosen)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -20,13 +20,7 @@ ENDINGS = (".csv", ".parquet", ".npz")
 
 
 def save_result(result: Result, path: Path, names: Sequence[str]) -> Path:
-    """Write signals of a run to a file and return its path; see `Result.save`.
-
-    Raises:
-        UnknownNameError: for an unknown signal, with the nearest one.
-        OutputError: for another ending, a folder that does not exist, or a file that cannot be written.
-        MissingPackageError: for .parquet without pyarrow.
-    """
+    """Write signals of a run to a file and return its path; see `Result.save`."""
     ending = check_table_path(path)
     table = result.to_dataframe(*names)
     with writing(path) as part:
@@ -43,10 +37,10 @@ def _write(table: pd.DataFrame, path: Path, ending: str) -> None:
     elif ending == ".parquet":
         table.to_parquet(path)
     else:
-        columns = {"time": table.index.to_numpy(), "values": table.to_numpy()}
-        labels = {"names": np.array(names, dtype=str), "units": np.array(units, dtype=str)}
+        time, values = table.index.to_numpy(), table.to_numpy()
+        labels: Any = {"names": np.array(names, dtype=str), "units": np.array(units, dtype=str)}
         with path.open("wb") as file:  # by its name NumPy would add an ending
-            np.savez_compressed(file, **columns, **labels)
+            np.savez_compressed(file, time=time, values=values, **labels)
 
 
 def load_table(path: str | Path) -> pd.DataFrame:

@@ -62,18 +62,12 @@ def _followed(maps: Array, moved: Array, added: Array) -> Array:
 
 
 def steps_along(points: Points, slopes: Slopes, to_x: Array, to_p: Array) -> Steps:
-    """Return the steps between all points; in small parts where slopes jump, as at a clearance.
+    """Return the steps between all points, from the slopes in states and parameters there.
 
-    Args:
-        points: of a run.
-        slopes: of the states' rates, followed by other expressions.
-        to_x: these slopes in the states, at the points.
-        to_p: and in the parameters.
+    Intervals over which slopes change much, as at a clearance, are cut into parts.
     """
-    n = points.x.shape[1]
-    A = to_x[:, :n]
+    A, B = _rates(to_x, to_p)
     scale = _balance(A)
-    B = np.concatenate([to_p[:, :n], np.broadcast_to(np.eye(n), A.shape)], axis=2)
     lengths = np.diff(points.t)
     if slopes.still:
         matrices = _repeated(points, A, B, scale)
@@ -87,24 +81,34 @@ def steps_along(points: Points, slopes: Slopes, to_x: Array, to_p: Array) -> Ste
             for count in np.unique(parts[parts > 2]):
                 some = changing[parts == count]
                 matrices[some], _ = _in_parts(points, some, count, slopes, scale)
-    ends = np.cumsum([n, to_p.shape[2]])
+    ends = np.cumsum([len(scale), to_p.shape[2]])
     return Steps(*np.split(matrices, ends, axis=2))
+
+
+def _rates(to_x: Array, to_p: Array) -> tuple[Array, Array]:
+    """Return the slopes of the states' rates in the states, and in what forces them: parameters and rates."""
+    n = to_x.shape[2]
+    A = to_x[:, :n]
+    return A, np.concatenate([to_p[:, :n], np.broadcast_to(np.eye(n), A.shape)], axis=2)
 
 
 def _in_parts(
     points: Points, intervals: Any, count: int, slopes: Slopes, scale: Array
 ) -> tuple[Array, Array]:
-    """Return the matrices of intervals cut into parts, and how far slopes in their middle are off a line."""
-    n = len(scale)
-    finer = points.within(intervals, count)
+    """Return the matrices of intervals in parts, and how far slopes in their middle are off a line."""
+    n, finer = len(scale), points.within(intervals, count)
     to_x, to_p, _ = slopes(finer)
-    shape = len(intervals), count + 1, n
-    A = to_x[:, :n].reshape(*shape, n)
-    whole = np.broadcast_to(np.eye(n), (len(finer.t), n, n))
-    B = np.concatenate([to_p[:, :n], whole], axis=2).reshape(*shape, -1)
-    t = finer.t.reshape(shape[:2])
+    A, B = (m.reshape(len(intervals), count + 1, n, -1) for m in _rates(to_x, to_p))
+    t = finer.t.reshape(len(intervals), count + 1)
+    total = np.zeros((len(t), n, n + B.shape[3]))
+    total[:, :, :n] = np.eye(n)
+    for k in range(count):
+        h, ends = t[:, k + 1] - t[:, k], slice(k, k + 2)
+        step = _single(h, A[:, ends].mean(axis=1), B[:, ends].mean(axis=1), scale)
+        total = step[:, :, :n] @ total
+        total[:, :, n:] += step[:, :, n:]
     bent = _size(A[:, count // 2] - 0.5 * (A[:, 0] + A[:, -1]), scale) * (t[:, -1] - t[:, 0])
-    return _chained(t, A, B, scale), bent
+    return total, bent
 
 
 def _middle(values: Array) -> Array:
@@ -151,16 +155,3 @@ def _repeated(points: Points, A: Array, B: Array, scale: Array) -> Array:
     weight = many[:, :, n:]
     own = weight @ _middle(B[:, :, : B.shape[2] - n])
     return np.concatenate([many[:, :, :n], own, weight], axis=2)
-
-
-def _chained(t: Array, A: Array, B: Array, scale: Array) -> Array:
-    """Return the matrices of several intervals, each chained from its parts."""
-    n = len(scale)
-    total = np.zeros((len(t), n, n + B.shape[3]))
-    total[:, :, :n] = np.eye(n)
-    for k in range(t.shape[1] - 1):
-        h = t[:, k + 1] - t[:, k]
-        step = _single(h, A[:, k : k + 2].mean(axis=1), B[:, k : k + 2].mean(axis=1), scale)
-        total = step[:, :, :n] @ total
-        total[:, :, n:] += step[:, :, n:]
-    return total

@@ -80,7 +80,7 @@ class Variations:
 
     def values(self, result: Result, at: Any) -> Array:
         """Return the signals themselves at some of the points of a run, (points, signals)."""
-        self._check(result)
+        demand("Variations", result=(result, instance(Result)))
         rows = np.arange(len(result.time))
         try:
             chosen = np.ravel(rows[at])
@@ -97,7 +97,7 @@ class Variations:
             start: d(states at the start)/d(parameters), (states, parameters); zero if not given.
         """
         nx, count = self.dae.x.numel(), len(self.parameters)
-        self._check(result)
+        demand("Variations", result=(result, instance(Result)))
         if start is not None and (np.shape(start) != (nx, count) or (count and numbers(finite())(start))):
             raise ModelError(f"start is an array of numbers of shape {(nx, count)}, got {shown(start)}")
         moved = np.hstack([np.zeros((nx, count)) if start is None else start, np.eye(nx)])
@@ -120,7 +120,7 @@ class Variations:
             ModelError: for unknown inputs.
         """
         nx, known = self.dae.x.numel(), self.dae.input_names
-        self._check(result)
+        demand("Variations", result=(result, instance(Result)))
         if not named("changes", changes):
             raise ModelError(
                 f"changes are of at least one input; the inputs are {', '.join(known) or 'none'}"
@@ -136,8 +136,7 @@ class Variations:
         if len(line.edges):
             added[line.edges] = line.crossed_by_u[:, :, rows] @ weights[line.edges]
         states = line.steps.carry(np.zeros((nx, weights.shape[2])), added)
-        answer: Array = line.to_x[:, nx:] @ states + by_u[:, nx:] @ weights
-        return answer
+        return np.asarray(line.to_x[:, nx:] @ states + by_u[:, nx:] @ weights)
 
     def start_slopes(self, result: Result, start: Mapping[str, float]) -> Array:
         """Return d(states at the start)/d(parameters) where start values follow from fixed ones.
@@ -146,15 +145,12 @@ class Variations:
             result: a run that began with
             start: these fixed values.
         """
-        self._check(result)
+        demand("Variations", result=(result, instance(Result)))
         start = named("start", start)
         place, point = self.dae.parameters.index, Point(*result.segments[0].point(0))
         of_q = np.zeros((len(point.q), len(self.parameters)))
         of_q[[place[name] for name in self.parameters], range(len(self.parameters))] = 1.0
         return start_slopes(result.closed, point, start_values(self.dae, start, {}), of_q)
-
-    def _check(self, result: Result) -> None:
-        demand("Variations", result=(result, instance(Result)))
 
     def _linearised(self, result: Result) -> _Line:
         """Return the slopes along a run; those of the last run are kept."""
