@@ -57,7 +57,7 @@ def chained(system: StateSpace, after: StateSpace, output: int | str, name: str)
 
 
 def _place(system: StateSpace, kind: str, name: str) -> int:
-    known: tuple[str, ...] = getattr(system, f"{kind}s")
+    known = system.outputs if kind == "output" else system.inputs
     if name not in known:
         raise UnknownNameError(f"'{system.name}' has no {kind} '{name}'{nearest(name, known)}")
     return known.index(name)

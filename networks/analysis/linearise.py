@@ -21,6 +21,7 @@ from .realise import Drive, drop_held, realised
 from .resting import HOLDING
 from .statespace import StateSpace
 
+Place = tuple[Any, ...]
 COMPLEX_STEP = 1e-100
 IMBALANCE = 1e-6  # relative to the slopes that must be balanced
 _COMPILED: WeakKeyDictionary[DAE, dict[tuple[tuple[str, ...], ...], Linearisation]] = WeakKeyDictionary()
@@ -145,26 +146,22 @@ class Linearisation:
 
     def at(self, point: OperatingPoint, by: Iterable[str] = ()) -> StateSpace:
         """Return the linear system about a point, with slopes in parameters `by` unless something holds."""
-        place = (point.x, point.z, point.u, point.q, point.t)
-        held = self._held_rows(point)
-        system = self._about(place, by if held is None else (), point.notes, held)
-        return replace(system, point=point)
+        return self._about((point.x, point.z, point.u, point.q, point.t), by, point)
 
     def anywhere(self, numbers: Array, by: Iterable[str]) -> StateSpace:
         """Return the system of linear equations for some parameters, with slopes in those of `by`."""
         constants = np.concatenate([numbers, np.zeros(self.dae.constants.numel() - len(numbers))])
         return self._about((0.0, 0.0, 0.0, constants, 0.0), by)
 
-    def _about(
-        self, place: tuple[Any, ...], by: Iterable[str], notes: Iterable[str] = (), held: Array | None = None
-    ) -> StateSpace:
+    def _about(self, place: Place, by: Iterable[str], point: OperatingPoint | None = None) -> StateSpace:
         """Return the linear system about what the equations depend on, with slopes in parameters `by`."""
+        held, notes = (self._held_rows(point), point.notes) if point else (None, ())
         matrices = [m.full() for m in self._slopes(*place)]
-        return replace(self._system(matrices, notes, held), slopes=self._varied(place, matrices, by))
+        system = self._system(matrices, notes, held)
+        slopes = self._varied(place, matrices, by) if held is None else {}
+        return replace(system, slopes=slopes, point=point)
 
-    def _varied(
-        self, place: tuple[Any, ...], matrices: list[Array], by: Iterable[str]
-    ) -> dict[str, StateSpace]:
+    def _varied(self, place: Place, matrices: list[Array], by: Iterable[str]) -> dict[str, StateSpace]:
         """Return the derivatives of the system in parameters, by complex steps of its matrices.
 
         The point moves along: for an equilibrium 0 = f(y, p), dy/dp = -(df/dy)^-1 df/dp.

@@ -20,10 +20,6 @@ class Drive:
     base_unit: str
     parameter: int | None
 
-    @property
-    def unit(self) -> str:
-        return rate_unit(self.base_unit, self.order)
-
 
 def drop_held(A: Array, B: Array, rows: Array) -> tuple[list[int], Array]:
     """Return the states to keep when some motions are held, and all states from those kept.
@@ -94,8 +90,9 @@ def realised(frame: StateSpace, drives: list[tuple[Drive, dict[int, Array]]]) ->
     left = np.flatnonzero(sizes > 1e-14 * sizes.max()).max(initial=0)
     if left:
         notes.append(f"improper: outputs contain derivatives of inputs up to order {left}")
+    input_units = tuple(rate_unit(drive.base_unit, drive.order) for drive, _ in drives)
     return replace(
         frame, A=A, B=B[0], C=C, D=D[0], D_s=tuple(D[1 : left + 1]), notes=tuple(notes),
         states=tuple(names), state_units=tuple(units),
-        inputs=tuple(drive.name for drive, _ in drives), input_units=tuple(drive.unit for drive, _ in drives),
+        inputs=tuple(drive.name for drive, _ in drives), input_units=input_units,
     )  # fmt: skip

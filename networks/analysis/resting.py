@@ -108,8 +108,11 @@ def _rest(closed: BoundDAE, point: Point) -> list[str]:
             f"{blamed or 'a parameter of 0 may remove what they are solved for'}; {GUARD}"
         )
     for _ in range(100):
-        step = _least_step(value, slope)
-        length = 1.0
+        rows, length = _scales(slope), 1.0
+        least = (
+            np.linalg.lstsq(slope / rows[:, None], -value / rows, rcond=1e-12)[0] if slope.size else 0.0 * y
+        )
+        step = np.asarray(least, dtype=float)
         while length > 1e-6:
             trial = at(y + length * step)
             enough = _size(value, slope) * (1 - 0.1 * length)
@@ -131,13 +134,6 @@ def _scales(slope: Array) -> Array:
 
 def _size(value: Array, slope: Array) -> float:
     return float(np.abs(value / _scales(slope)).max(initial=0.0))
-
-
-def _least_step(value: Array, slope: Array) -> Array:
-    if not slope.size:
-        return np.zeros(slope.shape[1])
-    rows = _scales(slope)
-    return np.asarray(np.linalg.lstsq(slope / rows[:, None], -value / rows, rcond=1e-12)[0], dtype=float)
 
 
 def _check_rest(dae: DAE, value: Array, slope: Array, y: Array) -> None:

@@ -20,17 +20,7 @@ MOST_LEGEND_LINES = 12
 
 
 def plot_result(result: Result, names: Sequence[str], axes: Any = None) -> Figure:
-    """Plot signals over time and return the figure.
-
-    Args:
-        result: the run.
-        names: signals or patterns (`mass.*`); those of one unit share a panel, a mode has its own.
-        axes: matplotlib axes to draw on, as many as there are panels; a new figure if None.
-
-    Raises:
-        UnknownNameError: for an unknown signal, with the nearest one.
-        ModelError: if there are no names, or not as many axes as panels.
-    """
+    """Plot signals over time and return the figure; see `Result.plot`."""
     panels = _panels(result, chosen_signals(result.dae, names))
     if not panels:
         raise ModelError(f"name the signals of '{result.name}' to plot; it has no states")

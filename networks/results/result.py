@@ -210,7 +210,16 @@ class Result(OverTime):
         return summary(self)
 
     def plot(self, *names: str, axes: Any = None) -> Any:
-        """Plot signals over time, one panel a unit, and return the matplotlib figure."""
+        """Plot signals over time, one panel a unit and one a mode, and return the matplotlib figure.
+
+        Args:
+            names: signals or patterns (`mass.*`); the first four states if none are given.
+            axes: matplotlib axes to draw on, as many as there are panels; a new figure if None.
+
+        Raises:
+            UnknownNameError: for an unknown signal, with the nearest one.
+            ModelError: if there is nothing to draw, or not as many axes as panels.
+        """
         from .plotting import plot_result
 
         return plot_result(self, names or tuple(self.dae.state_names[:4]), axes)
