@@ -141,7 +141,7 @@ class RecordModel:
         at = np.searchsorted(run.time, time + 1e-3 * step, side="right") - 1
         seen = self.variations.values(run, at)
         values = {name: seen[:, n] for n, name in enumerate(self.outputs)}
-        first_point, last_point = run._segments[0].states[0][0], run._segments[-1].states[-1][-1]
+        first_point, last_point = run.segments[0].point(0)[1], run.segments[-1].point(-1)[1]
         by_p: dict[str, Array] = {}
         by_x: dict[str, Array] = {}
         end = np.zeros((len(names), 0))

@@ -15,57 +15,52 @@ from typing import Any
 import casadi as ca
 import numpy as np
 
-from ...base import Array, Complex, ModelError, above, between, demand, listed, nearest, text, whole
+from ...base import Array, Complex, ModelError, between, demand, listed, named, nearest, text, whole
 from ..dae import DAE
+from ..given import dae_of
+from ..network import Network
 from ..simulation.simulate import simulate
-from .operating import operating_point
-from .orbits import Orbit
-
-MOST = 1e100
+from .operating import inputs_at_rest, operating_point
+from .orbits import Orbit, drive_amplitude
 
 
 class Balance:
     """The residual of harmonic balance for a network driven by amplitude sin(w t) at one input.
 
     Args:
-        dae: equations without modes.
-        driven: path of the input.
-        amplitude: of its sine.
-        outputs: names of what is looked at.
-        harmonics: how many are kept.
-        signals: constant values of the other inputs.
-        parameters: changed parameters.
+        network, driven, amplitude, outputs, harmonics, signals, parameters: as for `harmonic_response`.
     """
 
     def __init__(
         self,
-        dae: DAE,
+        network: Network | DAE,
         driven: str,
         amplitude: float,
         outputs: Sequence[str],
         harmonics: int,
-        signals: Mapping[str, float],
-        parameters: Mapping[str, float],
+        signals: Mapping[str, float] | None,
+        parameters: Mapping[str, float] | None,
     ) -> None:
+        dae = dae_of(network)
+        self.signals, self.parameters = named("signals", signals), named("parameters", parameters)
         if dae.hybrid:
             raise ModelError(
                 f"'{dae.name}' switches modes, and harmonic balance is for smooth equations; give friction "
                 "regularised=, or use stepped_sine()"
             )
-        demand("harmonic balance", amplitude=(amplitude, above(0)), harmonics=(harmonics, whole(1)))
         demand(
             "harmonic balance",
-            amplitude=(amplitude, between(0, MOST)),
-            harmonics=(harmonics, between(1, 1000)),
+            amplitude=(amplitude, drive_amplitude),
+            harmonics=(harmonics, lambda count: whole(1)(count) or between(1, 1000)(count)),
         )
         if text(driven) or driven not in dae.input_names:
             told = nearest(str(driven), dae.input_names)
             raise ModelError(f"'{dae.name}' has no input '{driven}'{told}")
-        outputs = listed("outputs", outputs)
-        self.dae, self.driven, self.amplitude, self.outputs = dae, driven, amplitude, list(outputs)
-        self.signals, self.parameters = {**signals}, {**parameters}
-        self.harmonics, self.points = harmonics, _points(harmonics)
-        self.rest = operating_point(dae, inputs={**signals, driven: 0.0}, parameters=parameters)
+        self.dae, self.driven, self.amplitude = dae, driven, amplitude
+        self.outputs = list(listed("outputs", outputs))
+        self.harmonics = harmonics
+        self.points = int(2 ** np.ceil(np.log2(max(128, 16 * harmonics))))  # well above what these need
+        self.rest = operating_point(dae, inputs={**self.signals, driven: 0.0}, parameters=self.parameters)
         self.n, self.m = dae.x.numel(), dae.z.numel()
         self.size = self.n + self.m
         self._phase = 2 * np.pi * np.arange(self.points) / self.points
@@ -84,27 +79,22 @@ class Balance:
 
     @cached_property
     def _functions(self) -> tuple[Any, Any]:
-        dae = self.dae
+        """Return the equations with slopes in unknowns and frequency, and the outputs, at all instants."""
+        dae, w = self.dae, ca.SX.sym("w")
         both = ca.vertcat(dae.ode, dae.alg)
         slopes = ca.densify(ca.jacobian(both, ca.vertcat(dae.x, dae.z)))
-        wanted = ca.vertcat(ca.SX(0, 1), *[dae.expression(name) for name in self.outputs])
-        rates = (
-            ca.densify(ca.jtimes(both, dae.u, self._input_rates)) if dae.u.numel() else ca.SX(self.size, 1)
-        )
-        arguments = [*dae.arguments(), self._w]
-        equations = ca.Function("balance", arguments, [ca.densify(both), ca.vec(slopes), rates])
-        seen = ca.Function("seen", dae.arguments(), [ca.densify(wanted)])
+        input_rates = [dae.u[k] * declared.order / w for k, declared in enumerate(dae.inputs)]
+        rates = ca.densify(ca.jtimes(both, dae.u, ca.vertcat(ca.SX(0, 1), *input_rates)))
+        outputs = ca.vertcat(ca.SX(0, 1), *[dae.expression(name) for name in self.outputs])
+        equations = ca.Function("balance", [*dae.arguments(), w], [ca.densify(both), ca.vec(slopes), rates])
+        seen = ca.Function("seen", dae.arguments(), [ca.densify(outputs)])
         return equations.map(self.points), seen.map(self.points)
 
-    @cached_property
-    def _w(self) -> Any:
-        return ca.SX.sym("w")
-
-    @property
-    def _input_rates(self) -> Any:
-        """Return how the inputs change with the frequency: order/w of themselves."""
-        entries = [self.dae.u[k] * i.order / self._w for k, i in enumerate(self.dae.inputs)]
-        return ca.vertcat(*entries)
+    def _arguments(self, motion: Array, w: float) -> tuple[Array, ...]:
+        """Return what the equations depend on, one column an instant."""
+        q = np.repeat(self.rest.q[:, None], self.points, axis=1)
+        time = np.full((1, self.points), self.rest.t)
+        return motion.T[: self.n], motion.T[self.n :], self._inputs(w), q, time
 
     def _inputs(self, w: float) -> Array:
         values = np.repeat(self.rest.u[:, None], self.points, axis=1)
@@ -123,36 +113,28 @@ class Balance:
     def simulated(self, w: float, periods: int = 60) -> Array:
         """Return the coefficients of the last of some simulated periods."""
         period = 2 * np.pi / w
-        held = {i.path: 0.0 for i in self.dae.inputs if i.order == 0 and i.signal is None} | self.signals
         drive: dict[str, Any] = {self.driven: lambda t: self.amplitude * np.sin(w * t)}
+        step, given = period / self.points, inputs_at_rest(self.dae) | self.signals | drive
         run = simulate(
-            self.dae,
-            periods * period,
-            inputs=held | drive,
-            parameters=self.parameters,
-            step=period / self.points,
-            progress=False,
+            self.dae, periods * period, inputs=given, parameters=self.parameters, step=step, progress=False
         )
         times = (periods - 1) * period + self._phase / w
         names = [*self.dae.state_names, *(self.dae.name_of(v) for v in self.dae.algebraic)]
         motion = np.stack([np.interp(times, run.time, run[name]) for name in names], axis=1)
-        coefficients: Array = self._analysis @ motion
-        return coefficients.ravel()
+        return np.ravel(self._analysis @ motion)
 
     def motion(self, y: Array) -> Array:
         """Return states and algebraic unknowns at the instants, (instants, unknowns)."""
-        moved: Array = self._synthesis @ y.reshape(-1, self.size)
-        return moved
+        return np.asarray(self._synthesis @ y.reshape(-1, self.size))
 
     def residual(self, y: Array, w: float) -> tuple[Array, Array, Array]:
         """Return the residual and its slopes in the coefficients and in w [rad/s]."""
         Y, count = y.reshape(-1, self.size), 2 * self.harmonics + 1
         motion = self.motion(y)
-        value, slopes, rates = self._evaluate(motion, w)
+        value, local, rates = self._evaluate(motion, w)
         derivative = np.zeros_like(Y)
         derivative[:, : self.n] = self._slope @ Y[:, : self.n]
         missed = self._analysis @ value - w * derivative
-        local = slopes.reshape(self.points, self.size, self.size).transpose(0, 2, 1)
         spread = (self._products @ local.reshape(self.points, -1)).reshape(count, count, self.size, self.size)
         spread = spread.transpose(0, 2, 1, 3).copy()
         for j in range(self.n):
@@ -162,52 +144,40 @@ class Balance:
         return missed.ravel(), jacobian, of_w.ravel()
 
     def _evaluate(self, motion: Array, w: float) -> tuple[Array, Array, Array]:
-        q = np.repeat(self.rest.q[:, None], self.points, axis=1)
-        time = np.full((1, self.points), self.rest.t)
-        split = motion.T[: self.n], motion.T[self.n :]
-        found = self._functions[0](*split, self._inputs(w), q, time, np.full((1, self.points), w))
+        """Return the residual at the instants, its slopes in the unknowns and its rates in w."""
+        found = self._functions[0](*self._arguments(motion, w), np.full((1, self.points), w))
         value, slopes, rates = (part.full().T for part in found)
-        return value, slopes, rates
+        return value, slopes.reshape(self.points, self.size, self.size).transpose(0, 2, 1), rates
 
     def orbit(self, y: Array, w: float) -> Orbit:
         """Return the periodic motion that coefficients stand for."""
         motion = self.motion(y)
-        q = np.repeat(self.rest.q[:, None], self.points, axis=1)
-        time = np.full((1, self.points), self.rest.t)
-        seen = self._functions[1](motion.T[: self.n], motion.T[self.n :], self._inputs(w), q, time).full()
+        seen = self._functions[1](*self._arguments(motion, w)).full()
         lines = np.fft.rfft(seen, axis=1)[:, : self.harmonics + 1] / self.points
         power = np.abs(lines[:, 1:]) ** 2
         tail = power[:, -max(1, self.harmonics // 10) :].sum() / max(float(power.sum()), 1e-300)
         Y = y.reshape(-1, self.size)
         half = (Y[1 : self.harmonics + 1] - 1j * Y[self.harmonics + 1 :]) / 2
+        coefficients = np.vstack([Y[:1] + 0j, half]).astype(np.complex128)
         outputs = dict(zip(self.outputs, lines, strict=True))
-        return Orbit(
-            self.dae,
-            w / (2 * np.pi),
-            np.vstack([Y[:1] + 0j, half]).astype(np.complex128),
-            outputs,
-            self._multipliers(motion, w),
-            float(tail),
-        )
+        multipliers = self._multipliers(motion, w)
+        return Orbit(self.dae, w / (2 * np.pi), coefficients, outputs, multipliers, float(tail))
 
     def _multipliers(self, motion: Array, w: float) -> Complex:
-        """Return the Floquet multipliers: the product of exponentials of the slopes along the orbit.
+        """Return the Floquet multipliers: the eigenvalues of the monodromy matrix.
+
+        It is the product of exponentials of the slopes along the orbit.
 
         Source: Friedmann, Hammond & Woo, Int. J. Numer. Methods Eng. 11 (1977) 1117-1136.
         """
-        slopes = self._evaluate(motion, w)[1].reshape(self.points, self.size, self.size).transpose(0, 2, 1)
-        A, of_z, G, G_z = (
-            slopes[:, : self.n, : self.n], slopes[:, : self.n, self.n :],
-            slopes[:, self.n :, : self.n], slopes[:, self.n :, self.n :],
-        )  # fmt: skip
+        of_x, of_z = np.split(self._evaluate(motion, w)[1], [self.n], axis=2)
+        A = of_x[:, : self.n]
         if self.m:
-            A = A - of_z @ np.linalg.solve(G_z, G)
-        steps = _exponentials(A * (2 * np.pi / w / self.points))
-        whole = np.eye(self.n)
-        for step in steps:
-            whole = step @ whole
-        multipliers: Complex = np.linalg.eigvals(whole).astype(np.complex128)
-        return multipliers
+            A = A - of_z[:, : self.n] @ np.linalg.solve(of_z[:, self.n :], of_x[:, self.n :])
+        monodromy = np.eye(self.n)
+        for step in _exponentials(A * (2 * np.pi / w / self.points)):
+            monodromy = step @ monodromy
+        return np.linalg.eigvals(monodromy).astype(np.complex128)
 
 
 def _exponentials(matrices: Array) -> Array:
@@ -222,8 +192,3 @@ def _exponentials(matrices: Array) -> Array:
     for _ in range(halvings):
         found = found @ found
     return found
-
-
-def _points(harmonics: int) -> int:
-    """Return how many instants a period has: a power of two, well above what the harmonics need."""
-    return int(2 ** np.ceil(np.log2(max(128, 16 * harmonics))))

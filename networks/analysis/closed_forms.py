@@ -7,7 +7,7 @@ from math import pi, sqrt
 
 from ...base import ModelError, above, between, demand
 
-MOST = 1e60
+LARGEST_NUMBER = 1e60  # whose powers are numbers, too
 
 
 @dataclass(frozen=True)
@@ -52,7 +52,8 @@ def tmdi_white_base(beta: float, mu: float) -> Tuning:
 
     Source: Marian & Giaralis, Probabilistic Engineering Mechanics 38 (2014) 156-164.
     """
-    demand("tmdi_white_base()", beta=(beta, between(0, MOST)), mu=(mu, between(0, MOST)))
+    share = between(0, LARGEST_NUMBER)
+    demand("tmdi_white_base()", beta=(beta, share), mu=(mu, share))
     _check_all(**{"beta + mu": beta + mu})
     inner = beta * (1 - mu) + (2 - mu) * (1 + mu)
     f = sqrt(inner / (2 * (1 + mu))) / (1 + beta + mu)
@@ -93,5 +94,5 @@ def quarter_car_j1(
 
 def _check_all(**values: float) -> None:
     """Check that numbers are above 0, and such that their powers are numbers, too."""
-    demand("this formula", **{name: (value, above(0)) for name, value in values.items()})
-    demand("this formula", **{name: (value, between(0, MOST)) for name, value in values.items()})
+    for check in (above(0), between(0, LARGEST_NUMBER)):
+        demand("this formula", **{name: (value, check) for name, value in values.items()})

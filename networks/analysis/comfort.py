@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
 from functools import cache
 from math import ceil, pi, sqrt
 
@@ -13,14 +12,11 @@ from ...base import Array, ModelError, demand, instance, number, numbers, one_of
 from ..results.over_time import OverTime
 from .statespace import StateSpace
 
-BAND = {"Wk": (0.4, 100.0), "Wd": (0.4, 100.0), "Wc": (0.4, 100.0), "We": (0.4, 100.0), "Wj": (0.4, 100.0)}
-TRANSITION = {
-    "Wk": (12.5, 12.5, 0.63),
-    "Wd": (2.0, 2.0, 0.63),
-    "Wc": (8.0, 8.0, 0.63),
-    "We": (1.0, 1.0, 0.63),
-}
-RATE = 4000.0
+BAND_HZ = (0.4, 100.0)
+TRANSITION_HZ = {"Wk": 12.5, "Wd": 2.0, "Wc": 8.0, "We": 1.0}
+TRANSITION_Q = 0.63
+WEIGHTINGS = (*TRANSITION_HZ, "Wj")
+SAMPLING_RATE_HZ = 4000.0
 STEP = {"Wk": (2.37, 0.91, 3.35, 0.91), "Wj": (3.75, 0.91, 5.32, 0.91)}
 
 
@@ -38,7 +34,7 @@ def comfort_filter(weighting: str = "Wk") -> StateSpace:
 
     Source: ISO 2631-1:1997, annex A, table A.1.
     """
-    demand("comfort_filter()", weighting=(weighting, one_of(tuple(BAND))))
+    demand("comfort_filter()", weighting=(weighting, one_of(WEIGHTINGS)))
     return _filter(weighting)
 
 
@@ -46,30 +42,30 @@ def comfort_filter(weighting: str = "Wk") -> StateSpace:
 def _filter(weighting: str) -> StateSpace:
     from scipy.signal import tf2ss
 
-    low, high = (2 * pi * f for f in BAND[weighting])
+    low, high = (2 * pi * f for f in BAND_HZ)
     above, below = np.poly1d([1.0, 0.0, 0.0]), _quadratic(low, 1 / sqrt(2)) * low**2
     below = below * _quadratic(high, 1 / sqrt(2))
-    if weighting in TRANSITION:
-        f3, f4, Q4 = TRANSITION[weighting]
-        above = above * np.poly1d([1 / (2 * pi * f3), 1.0])
-        below = below * _quadratic(2 * pi * f4, Q4)
+    if weighting in TRANSITION_HZ:
+        w = 2 * pi * TRANSITION_HZ[weighting]
+        above, below = above * np.poly1d([1 / w, 1.0]), below * _quadratic(w, TRANSITION_Q)
     if weighting in STEP:
         f5, Q5, f6, Q6 = STEP[weighting]
         above = above * _quadratic(2 * pi * f5, Q5) * (f5 / f6) ** 2
         below = below * _quadratic(2 * pi * f6, Q6)
     A, B, C, D = tf2ss(above.coeffs, below.coeffs)
-    felt = StateSpace(A, B, C, D, name=weighting, inputs=("a",), outputs=("a_w",))
-    return replace(felt, input_units=("m/s2",), output_units=("m/s2",))
+    unit = ("m/s2",)
+    return StateSpace(
+        A, B, C, D, name=weighting, inputs=("a",), outputs=("a_w",), input_units=unit, output_units=unit
+    )
 
 
 def weighted(system: StateSpace, weighting: str = "Wk") -> StateSpace:
     """Return a system with every output passed through a weighting of ISO 2631-1."""
     demand("weighted()", system=(system, instance(StateSpace)))
     filters = comfort_filter(weighting)
-    found = system
     for k, name in enumerate(system.outputs):
-        found = found.then(filters, k, f"{name} ({weighting})")
-    return found
+        system = system.then(filters, k, f"{name} ({weighting})")
+    return system
 
 
 def weighted_rms(run: OverTime | ArrayLike, acceleration: str | ArrayLike, weighting: str = "Wk") -> float:
@@ -116,7 +112,7 @@ def _course(run: OverTime | ArrayLike, acceleration: str | ArrayLike) -> tuple[A
     except ModelError as error:
         raise ModelError(f"'{acceleration}' of '{run.name}' is not an acceleration: {error}") from error
     lasting = float(run.time[-1] - run.time[0])
-    table = run.resample(lasting / max(2, ceil(RATE * lasting)) if lasting else 1.0, acceleration)
+    table = run.resample(lasting / max(2, ceil(SAMPLING_RATE_HZ * lasting)) if lasting else 1.0, acceleration)
     return table.index.to_numpy(dtype=float), unit.to_si(table[acceleration].to_numpy(dtype=float))
 
 

@@ -4,23 +4,20 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, cast
 
 import numpy as np
-from numpy.typing import NDArray
 
-from ...base import Array, ModelError, SimulationError, between, demand, named, numbers, shown, whole
+from ...base import Array, Flags, ModelError, SimulationError, demand, numbers, shown, whole
 from ..dae import DAE
-from ..given import dae_of
 from ..network import Network
 from .balance import Balance
-from .orbits import Orbit
+from .orbits import Orbit, drive_frequency
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
-SLOWEST = 1e-6
-LONGEST, SHORTEST = 0.2, 1e-5
+FIRST_STEP, LONGEST_STEP, SHORTEST_STEP = 0.02, 0.2, 1e-5  # along the curve, scaled
 
 
 @dataclass(frozen=True, eq=False)
@@ -35,7 +32,7 @@ class ResponseCurve:
         return np.array([orbit.frequency for orbit in self.orbits])
 
     @property
-    def stable(self) -> NDArray[np.bool_]:
+    def stable(self) -> Flags:
         """Which of the motions persist."""
         return np.array([orbit.stable for orbit in self.orbits])
 
@@ -59,15 +56,13 @@ class ResponseCurve:
         ax = axes if axes is not None else pyplot.subplots(figsize=(7.0, 4.5), layout="constrained")[1]
         lost = ~self.stable
         edges = lost | np.r_[lost[1:], False] | np.r_[False, lost[:-1]]
-        for stable, style in ((True, "-"), (False, "--")):
-            kept = np.where(self.stable if stable else edges, size, np.nan)
-            ax.plot(f, kept, style, color="C0" if stable else "C3", label="stable" if stable else "unstable")
-        ax.set_xlabel("frequency [Hz]")
-        ax.set_ylabel(f"{output} [{pretty_unit(self.orbits[0].dae.unit(output))}]")
+        for label, drawn, style in (("stable", ~lost, "C0-"), ("unstable", edges, "C3--")):
+            ax.plot(f, np.where(drawn, size, np.nan), style, label=label)
+        unit = pretty_unit(self.orbits[0].dae.unit(output))
+        ax.set(xlabel="frequency [Hz]", ylabel=f"{output} [{unit}]")
         ax.grid(alpha=0.3)
         ax.legend(frameon=False)
-        figure: Any = ax.get_figure()
-        return figure  # type: ignore[no-any-return]
+        return cast("Figure", ax.get_figure())
 
 
 def harmonic_response(
@@ -107,24 +102,14 @@ def harmonic_response(
     Source: Krack & Gross, Harmonic Balance for Nonlinear Vibration Problems (2019), chapter 4.
     """
     demand("harmonic_response()", band=(band, _band), most=(most, whole(2)))
-    dae = dae_of(network)
-    balance = Balance(
-        dae, driven, amplitude, outputs, harmonics, named("signals", signals), named("parameters", parameters)
-    )
+    balance = Balance(network, driven, amplitude, outputs, harmonics, signals, parameters)
     return ResponseCurve([balance.orbit(y, w) for y, w in _followed(balance, band, most)])
 
 
 def _band(value: Any) -> str:
-    good = (
-        isinstance(value, tuple | list)
-        and len(value) == 2
-        and not numbers(between(SLOWEST, 1 / SLOWEST))(value)
-    )
-    return (
-        ""
-        if good and value[0] != value[1]
-        else "must be (first, last) frequency [Hz], two different ones above 0"
-    )
+    pair = isinstance(value, tuple | list) and len(value) == 2 and not numbers(drive_frequency)(value)
+    good = pair and value[0] != value[1]
+    return "" if good else "must be (first, last) frequency [Hz], two different ones above 0"
 
 
 def harmonic_orbit(
@@ -140,58 +125,45 @@ def harmonic_orbit(
 ) -> Orbit:
     """Return one periodic motion under amplitude sin(2 pi f t): the one that grows from rest.
 
-    Args:
-        network: as for `harmonic_response`, like all that follows.
-        driven: the input.
-        amplitude: of its sine, in its unit.
-        frequency: [Hz].
-        outputs: what is looked at, by name.
-        harmonics: how many.
-        signals: constant values of other inputs.
-        parameters: changed parameters.
+    `frequency` is that of the drive [Hz]; all other arguments, and errors, are as for `harmonic_response`.
     """
-    demand("harmonic_orbit()", frequency=(frequency, between(SLOWEST, 1 / SLOWEST, "Hz")))
-    dae = dae_of(network)
-    balance = Balance(
-        dae, driven, amplitude, outputs, harmonics, named("signals", signals), named("parameters", parameters)
-    )
+    demand("harmonic_orbit()", frequency=(frequency, drive_frequency))
+    balance = Balance(network, driven, amplitude, outputs, harmonics, signals, parameters)
     w = 2 * np.pi * frequency
     return balance.orbit(_at_frequency(balance, balance.start(), w), w)
 
 
 def _followed(balance: Balance, band: tuple[float, float], most: int) -> list[tuple[Array, float]]:
+    """Return coefficients and frequency [rad/s] along the curve: predicted by its tangent, then corrected."""
     begin, end = (2 * np.pi * f for f in band)
-    y = _at_frequency(balance, balance.start(), begin)
-    scale = _Scale(y, begin, balance.size)
-    point, step = scale.packed(y, begin), 0.02
-    tangent = np.zeros(len(point))
-    tangent[-1] = np.sign(end - begin)
-    tangent = scale.tangent(balance, point, tangent)
-    curve = [(y, begin)]
+    point = np.append(_at_frequency(balance, balance.start(), begin), begin)
+    sizes = _sizes(point, balance.size, begin)
+    toward_end = np.append(np.zeros(len(point) - 1), np.sign(end - begin))
+    tangent, step = _ahead(_bordered(balance, point, toward_end, sizes)[1]), FIRST_STEP
+    curve = [point]
     while len(curve) < most:
-        found = scale.corrected(balance, point + step * tangent, tangent)
+        found = _corrected(balance, point + step * tangent * sizes, tangent, sizes)
         if found is None:
             step /= 2
-            if step < SHORTEST:
-                f = scale.unpacked(point)[1] / (2 * np.pi)
+            if step < SHORTEST_STEP:
+                f = point[-1] / (2 * np.pi)
                 raise SimulationError(
                     f"'{balance.dae.name}': the response is lost past {f:.6g} Hz; take more harmonics"
                 )
             continue
         new, turned, iterations = found
-        if turned @ tangent < 0.9 and step > 100 * SHORTEST:
+        if turned @ tangent < 0.9 and step > 100 * SHORTEST_STEP:
             step /= 2
             continue
-        point, tangent = new, turned
-        y, w = scale.unpacked(point)
-        curve.append((y, w))
-        if (w - end) * (end - begin) >= 0:
-            curve[-1] = (_at_frequency(balance, y, end), end)
-            return curve
-        wider = _Scale(y, begin, balance.size, scale)
-        tangent = wider.direction(*scale.unpacked(tangent))
-        scale, point = wider, wider.packed(y, w)
-        step = min(LONGEST, step * (1.4 if iterations <= 3 else 0.8 if iterations > 5 else 1.0))
+        point = new
+        curve.append(point)
+        if (point[-1] - end) * (end - begin) >= 0:
+            curve[-1] = np.append(_at_frequency(balance, point[:-1], end), end)
+            return [(each[:-1], float(each[-1])) for each in curve]
+        wider = _sizes(point, balance.size, begin, sizes)
+        tangent = turned * sizes / wider
+        tangent, sizes = tangent / np.linalg.norm(tangent), wider
+        step = min(LONGEST_STEP, step * (1.4 if iterations <= 3 else 0.8 if iterations > 5 else 1.0))
     raise SimulationError(f"'{balance.dae.name}': the response has not left the band after {most} points")
 
 
@@ -246,61 +218,47 @@ def _newton(balance: Balance, y: Array, w: float) -> Array | None:
     return None
 
 
-class _Scale:
-    """Coefficients and frequency brought to like size, on which arc length is measured."""
+def _sizes(point: Array, unknowns: int, w: float, before: Array | None = None) -> Array:
+    """Return the sizes of coefficients and frequency on which arc length is measured; they only grow."""
+    coefficients = point[:-1].reshape(-1, unknowns)
+    extent = np.linalg.norm(coefficients, axis=0)
+    if before is not None:
+        extent = np.maximum(extent, before[:unknowns])
+    extent = np.maximum(extent, 1e-3 * extent.max(initial=1e-12))
+    return np.append(np.tile(extent, len(coefficients)), w)
 
-    def __init__(self, y: Array, w: float, size: int, before: _Scale | None = None) -> None:
-        extent = np.sqrt((y.reshape(-1, size) ** 2).sum(axis=0))
-        if before is not None:
-            extent = np.maximum(extent, before.extent)
-        self.extent: Array = np.maximum(extent, 1e-3 * extent.max(initial=1e-12))
-        self.w = w
-        self.weight: Array = np.tile(self.extent, len(y) // size)
 
-    def packed(self, y: Array, w: float) -> Array:
-        point: Array = np.r_[y / self.weight, w / self.w]
-        return point
+def _bordered(balance: Balance, point: Array, tangent: Array, sizes: Array) -> tuple[Array, Array]:
+    """Return the residual and its slopes, scaled, with a tangent as the last row."""
+    missed, slope, of_w = balance.residual(point[:-1], float(point[-1]))
+    rows = sizes[:-1] * point[-1]
+    slopes = np.column_stack([slope, of_w]) * sizes / rows[:, None]
+    return missed / rows, np.vstack([slopes, tangent])
 
-    def unpacked(self, point: Array) -> tuple[Array, float]:
-        return point[:-1] * self.weight, float(point[-1] * self.w)
 
-    def direction(self, y: Array, w: float) -> Array:
-        packed = self.packed(y, w)
-        unit: Array = packed / np.linalg.norm(packed)
-        return unit
-
-    def _bordered(self, balance: Balance, point: Array, tangent: Array) -> tuple[Array, Array]:
-        y, w = self.unpacked(point)
-        missed, slope, of_w = balance.residual(y, w)
-        rows = np.tile(self.extent, len(y) // balance.size) * w
-        slope = slope * self.weight / rows[:, None]
-        whole = np.vstack([np.column_stack([slope, of_w * self.w / rows]), tangent])
-        return missed / rows, whole
-
-    def tangent(self, balance: Balance, point: Array, before: Array) -> Array:
-        return _ahead(self._bordered(balance, point, before)[1])
-
-    def corrected(self, balance: Balance, guess: Array, tangent: Array) -> tuple[Array, Array, int] | None:
-        point = guess.copy()
-        if point[-1] <= 0:
-            return None
-        for iteration in range(1, 12):
-            missed, whole = self._bordered(balance, point, tangent)
-            try:
-                step = np.linalg.solve(whole, -np.r_[missed, tangent @ (point - guess)])
-            except np.linalg.LinAlgError:
-                return None
-            point = point + step
-            size = float(np.linalg.norm(step))
-            if not np.isfinite(size) or size > 2.0 or point[-1] <= 0:
-                return None
-            if size < 1e-9:
-                return point, _ahead(whole), iteration
+def _corrected(
+    balance: Balance, guess: Array, tangent: Array, sizes: Array
+) -> tuple[Array, Array, int] | None:
+    """Return the point of the curve abreast of a guess, the tangent there and how often was iterated."""
+    point = guess
+    if point[-1] <= 0:
         return None
+    for iteration in range(1, 12):
+        missed, whole = _bordered(balance, point, tangent, sizes)
+        try:
+            step = np.linalg.solve(whole, -np.append(missed, tangent @ ((point - guess) / sizes)))
+        except np.linalg.LinAlgError:
+            return None
+        point = point + step * sizes
+        length = float(np.linalg.norm(step))
+        if not length <= 2.0 or point[-1] <= 0:
+            return None
+        if length < 1e-9:
+            return point, _ahead(whole), iteration
+    return None
 
 
 def _ahead(whole: Array) -> Array:
-    """Return the direction along the curve, on the side of the last one."""
-    direction = np.linalg.solve(whole, np.r_[np.zeros(len(whole) - 1), 1.0])
-    unit: Array = direction / np.linalg.norm(direction)
-    return unit
+    """Return the direction along the curve, scaled, on the side of the last one."""
+    direction = np.linalg.solve(whole, np.append(np.zeros(len(whole) - 1), 1.0))
+    return np.asarray(direction / np.linalg.norm(direction))

@@ -7,28 +7,16 @@ from typing import Any
 
 import numpy as np
 
-from ...base import (
-    Array,
-    ModelError,
-    by_name,
-    demand,
-    finite,
-    instance,
-    named,
-    nearest,
-    number,
-    numbers,
-    shown,
-)
+from ...base import Array, ModelError, by_name, demand, finite, named, nearest, number, numbers, shown
 from ..dae import DAE
-from .measuring import BAD, Measure, measured
+from .linearise import Varied
+from .measures import NO_VALUE, Measure, measured
 from .norms import Norm
-from .varied import Varied
 
 Bounds = Mapping[str, tuple[float, float]]
-WIDE = 100.0
-PEAKS, ROUNDS = 4, 8
-DIFFERENCE, AGREEMENT = 1e-6, 1e-2
+LOGARITHMIC_RATIO = 100.0  # of the bounds, above which a parameter is searched in logarithms
+PEAKS_FOLLOWED, PEAK_ROUNDS = 4, 8
+DIFFERENCE, AGREEMENT = 1e-6, 1e-2  # a derivative is held against a difference this wide, this closely
 INSIDE, EDGE, ROUNDING = 2.0**-33, 1e-6, 1e-9
 
 
@@ -40,11 +28,14 @@ def check_names(dae: DAE, names: Mapping[str, Any]) -> None:
         raise ModelError(f"'{dae.name}' cannot be tuned:", problems)
 
 
-def _is_limit(given: Any) -> bool:
-    return isinstance(given, tuple | list) and len(given) == 2 and callable(given[0]) and not number(given[1])
+def _are_limits(given: Any) -> bool:
+    if not isinstance(given, Sequence):
+        return False
+    pairs = all(isinstance(pair, tuple | list) and len(pair) == 2 for pair in given)
+    return pairs and all(callable(measure) and not number(limit) for measure, limit in given)
 
 
-class Problem:
+class TuningProblem:
     """A measure and its limits as functions of a point in the unit cube.
 
     Attributes:
@@ -65,18 +56,18 @@ class Problem:
         ]
         if wrong or not bounds:
             raise ModelError(f"'{dae.name}' cannot be tuned:", wrong or ["there are no parameters to tune"])
-        if instance(Sequence)(limits) or not all(map(_is_limit, limits)):
+        if not _are_limits(limits):
             raise ModelError(f"limits are pairs (measure, number), got {shown(limits)}")
-        low_limits = [limit for _, limit in limits if not limit > 0]
-        if low_limits:
-            raise ModelError(f"'{dae.name}': a limit must be above 0, got {low_limits[0]:g}")
+        for _, limit in limits:
+            if not limit > 0:
+                raise ModelError(f"'{dae.name}': a limit must be above 0, got {limit:g}")
         self.dae, self.measure, self.names, self.limits = dae, measure, list(bounds), limits
         low, high = (np.array([b[k] for b in bounds.values()], dtype=float) for k in (0, 1))
-        self.logarithmic = (low > 0) & (high > WIDE * low)
+        self.logarithmic = (low > 0) & (high > LOGARITHMIC_RATIO * low)
         self.low, self.high = self._scaled(low), self._scaled(high)
         self.count = 0
         self.exact = True
-        self._at: tuple[bytes, dict[int, float]] = (b"", {})
+        self._at: tuple[bytes, dict[int, Norm]] = (b"", {})
 
     def _scaled(self, values: Array) -> Array:
         return np.where(self.logarithmic, np.log(np.where(self.logarithmic, values, 1.0)), values)
@@ -101,7 +92,7 @@ class Problem:
             return [first]
         return [first, *qmc.LatinHypercube(len(first), rng=np.random.default_rng(seed)).random(count - 1)]
 
-    def of(self, measure: Measure, x: Array) -> float:
+    def of(self, measure: Measure, x: Array) -> Norm:
         """Return a measure at a point, a large number where it has none."""
         x = np.clip(x, 0.0, 1.0)
         if self._at[0] != x.tobytes():
@@ -110,8 +101,9 @@ class Problem:
         if id(measure) not in known:
             self.count += 1
             given = self.parameters(x)
-            found = measured(measure, self.dae, Varied(given) if self.exact else given)
-            known[id(measure)] = found if np.isfinite(found) else BAD
+            found = measured(measure, self.dae, Varied(given) if self.exact else given, lenient=True)
+            norm = found if isinstance(found, Norm) else Norm(found)
+            known[id(measure)] = norm if np.isfinite(found) else Norm(NO_VALUE)
         return known[id(measure)]
 
     def value(self, x: Array) -> float:
@@ -124,11 +116,10 @@ class Problem:
 
     def search(self, x: Array) -> tuple[float, Array]:
         """Return the least value near a point that SLSQP finds, and where."""
-        self.exact = self.exact and all(
-            self._true(m, x) for m in (self.measure, *[m for m, _ in self.limits])
-        )
-        peaks = getattr(self.of(self.measure, x), "peaks", ())
-        best = self._below_peaks(x) if self.exact and peaks else self._smooth(x)
+        measures = self.measure, *(measure for measure, _ in self.limits)
+        self.exact = self.exact and all(self._true(measure, x) for measure in measures)
+        peaky = self.exact and self.of(self.measure, x).peaks
+        best = self._below_peaks(x) if peaky else self._smooth(x)
         return self.value(best), best
 
     def _smooth(self, x: Array) -> Array:
@@ -139,10 +130,10 @@ class Problem:
     def _below_peaks(self, x: Array) -> Array:
         """Minimise a bound t on the local peaks, and on the gains where peaks have been that merged since."""
         watched: list[float] = []
-        for _ in range(ROUNDS):
+        for _ in range(PEAK_ROUNDS):
             before = self.value(x)
             known = [p.frequency for p in self._peaks(x) if p and p.frequency and np.isfinite(p.frequency)]
-            watched = [*watched, *known][-2 * PEAKS :]
+            watched = [*watched, *known][-2 * PEAKS_FOLLOWED :]
             tried = self._below(x, watched)
             if not self.value(tried) < before * (1 - 1e-10) and self.allowed(x):
                 break
@@ -153,12 +144,11 @@ class Problem:
         scale, n = max(abs(self.value(x)), 1e-300), len(x)
 
         def gains(y: Array) -> list[Norm]:
-            gains_at = getattr(self.of(self.measure, y[:-1]), "gains", lambda f: [Norm(0.0)] * len(f))
-            return [*self._peaks(y[:-1]), *gains_at(watched)]
+            where_peaks_were = self.of(self.measure, y[:-1]).gains(watched) or [Norm(0.0)] * len(watched)
+            return [*self._peaks(y[:-1]), *where_peaks_were]
 
         def room(y: Array) -> Array:
-            above: Array = y[-1] - np.array([float(gain) for gain in gains(y)]) / scale
-            return above
+            return np.asarray(y[-1] - np.array(gains(y), dtype=float) / scale)
 
         def slopes(y: Array) -> Array:
             rows = [-self._in_cube(gain, y[:-1]) / scale for gain in gains(y)]
@@ -170,8 +160,7 @@ class Problem:
 
     def _peaks(self, x: Array) -> list[Norm]:
         found = self.of(self.measure, x)
-        peaks = list(getattr(found, "peaks", ())) or [Norm(found)]
-        return (peaks + [Norm(0.0)] * PEAKS)[:PEAKS]
+        return [*(found.peaks or [Norm(found)]), *[Norm(0.0)] * PEAKS_FOLLOWED][:PEAKS_FOLLOWED]
 
     def _constraints(self, n: int) -> list[dict[str, Any]]:
         """Return the limits as SLSQP takes them; what follows the first n coordinates is not theirs."""
@@ -181,8 +170,7 @@ class Problem:
                 return 1.0 - float(self.of(measure, y[:n])) / limit
 
             def slope(y: Array) -> Array:
-                slopes: Array = np.r_[-self.gradient(measure, y[:n]) / limit, np.zeros(len(y) - n)]
-                return slopes
+                return np.append(-self.gradient(measure, y[:n]) / limit, np.zeros(len(y) - n))
 
             return {"type": "ineq", "fun": room} | ({"jac": slope} if self.exact else {})
 
@@ -192,43 +180,33 @@ class Problem:
         """Return what SLSQP finds within the bounds; on a bound of 0 there may be nothing to solve for."""
         from scipy.optimize import minimize
 
-        bounds: Any = [(INSIDE, 1 - INSIDE)] * len(self.names) + [(None, None)] * (len(y) - len(self.names))
+        n = len(self.names)
+        bounds: Any = [(INSIDE, 1 - INSIDE)] * n + [(None, None)] * (len(y) - n)
         differences = {"maxiter": 60, "ftol": 1e-11, "eps": 1e-7}
         options: Any = {"maxiter": 100, "ftol": 1e-12} if self.exact else differences
-        limits: Any = constraints
         found: Any = minimize(
-            function, y, jac=slope, method="SLSQP", bounds=bounds, constraints=limits, options=options
+            function, y, jac=slope, method="SLSQP", bounds=bounds, constraints=constraints, options=options
         )
-        best: Array = np.r_[
-            np.clip(found.x[: len(self.names)], INSIDE, 1 - INSIDE), found.x[len(self.names) :]
-        ]
-        return best
+        return np.append(np.clip(found.x[:n], INSIDE, 1 - INSIDE), found.x[n:])
 
     def gradient(self, measure: Measure, x: Array) -> Array:
         """Return the exact derivatives of a measure in the cube."""
         return self._in_cube(self.of(measure, x), x)
 
-    def _in_cube(self, norm: float, x: Array) -> Array:
-        slopes = getattr(norm, "gradient", {})
-        values = self.parameters(x)
-        per = (self.high - self.low) * np.where(self.logarithmic, list(values.values()), 1.0)
-        found: Array = np.array([slopes.get(name, 0.0) for name in self.names]) * per
-        return found
+    def _in_cube(self, norm: Norm, x: Array) -> Array:
+        per = (self.high - self.low) * np.where(self.logarithmic, list(self.parameters(x).values()), 1.0)
+        return np.asarray([norm.gradient.get(name, 0.0) for name in self.names] * per)
 
     def _true(self, measure: Measure, x: Array) -> bool:
         """Return whether a measure's derivatives are there, and are those of what it returns."""
         found = self.of(measure, x)
-        if found >= BAD:
+        if found >= NO_VALUE:
             return True
-        if not set(self.names) <= set(getattr(found, "gradient", ())):
+        if not set(self.names) <= set(found.gradient):
             return False
-        slope = self.gradient(measure, x)
-        along = np.where(x < 0.5, DIFFERENCE, -DIFFERENCE)
-        ahead = self.of(measure, x + along) - found
-        expected = float(slope @ along)
-        return bool(
-            abs(ahead - expected) <= AGREEMENT * float(np.abs(slope) @ np.abs(along)) + 1e-9 * abs(found)
-        )
+        slope, along = self.gradient(measure, x), np.where(x < 0.5, DIFFERENCE, -DIFFERENCE)
+        missed = abs(self.of(measure, x + along) - found - float(slope @ along))
+        return bool(missed <= AGREEMENT * float(np.abs(slope) @ np.abs(along)) + 1e-9 * abs(found))
 
     def on_bounds(self, x: Array) -> tuple[float, Array]:
         """Return a point with what lies next to a bound on it, unless it is worse there."""
@@ -246,19 +224,9 @@ class Problem:
         """Return a point as good or better, found without derivatives."""
         from scipy.optimize import minimize
 
-        options: Any = {
-            "xatol": 1e-9,
-            "fatol": 1e-13 * abs(self.value(x)),
-            "maxiter": 120 * len(x),
-            "initial_simplex": _simplex(x),
-        }
+        simplex = np.vstack([x, x + np.diag(np.where(x < 0.5, 1e-3, -1e-3))])
+        precision = {"xatol": 1e-9, "fatol": 1e-13 * abs(self.value(x))}
+        options: Any = {**precision, "maxiter": 120 * len(x), "initial_simplex": simplex}
         bounds = [(0.0, 1.0)] * len(x)
         found: Any = minimize(self.value, x, method="Nelder-Mead", bounds=bounds, options=options)
         return float(found.fun), np.clip(found.x, 0.0, 1.0)
-
-
-def _simplex(x: Array) -> Array:
-    points = np.tile(x, (len(x) + 1, 1))
-    for k in range(len(x)):
-        points[k + 1, k] += 1e-3 if x[k] < 0.5 else -1e-3
-    return points

@@ -12,25 +12,23 @@ from .statespace import StateSpace
 
 def to_control(system: StateSpace) -> Any:
     """Return the system as `control.StateSpace`; see `StateSpace.to_ss`."""
-    _check_proper(system)
+    matrices = _proper_matrices(system)
     try:
         import control  # type: ignore[import-untyped, import-not-found, unused-ignore]
     except ImportError as error:
         raise ModelError(
             f"'{system.name}': to_ss() needs python-control: pip install control, or use to_scipy()"
         ) from error
-    return control.ss(
-        system.A, system.B, system.C, system.D, name=_plain(system.name), states=_all_plain(system.states),
-        inputs=_all_plain(system.inputs), outputs=_all_plain(system.outputs),
-    )  # fmt: skip
+    kinds = ("states", "inputs", "outputs")
+    labels = {kind: [_plain(name) for name in getattr(system, kind)] for kind in kinds}
+    return control.ss(*matrices, name=_plain(system.name), **labels)
 
 
 def to_scipy(system: StateSpace) -> Any:
     """Return the system as `scipy.signal.StateSpace`; see `StateSpace.to_scipy`."""
     from scipy.signal import StateSpace as ScipyStateSpace
 
-    _check_proper(system)
-    return ScipyStateSpace(system.A, system.B, system.C, system.D)
+    return ScipyStateSpace(*_proper_matrices(system))
 
 
 def from_other(system: Any, name: str = "system") -> StateSpace:
@@ -38,35 +36,29 @@ def from_other(system: Any, name: str = "system") -> StateSpace:
     if not hasattr(system, "A") and hasattr(system, "to_ss"):
         system = system.to_ss()
     elif not hasattr(system, "A") and hasattr(system, "num"):
-        system = _from_control_transfer(system)
+        import control
+
+        system = control.tf2ss(system)
     if any(not hasattr(system, letter) for letter in "ABCD"):
         raise ModelError(f"from_ss() takes a system of python-control or scipy.signal, got {system!r}")
     if getattr(system, "dt", None) not in (None, 0):
         raise ModelError(f"from_ss() takes a continuous system, got one with dt = {system.dt} s")
     A, B, C, D = (np.array(getattr(system, letter), dtype=float) for letter in "ABCD")
-    labels = (getattr(system, f"{kind}_labels", None) or () for kind in ("state", "input", "output"))
-    states, inputs, outputs = (tuple(names) for names in labels)
-    return StateSpace(A, B, C, D, name=name, states=states, inputs=inputs, outputs=outputs)
+    labels: dict[str, Any] = {
+        f"{kind}s": getattr(system, f"{kind}_labels", None) or () for kind in ("state", "input", "output")
+    }
+    return StateSpace(A, B, C, D, name=name, **labels)
 
 
-def _from_control_transfer(system: Any) -> Any:
-    import control
-
-    return control.tf2ss(system)
-
-
-def _check_proper(system: StateSpace) -> None:
+def _proper_matrices(system: StateSpace) -> tuple[Any, ...]:
     if not system.proper:
         raise ModelError(
             f"'{system.name}' is improper: {', '.join(system.outputs)} contain derivatives of "
             f"{', '.join(system.inputs)} up to order {len(system.D_s)}. Take a derivative as input, as in "
             f"'{'der(' * len(system.D_s)}{system.inputs[0]}{')' * len(system.D_s)}'"
         )
+    return system.A, system.B, system.C, system.D
 
 
 def _plain(name: str) -> str:
     return name.replace(".", "_").replace(" ", "_")
-
-
-def _all_plain(names: tuple[str, ...]) -> list[str]:
-    return [_plain(name) for name in names]

@@ -17,14 +17,25 @@ from ..given import dae_of
 from ..network import Network
 from ..results.result import Result
 from .operating import OperatingPoint, operating_point
-from .realise import Channel, drop_held, realised
+from .realise import Drive, drop_held, realised
 from .resting import HOLDING
 from .statespace import StateSpace
-from .varied import Varied
 
-STEP = 1e-100
-INCONSISTENT = 1e-6
-_KNOWN: WeakKeyDictionary[DAE, dict[tuple[tuple[str, ...], ...], Linearisation]] = WeakKeyDictionary()
+Place = tuple[Any, ...]
+COMPLEX_STEP = 1e-100
+IMBALANCE = 1e-6  # relative to the slopes that must be balanced
+_COMPILED: WeakKeyDictionary[DAE, dict[tuple[tuple[str, ...], ...], Linearisation]] = WeakKeyDictionary()
+
+
+class Varied(dict[str, float]):
+    """Changed parameters by name, of which `by` are those in which slopes are wanted.
+
+    `linearise(..., parameters=Varied(...))` returns a system with `slopes`, whose norms have a `gradient`.
+    """
+
+    def __init__(self, parameters: Mapping[str, float], by: Iterable[str] | None = None) -> None:
+        super().__init__(parameters)
+        self.by = tuple(parameters if by is None else by)
 
 
 def linearise(
@@ -72,20 +83,15 @@ def linearise(
     driven = listed("inputs", dae.input_names if inputs is None else inputs)
     seen = listed("outputs", dae.state_names if outputs is None else outputs)
     changed = named("parameters", parameters)
-    compiled = _compiled(dae, driven, seen)
+    known = _COMPILED.setdefault(dae, {})
+    if (driven, seen) not in known:
+        known[driven, seen] = Linearisation(dae, driven, seen)
+    compiled = known[driven, seen]
     by = parameters.by if isinstance(parameters, Varied) and at == "equilibrium" else ()
     if by and compiled.linear:
         return compiled.anywhere(dae.parameters.values(changed), by)
     point = operating_point(dae, at, time=time, start=start, inputs=signals, parameters=parameters)
     return compiled.at(point, by)
-
-
-def _compiled(dae: DAE, inputs: tuple[str, ...], outputs: tuple[str, ...]) -> Linearisation:
-    """Return the slopes of a network's equations, compiled once as long as the `DAE` lives."""
-    known = _KNOWN.setdefault(dae, {})
-    if (inputs, outputs) not in known:
-        known[inputs, outputs] = Linearisation(dae, inputs, outputs)
-    return known[inputs, outputs]
 
 
 class Linearisation:
@@ -98,16 +104,12 @@ class Linearisation:
 
     def __init__(self, dae: DAE, inputs: Iterable[str], outputs: Iterable[str]) -> None:
         self.dae = dae
-        self.inputs = [_channel(dae, name) for name in inputs]
+        self.inputs = [_drive(dae, name) for name in inputs]
         self.outputs = list(outputs)
-        self._h = ca.vertcat(ca.SX(0, 1), *[_expression(dae, name) for name in self.outputs])
-
-    @cached_property
-    def _slopes(self) -> Any:
-        dae = self.dae
-        all_ = ca.vertcat(dae.ode, dae.alg, self._h)
-        symbols = [dae.x, dae.z, dae.u, dae.p]
-        return ca.Function("slopes", dae.arguments(), [ca.densify(ca.jacobian(all_, s)) for s in symbols])
+        seen = [_expression(dae, name) for name in self.outputs]
+        equations = ca.vertcat(dae.ode, dae.alg, ca.SX(0, 1), *seen)
+        self._jacobians = [ca.densify(ca.jacobian(equations, s)) for s in (dae.x, dae.z, dae.u, dae.p)]
+        self._slopes = ca.Function("slopes", dae.arguments(), self._jacobians)
 
     @cached_property
     def _motions(self) -> dict[str, Any]:
@@ -116,8 +118,9 @@ class Linearisation:
         found = {}
         for mode in dae.switching.mode_names:
             path = mode.rpartition(".")[0]
-            own = [n for n in dae.names() if n.rpartition(".")[0] == path and _differentiated(dae, n)]
-            values = ca.vertcat(ca.SX(0, 1), *[dae.expression(n) for n in own])
+            own = [name for name in dae.names() if name.rpartition(".")[0] == path]
+            moving = [dae.expression(name) for name in own if dae.root(name)[0] in dae.derivative]
+            values = ca.vertcat(ca.SX(0, 1), *moving)
             slopes = [ca.densify(ca.jacobian(values, s)) for s in (dae.x, dae.u)]
             found[mode] = ca.Function("motions", dae.arguments(), slopes)
         return found
@@ -126,52 +129,49 @@ class Linearisation:
     def linear(self) -> bool:
         """Whether the slopes are the same at all points, so that none need be looked for."""
         dae = self.dae
-        if dae.switching.mode_names or any(c.parameter is not None for c in self.inputs):
+        if dae.switching.mode_names or any(drive.parameter is not None for drive in self.inputs):
             return False
-        all_ = ca.vertcat(dae.ode, dae.alg, self._h)
-        slopes = ca.vertcat(*[ca.vec(ca.jacobian(all_, s)) for s in (dae.x, dae.z, dae.u)])
+        slopes = ca.vertcat(*map(ca.vec, self._jacobians[:3]))
         return not ca.depends_on(slopes, ca.vertcat(dae.x, dae.z, dae.u, dae.time))
 
     @cached_property
     def _tangents(self) -> Any:
         """How the slopes change along a direction of states, algebraic unknowns and parameters."""
         dae = self.dae
-        all_ = ca.vertcat(dae.ode, dae.alg, self._h)
         moved = ca.vertcat(dae.x, dae.z, dae.p)
         along = ca.SX.sym("along", moved.numel())
-        slopes = [ca.densify(ca.jacobian(all_, s)) for s in (dae.x, dae.z, dae.u, dae.p)]
-        changes = [ca.reshape(ca.densify(ca.jtimes(ca.vec(s), moved, along)), s.shape) for s in slopes]
+        rates = [ca.densify(ca.jtimes(ca.vec(slope), moved, along)) for slope in self._jacobians]
+        changes = [ca.reshape(r, slope.shape) for r, slope in zip(rates, self._jacobians, strict=True)]
         return ca.Function("tangents", [*dae.arguments(), along], changes)
 
     def at(self, point: OperatingPoint, by: Iterable[str] = ()) -> StateSpace:
         """Return the linear system about a point, with slopes in parameters `by` unless something holds."""
-        place = (point.x, point.z, point.u, point.q, point.t)
-        matrices = [m.full() for m in self._slopes(*place)]
-        held = self._held_rows(point)
-        system = self._system(matrices, list(point.notes), held, point)
-        return system if len(held) else replace(system, slopes=self._varied(place, matrices, by))
+        return self._about((point.x, point.z, point.u, point.q, point.t), by, point)
 
     def anywhere(self, numbers: Array, by: Iterable[str]) -> StateSpace:
         """Return the system of linear equations for some parameters, with slopes in those of `by`."""
-        dae = self.dae
-        constants = np.concatenate([numbers, np.zeros(dae.constants.numel() - len(numbers))])
-        place = (0.0, 0.0, 0.0, constants, 0.0)
-        matrices = [m.full() for m in self._slopes(*place)]
-        system = self._system(matrices, [], np.zeros((0, dae.x.numel())), None)
-        return replace(system, slopes=self._varied(place, matrices, by))
+        constants = np.concatenate([numbers, np.zeros(self.dae.constants.numel() - len(numbers))])
+        return self._about((0.0, 0.0, 0.0, constants, 0.0), by)
 
-    def _varied(
-        self, place: tuple[Any, ...], matrices: list[Array], by: Iterable[str]
-    ) -> dict[str, StateSpace]:
+    def _about(self, place: Place, by: Iterable[str], point: OperatingPoint | None = None) -> StateSpace:
+        """Return the linear system about what the equations depend on, with slopes in parameters `by`."""
+        held, notes = (self._held_rows(point), point.notes) if point else (None, ())
+        matrices = [m.full() for m in self._slopes(*place)]
+        system = self._system(matrices, notes, held)
+        slopes = self._varied(place, matrices, by) if held is None else {}
+        return replace(system, slopes=slopes, point=point)
+
+    def _varied(self, place: Place, matrices: list[Array], by: Iterable[str]) -> dict[str, StateSpace]:
         """Return the derivatives of the system in parameters, by complex steps of its matrices.
 
         The point moves along: for an equilibrium 0 = f(y, p), dy/dp = -(df/dy)^-1 df/dp.
         """
-        dae, found = self.dae, {}
+        dae, found, known = self.dae, {}, self.dae.parameter_values
         rows = slice(0, dae.x.numel() + dae.z.numel())
         rest = np.hstack([m[rows] for m in matrices[:2]])
         for name in by:
-            _check_parameter(dae, name)
+            if name not in known:
+                raise ModelError(f"'{dae.name}' has no parameter '{name}' to be varied{nearest(name, known)}")
             k = dae.parameters.index[name]
             along = np.zeros(dae.p.numel())
             along[k] = 1.0
@@ -179,46 +179,44 @@ class Linearisation:
             if not self.linear:
                 moved = np.linalg.lstsq(rest, -matrices[3][rows, k], rcond=1e-12)[0]
             changes = self._tangents(*place, np.concatenate([moved, along]))
-            stepped = [m + 1j * STEP * change.full() for m, change in zip(matrices, changes, strict=True)]
-            system = self._system(stepped, [], np.zeros((0, dae.x.numel())), None)
-            parts: Any = {n: getattr(system, n).imag / STEP for n in "ABCD"}
-            found[name] = replace(system, **parts, D_s=tuple(D.imag / STEP for D in system.D_s))
+            system = self._system(
+                [m + 1j * COMPLEX_STEP * change.full() for m, change in zip(matrices, changes, strict=True)]
+            )
+            parts: Any = {n: getattr(system, n).imag / COMPLEX_STEP for n in "ABCD"}
+            found[name] = replace(system, **parts, D_s=tuple(D.imag / COMPLEX_STEP for D in system.D_s))
         return found
 
     def _system(
-        self, matrices: list[Any], notes: list[str], held: Array, point: OperatingPoint | None
+        self, matrices: list[Any], notes: Iterable[str] = (), held: Array | None = None
     ) -> StateSpace:
         """Return the linear system of slopes in states, algebraic unknowns, inputs and parameters."""
         of_x, of_z, of_u, of_p = matrices
-        n, m = of_x.shape[1], of_z.shape[1]
+        n, m, told = of_x.shape[1], of_z.shape[1], list(notes)
         states, algebraic, outputs = np.split(np.arange(len(of_x)), [n, n + m])
         whole = np.hstack([of_x, of_u, of_p])
-        follow = _following(of_z[algebraic], whole[algebraic], notes)
+        follow = _following(of_z[algebraic], whole[algebraic], told)
         self._check_followed(of_z[algebraic], whole[algebraic], follow)
-        whole[np.r_[states, outputs]] += of_z[np.r_[states, outputs]] @ follow
+        rows: Any = np.r_[states, outputs]
+        whole[rows] += of_z[rows] @ follow
         of_x, of_u, of_p = np.split(whole, [n, n + of_u.shape[1]], axis=1)
-        A, C = of_x[states], of_x[outputs]
-        names, units = self.dae.state_names, [self.dae.unit(name) for name in self.dae.state_names]
-        keep: Any = states
-        kept = drop_held(A, of_u[states], held) if len(held) else None
-        if kept is not None:
-            keep, restore = kept
-            notes.append(f"held, and therefore no states: {', '.join(np.delete(names, keep))}")
+        A, C, names = of_x[states], of_x[outputs], self.dae.state_names
+        keep, restore = drop_held(A, of_u[states], held) if held is not None else (list(states), None)
+        if len(keep) < n:
+            told.append(f"held, and therefore no states: {', '.join(np.delete(names, keep))}")
             A, C = A[keep] @ restore, C @ restore
-            names, units = [names[k] for k in keep], [units[k] for k in keep]
-        rows = np.concatenate([keep, outputs]).astype(int)
+            names, rows = [names[k] for k in keep], np.r_[keep, outputs].astype(int)
+        frame = StateSpace(
+            A, np.zeros((len(A), 0)), C, np.zeros((len(C), 0)), name=self.dae.name, notes=tuple(told),
+            states=tuple(names), state_units=tuple(map(self.dae.unit, names)),
+            outputs=tuple(self.outputs), output_units=tuple(map(self.dae.unit, self.outputs)),
+        )  # fmt: skip
         of_u, of_p = of_u[rows], of_p[rows]
-        channels = [self._columns(c, of_u, of_p) for c in self.inputs]
-        inputs = [c.name for c in self.inputs], [c.unit for c in self.inputs]
-        told = [self.dae.unit(name) for name in self.outputs]
-        return realised(
-            self.dae.name, (A, C), channels, (names, units), inputs, (self.outputs, told), notes, point
-        )
+        return realised(frame, [(drive, self._columns(drive, of_u, of_p)) for drive in self.inputs])
 
     def _check_followed(self, of_z: Any, of_others: Any, follow: Any) -> None:
         """Raise where an algebraic unknown would have to move at an infinite rate."""
         left = np.abs((of_z @ follow + of_others).real).max(axis=1, initial=0.0)
-        stiff = np.flatnonzero(left > INCONSISTENT * np.abs(of_others.real).max(axis=1, initial=0.0))
+        stiff = np.flatnonzero(left > IMBALANCE * np.abs(of_others.real).max(axis=1, initial=0.0))
         if len(stiff):
             names = ", ".join(self.dae.name_of(self.dae.algebraic[k]) for k in stiff)
             raise ModelError(
@@ -227,25 +225,26 @@ class Linearisation:
                 "or put a little stiffness or damping beside it"
             )
 
-    def _columns(self, channel: Channel, of_u: Array, of_p: Array) -> tuple[Channel, dict[int, Array]]:
-        """Return the slopes in a channel and its derivatives, by order."""
-        if channel.parameter is not None:
-            return channel, {0: of_p[:, channel.parameter]}
+    def _columns(self, drive: Drive, of_u: Array, of_p: Array) -> dict[int, Array]:
+        """Return the slopes in what drives and in its derivatives, by order."""
+        if drive.parameter is not None:
+            return {0: of_p[:, drive.parameter]}
         columns: dict[int, Array] = {}
         for k, declared in enumerate(self.dae.inputs):
-            if declared.path == channel.path:
+            if declared.path == drive.path:
                 columns[declared.order] = columns.get(declared.order, 0.0) + declared.sign * of_u[:, k]
-        return channel, columns
+        return columns
 
-    def _held_rows(self, point: OperatingPoint) -> Array:
+    def _held_rows(self, point: OperatingPoint) -> Array | None:
+        """Return how what holds depends on the states, one row a motion, if anything does."""
         rows = [np.zeros((0, len(point.x)))]
         for mode, value in point.modes.items():
             if value in HOLDING:
-                of_x, of_u = (
-                    m.full() for m in self._motions[mode](point.x, point.z, point.u, point.q, point.t)
-                )
+                found = self._motions[mode](point.x, point.z, point.u, point.q, point.t)
+                of_x, of_u = (m.full() for m in found)
                 rows.append(of_x[~of_u.any(axis=1)])
-        return np.vstack(rows)
+        held = np.vstack(rows)
+        return held if len(held) else None
 
 
 def _following(of_z: Any, of_others: Any, notes: list[str]) -> Any:
@@ -254,14 +253,11 @@ def _following(of_z: Any, of_others: Any, notes: list[str]) -> Any:
         return np.zeros((0, of_others.shape[1]))
     scale = np.abs(of_z.real).max(axis=1)
     scale[scale == 0] = 1.0
-    follow, _, rank, _ = np.linalg.lstsq(
-        of_z.real / scale[:, None], -of_others.real / scale[:, None], rcond=1e-13
-    )
+    slopes = of_z.real / scale[:, None]
+    follow, _, rank, _ = np.linalg.lstsq(slopes, -of_others.real / scale[:, None], rcond=1e-13)
     if np.iscomplexobj(of_z):
         rest = of_others.imag + of_z.imag @ follow
-        follow = (
-            follow - 1j * np.linalg.lstsq(of_z.real / scale[:, None], rest / scale[:, None], rcond=1e-13)[0]
-        )
+        follow = follow - 1j * np.linalg.lstsq(slopes, rest / scale[:, None], rcond=1e-13)[0]
     if rank < len(of_z):
         notes.append(
             f"{len(of_z) - rank} algebraic unknowns are not determined here; the least ones are taken"
@@ -269,24 +265,17 @@ def _following(of_z: Any, of_others: Any, notes: list[str]) -> Any:
     return follow
 
 
-def _channel(dae: DAE, name: str) -> Channel:
+def _drive(dae: DAE, name: str) -> Drive:
     path, order = name, 0
     while path.startswith("der(") and path.endswith(")"):
         path, order = path[4:-1], order + 1
-    table = dae.parameters
+    place = dae.parameters.index
     if path in dae.input_names:
         unit = next(i.unit for i in dae.inputs if i.path == path)
-        return Channel(name, path, order, unit, None)
-    if path in table.index and not order:
-        return Channel(name, path, 0, dae.unit(path), table.index[path])
-    known = [*dae.input_names, *table.index]
-    raise ModelError(f"'{dae.name}' has no input '{path}'{nearest(path, known)}")
-
-
-def _check_parameter(dae: DAE, name: str) -> None:
-    known = dae.parameter_values
-    if name not in known:
-        raise ModelError(f"'{dae.name}' has no parameter '{name}' to be varied{nearest(name, known)}")
+        return Drive(name, path, order, unit, None)
+    if path in place and not order:
+        return Drive(name, path, 0, dae.unit(path), place[path])
+    raise ModelError(f"'{dae.name}' has no input '{path}'{nearest(path, [*dae.input_names, *place])}")
 
 
 def _expression(dae: DAE, name: str) -> Any:
@@ -294,7 +283,3 @@ def _expression(dae: DAE, name: str) -> Any:
         return dae.expression(name)
     except KeyError as error:
         raise ModelError(f"'{dae.name}' has no output '{name}': {error.args[0]}") from None
-
-
-def _differentiated(dae: DAE, name: str) -> bool:
-    return dae.root(name)[0] in dae.derivative

@@ -7,7 +7,7 @@ from dataclasses import replace
 import numpy as np
 
 from ...base import Array
-from .statespace import StateSpace
+from .statespace import StateSpace, numbered
 
 Triple = tuple[Array, Array, Array]
 Slopes = dict[str, Triple]
@@ -24,16 +24,18 @@ def minimal(system: StateSpace, tolerance: float = 1e-9) -> StateSpace:
     }
     small, slopes = _reached((A / rate, B / into, C / out), slopes, tolerance)
     turned, slopes = _reached(_turned(small), {by: _turned(s) for by, s in slopes.items()}, tolerance)
-    (A, B, C), kept = _turned(turned), len(turned[0])
-    lost = len(system.A) - kept
-    if not lost:
+    kept = len(turned[0])
+    if kept == len(system.A):
         return system
-    names, units = tuple(f"x{k + 1}" for k in range(kept)), ("1",) * kept
-    return replace(
-        system, A=A * rate, B=B * into, C=C * out, states=names, state_units=units,
-        slopes={by: _slope(system.slopes[by], _turned(s), rate, into, out) for by, s in slopes.items()},
-        notes=(*system.notes, f"{lost} states that no input reaches or no output shows are left out"),
-    )  # fmt: skip
+    left_out = f"{len(system.A) - kept} states that no input reaches or no output shows are left out"
+
+    def reduced(whole: StateSpace, part: Triple) -> StateSpace:
+        A, B, C = _turned(part)
+        names, units = numbered("x", kept), ("1",) * kept
+        return replace(whole, A=A * rate, B=B * into, C=C * out, states=names, state_units=units)
+
+    changes = {by: reduced(system.slopes[by], slope) for by, slope in slopes.items()}
+    return replace(reduced(system, turned), slopes=changes, notes=(*system.notes, left_out))
 
 
 def balanced(system: StateSpace) -> tuple[Array, Array, Array, Array]:
@@ -52,12 +54,10 @@ def controllable_part(A: Array, B: Array, tolerance: float) -> Array:
 
     Source: H. Rosenbrock, State-space and Multivariable Theory (1970); the staircase by singular values.
     """
-    n = len(A)
-    basis = np.zeros((n, 0))
-    block = B
-    while basis.shape[1] < n and block.size:
-        block = block - basis @ (basis.T @ block)
-        block = block - basis @ (basis.T @ block)
+    basis, block = np.zeros((len(A), 0)), B
+    while basis.shape[1] < len(A) and block.size:
+        for _ in range(2):
+            block = block - basis @ (basis.T @ block)
         left, strength, _ = np.linalg.svd(block, full_matrices=False)
         new = left[:, strength > tolerance]
         if not new.shape[1]:
@@ -82,9 +82,7 @@ def _reached(system: Triple, slopes: Slopes, tolerance: float) -> tuple[Triple, 
     W = scipy.linalg.null_space(V.T)
     within, reached = V.T @ A @ V, V.T @ B
     eye, other = np.eye(len(within)), np.eye(W.shape[1])
-    moving = np.vstack(
-        [np.kron(eye, W.T @ A @ W) - np.kron(within.T, other), np.kron(reached.T, other)]
-    )  # fmt: skip
+    moving = np.vstack([np.kron(eye, W.T @ A @ W) - np.kron(within.T, other), np.kron(reached.T, other)])
     found: Slopes = {}
     for by, (dA, dB, dC) in slopes.items():
         wanted = np.hstack([-W.T @ dA @ V, W.T @ dB]).ravel("F")
@@ -99,11 +97,6 @@ def _reached(system: Triple, slopes: Slopes, tolerance: float) -> tuple[Triple, 
 def _turned(system: Triple) -> Triple:
     A, B, C = system
     return A.T, C.T, B.T
-
-
-def _slope(whole: StateSpace, small: Triple, rate: float, into: Array, out: Array) -> StateSpace:
-    A, B, C = small
-    return replace(whole, A=A * rate, B=B * into, C=C * out, states=(), state_units=())
 
 
 def _norms(matrix: Array, axis: int) -> Array:

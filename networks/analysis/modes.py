@@ -1,4 +1,4 @@
-"""Modes: natural frequencies, damping ratios and shapes, drawn and moving."""
+"""Modes: natural frequencies, damping ratios and shapes, drawn and moving; and transmission zeros."""
 
 from __future__ import annotations
 
@@ -13,12 +13,11 @@ from ...base import Complex, ModelError, demand, finite, shown, whole
 from ..dae import DAE
 from ..given import dae_of
 from ..network import Network
+from .statespace import StateSpace, slowest_first
 
 if TYPE_CHECKING:
     from matplotlib.animation import FuncAnimation
     from matplotlib.figure import Figure
-
-    from .statespace import StateSpace
 
 
 @dataclass(frozen=True, eq=False)
@@ -56,24 +55,41 @@ class Mode:
 
 def modes(system: StateSpace) -> list[Mode]:
     """Return a system's modes; see `StateSpace.modes`."""
-    eigenvalues, eigenvectors = np.linalg.eig(system.A)
-    poles: Complex = np.asarray(eigenvalues, dtype=np.complex128)
-    vectors: Complex = np.asarray(eigenvectors, dtype=np.complex128)
-    order = [k for k in np.lexsort((poles.imag, np.abs(poles))) if poles[k].imag >= 0]
-    found = []
-    for k in order:
-        state: Complex = vectors[:, k]
-        shape: Complex = np.asarray(system.C @ state, dtype=np.complex128)
-        found.append(
-            Mode(complex(poles[k]), _named(system.outputs, shape), _named(system.states, state))
-        )  # fmt: skip
-    return found
+    poles, vectors = (m.astype(np.complex128) for m in np.linalg.eig(system.A))
+    return [
+        Mode(
+            complex(poles[k]),
+            _scaled(system.outputs, system.C @ vectors[:, k]),
+            _scaled(system.states, vectors[:, k]),
+        )
+        for k in slowest_first(poles)
+        if poles[k].imag >= 0
+    ]
 
 
-def _named(names: Sequence[str], values: Complex) -> dict[str, complex]:
-    top = values[np.argmax(np.abs(values))] if len(values) else 1.0
-    scaled = values / top if abs(top) > 0 else values
-    return dict(zip(names, map(complex, scaled), strict=True))
+def _scaled(names: Sequence[str], values: Complex) -> dict[str, complex]:
+    """Return amplitudes by name, the greatest being 1."""
+    top = values[np.argmax(np.abs(values))] if len(values) else 0.0
+    return dict(zip(names, (values / top if top else values).tolist(), strict=True))
+
+
+def transmission_zeros(system: StateSpace) -> Complex:
+    """Return the finite generalised eigenvalues of [[A, B], [C, D]]; see `StateSpace.zeros`."""
+    import scipy.linalg
+
+    n, m = system.B.shape
+    if len(system.C) != m or not system.proper:
+        raise ModelError(
+            f"'{system.name}': zeros are those of a proper system with as many inputs as outputs; pick "
+            "a pair: system[output, input]"
+        )
+    pencil = np.block([[system.A, system.B], [system.C, system.D]])
+    weight = scipy.linalg.block_diag(np.eye(n), np.zeros((m, m)))
+    alpha, beta = scipy.linalg.eigvals(pencil, weight, homogeneous_eigvals=True).astype(np.complex128)
+    finite = np.abs(beta) > 1e-10 * np.abs(alpha)
+    zeros: Complex = alpha[finite] / beta[finite]
+    zeros = zeros[np.abs(zeros) < 1e6 * np.abs(system.poles).max(initial=1.0)]
+    return zeros[slowest_first(zeros)]
 
 
 def body_positions(network: Network | DAE) -> list[str]:
@@ -83,11 +99,11 @@ def body_positions(network: Network | DAE) -> list[str]:
         ModelError: if nothing there has a mass that slides.
     """
     dae = dae_of(network)
-    found = []
-    for path, instance in dae.flat.instances.items():
-        fields = type(instance.component).fields
-        if "m" in fields and {"s", "v", "a"} <= fields.keys():
-            found.append(f"{path}.s")
+    found = [
+        f"{path}.s"
+        for path, instance in dae.flat.instances.items()
+        if {"m", "s", "v", "a"} <= type(instance.component).fields.keys()
+    ]
     if not found:
         angles = [v for v in dae.state_names if dae.unit(v) == "rad"]
         told = f"; it turns: name its angles, {', '.join(angles)}" if angles else ""
@@ -110,19 +126,14 @@ def plot_modes(modes: Sequence[Mode], *, phase: float = 0.0, axes: Any = None) -
     modes = _modes(modes)
     demand("plot_modes()", phase=(phase, finite("rad")))
     if axes is None:
-        _, axes = pyplot.subplots(
-            1,
-            len(modes),
-            sharey=True,
-            squeeze=False,
-            figsize=(1.5 + 1.8 * len(modes), 4.0),
-            layout="constrained",
-        )
-    if np.size(axes) != len(modes) or not all(hasattr(ax, "fill_betweenx") for ax in np.ravel(axes)):
+        size = (1.5 + 1.8 * len(modes), 4.0)
+        _, axes = pyplot.subplots(1, len(modes), sharey=True, figsize=size, layout="constrained")
+    drawn_on = np.ravel(axes)
+    if len(drawn_on) != len(modes) or not all(hasattr(ax, "fill_betweenx") for ax in drawn_on):
         raise ModelError(f"{len(modes)} modes need as many matplotlib axes, got {shown(axes)}")
-    for ax, mode in zip(np.ravel(axes), modes, strict=True):
+    for ax, mode in zip(drawn_on, modes, strict=True):
         _draw(ax, mode, phase)
-    figure: Figure = np.ravel(axes)[0].get_figure()
+    figure: Figure = drawn_on[0].get_figure()
     return figure
 
 
@@ -138,10 +149,9 @@ def animate_modes(modes: Sequence[Mode], frames: int = 40) -> FuncAnimation:
     demand("animate_modes()", frames=(frames, whole(1)))
     modes = _modes(modes)
     figure = plot_modes(modes)
-    axes = figure.axes
 
     def draw(frame: int) -> list[Any]:
-        for ax, mode in zip(axes, modes, strict=True):
+        for ax, mode in zip(figure.axes, modes, strict=True):
             ax.clear()
             _draw(ax, mode, 2 * math.pi * frame / frames)
         return []

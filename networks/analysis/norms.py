@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterable, Mapping
-from typing import TYPE_CHECKING
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from dataclasses import InitVar, dataclass, field
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -14,10 +15,12 @@ from .minimal import balanced, minimal
 if TYPE_CHECKING:
     from .statespace import StateSpace
 
-AXIS = 1e-11
+AXIS_MARGIN = 1e-11  # of poles left of the imaginary axis, against the fastest
+HINF_ROUNDS = 50
 Gains = Callable[[Iterable[float]], list["Norm"]]
 
 
+@dataclass(eq=False, repr=False)
 class Norm(float):
     """A norm: a number that knows the frequency [Hz] of its peak, and why it is infinite if it is.
 
@@ -27,25 +30,15 @@ class Norm(float):
         gains: returns the gains at frequencies [Hz], with their gradients, of such a norm.
     """
 
-    frequency: float | None
-    reason: str
-    gradient: Mapping[str, float]
-    peaks: tuple[Norm, ...]
-    gains: Gains
+    value: InitVar[float]
+    frequency: float | None = None
+    reason: str = ""
+    gradient: Mapping[str, float] = field(default_factory=dict)
+    peaks: Sequence[Norm] = ()
+    gains: Gains = lambda _: []
 
-    def __new__(
-        cls,
-        value: float,
-        frequency: float | None = None,
-        reason: str = "",
-        gradient: Mapping[str, float] | None = None,
-        peaks: Iterable[Norm] = (),
-        gains: Gains = lambda _: [],
-    ) -> Norm:
-        norm = super().__new__(cls, value)
-        norm.frequency, norm.reason = frequency, reason
-        norm.gradient, norm.peaks, norm.gains = dict(gradient or {}), tuple(peaks), gains
-        return norm
+    def __new__(cls, value: float, *_: Any, **__: Any) -> Norm:
+        return super().__new__(cls, value)
 
     def scaled(self, factor: float) -> Norm:
         """Return the norm times a positive constant, with its gradient."""
@@ -53,10 +46,10 @@ class Norm(float):
         gradient = {name: factor * slope for name, slope in self.gradient.items()}
         peaks = [peak.scaled(factor) for peak in self.peaks]
 
-        def gains(f: Iterable[float]) -> list[Norm]:
-            return [gain.scaled(factor) for gain in self.gains(f)]
-
-        return Norm(factor * self, self.frequency, self.reason, gradient, peaks, gains)
+        return Norm(
+            factor * self, self.frequency, self.reason, gradient, peaks,
+            lambda f: [gain.scaled(factor) for gain in self.gains(f)],
+        )  # fmt: skip
 
 
 def h2(system: StateSpace) -> Norm:
@@ -92,9 +85,8 @@ def hinf(system: StateSpace, tolerance: float = 1e-10) -> Norm:
     peak, w = _first_peak(small)
     if peak == 0.0:
         return Norm(0.0, 0.0)
-    for _ in range(50):
-        level = peak * (1 + 2 * tolerance)
-        crossings = _crossings(small, level)
+    for _ in range(HINF_ROUNDS):
+        crossings = _crossings(small, peak * (1 + 2 * tolerance))
         if not len(crossings):
             break
         between = np.sqrt(crossings[:-1] * crossings[1:]) if len(crossings) > 1 else crossings
@@ -107,12 +99,10 @@ def hinf(system: StateSpace, tolerance: float = 1e-10) -> Norm:
     peaks = sorted((_peak(small, other) for other in (0.0, *local_peaks(small))), reverse=True)
     if peaks[0] < peak * (1 - 1e-8):
         peaks.insert(0, _peak(small, w))
-    best = peaks[0]
-
-    def gains(f: Iterable[float]) -> list[Norm]:
-        return [_peak(small, 2 * math.pi * each) for each in f]
-
-    return Norm(best, best.frequency, "", best.gradient, peaks, gains)
+    return Norm(
+        peaks[0], peaks[0].frequency, "", peaks[0].gradient, peaks,
+        lambda f: [_peak(small, 2 * math.pi * each) for each in f],
+    )  # fmt: skip
 
 
 def stable_part(system: StateSpace) -> tuple[StateSpace, str]:
@@ -121,11 +111,11 @@ def stable_part(system: StateSpace) -> tuple[StateSpace, str]:
         raise ModelError(
             f"'{system.name}' has no inputs or no outputs, and so no norm; give linearise() some"
         )
-    if len(system.A) == 0 or (system.poles.real < -AXIS * np.abs(system.poles).max()).all():
+    if len(system.A) == 0 or (system.poles.real < -AXIS_MARGIN * np.abs(system.poles).max()).all():
         return system, ""
     small = minimal(system)
     worst = small.poles[np.argmax(small.poles.real)] if len(small.A) else complex(-1)
-    if worst.real < -AXIS * np.abs(small.poles).max(initial=1.0):
+    if worst.real < -AXIS_MARGIN * np.abs(small.poles).max(initial=1.0):
         return small, ""
     kind = "unstable" if worst.real > 1e-9 * abs(worst) else "not asymptotically stable"
     return small, f"{kind}: pole at {worst:.4g} rad/s"
@@ -134,8 +124,8 @@ def stable_part(system: StateSpace) -> tuple[StateSpace, str]:
 def _first_peak(system: StateSpace) -> tuple[float, float]:
     poles = system.poles
     natural = np.abs(poles)
-    tried = [0.0, *natural, *np.sqrt(np.maximum(natural**2 - 2 * poles.real**2, 0.0))]
-    best, w = _greatest(system, np.array(tried))
+    resonances = np.sqrt(np.maximum(natural**2 - 2 * poles.real**2, 0.0))
+    best, w = _greatest(system, np.r_[0.0, natural, resonances])
     top = float(np.linalg.norm(system.D, 2)) if system.D.size else 0.0
     return (top, math.inf) if top > best else (best, w)
 
@@ -171,11 +161,10 @@ def local_peaks(system: StateSpace) -> list[float]:
 
     def gain(w: Array) -> Array:
         sums = np.einsum("ok,...k,ki->...oi", to_outputs, 1 / (1j * w[..., None] - poles), from_inputs)
-        found: Array = np.linalg.norm(sums + system.D, 2, axis=(-2, -1))
-        return found
+        return np.asarray(np.linalg.norm(sums + system.D, 2, axis=(-2, -1)))
 
     natural = np.abs(poles)
-    near = np.outer(natural, 1 + np.array([-0.1, -0.03, -0.01, 0.0, 0.01, 0.03, 0.1]))
+    near = np.outer(natural, [0.9, 0.97, 0.99, 1.0, 1.01, 1.03, 1.1])
     w = np.unique(np.r_[np.geomspace(natural.min() / 3, natural.max() * 3, 60), near.ravel()])
     height = gain(w)
     inner = np.flatnonzero((height[1:-1] >= height[:-2]) & (height[1:-1] > height[2:])) + 1
@@ -192,17 +181,14 @@ def local_peaks(system: StateSpace) -> list[float]:
 def _crossings(system: StateSpace, level: float) -> Array:
     """Return the frequencies [rad/s] at which a singular value is `level`: imaginary eigenvalues."""
     A, B, C, _ = balanced(system)
-    D = system.D
     rate = float(np.abs(np.linalg.eigvals(A)).max(initial=1e-300))
     A, B, C = A / rate, B / math.sqrt(rate * level), C / math.sqrt(rate * level)
-    D = D / level
-    R = np.eye(D.shape[1]) - D.T @ D
-    S = np.eye(D.shape[0]) - D @ D.T
+    D = system.D / level
+    R, S = np.eye(D.shape[1]) - D.T @ D, np.eye(D.shape[0]) - D @ D.T
     feedback = A + B @ np.linalg.solve(R, D.T @ C)
     hamiltonian = np.block(
         [[feedback, B @ np.linalg.solve(R, B.T)], [-C.T @ np.linalg.solve(S, C), -feedback.T]]
     )
     eigenvalues = np.linalg.eigvals(hamiltonian)
     on_axis = np.abs(eigenvalues.real) <= 1e-8 * (1e-3 + np.abs(eigenvalues))
-    w = np.sort(eigenvalues.imag[on_axis & (eigenvalues.imag >= 0)]) * rate
-    return np.asarray(w, dtype=float)
+    return np.asarray(np.sort(eigenvalues.imag[on_axis & (eigenvalues.imag >= 0)]) * rate, dtype=float)

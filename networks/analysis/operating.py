@@ -27,8 +27,6 @@ class OperatingPoint:
     """States, algebraic unknowns, inputs and constants at one instant, and what is to be known about them.
 
     Attributes:
-        values: states by name.
-        modes: name of each mode's present value.
         notes: free directions, other equilibria, friction that holds.
     """
 
@@ -79,7 +77,7 @@ def operating_point(
         return _of_run(at, time)
     if text(at) or at not in ("equilibrium", "start"):
         raise ModelError(f"'{dae.name}': at is 'equilibrium', 'start' or a Result, got {at!r}")
-    signals = {i.path: 0.0 for i in dae.inputs if i.order == 0 and i.signal is None} | named("inputs", inputs)
+    signals = inputs_at_rest(dae) | named("inputs", inputs)
     check_covered(dae.name, bound(dae, signals).signals, time, time)
     if at == "equilibrium":
         signals = _held(dae, signals, time)
@@ -89,7 +87,6 @@ def operating_point(
     notes = list(run.switcher.notes) if run.switcher else []
     if at == "equilibrium":
         notes += settle(closed, run.point, run.switcher)
-    notes += _holding(dae, run.point.q)
     return _point(closed, run.point, notes)
 
 
@@ -109,22 +106,18 @@ def equilibria(
         ModelError: if none is found.
     """
     dae = dae_of(dae)
-    demand(
-        "equilibria()",
-        starts=(starts, whole(0)),
-        spread=(spread, between(0, 1e100)),
-        seed=(seed, whole(0)),
-    )
+    sizes = {"starts": (starts, whole(0)), "seed": (seed, whole(0))}
+    demand("equilibria()", spread=(spread, between(0, 1e100)), **sizes)
     check_keywords("equilibria()", options, operating_point)
     begin = named("start", options.pop("start", None))
     rng = np.random.default_rng(seed)
     first = operating_point(dae, "start", start=begin, **options)
+    tries = [first.x, *(first.x + spread * rng.standard_normal(len(first.x)) for _ in range(starts))]
     found: list[OperatingPoint] = []
     problem: ModelError | None = None
-    for k in range(starts + 1):
-        tried = first.x + (spread * rng.standard_normal(len(first.x)) if k else 0.0)
-        values = dict(zip(dae.state_names, tried, strict=True)) | begin
+    for tried in tries:
         try:
+            values = dict(zip(dae.state_names, tried, strict=True)) | begin
             point = operating_point(dae, start=values, **options)
         except ModelError as error:
             problem = error
@@ -136,37 +129,35 @@ def equilibria(
     return found
 
 
+def inputs_at_rest(dae: DAE) -> dict[str, Any]:
+    """Return 0 for every input that has no signal of its own."""
+    return {i.path: 0.0 for i in dae.inputs if i.order == 0 and i.signal is None}
+
+
 def _held(dae: DAE, signals: dict[str, Any], time: float) -> dict[str, Any]:
     """Return every signal's value at an instant, as a constant."""
-    closed = bound(dae, signals)
-    values = ca.Function("signals", [closed.t], [closed.u])(time).full().ravel()
+    values = _inputs(bound(dae, signals), time)
     return {i.path: float(i.sign * v) for i, v in zip(dae.inputs, values, strict=True) if i.order == 0}
 
 
 def _of_run(run: Result, time: float) -> OperatingPoint:
-    segments = run._segments
-    for segment in segments:
-        times = np.concatenate(segment.times)
-        if times[0] <= time <= times[-1]:
-            break
-    else:
-        begin, end = run.time[0], run.time[-1]
+    points = run.points
+    begin, end = points.t[0], points.t[-1]
+    if not begin <= time <= end:
         raise ModelError(f"'{run.name}' ran from {begin:g} s to {end:g} s, not to {time:g} s")
-    rows = np.vstack(segment.states), np.vstack(segment.algebraic)
-    x, z = (np.array([np.interp(time, times, column) for column in table.T]) for table in rows)
-    closed = run._closed
-    point = Point(time, x, z, segment.q.copy())
-    return _point(closed, point, _holding(closed.dae, point.q))
+    k = int(np.searchsorted(points.t, time))
+    near = points.only(slice(max(k - 1, 0), k + 1))
+    x, z = (np.array([np.interp(time, near.t, column) for column in m.T]) for m in (near.x, near.z))
+    return _point(run.closed, Point(time, x, z, points.q[k].copy()), [])
 
 
 def _point(closed: BoundDAE, point: Point, notes: list[str]) -> OperatingPoint:
-    u = ca.Function("u", [closed.t], [closed.u])(point.t).full().ravel()
-    return OperatingPoint(closed.dae, point.t, point.x, point.z, u, point.q, notes)
+    found = OperatingPoint(closed.dae, point.t, point.x, point.z, _inputs(closed, point.t), point.q, notes)
+    holding = [f"{name} is '{value}'" for name, value in found.modes.items() if value in HOLDING]
+    notes += [f"{told}: linear only while it holds" for told in holding]
+    return found
 
 
-def _holding(dae: DAE, q: Array) -> list[str]:
-    return [
-        f"{name} is '{value}': linear only while it holds"
-        for name, value in mode_values(dae, q).items()
-        if value in HOLDING
-    ]
+def _inputs(closed: BoundDAE, time: float) -> Array:
+    """Return the values of the inputs and their derivatives at an instant."""
+    return np.asarray(ca.Function("inputs", [closed.t], [closed.u])(time).full().ravel())

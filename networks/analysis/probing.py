@@ -41,8 +41,11 @@ def admittance(
     """
     net, domain = _probed(network, flange_a, flange_b, "move")
     drive, force = f"der(probe.{domain.across}_ref)", f"probe.flange.{domain.through}"
-    system = linearise(net, [drive], [force], **options).minimal()
-    return _told(system, domain.speed, domain.through, -1.0)
+    found = linearise(net, [drive], [force], **options).minimal()
+    drives, forces = (domain.speed,), (domain.through,)
+    return replace(
+        found, C=-found.C, D=-found.D, D_s=tuple(-D for D in found.D_s), inputs=drives, outputs=forces
+    )
 
 
 def impedance(
@@ -54,8 +57,8 @@ def impedance(
     """
     net, domain = _probed(network, flange_a, flange_b, "push")
     force, speed = f"probe.{domain.through}", f"meter.{domain.speed}_rel"
-    system = linearise(net, [force], [speed], **options).minimal()
-    return _told(system, domain.through, domain.speed, 1.0)
+    found = linearise(net, [force], [speed], **options).minimal()
+    return replace(found, inputs=(domain.through,), outputs=(domain.speed,))
 
 
 def _probed(network: Component, flange_a: str, flange_b: str, how: str) -> tuple[Network, Domain]:
@@ -97,10 +100,3 @@ def port(net: Network, path: str) -> PortRef:
     if name not in ports:
         raise ModelError(f"'{path}': there is no such flange{nearest(name, ports)}")
     return PortRef(part, name)
-
-
-def _told(system: StateSpace, given: str, answer: str, sign: float) -> StateSpace:
-    return replace(
-        system, C=sign * system.C, D=sign * system.D, D_s=tuple(sign * D for D in system.D_s),
-        inputs=(given,), outputs=(answer,),
-    )  # fmt: skip

@@ -28,19 +28,18 @@ def response_psd(system: StateSpace, f: ArrayLike, input_psd: Spectrum = 1.0) ->
     if at.ndim != 1 or not (at >= 0).all():
         raise ModelError(f"one-sided spectra are at a list of frequencies from 0 Hz, got {shown(f)}")
     given = _spectrum(input_psd, at)
-    spectrum: Array = (np.abs(system.response(at)) ** 2).sum(axis=-1) * given[:, None]
-    return spectrum
+    return np.asarray((np.abs(system.response(at)) ** 2).sum(axis=-1) * given[:, None])
 
 
 def _spectrum(input_psd: Spectrum, at: Array) -> Array:
     """Return the spectrum of the input at some frequencies."""
-    try:
-        values: Any = input_psd(at) if callable(input_psd) else input_psd
-    except Exception as error:
-        told = f"{type(error).__name__}: {str(error).partition(chr(10))[0]}"
-        raise ModelError(f"input_psd failed for an array of frequencies ({told})") from error
-    if not callable(input_psd) and not number(input_psd):
-        values = np.full(at.shape, input_psd)
+    values: Any = input_psd if number(input_psd) else np.full(at.shape, input_psd)
+    if callable(input_psd):
+        try:
+            values = input_psd(at)
+        except Exception as error:
+            told = f"{type(error).__name__}: {str(error).partition(chr(10))[0]}"
+            raise ModelError(f"input_psd failed for an array of frequencies ({told})") from error
     if numbers(at_least(0))(values) or np.shape(values) != at.shape:
         raise ModelError(
             f"input_psd must be a spectrum of at least 0, a number or a function of frequencies, got "
@@ -68,13 +67,8 @@ def response_rms(
     """
     from scipy.integrate import simpson
 
-    demand(
-        "response_rms()",
-        system=(system, instance(StateSpace)),
-        low=(low, finite("Hz")),
-        high=(high, finite("Hz")),
-        points=(points, whole(2)),
-    )
+    band = {"low": (low, finite("Hz")), "high": (high, finite("Hz"))}
+    demand("response_rms()", system=(system, instance(StateSpace)), **band, points=(points, whole(2)))
     if not 0 < low < high:
         raise ModelError(f"a band goes from low > 0 to a higher frequency, got {low:g} to {high:g} Hz")
     reason = stable_part(system)[1]

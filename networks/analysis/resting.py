@@ -17,11 +17,11 @@ from ..simulation.events.switcher import Switcher
 from ..simulation.initialization import StartValues
 from ..simulation.point import Point, solve_algebraic
 
-TINY = 1e-9
-STILL = 1e-12
-ON_THE_WAY = (0.25, 0.5, 0.75, 0.999)
+REST_ACCURACY = 1e-9
+STANDING_SPEED = 1e-12
+SHARES_OF_THE_WAY = (0.25, 0.5, 0.75, 0.999)
 HOLDING = ("stuck", "contact")
-_KNOWN: WeakKeyDictionary[BoundDAE, Any] = WeakKeyDictionary()
+_REST_FUNCTIONS: WeakKeyDictionary[BoundDAE, Any] = WeakKeyDictionary()
 
 
 def settle(closed: BoundDAE, point: Point, switcher: Switcher | None) -> list[str]:
@@ -59,10 +59,10 @@ def _keep_this_side(closed: BoundDAE, before: Point, point: Point, switcher: Swi
         except SimulationError:
             return True
 
-    last = next((share for share in ON_THE_WAY if switches(share)), None)
+    last = next((share for share in SHARES_OF_THE_WAY if switches(share)), None)
     if last is None:
         return
-    first = max(share for share in (0.0, *ON_THE_WAY) if share < last)
+    first = max(share for share in (0.0, *SHARES_OF_THE_WAY) if share < last)
     while first < (middle := (first + last) / 2) < last:
         first, last = (first, middle) if switches(middle) else (middle, last)
     there = passed(last)
@@ -73,7 +73,7 @@ def _holds_at_rest(closed: BoundDAE, point: Point) -> bool:
     """Let what slid up to an equilibrium hold there, as if it had stood there; tell whether it does."""
     dae = closed.dae
     blank = closed.blank(point.q[: dae.p.numel()])
-    standing = np.where(np.abs(point.x) < STILL, 0.0, point.x).tolist()
+    standing = np.where(np.abs(point.x) < STANDING_SPEED, 0.0, point.x).tolist()
     fixed = zip(dae.states, zip(dae.state_names, standing, strict=True), strict=True)
     try:
         there = begun(closed, blank, point.t, StartValues(dict(fixed), {})).point
@@ -88,16 +88,17 @@ def _holds_at_rest(closed: BoundDAE, point: Point) -> bool:
 def _rest(closed: BoundDAE, point: Point) -> list[str]:
     """Solve ode = 0, alg = 0 by damped Gauss-Newton steps of least norm."""
     dae = closed.dae
-    function = _rest_function(closed)
-    split = len(point.x)
-    held = _held_states(dae, point.q)
+    if closed not in _REST_FUNCTIONS:
+        residual = closed.close(ca.vertcat(dae.ode, dae.alg))
+        slopes = ca.horzcat(ca.jacobian(residual, closed.x), ca.jacobian(residual, closed.z))
+        _REST_FUNCTIONS[closed] = closed.function("rest", residual, slopes)
+    split, held = len(point.x), _held_states(dae, point.q)
     y = np.concatenate([point.x, point.z])
 
     def at(y: Array) -> tuple[Array, Array]:
-        value, slope = function(y[:split], y[split:], point.q, point.t)
-        slope = slope.full()
+        value, slope = (m.full() for m in _REST_FUNCTIONS[closed](y[:split], y[split:], point.q, point.t))
         slope[:, held] = 0.0
-        return value.full().ravel(), slope
+        return value.ravel(), slope
 
     value, slope = at(y)
     if not (np.isfinite(value).all() and np.isfinite(slope).all()):
@@ -107,13 +108,15 @@ def _rest(closed: BoundDAE, point: Point) -> list[str]:
             f"{blamed or 'a parameter of 0 may remove what they are solved for'}; {GUARD}"
         )
     for _ in range(100):
-        step = _least_step(value, slope)
-        length = 1.0
+        rows, length = _scales(slope), 1.0
+        least = (
+            np.linalg.lstsq(slope / rows[:, None], -value / rows, rcond=1e-12)[0] if slope.size else 0.0 * y
+        )
+        step = np.asarray(least, dtype=float)
         while length > 1e-6:
             trial = at(y + length * step)
-            if np.isfinite(trial[0]).all() and _size(trial[0], slope) <= _size(value, slope) * (
-                1 - 0.1 * length
-            ):
+            enough = _size(value, slope) * (1 - 0.1 * length)
+            if np.isfinite(trial[0]).all() and _size(trial[0], slope) <= enough:
                 break
             length /= 2
         y, (value, slope) = y + length * step, at(y + length * step)
@@ -124,36 +127,18 @@ def _rest(closed: BoundDAE, point: Point) -> list[str]:
     return _free_directions(dae, slope, held)
 
 
-def _rest_function(closed: BoundDAE) -> Any:
-    """Return what must vanish at rest, and its slopes; compiled once."""
-    if closed not in _KNOWN:
-        residual = closed.close(ca.vertcat(closed.dae.ode, closed.dae.alg))
-        slopes = ca.horzcat(ca.jacobian(residual, closed.x), ca.jacobian(residual, closed.z))
-        _KNOWN[closed] = closed.function("rest", residual, slopes)
-    return _KNOWN[closed]
-
-
 def _scales(slope: Array) -> Array:
     rows: Array = np.abs(slope).max(axis=1, initial=0.0)
-    rows[rows == 0] = 1.0
-    return rows
+    return np.where(rows == 0, 1.0, rows)
 
 
 def _size(value: Array, slope: Array) -> float:
     return float(np.abs(value / _scales(slope)).max(initial=0.0))
 
 
-def _least_step(value: Array, slope: Array) -> Array:
-    if not slope.size:
-        return np.zeros(slope.shape[1])
-    rows = _scales(slope)
-    step: Any = np.linalg.lstsq(slope / rows[:, None], -value / rows, rcond=1e-12)[0]
-    return np.asarray(step, dtype=float)
-
-
 def _check_rest(dae: DAE, value: Array, slope: Array, y: Array) -> None:
     left = np.abs(value / _scales(slope))
-    moving = np.flatnonzero(~(left <= TINY * (1 + np.abs(y).max(initial=0.0))))
+    moving = np.flatnonzero(~(left <= REST_ACCURACY * (1 + np.abs(y).max(initial=0.0))))
     if not len(moving):
         return
     names = dae.state_names
@@ -178,18 +163,15 @@ def _free_directions(dae: DAE, slope: Array, held: list[int]) -> list[str]:
     _, strength, right = np.linalg.svd(slope / _scales(slope)[:, None])
     rank = int(np.count_nonzero(strength > 1e-12 * strength.max(initial=1e-300)))
     free = np.abs(right[rank:, : len(dae.state_names)])
-    notes = []
-    for direction in free:
-        names = [n for n, c in zip(dae.state_names, direction, strict=True) if c > 1e-3 * direction.max()]
-        notes.append(
-            f"the equilibrium is free along {', '.join(names)}; the one nearest to the start is taken"
-        )
-    return notes
+    moving = free > 1e-3 * free.max(axis=1, keepdims=True, initial=0.0)
+    directions = (", ".join(np.array(dae.state_names)[names]) for names in moving)
+    taken = "the one nearest to the start is taken"
+    return [f"the equilibrium is free along {direction}; {taken}" for direction in directions]
 
 
 def mode_values(dae: DAE, q: Array) -> dict[str, str]:
     """Return the name of each mode's value."""
     switching, at = dae.switching, dae.p.numel()
-    numbers = q[at : at + len(switching.mode_names)]
+    numbers = q[at : at + len(switching.mode_names)].astype(int)
     named = zip(switching.mode_names, switching.mode_values, numbers, strict=True)
-    return {name: values[int(number)] for name, values, number in named}
+    return {name: values[number] for name, values, number in named}

@@ -11,25 +11,13 @@ import casadi as ca
 import numpy as np
 from numpy.typing import ArrayLike
 
-from ...base import (
-    Array,
-    ModelError,
-    above,
-    between,
-    demand,
-    finite,
-    numbers,
-    optional,
-    path_of,
-    text,
-    whole,
-)
+from ...base import Array, ModelError, above, between, demand, finite, numbers, optional, path_of, text, whole
 from ...base.tables import read_table
 from ...components.language import Sampled
 
 N_0 = 0.1
 G_D: dict[str, float] = {letter: 16e-6 * 4.0**k for k, letter in enumerate("ABCDEFGH")}
-LONGEST = 1e7
+MOST_WAVES = 1e7
 
 
 def road_spectrum(road_class: str, n: ArrayLike) -> Array:
@@ -41,11 +29,9 @@ def road_spectrum(road_class: str, n: ArrayLike) -> Array:
 
     Source: ISO 8608:2016, geometric means of the classes.
     """
-    demand("road_spectrum()", n=(n, numbers(above(0, "cycle/m"))))
-    demand("road_spectrum()", n=(n, numbers(between(1e-100, 1e100, "cycle/m"))))
-    waves = np.asarray(n, dtype=float)
-    spectrum: Array = _class(road_class) * (waves / N_0) ** -2.0
-    return spectrum
+    for check in (above(0, "cycle/m"), between(1e-100, 1e100, "cycle/m")):
+        demand("road_spectrum()", n=(n, numbers(check)))
+    return np.asarray(_class(road_class) * (np.asarray(n, dtype=float) / N_0) ** -2.0)
 
 
 def roughness(road_class: str) -> float:
@@ -54,13 +40,7 @@ def roughness(road_class: str) -> float:
 
 
 def road_profile(
-    road_class: str,
-    speed: float,
-    duration: float,
-    seed: int = 0,
-    *,
-    low: float = 0.011,
-    high: float = 2.83,
+    road_class: str, speed: float, duration: float, seed: int = 0, *, low: float = 0.011, high: float = 2.83
 ) -> Sampled:
     """Return the height of a random road under a wheel over time [m], Gaussian, from 0 at the start.
 
@@ -86,9 +66,10 @@ def road_profile(
     )
     demand("road_profile()", high=(high, above(low, "cycle/m")))
     length = speed * duration
-    if not length * high <= LONGEST:
+    if not length * high <= MOST_WAVES:
         raise ModelError(
-            f"a road of {length:g} m has over {LONGEST:.0e} waves up to {high:g} cycle/m; drive a shorter one"
+            f"a road of {length:g} m has over {MOST_WAVES:.0e} waves up to {high:g} cycle/m; drive a "
+            "shorter one"
         )
     if not length * low >= 1.0:
         raise ModelError(

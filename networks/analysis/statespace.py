@@ -4,27 +4,13 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import ArrayLike
 
-from ...base import (
-    Array,
-    Complex,
-    ModelError,
-    UnknownNameError,
-    between,
-    demand,
-    instance,
-    listed,
-    nearest,
-    numbers,
-    optional,
-    shown,
-    text,
-)
+from ...base import Array, Complex, Ints, ModelError, between, demand, listed, numbers, shown, text
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -71,26 +57,20 @@ class StateSpace:
         object.__setattr__(self, "D_s", tuple(_matrix("D_s", D) for D in several))
         demand("this system", name=(self.name, text))
         n, m, p = len(self.A), self.B.shape[1], len(self.C)
-        if (
-            self.A.shape != (n, n)
-            or self.B.shape != (n, m)
-            or self.C.shape != (p, n)
-            or self.D.shape != (p, m)
-        ):
-            told = ", ".join(f"{k} {getattr(self, k).shape}" for k in "ABCD")
+        shapes = {letter: getattr(self, letter).shape for letter in "ABCD"}
+        if list(shapes.values()) != [(n, n), (n, m), (p, n), (p, m)]:
+            told = ", ".join(f"{letter} {shape}" for letter, shape in shapes.items())
             raise ModelError(f"'{self.name}': matrices do not fit each other: {told}")
         if not all(np.isfinite(M).all() for M in (self.A, self.B, self.C, self.D, *self.D_s)):
             raise ModelError(f"'{self.name}': matrices must be of finite numbers")
-        for names, stem, count in (("states", "x", n), ("inputs", "u", m), ("outputs", "y", p)):
-            defaults = {
-                names: tuple(f"{stem}{k + 1}" for k in range(count)),
-                f"{names[:-1]}_units": ("1",) * count,
-            }
-            for field_, default in defaults.items():
-                labels = listed(field_, getattr(self, field_))
+        for kind, letter, count in (("state", "x", n), ("input", "u", m), ("output", "y", p)):
+            defaults = numbered(letter, count), ("1",) * count
+            for attribute, default in zip((f"{kind}s", f"{kind}_units"), defaults, strict=True):
+                labels = listed(attribute, getattr(self, attribute))
                 if labels and len(labels) != count:
-                    raise ModelError(f"'{self.name}': there are {count} {names}, but {len(labels)} {field_}")
-                object.__setattr__(self, field_, labels or default)
+                    told = f"there are {count} {kind}s, but {len(labels)} {attribute}"
+                    raise ModelError(f"'{self.name}': {told}")
+                object.__setattr__(self, attribute, labels or default)
 
     @property
     def proper(self) -> bool:
@@ -101,12 +81,12 @@ class StateSpace:
     def poles(self) -> Complex:
         """Poles [rad/s], slowest first."""
         poles = np.linalg.eigvals(self.A).astype(np.complex128)
-        return poles[np.lexsort((poles.imag, np.abs(poles)))]
+        return poles[slowest_first(poles)]
 
     @property
     def zeros(self) -> Complex:
-        """Transmission zeros [rad/s] of a system with as many inputs as outputs."""
-        from .zeros import transmission_zeros
+        """Transmission zeros [rad/s], slowest first; a `ModelError` unless proper and square."""
+        from .modes import transmission_zeros
 
         return transmission_zeros(self)
 
@@ -151,24 +131,9 @@ class StateSpace:
 
     def __getitem__(self, pair: tuple[str | Sequence[str], str | Sequence[str]]) -> StateSpace:
         """Return the part from some inputs to some outputs: `system[outputs, inputs]`, by name."""
-        if instance(tuple)(pair) or len(pair) != 2:
-            raise ModelError(f"'{self.name}': a part is system[outputs, inputs], got [{shown(pair)}]")
-        rows = [self._place(name, self.outputs, "output") for name in listed("outputs", pair[0])]
-        columns = [self._place(name, self.inputs, "input") for name in listed("inputs", pair[1])]
-        picked = np.ix_(rows, columns)
-        return replace(
-            self, B=self.B[:, columns], C=self.C[rows], D=self.D[picked],
-            D_s=_trimmed([D[picked] for D in self.D_s]),
-            inputs=tuple(self.inputs[k] for k in columns), outputs=tuple(self.outputs[k] for k in rows),
-            input_units=tuple(self.input_units[k] for k in columns),
-            output_units=tuple(self.output_units[k] for k in rows),
-            slopes={by: slope[pair] for by, slope in self.slopes.items()},
-        )  # fmt: skip
+        from .composition import part_of
 
-    def _place(self, name: str, known: tuple[str, ...], kind: str) -> int:
-        if name not in known:
-            raise UnknownNameError(f"'{self.name}' has no {kind} '{name}'{nearest(name, known)}")
-        return known.index(name)
+        return part_of(self, pair)
 
     def then(self, after: StateSpace, output: int | str = 0, name: str = "") -> StateSpace:
         """Return the system with one of its outputs passed through another system of one input and output.
@@ -181,17 +146,9 @@ class StateSpace:
         Raises:
             ModelError: if one of both is improper.
         """
-        from .realise import chained
+        from .composition import chained
 
-        demand(
-            "then()",
-            after=(after, instance(StateSpace)),
-            output=(output, instance(int, str)),
-            name=(name, text),
-        )
-        demand("then()", output=(0 if isinstance(output, str) else output, between(0, len(self.outputs) - 1)))
-        k = output if isinstance(output, int) else self._place(output, self.outputs, "output")
-        return chained(self, after, k, name or f"{self.outputs[k]} ({after.name})")
+        return chained(self, after, output, name)
 
     def minimal(self, tolerance: float = 1e-9) -> StateSpace:
         """Return the part that inputs reach and outputs show; what is left out is told in `notes`.
@@ -266,21 +223,28 @@ class StateSpace:
         """Draw gain and phase over frequency [Hz], one column an input; return the figure."""
         from .bode import plot_bode
 
-        demand("plot_bode()", f=(f, optional(numbers(between(0, 1e60, "Hz")))))
         return plot_bode(self, f)
 
     def plot_nyquist(self, f: ArrayLike | None = None) -> Figure:
         """Draw the frequency response in the complex plane; return the figure."""
         from .bode import plot_nyquist
 
-        demand("plot_nyquist()", f=(f, optional(numbers(between(0, 1e60, "Hz")))))
         return plot_nyquist(self, f)
 
     def __repr__(self) -> str:
-        size = f"{len(self.states)} states"
         improper = "" if self.proper else f", improper of order {len(self.D_s)}"
         ways = f"{', '.join(self.inputs)} -> {', '.join(self.outputs)}"
-        return f"<StateSpace '{self.name}': {ways}, {size}{improper}>"
+        return f"<StateSpace '{self.name}': {ways}, {len(self.states)} states{improper}>"
+
+
+def slowest_first(values: Complex) -> Ints:
+    """Return the order in which poles or zeros are told."""
+    return np.asarray(np.lexsort((values.imag, np.abs(values))))
+
+
+def numbered(letter: str, count: int) -> tuple[str, ...]:
+    """Return names such as x1, x2, ... for what has none of its own."""
+    return tuple(f"{letter}{k + 1}" for k in range(count))
 
 
 def _are_numbers(values: Any) -> bool:
@@ -294,9 +258,3 @@ def _matrix(name: str, given: Any) -> Any:
     if not _are_numbers(given) or np.ndim(given) != 2:
         raise ModelError(f"{name} must be a matrix of numbers, got {shown(given)}")
     return np.asarray(given)
-
-
-def _trimmed(parts: list[Array]) -> tuple[Array, ...]:
-    while parts and not parts[-1].any():
-        parts.pop()
-    return tuple(parts)

@@ -15,7 +15,6 @@ from ...base import (
     ModelError,
     SimulationError,
     above,
-    between,
     check_keywords,
     demand,
     listed,
@@ -29,12 +28,13 @@ from ..given import element_of, network_of
 from ..network import Network
 from ..results.result import Result
 from ..simulation.simulate import simulate
-from .orbits import harmonics_of
+from .orbits import drive_amplitude, drive_frequency, harmonics_of
 from .probing import port
 
-POINTS = 256
+POINTS_A_PERIOD = 256
+PERIODS_A_RUN = 4
+HARMONICS = 10
 DRIVE = "stepped_sine"
-SLOWEST, MOST = 1e-6, 1e100
 
 
 @dataclass(frozen=True, eq=False)
@@ -58,8 +58,7 @@ class SteppedSine:
 
     def response(self, output: str) -> Complex:
         """Return the first harmonic of an output over the drive: what a linear system calls its response."""
-        value: Complex = harmonics_of(self.harmonics, output)[:, 1] / self.drive
-        return value
+        return np.asarray(harmonics_of(self.harmonics, output)[:, 1] / self.drive)
 
 
 def stepped_sine(
@@ -96,49 +95,44 @@ def stepped_sine(
     """
     demand(
         "stepped_sine()",
-        amplitude=(amplitude, above(0)),
-        frequencies=(frequencies, numbers(between(SLOWEST, 1 / SLOWEST, "Hz"))),
+        amplitude=(amplitude, drive_amplitude),
+        frequencies=(frequencies, numbers(drive_frequency)),
         tolerance=(tolerance, above(0)),
         most=(most, whole(1)),
     )
-    demand("stepped_sine()", amplitude=(amplitude, between(0, MOST)))
     check_keywords("stepped_sine()", options, simulate)
-    net = _with_drive(network_of(network), driven, amplitude)
-    dae = net.dae()
-    wanted, found, settled = list(listed("outputs", outputs)), [], []
+    dae = _with_drive(network_of(network), driven, amplitude).dae()
+    wanted = listed("outputs", outputs)
     if not wanted:
         raise ModelError("stepped_sine() looks at one output at least, got none")
-    state = named("start", start)
-    inputs = named("inputs", inputs)
+    state, inputs = named("start", start), named("inputs", inputs)
     parameters = named("parameters", options.pop("parameters", None))
-    steps = np.atleast_1d(np.asarray(frequencies, dtype=float)).ravel()
-    for f in steps:
-        last: Complex = np.empty(0, dtype=complex)
-        steady = False
-        for _ in range(max(1, most // 4)):
+    steps = np.ravel(np.asarray(frequencies, dtype=float))
+    lines = np.zeros((len(steps), len(wanted), HARMONICS), dtype=complex)
+    settled = np.zeros(len(steps), dtype=bool)
+    for number, f in enumerate(steps):
+        last: Complex | None = None
+        for _ in range(max(1, most // PERIODS_A_RUN)):
             run = simulate(
-                dae, 4.0 / f, start=state, inputs=inputs, step=1.0 / f / POINTS, progress=False,
-                parameters=parameters | {f"{DRIVE}.f": float(f)}, **options,
+                dae, PERIODS_A_RUN / f, start=state, inputs=inputs, step=1.0 / f / POINTS_A_PERIOD,
+                progress=False, parameters=parameters | {f"{DRIVE}.f": float(f)}, **options,
             )  # fmt: skip
             state = {name: float(run[name][-1]) for name in dae.state_names}
-            before, now = (_harmonics(run, wanted, f, k) for k in (2, 3))
-            change = np.abs(now - before).max(axis=1) / np.maximum(np.abs(now).max(axis=1), 1e-300)
-            if last.size:
-                drift = np.abs(now - last).max(axis=1) / np.maximum(np.abs(now).max(axis=1), 1e-300)
-                change = np.maximum(change, drift / 4)
-            last = now
-            if (change < tolerance).all():
-                steady = True
+            before, now = (_harmonics(run, wanted, f, PERIODS_A_RUN - k) for k in (2, 1))
+            change = _change(before, now)
+            if last is not None:
+                change = np.maximum(change, _change(last, now) / PERIODS_A_RUN)
+            last = lines[number] = now
+            settled[number] = (change < tolerance).all()
+            if settled[number]:
                 break
-        found.append(last)
-        settled.append(steady)
-    lines = np.array(found)
-    return SteppedSine(
-        steps,
-        {name: lines[:, k] for k, name in enumerate(wanted)},
-        np.array(settled),
-        amplitude,
-    )
+    harmonics = {name: lines[:, k] for k, name in enumerate(wanted)}
+    return SteppedSine(steps, harmonics, settled, amplitude)
+
+
+def _change(before: Complex, now: Complex) -> Array:
+    """Return by how much the harmonics of each output differ, against the greatest of them."""
+    return np.asarray(np.abs(now - before).max(axis=1) / np.maximum(np.abs(now).max(axis=1), 1e-300))
 
 
 def describing_function(
@@ -163,9 +157,8 @@ def describing_function(
         )
     domain = PortRef(element, "flange_a").domain or Domain.TRANSLATIONAL
     family = FAMILIES[domain]
-    net = Network(
-        "describing function", drive=family.Position(), wall=family.Fixed(), element=element.clone()
-    )
+    parts = {"drive": family.Position(), "wall": family.Fixed(), "element": element.clone()}
+    net = Network("describing function", **parts)
     net.connect(net.wall.flange, net.element.flange_a).connect(net.element.flange_b, net.drive.flange)
     driven, force = f"drive.{domain.across}_ref", f"element.flange_b.{domain.through}"
     found = stepped_sine(net, driven, amplitude, [frequency], [force], **options)
@@ -185,10 +178,10 @@ def _with_drive(network: Network, driven: str, amplitude: float) -> Network:
         raise ModelError(f"'{network.name}' has no input '{driven}'") from error
 
 
-def _harmonics(run: Result, names: Sequence[str], f: float, period: int, count: int = 10) -> Complex:
+def _harmonics(run: Result, names: Sequence[str], f: float, period: int) -> Complex:
     """Return complex amplitudes against sine over one period, (signals, harmonics)."""
-    times = (period + np.arange(POINTS) / POINTS) / f
+    times = (period + np.arange(POINTS_A_PERIOD) / POINTS_A_PERIOD) / f
     values = np.array([np.interp(times, run.time, run[name]) for name in names])
-    lines: Complex = 2j * np.fft.rfft(values, axis=1)[:, :count] / POINTS
+    lines: Complex = 2j * np.fft.rfft(values, axis=1)[:, :HARMONICS] / POINTS_A_PERIOD
     lines[:, 0] /= 2j
     return lines

@@ -13,8 +13,8 @@ from ...base.checks import check_keywords
 from ..dae import DAE
 from ..given import dae_of
 from ..network import Network
-from .descent import INSIDE, Bounds, Problem, check_names
-from .measuring import BAD, Measure, of_design
+from .descent import INSIDE, Bounds, TuningProblem, check_names
+from .measures import NO_VALUE, Measure, measured
 
 
 @dataclass(frozen=True)
@@ -75,9 +75,9 @@ def tune(
     """
     demand("tune()", starts=(starts, whole(1)), seed=(seed, whole(0)))
     dae = dae_of(network)
-    problem = Problem(dae, measure, bounds, limits)
+    problem = TuningProblem(dae, measure, bounds, limits)
     tried = [problem.search(x) for x in problem.starts(start, starts, seed)]
-    allowed = [(value, x) for value, x in tried if problem.allowed(x) and value < BAD]
+    allowed = [(value, x) for value, x in tried if problem.allowed(x) and value < NO_VALUE]
     if not allowed:
         told = ", ".join(f"{getattr(m, '__name__', 'measure')} <= {limit:g}" for m, limit in limits)
         raise ModelError(
@@ -92,12 +92,7 @@ def tune(
 
 
 def front(
-    network: Network | DAE,
-    first: Measure,
-    second: Measure,
-    bounds: Bounds,
-    points: int = 9,
-    **options: Any,
+    network: Network | DAE, first: Measure, second: Measure, bounds: Bounds, points: int = 9, **options: Any
 ) -> list[tuple[float, float, dict[str, float]]]:
     """Return designs none of which beats another in both measures: (first, second, parameters).
 
@@ -117,16 +112,15 @@ def front(
         raise ModelError(f"a front has at least its two ends, got points={points}")
     check_keywords("front()", options, tune)
     dae = dae_of(network)
-    ends = [tune(dae, measure, bounds, **options) for measure in (first, second)]
-    others = [float(second(dae, parameters=end.parameters)) for end in ends]
-    found = [(ends[0].value, others[0], ends[0].parameters)]
-    given = dict(ends[0].parameters)
-    for level in np.linspace(others[0], others[1], points)[1:-1]:
-        best = tune(dae, first, bounds, limits=[(second, float(level))], **{**options, "start": given})
-        given = dict(best.parameters)
-        found.append((best.value, float(second(dae, parameters=given)), given))
-    last = ends[1].parameters
-    found.append((float(first(dae, parameters=last)), others[1], last))
+    begin, end = (tune(dae, measure, bounds, **options) for measure in (first, second))
+    highest = float(second(dae, parameters=begin.parameters))
+    found = [(begin.value, highest, begin.parameters)]
+    for level in np.linspace(highest, end.value, points)[1:-1].tolist():
+        limits = [*options.get("limits", ()), (second, level)]
+        limited = {**options, "start": found[-1][2], "limits": limits}
+        best = tune(dae, first, bounds, **limited)
+        found.append((best.value, float(second(dae, parameters=best.parameters)), best.parameters))
+    found.append((float(first(dae, parameters=end.parameters)), end.value, end.parameters))
     return [d for d in found if not any(o[0] < d[0] and o[1] < d[1] for o in found)]
 
 
@@ -182,14 +176,11 @@ def scatter(
     below = [f"{name}: {shown(share)}" for name, share in spread.items() if at_least(0)(share)]
     if below or not spread:
         raise ModelError("scatter takes relative deviations of at least 0:", below or ["there are none"])
-    given = {**dae.parameter_values, **parameters}
     check_names(dae, spread)
+    given = {**dae.parameter_values, **parameters}
     unit = qmc.LatinHypercube(len(spread), rng=np.random.default_rng(seed)).random(samples)
     shift = norm.ppf(norm.cdf(-3) + unit * (norm.cdf(3) - norm.cdf(-3)))
-    factors = 1 + shift * np.array(list(spread.values()))
-    base = parameters
-    values = [
-        of_design(measure, dae, base | {n: given[n] * float(c) for n, c in zip(spread, row, strict=True)})
-        for row in factors
-    ]
-    return Scatter(float(of_design(measure, dae, base)), np.array(values, dtype=float))
+    scattered = np.array([given[name] for name in spread]) * (1 + shift * np.array(list(spread.values())))
+    designs = [parameters | dict(zip(spread, row, strict=True)) for row in scattered.tolist()]
+    nominal, *values = (float(measured(measure, dae, design)) for design in (parameters, *designs))
+    return Scatter(nominal, np.array(values))

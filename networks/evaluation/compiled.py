@@ -1,7 +1,9 @@
-"""Compiled functions called on NumPy arrays in place, without conversions."""
+"""Compiled functions called on NumPy arrays without conversions: at one point, or at many at once."""
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+from threading import Lock
 from typing import Any
 
 import casadi as ca
@@ -9,6 +11,8 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from ...base import Array
+
+BATCH_POINTS = 512
 
 
 class Compiled:
@@ -58,8 +62,35 @@ class Compiled:
 
     def stats(self) -> dict[str, Any]:
         """Return the statistics of the last call."""
-        stats: dict[str, Any] = self._buffer.stats()
-        return stats
+        return dict(self._buffer.stats())
+
+
+class Batch:
+    """A CasADi function of columns, evaluated at many points, some hundred by some hundred."""
+
+    def __init__(self, function: Any) -> None:
+        self._shapes = [function.size_out(i) for i in range(function.n_out())]
+        self._mapped = Compiled(function.map(BATCH_POINTS))
+        self._free = Lock()
+
+    def __call__(self, *columns: Array) -> list[Array]:
+        """Return one array a result, (points, rows, columns), of arguments (points, entries)."""
+        begins = range(0, len(columns[-1]), BATCH_POINTS)
+        pieces = [self._piece([values[k : k + BATCH_POINTS] for values in columns]) for k in begins]
+        if not pieces:
+            return [np.zeros((0, *shape)) for shape in self._shapes]
+        return [np.concatenate(parts) for parts in zip(*pieces, strict=True)]
+
+    def _piece(self, given: Sequence[Array]) -> list[Array]:
+        count = len(given[-1])
+        if count < BATCH_POINTS:
+            given = [np.resize(values, (BATCH_POINTS, values.shape[1])) for values in given]
+        with self._free:
+            found = self._mapped(*given)
+        return [
+            m.reshape(BATCH_POINTS, columns, rows)[:count].transpose(0, 2, 1)
+            for m, (rows, columns) in zip(found, self._shapes, strict=True)
+        ]
 
 
 def _buffer(size: tuple[int, int]) -> Array:

@@ -11,8 +11,7 @@ import casadi as ca
 import numpy as np
 
 from ...base import Array
-from .batch import Batch
-from .compiled import dense
+from .compiled import Batch, dense
 
 if TYPE_CHECKING:
     from ..dae import DAE
@@ -43,8 +42,12 @@ class Points:
     @cached_property
     def u(self) -> Array:
         """Inputs and their derivatives."""
-        values: Array = self.closed.input_values(self.q, self.t)
-        return values
+        return np.asarray(self.closed.input_values(self.q, self.t))
+
+    @cached_property
+    def rates(self) -> Array:
+        """Rates of the states."""
+        return self.closed.motion(self.x, self.z, self.q, self.t[:, None])[0][:, :, 0]
 
     @property
     def arguments(self) -> tuple[Array, Array, Array, Array, Array]:
@@ -58,23 +61,17 @@ class Points:
 
     def within(self, intervals: Any, parts: int) -> Points:
         """Return points in equal parts of some intervals, ends included, by monotone cubics."""
-        first, last = intervals, intervals + 1
+        first, last = self.only(intervals), self.only(intervals + 1)
         share = np.linspace(0.0, 1.0, parts + 1)[None, :, None]
-        step, change = (self.t[last] - self.t[first])[:, None], self.x[last] - self.x[first]
-        rates = self.only(first).rates, self.only(last).rates
-        a, b = (np.clip(step * rate, -3 * np.abs(change), 3 * np.abs(change))[:, None] for rate in rates)
-        cubic = share**2 * (3 - 2 * share) * change[:, None]
-        cubic = cubic + share * (1 - share) ** 2 * a - share**2 * (1 - share) * b
-        x = (self.x[first][:, None] + cubic).reshape(-1, self.x.shape[1])
-        z = (self.z[first][:, None] + share * (self.z[last] - self.z[first])[:, None]).reshape(len(x), -1)
-        t = (self.t[first][:, None] + share[:, :, 0] * step).ravel()
-        return Points(self.closed, t, x, z, np.repeat(self.q[first], parts + 1, axis=0))
-
-    @property
-    def rates(self) -> Array:
-        """Rates of the states."""
-        rates: Array = self.closed.motion(self.x, self.z, self.q, self.t[:, None])[0][:, :, 0]
-        return rates
+        step, change = (last.t - first.t)[:, None], last.x - first.x
+        slopes = (np.clip(step * end.rates, -3 * np.abs(change), 3 * np.abs(change)) for end in (first, last))
+        a, b = (slope[:, None] for slope in slopes)
+        x = first.x[:, None] + share**2 * (3 - 2 * share) * change[:, None]
+        x = x + share * (1 - share) ** 2 * a - share**2 * (1 - share) * b
+        z = first.z[:, None] + share * (last.z - first.z)[:, None]
+        t = (first.t[:, None] + share[:, :, 0] * step).ravel()
+        x, z = (m.reshape(len(t), m.shape[2]) for m in (x, z))
+        return Points(self.closed, t, x, z, np.repeat(first.q, parts + 1, axis=0))
 
     @property
     def stretches(self) -> tuple[Any, Any]:
@@ -85,7 +82,7 @@ class Points:
 
 
 class Slopes:
-    """Slopes of expressions of a DAE, its algebraic unknowns eliminated.
+    """Slopes (Jacobians) of expressions of a DAE, its algebraic unknowns eliminated.
 
     Attributes:
         still: whether slopes in the states are constant within a segment; one point of each then tells all.

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 from html import escape
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -42,11 +43,11 @@ def _frame(
         'stroke="currentColor" stroke-opacity="0.3"/>'
     )
     for value in dict.fromkeys(extremes):
-        y = float(_place_y(np.array(value), shown)) + 4
+        y = _place_y(value, shown) + 4
         told = value if abs(value) > 1e-9 * (shown[1] - shown[0]) else 0.0
         yield f'<text x="{LEFT - 5}" y="{y:.1f}" text-anchor="end">{told:.3g}</text>'
     if shown[0] < 0 < shown[1]:
-        y = float(_place_y(np.array(0.0), shown))
+        y = _place_y(0.0, shown)
         yield (
             f'<line x1="{LEFT}" x2="{right}" y1="{y:.1f}" y2="{y:.1f}" stroke="currentColor" '
             'stroke-opacity="0.25" stroke-dasharray="3 3"/>'
@@ -60,7 +61,8 @@ def _frame(
 def _lines(time: Array, series: Mapping[str, Array], shown: tuple[float, float]) -> Iterator[str]:
     for number, (name, values) in enumerate(series.items()):
         kept = _thinned(values)
-        xs, ys = _place_x(time, time[kept]), _place_y(values[kept], shown)
+        share = (time[kept] - time[0]) / (float(time[-1] - time[0]) or 1.0)
+        xs, ys = LEFT + share * (WIDTH - LEFT - RIGHT), _place_y(values[kept], shown)
         points = " ".join(f"{x:.1f},{y:.1f}" for x, y in zip(xs, ys, strict=True))
         yield (
             f'<polyline points="{points}" fill="none" stroke-width="1.3" '
@@ -76,16 +78,8 @@ def _legend(series: Mapping[str, Array]) -> str:
     )
 
 
-def _place_x(time: Array, at: Array) -> Array:
-    span = float(time[-1] - time[0]) or 1.0
-    placed: Array = LEFT + (at - time[0]) * ((WIDTH - LEFT - RIGHT) / span)
-    return placed
-
-
-def _place_y(values: Array, shown: tuple[float, float]) -> Array:
-    low, high = shown
-    height = HEIGHT - TOP - BOTTOM - 8
-    return TOP + 4 + (high - values) / (high - low) * height
+def _place_y(values: Any, shown: tuple[float, float]) -> Any:
+    return np.interp(values, shown, (HEIGHT - BOTTOM - 4, TOP + 4))
 
 
 def _thinned(values: Array) -> NDArray[np.intp]:
@@ -93,7 +87,6 @@ def _thinned(values: Array) -> NDArray[np.intp]:
     points = np.flatnonzero(np.isfinite(values))
     if len(points) <= 2 * BINS:
         return points
-    kept = {int(points[0]), int(points[-1])}
-    for part in np.array_split(points, BINS):
-        kept |= {int(part[values[part].argmin()]), int(part[values[part].argmax()])}
-    return np.array(sorted(kept))
+    parts = np.array_split(points, BINS)
+    extremes = [part[[values[part].argmin(), values[part].argmax()]] for part in parts]
+    return np.unique(np.concatenate([points[[0, -1]], *extremes]))

@@ -1,8 +1,7 @@
-"""A sketch of a network in SVG: components as boxes, joined from left to right."""
+"""A drawing of a network in SVG: components as boxes, joined from left to right."""
 
 from __future__ import annotations
 
-from collections import defaultdict
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
 from html import escape
@@ -12,7 +11,7 @@ from ...components.language import Component, Port, PortRef
 MOST_BOXES = 60
 ROW, GAP, BOX = 52, 46, 36
 COLOURS = {"translational": "#4477aa", "rotational": "#ee6677", "both": "#aa3377", "": "#228833"}
-MARK = "#cc3311"
+MARK_COLOUR = "#cc3311"
 
 
 @dataclass(eq=False)
@@ -36,7 +35,7 @@ class _Box:
 
 
 @dataclass(frozen=True, eq=False)
-class _Line:
+class _Wire:
     left: _Box
     right: _Box
     told: str
@@ -44,12 +43,7 @@ class _Line:
 
 
 def svg_sketch(component: Component, marks: Mapping[str, str] | None = None) -> str:
-    """Return the parts of a composite and how they are joined, as SVG; empty if too many.
-
-    Args:
-        component: the composite.
-        marks: name of a part -> a word that marks it.
-    """
+    """Return the parts of a composite, some marked by a word, joined, as SVG; empty if too many."""
     boxes, lines = _graph(component, marks or {})
     if not boxes or len(boxes) > MOST_BOXES:
         return ""
@@ -63,7 +57,7 @@ def svg_sketch(component: Component, marks: Mapping[str, str] | None = None) -> 
     )
 
 
-def _graph(component: Component, marks: Mapping[str, str]) -> tuple[list[_Box], list[_Line]]:
+def _graph(component: Component, marks: Mapping[str, str]) -> tuple[list[_Box], list[_Wire]]:
     parts = {
         name: _Box(name, type(part).__name__, _colour(part), marks.get(name, ""))
         for name, part in component._parts.items()
@@ -71,10 +65,10 @@ def _graph(component: Component, marks: Mapping[str, str]) -> tuple[list[_Box], 
     paths = {id(part): path for path, part in _inner(component, "")}
     outer: dict[str, _Box] = {}
     nodes: list[_Box] = []
-    lines: list[_Line] = []
+    lines: list[_Wire] = []
     for ports in _nodes(component):
         told = " — ".join(f"{paths.get(id(p.component), '')}.{p.name}".lstrip(".") for p in ports)
-        ends = []
+        ends: list[_Box] = []
         for port in ports:
             if port.component is component:
                 ends.append(outer.setdefault(port.name, _Box(port.name)))
@@ -84,12 +78,11 @@ def _graph(component: Component, marks: Mapping[str, str]) -> tuple[list[_Box], 
         signal = not isinstance(type(ports[0].component).fields.get(ports[0].name), Port)
         if len(ends) > 2:
             nodes.append(_Box())
-            lines += [_Line(nodes[-1], end, told, signal) for end in ends]
-        else:
-            lines += [_Line(ends[0], end, told, signal) for end in ends[1:]]
-    for line in lines:
-        line.left.joined.append(line.right)
-        line.right.joined.append(line.left)
+            ends.insert(0, nodes[-1])
+        for end in ends[1:]:
+            lines.append(_Wire(ends[0], end, told, signal))
+            ends[0].joined.append(end)
+            end.joined.append(ends[0])
     return [*outer.values(), *parts.values(), *nodes], lines
 
 
@@ -104,7 +97,7 @@ def _nodes(component: Component) -> list[list[PortRef]]:
     """Return the ports of each node; connections that share a port make one node."""
     node_of: dict[tuple[int, str], dict[tuple[int, str], PortRef]] = {}
     for ports in _joined(component):
-        node = {(id(port.component), port.name): port for port in ports}
+        node = {_key(port): port for port in ports}
         for key in list(node):
             node |= node_of.get(key, {})
         node_of |= dict.fromkeys(node, node)
@@ -114,22 +107,25 @@ def _nodes(component: Component) -> list[list[PortRef]]:
 def _joined(component: Component) -> Iterator[tuple[PortRef, ...]]:
     """Yield connections, those of a port at which an element was inserted going to its far flange."""
     far_of = {}
-    joined = {(id(p.component), p.name) for ports in component.connections() for p in ports}
+    joined = {_key(port) for ports in component.connections() for port in ports}
     for port, near, far in component.insertions():
-        key = id(port.component), port.name
         yield port, near
-        if key in joined:
-            far_of[key] = far
-            joined.add((id(far.component), far.name))
+        if _key(port) in joined:
+            far_of[_key(port)] = far
+            joined.add(_key(far))
         else:
             yield port, far
 
     def end_of(port: PortRef) -> PortRef:
-        far = far_of.get((id(port.component), port.name))
+        far = far_of.get(_key(port))
         return port if far is None else end_of(far)
 
     for ports in component.connections():
         yield tuple(end_of(port) for port in ports)
+
+
+def _key(port: PortRef) -> tuple[int, str]:
+    return id(port.component), port.name
 
 
 def _colour(component: Component) -> str:
@@ -140,26 +136,19 @@ def _colour(component: Component) -> str:
 def _lay_out(boxes: list[_Box]) -> None:
     """Place boxes in layers by their distance from the ground (or the first), each piece below."""
     top = 8.0
-    roots = sorted(boxes, key=lambda box: (box.kind != "Fixed", not box.label))
-    for root in roots:
+    for root in sorted(boxes, key=lambda box: (box.kind != "Fixed", not box.label)):
         if root.layer < 0:
             top = _place(_layers(root), top)
 
 
 def _layers(root: _Box) -> list[list[_Box]]:
-    root.layer = 0
-    layers, current = [[root]], [root]
-    while current:
-        following: list[_Box] = []
-        for box in current:
-            for other in box.joined:
-                if other.layer < 0:
-                    other.layer = len(layers)
-                    following.append(other)
-        if following:
-            layers.append(following)
-        current = following
-    return layers
+    root.layer, layers = 0, [[root]]
+    while layers[-1]:
+        following = dict.fromkeys(other for box in layers[-1] for other in box.joined if other.layer < 0)
+        for box in following:
+            box.layer = len(layers)
+        layers.append(list(following))
+    return layers[:-1]
 
 
 def _place(layers: list[list[_Box]], top: float) -> float:
@@ -167,7 +156,7 @@ def _place(layers: list[list[_Box]], top: float) -> float:
     x = 10.0
     for layer in layers:
         width = max(box.width for box in layer)
-        _order(layer)
+        layer.sort(key=_height_on_its_left)
         first = top + (height - ROW * len(layer)) / 2 + ROW / 2
         for row, box in enumerate(layer):
             box.x, box.y = x + width / 2, first + ROW * row
@@ -175,23 +164,19 @@ def _place(layers: list[list[_Box]], top: float) -> float:
     return top + height
 
 
-def _order(layer: list[_Box]) -> None:
-    """Sort a layer by the mean height of what it is joined to on its left, so few lines cross."""
-    heights: dict[int, float] = defaultdict(float)
-    for box in layer:
-        left = [other.y for other in box.joined if other.layer == box.layer - 1]
-        heights[id(box)] = sum(left) / len(left) if left else 0.0
-    layer.sort(key=lambda box: heights[id(box)])
+def _height_on_its_left(box: _Box) -> float:
+    """Return the mean height of what a box is joined to on its left; sorted by it, few lines cross."""
+    left = [other.y for other in box.joined if other.layer == box.layer - 1]
+    return sum(left) / len(left) if left else 0.0
 
 
-def _drawn_line(line: _Line) -> str:
+def _drawn_line(line: _Wire) -> str:
     a, b = sorted((line.left, line.right), key=lambda box: box.x)
     x1, x2 = a.x + a.width / 2, b.x - b.width / 2
     bend = GAP / 2
     if a.layer == b.layer:
-        x2, path_end = b.x + b.width / 2, b.x + b.width / 2 + bend
-    else:
-        path_end = x2 - bend
+        x2 = b.x + b.width / 2
+    path_end = x2 + bend if a.layer == b.layer else x2 - bend
     dashes = ' stroke-dasharray="4 3"' if line.signal else ""
     return (
         f'<path d="M{x1:.1f} {a.y:.1f} C{x1 + bend:.1f} {a.y:.1f} {path_end:.1f} {b.y:.1f} '
@@ -201,31 +186,21 @@ def _drawn_line(line: _Line) -> str:
 
 
 def _drawn_box(box: _Box) -> str:
-    return "".join(_node(box) if not box.label else _labelled(box))
-
-
-def _node(box: _Box) -> Iterator[str]:
-    yield f'<circle cx="{box.x:.1f}" cy="{box.y:.1f}" r="4"/>'
-
-
-def _labelled(box: _Box) -> Iterator[str]:
+    if not box.label:
+        return f'<circle cx="{box.x:.1f}" cy="{box.y:.1f}" r="4"/>'
     left, up = box.x - box.width / 2, box.y - BOX / 2
-    frame = MARK if box.mark else box.colour or "currentColor"
-    yield (
+    frame = MARK_COLOUR if box.mark else box.colour or "currentColor"
+    texts = [
+        (box.mark, up - 4, f'font-size="10" fill="{MARK_COLOUR}"'),
+        (box.label, box.y - 2 if box.kind else box.y + 4, 'fill-opacity="1.0"'),
+        (box.kind, box.y + 12, 'fill-opacity="0.65"'),
+    ]
+    return (
         f'<rect x="{left:.1f}" y="{up:.1f}" width="{box.width:.1f}" height="{BOX}" rx="4" '
         f'fill="{box.colour or "none"}" fill-opacity="0.12" '
         f'stroke="{frame}" stroke-width="{3 if box.mark else 1.3}"/>'
+    ) + "".join(
+        f'<text x="{box.x:.1f}" y="{y:.1f}" text-anchor="middle" {style}>{escape(text)}</text>'
+        for text, y, style in texts
+        if text
     )
-    if box.mark:
-        yield (
-            f'<text x="{box.x:.1f}" y="{up - 4:.1f}" text-anchor="middle" font-size="10" fill="{MARK}">'
-            f"{escape(box.mark)}</text>"
-        )
-    lines = [(box.label, box.y - 2, 1.0), (box.kind, box.y + 12, 0.65)] if box.kind else [
-        (box.label, box.y + 4, 1.0)
-    ]  # fmt: skip
-    for text, y, strength in lines:
-        yield (
-            f'<text x="{box.x:.1f}" y="{y:.1f}" text-anchor="middle" '
-            f'fill-opacity="{strength}">{escape(text)}</text>'
-        )

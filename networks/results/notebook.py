@@ -27,9 +27,8 @@ def result_html(result: Result) -> str:
     """Return a run as HTML: charts of its states, statistics, start values, events and notes."""
     stats = result.stats
     title = (
-        f"{result.time[0]:g} to {result.time[-1]:g} s · {len(result.time)} points · "
-        f"{stats['solver']} · {stats['steps']} steps · {stats['events']} events · "
-        f"{stats['seconds']:.3g} s"
+        f"{result.time[0]:g} to {result.time[-1]:g} s · {len(result.time)} points · {stats['solver']} · "
+        f"{stats['steps']} steps · {stats['events']} events · {stats['seconds']:.3g} s"
     )
     notes = "".join(f"<li>{escape(note)}</li>" for note in result.notes)
     return _page(

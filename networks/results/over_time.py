@@ -13,7 +13,7 @@ from .pieces import Pieces
 if TYPE_CHECKING:
     import pandas as pd
 
-SLACK, MOST_ROWS = 1e-6, 1e8
+TIME_SLACK, MOST_ROWS = 1e-6, 1e8
 
 
 class OverTime:
@@ -25,29 +25,15 @@ class OverTime:
     [s]. Jumps take no time. Of what lasts no time they are those of its last point.
     """
 
-    if TYPE_CHECKING:
+    if TYPE_CHECKING:  # what every kind of it brings along
 
         @property
-        def name(self) -> str:
-            """What ran."""
-            ...
-
+        def name(self) -> str: ...
         @property
-        def time(self) -> Array:
-            """Instants of the points [s]; two may be alike, before and after a jump."""
-            ...
-
-        def __getitem__(self, name: str) -> Array:
-            """Return a signal at the points."""
-            ...
-
-        def unit(self, name: str) -> str:
-            """Return the unit of a signal."""
-            ...
-
-        def to_dataframe(self) -> pd.DataFrame:
-            """Return signals at the points."""
-            ...
+        def time(self) -> Array: ...
+        def __getitem__(self, name: str) -> Array: ...
+        def unit(self, name: str) -> str: ...
+        def to_dataframe(self) -> pd.DataFrame: ...
 
     def course(self, name: str, begin: float, end: float) -> Pieces:
         """Return a signal between the points, at least from `begin` to `end` [s].
@@ -201,40 +187,41 @@ class OverTime:
     def _equal_steps(self, step: Any) -> Array:
         """Return the instants that are a step apart, from the first on."""
         demand("resample()", step=(step, above(0, "s")))
-        first, last = (float(t) for t in self.time[[0, -1]])
+        first, last = self._ends
         steps = (last - first) / float(step) * (1 + 1e-12) + 1e-9
         if steps > MOST_ROWS:
             raise ModelError(
                 f"'{self.name}' lasts {last - first:g} s; at a step of {step:g} s that is {steps:.2g} rows, "
                 f"more than {MOST_ROWS:g}; give a longer step"
             )
-        instants: Array = np.minimum(first + float(step) * np.arange(int(steps) + 1), last)
-        return instants
+        return np.asarray(np.minimum(first + float(step) * np.arange(int(steps) + 1), last))
 
     def _instants(self, name: str, time: ArrayLike) -> Array:
         try:
             times = np.asarray(time, dtype=float)
         except (TypeError, ValueError, OverflowError):
             raise ModelError(f"'{name}' is asked for at instants [s], got {shown(time)}") from None
-        first, last = (float(t) for t in self.time[[0, -1]])
-        outside = ~(np.abs(times - (first + last) / 2) <= (last - first) * (0.5 + SLACK))
+        first, last = self._ends
+        outside = ~(np.abs(times - (first + last) / 2) <= (last - first) * (0.5 + TIME_SLACK))
         if outside.any():
             raise ModelError(
                 f"'{name}' of '{self.name}': t = {times[outside].flat[0]:g} s is outside the run, {first:g} "
                 f"to {last:g} s; run longer"
             )
-        clipped: Array = np.clip(times, first, last)
-        return clipped
+        return np.asarray(np.clip(times, first, last))
 
     def _window(self, name: str, begin: float | None, end: float | None) -> tuple[float, float]:
         """Return begin and end of a window of the run, checked."""
         demand(f"a window of '{name}'", begin=(begin, optional(number)), end=(end, optional(number)))
-        first, last = (float(t) for t in self.time[[0, -1]])
+        first, last = self._ends
         window = [edge if given is None else given for given, edge in ((begin, first), (end, last))]
         low, high = (float(t) for t in self._instants(name, window))
         if not (low < high or first == last):
-            raise ModelError(
-                f"a window of '{name}' ends after it begins; got begin = {window[0]:g} s, "
-                f"end = {window[1]:g} s"
-            )
+            told = "got begin = {:g} s, end = {:g} s".format(*window)
+            raise ModelError(f"a window of '{name}' ends after it begins; {told}")
         return low, high
+
+    @property
+    def _ends(self) -> tuple[float, float]:
+        """First and last instant [s]."""
+        return float(self.time[0]), float(self.time[-1])

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass, fields
+from dataclasses import dataclass, fields, replace
 
 import numpy as np
 from numpy.typing import NDArray
@@ -37,9 +37,8 @@ class Pieces:
     def lines(time: Array, values: Array) -> Pieces:
         """Return straight lines through points; two points at one instant are a jump."""
         kept = np.flatnonzero(np.diff(time) > 0)
-        nothing = np.zeros(len(kept))
-        change = values[kept + 1] - values[kept]
-        return Pieces(time[kept], np.diff(time)[kept], values[kept], change, nothing, nothing)
+        length, change, nothing = np.diff(time)[kept], np.diff(values)[kept], np.zeros(len(kept))
+        return Pieces(time[kept], length, values[kept], change, nothing, nothing)
 
     @staticmethod
     def cubics(begin: Array, length: Array, ends: tuple[Array, Array], slopes: tuple[Array, Array]) -> Pieces:
@@ -63,26 +62,22 @@ class Pieces:
     @property
     def bend(self) -> Array:
         """How far each piece departs from its chord, on average."""
-        departure: Array = (np.abs(self.a) + np.abs(self.b)) / 12
-        return departure
+        return np.asarray((np.abs(self.a) + np.abs(self.b)) / 12)
 
     def straight(self, which: NDArray[np.bool_]) -> Pieces:
         """Return the course with chords for some of its pieces."""
-        a, b = (np.where(which, 0.0, each) for each in (self.a, self.b))
-        return Pieces(self.begin, self.length, self.y0, self.c, a, b)
+        return replace(self, a=np.where(which, 0.0, self.a), b=np.where(which, 0.0, self.b))
 
     def merged(self, *others: Pieces) -> Pieces:
         """Return the pieces of several courses in their order in time."""
-        joined = Pieces(
-            *(np.concatenate([getattr(each, f.name) for each in (self, *others)]) for f in fields(self))
-        )
+        courses = (self, *others)
+        joined = Pieces(*(np.concatenate([getattr(c, f.name) for c in courses]) for f in fields(self)))
         return joined[np.argsort(joined.begin, kind="stable")]
 
     def value(self, x: Array) -> Array:
         """Return the signal at places within the pieces, 0 to 1, (pieces, places)."""
         y0, c, a, b = (each[:, None] for each in (self.y0, self.c, self.a, self.b))
-        found: Array = y0 + x * (c + (1 - x) * (a * (1 - x) - b * x))
-        return found
+        return np.asarray(y0 + x * (c + (1 - x) * (a * (1 - x) - b * x)))
 
     def at(self, times: Array) -> Array:
         """Return the signal at instants, after a jump if there is one."""

@@ -2,36 +2,25 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Sequence
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, cast
 
 import numpy as np
 
 from ...base import ModelError
-from .signals import chosen_signals
+from .result import Result, chosen_signals
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
-    from .result import Result
-
 PANEL_HEIGHT = 2.4
-LEGEND_MOST = 12
+MOST_LEGEND_LINES = 12
 
 
 def plot_result(result: Result, names: Sequence[str], axes: Any = None) -> Figure:
-    """Plot signals over time and return the figure.
-
-    Args:
-        result: the run.
-        names: signals or patterns (`mass.*`); those of one unit share a panel, a mode has its own.
-        axes: matplotlib axes to draw on, as many as there are panels; a new figure if None.
-
-    Raises:
-        UnknownNameError: for an unknown signal, with the nearest one.
-        ModelError: if there are no names, or not as many axes as panels.
-    """
+    """Plot signals over time and return the figure; see `Result.plot`."""
     panels = _panels(result, chosen_signals(result.dae, names))
     if not panels:
         raise ModelError(f"name the signals of '{result.name}' to plot; it has no states")
@@ -40,17 +29,17 @@ def plot_result(result: Result, names: Sequence[str], axes: Any = None) -> Figur
     for ax, panel in zip(drawn_on, panels, strict=True):
         _draw(ax, result, panel)
     drawn_on[-1].set_xlabel("time [s]")
-    figure: Any = drawn_on[0].get_figure(root=True)
+    figure = cast("Figure", drawn_on[0].get_figure(root=True))
     if own:
         figure.align_ylabels()
-    return figure  # type: ignore[no-any-return]
+    return figure
 
 
 def _panels(result: Result, names: Sequence[str]) -> list[list[str]]:
     """Group signals by unit, in the order in which they were asked for."""
     panels: dict[str, list[str]] = {}
     for name in names:
-        key = name if name in result.dae.switching.mode_names else f"[{result.unit(name)}]"
+        key = name if result.values_of(name) else f"[{result.unit(name)}]"
         panels.setdefault(key, []).append(name)
     return list(panels.values())
 
@@ -58,16 +47,10 @@ def _panels(result: Result, names: Sequence[str]) -> list[list[str]]:
 def _new_axes(result: Result, panels: list[list[str]]) -> list[Axes]:
     from matplotlib import pyplot
 
-    figure, axes = pyplot.subplots(
-        len(panels),
-        1,
-        sharex=True,
-        squeeze=False,
-        figsize=(8.0, 1.0 + PANEL_HEIGHT * len(panels)),
-        layout="constrained",
-    )
+    size = (8.0, 1.0 + PANEL_HEIGHT * len(panels))
+    figure, axes = pyplot.subplots(len(panels), sharex=True, figsize=size, layout="constrained")
     figure.suptitle(result.name)
-    return list(axes.ravel())
+    return list(np.ravel(axes))
 
 
 def _given_axes(panels: list[list[str]], axes: Any) -> list[Axes]:
@@ -85,9 +68,7 @@ def _draw(ax: Axes, result: Result, panel: list[str]) -> None:
         ax.plot(result.time, result[name], label=name, linewidth=1.4)
     ax.grid(alpha=0.3)
     ax.margins(x=0)
-    modes = result.dae.switching
-    if panel[0] in modes.mode_names:
-        values = modes.mode_values[modes.mode_names.index(panel[0])]
+    if values := result.values_of(panel[0]):
         ax.set_yticks(range(len(values)), values)
         ax.set_ylim(-0.3, len(values) - 0.7)
     _label(ax, panel, pretty_unit(result.unit(panel[0])))
@@ -97,28 +78,25 @@ def _draw(ax: Axes, result: Result, panel: list[str]) -> None:
 def _label(ax: Axes, panel: list[str], unit: str) -> None:
     """Put the unit beside the panel and the names above it."""
     ax.set_ylabel(f"[{unit}]" if unit else "")
-    if len(panel) > LEGEND_MOST:
+    if len(panel) > MOST_LEGEND_LINES:
         ax.set_title(f"{len(panel)} signals, {panel[0]} to {panel[-1]}", fontsize="small")
         return
     ax.legend(
-        fontsize="small", loc="lower left", bbox_to_anchor=(0.0, 1.0), ncols=3, frameon=False,
+        fontsize="small",
+        ncols=3,
+        frameon=False,
+        loc="lower left",
+        bbox_to_anchor=(0.0, 1.0),
         borderaxespad=0.1,
-    )  # fmt: skip
+    )
 
 
 def _mark_events(ax: Axes, result: Result) -> None:
     """Mark the instants of events by ticks that stand on the time axis."""
     times = sorted({event.time for event in result.events})
     if times:
-        ax.vlines(
-            times,
-            0.0,
-            0.05,
-            transform=ax.get_xaxis_transform(),
-            colors="0.35",
-            linewidth=0.9,
-            label="_events",
-        )
+        axis = ax.get_xaxis_transform()
+        ax.vlines(times, 0.0, 0.05, transform=axis, colors="0.35", linewidth=0.9, label="_events")
 
 
 def pretty_unit(unit: str) -> str:
@@ -126,9 +104,5 @@ def pretty_unit(unit: str) -> str:
     if unit == "1":
         return ""
     powers = str.maketrans("0123456789", "⁰¹²³⁴⁵⁶⁷⁸⁹")
-    text, previous = "", ""
-    for letter in unit:
-        raised = letter.isdigit() and (previous.isalpha() or previous in "⁰¹²³⁴⁵⁶⁷⁸⁹")
-        previous = letter.translate(powers) if raised else letter
-        text += previous
-    return text.replace(".", "·")
+    raised = re.sub(r"(?<=[^\W\d_])\d+", lambda exponent: exponent[0].translate(powers), unit)
+    return raised.replace(".", "·")

@@ -36,9 +36,8 @@ class Recorded(OverTime):
         try:
             self._time: Array = np.asarray(table.index, dtype=float)
         except (TypeError, ValueError):
-            raise ModelError(
-                f"'{name}' is not indexed by time [s], but by {table.index[:3].tolist()}"
-            ) from None
+            told = table.index[:3].tolist()
+            raise ModelError(f"'{name}' is not indexed by time [s], but by {told}") from None
         back = np.flatnonzero(~(np.diff(self.time) >= 0))
         if not len(self.time) or not np.isfinite(self.time).all():
             raise ModelError(f"'{name}' needs at least one row, and finite instants [s] in its index")
@@ -64,9 +63,7 @@ class Recorded(OverTime):
         if name == "time":
             return self.time
         if name not in self._table.columns:
-            raise UnknownNameError(
-                f"'{self.name}' has no column '{name}'{nearest(name, map(str, self._table.columns))}"
-            )
+            raise UnknownNameError(f"'{self.name}' has no column '{name}'{nearest(name, self.names()[1:])}")
         return np.asarray(self._table[name], dtype=float)
 
     def names(self) -> list[str]:

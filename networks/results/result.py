@@ -2,24 +2,25 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from dataclasses import dataclass, field
+from fnmatch import fnmatchcase
 from functools import cached_property
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-import casadi as ca
 import numpy as np
 
-from ...base import Array, UnknownNameError, path_of
-from ..evaluation.compiled import dense
-from ..evaluation.jacobians import Points
+from ...base import Array, UnknownNameError, path_of, text
+from ..evaluation.jacobians import Points, Slopes
+from ..flattening.vectors import pick
 from .over_time import OverTime
 from .pieces import Pieces
 
 if TYPE_CHECKING:
     import pandas as pd
 
+    from ..dae import DAE
     from ..simulation.bound_dae import BoundDAE
     from ..simulation.dense_output import DenseOutput
     from ..simulation.events.switcher import Event
@@ -44,19 +45,23 @@ class Segment:
     def __len__(self) -> int:
         return sum(map(len, self.times))
 
-    def state(self, number: int) -> tuple[Array, Array]:
-        """Return states and algebraic unknowns of one point."""
-        for states, algebraic in zip(self.states, self.algebraic, strict=True):
-            if number < len(states):
-                return states[number], algebraic[number]
-            number -= len(states)
+    def point(self, number: int) -> tuple[float, Array, Array, Array]:
+        """Return instant, states, algebraic unknowns and what is constant of a point; the last for -1."""
+        k = number if number >= 0 else len(self) + number
+        for times, states, algebraic in zip(self.times, self.states, self.algebraic, strict=True):
+            if k < len(times):
+                return float(times[k]), states[k], algebraic[k], self.q
+            k -= len(times)
         raise IndexError(number)
 
 
+@dataclass(eq=False, repr=False)
 class Result(OverTime):
     """What a run computed; signals are evaluated by name when they are asked for.
 
     Attributes:
+        closed: the equations, with the inputs of the run put in.
+        segments: the points between events.
         events: the changes of mode and the shocks, in order.
         initial: how every start value was decided.
         notes: what the run wants to be known (forces that are not unique).
@@ -73,25 +78,20 @@ class Result(OverTime):
         (501,)
     """
 
-    def __init__(
-        self,
-        closed: BoundDAE,
-        segments: list[Segment],
-        events: list[Event],
-        stats: dict[str, Any],
-        initial: StartReport,
-        notes: list[str],
-        sensitivities: dict[str, Array],
-        limiting: Callable[[], str],
-        dense_output: Callable[[Points], DenseOutput],
-    ) -> None:
-        self.dae = closed.dae
-        self.events, self.initial, self.notes = events, initial, notes
-        self._figures, self._limiting, self._dense_output = stats, limiting, dense_output
-        self._closed, self._segments = closed, segments
-        self._sensitivities = sensitivities
-        self._cache: dict[str, Array] = {}
-        self._time: Array = np.concatenate([t for s in segments for t in s.times])
+    closed: BoundDAE
+    segments: list[Segment]
+    events: list[Event]
+    _figures: dict[str, Any]
+    initial: StartReport
+    notes: list[str]
+    _sensitivities: dict[str, Array]
+    _limiting: Callable[[], str]
+    _dense_output: Callable[[Points], DenseOutput]
+
+    def __post_init__(self) -> None:
+        self.dae = self.closed.dae
+        self._signals: dict[str, Array] = {}
+        self._time: Array = np.concatenate([t for s in self.segments for t in s.times])
 
     @property
     def name(self) -> str:
@@ -117,10 +117,12 @@ class Result(OverTime):
         self.dae.flat.check_name(name)
         if name == "time":
             return self.time
-        if name not in self._cache:
-            state = self._state(name)
-            self._cache[name] = self._evaluate(name) if state is None else state
-        return self._cache[name]
+        if name not in self._signals:
+            found = self._state(name)
+            if found is None:
+                found = self.closed.signal(name)(*self.points.arguments)[0].ravel()
+            self._signals[name] = found
+        return self._signals[name]
 
     def _state(self, name: str) -> Array | None:
         """Return what was recorded, if a name stands for a state."""
@@ -130,16 +132,12 @@ class Result(OverTime):
         if root not in self.dae.states:
             return None
         place = self.dae.states.index(root)
-        return sign * np.concatenate([states[:, place] for s in self._segments for states in s.states])
-
-    def _evaluate(self, name: str) -> Array:
-        values: Array = self._closed.signal(name)(*self.points.arguments)[0].ravel()
-        return values
+        return sign * np.concatenate([states[:, place] for s in self.segments for states in s.states])
 
     @cached_property
     def points(self) -> Points:
         """All points of the run, events included."""
-        return Points.of(self._closed, self._segments)
+        return Points.of(self.closed, self.segments)
 
     def __contains__(self, name: str) -> bool:
         try:
@@ -185,18 +183,9 @@ class Result(OverTime):
         self.dae.field(parameter)
         if parameter not in self._sensitivities:
             raise UnknownNameError(f"run again with sensitivities=['{parameter}']")
-        closed, dae = self._closed, self.dae
-        residuals = closed.close(ca.vertcat(dae.expression(name), dae.alg))
-        number = dae.parameters.index[parameter]
-        of_x, of_z, of_q = (ca.jacobian(residuals, symbol) for symbol in (closed.x, closed.z, closed.q))
-        function = closed.function("slopes", *dense(of_x, of_z, of_q[:, number]))
-        points = Points.of(closed, self._segments)
-        slopes = function(points.x.T, points.z.T, self._segments[0].q, self.time[None, :])
-        count = residuals.numel()
-        to_x, to_z, to_p = (m.full().reshape(count, len(self.time), -1).transpose(1, 0, 2) for m in slopes)
-        moved = to_x @ self._sensitivities[parameter][:, :, None] + to_p
-        total: Array = moved[:, :1] - to_z[:, :1] @ np.linalg.solve(to_z[:, 1:], moved[:, 1:])
-        return total.ravel()
+        column = pick(self.dae.p, [self.dae.parameters.index[parameter]])
+        of_x, of_p, _ = Slopes(self.dae, self.dae.expression(name), column)(self.points)
+        return np.ravel(of_x @ self._sensitivities[parameter][:, :, None] + of_p)
 
     def to_dataframe(self, *names: str) -> pd.DataFrame:
         """Return signals as a pandas DataFrame indexed by time; the states if no names are given.
@@ -208,8 +197,6 @@ class Result(OverTime):
             UnknownNameError: for an unknown signal, with the nearest one, or a pattern that matches none.
         """
         import pandas as pd
-
-        from .signals import chosen_signals
 
         chosen = chosen_signals(self.dae, names or self.dae.state_names)
         table = pd.DataFrame({name: self[name] for name in chosen}, index=pd.Index(self.time, name="time"))
@@ -223,17 +210,28 @@ class Result(OverTime):
         return summary(self)
 
     def plot(self, *names: str, axes: Any = None) -> Any:
-        """Plot signals over time, one panel a unit, and return the matplotlib figure."""
+        """Plot signals over time, one panel a unit and one a mode, and return the matplotlib figure.
+
+        Args:
+            names: signals or patterns (`mass.*`); the first four states if none are given.
+            axes: matplotlib axes to draw on, as many as there are panels; a new figure if None.
+
+        Raises:
+            UnknownNameError: for an unknown signal, with the nearest one.
+            ModelError: if there is nothing to draw, or not as many axes as panels.
+        """
         from .plotting import plot_result
 
         return plot_result(self, names or tuple(self.dae.state_names[:4]), axes)
 
     def save(self, path: str | Path, *names: str) -> Path:
-        """Write signals to .csv, .parquet or .npz; read them back with `load_table`.
+        """Write signals (`mass.*` for several) to .csv, .parquet or .npz, which `load_table` reads back.
 
         Raises:
+            UnknownNameError: for an unknown signal, with the nearest one.
             ModelError: for another ending.
-            MissingFileError: if the folder does not exist.
+            OutputError: for a file that cannot be written; a `FileNotFoundError`, too, without its folder.
+            MissingPackageError: for .parquet without pyarrow.
         """
         from .storage import save_result
 
@@ -250,3 +248,23 @@ class Result(OverTime):
         from .notebook import result_html
 
         return result_html(self)
+
+
+def chosen_signals(dae: DAE, names: Iterable[str]) -> list[str]:
+    """Return the full names behind names and patterns, in which `*` stands for anything, each once, in order.
+
+    Raises:
+        UnknownNameError: for an unknown signal, with the nearest one, or a pattern that matches none.
+    """
+    chosen: dict[str, None] = {}
+    for name in names:
+        matches = [name]
+        if not text(name) and "*" in name:
+            known = (*dae.names(), *dae.switching.mode_names)
+            matches = [other for other in known if fnmatchcase(other, name)]
+            if not matches:
+                raise UnknownNameError(f"'{dae.name}' has no variable like '{name}'")
+        else:
+            dae.expression(name)
+        chosen |= dict.fromkeys(matches)
+    return list(chosen)

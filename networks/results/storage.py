@@ -4,13 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from ...base import ModelError, check_output, path_of, writing
 from ...base.tables import need_pyarrow, read_table
-from .signals import chosen_signals
 
 if TYPE_CHECKING:
     import pandas as pd
@@ -21,42 +20,27 @@ ENDINGS = (".csv", ".parquet", ".npz")
 
 
 def save_result(result: Result, path: Path, names: Sequence[str]) -> Path:
-    """Write signals of a run to a file and return its path.
-
-    Args:
-        result: the run.
-        path: the file; its ending says the format: .csv, .parquet or .npz.
-        names: signals or patterns (`mass.*`); the states if there are none.
-
-    Raises:
-        UnknownNameError: for an unknown signal, with the nearest one.
-        OutputError: for another ending, a folder that does not exist, or a file that cannot be written.
-        MissingPackageError: for .parquet without pyarrow.
-    """
+    """Write signals of a run to a file and return its path; see `Result.save`."""
     ending = check_table_path(path)
-    table = result.to_dataframe(*chosen_signals(result.dae, names))
+    table = result.to_dataframe(*names)
     with writing(path) as part:
         _write(table, part, ending)
     return path
 
 
 def _write(table: pd.DataFrame, path: Path, ending: str) -> None:
-    units = table.attrs["units"]
+    names = list(table.columns)
+    units = [table.attrs["units"][name] for name in names]
     if ending == ".csv":
-        table.columns = [_headed(name, units[name]) for name in table.columns]
-        table.to_csv(path, index_label=_headed("time", "s"), encoding="utf-8")
+        table.columns = [f"{n} [{unit}]" if unit else n for n, unit in zip(names, units, strict=True)]
+        table.to_csv(path, index_label="time [s]", encoding="utf-8")
     elif ending == ".parquet":
         table.to_parquet(path)
     else:
-        columns = list(table.columns)
+        time, values = table.index.to_numpy(), table.to_numpy()
+        labels: Any = {"names": np.array(names, dtype=str), "units": np.array(units, dtype=str)}
         with path.open("wb") as file:  # by its name NumPy would add an ending
-            np.savez_compressed(
-                file,
-                time=table.index.to_numpy(),
-                values=table.to_numpy(),
-                names=np.array(columns, dtype=str),
-                units=np.array([units[name] for name in columns], dtype=str),
-            )
+            np.savez_compressed(file, time=time, values=values, **labels)
 
 
 def load_table(path: str | Path) -> pd.DataFrame:
@@ -103,7 +87,3 @@ def check_table_path(path: Path) -> str:
     if ending == ".parquet":
         need_pyarrow(path)
     return ending
-
-
-def _headed(name: str, unit: str) -> str:
-    return f"{name} [{unit}]" if unit else name

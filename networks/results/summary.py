@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING
 
 from ...base import aligned
@@ -23,8 +23,8 @@ def summary(result: Result) -> str:
         f"{result.name}: {result.time[0]:g} to {result.time[-1]:g} s, {len(result.time)} points",
         f"{stats['solver']}: {stats['steps']} steps in {stats['integrator calls']} calls, "
         f"{stats['events']} events, {stats['seconds']:.3g} s",
-        *_states(result),
-        *_events(result),
+        *_table("states", STATE_HEADERS, state_rows(result), {2, 4, 5, 6}, len(result.initial)),
+        *_table("events", EVENT_HEADERS, event_rows(result), {0}, len(result.events)),
         *(f"note: {note}" for note in result.notes),
     ]
     return "\n".join(lines)
@@ -35,43 +35,25 @@ def state_rows(result: Result) -> list[tuple[str, ...]]:
     rows: list[tuple[str, ...]] = []
     for decision in result.initial[:MOST_STATES]:
         values = result[decision.name]
-        numbers = (f"{v:.5g}" for v in (decision.value, values.min(), values.max(), values[-1]))
-        start, least, largest, last = numbers
-        rows.append((decision.name, decision.unit, start, decision.reason, least, largest, last))
+        start, *others = (f"{v:.5g}" for v in (decision.value, values.min(), values.max(), values[-1]))
+        rows.append((decision.name, decision.unit, start, decision.reason, *others))
     return rows
 
 
 def event_rows(result: Result) -> list[tuple[str, str, str]]:
     """Return time, component and what changed, of the first events."""
-    return [
-        (
-            f"{event.time:.6g}",
-            event.component,
-            f"{event.source} → {event.target}"
-            + (f", impulse {event.impulse:.5g}" if event.impulse is not None else ""),
-        )
-        for event in result.events[:MOST_EVENTS]
-    ]
+    rows = []
+    for event in result.events[:MOST_EVENTS]:
+        impulse = f", impulse {event.impulse:.5g}" if event.impulse is not None else ""
+        rows.append((f"{event.time:.6g}", event.component, f"{event.source} → {event.target}{impulse}"))
+    return rows
 
 
-def _states(result: Result) -> Iterator[str]:
-    rows = state_rows(result)
-    if not rows:
-        return
-    yield ""
-    yield from aligned([STATE_HEADERS, *rows], right={2, 4, 5, 6})
-    yield from _more(len(result.initial) - len(rows), "states")
-
-
-def _events(result: Result) -> Iterator[str]:
-    rows = event_rows(result)
-    if not rows:
-        return
-    yield ""
-    yield from aligned([EVENT_HEADERS, *rows], right={0})
-    yield from _more(len(result.events) - len(rows), "events")
-
-
-def _more(count: int, what: str) -> Iterator[str]:
-    if count > 0:
-        yield f"and {count} more {what}"
+def _table(
+    what: str, headers: tuple[str, ...], rows: Sequence[tuple[str, ...]], right: set[int], count: int
+) -> Iterator[str]:
+    if rows:
+        yield ""
+        yield from aligned([headers, *rows], right=right)
+    if rows and count > len(rows):
+        yield f"and {count - len(rows)} more {what}"

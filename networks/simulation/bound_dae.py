@@ -14,8 +14,7 @@ import numpy as np
 from ...base import Array, named
 from ...components.language import Sampled
 from ..dae import DAE, Input
-from ..evaluation.batch import Batch
-from ..evaluation.compiled import Compiled, dense
+from ..evaluation.compiled import Batch, Compiled, dense
 from ..flattening.vectors import pick, stacked
 from .events.functions import SwitchFunctions
 from .events.shocks import Shocks

@@ -39,7 +39,8 @@ def _in_chunks(run: Run, outputs: Array, progress: Progress, follow: Sensitiviti
     done = 0
     while done < count:
         begin = min(done, count - nodes)
-        start = Point(outputs[begin], *run.segments[-1].state(begin), run.point.q)
+        _, x, z, _ = run.segments[-1].point(begin)
+        start = Point(outputs[begin], x, z, run.point.q)
         if follow is not None:
             follow.advance(stepper, start, span, run.max_step, np.arange(nodes), begin)
         with progress.watching(stepper.now):

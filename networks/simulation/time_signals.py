@@ -12,7 +12,7 @@ import numpy as np
 
 from ...base import Array, Flags, ModelError
 from ...components.language import Sampled
-from ..evaluation.batch import Batch
+from ..evaluation.compiled import Batch
 from ..flattening.vectors import column, pick, stacked
 from .input_signals import Polynomial, input_value
 from .intervals import Bounds, Enclosure, instructions

@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from ...base import Array, ModelError, between, demand, finite, numbers, shown, text
-from ..analysis import StateSpace
+from ..analysis.statespace import StateSpace
 
 GIVEN = 1e-14
 COMPUTED = 1e-11

@@ -1,8 +1,11 @@
-"""Crossings: what switching of modes does to small changes of the states."""
+"""Saltation matrices: what switching of modes does to small changes of the states."""
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections import deque
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from itertools import pairwise
 from typing import TYPE_CHECKING, Any
 from weakref import WeakKeyDictionary
 
@@ -12,17 +15,58 @@ import numpy as np
 from ...base import Array
 from ..evaluation.jacobians import Points, Slopes
 from ..flattening.vectors import pick
-from .mode_changes import Passage
+from ..results.result import Result
 
 if TYPE_CHECKING:
     from ..dae import DAE
     from ..simulation.bound_dae import BoundDAE
+    from ..simulation.events.switcher import Event
 
-GRAZING = 1e-9
+GRAZING_RATE = 1e-9
+Instant = tuple[float, Array, Array, Array]
 
 
-class Crossings:
-    """The linear maps by which changes of states, parameters and inputs pass instants of switching.
+@dataclass(frozen=True, eq=False)
+class Passage:
+    """The last point (t, x, z, q) of a segment, the first of the next, and what fired between.
+
+    `changes` holds, for each event, the numbers of the transitions that look like it.
+    """
+
+    before: Instant
+    after: Instant
+    changes: list[list[int]]
+
+
+def passages(result: Result) -> Iterator[Passage]:
+    """Yield the passages of a run in order."""
+    dae, events = result.dae, deque(result.events)
+    modes_at = slice(dae.p.numel(), dae.p.numel() + dae.modes.numel())
+    for last, following in pairwise(result.segments):
+        before, after = last.point(-1), following.point(0)
+        while events and events[0].time < after[0]:
+            events.popleft()
+        modes, changes = last.q[modes_at].copy(), []
+        while events and events[0].time == after[0]:
+            alike = _alike(dae, events.popleft())
+            changes.append(alike)
+            modes[dae.switching.changes[alike[0]].mode] = dae.switching.changes[alike[0]].target
+            if np.array_equal(modes, following.q[modes_at]):
+                break
+        yield Passage(before, after, changes)
+
+
+def _alike(dae: DAE, event: Event) -> list[int]:
+    """Return the transitions of the mode, from and to the values, that an event tells of."""
+    switching = dae.switching
+    mode = switching.mode_names.index(event.mode)
+    values = switching.mode_values[mode]
+    wanted = (mode, values.index(event.source), values.index(event.target))
+    return [n for n, c in enumerate(switching.changes) if (c.mode, c.source, c.target) == wanted]
+
+
+class SaltationMatrices:
+    """The saltation matrices by which changes of states, parameters and inputs pass instants of switching.
 
     With g = 0 where modes switch, r what a transition resets, e what it is reset to, and ' along the motion,
 
@@ -43,7 +87,7 @@ class Crossings:
     def __call__(self, closed: BoundDAE, passages: Sequence[Passage]) -> Array:
         """Return, for each passage, the states after by (states, parameters, inputs) before."""
         before, after = (
-            Points(closed, *(np.array([p[k] for p in ends]) for k in (3, 0, 1, 2)))
+            Points(closed, *map(np.array, zip(*ends, strict=True)))
             for ends in ([p.before for p in passages], [p.after for p in passages])
         )
         nx = self.dae.x.numel()
@@ -56,9 +100,8 @@ class Crossings:
         indicators = [self.dae.switching.changes[fired[n][0]].indicator for n in switched]
         rate = rates[switched, indicators]
         later = np.zeros((len(passages), wide.shape[2]))
-        later[switched] = np.where(
-            np.abs(rate) > GRAZING, -1 / np.where(rate == 0, 1.0, rate), 0.0
-        )[:, None] * wide[switched, indicators]  # fmt: skip
+        per_rate = np.where(np.abs(rate) > GRAZING_RATE, -1 / np.where(rate == 0, 1.0, rate), 0.0)
+        later[switched] = per_rate[:, None] * wide[switched, indicators]
         moved = wide + rates[:, :, None] * later[:, None]
         slid = motion - self._instant(closed, after)[2]
         self._reset(found, wide[:, :, :nx], moved, fired)
@@ -87,8 +130,7 @@ class Crossings:
     def _instant(self, closed: BoundDAE, points: Points) -> tuple[Array, Array, Array]:
         """Return the expressions, their rates and the rates of the states, each (points, rows)."""
         if closed not in self._instants:
-            own = closed.close(self._expressions)
-            motion = closed.close(self.dae.ode)
+            own, motion = closed.close(self._expressions), closed.close(self.dae.ode)
             self._instants[closed] = closed.function("instant", own, closed.rate(own), motion)
         found = self._instants[closed](points.x.T, points.z.T, points.q.T, points.t[None])
         values, rates, motion = (m.full().T for m in found)

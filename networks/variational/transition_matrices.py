@@ -1,4 +1,4 @@
-"""Carrying small changes of the states along a run, from point to point and over its events."""
+"""State-transition matrices: small changes of the states along a run, from point to point, over events."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from ...base import Array
 from ..evaluation.jacobians import Points, Slopes
 
 MOST_PARTS = 32
-UNEVEN = 0.01
+UNEVENNESS = 0.01  # of slopes over an interval, times its length, from which it is cut into parts
 
 
 @dataclass(frozen=True, eq=False)
@@ -62,52 +62,53 @@ def _followed(maps: Array, moved: Array, added: Array) -> Array:
 
 
 def steps_along(points: Points, slopes: Slopes, to_x: Array, to_p: Array) -> Steps:
-    """Return the steps between all points; in small parts where slopes jump, as at a clearance.
+    """Return the steps between all points, from the slopes in states and parameters there.
 
-    Args:
-        points: of a run.
-        slopes: of the states' rates, followed by other expressions.
-        to_x: these slopes in the states, at the points.
-        to_p: and in the parameters.
+    Intervals over which slopes change much, as at a clearance, are cut into parts.
     """
-    n = points.x.shape[1]
-    A = to_x[:, :n]
+    A, B = _rates(to_x, to_p)
     scale = _balance(A)
-    B = np.concatenate([to_p[:, :n], np.broadcast_to(np.eye(n), A.shape)], axis=2)
     lengths = np.diff(points.t)
     if slopes.still:
         matrices = _repeated(points, A, B, scale)
     else:
         matrices = _single(lengths, _middle(A), _middle(B), scale)
-        changing = np.flatnonzero(_size(np.diff(A, axis=0), scale) * lengths > UNEVEN)
+        changing = np.flatnonzero(_size(np.diff(A, axis=0), scale) * lengths > UNEVENNESS)
         if len(changing):
             matrices[changing], bent = _in_parts(points, changing, 2, slopes, scale)
-            parts = _powers_of_2(2 * bent / UNEVEN)
+            least = np.maximum(2 * bent / UNEVENNESS, 1.0)
+            parts = np.minimum(2 ** np.ceil(np.log2(least)), MOST_PARTS).astype(int)
             for count in np.unique(parts[parts > 2]):
                 some = changing[parts == count]
                 matrices[some], _ = _in_parts(points, some, count, slopes, scale)
-    ends = np.cumsum([n, to_p.shape[2]])
+    ends = np.cumsum([len(scale), to_p.shape[2]])
     return Steps(*np.split(matrices, ends, axis=2))
+
+
+def _rates(to_x: Array, to_p: Array) -> tuple[Array, Array]:
+    """Return the slopes of the states' rates in the states, and in what forces them: parameters and rates."""
+    n = to_x.shape[2]
+    A = to_x[:, :n]
+    return A, np.concatenate([to_p[:, :n], np.broadcast_to(np.eye(n), A.shape)], axis=2)
 
 
 def _in_parts(
     points: Points, intervals: Any, count: int, slopes: Slopes, scale: Array
 ) -> tuple[Array, Array]:
-    """Return the matrices of intervals cut into parts, and how far slopes in their middle are off a line."""
-    n = len(scale)
-    finer = points.within(intervals, count)
+    """Return the matrices of intervals in parts, and how far slopes in their middle are off a line."""
+    n, finer = len(scale), points.within(intervals, count)
     to_x, to_p, _ = slopes(finer)
-    shape = len(intervals), count + 1, n
-    A = to_x[:, :n].reshape(*shape, n)
-    whole = np.broadcast_to(np.eye(n), (len(finer.t), n, n))
-    B = np.concatenate([to_p[:, :n], whole], axis=2).reshape(*shape, -1)
-    t = finer.t.reshape(shape[:2])
+    A, B = (m.reshape(len(intervals), count + 1, n, -1) for m in _rates(to_x, to_p))
+    t = finer.t.reshape(len(intervals), count + 1)
+    total = np.zeros((len(t), n, n + B.shape[3]))
+    total[:, :, :n] = np.eye(n)
+    for k in range(count):
+        h, ends = t[:, k + 1] - t[:, k], slice(k, k + 2)
+        step = _single(h, A[:, ends].mean(axis=1), B[:, ends].mean(axis=1), scale)
+        total = step[:, :, :n] @ total
+        total[:, :, n:] += step[:, :, n:]
     bent = _size(A[:, count // 2] - 0.5 * (A[:, 0] + A[:, -1]), scale) * (t[:, -1] - t[:, 0])
-    return _chained(t, A, B, scale), bent
-
-
-def _powers_of_2(least: Array) -> Any:
-    return np.minimum(2 ** np.ceil(np.log2(np.maximum(least, 1.0))), MOST_PARTS).astype(int)
+    return total, bent
 
 
 def _middle(values: Array) -> Array:
@@ -126,8 +127,7 @@ def _balance(A: Array) -> Array:
 
 def _size(A: Array, scale: Array) -> Array:
     """Return the largest entry of each matrix, balanced."""
-    largest: Array = np.abs(A * scale.T / scale).max(axis=(1, 2), initial=0.0)
-    return largest
+    return np.asarray(np.abs(A * scale.T / scale).max(axis=(1, 2), initial=0.0))
 
 
 def _single(lengths: Array, A: Array, B: Array, scale: Array) -> Array:
@@ -155,16 +155,3 @@ def _repeated(points: Points, A: Array, B: Array, scale: Array) -> Array:
     weight = many[:, :, n:]
     own = weight @ _middle(B[:, :, : B.shape[2] - n])
     return np.concatenate([many[:, :, :n], own, weight], axis=2)
-
-
-def _chained(t: Array, A: Array, B: Array, scale: Array) -> Array:
-    """Return the matrices of several intervals, each chained from its parts."""
-    n = len(scale)
-    total = np.zeros((len(t), n, n + B.shape[3]))
-    total[:, :, :n] = np.eye(n)
-    for k in range(t.shape[1] - 1):
-        h = t[:, k + 1] - t[:, k]
-        step = _single(h, A[:, k : k + 2].mean(axis=1), B[:, k : k + 2].mean(axis=1), scale)
-        total = step[:, :, :n] @ total
-        total[:, :, n:] += step[:, :, n:]
-    return total

@@ -12,16 +12,14 @@ from numpy.typing import NDArray
 
 from ...base import Array, ModelError, demand, finite, instance, listed, named, nearest, numbers, shown
 from ..dae import DAE
-from ..evaluation.batch import Batch
-from ..evaluation.compiled import dense
+from ..evaluation.compiled import Batch, dense
 from ..evaluation.jacobians import Slopes
 from ..flattening.vectors import pick
 from ..results.result import Result, Segment
 from ..simulation.events.switcher import Point
 from ..simulation.initialization import start_values
 from ..simulation.sensitivity import start_slopes
-from .mode_changes import passages
-from .saltation import Crossings
+from .saltation import SaltationMatrices, passages
 from .transition_matrices import Steps, steps_along
 
 
@@ -66,34 +64,30 @@ class Variations:
     def __init__(self, dae: DAE, signals: Sequence[str], parameters: Sequence[str]) -> None:
         demand("Variations", dae=(dae, instance(DAE)))
         signals, parameters = listed("signals", signals), listed("parameters", parameters)
-        table = dae.parameters
-        unknown = [name for name in parameters if name not in table.index]
-        if unknown:
-            told = [f"there is no parameter '{name}'{nearest(name, table.index)}" for name in unknown]
+        known = dae.parameters.index
+        told = [f"there is no parameter '{n}'{nearest(n, known)}" for n in parameters if n not in known]
+        if told:
             raise ModelError("variations cannot be computed:", told)
         if dae.impulses.numel():
             raise ModelError(f"'{dae.name}' has shocks, whose variations are not known; compare runs instead")
         self.dae, self.signals, self.parameters = dae, list(signals), list(parameters)
-        columns = pick(dae.p, [table.index[name] for name in parameters])
+        columns = pick(dae.p, [known[name] for name in parameters])
         wanted = [dae.expression(name) for name in signals]
         self._values = Batch(ca.Function("values", dae.arguments(), dense(ca.vertcat(*wanted))))
         self._slopes = Slopes(dae, ca.vertcat(dae.ode, *wanted), columns)
-        self._crossings = Crossings(dae, columns)
+        self._saltation = SaltationMatrices(dae, columns)
         self._line: _Line | None = None
 
     def values(self, result: Result, at: Any) -> Array:
         """Return the signals themselves at some of the points of a run, (points, signals)."""
-        self._check(result)
+        demand("Variations", result=(result, instance(Result)))
         rows = np.arange(len(result.time))
         try:
-            at = rows[at]
+            chosen = np.ravel(rows[at])
         except (IndexError, TypeError, ValueError):
-            raise ModelError(
-                f"points of a run are numbers from 0 to {len(rows) - 1}, got {shown(at)}"
-            ) from None
-        at = np.ravel(at)
-        found: Array = self._values(*result.points.only(at).arguments)[0][:, :, 0]
-        return found
+            told = f"points of a run are numbers from 0 to {len(rows) - 1}"
+            raise ModelError(f"{told}, got {shown(at)}") from None
+        return self._values(*result.points.only(chosen).arguments)[0][:, :, 0]
 
     def along(self, result: Result, start: Array | None = None) -> Array:
         """Return d(signals)/d(parameters, states at the start), (points, signals, directions).
@@ -103,14 +97,14 @@ class Variations:
             start: d(states at the start)/d(parameters), (states, parameters); zero if not given.
         """
         nx, count = self.dae.x.numel(), len(self.parameters)
-        self._check(result)
+        demand("Variations", result=(result, instance(Result)))
         if start is not None and (np.shape(start) != (nx, count) or (count and numbers(finite())(start))):
             raise ModelError(f"start is an array of numbers of shape {(nx, count)}, got {shown(start)}")
         moved = np.hstack([np.zeros((nx, count)) if start is None else start, np.eye(nx)])
         line = self._linearised(result)
         added = np.zeros((len(line.steps.own), nx, count + nx))
         added[:, :, :count] = line.steps.own
-        slopes = line.to_x[:, nx:] @ line.steps.carry(self._held(result._segments[0], moved), added)
+        slopes = line.to_x[:, nx:] @ line.steps.carry(self._held(result.segments[0], moved), added)
         slopes[:, :, :count] += line.to_p[:, nx:]
         return slopes
 
@@ -126,7 +120,7 @@ class Variations:
             ModelError: for unknown inputs.
         """
         nx, known = self.dae.x.numel(), self.dae.input_names
-        self._check(result)
+        demand("Variations", result=(result, instance(Result)))
         if not named("changes", changes):
             raise ModelError(
                 f"changes are of at least one input; the inputs are {', '.join(known) or 'none'}"
@@ -142,8 +136,7 @@ class Variations:
         if len(line.edges):
             added[line.edges] = line.crossed_by_u[:, :, rows] @ weights[line.edges]
         states = line.steps.carry(np.zeros((nx, weights.shape[2])), added)
-        answer: Array = line.to_x[:, nx:] @ states + by_u[:, nx:] @ weights
-        return answer
+        return np.asarray(line.to_x[:, nx:] @ states + by_u[:, nx:] @ weights)
 
     def start_slopes(self, result: Result, start: Mapping[str, float]) -> Array:
         """Return d(states at the start)/d(parameters) where start values follow from fixed ones.
@@ -152,16 +145,12 @@ class Variations:
             result: a run that began with
             start: these fixed values.
         """
-        self._check(result)
-        start = named("start", start)
-        table, segment = self.dae.parameters, result._segments[0]
-        of_q = np.zeros((len(segment.q), len(self.parameters)))
-        of_q[[table.index[name] for name in self.parameters], range(len(self.parameters))] = 1.0
-        point = Point(float(segment.times[0][0]), segment.states[0][0], segment.algebraic[0][0], segment.q)
-        return start_slopes(result._closed, point, start_values(self.dae, start, {}), of_q)
-
-    def _check(self, result: Result) -> None:
         demand("Variations", result=(result, instance(Result)))
+        start = named("start", start)
+        place, point = self.dae.parameters.index, Point(*result.segments[0].point(0))
+        of_q = np.zeros((len(point.q), len(self.parameters)))
+        of_q[[place[name] for name in self.parameters], range(len(self.parameters))] = 1.0
+        return start_slopes(result.closed, point, start_values(self.dae, start, {}), of_q)
 
     def _linearised(self, result: Result) -> _Line:
         """Return the slopes along a run; those of the last run are kept."""
@@ -171,11 +160,11 @@ class Variations:
             to_x, to_p, to_u = self._slopes(points)
             steps = steps_along(points, self._slopes, to_x, to_p)
             passed = list(passages(result))
-            edges = np.cumsum([len(segment) for segment in result._segments])[:-1] - 1
+            edges = np.cumsum([len(segment) for segment in result.segments])[:-1] - 1
             by_u = np.zeros((0, 0, 0))
             if passed:
                 parts = np.cumsum([to_x.shape[2], to_p.shape[2]])
-                by_x, by_p, by_u = np.split(self._crossings(result._closed, passed), parts, axis=2)
+                by_x, by_p, by_u = np.split(self._saltation(result.closed, passed), parts, axis=2)
                 steps.map[edges], steps.own[edges], steps.weight[edges] = by_x, by_p, 0.0
             self._line = _Line(result, to_x, to_p, to_u, steps, edges, by_u)
         return self._line
@@ -192,20 +181,19 @@ class Variations:
 
     def _held(self, segment: Segment, moved: Array) -> Array:
         """Take out changes of what the modes hold at the start, such as the speed of what sticks."""
-        modes = segment.q[self.dae.p.numel() :]
+        modes, start = segment.q[self.dae.p.numel() :], segment.point(0)[1]
         for change in self.dae.switching.changes:
-            roots = [reset[0] for reset in change.resets if reset[0] in self.dae.states]
-            if modes[change.mode] == change.target and roots:
-                rows = [self.dae.states.index(root) for root in roots]
-                moved[[row for row in rows if segment.states[0][0][row] == 0.0]] = 0.0
+            if modes[change.mode] == change.target:
+                held = {reset[0] for reset in change.resets}
+                rows = [row for row, root in enumerate(self.dae.states) if root in held and start[row] == 0.0]
+                moved[rows] = 0.0
         return moved
 
     def _pushes(self, line: _Line, changes: Mapping[str, Array]) -> tuple[list[int], Array]:
         """Return the rows of u that changes of inputs change, and by how much, (points, rows, columns)."""
         rows = [i for i, declared in enumerate(self.dae.inputs) if declared.path in changes]
         columns = []
-        for i in rows:
-            declared = self.dae.inputs[i]
+        for declared in (self.dae.inputs[i] for i in rows):
             change = np.asarray(changes[declared.path], dtype=float)
             for _ in range(declared.order):
                 change = _differentiated(change, line.result.time, line.edges + 1)
