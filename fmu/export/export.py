@@ -118,7 +118,7 @@ def export_fmu(
     identifier = re.sub(r"\W", "_", dae.name, flags=re.ASCII)
     identifier = identifier if identifier[0].isalpha() else f"m{identifier}"
     token = _token(fmi_version, texts, face)
-    texts["fmu_model.h"] = model_header(token, tolerance, fixed_step or 0.0, face)
+    texts["fmu_model.h"] = model_header(fmi_version, token, tolerance, fixed_step or 0.0, face)
     compiled = tuple(sorted(name for name in texts if name.endswith(".c"))) if sources else ()
     told = Model(
         dae.name, identifier, token, metadata.version("inertance"), tolerance, step, stop, fixed_step or 0.0,
