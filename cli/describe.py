@@ -25,7 +25,7 @@ from ..components.language import (
     Variable,
 )
 from .catalogue import all_names, first_line, full_name, is_base, namesakes
-from .terminal import Terminal
+from .terminal import CommandConsole
 from .usage import usage
 
 Rows = list[tuple[str, ...]]
@@ -35,7 +35,7 @@ FieldRow = Callable[[Any], tuple[str, ...]]
 def describe(full: str) -> None:
     """Print the equation, ports, parameters, variables, modes and an example of a component."""
     kind = all_names()[full]
-    console = Terminal(highlight=False, markup=False)
+    console = CommandConsole(highlight=False, markup=False)
     console.print(Text(full, style="bold"))
     console.print(inspect.getdoc(kind) or "")
     for base in _bases(kind):

@@ -9,11 +9,10 @@ import typer
 
 from ..components import ModelError, RunInterruptedError, SimulationError
 from ..networks import DAE, Result, check_table_path, chosen_signals, simulate
+from .arguments import Model, StartValues, load_network, pairs
 from .data import read_inputs, unbound_inputs
 from .failure import FAILED, INTERRUPTED, WRONG_USE, fail, failing
-from .model import load_network
 from .outputs import PICTURES, draw, expect
-from .values import pairs
 
 DEFAULT_STOP = 10.0
 EXAMPLES = """\b
@@ -30,9 +29,7 @@ numbers; its time increases."""
 
 
 def run(
-    model: Annotated[
-        str, typer.Argument(metavar="MODEL", help="path/to/file.py:function that returns a Network.")
-    ],
+    model: Model,
     stop: Annotated[float | None, typer.Option(help="End time [s]; the end of the data, or 10 s.")] = None,
     step: Annotated[float | None, typer.Option(help="Output interval [s]; a 500th of the run.")] = None,
     rtol: Annotated[float, typer.Option(help="Relative tolerance.")] = 1e-6,
@@ -43,15 +40,13 @@ def run(
     values: Annotated[
         list[str] | None, typer.Option("--set", metavar="NAME=VALUE", help="Change a parameter.")
     ] = None,
-    start: Annotated[list[str] | None, typer.Option(metavar="NAME=VALUE", help="Fix a start value.")] = None,
+    start: StartValues = None,
     out: Annotated[Path | None, typer.Option(help="Write signals to a .csv, .parquet or .npz file.")] = None,
     signals: Annotated[
-        str | None,
-        typer.Option(metavar="NAMES", help="What --out writes; the states if not given."),
+        str | None, typer.Option(metavar="NAMES", help="What --out writes; the states if not given.")
     ] = None,
     plot: Annotated[
-        str | None,
-        typer.Option(metavar="NAMES", help="Draw signals into a .png beside the results."),
+        str | None, typer.Option(metavar="NAMES", help="Draw signals into a .png beside the results.")
     ] = None,
 ) -> None:
     """Run the network that a function of a Python file returns."""
@@ -124,7 +119,7 @@ def _show(result: Result, out: Path | None, wanted: list[str], picture: Path, dr
     if out is not None:
         wrote.append(result.save(out, *wanted))
     if drawn:
-        wrote.append(draw(result.plot(*drawn), picture, dpi=120))
+        wrote.append(draw(result.plot(*drawn), picture))
     typer.echo(result.summary())
     for path in wrote:
         typer.echo(f"wrote {path}")
