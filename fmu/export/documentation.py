@@ -7,7 +7,7 @@ from html import escape
 from importlib import metadata
 from pathlib import Path
 
-from .model_description import Model, Rights
+from .model_description import ExportedModel, Rights
 from .variables import Scalar
 
 _PAGE = """<!DOCTYPE html>
@@ -46,7 +46,7 @@ _NOTICE = """This FMU was exported by inertance. Its model is its author's{terms
 """
 
 
-def page(model: Model, fmi_version: str) -> str:
+def page(model: ExportedModel, fmi_version: str) -> str:
     """Return documentation/index.html."""
     face = model.interface
     groups = {

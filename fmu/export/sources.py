@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 from pathlib import Path
 
-from .variables import Interface
+from .model_description import ExportedModel
 
 CSOURCE = Path(__file__).with_name("csource")
 COMMON = ("fmi_common.h", "fmi_common.c", "fmi_numbers.c", "model_exchange.c", "derivatives.c", "saved.c")
@@ -29,19 +29,19 @@ def face_sources(fmi_version: str) -> dict[str, str]:
     return {path.name: path.read_text(encoding="utf-8") for path in paths}
 
 
-def model_header(fmi_version: str, token: str, tolerance: float, fixed_step: float, face: Interface) -> str:
+def model_header(model: ExportedModel, fmi_version: str) -> str:
     """Return fmu_model.h: what the FMI functions know of the model, and of which standard they are."""
-    inputs = [float(s.start or 0.0) for s in face.scalars if s.causality == "input"]
+    inputs = [float(s.start or 0.0) for s in model.interface.scalars if s.causality == "input"]
     return f"""\
 #ifndef FMU_MODEL_H
 #define FMU_MODEL_H
 
 #include "fmi{fmi_version[0]}_face.h"
 
-#define FMU_TOKEN "{token}"
-#define FMU_TOLERANCE {tolerance!r}
-#define FMU_FIXED_STEP {fixed_step!r}
-#define FMU_AIMS {_initializer(face.aims)}
+#define FMU_TOKEN "{model.token}"
+#define FMU_TOLERANCE {model.tolerance!r}
+#define FMU_FIXED_STEP {model.fixed_step!r}
+#define FMU_AIMS {_initializer(model.interface.aims)}
 #define FMU_INPUTS {_initializer(inputs)}
 
 #endif
