@@ -73,14 +73,14 @@ def show(verdict: Verdict) -> None:
     """Print a verdict: the sentence, the gap, the ranking and the lines that correct the model."""
     console = CommandConsole()
     console.print(f"[bold]{verdict.verdict}[/bold]: {verdict.sentence}")
-    headings = ("channel", "nominal", "refitted", "with effect", "noise")
-    table = table_of(f"gap on the {verdict.evidence.judged}, NRMSE", headings, words=("channel",))
+    gaps = ("channel", "nominal", "refitted", "with effect", "noise")
+    table = table_of(f"gap on the {verdict.evidence.judged}, NRMSE", gaps, words=("channel",))
     for name, gap in verdict.gap.items():
         table.add_row(name, *(f"{value:.4g}" for value in (gap.nominal, gap.refit, gap.after, gap.floor)))
     console.print(table)
     if verdict.ranking:
-        headings = ("effect", "site", "test gain", "p")
-        table = table_of("effects fitted", headings, words=("effect", "site"))
+        ranks = ("effect", "site", "test gain", "p")
+        table = table_of("effects fitted", ranks, words=("effect", "site"))
         for ranked in verdict.ranking:
             table.add_row(ranked.kind, ranked.site, f"{ranked.test_gain:.1%}", f"{ranked.p:.2g}")
         console.print(table)

@@ -60,11 +60,12 @@ def fit(
 
 def _fitted(campaign: Campaign, starts: int, workers: int, solver: str) -> Fit:
     with CommandConsole(stderr=True).status("Fitting ...") as status:
+
+        def report(line: str) -> None:
+            status.update(f"Fitting: {line}")
+
         try:
             with Processes(workers, "spawn") if min(workers, starts) > 1 else nullcontext() as executor:
-                return fitted(
-                    campaign, starts=starts, executor=executor, solver=solver,
-                    report=lambda line: status.update(f"Fitting: {line}"),
-                )  # fmt: skip
+                return fitted(campaign, starts=starts, executor=executor, solver=solver, report=report)
         except FitInterruptedError as interrupt:
             return interrupt.fit

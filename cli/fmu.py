@@ -5,7 +5,7 @@ from __future__ import annotations
 import json
 from collections.abc import Iterable
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated
+from typing import Annotated
 
 import typer
 
@@ -14,9 +14,6 @@ from ..components import ModelError
 from .arguments import ConstantInputs, Model, StartValues, load_network, pairs
 from .failure import FAILED, WRONG_USE, clean, fail, failing
 from .outputs import JSON, expect
-
-if TYPE_CHECKING:
-    from ..fmu import Finding
 
 EXAMPLES = """\b
 Examples:
@@ -107,17 +104,14 @@ def check(
     with failing(WRONG_USE, ModelError):
         result = look(
             model, stop, step=step, tolerance=tolerance, limit=limit, start=starts, inputs=inputs,
-            versions=fmi or VERSIONS, isolated=isolated, timeout=timeout, found=_tell,
+            versions=fmi or VERSIONS, isolated=isolated, timeout=timeout,
+            found=lambda one: typer.echo(f"{one.word:<7} {one.subject} {one.check}", err=True),
         )  # fmt: skip
     if report is not None:
         write_text(report, json.dumps(result.to_dict(), indent=1))
     typer.echo(result)
     if not result.passed:
         raise typer.Exit(FAILED)
-
-
-def _tell(finding: Finding) -> None:
-    typer.echo(f"{finding.word:<7} {finding.subject} {finding.check}", err=True)
 
 
 def info(file: File) -> None:
@@ -157,8 +151,8 @@ def import_test(
     typer.echo(f"{fmu!r}: to {run.time[-1]:g} s in {run.stats['seconds']:.2g} s, {len(run.events)} events")
     for name in run.names():
         if name != "time":
-            values, unit = run[name], run.unit(name)
-            span = f"{values.min():.6g} to {values.max():.6g}, at the end {values[-1]:.6g}"
+            signal, unit = run[name], run.unit(name)
+            span = f"{signal.min():.6g} to {signal.max():.6g}, at the end {signal[-1]:.6g}"
             typer.echo(f"  {name}: {span}{unit and f' {unit}'}")
     for note in (*fmu.notes, *run.notes):
         typer.echo(f"  note: {note}")

@@ -50,8 +50,9 @@ def run(
     ] = None,
 ) -> None:
     """Run the network that a function of a Python file returns."""
-    _check_positive("--step", step)
-    _check_positive("--rtol", rtol)
+    for name, value in {"--step": step, "--rtol": rtol}.items():
+        if value is not None and not value > 0:
+            fail(f"{name} must be above 0, got {value:g}", WRONG_USE)
     parameters, starts = pairs("--set", values), pairs("--start", start)
     if out is not None:
         with failing(WRONG_USE, ValueError, ImportError):
@@ -70,7 +71,12 @@ def run(
     }  # fmt: skip
     with failing(WRONG_USE, ModelError):
         result, failure, code = _simulated(dae, arguments)
-    _show(result, out, wanted, picture, drawn)
+    wrote = [] if out is None else [result.save(out, *wanted)]
+    if drawn:
+        wrote.append(draw(result.plot(*drawn), picture))
+    typer.echo(result.summary())
+    for path in wrote:
+        typer.echo(f"wrote {path}")
     if failure:
         fail(failure, code)
 
@@ -85,11 +91,6 @@ def _simulated(dae: DAE, arguments: dict[str, Any]) -> tuple[Result, str, int]:
         return error.result, str(error), FAILED
     except RunInterruptedError as error:
         return error.result, str(error), INTERRUPTED
-
-
-def _check_positive(name: str, value: float | None) -> None:
-    if value is not None and not value > 0:
-        fail(f"{name} must be above 0, got {value:g}", WRONG_USE)
 
 
 def _signals(dae: DAE, names: str | None) -> list[str]:
@@ -112,14 +113,3 @@ def _span_and_inputs(dae: DAE, data: Path | None, stop: float | None) -> dict[st
         fail(f"--stop {stop:g} s is after the last sample of {data}, {time[-1]:g} s", WRONG_USE)
     end = float(time[-1]) if stop is None else stop
     return {"begin": float(time[0]), "stop": end, "inputs": inputs}
-
-
-def _show(result: Result, out: Path | None, wanted: list[str], picture: Path, drawn: list[str]) -> None:
-    wrote = []
-    if out is not None:
-        wrote.append(result.save(out, *wanted))
-    if drawn:
-        wrote.append(draw(result.plot(*drawn), picture))
-    typer.echo(result.summary())
-    for path in wrote:
-        typer.echo(f"wrote {path}")

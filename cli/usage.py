@@ -32,18 +32,15 @@ def usage(kind: type[Component]) -> str:
             joins.append(f"net.connect(net.{own}.{port.name}, net.{name}.flange)")
     calls = [f"    {name}={call}," for name, call in parts.items()]
     imported = sorted({"Network", *_imported("".join(parts.values()))})
-    return "\n".join(
-        [
-            f"from inertance import {', '.join(imported)}",
-            "",
-            "net = Network(",
-            '    "example",',
-            *calls,
-            ")",
-            *joins,
-            "run = net.simulate(1.0)",
-        ]
-    )
+    head = [
+        f"from inertance import {', '.join(imported)}",
+        "",
+        "net = Network(",
+        '    "example",',
+        *calls,
+        ")",
+    ]
+    return "\n".join([*head, *joins, "run = net.simulate(1.0)"])
 
 
 def _own_name(kind: type[Component]) -> str:

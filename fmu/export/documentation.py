@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
+from dataclasses import astuple
 from html import escape
 from importlib import metadata
 from pathlib import Path
@@ -70,8 +71,8 @@ def page(model: ExportedModel, fmi_version: str) -> str:
 
 
 def _rights(rights: Rights) -> Iterator[str]:
-    told = {"Author": rights.author, "Version": rights.version, "Copyright": rights.copyright}
-    for name, text in (told | {"Licence of the model": rights.license}).items():
+    names = ("Author", "Version", "Copyright", "Licence of the model")
+    for name, text in zip(names, astuple(rights), strict=True):
         if text:
             yield f"<p>{name}: {escape(text)}</p>"
 

@@ -7,7 +7,7 @@ from collections.abc import Iterable
 from dataclasses import asdict, dataclass
 from xml.etree import ElementTree as ET
 
-from .units import QUANTITY, base_units, display_units
+from .units import base_units, display_units, quantity
 from .variables import Interface, Scalar
 
 CATEGORIES = {
@@ -15,6 +15,7 @@ CATEGORIES = {
     "logStatusDiscard": "computations that are not possible where the model stands",
 }
 PART = r"[A-Za-z_][A-Za-z0-9_]*(\[\d+\])?"
+# Names of ASCII letters, digits and underscores.
 STRUCTURED = re.compile(rf"{PART}(\.{PART})*|der\({PART}(\.{PART})*(,\d+)?\)")
 
 
@@ -112,18 +113,14 @@ def _kind(root: ET.Element, name: str, model: ExportedModel, *able: str) -> ET.E
 
 
 def _told(model: ExportedModel) -> dict[str, str]:
+    structured = all(STRUCTURED.fullmatch(scalar.name) for scalar in model.interface.scalars)
     return {
         "modelName": model.name,
         "description": f"{model.name}: a network of 1-D mechanics",
         **{name: told for name, told in asdict(model.rights).items() if told},
         "generationTool": f"inertance {model.version}",
-        "variableNamingConvention": _convention(model.interface.scalars),
+        "variableNamingConvention": "structured" if structured else "flat",
     }
-
-
-def _convention(scalars: Iterable[Scalar]) -> str:
-    """Return "structured" if all names are of ASCII letters, digits and underscores, else "flat"."""
-    return "structured" if all(STRUCTURED.fullmatch(scalar.name) for scalar in scalars) else "flat"
 
 
 def _units(root: ET.Element, scalars: Iterable[Scalar]) -> None:
@@ -140,21 +137,19 @@ def _type_name(scalar: Scalar) -> str:
     """Return the type of a variable: its quantity, or the choice it is; empty if it has none."""
     if scalar.choices:
         return "Mode: " + " | ".join(scalar.choices)
-    return QUANTITY.get(scalar.unit, "")
+    return quantity(scalar.unit)
 
 
 def _types(scalars: Iterable[Scalar]) -> dict[str, Scalar]:
     found: dict[str, Scalar] = {}
     for scalar in scalars:
-        name = _type_name(scalar)
-        if name:
-            found.setdefault(name, scalar)
-    return found
+        found.setdefault(_type_name(scalar), scalar)
+    return {name: scalar for name, scalar in found.items() if name}
 
 
 def _typed(parent: ET.Element, tag: str, scalar: Scalar) -> ET.Element:
     if not scalar.choices:
-        return ET.SubElement(parent, tag, quantity=QUANTITY[scalar.unit], unit=scalar.unit)
+        return ET.SubElement(parent, tag, quantity=quantity(scalar.unit), unit=scalar.unit)
     listed = ET.SubElement(parent, tag)
     for value, name in enumerate(scalar.choices):
         ET.SubElement(listed, "Item", name=name, value=str(value))
@@ -175,26 +170,24 @@ def _variables(root: ET.Element, face: Interface, two: bool) -> None:
 
 
 def _attributes(scalar: Scalar) -> dict[str, str]:
-    attributes = {"name": scalar.name, "valueReference": str(scalar.reference)}
-    if scalar.doc:
-        attributes["description"] = scalar.doc
-    attributes |= {"causality": scalar.causality, "variability": scalar.variability}
-    if scalar.initial:
-        attributes["initial"] = scalar.initial
-    return attributes
+    told = {
+        "name": scalar.name,
+        "valueReference": str(scalar.reference),
+        "description": scalar.doc,
+        "causality": scalar.causality,
+        "variability": scalar.variability,
+        "initial": scalar.initial,
+    }
+    return {name: value for name, value in told.items() if value}
 
 
 def _facts(scalar: Scalar, face: Interface) -> dict[str, str]:
-    facts = {}
-    if _type_name(scalar):
-        facts["declaredType"] = _type_name(scalar)
-    if scalar.unit:
-        facts["unit"] = scalar.unit
     numbers = {"start": scalar.start, "nominal": scalar.nominal, "min": scalar.least, "max": scalar.most}
-    facts |= {name: repr(float(value)) for name, value in numbers.items() if value is not None}
+    told = {"declaredType": _type_name(scalar), "unit": scalar.unit}
+    told |= {name: repr(float(value)) for name, value in numbers.items() if value is not None}
     if face.jumps and scalar.reference in face.states:
-        facts["reinit"] = "true"
-    return facts
+        told["reinit"] = "true"
+    return {name: value for name, value in told.items() if value}
 
 
 Unknown = tuple[int, dict[int, str] | None]
@@ -217,16 +210,11 @@ def _unknowns(face: Interface) -> dict[str, list[Unknown]]:
 
 
 def _structure2(structure: ET.Element, face: Interface) -> None:
-    groups = {
-        "Output": "Outputs",
-        "ContinuousStateDerivative": "Derivatives",
-        "InitialUnknown": "InitialUnknowns",
-    }
-    unknowns = _unknowns(face)
-    for kind, group in groups.items():
-        if unknowns[kind]:
+    groups = ("Outputs", "Derivatives", "InitialUnknowns")  # FMI 2 knows no event indicators here
+    for group, unknowns in zip(groups, _unknowns(face).values(), strict=False):
+        if unknowns:
             listed = ET.SubElement(structure, group)
-            for reference, known in unknowns[kind]:
+            for reference, known in unknowns:
                 told = None if known is None else {k + 1: way for k, way in known.items()}
                 ET.SubElement(listed, "Unknown", {"index": str(reference + 1)} | _dependencies(told))
 

@@ -22,30 +22,6 @@ static double *unknown(Instance *c, uint32_t ref) {
 
 typedef double *(*Place)(Instance *c, uint32_t ref);
 
-static Status put(Instance *c, Place place, const uint32_t refs[], size_t n, const double seed[]) {
-    memset(c->x, 0, sizeof c->x);
-    memset(c->u, 0, sizeof c->u);
-    memset(c->p, 0, sizeof c->p);
-    memset(c->rates, 0, sizeof c->rates);
-    memset(c->w, 0, sizeof c->w);
-    for (size_t i = 0; i < n; i++) {
-        double *where = place(c, refs[i]);
-        if (!where) return face_bad_reference(c, refs[i]);
-        if (!isfinite(seed[i])) return face_refuse(c, "a seed is not a finite number");
-        *where += seed[i];
-    }
-    return FMI(OK);
-}
-
-static Status take(Instance *c, Place place, const uint32_t refs[], size_t n, double sensitivity[]) {
-    for (size_t i = 0; i < n; i++) {
-        const double *where = place(c, refs[i]);
-        if (!where) return face_bad_reference(c, refs[i]);
-        sensitivity[i] = *where;
-    }
-    return FMI(OK);
-}
-
 /* What is sought follows from what is given in ways that are not told by these derivatives. */
 static int undefined(Instance *c) {
     if (c->now.phase != INITIALIZATION || NLEAD + NFREE == 0) return !face_ready(c);
@@ -53,22 +29,29 @@ static int undefined(Instance *c) {
     return 1;
 }
 
-Status face_forward(Instance *c, const uint32_t unknowns[], size_t nu, const uint32_t knowns[], size_t nk,
-                    const double seed[], double sensitivity[]) {
-    if (face_missing(c, nu, unknowns, sensitivity) || face_missing(c, nk, knowns, seed) || undefined(c) ||
-        put(c, known, knowns, nk, seed) != FMI(OK))
+Status face_sensitivities(Instance *c, int adjoint, const uint32_t from[], size_t n, const double seed[],
+                          const uint32_t to[], size_t m, double sensitivity[]) {
+    Place given = adjoint ? unknown : known, sought = adjoint ? known : unknown;
+    if (face_missing(c, n, from, seed) || face_missing(c, m, to, sensitivity) || undefined(c))
         return FMI(Error);
-    if (core_forward(&c->now.core, c->x, c->u, c->p, c->rates, c->w) != CORE_OK)
-        return face_outcome(c, CORE_DISCARD);
-    return take(c, unknown, unknowns, nu, sensitivity);
-}
-
-Status face_adjoint(Instance *c, const uint32_t unknowns[], size_t nu, const uint32_t knowns[], size_t nk,
-                    const double seed[], double sensitivity[]) {
-    if (face_missing(c, nu, unknowns, seed) || face_missing(c, nk, knowns, sensitivity) || undefined(c) ||
-        put(c, unknown, unknowns, nu, seed) != FMI(OK))
-        return FMI(Error);
-    if (core_adjoint(&c->now.core, c->rates, c->w, c->x, c->u, c->p) != CORE_OK)
-        return face_outcome(c, CORE_DISCARD);
-    return take(c, known, knowns, nk, sensitivity);
+    memset(c->x, 0, sizeof c->x);
+    memset(c->u, 0, sizeof c->u);
+    memset(c->p, 0, sizeof c->p);
+    memset(c->rates, 0, sizeof c->rates);
+    memset(c->w, 0, sizeof c->w);
+    for (size_t i = 0; i < n; i++) {
+        double *place = given(c, from[i]);
+        if (!place) return face_bad_reference(c, from[i]);
+        if (!isfinite(seed[i])) return face_refuse(c, "a seed is not a finite number");
+        *place += seed[i];
+    }
+    CoreStatus status = adjoint ? core_adjoint(&c->now.core, c->rates, c->w, c->x, c->u, c->p)
+                                : core_forward(&c->now.core, c->x, c->u, c->p, c->rates, c->w);
+    if (status != CORE_OK) return face_outcome(c, CORE_DISCARD);
+    for (size_t i = 0; i < m; i++) {
+        const double *place = sought(c, to[i]);
+        if (!place) return face_bad_reference(c, to[i]);
+        sensitivity[i] = *place;
+    }
+    return FMI(OK);
 }

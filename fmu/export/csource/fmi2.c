@@ -105,7 +105,7 @@ fmi2Status fmi2GetDirectionalDerivative(fmi2Component instance, const fmi2ValueR
                                         size_t nUnknown, const fmi2ValueReference vKnown_ref[], size_t nKnown,
                                         const fmi2Real dvKnown[], fmi2Real dvUnknown[]) {
     ENTER(READABLE, EITHER);
-    return face_forward(c, vUnknown_ref, nUnknown, vKnown_ref, nKnown, dvKnown, dvUnknown);
+    return face_sensitivities(c, 0, vKnown_ref, nKnown, dvKnown, vUnknown_ref, nUnknown, dvUnknown);
 }
 
 fmi2Status fmi2EnterEventMode(fmi2Component instance) {

@@ -113,7 +113,7 @@ fmi3Status fmi3GetDirectionalDerivative(fmi3Instance instance, const fmi3ValueRe
                                         size_t nSensitivity) {
     ENTER(READABLE, EITHER);
     if (odd(c, nSeed, nKnowns) || odd(c, nSensitivity, nUnknowns)) return fmi3Error;
-    return face_forward(c, unknowns, nUnknowns, knowns, nKnowns, seed, sensitivity);
+    return face_sensitivities(c, 0, knowns, nKnowns, seed, unknowns, nUnknowns, sensitivity);
 }
 
 fmi3Status fmi3GetAdjointDerivative(fmi3Instance instance, const fmi3ValueReference unknowns[],
@@ -122,7 +122,7 @@ fmi3Status fmi3GetAdjointDerivative(fmi3Instance instance, const fmi3ValueRefere
                                     size_t nSensitivity) {
     ENTER(READABLE, EITHER);
     if (odd(c, nSeed, nUnknowns) || odd(c, nSensitivity, nKnowns)) return fmi3Error;
-    return face_adjoint(c, unknowns, nUnknowns, knowns, nKnowns, seed, sensitivity);
+    return face_sensitivities(c, 1, unknowns, nUnknowns, seed, knowns, nKnowns, sensitivity);
 }
 
 fmi3Status fmi3UpdateDiscreteStates(fmi3Instance instance, fmi3Boolean *discreteStatesNeedUpdate,

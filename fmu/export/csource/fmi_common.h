@@ -102,11 +102,10 @@ Status face_get_reals(Instance *c, const uint32_t refs[], size_t n, double value
 Status face_set_reals(Instance *c, const uint32_t refs[], size_t n, const double values[]);
 Status face_get_mode(Instance *c, uint32_t ref, int *value);
 
-/* Sensitivities of unknowns to knowns in the direction of a seed, or of a weighted sum of unknowns. */
-Status face_forward(Instance *c, const uint32_t unknowns[], size_t nu, const uint32_t knowns[], size_t nk,
-                    const double seed[], double sensitivity[]);
-Status face_adjoint(Instance *c, const uint32_t unknowns[], size_t nu, const uint32_t knowns[], size_t nk,
-                    const double seed[], double sensitivity[]);
+/* Sensitivities of unknowns to knowns in the direction of a seed, or, adjoint, of their sum weighted by it.
+ */
+Status face_sensitivities(Instance *c, int adjoint, const uint32_t from[], size_t n, const double seed[],
+                          const uint32_t to[], size_t m, double sensitivity[]);
 
 Status face_experiment(Instance *c, int tolerance_defined, double tolerance, double start, int stop_defined,
                        double stop);
