@@ -76,6 +76,10 @@ def _port(port: Port) -> tuple[str, ...]:
     return port.name, port.domain, across, through, port.doc + left_open
 
 
+def _parameter(parameter: Parameter) -> tuple[str, ...]:
+    return parameter.name, parameter.unit, _default(parameter), _range(parameter), parameter.doc
+
+
 def _option(option: Option) -> tuple[str, ...]:
     choices = "any" if option.choices is None else ", ".join(map(repr, option.choices))
     return option.name, repr(option.default), choices, option.doc
@@ -108,23 +112,14 @@ def _range(parameter: Parameter) -> str:
     return ", ".join(f"{sign} {bound:g}" for bound, sign in bounds if bound is not None) or "any"
 
 
+_signal, _variable = attrgetter("name", "unit", "kind", "doc"), attrgetter("name", "unit", "doc")
 SECTIONS: tuple[tuple[str, tuple[str, ...], Any, FieldRow], ...] = (
     ("ports", ("name", "kind", "across", "through", ""), Port, _port),
-    (
-        "signals",
-        ("name", "unit", "kind", ""),
-        RealInput | RealOutput,
-        attrgetter("name", "unit", "kind", "doc"),
-    ),
-    (
-        "parameters",
-        ("name", "unit", "default", "range", ""),
-        Parameter,
-        lambda p: (p.name, p.unit, _default(p), _range(p), p.doc),
-    ),
+    ("signals", ("name", "unit", "kind", ""), RealInput | RealOutput, _signal),
+    ("parameters", ("name", "unit", "default", "range", ""), Parameter, _parameter),
     ("options", ("name", "default", "choices", ""), Option, _option),
-    ("variables", ("name", "unit", ""), Variable, attrgetter("name", "unit", "doc")),
+    ("variables", ("name", "unit", ""), Variable, _variable),
     ("modes", ("name", "values", ""), Mode, lambda mode: (mode.name, ", ".join(mode.values), mode.doc)),
-    ("impulses", ("name", "unit", ""), Impulse, attrgetter("name", "unit", "doc")),
+    ("impulses", ("name", "unit", ""), Impulse, _variable),
     ("parts", ("name", "component", ""), Part, _part),
 )

@@ -30,14 +30,12 @@ def fail(message: str, code: int) -> NoReturn:
 
 @contextmanager
 def failing(code: int, *kinds: type[Exception]) -> Iterator[None]:
-    """End the command with a code when an error of these kinds is raised within.
-
-    The message is without the quotes that a KeyError would put it in.
-    """
+    """End the command with a code when an error of these kinds is raised within."""
     try:
         yield
     except kinds as error:
-        fail(str(error.args[0]) if isinstance(error, KeyError) else str(error), code)
+        told = error.args[0] if isinstance(error, KeyError) else error  # which would put it in quotes
+        fail(str(told), code)
 
 
 def clean(command: Callable[Arguments, None]) -> Callable[Arguments, None]:

@@ -13,16 +13,8 @@ from ...base import Array
 from ...networks import DAE, Result, simulate
 from ..errors import FMUError
 from ..export.export import export_fmu
-from .agreement import (
-    EVENT_TOLERANCE,
-    Reference,
-    bisected_finding,
-    events_finding,
-    modes_finding,
-    motion_findings,
-    outputs_finding,
-    sizes,
-)
+from . import agreement
+from .agreement import Reference, sizes
 from .derivatives import Derivatives
 from .probe import CheckedFMU
 from .report import Finding
@@ -30,7 +22,7 @@ from .runs import DENSE_JACOBIAN_STATES, Scenario, communicate, exchange, sample
 from .states import state_findings
 from .xml_schema import xml_findings
 
-SAME_INSTANT = 0.1 * EVENT_TOLERANCE
+SAME_INSTANT = 0.1 * agreement.EVENT_TOLERANCE
 
 
 def network_findings(
@@ -55,7 +47,7 @@ def network_findings(
             with CheckedFMU(path) as fmu:
                 if k == 0:
                     yield _told(asked, native, fmu)
-                    yield from motion_findings("native", native.reference(fmu, _sized(fmu)))
+                    yield from agreement.motion_findings("native", native.reference(fmu, _sized(fmu)))
                 for kind in ("ME", "CS"):
                     yield from _run_findings(kind, fmu, native, limit)
                 for kind in ("ME", "CS"):
@@ -97,7 +89,7 @@ class _NativeRun:
 def _told(asked: _NativeRun, native: _NativeRun, fmu: CheckedFMU) -> Finding:
     """Tell how far the native run at the tolerance asked for is from the one that FMUs are compared with."""
     reference, course = (run.reference(fmu, _sized(fmu)) for run in (native, asked))
-    found = outputs_finding("native", course.course, reference, np.inf)
+    found = agreement.outputs_finding("native", course.course, reference, np.inf)
     told = f"{found.told}; not judged, FMUs are compared with rtol {native.rtol:.0e}"
     return Finding("native", f"rtol {asked.rtol:.0e}", None, found.error, told=told)
 
@@ -120,15 +112,16 @@ def _run_findings(kind: str, fmu: CheckedFMU, native: _NativeRun, limit: float) 
             course = exchange(fmu, names, native.scenario, derivatives)
         else:
             course = communicate(fmu, names, native.scenario)
-        yield outputs_finding(label, course.of(outputs), native.reference(fmu, outputs), limit)
+        yield agreement.outputs_finding(label, course.of(outputs), native.reference(fmu, outputs), limit)
         if modes:
-            wanted = native.reference(fmu, modes).course
+            pair = course.of(modes), native.reference(fmu, modes).course
             reference = native.reference(fmu, moving)
-            yield modes_finding(label, (course.of(modes), wanted), course.of(moving), reference, limit)
+            yield agreement.modes_finding(label, pair, course.of(moving), reference, limit)
         if course.events is not None:
-            yield events_finding(label, course.events, native.events)
+            yield agreement.events_finding(label, course.events, native.events)
         elif len(native.events):
-            yield bisected_finding(fmu, native.scenario, native.reference(fmu, names), *native.sides(names))
+            reference, sides = native.reference(fmu, names), native.sides(names)
+            yield agreement.bisected_finding(fmu, native.scenario, reference, native.events, *sides)
         if kind == "ME":
             yield from derivatives.findings()
     except FMUError as error:

@@ -6,9 +6,8 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
-from ...base import Array
+from ...base import Array, Flags
 from .probe import CheckedFMU, Probe
 from .report import MOTION, Finding, measured
 from .runs import Course, Scenario
@@ -22,20 +21,15 @@ MOTION_SHARE = 1e-6  # of a variable's size
 
 @dataclass(frozen=True, eq=False)
 class Reference:
-    """What a course is compared with: values on the same grid, their sizes, and the instants of events."""
+    """What a course is compared with, on the same grid, and how large its variables get."""
 
     course: Course
     sizes: Array
 
     @staticmethod
     def of(course: Course, nominals: Array) -> Reference:
-        """Return a course and how large its variables get."""
+        """Return a course with the sizes that it shows itself."""
         return Reference(course, sizes(course.values, nominals))
-
-    @property
-    def events(self) -> Array:
-        """Instants of events."""
-        return np.zeros(0) if self.course.events is None else self.course.events
 
 
 def sizes(values: Array, nominals: Array) -> Array:
@@ -81,9 +75,9 @@ def modes_finding(
     """
     found, wanted = modes
     apart = _apart(course, reference)
-    differ: NDArray[np.bool_] = np.not_equal(found.values, wanted.values) & apart[:, None]
+    differ: Flags = np.not_equal(found.values, wanted.values) & apart[:, None]
     told = f"{len(found.names)} modes"
-    agree: NDArray[np.bool_] = np.all(_shares(course, reference) <= limit, axis=1)
+    agree: Flags = np.all(_shares(course, reference) <= limit, axis=1)
     if differ.any():
         points, columns = np.nonzero(differ)
         first, last = (float(course.time[k]) for k in (points[0], points[-1]))
@@ -92,7 +86,7 @@ def modes_finding(
     return measured(subject, "modes", float((differ.any(axis=1) & ~agree).sum()), 0, told)
 
 
-def _apart(course: Course, reference: Reference) -> NDArray[np.bool_]:
+def _apart(course: Course, reference: Reference) -> Flags:
     """Return which points lie apart from events."""
     apart = np.ones(len(course.time), dtype=bool)
     for events in (reference.course.events, course.events):
@@ -123,14 +117,14 @@ def events_finding(subject: str, found: Array, wanted: Array) -> Finding:
 
 
 def bisected_finding(
-    fmu: CheckedFMU, scenario: Scenario, reference: Reference, before: Array, after: Array
+    fmu: CheckedFMU, scenario: Scenario, reference: Reference, events: Array, before: Array, after: Array
 ) -> Finding:
     """Find the instants of events in Co-Simulation without event mode, by steps from a saved state.
 
     Only events apart from others are looked for, and each by the variable that jumps most there, `before` and
     `after` being the values right beside the events.
     """
-    label, names, events = fmu.label("CS"), reference.course.names, reference.events
+    label, names = fmu.label("CS"), reference.course.names
     gaps = np.diff([scenario.begin, *events, scenario.stop])
     widths = 0.2 * np.minimum(np.minimum(gaps[1:], gaps[:-1]), scenario.step)
     jumps = np.abs(after - before) / reference.sizes

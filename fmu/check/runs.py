@@ -69,7 +69,7 @@ class Course:
 Visit = Callable[[Probe, float], None]
 
 
-def exchange(fmu: CheckedFMU, names: Sequence[str], scenario: Scenario, visit: Visit | None = None) -> Course:
+def exchange(fmu: CheckedFMU, names: Sequence[str], scenario: Scenario, visit: Visit) -> Course:
     """Run Model Exchange; `visit` is called with the probe at instants of output and events.
 
     FMPy integrates with CVODE, which begins anew with order 1 after each event, so its tolerance is a tenth
@@ -95,7 +95,7 @@ def exchange(fmu: CheckedFMU, names: Sequence[str], scenario: Scenario, visit: V
 
 
 def _exchange_by_cvode(
-    fmu: CheckedFMU, names: Sequence[str], scenario: Scenario, visit: Visit | None, rtol: float, parts: int
+    fmu: CheckedFMU, names: Sequence[str], scenario: Scenario, visit: Visit, rtol: float, parts: int
 ) -> Course:
     from fmpy import simulate_fmu
 
@@ -105,8 +105,7 @@ def _exchange_by_cvode(
         def finished(time: float, _: object) -> bool:
             heed()
             try:
-                if visit is not None:
-                    visit(probe, time)
+                visit(probe, time)
             except Exception as error:
                 problems.append(error)
             return not problems
@@ -129,12 +128,11 @@ def _exchange_by_cvode(
     return replace(course, solver=f"CVODE, rtol {rtol:.0e}")
 
 
-def _exchange_large(fmu: CheckedFMU, names: Sequence[str], scenario: Scenario, visit: Visit | None) -> Course:
-    if visit is not None:
-        with Probe(fmu, "ME") as probe:
-            probe.begin(scenario.begin, scenario.stop, scenario.rtol, scenario.inputs)
-            visit(probe, scenario.begin)
-            visit(probe, scenario.begin)
+def _exchange_large(fmu: CheckedFMU, names: Sequence[str], scenario: Scenario, visit: Visit) -> Course:
+    with Probe(fmu, "ME") as probe:
+        probe.begin(scenario.begin, scenario.stop, scenario.rtol, scenario.inputs)
+        visit(probe, scenario.begin)
+        visit(probe, scenario.begin)
     run = fmu.simulate(
         scenario.stop, begin=scenario.begin, step=scenario.step, rtol=scenario.accurate, kind="ME",
         inputs=dict(scenario.inputs), record=names,

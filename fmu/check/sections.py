@@ -45,14 +45,15 @@ def runs(fmu: CheckedFMU, plan: Plan) -> Iterator[Finding]:
     """Yield whether each kind runs, whether they agree, and what its derivatives are worth."""
     scenario, names = plan.scenario(fmu), fmu.shown()
     references: dict[str, Reference] = {}
+    looks: list[Derivatives] = []
     if not fmu.kinds:
         yield Finding("FMU", "run", None, told="it is neither for Model Exchange nor for Co-Simulation")
-    derivatives = Derivatives(fmu) if "ME" in fmu.kinds else None
     for kind in fmu.kinds:
         label = fmu.label(kind)
         try:
             if kind == "ME":
-                course = exchange(fmu, names, scenario, derivatives)
+                looks.append(Derivatives(fmu))
+                course = exchange(fmu, names, scenario, looks[-1])
             else:
                 course = communicate(fmu, names, scenario)
         except FMUError as error:
@@ -63,7 +64,7 @@ def runs(fmu: CheckedFMU, plan: Plan) -> Iterator[Finding]:
         yield from motion_findings(label, references[kind])
     if len(references) == 2:
         yield _agreement(fmu, references["ME"].course, references["CS"].course, scenario, plan.limit)
-    if derivatives is not None:
+    for derivatives in looks:
         yield from derivatives.findings()
 
 

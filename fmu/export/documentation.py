@@ -78,17 +78,14 @@ def _rights(rights: Rights) -> Iterator[str]:
 
 
 def _table(title: str, scalars: Iterable[Scalar]) -> str:
-    rows = "\n".join(
-        f"<tr><td>{escape(s.name)}</td><td>{escape(s.doc)}</td><td>{_number(s.start)}</td>"
-        f"<td>{escape(s.unit if s.unit != '1' else '')}</td></tr>"
-        for s in scalars
-    )
     head = "<tr><th>name</th><th>what it is</th><th>start</th><th>unit</th></tr>"
-    return f"<h2>{title}</h2>\n<table>\n{head}\n{rows}\n</table>"
+    return "\n".join([f"<h2>{title}</h2>\n<table>\n{head}", *map(_row, scalars), "</table>"])
 
 
-def _number(value: float | None) -> str:
-    return "" if value is None else f"{value:.6g}"
+def _row(scalar: Scalar) -> str:
+    start = "" if scalar.start is None else f"{scalar.start:.6g}"
+    cells = (scalar.name, scalar.doc, start, "" if scalar.unit == "1" else scalar.unit)
+    return f"<tr>{''.join(f'<td>{escape(cell)}</td>' for cell in cells)}</tr>"
 
 
 def licences(rights: Rights) -> str:
