@@ -28,7 +28,7 @@ Examples:
 TESTS = (Sinusoid(0.020, 0.1), Sinusoid(0.010, 3.0), Sinusoid(0.007, 5.0), Sinusoid(0.0015, 10.0))
 INERTERS = {"planetary": ge_wang.planetary_inerter, "disk": ge_wang.disk_inerter}
 RANDOM = tuple(RandomDisplacement(seed, period=8.0) for seed in (1, 2))
-SETTLE = 2.0
+SETTLING_SECONDS = 2.0
 
 
 @dataclass(frozen=True)
@@ -119,7 +119,7 @@ def demo(
 def last_cycle(make: Callable[[], Component], test: Sinusoid) -> Cycle:
     """Return the last cycle of a test long enough for the start to die away."""
     period = 1 / test.frequency
-    stop = max(2, ceil(SETTLE / period)) * period
+    stop = max(2, ceil(SETTLING_SECONDS / period)) * period
     run = run_on_rig(make(), test, stop, step=period / 500)
     begin = stop - period
     t = np.linspace(0, period, 501)

@@ -119,7 +119,7 @@ def events_finding(subject: str, found: Array, wanted: Array) -> Finding:
 def bisected_finding(
     fmu: CheckedFMU, scenario: Scenario, reference: Reference, events: Array, before: Array, after: Array
 ) -> Finding:
-    """Find the instants of events in Co-Simulation without event mode, by steps from a saved state.
+    """Locate events in Co-Simulation without event mode, by bisection from a saved state.
 
     Only events apart from others are looked for, and each by the variable that jumps most there, `before` and
     `after` being the values right beside the events.

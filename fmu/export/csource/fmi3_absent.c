@@ -19,7 +19,7 @@ fmi3Instance fmi3InstantiateScheduledExecution(
         return face_no_such(c, count);                                                 \
     }
 
-#define BOTH nValueReferences + nValues
+#define BOTH (nValueReferences + nValues)
 #define NOT_SET(type) NO_SUCH(fmi3Set##type, SETTABLE, BOTH, const fmi3##type values[], size_t nValues)
 #define NO_TYPE(type) \
     NO_SUCH(fmi3Get##type, READABLE, BOTH, fmi3##type values[], size_t nValues) NOT_SET(type)

@@ -5,11 +5,11 @@
 #include <stdio.h>
 #include <string.h>
 
-#define ABSOLUTE 1e-4 /* of the relative tolerance, times the nominal value of each state */
-#define LOCAL 1e-2    /* error of one step, of the tolerance asked for: many steps add up to no more */
-#define FINEST 1e-12
-#define INTERVALS 500 /* of a run of model exchange, whose outputs nobody tells */
-#define NEAR 1e-9 /* communication points closer than this, against their size, are one */
+#define ABSOLUTE_SHARE 1e-4 /* of the relative tolerance, times the nominal value of each state */
+#define LOCAL_ERROR_SHARE 1e-2 /* of the tolerance asked for, so that many steps add up to no more */
+#define FINEST_TOLERANCE 1e-12
+#define RUN_INTERVALS 500 /* of a run of model exchange, whose outputs nobody tells */
+#define POINT_TOLERANCE 1e-9 /* communication points closer than this, against their size, are one */
 
 static const double inputs[ROOM(NU)] = FMU_INPUTS;
 
@@ -112,7 +112,7 @@ Status face_experiment(Instance *c, int tolerance_defined, double tolerance, dou
     c->now.tolerance = tolerance_defined ? tolerance : FMU_TOLERANCE;
     c->now.start = start;
     c->now.stop = stop_defined ? stop : INFINITY;
-    if (stop_defined) c->now.core.interval = (stop - start) / INTERVALS;
+    if (stop_defined) c->now.core.interval = (stop - start) / RUN_INTERVALS;
     return FMI(OK);
 }
 
@@ -125,16 +125,17 @@ Status face_settle(Instance *c, int *states_changed) {
     return face_outcome(c, status);
 }
 
-static double slack(double point) { return NEAR * fmax(1.0, fabs(point)); }
+static double slack(double point) { return POINT_TOLERANCE * fmax(1.0, fabs(point)); }
 
 Status face_step(Instance *c, double point, double size, CoreStop *reached) {
-    double stop = point + size, asked = c->now.tolerance, rtol = fmax(LOCAL * asked, fmin(asked, FINEST));
+    double stop = point + size, asked = c->now.tolerance;
+    double rtol = fmax(LOCAL_ERROR_SHARE * asked, fmin(asked, FINEST_TOLERANCE));
     if (!isfinite(point) || fabs(point - core_time(&c->now.core)) > slack(point))
         return face_refuse(c, "the communication point is not where the last step ended");
     if (!(size > 0) || !isfinite(stop)) return face_refuse(c, "the step must be positive and finite");
     if (face_untold_rate(c) != FMI(OK)) return FMI(Error);
     if (stop > c->now.stop + slack(c->now.stop)) return face_refuse(c, "the step leads beyond the stop time");
-    CoreStatus status = core_advance(&c->now.core, stop, rtol, ABSOLUTE * rtol, FMU_FIXED_STEP,
+    CoreStatus status = core_advance(&c->now.core, stop, rtol, ABSOLUTE_SHARE * rtol, FMU_FIXED_STEP,
                                      c->event_mode_used && c->may_return_early, reached);
     /* With error control smaller steps were tried already: no other step of communication would help. */
     return face_outcome(c, status == CORE_DISCARD && !(FMU_FIXED_STEP > 0) ? CORE_ERROR : status);
