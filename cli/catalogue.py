@@ -81,16 +81,12 @@ def find(name: str) -> str:
     Raises:
         UnknownNameError: for an unknown name, with the nearest one.
     """
-    known = all_names()
-    lower = name.lower()
-    for matches in (
-        [full for full in known if full == name],
-        [full for full in known if full.lower() == lower],
-        [full for full in known if _plain(full) == lower],
-    ):
-        if matches:
-            return matches[0]
-    spoken = {full.lower(): full for full in known} | {_plain(full): full for full in known}
+    known, lower = all_names(), name.lower()
+    spoken = {_plain(full): full for full in reversed(known)} | {full.lower(): full for full in known}
+    if name in known:
+        return name
+    if lower in spoken:
+        return spoken[lower]
     guess = nearest(lower, spoken)
     for low in sorted(spoken, key=len):
         guess = guess.replace(f"'{low}'", f"'{spoken[low]}'")

@@ -10,15 +10,15 @@ from typing import Annotated
 
 import numpy as np
 import typer
-from numpy.typing import NDArray
 from rich.table import Table
 from rich.text import Text
 
+from ..base import Array, Complex
 from ..components import Component
 from ..networks import RandomDisplacement, Sinusoid, ge_wang, rig_response, run_on_rig
 from .failure import WRONG_USE, fail
 from .outputs import JSON, expect
-from .terminal import Terminal
+from .terminal import CommandConsole, table_of
 
 EXAMPLES = """\b
 Examples:
@@ -28,7 +28,7 @@ Examples:
 TESTS = (Sinusoid(0.020, 0.1), Sinusoid(0.010, 3.0), Sinusoid(0.007, 5.0), Sinusoid(0.0015, 10.0))
 INERTERS = {"planetary": ge_wang.planetary_inerter, "disk": ge_wang.disk_inerter}
 RANDOM = tuple(RandomDisplacement(seed, period=8.0) for seed in (1, 2))
-SETTLE = 2.0
+SETTLING_SECONDS = 2.0
 
 
 @dataclass(frozen=True)
@@ -42,11 +42,11 @@ class Cycle:
         stuck: share of the cycle in which the screw stands still.
     """
 
-    t: NDArray[np.float64]
-    x: NDArray[np.float64]
-    v: NDArray[np.float64]
-    a: NDArray[np.float64]
-    F: NDArray[np.float64]
+    t: Array
+    x: Array
+    v: Array
+    a: Array
+    F: Array
     stuck: float
 
     @property
@@ -69,7 +69,7 @@ class Cycle:
         """Energy dissipated in the cycle [J]."""
         return float(np.trapezoid(self.F, self.x))
 
-    def _share(self, motion: NDArray[np.float64]) -> float:
+    def _share(self, motion: Array) -> float:
         return abs(float(np.trapezoid(self.F * motion, self.t))) / sqrt(np.trapezoid(motion**2, self.t))
 
 
@@ -77,12 +77,12 @@ class Cycle:
 class Responses:
     """H(f) of both inerters under random displacement."""
 
-    f: NDArray[np.float64]
-    planetary: NDArray[np.complex128]
-    disk: NDArray[np.complex128]
+    f: Array
+    planetary: Complex
+    disk: Complex
 
     @property
-    def ratio(self) -> NDArray[np.float64]:
+    def ratio(self) -> Array:
         """Gain of the planetary inerter over that of the disk."""
         return np.abs(self.planetary) / np.abs(self.disk)
 
@@ -94,7 +94,7 @@ def demo(
     from .demo_diagnosis import diagnose_withheld
     from .demo_pictures import draw_cycles, draw_design_map, draw_responses
 
-    console = Terminal()
+    console = CommandConsole()
     try:
         out.mkdir(parents=True, exist_ok=True)
     except OSError as error:
@@ -119,7 +119,7 @@ def demo(
 def last_cycle(make: Callable[[], Component], test: Sinusoid) -> Cycle:
     """Return the last cycle of a test long enough for the start to die away."""
     period = 1 / test.frequency
-    stop = max(2, ceil(SETTLE / period)) * period
+    stop = max(2, ceil(SETTLING_SECONDS / period)) * period
     run = run_on_rig(make(), test, stop, step=period / 500)
     begin = stop - period
     t = np.linspace(0, period, 501)
@@ -179,10 +179,8 @@ def cycles_table(cycles: dict[str, list[Cycle]]) -> Table:
 
 def responses_table(responses: Responses) -> Table:
     """Return how far the planetary inerter's gain exceeds the disk's, by band."""
-    table = Table(title="Gain |H|, planetary over disk")
-    table.add_column("band, Hz")
-    for heading in ("least", "mean", "greatest"):
-        table.add_column(heading, justify="right")
+    headings = ("band, Hz", "least", "mean", "greatest")
+    table = table_of("Gain |H|, planetary over disk", headings, words=("band, Hz",))
     for low, high in ((0.5, 1), (1, 2), (2, 5), (5, 15)):
         ratio = responses.ratio[(responses.f >= low) & (responses.f <= high)]
         figures = (ratio.min(), ratio.mean(), ratio.max())

@@ -10,12 +10,12 @@ from ..diagnosis import Verdict, diagnose, write_report
 from ..identification import Campaign, Record
 from ..networks import Network
 from .diagnose import show
-from .terminal import Terminal
+from .terminal import CommandConsole
 
 CAMPAIGN = Path(__file__).with_name("withheld") / "campaign.toml"
 
 
-def diagnose_withheld(console: Terminal, out: Path) -> Verdict:
+def diagnose_withheld(console: CommandConsole, out: Path) -> Verdict:
     """Diagnose the shipped records, print the verdict, and write the report and the verdict's JSON."""
     campaign = Campaign.load(CAMPAIGN)
     console.print(

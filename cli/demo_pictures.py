@@ -42,7 +42,7 @@ def draw_cycles(path: Path, tests: Sequence[Sinusoid], cycles: Mapping[str, Sequ
         ax.set_ylabel("force on the rod [N]")
     axes[0, 0].legend(title="flywheel")
     figure.suptitle("Inerters of equal inertance, 385 kg, under sinusoidal displacement")
-    return _saved(figure, path)
+    return draw(figure, path, dpi=130)
 
 
 def draw_responses(path: Path, responses: Responses) -> Path:
@@ -69,7 +69,7 @@ def draw_responses(path: Path, responses: Responses) -> Path:
         ax.grid(which="both", alpha=0.25)
         ax.axvline(2, color="tab:green", linewidth=1)
     figure.suptitle("Force per displacement under random displacement, 0.5 to 15 Hz")
-    return _saved(figure, path)
+    return draw(figure, path, dpi=130)
 
 
 def draw_design_map(path: Path, prototype: PlanetaryGeometry) -> Path:
@@ -93,8 +93,4 @@ def draw_design_map(path: Path, prototype: PlanetaryGeometry) -> Path:
     ax.set_title(f"Inertia per mass against a disk, N = {prototype.N}, β = {prototype.beta:.2f}")
     ax.legend(loc="lower left")
     figure.colorbar(filled, ax=ax, label="A/A'")
-    return _saved(figure, path)
-
-
-def _saved(figure: Figure, path: Path) -> Path:
     return draw(figure, path, dpi=130)

@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import inspect
-from collections.abc import Callable, Iterator
+from collections.abc import Callable
+from operator import attrgetter
 from typing import Any
 
 import casadi as ca
@@ -13,7 +14,6 @@ from rich.text import Text
 from ..components import Component
 from ..components.language import (
     MISSING,
-    Field,
     Impulse,
     ModeField,
     Option,
@@ -25,7 +25,7 @@ from ..components.language import (
     Variable,
 )
 from .catalogue import all_names, first_line, full_name, is_base, namesakes
-from .terminal import Terminal
+from .terminal import CommandConsole
 from .usage import usage
 
 Rows = list[tuple[str, ...]]
@@ -35,11 +35,12 @@ FieldRow = Callable[[Any], tuple[str, ...]]
 def describe(full: str) -> None:
     """Print the equation, ports, parameters, variables, modes and an example of a component."""
     kind = all_names()[full]
-    console = Terminal(highlight=False, markup=False)
+    console = CommandConsole(highlight=False, markup=False)
     console.print(Text(full, style="bold"))
     console.print(inspect.getdoc(kind) or "")
-    for base in _bases(kind):
-        console.print(Text(f"builds on {base.__name__}: {first_line(base)}", style="dim"))
+    for base in kind.__mro__[1:]:
+        if issubclass(base, Component) and base is not Component and not base.__name__.startswith("_"):
+            console.print(Text(f"builds on {base.__name__}: {first_line(base)}", style="dim"))
     for title, headers, field_kind, row in SECTIONS:
         fields = [f for f in kind.fields.values() if isinstance(f, field_kind)]
         if fields:
@@ -51,13 +52,6 @@ def describe(full: str) -> None:
         console.print(usage(kind), soft_wrap=True)
     if others := namesakes(full):
         console.print(Text(f"\nsee also {', '.join(others)}", style="dim"))
-
-
-def _bases(kind: type[Component]) -> Iterator[type[Component]]:
-    for base in kind.__mro__[1:]:
-        public = issubclass(base, Component) and base is not Component
-        if public and not base.__name__.startswith("_"):
-            yield base
 
 
 def _table(title: str, headers: tuple[str, ...], rows: Rows) -> Table:
@@ -82,10 +76,6 @@ def _port(port: Port) -> tuple[str, ...]:
     return port.name, port.domain, across, through, port.doc + left_open
 
 
-def _signal(signal: Field) -> tuple[str, ...]:
-    return signal.name, signal.unit, signal.kind, signal.doc
-
-
 def _parameter(parameter: Parameter) -> tuple[str, ...]:
     return parameter.name, parameter.unit, _default(parameter), _range(parameter), parameter.doc
 
@@ -93,14 +83,6 @@ def _parameter(parameter: Parameter) -> tuple[str, ...]:
 def _option(option: Option) -> tuple[str, ...]:
     choices = "any" if option.choices is None else ", ".join(map(repr, option.choices))
     return option.name, repr(option.default), choices, option.doc
-
-
-def _variable(variable: Variable) -> tuple[str, ...]:
-    return variable.name, variable.unit, variable.doc
-
-
-def _mode(mode: ModeField) -> tuple[str, ...]:
-    return mode.name, ", ".join(mode.values), mode.doc
 
 
 def _part(part: Part) -> tuple[str, ...]:
@@ -130,13 +112,14 @@ def _range(parameter: Parameter) -> str:
     return ", ".join(f"{sign} {bound:g}" for bound, sign in bounds if bound is not None) or "any"
 
 
+_signal, _variable = attrgetter("name", "unit", "kind", "doc"), attrgetter("name", "unit", "doc")
 SECTIONS: tuple[tuple[str, tuple[str, ...], Any, FieldRow], ...] = (
     ("ports", ("name", "kind", "across", "through", ""), Port, _port),
     ("signals", ("name", "unit", "kind", ""), RealInput | RealOutput, _signal),
     ("parameters", ("name", "unit", "default", "range", ""), Parameter, _parameter),
     ("options", ("name", "default", "choices", ""), Option, _option),
     ("variables", ("name", "unit", ""), Variable, _variable),
-    ("modes", ("name", "values", ""), ModeField, _mode),
+    ("modes", ("name", "values", ""), ModeField, lambda mode: (mode.name, ", ".join(mode.values), mode.doc)),
     ("impulses", ("name", "unit", ""), Impulse, _variable),
     ("parts", ("name", "component", ""), Part, _part),
 )

@@ -3,17 +3,17 @@
 from __future__ import annotations
 
 import os
+from contextlib import nullcontext
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
 import typer
-from rich.table import Table
 
 from ..base import Processes
 from ..components import InertanceError, ModelError
 from .failure import FAILED, INTERRUPTED, WRONG_USE, fail, failing
 from .outputs import JSON, PAGES, expect
-from .terminal import Terminal
+from .terminal import CommandConsole, table_of
 
 if TYPE_CHECKING:
     from ..diagnosis import Verdict
@@ -50,14 +50,11 @@ def diagnose(
     with failing(WRONG_USE, ModelError):
         loaded = Campaign.load(campaign, validate=validate, reader=read_model)
     count = jobs or os.cpu_count() or 1
-    console = Terminal(stderr=True)
+    console = CommandConsole(stderr=True)
     with failing(FAILED, InertanceError), console.status("reading") as status:
         try:
-            if count > 1:
-                with Processes(count, "spawn") as pool:
-                    verdict = run_diagnosis(loaded, executor=pool, solver=solver, report=status.update)
-            else:
-                verdict = run_diagnosis(loaded, solver=solver, report=status.update)
+            with Processes(count, "spawn") if count > 1 else nullcontext() as pool:
+                verdict = run_diagnosis(loaded, executor=pool, solver=solver, report=status.update)
         except DiagnosisInterruptedError as interrupt:
             verdict = interrupt.verdict
     wrote = []
@@ -74,40 +71,36 @@ def diagnose(
 
 def show(verdict: Verdict) -> None:
     """Print a verdict: the sentence, the gap, the ranking and the lines that correct the model."""
-    console = Terminal()
+    console = CommandConsole()
     console.print(f"[bold]{verdict.verdict}[/bold]: {verdict.sentence}")
-    table = Table(title=f"gap on the {verdict.evidence.judged}, NRMSE")
-    for heading in ("channel", "nominal", "refitted", "with effect", "noise"):
-        table.add_column(heading, justify="left" if heading == "channel" else "right")
+    gaps = ("channel", "nominal", "refitted", "with effect", "noise")
+    table = table_of(f"gap on the {verdict.evidence.judged}, NRMSE", gaps, words=("channel",))
     for name, gap in verdict.gap.items():
         table.add_row(name, *(f"{value:.4g}" for value in (gap.nominal, gap.refit, gap.after, gap.floor)))
     console.print(table)
     if verdict.ranking:
-        table = Table(title="effects fitted")
-        for heading in ("effect", "site", "test gain", "p"):
-            table.add_column(heading, justify="left" if heading in ("effect", "site") else "right")
+        ranks = ("effect", "site", "test gain", "p")
+        table = table_of("effects fitted", ranks, words=("effect", "site"))
         for ranked in verdict.ranking:
             table.add_row(ranked.kind, ranked.site, f"{ranked.test_gain:.1%}", f"{ranked.p:.2g}")
         console.print(table)
     _show_parameters(console, verdict)
-    for placed in verdict.effects:
-        if placed.site.same:
-            told = f"{placed.label}: the same motion as at {', '.join(placed.site.same)}, which no data part"
-            console.print(told, highlight=False, markup=False)
-    for line in verdict.lines:
-        console.print(f"  {line}", highlight=False, markup=False)
-    for note in (*verdict.evidence.campaign.notes, *verdict.notes):
-        console.print(f"note: {note}", highlight=False, markup=False)
+    told = [
+        f"{placed.label}: the same motion as at {', '.join(placed.site.same)}, which no data part"
+        for placed in verdict.effects
+        if placed.site.same
+    ]
+    told += [f"  {line}" for line in verdict.lines]
+    told += [f"note: {note}" for note in (*verdict.evidence.campaign.notes, *verdict.notes)]
+    for line in told:
+        console.print(line, highlight=False, markup=False)
 
 
-def _show_parameters(console: Terminal, verdict: Verdict) -> None:
+def _show_parameters(console: CommandConsole, verdict: Verdict) -> None:
     """Print what the parameters of the network and of the effects were fitted to."""
     campaign, refitted = verdict.evidence.campaign, verdict.evidence.refit.parameters
-    table = Table(title="parameters")
-    for heading in ("parameter", "before", "refitted", "with effect", "unit", "prior deviations"):
-        table.add_column(
-            heading, justify="left" if heading in ("parameter", "unit") else "right", overflow="fold"
-        )
+    headings = ("parameter", "before", "refitted", "with effect", "unit", "prior deviations")
+    table = table_of("parameters", headings, words=("parameter", "unit"), overflow="fold")
     for name, value in verdict.parameters.items():
         prior = campaign.priors[name]
         numbers = (f"{number:.5g}" for number in (campaign.start[name], refitted[name], value))

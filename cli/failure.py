@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import sys
 from collections.abc import Callable, Iterator
-from contextlib import contextmanager, suppress
+from contextlib import contextmanager
 from functools import wraps
 from typing import NoReturn, ParamSpec
 
@@ -13,7 +13,7 @@ import typer
 from ..components import InertanceError
 from .terminal import forget, insisting, prepare
 
-Given = ParamSpec("Given")
+Arguments = ParamSpec("Arguments")
 
 FAILED = 1
 WRONG_USE = 2
@@ -34,14 +34,15 @@ def failing(code: int, *kinds: type[Exception]) -> Iterator[None]:
     try:
         yield
     except kinds as error:
-        fail(told(error), code)
+        told = error.args[0] if isinstance(error, KeyError) else error  # which would put it in quotes
+        fail(str(told), code)
 
 
-def clean(command: Callable[Given, None]) -> Callable[Given, None]:
+def clean(command: Callable[Arguments, None]) -> Callable[Arguments, None]:
     """Return a command that tells what goes wrong in it by a message and an exit code."""
 
     @wraps(command)
-    def cleaned(*args: Given.args, **kwargs: Given.kwargs) -> None:
+    def cleaned(*args: Arguments.args, **kwargs: Arguments.kwargs) -> None:
         prepare()
         try:
             with insisting(), failing(FAILED, InertanceError):
@@ -52,26 +53,17 @@ def clean(command: Callable[Given, None]) -> Callable[Given, None]:
             typer.echo("interrupted", err=True)
             raise typer.Exit(INTERRUPTED) from None
         except OSError as error:
-            raise typer.Exit(_unwritable(error)) from None
+            _unwritable(error)
 
     return cleaned
 
 
-def _unwritable(error: OSError) -> int:
-    """Tell what the system refused, silently if nobody reads any more, and return the exit code."""
+def _unwritable(error: OSError) -> NoReturn:
+    """End the command with what the system refused, silently if nobody reads any more."""
     if isinstance(error, BrokenPipeError):
         forget()
-        return UNREAD
+        raise typer.Exit(UNREAD)
     if error.filename is not None or error.errno is None:
-        with suppress(typer.Exit):
-            fail(str(error), WRONG_USE)
-        return WRONG_USE
+        fail(str(error), WRONG_USE)
     forget()
-    with suppress(typer.Exit):
-        fail(f"standard output cannot be written: {(error.strerror or str(error)).lower()}", FAILED)
-    return FAILED
-
-
-def told(error: Exception) -> str:
-    """Return the message of an error (a KeyError would put it in quotes)."""
-    return str(error.args[0]) if isinstance(error, KeyError) else str(error)
+    fail(f"standard output cannot be written: {(error.strerror or str(error)).lower()}", FAILED)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from contextlib import nullcontext
 from pathlib import Path
 from typing import Annotated
 
@@ -13,7 +14,7 @@ from ..identification import Campaign, Fit, FitInterruptedError
 from ..identification import fit as fitted
 from .failure import INTERRUPTED, WRONG_USE, fail, failing
 from .outputs import JSON, PICTURES, draw, expect
-from .terminal import Terminal
+from .terminal import CommandConsole
 
 EXAMPLES = """\b
 Examples:
@@ -49,7 +50,7 @@ def fit(
     if json is not None:
         wrote.append(found.to_json(json))
     if plot is not None and found.comparisons:
-        wrote.append(draw(found.plot(channel), plot, dpi=120))
+        wrote.append(draw(found.plot(channel), plot))
     typer.echo(found.table())
     for path in wrote:
         typer.echo(f"wrote {path}")
@@ -58,15 +59,13 @@ def fit(
 
 
 def _fitted(campaign: Campaign, starts: int, workers: int, solver: str) -> Fit:
-    with Terminal(stderr=True).status("Fitting ...") as status:
+    with CommandConsole(stderr=True).status("Fitting ...") as status:
 
         def report(line: str) -> None:
             status.update(f"Fitting: {line}")
 
         try:
-            if workers == 1 or starts == 1:
-                return fitted(campaign, starts=starts, solver=solver, report=report)
-            with Processes(workers, "spawn") as executor:
+            with Processes(workers, "spawn") if min(workers, starts) > 1 else nullcontext() as executor:
                 return fitted(campaign, starts=starts, executor=executor, solver=solver, report=report)
         except FitInterruptedError as interrupt:
             return interrupt.fit

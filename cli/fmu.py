@@ -5,19 +5,15 @@ from __future__ import annotations
 import json
 from collections.abc import Iterable
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated, Any
+from typing import Annotated
 
 import typer
 
 from ..base import write_text, writing
 from ..components import ModelError
+from .arguments import ConstantInputs, Model, StartValues, load_network, pairs
 from .failure import FAILED, WRONG_USE, clean, fail, failing
-from .model import load_network
 from .outputs import JSON, expect
-from .values import pairs
-
-if TYPE_CHECKING:
-    from ..fmu import Finding
 
 EXAMPLES = """\b
 Examples:
@@ -37,9 +33,6 @@ app = typer.Typer(
     context_settings={"help_option_names": ["-h", "--help"]},
 )
 File = Annotated[Path, typer.Argument(metavar="FILE", help="An .fmu file.")]
-Model = Annotated[
-    str, typer.Argument(metavar="MODEL", help="path/to/file.py:function that returns a Network.")
-]
 Timeout = Annotated[float, typer.Option(help="Longest time [s] that the FMU may take for a call or section.")]
 
 
@@ -50,7 +43,7 @@ def export(
     output: Annotated[
         list[str] | None, typer.Option(metavar="NAME", help="An output; * stands for any part of a name.")
     ] = None,
-    start: Annotated[list[str] | None, typer.Option(metavar="NAME=VALUE", help="Fix a start value.")] = None,
+    start: StartValues = None,
     terminal: Annotated[
         list[str] | None,
         typer.Option(metavar="FLANGE=CAUSALITY", help="Publish a flange: force-in or motion-in."),
@@ -92,13 +85,10 @@ def check(
     step: Annotated[float | None, typer.Option(help="Output and communication step [s].")] = None,
     tolerance: Annotated[float, typer.Option(help="Relative tolerance of Co-Simulation.")] = 1e-6,
     limit: Annotated[
-        float | None,
-        typer.Option(help="How far variables may differ, as a share of their size."),
+        float | None, typer.Option(help="How far variables may differ, as a share of their size.")
     ] = None,
-    start: Annotated[list[str] | None, typer.Option(metavar="NAME=VALUE", help="Fix a start value.")] = None,
-    data: Annotated[
-        list[str] | None, typer.Option("--input", metavar="NAME=VALUE", help="A constant input.")
-    ] = None,
+    start: StartValues = None,
+    data: ConstantInputs = None,
     fmi: Annotated[list[str] | None, typer.Option(help="Versions to check a network as; both.")] = None,
     isolated: Annotated[bool, typer.Option(help="Run the binary of a file in a process of its own.")] = True,
     timeout: Timeout = 300.0,
@@ -108,24 +98,20 @@ def check(
     from ..fmu import VERSIONS
     from ..fmu import check_fmu as look
 
-    options: dict[str, Any] = {
-        "step": step, "tolerance": tolerance, "limit": limit, "start": pairs("--start", start),
-        "inputs": pairs("--input", data), "versions": fmi or VERSIONS, "isolated": isolated,
-        "timeout": timeout, "found": _tell,
-    }  # fmt: skip
+    starts, inputs = pairs("--start", start), pairs("--input", data)
     expect("--json", report, JSON)
     model = Path(subject) if subject.endswith(".fmu") else load_network(subject)
     with failing(WRONG_USE, ModelError):
-        result = look(model, stop, **options)
+        result = look(
+            model, stop, step=step, tolerance=tolerance, limit=limit, start=starts, inputs=inputs,
+            versions=fmi or VERSIONS, isolated=isolated, timeout=timeout,
+            found=lambda one: typer.echo(f"{one.word:<7} {one.subject} {one.check}", err=True),
+        )  # fmt: skip
     if report is not None:
         write_text(report, json.dumps(result.to_dict(), indent=1))
     typer.echo(result)
     if not result.passed:
         raise typer.Exit(FAILED)
-
-
-def _tell(finding: Finding) -> None:
-    typer.echo(f"{finding.word:<7} {finding.subject} {finding.check}", err=True)
 
 
 def info(file: File) -> None:
@@ -140,9 +126,7 @@ def import_test(
     stop: Annotated[float | None, typer.Option(help="End time [s]; what the FMU suggests.")] = None,
     step: Annotated[float | None, typer.Option(help="Output and communication step [s].")] = None,
     kind: Annotated[str | None, typer.Option(help="ME or CS; ME first if it has both.")] = None,
-    data: Annotated[
-        list[str] | None, typer.Option("--input", metavar="NAME=VALUE", help="A constant input.")
-    ] = None,
+    data: ConstantInputs = None,
     values: Annotated[
         list[str] | None, typer.Option("--set", metavar="NAME=VALUE", help="Set a parameter.")
     ] = None,
@@ -165,11 +149,11 @@ def import_test(
         with writing(out) as part:
             run.to_dataframe().to_csv(part, encoding="utf-8")
     typer.echo(f"{fmu!r}: to {run.time[-1]:g} s in {run.stats['seconds']:.2g} s, {len(run.events)} events")
-    names = [name for name in run.names() if name != "time"]
-    for name in names:
-        least, last, most = run[name].min(), run[name][-1], run[name].max()
-        unit = run.unit(name)
-        typer.echo(f"  {name}: {least:.6g} to {most:.6g}, at the end {last:.6g}{unit and f' {unit}'}")
+    for name in run.names():
+        if name != "time":
+            signal, unit = run[name], run.unit(name)
+            span = f"{signal.min():.6g} to {signal.max():.6g}, at the end {signal[-1]:.6g}"
+            typer.echo(f"  {name}: {span}{unit and f' {unit}'}")
     for note in (*fmu.notes, *run.notes):
         typer.echo(f"  note: {note}")
     if out is not None:

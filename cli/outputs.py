@@ -22,7 +22,7 @@ def expect(option: str, path: Path | None, endings: Iterable[str]) -> None:
         fail(f"{option}: {error}", WRONG_USE)
 
 
-def draw(figure: Any, path: Path, dpi: int) -> Path:
+def draw(figure: Any, path: Path, dpi: int = 120) -> Path:
     """Write a figure and return the path."""
     with writing(path) as part:
         figure.savefig(part, dpi=dpi)

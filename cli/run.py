@@ -9,11 +9,10 @@ import typer
 
 from ..components import ModelError, RunInterruptedError, SimulationError
 from ..networks import DAE, Result, check_table_path, chosen_signals, simulate
+from .arguments import Model, StartValues, load_network, pairs
 from .data import read_inputs, unbound_inputs
 from .failure import FAILED, INTERRUPTED, WRONG_USE, fail, failing
-from .model import load_network
 from .outputs import PICTURES, draw, expect
-from .values import pairs
 
 DEFAULT_STOP = 10.0
 EXAMPLES = """\b
@@ -30,9 +29,7 @@ numbers; its time increases."""
 
 
 def run(
-    model: Annotated[
-        str, typer.Argument(metavar="MODEL", help="path/to/file.py:function that returns a Network.")
-    ],
+    model: Model,
     stop: Annotated[float | None, typer.Option(help="End time [s]; the end of the data, or 10 s.")] = None,
     step: Annotated[float | None, typer.Option(help="Output interval [s]; a 500th of the run.")] = None,
     rtol: Annotated[float, typer.Option(help="Relative tolerance.")] = 1e-6,
@@ -43,20 +40,19 @@ def run(
     values: Annotated[
         list[str] | None, typer.Option("--set", metavar="NAME=VALUE", help="Change a parameter.")
     ] = None,
-    start: Annotated[list[str] | None, typer.Option(metavar="NAME=VALUE", help="Fix a start value.")] = None,
+    start: StartValues = None,
     out: Annotated[Path | None, typer.Option(help="Write signals to a .csv, .parquet or .npz file.")] = None,
     signals: Annotated[
-        str | None,
-        typer.Option(metavar="NAMES", help="What --out writes; the states if not given."),
+        str | None, typer.Option(metavar="NAMES", help="What --out writes; the states if not given.")
     ] = None,
     plot: Annotated[
-        str | None,
-        typer.Option(metavar="NAMES", help="Draw signals into a .png beside the results."),
+        str | None, typer.Option(metavar="NAMES", help="Draw signals into a .png beside the results.")
     ] = None,
 ) -> None:
     """Run the network that a function of a Python file returns."""
-    _check_positive("--step", step)
-    _check_positive("--rtol", rtol)
+    for name, value in {"--step": step, "--rtol": rtol}.items():
+        if value is not None and not value > 0:
+            fail(f"{name} must be above 0, got {value:g}", WRONG_USE)
     parameters, starts = pairs("--set", values), pairs("--start", start)
     if out is not None:
         with failing(WRONG_USE, ValueError, ImportError):
@@ -75,7 +71,12 @@ def run(
     }  # fmt: skip
     with failing(WRONG_USE, ModelError):
         result, failure, code = _simulated(dae, arguments)
-    _show(result, out, wanted, picture, drawn)
+    wrote = [] if out is None else [result.save(out, *wanted)]
+    if drawn:
+        wrote.append(draw(result.plot(*drawn), picture))
+    typer.echo(result.summary())
+    for path in wrote:
+        typer.echo(f"wrote {path}")
     if failure:
         fail(failure, code)
 
@@ -90,11 +91,6 @@ def _simulated(dae: DAE, arguments: dict[str, Any]) -> tuple[Result, str, int]:
         return error.result, str(error), FAILED
     except RunInterruptedError as error:
         return error.result, str(error), INTERRUPTED
-
-
-def _check_positive(name: str, value: float | None) -> None:
-    if value is not None and not value > 0:
-        fail(f"{name} must be above 0, got {value:g}", WRONG_USE)
 
 
 def _signals(dae: DAE, names: str | None) -> list[str]:
@@ -117,14 +113,3 @@ def _span_and_inputs(dae: DAE, data: Path | None, stop: float | None) -> dict[st
         fail(f"--stop {stop:g} s is after the last sample of {data}, {time[-1]:g} s", WRONG_USE)
     end = float(time[-1]) if stop is None else stop
     return {"begin": float(time[0]), "stop": end, "inputs": inputs}
-
-
-def _show(result: Result, out: Path | None, wanted: list[str], picture: Path, drawn: list[str]) -> None:
-    wrote = []
-    if out is not None:
-        wrote.append(result.save(out, *wanted))
-    if drawn:
-        wrote.append(draw(result.plot(*drawn), picture, dpi=120))
-    typer.echo(result.summary())
-    for path in wrote:
-        typer.echo(f"wrote {path}")

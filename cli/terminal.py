@@ -8,15 +8,16 @@ import os
 import signal
 import sys
 import unicodedata
-from collections.abc import Iterator
+from collections.abc import Container, Iterable, Iterator
 from contextlib import contextmanager, suppress
 from threading import Timer, main_thread
 from types import TracebackType
 from typing import Any
 
-from rich.console import Console
+from rich.console import Console, JustifyMethod, OverflowMethod
+from rich.table import Table
 
-WORDS = {
+PLAIN_WORDS = {
     "\N{GREATER-THAN OR EQUAL TO}": ">=", "\N{LESS-THAN OR EQUAL TO}": "<=", "\N{EN DASH}": "-",
     "\N{MINUS SIGN}": "-", "\N{RIGHTWARDS ARROW}": "->", "\N{MIDDLE DOT}": ".", "\N{DOT OPERATOR}": ".",
     "\N{MULTIPLICATION SIGN}": "x", "\N{DEGREE SIGN}": " deg", "\N{PLUS-MINUS SIGN}": "+-",
@@ -25,15 +26,26 @@ WORDS = {
     "\N{GREEK SMALL LETTER PHI}": "phi", "\N{SQUARE ROOT}": "sqrt ", "\N{INFINITY}": "inf",
 }  # fmt: skip
 
-AGAIN = 0.02
+RESEND_SECONDS = 0.02
 
 
-class Terminal(Console):
+class CommandConsole(Console):
     """A console that leaves a closed pipe to the command."""
 
     def on_broken_pipe(self) -> None:
         """Raise what was raised."""
         raise BrokenPipeError
+
+
+def table_of(
+    title: str, headings: Iterable[str], words: Container[str], overflow: OverflowMethod = "ellipsis"
+) -> Table:
+    """Return a table to fill, with the columns of `words` to the left and those of numbers to the right."""
+    table = Table(title=title)
+    for heading in headings:
+        justify: JustifyMethod = "left" if heading in words else "right"
+        table.add_column(heading, justify=justify, overflow=overflow)
+    return table
 
 
 def prepare() -> None:
@@ -52,7 +64,7 @@ def _in_other_words(error: UnicodeError) -> tuple[str | bytes, int]:
     after = error.start + 1
     if "\udc80" <= character <= "\udcff":
         return bytes([ord(character) - 0xDC00]), after
-    plain = WORDS.get(character) or unicodedata.normalize("NFKD", character)
+    plain = PLAIN_WORDS.get(character) or unicodedata.normalize("NFKD", character)
     return plain.encode("ascii", "ignore").decode() or "?", after
 
 
@@ -74,7 +86,7 @@ def insisting() -> Iterator[None]:
 
     def told(dropped: Any) -> None:
         if issubclass(dropped.exc_type, KeyboardInterrupt):
-            Timer(AGAIN, _send).start()
+            Timer(RESEND_SECONDS, _send).start()
         else:
             before(dropped)
 

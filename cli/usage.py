@@ -31,19 +31,17 @@ def usage(kind: type[Component]) -> str:
             parts[name] = body
             joins.append(f"net.connect(net.{own}.{port.name}, net.{name}.flange)")
     calls = [f"    {name}={call}," for name, call in parts.items()]
-    imported = sorted({"Network", *_imported("".join(parts.values()))})
-    return "\n".join(
-        [
-            f"from inertance import {', '.join(imported)}",
-            "",
-            "net = Network(",
-            '    "example",',
-            *calls,
-            ")",
-            *joins,
-            "run = net.simulate(1.0)",
-        ]
-    )
+    used = re.findall(r"(?<![\w.])([A-Za-z]\w*)(?=[.(])", "".join(parts.values()))
+    imported = sorted({"Network", *used})
+    head = [
+        f"from inertance import {', '.join(imported)}",
+        "",
+        "net = Network(",
+        '    "example",',
+        *calls,
+        ")",
+    ]
+    return "\n".join([*head, *joins, "run = net.simulate(1.0)"])
 
 
 def _own_name(kind: type[Component]) -> str:
@@ -72,7 +70,3 @@ def _allowed(parameter: Parameter) -> float:
     bounds = [b for b in (parameter.min, parameter.above, parameter.max) if b is not None]
     tried = [1.0, *(b / 2 for b in bounds), *(b + 1.0 for b in bounds), *(b - 1.0 for b in bounds)]
     return next(value for value in tried if not parameter.problem(value))
-
-
-def _imported(calls: str) -> set[str]:
-    return set(re.findall(r"(?<![\w.])([A-Za-z]\w*)(?=[.(])", calls))

@@ -20,6 +20,7 @@ from stepper import Array, Drive
 TRAIN = (("random", 1.0), ("sine", 1.0), ("chirp", 0.8))
 TEST = (("random", 1.2), ("sine", 0.8))
 MODELS = Path(__file__).with_name("models")
+WITHHELD = Path(__file__).parents[2] / "cli" / "withheld"  # what `inertance demo` ships
 
 
 @dataclass(frozen=True)
@@ -33,6 +34,11 @@ class Truth:
     gap: float
 
 
+def nominal_model(rig: str) -> Path:
+    """Return the file of a rig's nominal model; the flywheel inerter's is the one that ships."""
+    return WITHHELD / "rig.py" if rig == "pfi" else MODELS / f"{rig}.py"
+
+
 def make(draft: Draft, folder: Path) -> dict[str, Any]:
     """Write campaign, model and records of a case, and return its label.
 
@@ -42,7 +48,7 @@ def make(draft: Draft, folder: Path) -> dict[str, Any]:
     rng = np.random.default_rng(draft.seed)
     truth, drives = _truth(draft, rng)
     folder.mkdir(parents=True, exist_ok=True)
-    shutil.copy(MODELS / f"{truth.rig.name}.py", folder / "model.py")
+    shutil.copy(nominal_model(truth.rig.name), folder / "model.py")
     typical = typical_of(truth.rig, drives[0])
     seen = [signals(truth.rig, truth.values, drive, truth.effects, typical) for drive in drives]
     instrument = _instrument(truth, seen[0])

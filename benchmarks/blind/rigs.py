@@ -1,7 +1,7 @@
 """The five topologies, each written as energy and virtual work of its own coordinates.
 
-Nominal values and paths are those of the files in `models/`. Sites that are one physical motion (rigidly
-joined, or massless in series) stand together: every one of them is a right answer.
+Nominal values and paths are those of the nominal models, see case.py. Sites that are one physical motion
+(rigidly joined, or massless in series) stand together: every one of them is a right answer.
 """
 
 from __future__ import annotations

@@ -14,12 +14,11 @@ import tempfile
 from pathlib import Path
 
 import numpy as np
-from case import MODELS, make
+from case import WITHHELD, make, nominal_model
 from effects import places
 from plan import Draft
 from rigs import RIGS
 
-CAMPAIGN = Path(__file__).parents[2] / "cli" / "withheld" / "campaign.toml"
 RECORDS = {"train_1": "random", "train_2": "sine", "test_1": "other_random"}
 EVERY, LENGTH = 2, 10.0
 
@@ -44,8 +43,8 @@ def main() -> None:
                 keep = data["time"] <= LENGTH
                 kept = {key: values[keep][::EVERY] for key, values in data.items()}
                 np.savez_compressed(given.folder / f"{told}.npz", **kept)
-    shutil.copy(MODELS / "pfi.py", given.folder / "rig.py")
-    shutil.copy(CAMPAIGN, given.folder / CAMPAIGN.name)
+    for file in (nominal_model("pfi"), WITHHELD / "campaign.toml"):
+        shutil.copy(file, given.folder / file.name)
     print(json.dumps({"effects": label["effects"], "values": label["values"]}, indent=1))
 
 

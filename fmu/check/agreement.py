@@ -6,31 +6,36 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
-from ...base import Array
-from .probe import Probe, Subject
+from ...base import Array, Flags
+from .probe import CheckedFMU, Probe
 from .report import MOTION, Finding, measured
-from .runs import Course, Experiment
+from .runs import Course, Scenario
 
-EVENTS = 1e-6
-LONELY = 10 * EVENTS
-SEEN = 0.05
-MOST_BISECTED = 20
-STANDS = 1e-6
+EVENT_TOLERANCE = 1e-6  # of an instant [s]
+EVENT_SPACING = 10 * EVENT_TOLERANCE  # that two need to be told apart by steps [s]
+JUMP_SHARE = 0.05  # of a variable's size, by which a step shows an event
+BISECTED_EVENTS = 20
+MOTION_SHARE = 1e-6  # of a variable's size
 
 
 @dataclass(frozen=True, eq=False)
 class Reference:
-    """What a course is compared with: values on the same grid, their sizes, and the instants of events."""
+    """What a course is compared with, on the same grid, and how large its variables get."""
 
     course: Course
     sizes: Array
 
-    @property
-    def events(self) -> Array:
-        """Instants of events."""
-        return np.zeros(0) if self.course.events is None else self.course.events
+    @staticmethod
+    def of(course: Course, nominals: Array) -> Reference:
+        """Return a course with the sizes that it shows itself."""
+        return Reference(course, sizes(course.values, nominals))
+
+
+def sizes(values: Array, nominals: Array) -> Array:
+    """Return how large each variable gets, at least a ten-thousandth of what is nominal."""
+    found: Array = np.maximum(np.abs(values).max(axis=0, initial=0.0), 1e-4 * nominals)
+    return found
 
 
 def outputs_finding(subject: str, course: Course, reference: Reference, limit: float) -> Finding:
@@ -47,12 +52,13 @@ def outputs_finding(subject: str, course: Course, reference: Reference, limit: f
     return measured(subject, "outputs", shares.max(), limit, told)
 
 
-def motion_findings(subject: str, course: Course, size: Array) -> Iterator[Finding]:
+def motion_findings(subject: str, reference: Reference) -> Iterator[Finding]:
     """Yield a finding if nothing moves, so that there is little in what agrees."""
+    course = reference.course
     if not course.names:
         told = "the FMU shows no output and no state: nothing is compared; give outputs= that move"
         yield Finding(subject, MOTION, None, told=told)
-    elif not (np.ptp(course.values, axis=0) > STANDS * size).any():
+    elif not (np.ptp(course.values, axis=0) > MOTION_SHARE * reference.sizes).any():
         told = (
             f"nothing moves: each of {len(course.names)} variables is constant; give inputs=, start= or stop="
         )
@@ -69,9 +75,9 @@ def modes_finding(
     """
     found, wanted = modes
     apart = _apart(course, reference)
-    differ: NDArray[np.bool_] = np.not_equal(found.values, wanted.values) & apart[:, None]
+    differ: Flags = np.not_equal(found.values, wanted.values) & apart[:, None]
     told = f"{len(found.names)} modes"
-    agree: NDArray[np.bool_] = np.all(_shares(course, reference) <= limit, axis=1)
+    agree: Flags = np.all(_shares(course, reference) <= limit, axis=1)
     if differ.any():
         points, columns = np.nonzero(differ)
         first, last = (float(course.time[k]) for k in (points[0], points[-1]))
@@ -80,12 +86,12 @@ def modes_finding(
     return measured(subject, "modes", float((differ.any(axis=1) & ~agree).sum()), 0, told)
 
 
-def _apart(course: Course, reference: Reference) -> NDArray[np.bool_]:
+def _apart(course: Course, reference: Reference) -> Flags:
     """Return which points lie apart from events."""
     apart = np.ones(len(course.time), dtype=bool)
     for events in (reference.course.events, course.events):
         if events is not None and len(events):
-            apart &= np.abs(course.time[:, None] - events[None, :]).min(axis=1) > EVENTS
+            apart &= np.abs(course.time[:, None] - events[None, :]).min(axis=1) > EVENT_TOLERANCE
     return apart
 
 
@@ -101,75 +107,60 @@ def events_finding(subject: str, found: Array, wanted: Array) -> Finding:
     """Return the greatest distance of an event from the one that should be there."""
     if not len(wanted):
         told = f"{len(found)} events that change nothing" if len(found) else "no events"
-        return measured(subject, "events", 0.0, EVENTS, told)
+        return measured(subject, "events", 0.0, EVENT_TOLERANCE, told)
     if not len(found):
-        return Finding(subject, "events", False, np.inf, EVENTS, f"none of {len(wanted)} events")
+        return Finding(subject, "events", False, np.inf, EVENT_TOLERANCE, f"none of {len(wanted)} events")
     distances = np.abs(wanted[:, None] - found[None, :]).min(axis=1)
     worst = int(np.argmax(distances))
     told = f"s, of {len(wanted)} events the one at {wanted[worst]:.9g} s"
-    return measured(subject, "events", distances.max(), EVENTS, told)
+    return measured(subject, "events", distances.max(), EVENT_TOLERANCE, told)
 
 
 def bisected_finding(
-    subject: Subject, experiment: Experiment, reference: Reference, before: Array, after: Array
+    fmu: CheckedFMU, scenario: Scenario, reference: Reference, events: Array, before: Array, after: Array
 ) -> Finding:
-    """Find the instants of events in Co-Simulation without event mode, by steps from a saved state.
+    """Locate events in Co-Simulation without event mode, by bisection from a saved state.
 
-    Args:
-        subject: the FMU.
-        experiment: what is run.
-        reference: where the events should be, those apart from others being looked for; and variables to
-            tell by whether one has happened.
-        before: their values right before each event.
-        after: and right after.
+    Only events apart from others are looked for, and each by the variable that jumps most there, `before` and
+    `after` being the values right beside the events.
     """
-    label, names, events = subject.label("CS"), reference.course.names, reference.events
-    widths = _widths(events, experiment)
+    label, names = fmu.label("CS"), reference.course.names
+    gaps = np.diff([scenario.begin, *events, scenario.stop])
+    widths = 0.2 * np.minimum(np.minimum(gaps[1:], gaps[:-1]), scenario.step)
     jumps = np.abs(after - before) / reference.sizes
-    chosen = np.flatnonzero((widths > LONELY) & (jumps.max(axis=1, initial=0) > SEEN))
+    chosen = np.flatnonzero((widths > EVENT_SPACING) & (jumps.max(axis=1, initial=0) > JUMP_SHARE))
     if not len(chosen):
         return Finding(label, "events", None, told=f"none of {len(events)} events can be told apart by steps")
-    picked = np.unique(chosen[np.linspace(0, len(chosen) - 1, MOST_BISECTED).astype(int)]).tolist()
-    worst, place, t = -1.0, 0, experiment.begin
-    with subject.probe("CS") as probe:
-        probe.begin(experiment.begin, experiment.stop, experiment.rtol, experiment.inputs)
+    picked = np.unique(chosen[np.linspace(0, len(chosen) - 1, BISECTED_EVENTS).astype(int)]).tolist()
+    missed: dict[int, float] = {}
+    t, grid = scenario.begin, scenario.grid
+    with Probe(fmu, "CS") as probe:
+        probe.begin(scenario.begin, scenario.stop, scenario.rtol, scenario.inputs)
         for k in picked:
+            start, stop = (float(events[k] + side * widths[k]) for side in (-1, 1))
+            for target in (*grid[(grid > t) & (grid < start)].tolist(), start):
+                probe.advance(t, target)
+                t = target
             column = int(np.argmax(jumps[k]))
-            start = float(events[k] - widths[k])
-            for target in experiment.grid:
-                if t < target < start:
-                    probe.advance(t, float(target))
-                    t = float(target)
-            probe.advance(t, start)
-            t = start
             sides = before[k, column], after[k, column]
-            found = _bisected(probe, names[column], t, t + 2 * float(widths[k]), sides)
-            missed = abs(found - float(events[k]))
-            if missed > worst:
-                worst, place = missed, k
-    told = f"s, of {len(picked)} events the one at {events[place]:.9g} s"
-    return measured(label, "events", worst, EVENTS, told)
+            missed[k] = abs(_bisected(probe, names[column], t, stop, sides) - float(events[k]))
+    worst = max(missed, key=missed.__getitem__)
+    told = f"s, of {len(picked)} events the one at {events[worst]:.9g} s"
+    return measured(label, "events", missed[worst], EVENT_TOLERANCE, told)
 
 
-def _widths(events: Array, experiment: Experiment) -> Array:
-    """Return how far around each event it is looked for: not as far as its neighbours."""
-    gaps = np.diff(np.concatenate([[experiment.begin], events, [experiment.stop]]))
-    nearest: Array = np.minimum(np.minimum(gaps[1:], gaps[:-1]), experiment.step)
-    return 0.2 * nearest
-
-
-def _bisected(probe: Probe, name: str, t: float, high: float, sides: tuple[float, float]) -> float:
+def _bisected(probe: Probe, name: str, begin: float, high: float, sides: tuple[float, float]) -> float:
     """Return when a variable leaves the one side for the other."""
-    state, low, begin = probe.kept(), t, t
+    state, low = probe.save_state(), begin
     while high - low > 1e-9 * max(1.0, abs(high)):
         middle = 0.5 * (low + high)
-        probe.back(state)
+        probe.restore_state(state)
         probe.advance(begin, middle)
         value = probe.values([name])[0]
         if abs(value - sides[0]) < abs(value - sides[1]):
             low = middle
         else:
             high = middle
-    probe.back(state)
-    probe.forget(state)
+    probe.restore_state(state)
+    probe.free_state(state)
     return high

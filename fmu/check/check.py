@@ -12,12 +12,12 @@ from ..export.export import VERSIONS
 from ..fmu import FMU
 from .against_network import network_findings
 from .isolated import isolated_findings
-from .probe import Subject
+from .probe import CheckedFMU
 from .report import CheckReport, Finding
-from .runs import Experiment
+from .runs import Scenario
 from .sections import SECTIONS, Plan
 
-APART = 1e-2
+FILE_LIMIT = 1e-2
 
 
 def check_fmu(
@@ -76,16 +76,18 @@ def check_fmu(
     _check_numbers(stop, step, tolerance, limit)
     demand("check_fmu()", isolated=(isolated, boolean), timeout=(timeout, above(0, "s")))
     if isinstance(model, str | Path):
-        plan = Plan(stop, step, tolerance, limit or APART, named("inputs", inputs))
-        name, findings = _file(Path(model), plan, timeout if isolated else None)
+        fmu = FMU(model, validate=False)
+        plan = Plan(stop, step, tolerance, limit or FILE_LIMIT, named("inputs", inputs))
+        for name in plan.inputs:
+            fmu.variable(name, fmu.inputs)
+        report = CheckReport(fmu.name)
+        findings = isolated_findings(fmu.path, plan, timeout) if isolated else _here(fmu.path, plan)
     else:
         dae = dae_of(model)
         end = 1.0 if stop is None else stop
-        experiment = Experiment(0.0, end, step or end / 500, tolerance, _inputs(dae, inputs or {}))
-        chosen = _versions(versions)
-        name = dae.name
-        findings = network_findings(dae, experiment, start or {}, outputs, chosen, limit or 10 * tolerance)
-    report = CheckReport(name)
+        scenario = Scenario(0.0, end, step or end / 500, tolerance, _inputs(dae, inputs or {}))
+        report, chosen = CheckReport(dae.name), _versions(versions)
+        findings = network_findings(dae, scenario, start or {}, outputs, chosen, limit or 10 * tolerance)
     for finding in findings:
         report.findings.append(finding)
         if found is not None:
@@ -93,35 +95,19 @@ def check_fmu(
     return report
 
 
-def _file(path: Path, plan: Plan, timeout: float | None) -> tuple[str, Iterator[Finding]]:
-    fmu = FMU(path, validate=False)
-    for name in plan.inputs:
-        fmu.variable(name, fmu.inputs)
-    if timeout is not None:
-        return fmu.name, isolated_findings(path, plan, timeout)
-    return fmu.name, _here(path, plan)
-
-
 def _here(path: Path, plan: Plan) -> Iterator[Finding]:
-    with Subject(path) as subject:
+    with CheckedFMU(path) as fmu:
         for section in SECTIONS.values():
-            yield from section(subject, plan)
+            yield from section(fmu, plan)
 
 
 def _check_numbers(stop: float | None, step: float | None, tolerance: float, limit: float | None) -> None:
-    given = {"stop": stop, "step": step, "limit": limit}
-    demand(
-        "check_fmu()",
-        tolerance=(tolerance, number),
-        **{name: (value, optional(number)) for name, value in given.items()},
-    )
+    given = {"stop": (stop, 1e-6, " s"), "step": (step, 1e-9, " s"), "limit": (limit, 1e-16, "")}
+    numbers = {name: (value, optional(number)) for name, (value, _, _) in given.items()}
+    demand("check_fmu()", tolerance=(tolerance, number), **numbers)
     problems = [
         f"{name} must be finite and at least {least:g}{unit}, got {value:g}{unit}"
-        for name, value, least, unit in (
-            ("stop", stop, 1e-6, " s"),
-            ("step", step, 1e-9, " s"),
-            ("limit", limit, 1e-16, ""),
-        )
+        for name, (value, least, unit) in given.items()
         if value is not None and not least <= value < math.inf
     ]
     if not 1e-9 <= tolerance < 1:
@@ -141,9 +127,7 @@ def _versions(versions: Iterable[str]) -> list[str]:
 def _inputs(dae: DAE, inputs: Mapping[str, float]) -> dict[str, float]:
     """Return the values of all free inputs."""
     free = [i.path for i in dae.inputs if i.signal is None and i.order == 0]
-    unknown = [name for name in inputs if name not in free]
+    unknown = [f"there is no free input '{name}'{nearest(name, free)}" for name in inputs if name not in free]
     if unknown:
-        raise ModelError(
-            f"'{dae.name}':", [f"there is no free input '{n}'{nearest(n, free)}" for n in unknown]
-        )
+        raise ModelError(f"'{dae.name}':", unknown)
     return {name: float(inputs.get(name, 0.0)) for name in free}

@@ -2,63 +2,50 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
-from dataclasses import dataclass, field
+from collections.abc import Iterator, Mapping, Sequence
 
 import numpy as np
 
 from ...base import Array
 from ..errors import FMUError
-from .probe import Probe, Subject
+from ..foreign.variable import ForeignVariable
+from .probe import CheckedFMU, Probe
 from .report import Finding, measured
 
 LIMIT = 1e-6
-STRIDES = 10.0 ** -np.arange(1, 11)
+STRIDES = 10.0 ** -np.arange(1, 11)  # of central differences, of a known's size
 ROUNDING = 64 * np.finfo(float).eps
-RESOLVED = 0.1 * LIMIT
-STILL = 1e-6
-LEAST_STRIDDEN = 1e-3
-MOST_KNOWNS = 60
-MOST_MODES = 8
+RESOLVED_ROUNDING = 0.1 * LIMIT
+UNCHANGED_STRIDE = 1e-6
+SMALLEST_SIZE = 1e-3  # of a known, against which strides are long
+KNOWNS_COMPARED = 60
+MODES_VISITED = 8
 
 
-@dataclass(eq=False)
 class Derivatives:
     """Looks at the derivatives of Model Exchange, once in every mode that a run visits.
 
     Called with a probe at an instant of the run, it leaves the probe as it was.
     """
 
-    subject: Subject
-    discrete: list[str] = field(init=False)
-    modes: list[tuple[float, ...]] = field(default_factory=list)
-    forward: tuple[float, str] = (0.0, "")
-    adjoint: tuple[float, str] = (0.0, "")
-    _last: tuple[float, ...] = ()
-
-    def __post_init__(self) -> None:
-        fmu = self.subject.fmu
-        self.discrete = self.subject.discrete()
+    def __init__(self, fmu: CheckedFMU) -> None:
+        self.fmu, self.discrete = fmu, fmu.discrete()
         self.able = fmu.capable("ME", "providesDirectionalDerivative")
         self.backward = fmu.capable("ME", "providesAdjointDerivatives")
-        variables = fmu.variables
         rates = [u.variable.name for u in fmu.description.derivatives]
-        outputs = [
-            n for n, v in fmu.outputs.items() if v.real and v.size == 1 and v.variability == "continuous"
-        ]
-        self.unknowns = list(dict.fromkeys([*rates, *outputs]))
-        inputs = [
-            n for n, v in fmu.inputs.items() if v.real and v.size == 1 and v.variability == "continuous"
-        ]
-        self.knowns = [*fmu.states, *inputs]
-        self.states = len(fmu.states)
-        self.nominals = np.maximum(self.subject.nominals(self.knowns), LEAST_STRIDDEN)
-        self._rows = [variables[n].reference for n in self.unknowns]
-        self._columns = [variables[n].reference for n in self.knowns]
+        self.unknowns = list(dict.fromkeys([*rates, *_moving(fmu.outputs)]))
+        self.knowns, self.states = [*fmu.states, *_moving(fmu.inputs)], len(fmu.states)
+        self.nominals = np.maximum(fmu.nominals(self.knowns), SMALLEST_SIZE)
+        self.modes: list[tuple[float, ...]] = []
+        self.forward = self.adjoint = (0.0, "")  # greatest error, and where
+        self._last: tuple[float, ...] = ()
+        self._rows, self._columns = (
+            [fmu.variables[n].reference for n in names] for names in (self.unknowns, self.knowns)
+        )
 
     def __call__(self, probe: Probe, t: float) -> None:
         """Look, if the mode is one not seen before and the run has stayed in it since the last call."""
-        if not self.able or not self.unknowns or len(self.modes) >= MOST_MODES:
+        if not self.able or not self.unknowns or len(self.modes) >= MODES_VISITED:
             return
         mode = (*probe.values(self.discrete), *np.sign(probe.watched()))
         stays, self._last = mode == self._last, mode
@@ -102,7 +89,7 @@ class Derivatives:
             size = np.maximum(np.maximum(np.abs(exact), np.abs(difference)), 1e-300)
             rounding = ROUNDING * np.maximum(np.abs(ahead), np.abs(behind)) / h / size
             error = np.abs(exact - difference) / size
-            resolved = (rounding <= RESOLVED) | ((error == 0) & (h >= STILL * scale))
+            resolved = (rounding <= RESOLVED_ROUNDING) | ((error == 0) & (h >= UNCHANGED_STRIDE * scale))
             best[0] = np.where(resolved, np.fmin(best[0], error), best[0])
             best[1] = np.fmin(best[1], np.maximum(error - rounding, 0))
         least = np.where(np.isfinite(best[0]), best[0], best[1])
@@ -114,9 +101,9 @@ class Derivatives:
         return probe.values(self.unknowns)
 
     def _set(self, probe: Probe, t: float, point: Array) -> None:
-        probe.put(t, point[: self.states])
+        probe.move_to(t, point[: self.states])
         for name, value in zip(self.knowns[self.states :], point[self.states :], strict=True):
-            variable = self.subject.fmu.variables[name]
+            variable = self.fmu.variables[name]
             probe.set((variable.type, [variable.reference], 1), [value])
 
     def _reversed(self, probe: Probe, t: float) -> None:
@@ -128,17 +115,16 @@ class Derivatives:
             w = numbers.normal(size=len(self._rows)) / np.maximum(np.abs(forward), 1e-300)
             w[forward == 0] = 0
             found = probe.adjoint(self._rows, self._columns, w) * v
-            error = abs(found.sum() - w @ forward) / max(
-                np.abs(found).sum(), np.abs(w * forward).sum(), 1e-300
-            )
+            size = max(np.abs(found).sum(), np.abs(w * forward).sum(), 1e-300)
+            error = float(abs(found.sum() - w @ forward) / size)
             if error > self.adjoint[0]:
-                self.adjoint = (float(error), f"at {t:.6g} s")
+                self.adjoint = (error, f"at {t:.6g} s")
 
     def findings(self) -> Iterator[Finding]:
         """Yield what was found."""
-        label = self.subject.label("ME")
+        label = self.fmu.label("ME")
         kinds = [("directional derivatives", self.able, self.forward)]
-        if self.subject.fmu.version[0] == "3":
+        if self.fmu.version[0] == "3":
             kinds.append(("adjoint derivatives", self.backward, self.adjoint))
         for check, able, (error, told) in kinds:
             if not able:
@@ -150,6 +136,10 @@ class Derivatives:
                 yield measured(label, check, error, LIMIT, f"{told}; {count}" if told else count)
 
 
+def _moving(variables: Mapping[str, ForeignVariable]) -> list[str]:
+    return [n for n, v in variables.items() if v.real and v.size == 1 and v.variability == "continuous"]
+
+
 def _spread(count: int) -> Sequence[int]:
     """Return which knowns are looked at: all, or some from first to last."""
-    return sorted({int(k) for k in np.linspace(0, count - 1, min(count, MOST_KNOWNS))}) if count else []
+    return sorted(set(np.linspace(0, count - 1, min(count, KNOWNS_COMPARED)).astype(int).tolist()))

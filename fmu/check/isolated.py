@@ -7,14 +7,14 @@ import os
 import signal
 import subprocess
 import sys
-import threading
 from collections.abc import Iterator
 from dataclasses import asdict
 from pathlib import Path
+from threading import Event, Timer
 
 from ..errors import FMUError
 from ..foreign.subprocess_instance import environment
-from .probe import Subject
+from .probe import CheckedFMU
 from .report import Finding
 from .sections import SECTIONS, Plan
 
@@ -22,33 +22,34 @@ from .sections import SECTIONS, Plan
 def isolated_findings(path: Path, plan: Plan, timeout: float) -> Iterator[Finding]:
     """Yield the findings of all sections; one that kills its process or takes too long fails as a whole."""
     for name in SECTIONS:
-        told = json.dumps([str(path.resolve()), asdict(plan), name])
-        command = [sys.executable, "-c", f"from {__name__} import serve; serve()", told]
-        process = subprocess.Popen(
-            command, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL,
-            env=environment(), text=True, encoding="utf-8",
-        )  # fmt: skip
-        expired = threading.Event()
+        yield from _section(name, json.dumps([str(path.resolve()), asdict(plan), name]), timeout)
 
-        def end(process: subprocess.Popen[str] = process, expired: threading.Event = expired) -> None:
-            expired.set()
-            process.kill()
 
-        timer = threading.Timer(timeout, end)
+def _section(name: str, told: str, timeout: float) -> Iterator[Finding]:
+    command = [sys.executable, "-c", f"from {__name__} import serve; serve()", told]
+    expired = Event()
+
+    def end() -> None:
+        expired.set()
+        process.kill()
+
+    with subprocess.Popen(
+        command, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL,
+        env=environment(), text=True, encoding="utf-8",
+    ) as process:  # fmt: skip
+        timer = Timer(timeout, end)
         timer.start()
         try:
             assert process.stdout is not None
-            with process.stdout:
-                yield from (Finding(**json.loads(line)) for line in process.stdout)
+            yield from (Finding(**json.loads(line)) for line in process.stdout)
             process.wait()
         finally:
             timer.cancel()
             process.kill()
-            process.wait()
-        if expired.is_set():
-            yield Finding("FMU", name, False, told=f"did not end within {timeout:g} s and was stopped")
-        elif process.returncode:
-            yield Finding("FMU", name, False, told=_fate(process.returncode))
+    if expired.is_set():
+        yield Finding("FMU", name, False, told=f"did not end within {timeout:g} s and was stopped")
+    elif process.returncode:
+        yield Finding("FMU", name, False, told=_fate(process.returncode))
 
 
 def _fate(code: int) -> str:
@@ -63,8 +64,8 @@ def serve() -> None:
     answers = os.fdopen(os.dup(1), "w", encoding="utf-8", buffering=1)
     os.dup2(2, 1)
     try:
-        with Subject(Path(path)) as subject:
-            for finding in SECTIONS[name](subject, Plan(**plan)):
+        with CheckedFMU(Path(path)) as fmu:
+            for finding in SECTIONS[name](fmu, Plan(**plan)):
                 answers.write(json.dumps(asdict(finding)) + "\n")
     except Exception as error:
         told = str(error) if isinstance(error, FMUError) else f"{type(error).__name__}: {error}"

@@ -10,17 +10,17 @@ import numpy as np
 
 from ...base import Array, heed, interruptible
 from ..errors import FMUError
-from .probe import Probe, Subject
+from .probe import CheckedFMU, Probe
 
-DENSE = 300
-ACCURATE = 1e-5
+DENSE_JACOBIAN_STATES = 300
+OWN_TOLERANCE_SHARE = 1e-5
 FINEST = 1e-12
-PARTS = 1, 30, 1000  # of an interval of output, where CVODE takes too many steps for one
-TOO_FEW = "mxstep"
+OUTPUT_SUBDIVISIONS = 1, 30, 1000  # where CVODE takes too many steps for one interval of output
+TOO_MANY_STEPS = "mxstep"  # as CVODE says it
 
 
 @dataclass(frozen=True)
-class Experiment:
+class Scenario:
     """What is run: from `begin` to `stop`, looked at every `step`, with constant inputs.
 
     Attributes:
@@ -36,7 +36,7 @@ class Experiment:
     @property
     def accurate(self) -> float:
         """The tolerance of integrators that are not the FMU's, so that their errors do not count."""
-        return max(ACCURATE * self.rtol, FINEST)
+        return max(OWN_TOLERANCE_SHARE * self.rtol, FINEST)
 
     @property
     def grid(self) -> Array:
@@ -47,10 +47,7 @@ class Experiment:
 
 @dataclass(frozen=True, eq=False)
 class Course:
-    """What a run gave: values of `names` at the instants of output, and the instants of events.
-
-    An FMU may end a run: what came before counts.
-    """
+    """What a run gave, as far as it went: `names` at the instants of output, and the instants of events."""
 
     names: Sequence[str]
     time: Array
@@ -72,9 +69,7 @@ class Course:
 Visit = Callable[[Probe, float], None]
 
 
-def exchange(
-    subject: Subject, names: Sequence[str], experiment: Experiment, visit: Visit | None = None
-) -> Course:
+def exchange(fmu: CheckedFMU, names: Sequence[str], scenario: Scenario, visit: Visit) -> Course:
     """Run Model Exchange; `visit` is called with the probe at instants of output and events.
 
     FMPy integrates with CVODE, which begins anew with order 1 after each event, so its tolerance is a tenth
@@ -82,42 +77,35 @@ def exchange(
     one output to the next at most: where those are too few, outputs are put between. Its Jacobian is dense:
     beyond 300 states LSODA integrates, as in `FMU.simulate`, and `visit` sees the start only.
     """
-    if len(subject.fmu.states) > DENSE:
-        return _exchange_large(subject, names, experiment, visit)
-    for parts in PARTS:
-        problem = None
-        for rtol in (max(0.1 * experiment.accurate, FINEST), experiment.accurate):
+    if len(fmu.states) > DENSE_JACOBIAN_STATES:
+        return _exchange_large(fmu, names, scenario, visit)
+    for parts in OUTPUT_SUBDIVISIONS:
+        for rtol in (max(0.1 * scenario.accurate, FINEST), scenario.accurate):
             try:
-                return _exchange_by_cvode(subject, names, experiment, visit, rtol, parts)
+                return _exchange_by_cvode(fmu, names, scenario, visit, rtol, parts)
             except FMUError as error:
                 if "CVode error" not in str(error):
                     raise
                 problem = error
-                if TOO_FEW in str(error):
+                if TOO_MANY_STEPS in str(error):
                     break
         else:
-            raise problem or AssertionError
-    return _exchange_large(subject, names, experiment, visit)
+            raise problem
+    return _exchange_large(fmu, names, scenario, visit)
 
 
 def _exchange_by_cvode(
-    subject: Subject,
-    names: Sequence[str],
-    experiment: Experiment,
-    visit: Visit | None,
-    rtol: float,
-    parts: int,
+    fmu: CheckedFMU, names: Sequence[str], scenario: Scenario, visit: Visit, rtol: float, parts: int
 ) -> Course:
     from fmpy import simulate_fmu
 
-    with subject.probe("ME") as probe:
+    with Probe(fmu, "ME") as probe:
         problems: list[Exception] = []
 
         def finished(time: float, _: object) -> bool:
             heed()
             try:
-                if visit is not None:
-                    visit(probe, time)
+                visit(probe, time)
             except Exception as error:
                 problems.append(error)
             return not problems
@@ -125,10 +113,10 @@ def _exchange_by_cvode(
         try:
             with interruptible():  # CVODE calls back into Python, which would lose Ctrl-C there
                 run = simulate_fmu(
-                    str(subject.files.folder), validate=False, fmi_type="ModelExchange",
-                    start_time=experiment.begin, stop_time=experiment.stop,
-                    output_interval=experiment.step / parts, relative_tolerance=rtol,
-                    start_values=dict(experiment.inputs),
+                    str(fmu.files.folder), validate=False, fmi_type="ModelExchange",
+                    start_time=scenario.begin, stop_time=scenario.stop,
+                    output_interval=scenario.step / parts, relative_tolerance=rtol,
+                    start_values=dict(scenario.inputs),
                     output=list(names), model_description=probe.description, fmu_instance=probe.instance,
                     step_finished=finished,
                 )  # fmt: skip
@@ -136,43 +124,37 @@ def _exchange_by_cvode(
             raise FMUError(f"FMU '{probe.name}': {error}") from error
         if problems:
             raise problems[0]
-    return _sampled(
-        names, run["time"], [run[name].astype(float) for name in names], experiment, f"CVODE, rtol {rtol:.0e}"
-    )
+    course = sampled(names, run["time"], [run[name].astype(float) for name in names], scenario)
+    return replace(course, solver=f"CVODE, rtol {rtol:.0e}")
 
 
-def _exchange_large(
-    subject: Subject, names: Sequence[str], experiment: Experiment, visit: Visit | None
-) -> Course:
-    if visit is not None:
-        with subject.probe("ME") as probe:
-            probe.begin(experiment.begin, experiment.stop, experiment.rtol, experiment.inputs)
-            visit(probe, experiment.begin)
-            visit(probe, experiment.begin)
-    run = subject.fmu.simulate(
-        experiment.stop, begin=experiment.begin, step=experiment.step, rtol=experiment.accurate, kind="ME",
-        inputs=dict(experiment.inputs), record=names,
+def _exchange_large(fmu: CheckedFMU, names: Sequence[str], scenario: Scenario, visit: Visit) -> Course:
+    with Probe(fmu, "ME") as probe:
+        probe.begin(scenario.begin, scenario.stop, scenario.rtol, scenario.inputs)
+        visit(probe, scenario.begin)
+        visit(probe, scenario.begin)
+    run = fmu.simulate(
+        scenario.stop, begin=scenario.begin, step=scenario.step, rtol=scenario.accurate, kind="ME",
+        inputs=dict(scenario.inputs), record=names,
     )  # fmt: skip
-    return _sampled(
-        names, run.time, [run[name] for name in names], experiment, f"LSODA, rtol {experiment.accurate:.0e}"
-    )
+    course = sampled(names, run.time, [run[name] for name in names], scenario)
+    return replace(course, solver=f"LSODA, rtol {scenario.accurate:.0e}")
 
 
-def _sampled(
-    names: Sequence[str], time: Array, columns: list[Array], experiment: Experiment, solver: str
-) -> Course:
+def sampled(names: Sequence[str], time: Array, columns: list[Array], scenario: Scenario) -> Course:
     """Return the values at the instants of output, after events; two points of one time make an event."""
-    grid = experiment.grid[experiment.grid <= time[-1] + 1e-9 * (1 + abs(time[-1]))]
-    near = np.searchsorted(time, grid + 1e-9 * experiment.step, side="right") - 1
+    grid = scenario.grid[scenario.grid <= time[-1] + 1e-9 * (1 + abs(time[-1]))]
+    near = np.searchsorted(time, grid + 1e-9 * scenario.step, side="right") - 1
     values = np.column_stack([column[near] for column in columns]) if columns else np.zeros((len(grid), 0))
-    return Course(names, grid, values, np.unique(time[1:][np.diff(time) == 0]), solver)
+    return Course(names, grid, values, np.unique(time[1:][np.diff(time) == 0]))
 
 
-def communicate(subject: Subject, names: Sequence[str], experiment: Experiment, events: bool) -> Course:
-    """Run Co-Simulation, with event mode if `events`; the communication step is that of output."""
-    grid, rows, found = experiment.grid, list[Array](), list[float]()
-    with subject.probe("CS", events) as probe:
-        probe.begin(experiment.begin, experiment.stop, experiment.rtol, experiment.inputs)
+def communicate(fmu: CheckedFMU, names: Sequence[str], scenario: Scenario) -> Course:
+    """Run Co-Simulation, with event mode where the FMU has it; the communication step is that of output."""
+    grid, rows, found = scenario.grid, list[Array](), list[float]()
+    able = fmu.capable("CS", "hasEventMode")
+    with Probe(fmu, "CS", able) as probe:
+        probe.begin(scenario.begin, scenario.stop, scenario.rtol, scenario.inputs)
         rows.append(probe.values(names))
         for begin, target in pairwise(grid.tolist()):
             arrived, ended = _communicated(probe, begin, target, found)
@@ -180,9 +162,8 @@ def communicate(subject: Subject, names: Sequence[str], experiment: Experiment, 
                 rows.append(probe.values(names))
             if ended:
                 break
-    instants = np.unique(found) if events else None
-    solver = f"the FMU's own, rtol {experiment.rtol:.0e}"
-    return Course(names, grid[: len(rows)], np.array(rows), instants, solver)
+    solver = f"the FMU's own, rtol {scenario.rtol:.0e}"
+    return Course(names, grid[: len(rows)], np.array(rows), np.unique(found) if able else None, solver)
 
 
 def _communicated(probe: Probe, t: float, target: float, found: list[float]) -> tuple[bool, bool]:

@@ -8,6 +8,7 @@ import sys
 from collections.abc import Callable, Iterator
 from concurrent.futures import ThreadPoolExecutor
 from contextlib import ExitStack
+from dataclasses import asdict
 from pathlib import Path
 from tempfile import TemporaryDirectory
 from typing import Any
@@ -17,41 +18,43 @@ import numpy as np
 from ...base import Array
 from ..errors import FMUError
 from ..foreign.subprocess_instance import environment
-from .probe import Probe, Subject, same
+from .probe import CheckedFMU, Probe, same
 from .report import Finding
-from .runs import Experiment
+from .runs import Scenario
 
-MANY, REPEATED, STEPS = 100, 20, 8
-ELSEWHERE = 120.0
-SAID = "state: "
+INSTANCES, REPEATED, STEPS = 100, 20, 8
+HALF = STEPS // 2
+OTHER_PROCESS_SECONDS = 120.0
+STATE_PREFIX = "state: "
 
 
 class Walk:
     """A few steps of an instance, and what it shows along them, to be equal to the last bit."""
 
-    def __init__(self, subject: Subject, kind: str, experiment: Experiment) -> None:
-        self.subject, self.kind, self.experiment = subject, kind, experiment
-        self.names = subject.shown()
-        self.step = min(experiment.step, (experiment.stop - experiment.begin) / STEPS)
-        self.half = STEPS // 2
+    def __init__(self, fmu: CheckedFMU, kind: str, scenario: Scenario) -> None:
+        self.fmu, self.kind, self.scenario = fmu, kind, scenario
+        self.names = fmu.shown()
+        self.step = min(scenario.step, (scenario.stop - scenario.begin) / STEPS)
+
+    def probe(self) -> Probe:
+        return Probe(self.fmu, self.kind)
 
     def begin(self, probe: Probe) -> None:
-        """Initialize."""
-        e = self.experiment
-        probe.begin(e.begin, e.stop, e.rtol, e.inputs)
+        s = self.scenario
+        probe.begin(s.begin, s.stop, s.rtol, s.inputs)
 
     def steps(self, probe: Probe, first: int, last: int) -> Array:
         """Go from one step to another: by Co-Simulation, or by explicit Euler steps of Model Exchange."""
         seen = []
         for k in range(first, last):
-            t, stop = (self.experiment.begin + j * self.step for j in (k, k + 1))
+            t, stop = (self.scenario.begin + j * self.step for j in (k, k + 1))
             if self.kind == "CS":
                 probe.advance(t, stop)
                 seen.append(probe.values(self.names))
             else:
                 x = np.array(probe.states())
                 rates = np.array(probe.derivatives(t, x.tolist(), []))
-                probe.put(stop, x + 1e-3 * (stop - t) * rates)
+                probe.move_to(stop, x + 1e-3 * (stop - t) * rates)
                 probe.completed_step()
                 seen.append(np.concatenate([rates, probe.watched(), probe.values(self.names)]))
         return np.array(seen)
@@ -61,26 +64,30 @@ class Walk:
         self.begin(probe)
         return self.steps(probe, 0, STEPS)
 
+    def halved(self, probe: Probe) -> tuple[Any, Array]:
+        """Initialize, save the state half of the way, and go on from there."""
+        self.begin(probe)
+        self.steps(probe, 0, HALF)
+        return probe.save_state(), self.steps(probe, HALF, STEPS)
 
-def state_findings(subject: Subject, kind: str, experiment: Experiment) -> Iterator[Finding]:
+
+def state_findings(fmu: CheckedFMU, kind: str, scenario: Scenario) -> Iterator[Finding]:
     """Yield what is found about states and instances of one kind."""
-    walk, label = Walk(subject, kind, experiment), subject.label(kind)
-    watched = kind == "ME" and bool(subject.fmu.states or subject.fmu.description.numberOfEventIndicators)
+    walk, label = Walk(fmu, kind, scenario), fmu.label(kind)
+    watched = kind == "ME" and bool(fmu.states or fmu.description.numberOfEventIndicators)
     if not walk.names and not watched:
-        yield Finding(
-            label, "states", None, told="no output or state is one number: there is nothing to compare"
-        )
+        told = "no output or state is one number: there is nothing to compare"
+        yield Finding(label, "states", None, told=told)
         return
-    saves, serialises = (
-        subject.fmu.capable(kind, name) for name in ("canGetAndSetFMUstate", "canSerializeFMUstate")
-    )
-    alone = subject.fmu.capable(kind, "canBeInstantiatedOnlyOncePerProcess")
+    saves = fmu.capable(kind, "canGetAndSetFMUstate")
+    serialises = saves and fmu.capable(kind, "canSerializeFMUstate")
+    alone = fmu.capable(kind, "canBeInstantiatedOnlyOncePerProcess")
     looks: list[tuple[str, bool, Callable[[Walk], bool]]] = [
         ("reset equals fresh", True, _reset),
         ("save and restore", saves, _restored),
-        ("another process", saves and serialises, _elsewhere),
+        ("another process", serialises, _elsewhere),
         ("one after another", True, _repeated),
-        (f"{MANY} at once", not alone, _many),
+        (f"{INSTANCES} at once", not alone, _many),
         ("two threads", not alone, _threads),
     ]
     for check, able, look in looks:
@@ -95,65 +102,58 @@ def state_findings(subject: Subject, kind: str, experiment: Experiment) -> Itera
 
 
 def _fresh(walk: Walk) -> Array:
-    with walk.subject.probe(walk.kind) as probe:
+    with walk.probe() as probe:
         return walk.whole(probe)
 
 
 def _reset(walk: Walk) -> bool:
-    with walk.subject.probe(walk.kind) as probe:
+    with walk.probe() as probe:
         first = walk.whole(probe)
         probe.reset()
         return same(walk.whole(probe), first) and same(_fresh(walk), first)
 
 
 def _restored(walk: Walk) -> bool:
-    with walk.subject.probe(walk.kind) as probe:
-        walk.begin(probe)
-        walk.steps(probe, 0, walk.half)
-        state = probe.kept()
-        first = walk.steps(probe, walk.half, STEPS)
-        probe.back(state)
-        again = walk.steps(probe, walk.half, STEPS)
-        probe.back(state)
-        probe.forget(state)
-        return same(again, first) and same(walk.steps(probe, walk.half, STEPS), first)
+    with walk.probe() as probe:
+        state, first = walk.halved(probe)
+        probe.restore_state(state)
+        again = walk.steps(probe, HALF, STEPS)
+        probe.restore_state(state)
+        probe.free_state(state)
+        return same(again, first) and same(walk.steps(probe, HALF, STEPS), first)
 
 
 def _elsewhere(walk: Walk) -> bool:
-    with walk.subject.probe(walk.kind) as probe, TemporaryDirectory(prefix="inertance-") as folder:
-        walk.begin(probe)
-        walk.steps(probe, 0, walk.half)
-        state = probe.kept()
+    with walk.probe() as probe, TemporaryDirectory(prefix="inertance-") as folder:
+        state, first = walk.halved(probe)
         data = Path(folder) / "state"
-        data.write_bytes(probe.bytes_of(state))
-        first = walk.steps(probe, walk.half, STEPS)
-        probe.forget(state)
-        e = walk.experiment
-        told = [
-            str(walk.subject.fmu.path),
-            walk.kind,
-            [e.begin, e.stop, e.step, e.rtol, dict(e.inputs)],
-            str(data),
-        ]
-        command = [sys.executable, "-c", f"from {__name__} import answer; answer()", json.dumps(told)]
+        data.write_bytes(probe.serialized(state))
+        probe.free_state(state)
+        told = json.dumps([str(walk.fmu.path), walk.kind, asdict(walk.scenario), str(data)])
+        command = [sys.executable, "-c", f"from {__name__} import answer; answer()", told]
         done = subprocess.run(
-            command, capture_output=True, text=True, env=environment(), timeout=ELSEWHERE, check=False
+            command,
+            capture_output=True,
+            text=True,
+            env=environment(),
+            timeout=OTHER_PROCESS_SECONDS,
+            check=False,
         )
         if done.returncode:
             raise FMUError(f"the other process failed: {(done.stderr.strip().splitlines() or ['?'])[-1]}")
-        return done.stdout.strip().endswith(SAID + first.tobytes().hex())
+        return done.stdout.strip().endswith(STATE_PREFIX + first.tobytes().hex())
 
 
 def answer() -> None:
     """Go on from a state that another process saved, and print what is seen, as bytes in hexadecimal."""
-    path, kind, numbers, data = json.loads(sys.argv[-1])
-    with Subject(Path(path)) as subject, subject.probe(kind) as probe:
-        walk = Walk(subject, kind, Experiment(*numbers))
+    path, kind, scenario, data = json.loads(sys.argv[-1])
+    with CheckedFMU(Path(path)) as fmu, Probe(fmu, kind) as probe:
+        walk = Walk(fmu, kind, Scenario(**scenario))
         walk.begin(probe)
-        state = probe.state_of(Path(data).read_bytes())
-        probe.back(state)
-        probe.forget(state)
-        print(SAID + walk.steps(probe, walk.half, STEPS).tobytes().hex())
+        state = probe.deserialized(Path(data).read_bytes())
+        probe.restore_state(state)
+        probe.free_state(state)
+        print(STATE_PREFIX + walk.steps(probe, HALF, STEPS).tobytes().hex())
 
 
 def _repeated(walk: Walk) -> bool:
@@ -164,14 +164,11 @@ def _repeated(walk: Walk) -> bool:
 def _many(walk: Walk) -> bool:
     first = _fresh(walk)
     with ExitStack() as stack:
-        probes = [stack.enter_context(walk.subject.probe(walk.kind)) for _ in range(MANY)]
+        probes = [stack.enter_context(walk.probe()) for _ in range(INSTANCES)]
         for probe in probes:
             walk.begin(probe)
-        seen: list[list[Any]] = [[] for _ in probes]
-        for k in range(STEPS):
-            for probe, rows in zip(probes, seen, strict=True):
-                rows.append(walk.steps(probe, k, k + 1)[0])
-        return all(same(np.array(rows), first) for rows in seen)
+        rows = [[walk.steps(probe, k, k + 1)[0] for probe in probes] for k in range(STEPS)]
+        return all(same(np.array(seen), first) for seen in zip(*rows, strict=True))
 
 
 def _threads(walk: Walk) -> bool:

@@ -12,7 +12,7 @@ SCHEMAS = {
     "sources/buildDescription.xml": "fmi3BuildDescription.xsd",
     "terminalsAndIcons/terminalsAndIcons.xml": "fmi3TerminalsAndIcons.xsd",
 }
-SHOWN = 3
+PROBLEMS_SHOWN = 3
 
 
 def xml_findings(subject: str, path: Path) -> Iterator[Finding]:
@@ -41,5 +41,5 @@ def _problems(text: bytes, schema: str) -> list[str]:
 
 def _finding(subject: str, check: str, problems: list[str]) -> Finding:
     texts = [" ".join(str(problem).split()) for problem in problems]
-    more = [f"and {len(texts) - SHOWN} more"] if len(texts) > SHOWN else []
-    return Finding(subject, check, not texts, told="; ".join([*texts[:SHOWN], *more]))
+    more = [f"and {len(texts) - PROBLEMS_SHOWN} more"] if len(texts) > PROBLEMS_SHOWN else []
+    return Finding(subject, check, not texts, told="; ".join([*texts[:PROBLEMS_SHOWN], *more]))

@@ -39,7 +39,9 @@ def dependencies(
     results = ca.vertcat(dae.ode, *[dae.expression(name) for name in variables])
     unknowns = [*range(first[1], first[2]), *range(first[4], first[5])]
     moving = ca.vertcat(dae.x, dae.u, dae.time)
-    known = np.concatenate([np.arange(first[0], first[1]), _inputs(dae, free, first[2]), [0]]).astype(int)
+    inputs = np.zeros(len(dae.inputs), dtype=int)  # those that are bound are functions of time
+    inputs[list(free)] = np.arange(first[2], first[2] + len(free))
+    known = np.concatenate([np.arange(first[0], first[1]), inputs, [0]])
     parameters = np.arange(first[3], first[4])
     through = _pattern(dae, results, moving)
     tuned = _pattern(dae, results, dae.p)
@@ -47,15 +49,13 @@ def dependencies(
     running: dict[int, Kinds] = {}
     starting: dict[int, list[int]] = {}
     for row, unknown in enumerate(unknowns):
-        columns = through.indices[through.indptr[row] : through.indptr[row + 1]]
         found: Kinds = {}
-        for column in columns:
+        for column in _columns(through, row):
             reference = int(known[column])
-            kind = kinds.get((row, int(column)), "dependent") if reference else "dependent"
+            kind = kinds.get((row, column), "dependent") if reference else "dependent"
             found[reference] = kind if found.get(reference, kind) == kind else "dependent"
         running[unknown] = dict(sorted(found.items()))
-        by_parameters = parameters[tuned.indices[tuned.indptr[row] : tuned.indptr[row + 1]]]
-        starting[unknown] = sorted({*found, *by_parameters.tolist()})
+        starting[unknown] = sorted({*found, *parameters[_columns(tuned, row)].tolist()})
     sought = {first[0] + k for k in start.moved}
     if sought:
         together = _together(start, known, parameters, aims) - sought
@@ -78,13 +78,6 @@ def _together(start: Start, known: Any, parameters: Any, aims: Sequence[int]) ->
     return {*aims, *known[by_motion].tolist(), *parameters[by_parameters].tolist()}
 
 
-def _inputs(dae: DAE, free: Sequence[int], first: int) -> Any:
-    """Return the reference of each symbol in u; a bound one is a function of time."""
-    references = np.zeros(len(dae.inputs), dtype=int)
-    references[list(free)] = np.arange(first, first + len(free))
-    return references
-
-
 def _pattern(dae: DAE, results: Any, symbols: Any) -> Any:
     """Return what results depend on, also through the algebraic unknowns."""
     from scipy import sparse
@@ -92,15 +85,12 @@ def _pattern(dae: DAE, results: Any, symbols: Any) -> Any:
     direct = _sparse(ca.jacobian_sparsity(results, symbols))
     if not dae.z.numel():
         return direct
-    loop = _sparse(ca.jacobian_sparsity(dae.alg, dae.z))
-    size = dae.z.numel()
+    loop, size = _sparse(ca.jacobian_sparsity(dae.alg, dae.z)), dae.z.numel()
     both = sparse.bmat([[None, loop], [loop.T, None]])
-    _, label = sparse.csgraph.connected_components(both, directed=False)
+    groups, label = sparse.csgraph.connected_components(both, directed=False)
     rows, unknowns = label[:size], label[size:]
-    groups = label.max() + 1
     entered = sparse.csr_array((np.ones(size), (rows, np.arange(size))), (groups, size))
-    given = entered @ _sparse(ca.jacobian_sparsity(dae.alg, symbols))
-    through = given[unknowns]
+    through = (entered @ _sparse(ca.jacobian_sparsity(dae.alg, symbols)))[unknowns]
     total = (direct + _sparse(ca.jacobian_sparsity(results, dae.z)) @ through).tocsr()
     total.sort_indices()
     return total
@@ -117,6 +107,11 @@ def _kinds(dae: DAE, results: Any, symbols: Any) -> dict[tuple[int, int], str]:
     told = np.select([moved, discrete, tunable], ["dependent", "discrete", "tunable"], "constant")
     places = zip(slopes.sparsity().row(), slopes.sparsity().get_col(), strict=True)
     return {place: str(kind) for place, kind in zip(places, told, strict=True)}
+
+
+def _columns(matrix: Any, row: int) -> list[int]:
+    found: list[int] = matrix.indices[matrix.indptr[row] : matrix.indptr[row + 1]].tolist()
+    return found
 
 
 def _sparse(pattern: Any) -> Any:

@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
+from dataclasses import astuple
 from html import escape
 from importlib import metadata
 from pathlib import Path
 
-from .model_description import Model, Rights
+from .model_description import ExportedModel, Rights
 from .variables import Scalar
 
 _PAGE = """<!DOCTYPE html>
@@ -46,7 +47,7 @@ _NOTICE = """This FMU was exported by inertance. Its model is its author's{terms
 """
 
 
-def page(model: Model, fmi_version: str) -> str:
+def page(model: ExportedModel, fmi_version: str) -> str:
     """Return documentation/index.html."""
     face = model.interface
     groups = {
@@ -70,24 +71,21 @@ def page(model: Model, fmi_version: str) -> str:
 
 
 def _rights(rights: Rights) -> Iterator[str]:
-    told = {"Author": rights.author, "Version": rights.version, "Copyright": rights.copyright}
-    for name, text in (told | {"Licence of the model": rights.license}).items():
+    names = ("Author", "Version", "Copyright", "Licence of the model")
+    for name, text in zip(names, astuple(rights), strict=True):
         if text:
             yield f"<p>{name}: {escape(text)}</p>"
 
 
 def _table(title: str, scalars: Iterable[Scalar]) -> str:
-    rows = "\n".join(
-        f"<tr><td>{escape(s.name)}</td><td>{escape(s.doc)}</td><td>{_number(s.start)}</td>"
-        f"<td>{escape(s.unit if s.unit != '1' else '')}</td></tr>"
-        for s in scalars
-    )
     head = "<tr><th>name</th><th>what it is</th><th>start</th><th>unit</th></tr>"
-    return f"<h2>{title}</h2>\n<table>\n{head}\n{rows}\n</table>"
+    return "\n".join([f"<h2>{title}</h2>\n<table>\n{head}", *map(_row, scalars), "</table>"])
 
 
-def _number(value: float | None) -> str:
-    return "" if value is None else f"{value:.6g}"
+def _row(scalar: Scalar) -> str:
+    start = "" if scalar.start is None else f"{scalar.start:.6g}"
+    cells = (scalar.name, scalar.doc, start, "" if scalar.unit == "1" else scalar.unit)
+    return f"<tr>{''.join(f'<td>{escape(cell)}</td>' for cell in cells)}</tr>"
 
 
 def licences(rights: Rights) -> str:

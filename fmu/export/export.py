@@ -24,12 +24,12 @@ from ...networks import (
     starting_point,
 )
 from .documentation import licences, page
-from .model_description import Model, Rights, model_description
+from .model_description import ExportedModel, Rights, model_description
 from .outputs import chosen_outputs, locals_of, state_names
 from .package import build_description, library_path, write_archive
 from .sources import face_sources, model_header
 from .terminals import Terminal, publish, terminals_xml
-from .variables import Interface, interface
+from .variables import Interface, interface, resting
 
 VERSIONS = ("2.0", "3.0")
 
@@ -101,7 +101,8 @@ def export_fmu(
         'oscillator.fmu'
     """
     target = _target(path)
-    _check(fmi_version, platforms, sources, stop, step, tolerance, fixed_step)
+    lengths = {"stop": stop, "step": step, "fixed_step": 1.0 if fixed_step is None else fixed_step}
+    _check(fmi_version, platforms, sources, tolerance, lengths)
     rights = _rights(author=author, version=version, copyright=copyright, license=license)
     published: list[Terminal] = []
     if terminals:
@@ -111,28 +112,26 @@ def export_fmu(
     dae = dae_of(model)
     if not dae.name.strip():
         raise ModelError("an FMU is called after its network, whose name is empty; give Network(name)")
-    program, face = _program(
-        dae, inputs, outputs, [name for t in published for name in t.outputs], start or {}
-    )
+    leaving = [name for terminal in published for name in terminal.outputs]
+    program, face = _program(dae, inputs, outputs, leaving, start or {})
     texts = {**program.files, **face_sources(fmi_version)}
     identifier = re.sub(r"\W", "_", dae.name, flags=re.ASCII)
     identifier = identifier if identifier[0].isalpha() else f"m{identifier}"
     token = _token(fmi_version, texts, face)
-    texts["fmu_model.h"] = model_header(token, tolerance, fixed_step or 0.0, face)
     compiled = tuple(sorted(name for name in texts if name.endswith(".c"))) if sources else ()
-    told = Model(
+    told = ExportedModel(
         dae.name, identifier, token, metadata.version("inertance"), tolerance, step, stop, fixed_step or 0.0,
         compiled, face, rights,
     )  # fmt: skip
+    texts["fmu_model.h"] = model_header(told, fmi_version)
     files: dict[str, bytes] = {
         "modelDescription.xml": model_description(told, fmi_version),
         "documentation/index.html": page(told, fmi_version).encode(),
         "documentation/licenses/license.txt": licences(rights).encode(),
     }
     if published and fmi_version == "3.0":
-        files["terminalsAndIcons/terminalsAndIcons.xml"] = terminals_xml(
-            published, [s.name for s in face.scalars]
-        )
+        names = [s.name for s in face.scalars]
+        files["terminalsAndIcons/terminalsAndIcons.xml"] = terminals_xml(published, names)
     if sources:
         files |= {f"sources/{name}": text.encode() for name, text in texts.items()}
         if fmi_version == "3.0":
@@ -156,13 +155,7 @@ def _rights(**told: str) -> Rights:
 
 
 def _check(
-    fmi_version: str,
-    platforms: Sequence[str],
-    sources: bool,
-    stop: float,
-    step: float,
-    tolerance: float,
-    fixed_step: float | None,
+    fmi_version: str, platforms: Sequence[str], sources: bool, tolerance: float, lengths: Mapping[str, float]
 ) -> None:
     problems = []
     if fmi_version not in VERSIONS:
@@ -175,10 +168,11 @@ def _check(
     ]
     if not platforms and not sources:
         problems.append("an FMU needs sources or a platform to be compiled for")
-    lengths = {"stop": stop, "step": step, "fixed_step": 1.0 if fixed_step is None else fixed_step}
-    for name, value in lengths.items():
-        if not 0 < value < math.inf:
-            problems.append(f"{name} must be above 0 s, got {value}")
+    problems += [
+        f"{name} must be above 0 s, got {value}"
+        for name, value in lengths.items()
+        if not 0 < value < math.inf
+    ]
     if not 0 < tolerance < 1:
         problems.append(f"tolerance must lie between 0 and 1, got {tolerance}")
     if problems:
@@ -193,30 +187,23 @@ def _program(
     fixed: Mapping[str, float],
 ) -> tuple[CProgram, Interface]:
     """Return the C program of a network and the interface of an FMU around it."""
-    asked = set(inputs)
-    unknown = [name for name in asked if name not in dae.input_names]
+    asked, known = set(inputs), dae.input_names
+    unknown = [f"there is no input '{name}'{nearest(name, known)}" for name in asked if name not in known]
     if unknown:
-        raise ModelError(
-            "inputs of the FMU:", [f"there is no input '{n}'{nearest(n, dae.input_names)}" for n in unknown]
-        )
-    bound = {i.path: i.signal for i in dae.inputs if i.signal is not None and i.path not in asked}
-    free = [k for k, declared in enumerate(dae.inputs) if declared.path not in bound]
-    start = starting_point(dae, {dae.inputs[k].path: _resting(dae.inputs[k].signal) for k in free}, fixed)
+        raise ModelError("inputs of the FMU:", unknown)
+    free = [k for k, given in enumerate(dae.inputs) if given.signal is None or given.path in asked]
+    start = starting_point(dae, {dae.inputs[k].path: resting(dae.inputs[k]) for k in free}, fixed)
     states = state_names(dae, start.given)
     shown = list(dict.fromkeys([*chosen_outputs(dae, outputs, states), *more]))
-    known = {*states, *dae.switching.mode_names, *(dae.inputs[k].path for k in free)}
-    variables = [name for name in shown if name not in known]
+    named = {*states, *(f"der({name})" for name in states)}
+    others = {*named, *dae.switching.mode_names, *(dae.inputs[k].path for k in free)}
+    variables = [name for name in shown if name not in others]
     variables += locals_of(dae, [*states, *variables])
-    named = {*states, *variables, *(f"der({name})" for name in states)}
+    named.update(variables)
     variables += [aim.name for aim in start.aims if aim.name not in named]
     dae = corners_as_modes(dae)
     program = c_program(dae, inputs=dict.fromkeys(asked), variables=variables, start=start)
     return program, interface(dae, start, free, states, variables, shown)
-
-
-def _resting(signal: object) -> float:
-    """Return the value that a free input starts from."""
-    return float(signal) if isinstance(signal, int | float) else 0.0
 
 
 def _token(fmi_version: str, texts: Mapping[str, str], face: Interface) -> str:

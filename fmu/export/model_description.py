@@ -7,7 +7,7 @@ from collections.abc import Iterable
 from dataclasses import asdict, dataclass
 from xml.etree import ElementTree as ET
 
-from .units import QUANTITY, base_units, display_units
+from .units import base_units, display_units, quantity
 from .variables import Interface, Scalar
 
 CATEGORIES = {
@@ -15,6 +15,7 @@ CATEGORIES = {
     "logStatusDiscard": "computations that are not possible where the model stands",
 }
 PART = r"[A-Za-z_][A-Za-z0-9_]*(\[\d+\])?"
+# Names of ASCII letters, digits and underscores.
 STRUCTURED = re.compile(rf"{PART}(\.{PART})*|der\({PART}(\.{PART})*(,\d+)?\)")
 
 
@@ -29,7 +30,7 @@ class Rights:
 
 
 @dataclass(frozen=True)
-class Model:
+class ExportedModel:
     """What is told of an FMU besides its variables.
 
     Attributes:
@@ -53,9 +54,30 @@ class Model:
     rights: Rights
 
 
-def model_description(model: Model, fmi_version: str) -> bytes:
+def model_description(model: ExportedModel, fmi_version: str) -> bytes:
     """Return modelDescription.xml."""
-    return text(_fmi2(model) if fmi_version == "2.0" else _fmi3(model))
+    scalars, two = model.interface.scalars, fmi_version == "2.0"
+    token = {"guid" if two else "instantiationToken": model.token}
+    root = ET.Element("fmiModelDescription", {"fmiVersion": fmi_version} | token | _told(model))
+    if two:
+        root.set("numberOfEventIndicators", str(len(model.interface.indicators)))
+    (_kinds2 if two else _kinds3)(root, model)
+    _units(root, scalars)
+    types = ET.SubElement(root, "TypeDefinitions")
+    for name, used in _types(scalars).items():
+        if two:
+            kind = ET.SubElement(types, "SimpleType", name=name)
+            _typed(kind, "Enumeration" if used.choices else "Real", used)
+        else:
+            _typed(types, "EnumerationType" if used.choices else "Float64Type", used).set("name", name)
+    listed = ET.SubElement(root, "LogCategories")
+    for name, told in CATEGORIES.items():
+        ET.SubElement(listed, "Category", name=name, description=told)
+    numbers = {"startTime": 0.0, "stopTime": model.stop, "tolerance": model.tolerance, "stepSize": model.step}
+    ET.SubElement(root, "DefaultExperiment", {name: repr(value) for name, value in numbers.items()})
+    _variables(root, model.interface, two)
+    (_structure2 if two else _structure3)(ET.SubElement(root, "ModelStructure"), model.interface)
+    return text(root)
 
 
 def text(root: ET.Element) -> bytes:
@@ -65,94 +87,40 @@ def text(root: ET.Element) -> bytes:
     return written + b"\n"
 
 
-def _fmi2(model: Model) -> ET.Element:
-    face = model.interface
-    root = ET.Element("fmiModelDescription", {"fmiVersion": "2.0", "guid": model.token} | _told(model))
-    root.set("numberOfEventIndicators", str(len(face.indicators)))
-    common = {
-        "modelIdentifier": model.identifier,
-        "canGetAndSetFMUstate": "true",
-        "canSerializeFMUstate": "true",
-        "providesDirectionalDerivative": "true",
-    }
-    exchange = ET.SubElement(root, "ModelExchange", common)
-    steps = ET.SubElement(
-        root,
-        "CoSimulation",
-        common,
-        canHandleVariableCommunicationStepSize="true",
-        canInterpolateInputs="true",
-    )
+def _kinds2(root: ET.Element, model: ExportedModel) -> None:
+    able = ("canGetAndSetFMUstate", "canSerializeFMUstate", "providesDirectionalDerivative")
+    exchange = _kind(root, "ModelExchange", model, *able)
+    stepping = ("canHandleVariableCommunicationStepSize", "canInterpolateInputs")
+    steps = _kind(root, "CoSimulation", model, *able, *stepping)
     for kind in (exchange, steps) if model.sources else ():
         listed = ET.SubElement(kind, "SourceFiles")
         for name in model.sources:
             ET.SubElement(listed, "File", name=name)
-    _units(root, face.scalars)
-    types = ET.SubElement(root, "TypeDefinitions")
-    for name, used in _types(face.scalars).items():
-        kind = ET.SubElement(types, "SimpleType", name=name)
-        _typed(kind, "Enumeration" if used.choices else "Real", used)
-    _categories(root)
-    _experiment(root, model)
-    variables = ET.SubElement(root, "ModelVariables")
-    for scalar in face.scalars:
-        attributes, facts = _attributes(scalar), _facts(scalar, face)
-        declared = ET.SubElement(variables, "ScalarVariable", attributes)
-        if scalar.derivative_of is not None:
-            facts["derivative"] = str(scalar.derivative_of + 1)
-        ET.SubElement(declared, "Enumeration" if scalar.choices else "Real", facts)
-    _structure2(root, face)
-    return root
 
 
-def _fmi3(model: Model) -> ET.Element:
-    face = model.interface
-    root = ET.Element(
-        "fmiModelDescription", {"fmiVersion": "3.0", "instantiationToken": model.token} | _told(model)
-    )
-    common = {
-        "modelIdentifier": model.identifier,
-        "canGetAndSetFMUState": "true",
-        "canSerializeFMUState": "true",
-        "providesDirectionalDerivatives": "true",
-        "providesAdjointDerivatives": "true",
-    }
-    ET.SubElement(root, "ModelExchange", common, needsCompletedIntegratorStep="true")
-    steps = ET.SubElement(
-        root, "CoSimulation", common, canHandleVariableCommunicationStepSize="true", hasEventMode="true",
-        mightReturnEarlyFromDoStep="true",
-    )  # fmt: skip
+def _kinds3(root: ET.Element, model: ExportedModel) -> None:
+    able = ["canGetAndSetFMUState", "canSerializeFMUState"]
+    able += ["providesDirectionalDerivatives", "providesAdjointDerivatives"]
+    _kind(root, "ModelExchange", model, *able, "needsCompletedIntegratorStep")
+    stepping = ("canHandleVariableCommunicationStepSize", "hasEventMode", "mightReturnEarlyFromDoStep")
+    steps = _kind(root, "CoSimulation", model, *able, *stepping)
     if model.fixed_step:
         steps.set("fixedInternalStepSize", repr(model.fixed_step))
-    _units(root, face.scalars)
-    types = ET.SubElement(root, "TypeDefinitions")
-    for name, used in _types(face.scalars).items():
-        _typed(types, "EnumerationType" if used.choices else "Float64Type", used).set("name", name)
-    _categories(root)
-    _experiment(root, model)
-    variables = ET.SubElement(root, "ModelVariables")
-    for scalar in face.scalars:
-        attributes = _attributes(scalar) | _facts(scalar, face)
-        if scalar.derivative_of is not None:
-            attributes["derivative"] = str(scalar.derivative_of)
-        ET.SubElement(variables, "Enumeration" if scalar.choices else "Float64", attributes)
-    _structure3(root, face)
-    return root
 
 
-def _told(model: Model) -> dict[str, str]:
+def _kind(root: ET.Element, name: str, model: ExportedModel, *able: str) -> ET.Element:
+    return ET.SubElement(root, name, {"modelIdentifier": model.identifier} | dict.fromkeys(able, "true"))
+
+
+def _told(model: ExportedModel) -> dict[str, str]:
+    structured = all(STRUCTURED.fullmatch(scalar.name) for scalar in model.interface.scalars)
     return {
         "modelName": model.name,
         "description": f"{model.name}: a network of 1-D mechanics",
         **{name: told for name, told in asdict(model.rights).items() if told},
         "generationTool": f"inertance {model.version}",
-        "variableNamingConvention": _convention(model.interface.scalars),
+        "variableNamingConvention": "structured" if structured else "flat",
     }
-
-
-def _convention(scalars: Iterable[Scalar]) -> str:
-    """Return "structured" if all names are of ASCII letters, digits and underscores, else "flat"."""
-    return "structured" if all(STRUCTURED.fullmatch(scalar.name) for scalar in scalars) else "flat"
 
 
 def _units(root: ET.Element, scalars: Iterable[Scalar]) -> None:
@@ -169,105 +137,95 @@ def _type_name(scalar: Scalar) -> str:
     """Return the type of a variable: its quantity, or the choice it is; empty if it has none."""
     if scalar.choices:
         return "Mode: " + " | ".join(scalar.choices)
-    return QUANTITY.get(scalar.unit, "")
+    return quantity(scalar.unit)
 
 
 def _types(scalars: Iterable[Scalar]) -> dict[str, Scalar]:
     found: dict[str, Scalar] = {}
     for scalar in scalars:
-        name = _type_name(scalar)
-        if name:
-            found.setdefault(name, scalar)
-    return found
+        found.setdefault(_type_name(scalar), scalar)
+    return {name: scalar for name, scalar in found.items() if name}
 
 
 def _typed(parent: ET.Element, tag: str, scalar: Scalar) -> ET.Element:
     if not scalar.choices:
-        return ET.SubElement(parent, tag, quantity=QUANTITY[scalar.unit], unit=scalar.unit)
+        return ET.SubElement(parent, tag, quantity=quantity(scalar.unit), unit=scalar.unit)
     listed = ET.SubElement(parent, tag)
     for value, name in enumerate(scalar.choices):
         ET.SubElement(listed, "Item", name=name, value=str(value))
     return listed
 
 
-def _categories(root: ET.Element) -> None:
-    listed = ET.SubElement(root, "LogCategories")
-    for name, told in CATEGORIES.items():
-        ET.SubElement(listed, "Category", name=name, description=told)
-
-
-def _experiment(root: ET.Element, model: Model) -> None:
-    numbers = {"startTime": 0.0, "stopTime": model.stop, "tolerance": model.tolerance, "stepSize": model.step}
-    ET.SubElement(root, "DefaultExperiment", {k: repr(v) for k, v in numbers.items()})
+def _variables(root: ET.Element, face: Interface, two: bool) -> None:
+    variables = ET.SubElement(root, "ModelVariables")
+    for scalar in face.scalars:
+        attributes, facts = _attributes(scalar), _facts(scalar, face)
+        if scalar.derivative_of is not None:
+            facts["derivative"] = str(scalar.derivative_of + 1 if two else scalar.derivative_of)
+        if two:
+            declared = ET.SubElement(variables, "ScalarVariable", attributes)
+            ET.SubElement(declared, "Enumeration" if scalar.choices else "Real", facts)
+        else:
+            ET.SubElement(variables, "Enumeration" if scalar.choices else "Float64", attributes | facts)
 
 
 def _attributes(scalar: Scalar) -> dict[str, str]:
-    attributes = {"name": scalar.name, "valueReference": str(scalar.reference)}
-    if scalar.doc:
-        attributes["description"] = scalar.doc
-    attributes |= {"causality": scalar.causality, "variability": scalar.variability}
-    if scalar.initial:
-        attributes["initial"] = scalar.initial
-    return attributes
+    told = {
+        "name": scalar.name,
+        "valueReference": str(scalar.reference),
+        "description": scalar.doc,
+        "causality": scalar.causality,
+        "variability": scalar.variability,
+        "initial": scalar.initial,
+    }
+    return {name: value for name, value in told.items() if value}
 
 
 def _facts(scalar: Scalar, face: Interface) -> dict[str, str]:
-    facts = {}
-    if _type_name(scalar):
-        facts["declaredType"] = _type_name(scalar)
-    if scalar.unit:
-        facts["unit"] = scalar.unit
     numbers = {"start": scalar.start, "nominal": scalar.nominal, "min": scalar.least, "max": scalar.most}
-    facts |= {name: repr(float(value)) for name, value in numbers.items() if value is not None}
+    told = {"declaredType": _type_name(scalar), "unit": scalar.unit}
+    told |= {name: repr(float(value)) for name, value in numbers.items() if value is not None}
     if face.jumps and scalar.reference in face.states:
-        facts["reinit"] = "true"
-    return facts
+        told["reinit"] = "true"
+    return {name: value for name, value in told.items() if value}
 
 
-def _structure2(root: ET.Element, face: Interface) -> None:
-    structure = ET.SubElement(root, "ModelStructure")
-    groups = {
-        "Outputs": [s.reference for s in face.outputs],
-        "Derivatives": list(face.rates),
-        "InitialUnknowns": face.initial_unknowns,
+Unknown = tuple[int, dict[int, str] | None]
+
+
+def _unknowns(face: Interface) -> dict[str, list[Unknown]]:
+    """Return references of what is computed, each with what it depends on; None: on anything."""
+    running: dict[int, dict[int, str]] = {k: {k: "constant"} for k in face.states}
+    running |= face.dependencies.running
+    starting = face.dependencies.starting
+    return {
+        "Output": [(s.reference, running.get(s.reference)) for s in face.outputs],
+        "ContinuousStateDerivative": [(k, running.get(k)) for k in face.rates],
+        "InitialUnknown": [
+            (k, dict.fromkeys(starting[k], "dependent") if k in starting else None)
+            for k in face.initial_unknowns
+        ],
+        "EventIndicator": [(k, None) for k in face.indicators],
     }
-    for group, references in groups.items():
-        if not references:
-            continue
-        listed = ET.SubElement(structure, group)
-        for reference in references:
-            known = _starting(face, reference) if group == "InitialUnknowns" else _running(face, reference)
-            told = {} if known is None else _listed({k + 1: kind for k, kind in known.items()})
-            ET.SubElement(listed, "Unknown", {"index": str(reference + 1)} | told)
 
 
-def _structure3(root: ET.Element, face: Interface) -> None:
-    structure = ET.SubElement(root, "ModelStructure")
-    groups = {
-        "Output": [s.reference for s in face.outputs],
-        "ContinuousStateDerivative": list(face.rates),
-        "InitialUnknown": face.initial_unknowns,
-        "EventIndicator": list(face.indicators),
-    }
-    for group, references in groups.items():
-        for reference in references:
-            known = _starting(face, reference) if group == "InitialUnknown" else _running(face, reference)
-            told = {} if known is None else _listed(known)
-            ET.SubElement(structure, group, {"valueReference": str(reference)} | told)
+def _structure2(structure: ET.Element, face: Interface) -> None:
+    groups = ("Outputs", "Derivatives", "InitialUnknowns")  # FMI 2 knows no event indicators here
+    for group, unknowns in zip(groups, _unknowns(face).values(), strict=False):
+        if unknowns:
+            listed = ET.SubElement(structure, group)
+            for reference, known in unknowns:
+                told = None if known is None else {k + 1: way for k, way in known.items()}
+                ET.SubElement(listed, "Unknown", {"index": str(reference + 1)} | _dependencies(told))
 
 
-def _running(face: Interface, reference: int) -> dict[int, str] | None:
-    """Return what an unknown depends on; None for a mode or an indicator: on anything."""
-    if reference in face.states:
-        return {reference: "constant"}
-    return face.dependencies.running.get(reference)
+def _structure3(structure: ET.Element, face: Interface) -> None:
+    for kind, unknowns in _unknowns(face).items():
+        for reference, known in unknowns:
+            ET.SubElement(structure, kind, {"valueReference": str(reference)} | _dependencies(known))
 
 
-def _starting(face: Interface, reference: int) -> dict[int, str] | None:
-    known = face.dependencies.starting.get(reference)
-    return None if known is None else dict.fromkeys(known, "dependent")
-
-
-def _listed(known: dict[int, str]) -> dict[str, str]:
-    references = " ".join(map(str, known))
-    return {"dependencies": references, "dependenciesKind": " ".join(known.values())}
+def _dependencies(known: dict[int, str] | None) -> dict[str, str]:
+    if known is None:
+        return {}
+    return {"dependencies": " ".join(map(str, known)), "dependenciesKind": " ".join(known.values())}

@@ -70,8 +70,6 @@ def locals_of(dae: DAE, shown: Iterable[str]) -> list[str]:
     names = dae.declared
     seen = {dae.root(name)[0] for name in shown if name not in dae.switching.mode_names}
     seen |= {declared.variable for declared in dae.inputs}
-    found = []
-    for root, number in names.best.items():
-        if root not in seen and names.facts[number].rank >= 2:
-            found.append(names.full_name(number))
+    best = [number for root, number in names.best.items() if root not in seen]
+    found = (names.full_name(number) for number in best if names.facts[number].rank >= 2)
     return [name for name in found if not name.startswith("der(")]

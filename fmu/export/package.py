@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
-import platform as machine
-import sys
 import zipfile
 from collections.abc import Mapping, Sequence
 from pathlib import Path
 from xml.etree import ElementTree as ET
 
 from ...base import writing
+from ..foreign.archive import library_name, platform_folder
 from .model_description import text
 
 FMI_2_FOLDERS = {"x86_64-linux": "linux64", "x86_64-windows": "win64", "x86_64-darwin": "darwin64"}
@@ -17,18 +16,12 @@ ENDINGS = {"linux": ".so", "windows": ".dll", "darwin": ".dylib"}
 _EPOCH = (1980, 1, 1, 0, 0, 0)
 
 
-def native() -> str:
-    """Return the platform this runs on, in the words of FMI 3."""
-    system = {"win32": "windows", "darwin": "darwin"}.get(sys.platform, "linux")
-    processor = machine.machine().lower()
-    return f"{ {'amd64': 'x86_64', 'arm64': 'aarch64'}.get(processor, processor) }-{system}"
-
-
 def library_path(identifier: str, fmi_version: str, platform: str) -> str:
     """Return where a platform's library lies in the FMU."""
-    name = native() if platform == "native" else platform
-    folder = FMI_2_FOLDERS.get(name, name) if fmi_version == "2.0" else name
-    return f"binaries/{folder}/{identifier}{ENDINGS[name.rpartition('-')[2]]}"
+    if platform == "native":
+        return f"binaries/{platform_folder(fmi_version)}/{library_name(identifier)}"
+    folder = FMI_2_FOLDERS.get(platform, platform) if fmi_version == "2.0" else platform
+    return f"binaries/{folder}/{identifier}{ENDINGS[platform.rpartition('-')[2]]}"
 
 
 def build_description(identifier: str, sources: Sequence[str]) -> bytes:

@@ -2,15 +2,16 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from pathlib import Path
 
-from .variables import Interface
+from .model_description import ExportedModel
 
 CSOURCE = Path(__file__).with_name("csource")
-COMMON = ("fmi_common.h", "fmi_common.c", "fmi_numbers.c", "derivatives.c", "saved.c")
+COMMON = ("fmi_common.h", "fmi_common.c", "fmi_numbers.c", "model_exchange.c", "derivatives.c", "saved.c")
 OWN = {
-    "2.0": (*COMMON, "fmi2_face.h", "fmi2.c", "fmi2_run.c"),
-    "3.0": (*COMMON, "fmi3_face.h", "fmi3.c", "fmi3_run.c", "fmi3_absent.c"),
+    "2.0": (*COMMON, "fmi2_face.h", "fmi2.c"),
+    "3.0": (*COMMON, "fmi3_face.h", "fmi3.c", "fmi3_absent.c"),
 }
 HEADERS = {
     "2.0": ("fmi2Functions.h", "fmi2FunctionTypes.h", "fmi2TypesPlatform.h"),
@@ -22,28 +23,30 @@ def face_sources(fmi_version: str) -> dict[str, str]:
     """Return the FMI functions and the header files of the standard, by name."""
     import fmpy
 
-    texts = {name: (CSOURCE / name).read_text(encoding="utf-8") for name in OWN[fmi_version]}
     standard = Path(fmpy.__file__).parent / "c-code"
-    return texts | {name: (standard / name).read_text(encoding="utf-8") for name in HEADERS[fmi_version]}
+    paths = [CSOURCE / name for name in OWN[fmi_version]]
+    paths += [standard / name for name in HEADERS[fmi_version]]
+    return {path.name: path.read_text(encoding="utf-8") for path in paths}
 
 
-def model_header(token: str, tolerance: float, fixed_step: float, face: Interface) -> str:
-    """Return fmu_model.h: what the FMI functions know of the model."""
-    inputs = [s.start for s in face.scalars if s.causality == "input"]
-    lines = [
-        "#ifndef FMU_MODEL_H",
-        "#define FMU_MODEL_H",
-        "",
-        f'#define FMU_TOKEN "{token}"',
-        f"#define FMU_TOLERANCE {tolerance!r}",
-        f"#define FMU_FIXED_STEP {fixed_step!r}",
-        f"#define FMU_AIMS {{{', '.join(map(str, face.aims)) or '0'}}}",
-        f"#define FMU_INPUTS {_numbers(inputs)}",
-        "",
-        "#endif",
-    ]
-    return "\n".join([*lines, ""])
+def model_header(model: ExportedModel, fmi_version: str) -> str:
+    """Return fmu_model.h: what the FMI functions know of the model, and of which standard they are."""
+    inputs = [float(s.start or 0.0) for s in model.interface.scalars if s.causality == "input"]
+    return f"""\
+#ifndef FMU_MODEL_H
+#define FMU_MODEL_H
+
+#include "fmi{fmi_version[0]}_face.h"
+
+#define FMU_TOKEN "{model.token}"
+#define FMU_TOLERANCE {model.tolerance!r}
+#define FMU_FIXED_STEP {model.fixed_step!r}
+#define FMU_AIMS {_initializer(model.interface.aims)}
+#define FMU_INPUTS {_initializer(inputs)}
+
+#endif
+"""
 
 
-def _numbers(values: list[float | None]) -> str:
-    return f"{{{', '.join(repr(float(v or 0.0)) for v in values) or '0'}}}"
+def _initializer(values: Iterable[float]) -> str:
+    return f"{{{', '.join(map(repr, values)) or '0'}}}"

@@ -70,11 +70,11 @@ def publish(network: Network, flanges: Mapping[str, str]) -> tuple[Network, list
             problems.append(f"terminal '{path}' must be one of {', '.join(CAUSALITIES)}, got {causality!r}")
             continue
         name = path.replace(".", "_")
-        part, inner = _joined(domain, causality)
+        part, inner, members = _part(domain, causality)
         edited.add(**{name: part})
         edited.connect(port, *inner)
-        members = {member: f"{name}.{where}" for member, where in _members(domain, causality).items()}
-        terminals.append(Terminal(path, causality, domain, members))
+        named = {member: f"{name}.{where}" for member, where in members.items()}
+        terminals.append(Terminal(path, causality, domain, named))
     if problems:
         raise ModelError(f"'{network.name}': these flanges cannot be published:", problems)
     return edited, terminals
@@ -96,26 +96,19 @@ def _flange(network: Network, path: str) -> tuple[PortRef, Domain]:
     return PortRef(owner, last), flanges[last].domain
 
 
-def _joined(domain: Domain, causality: str) -> tuple[Network, list[PortRef]]:
-    """Return the sources and sensors that publish a flange, and the ports by which they are joined to it."""
-    family = FAMILIES[domain]
+def _part(domain: Domain, causality: str) -> tuple[Network, list[PortRef], dict[str, str]]:
+    """Return the sources and sensors that publish a flange, their ports to join to it, and its members."""
+    family, across, through = FAMILIES[domain], domain.across, domain.through
     if causality == "motion-in":
         part = Network("terminal", sensor=family.ForceSensor(), motion=family.Position())
         part.connect(part.sensor.flange_b, part.motion.flange)
-        return part, [part.sensor.flange_a]
+        return part, [part.sensor.flange_a], {through: f"sensor.{through}", across: f"motion.{across}_ref"}
     parts = {"force": family.Force()} if causality == "force-in" else {}
     parts["position"], parts["speed"] = family.PositionSensor(), family.SpeedSensor()
     parts["acceleration"] = family.AccelerationSensor()
-    return Network("terminal", **parts), [PortRef(one, "flange") for one in parts.values()]
-
-
-def _members(domain: Domain, causality: str) -> dict[str, str]:
-    """Return the members of a published flange, by what stands for them in its part."""
-    across, speed, through = domain.across, domain.speed, domain.through
-    if causality == "motion-in":
-        return {through: f"sensor.{through}", across: f"motion.{across}_ref"}
-    force = {through: f"force.{through}"} if causality == "force-in" else {}
-    return {**force, across: f"position.{across}", speed: f"speed.{speed}", "a": "acceleration.a"}
+    members = {through: f"force.{through}"} if causality == "force-in" else {}
+    members |= {across: f"position.{across}", domain.speed: f"speed.{domain.speed}", "a": "acceleration.a"}
+    return Network("terminal", **parts), [PortRef(one, "flange") for one in parts.values()], members
 
 
 def terminals_xml(terminals: Iterable[Terminal], names: Iterable[str]) -> bytes:
@@ -125,13 +118,11 @@ def terminals_xml(terminals: Iterable[Terminal], names: Iterable[str]) -> bytes:
     listed = ET.SubElement(root, "Terminals")
     for terminal in terminals:
         kind = f"{terminal.domain} flange, {terminal.causality}"
-        entry = ET.SubElement(
-            listed, "Terminal", name=terminal.flange, matchingRule="plug", terminalKind=kind
-        )
+        told = {"name": terminal.flange, "matchingRule": "plug", "terminalKind": kind}
+        entry = ET.SubElement(listed, "Terminal", told)
         for member, name in members(terminal, known).items():
-            ET.SubElement(
-                entry, "TerminalMemberVariable", variableName=name, memberName=member, variableKind="signal"
-            )
+            told = {"variableName": name, "memberName": member, "variableKind": "signal"}
+            ET.SubElement(entry, "TerminalMemberVariable", told)
     return text(root)
 
 

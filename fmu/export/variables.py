@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field, replace
+from itertools import accumulate
 
 from ...base import rate_unit
 from ...networks import DAE, Input, Start, is_corner
@@ -55,10 +56,6 @@ class Interface:
         moving = {*self.states, *self.rates, *(s.reference for s in self.outputs)}
         return sorted(s.reference for s in self.scalars if s.initial != "exact" and s.reference in moving)
 
-    def scalar(self, name: str) -> Scalar:
-        """Return a variable by name."""
-        return next(s for s in self.scalars if s.name == name)
-
 
 def interface(
     dae: DAE,
@@ -68,42 +65,30 @@ def interface(
     variables: Sequence[str],
     outputs: Iterable[str],
 ) -> Interface:
-    """Gather the variables of an FMU.
-
-    Args:
-        dae: the equations.
-        start: where it starts from.
-        free: which of `dae.inputs` are inputs of the FMU.
-        names: names of the states.
-        variables: what is published besides states and modes.
-        outputs: what of all this is an output.
-    """
-    count, parameters = len(names), dae.p.numel()
-    first = _firsts(count, count, len(free), parameters, len(variables), dae.modes.numel())
-    shown = frozenset(outputs)
+    """Gather the variables of an FMU: states by `names`, the inputs `free` among those of the network."""
+    modes, changes, shown = dae.switching.mode_names, dae.switching.changes, frozenset(outputs)
+    values = dae.parameter_values
+    counts = (len(names), len(names), len(free), len(values), len(variables), len(modes), len(changes))
+    first = list(accumulate(counts, initial=1))  # value reference of each kind; time has 0
     scalars = [Scalar("time", 0, "independent", initial=None, unit="s", doc="simulation time")]
-    scalars += [_state(dae, name, first[0] + k, start, k, shown) for k, name in enumerate(names)]
+    scalars += [_state(dae, name, first[0] + k, start, k) for k, name in enumerate(names)]
     scalars += [_rate(dae, name, first[1] + k, first[0] + k) for k, name in enumerate(names)]
     scalars += [_input(dae, dae.inputs[place], first[2] + k) for k, place in enumerate(free)]
-    scalars += [
-        _parameter(dae, name, value, first[3] + k)
-        for k, (name, value) in enumerate(dae.parameter_values.items())
+    scalars += [_parameter(dae, name, value, first[3] + k) for k, (name, value) in enumerate(values.items())]
+    scalars += [_other(dae, name, first[4] + k) for k, name in enumerate(variables)]
+    scalars += [_mode(dae, k, first[5] + k) for k, name in enumerate(modes) if not is_corner(name)]
+    scalars += [_indicator(dae, k, first[6] + k) for k in range(len(changes))]
+    scalars = [
+        replace(s, causality="output") if s.name in shown and s.causality == "local" else s for s in scalars
     ]
-    scalars += [_other(dae, name, first[4] + k, shown) for k, name in enumerate(variables)]
-    scalars += [
-        _mode(dae, k, first[5] + k, shown)
-        for k, name in enumerate(dae.switching.mode_names)
-        if not is_corner(name)
-    ]
-    scalars += [_indicator(dae, k, first[6] + k) for k in range(len(dae.switching.changes))]
     aims = _aimed(scalars, start)
     return Interface(
         scalars,
         range(first[0], first[1]),
         range(first[1], first[2]),
-        range(first[6], first[6] + len(dae.switching.changes)),
+        range(first[6], first[7]),
         aims,
-        any(c.resets or c.impulse is not None for c in dae.switching.changes),
+        any(c.resets or c.impulse is not None for c in changes),
         dependencies(dae, start, free, variables, first, aims),
     )
 
@@ -117,24 +102,12 @@ def _aimed(scalars: list[Scalar], start: Start) -> list[int]:
     return [scalars[place[aim.name]].reference for aim in start.aims]
 
 
-def _firsts(*counts: int) -> list[int]:
-    """Return the first value reference of each kind; time has 0."""
-    firsts = [1]
-    for count in counts:
-        firsts.append(firsts[-1] + count)
-    return firsts
-
-
-def _causality(name: str, shown: frozenset[str]) -> str:
-    return "output" if name in shown else "local"
-
-
-def _state(dae: DAE, name: str, reference: int, start: Start, k: int, shown: frozenset[str]) -> Scalar:
+def _state(dae: DAE, name: str, reference: int, start: Start, k: int) -> Scalar:
     initial = "calculated" if k in start.led else "approx" if k in start.free else "exact"
     value = None if k in start.led else float(start.x[k])
     return Scalar(
-        name, reference, _causality(name, shown), "continuous", initial, value, dae.unit(name),
-        described(dae, name), nominal=float(start.nominal[k]),
+        name, reference, initial=initial, start=value, unit=dae.unit(name), doc=_described(dae, name),
+        nominal=float(start.nominal[k]),
     )  # fmt: skip
 
 
@@ -144,13 +117,18 @@ def _rate(dae: DAE, name: str, reference: int, state: int) -> Scalar:
 
 
 def _input(dae: DAE, declared: Input, reference: int) -> Scalar:
-    name, unit, told = declared.path, declared.unit, described(dae, declared.path)
+    name, unit, told = declared.path, declared.unit, _described(dae, declared.path)
     if declared.order:
         order = "" if declared.order == 1 else f",{declared.order}"
         name, told = f"der({name}{order})", f"time derivative {declared.order} of {name}"
         unit = rate_unit(unit, declared.order)
-    number = declared.signal if isinstance(declared.signal, int | float) and not declared.order else 0.0
-    return Scalar(name, reference, "input", initial=None, start=float(number), unit=unit, doc=told)
+    number = 0.0 if declared.order else resting(declared)
+    return Scalar(name, reference, "input", initial=None, start=number, unit=unit, doc=told)
+
+
+def resting(declared: Input) -> float:
+    """Return the value that a free input starts from."""
+    return float(declared.signal) if isinstance(declared.signal, int | float) else 0.0
 
 
 def _parameter(dae: DAE, name: str, value: float, reference: int) -> Scalar:
@@ -161,13 +139,13 @@ def _parameter(dae: DAE, name: str, value: float, reference: int) -> Scalar:
     )  # fmt: skip
 
 
-def _other(dae: DAE, name: str, reference: int, shown: frozenset[str]) -> Scalar:
-    return Scalar(name, reference, _causality(name, shown), unit=dae.unit(name), doc=described(dae, name))
+def _other(dae: DAE, name: str, reference: int) -> Scalar:
+    return Scalar(name, reference, unit=dae.unit(name), doc=_described(dae, name))
 
 
-def _mode(dae: DAE, k: int, reference: int, shown: frozenset[str]) -> Scalar:
+def _mode(dae: DAE, k: int, reference: int) -> Scalar:
     name, choices = dae.switching.mode_names[k], dae.switching.mode_values[k]
-    return Scalar(name, reference, _causality(name, shown), "discrete", doc="mode", choices=choices)
+    return Scalar(name, reference, variability="discrete", doc="mode", choices=choices)
 
 
 def _indicator(dae: DAE, k: int, reference: int) -> Scalar:
@@ -177,7 +155,7 @@ def _indicator(dae: DAE, k: int, reference: int) -> Scalar:
     return Scalar(f"indicator[{k + 1}]", reference, doc=told)
 
 
-def described(dae: DAE, path: str) -> str:
+def _described(dae: DAE, path: str) -> str:
     """Return what the declaration of a variable says of it."""
     inner = path.removeprefix("der(").removesuffix(")")
     told = dae.declared.facts[dae.flat.variable(inner)].doc

@@ -13,7 +13,7 @@ pytestmark = pytest.mark.skipif(
 
 
 def test_sticking_and_slipping(example: Any, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(check_states, "MANY", 5)
+    monkeypatch.setattr(check_states, "INSTANCES", 5)
     report = example.check("stick_slip", versions=["3.0"])
     assert report.passed, str(report)
     assert "rtol 1e-06" in report.of("FMI 3.0 CS", "outputs").told
@@ -26,7 +26,7 @@ def test_sticking_and_slipping(example: Any, monkeypatch: pytest.MonkeyPatch) ->
 
 
 def test_the_end_of_bouncing_is_found(example: Any, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(check_states, "MANY", 5)
+    monkeypatch.setattr(check_states, "INSTANCES", 5)
     report = example.check("bouncing_ball", versions=["2.0"])
     assert report.passed, str(report)
     assert "of 37 events" in report.of("FMI 2.0 ME", "events").told

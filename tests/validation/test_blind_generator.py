@@ -40,9 +40,9 @@ def blind() -> Any:
         sys.path.remove(str(BLIND))
 
 
-def built(name: str) -> Network:
+def built(blind: Any, name: str) -> Network:
     space: dict[str, Any] = {}
-    exec((BLIND / "models" / f"{name}.py").read_text(), space)
+    exec(blind.case.nominal_model(name).read_text(), space)
     network: Network = space["build"]()
     return network
 
@@ -70,18 +70,18 @@ def apart(blind: Any, rig: Any, network: Network, effects: list[Any], seconds: f
 @pytest.mark.parametrize("name", ["pfi", "disk", "car", "frame", "drive"])
 def test_truth_and_nominal_agree_where_nothing_is_missing(blind: Any, name: str) -> None:
     rig = blind.rigs.RIGS[name]
-    assert max(apart(blind, rig, built(name), [], seconds=2.0)) < 1e-4
+    assert max(apart(blind, rig, built(blind, name), [], seconds=2.0)) < 1e-4
 
 
 def test_the_nominal_parameters_are_those_of_the_models(blind: Any) -> None:
     for name, rig in blind.rigs.RIGS.items():
-        values = built(name).dae().parameter_values
+        values = built(blind, name).dae().parameter_values
         assert {path: values[path] for path in rig.parameters} == rig.parameters
-        assert all(built(name).dae().unit(path) == unit for path, unit in rig.channels.values())
+        assert all(built(blind, name).dae().unit(path) == unit for path, unit in rig.channels.values())
 
 
 def test_set_valued_friction_agrees_with_friction_that_sticks_by_events(blind: Any) -> None:
-    rig, network = blind.rigs.RIGS["disk"], built("disk")
+    rig, network = blind.rigs.RIGS["disk"], built(blind, "disk")
     network.add(rub=CoulombFriction(f_c=0.3 * rig.scale))
     network.connect(network.frame.flange, network.rub.flange_a)
     network.connect(network.carriage.flange, network.rub.flange_b)

@@ -20,64 +20,38 @@ static double *unknown(Instance *c, uint32_t ref) {
     return NULL;
 }
 
-static void clear_seeds(Instance *c) {
+typedef double *(*Place)(Instance *c, uint32_t ref);
+
+/* What is sought follows from what is given in ways that are not told by these derivatives. */
+static int undefined(Instance *c) {
+    if (c->now.phase != INITIALIZATION || NLEAD + NFREE == 0) return !face_ready(c);
+    face_refuse(c, "start values are sought here, and no derivatives of that are given");
+    return 1;
+}
+
+Status face_sensitivities(Instance *c, int adjoint, const uint32_t from[], size_t n, const double seed[],
+                          const uint32_t to[], size_t m, double sensitivity[]) {
+    Place given = adjoint ? unknown : known, sought = adjoint ? known : unknown;
+    if (face_missing(c, n, from, seed) || face_missing(c, m, to, sensitivity) || undefined(c))
+        return FMI(Error);
     memset(c->x, 0, sizeof c->x);
     memset(c->u, 0, sizeof c->u);
     memset(c->p, 0, sizeof c->p);
     memset(c->rates, 0, sizeof c->rates);
     memset(c->w, 0, sizeof c->w);
-}
-
-/* What is sought follows from what is given in ways that are not told by these derivatives. */
-static int sought(Instance *c, const char *function) {
-    if (c->now.phase != INITIALIZATION || NLEAD + NFREE == 0) return face_ready(c, function) != FACE_OK;
-    face_refuse(c, function, "start values are sought here, and no derivatives of that are given");
-    return 1;
-}
-
-typedef double *(*Place)(Instance *c, uint32_t ref);
-
-static FaceStatus put(Instance *c, const char *function, Place place, const uint32_t refs[], size_t n,
-                      const double values[]) {
     for (size_t i = 0; i < n; i++) {
-        double *where = place(c, refs[i]);
-        if (!where) return face_bad_reference(c, function, refs[i]);
-        if (!isfinite(values[i])) return face_refuse(c, function, "a seed is not a finite number");
-        *where += values[i];
+        double *place = given(c, from[i]);
+        if (!place) return face_bad_reference(c, from[i]);
+        if (!isfinite(seed[i])) return face_refuse(c, "a seed is not a finite number");
+        *place += seed[i];
     }
-    return FACE_OK;
-}
-
-static FaceStatus take(Instance *c, const char *function, Place place, const uint32_t refs[], size_t n,
-                       double values[]) {
-    for (size_t i = 0; i < n; i++) {
-        const double *where = place(c, refs[i]);
-        if (!where) return face_bad_reference(c, function, refs[i]);
-        values[i] = *where;
+    CoreStatus status = adjoint ? core_adjoint(&c->now.core, c->rates, c->w, c->x, c->u, c->p)
+                                : core_forward(&c->now.core, c->x, c->u, c->p, c->rates, c->w);
+    if (status != CORE_OK) return face_outcome(c, CORE_DISCARD);
+    for (size_t i = 0; i < m; i++) {
+        const double *place = sought(c, to[i]);
+        if (!place) return face_bad_reference(c, to[i]);
+        sensitivity[i] = *place;
     }
-    return FACE_OK;
-}
-
-FaceStatus face_forward(Instance *c, const char *function, const uint32_t unknowns[], size_t nu,
-                        const uint32_t knowns[], size_t nk, const double seed[], double sensitivity[]) {
-    if (face_missing(nu, unknowns, sensitivity) || face_missing(nk, knowns, seed))
-        return face_refuse(c, function, "an array is missing");
-    if (sought(c, function)) return FACE_ERROR;
-    clear_seeds(c);
-    if (put(c, function, known, knowns, nk, seed) != FACE_OK) return FACE_ERROR;
-    if (core_forward(&c->now.core, c->x, c->u, c->p, c->rates, c->w) != CORE_OK)
-        return face_outcome(c, function, CORE_DISCARD);
-    return take(c, function, unknown, unknowns, nu, sensitivity);
-}
-
-FaceStatus face_adjoint(Instance *c, const char *function, const uint32_t unknowns[], size_t nu,
-                        const uint32_t knowns[], size_t nk, const double seed[], double sensitivity[]) {
-    if (face_missing(nu, unknowns, seed) || face_missing(nk, knowns, sensitivity))
-        return face_refuse(c, function, "an array is missing");
-    if (sought(c, function)) return FACE_ERROR;
-    clear_seeds(c);
-    if (put(c, function, unknown, unknowns, nu, seed) != FACE_OK) return FACE_ERROR;
-    if (core_adjoint(&c->now.core, c->rates, c->w, c->x, c->u, c->p) != CORE_OK)
-        return face_outcome(c, function, CORE_DISCARD);
-    return take(c, function, known, knowns, nk, sensitivity);
+    return FMI(OK);
 }

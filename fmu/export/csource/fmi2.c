@@ -1,21 +1,12 @@
-/* FMI 2.0.4: instances, variables, saved states and derivatives. */
+/* FMI 2.0.4: what FMI 3 has otherwise, or not at all. */
 #include <stdlib.h>
 #include <string.h>
 
-#include "fmi2_face.h"
+#include "fmi_common.h"
 
-typedef struct {
-    Instance common;
-    fmi2CallbackFunctions callbacks;
-    char *name;
-} Component;
-
-static void log_message(Instance *c, FaceStatus status, const char *message) {
-    const Component *self = (const Component *)(const void *)c;
-    const char *category = status == FACE_ERROR ? "logStatusError" : "logStatusDiscard";
-    if (self->callbacks.logger)
-        self->callbacks.logger(self->callbacks.componentEnvironment, self->name, AS_FMI(status), category,
-                               "%s", message);
+void face_log(const Instance *c, Status status, const char *category, const char *message) {
+    const fmi2CallbackFunctions *to = &c->host.callbacks;
+    if (to->logger) to->logger(to->componentEnvironment, c->host.name, status, category, "%s", message);
 }
 
 static void *room(const fmi2CallbackFunctions *callbacks, size_t size) {
@@ -27,166 +18,173 @@ static void release(const fmi2CallbackFunctions *callbacks, void *memory) {
     else if (!callbacks->allocateMemory) free(memory);
 }
 
-static void complain(const fmi2CallbackFunctions *callbacks, fmi2String name, const char *why) {
-    if (callbacks && callbacks->logger)
-        callbacks->logger(callbacks->componentEnvironment, name ? name : "", fmi2Error, "logStatusError",
-                          "%s", why);
-}
-
 const char *fmi2GetTypesPlatform(void) { return fmi2TypesPlatform; }
-
-const char *fmi2GetVersion(void) { return fmi2Version; }
 
 fmi2Component fmi2Instantiate(fmi2String instanceName, fmi2Type fmuType, fmi2String fmuGUID,
                               fmi2String fmuResourceLocation, const fmi2CallbackFunctions *functions,
                               fmi2Boolean visible, fmi2Boolean loggingOn) {
-    Component *self;
+    Instance *c = NULL;
     const char *why = NULL;
-    (void)fmuResourceLocation;
-    (void)visible;
-    (void)loggingOn; /* there are only messages that say why something was not done */
     if (!functions) return NULL;
     if (!instanceName || !*instanceName) why = "fmi2Instantiate: the instance needs a name";
     else if (!fmuGUID || strcmp(fmuGUID, FMU_TOKEN))
         why = "fmi2Instantiate: the GUID is that of another model";
     else if (fmuType != fmi2ModelExchange && fmuType != fmi2CoSimulation)
         why = "fmi2Instantiate: unknown type";
+    else {
+        c = room(functions, sizeof *c);
+        if (c) c->host.name = room(functions, strlen(instanceName) + 1);
+        if (!c || !c->host.name) why = "fmi2Instantiate: out of memory";
+    }
     if (why) {
-        complain(functions, instanceName, why);
+        if (functions->logger)
+            functions->logger(functions->componentEnvironment, instanceName ? instanceName : "", fmi2Error,
+                              "logStatusError", "%s", why);
+        if (c) release(functions, c);
         return NULL;
     }
-    self = room(functions, sizeof *self);
-    if (self) self->name = room(functions, strlen(instanceName) + 1);
-    if (!self || !self->name) {
-        complain(functions, instanceName, "fmi2Instantiate: out of memory");
-        if (self) release(functions, self);
-        return NULL;
-    }
-    strcpy(self->name, instanceName);
-    self->callbacks = *functions;
-    face_start(&self->common, fmuType == fmi2CoSimulation ? CO_SIMULATION : MODEL_EXCHANGE, log_message);
-    return self;
+    strcpy(c->host.name, instanceName);
+    c->host.callbacks = *functions;
+    face_start(c, fmuType == fmi2CoSimulation ? CO_SIMULATION : MODEL_EXCHANGE);
+    return c;
 }
 
-void fmi2FreeInstance(fmi2Component component) {
-    Component *self = component;
-    fmi2CallbackFunctions callbacks;
-    if (!self) return;
-    callbacks = self->callbacks;
-    release(&callbacks, self->name);
-    release(&callbacks, self);
+void fmi2FreeInstance(fmi2Component instance) {
+    Instance *c = instance;
+    if (!c) return;
+    fmi2CallbackFunctions callbacks = c->host.callbacks;
+    release(&callbacks, c->host.name);
+    release(&callbacks, c);
 }
 
-fmi2Status fmi2SetDebugLogging(fmi2Component component, fmi2Boolean loggingOn, size_t nCategories,
-                               const fmi2String categories[]) {
-    ENTER(ANY_PHASE, EITHER);
-    if (nCategories && !categories) return AS_FMI(face_refuse(c, HERE, "an array is missing"));
-    (void)loggingOn;
-    return fmi2OK;
-}
-
-fmi2Status fmi2SetupExperiment(fmi2Component component, fmi2Boolean toleranceDefined, fmi2Real tolerance,
+fmi2Status fmi2SetupExperiment(fmi2Component instance, fmi2Boolean toleranceDefined, fmi2Real tolerance,
                                fmi2Real startTime, fmi2Boolean stopTimeDefined, fmi2Real stopTime) {
     ENTER(INSTANTIATED, EITHER);
-    return AS_FMI(
-        face_experiment(c, HERE, toleranceDefined, tolerance, startTime, stopTimeDefined, stopTime));
+    return face_experiment(c, toleranceDefined, tolerance, startTime, stopTimeDefined, stopTime);
 }
 
-fmi2Status fmi2EnterInitializationMode(fmi2Component component) {
+fmi2Status fmi2EnterInitializationMode(fmi2Component instance) {
     ENTER(INSTANTIATED, EITHER);
     c->now.phase = INITIALIZATION;
     return fmi2OK;
 }
 
-fmi2Status fmi2ExitInitializationMode(fmi2Component component) {
-    FaceStatus status;
-    ENTER(INITIALIZATION, EITHER);
-    status = face_initialize(c, HERE);
-    if (status == FACE_OK) c->now.phase = c->kind == CO_SIMULATION ? STEP_MODE : EVENT_MODE;
-    return AS_FMI(status);
-}
-
-fmi2Status fmi2Terminate(fmi2Component component) {
-    ENTER(RUNNING | STEP_FAILED, EITHER);
-    c->now.phase = TERMINATED;
-    return fmi2OK;
-}
-
-fmi2Status fmi2Reset(fmi2Component component) {
-    ENTER(ANY_PHASE, EITHER);
-    face_reset(c);
-    return fmi2OK;
-}
-
-fmi2Status fmi2GetReal(fmi2Component component, const fmi2ValueReference vr[], size_t nvr, fmi2Real value[]) {
+fmi2Status fmi2GetReal(fmi2Component instance, const fmi2ValueReference vr[], size_t nvr, fmi2Real value[]) {
     ENTER(READABLE, EITHER);
-    return AS_FMI(face_get_reals(c, HERE, vr, nvr, value));
+    return face_get_reals(c, vr, nvr, value);
 }
 
-fmi2Status fmi2GetInteger(fmi2Component component, const fmi2ValueReference vr[], size_t nvr,
+fmi2Status fmi2SetReal(fmi2Component instance, const fmi2ValueReference vr[], size_t nvr,
+                       const fmi2Real value[]) {
+    ENTER(SETTABLE, EITHER);
+    return face_set_reals(c, vr, nvr, value);
+}
+
+fmi2Status fmi2GetInteger(fmi2Component instance, const fmi2ValueReference vr[], size_t nvr,
                           fmi2Integer value[]) {
     ENTER(READABLE, EITHER);
-    if (nvr && (!vr || !value)) return AS_FMI(face_refuse(c, HERE, "an array is missing"));
+    if (face_missing(c, nvr, vr, value)) return fmi2Error;
     for (size_t i = 0; i < nvr; i++)
-        if (face_get_mode(c, HERE, vr[i], &value[i]) != FACE_OK) return fmi2Error;
+        if (face_get_mode(c, vr[i], &value[i]) != fmi2OK) return fmi2Error;
     return fmi2OK;
 }
 
-fmi2Status fmi2SetReal(fmi2Component component, const fmi2ValueReference vr[], size_t nvr,
-                       const fmi2Real value[]) {
-    ENTER(INSTANTIATED | INITIALIZATION | RUNNING, EITHER);
-    return AS_FMI(face_set_reals(c, HERE, vr, nvr, value));
-}
-
-#define NO_SUCH(name, type, phases)                                                                     \
-    fmi2Status name(fmi2Component component, const fmi2ValueReference vr[], size_t nvr, type value[]) { \
-        ENTER(phases, EITHER);                                                                          \
-        (void)vr;                                                                                       \
-        (void)value;                                                                                    \
-        return AS_FMI(face_no_such(c, HERE, nvr));                                                      \
+#define NO_SUCH(name, type, phases)                                                                    \
+    fmi2Status name(fmi2Component instance, const fmi2ValueReference vr[], size_t nvr, type value[]) { \
+        ENTER(phases, EITHER);                                                                         \
+        return face_no_such(c, nvr);                                                                   \
     }
 
 NO_SUCH(fmi2GetBoolean, fmi2Boolean, READABLE)
 NO_SUCH(fmi2GetString, fmi2String, READABLE)
-NO_SUCH(fmi2SetInteger, const fmi2Integer, INSTANTIATED | INITIALIZATION | RUNNING)
-NO_SUCH(fmi2SetBoolean, const fmi2Boolean, INSTANTIATED | INITIALIZATION | RUNNING)
-NO_SUCH(fmi2SetString, const fmi2String, INSTANTIATED | INITIALIZATION | RUNNING)
+NO_SUCH(fmi2SetInteger, const fmi2Integer, SETTABLE)
+NO_SUCH(fmi2SetBoolean, const fmi2Boolean, SETTABLE)
+NO_SUCH(fmi2SetString, const fmi2String, SETTABLE)
 
-fmi2Status fmi2GetFMUstate(fmi2Component component, fmi2FMUstate *FMUstate) {
-    ENTER(ANY_PHASE, EITHER);
-    return AS_FMI(face_save(c, HERE, (Saved **)FMUstate));
-}
-
-fmi2Status fmi2SetFMUstate(fmi2Component component, fmi2FMUstate FMUstate) {
-    ENTER(ANY_PHASE, EITHER);
-    return AS_FMI(face_restore(c, HERE, FMUstate));
-}
-
-fmi2Status fmi2FreeFMUstate(fmi2Component component, fmi2FMUstate *FMUstate) {
-    ENTER(ANY_PHASE, EITHER);
-    return AS_FMI(face_forget(c, HERE, (Saved **)FMUstate));
-}
-
-fmi2Status fmi2SerializedFMUstateSize(fmi2Component component, fmi2FMUstate FMUstate, size_t *size) {
-    ENTER(ANY_PHASE, EITHER);
-    return AS_FMI(face_saved_size(c, HERE, FMUstate, size));
-}
-
-fmi2Status fmi2SerializeFMUstate(fmi2Component component, fmi2FMUstate FMUstate, fmi2Byte serializedState[],
-                                 size_t size) {
-    ENTER(ANY_PHASE, EITHER);
-    return AS_FMI(face_serialize(c, HERE, FMUstate, serializedState, size));
-}
-
-fmi2Status fmi2DeSerializeFMUstate(fmi2Component component, const fmi2Byte serializedState[], size_t size,
-                                   fmi2FMUstate *FMUstate) {
-    ENTER(ANY_PHASE, EITHER);
-    return AS_FMI(face_deserialize(c, HERE, serializedState, size, (Saved **)FMUstate));
-}
-
-fmi2Status fmi2GetDirectionalDerivative(fmi2Component component, const fmi2ValueReference vUnknown_ref[],
+fmi2Status fmi2GetDirectionalDerivative(fmi2Component instance, const fmi2ValueReference vUnknown_ref[],
                                         size_t nUnknown, const fmi2ValueReference vKnown_ref[], size_t nKnown,
                                         const fmi2Real dvKnown[], fmi2Real dvUnknown[]) {
     ENTER(READABLE, EITHER);
-    return AS_FMI(face_forward(c, HERE, vUnknown_ref, nUnknown, vKnown_ref, nKnown, dvKnown, dvUnknown));
+    return face_sensitivities(c, 0, vKnown_ref, nKnown, dvKnown, vUnknown_ref, nUnknown, dvUnknown);
+}
+
+fmi2Status fmi2EnterEventMode(fmi2Component instance) {
+    ENTER(CONTINUOUS_TIME | EVENT_MODE, MODEL_EXCHANGE);
+    c->now.phase = EVENT_MODE;
+    return fmi2OK;
+}
+
+fmi2Status fmi2NewDiscreteStates(fmi2Component instance, fmi2EventInfo *eventInfo) {
+    int changed = 0;
+    ENTER(EVENT_MODE, MODEL_EXCHANGE);
+    if (!eventInfo) return face_refuse(c, "there is nowhere to put the event information");
+    memset(eventInfo, 0, sizeof *eventInfo);
+    fmi2Status status = face_settle(c, &changed);
+    eventInfo->valuesOfContinuousStatesChanged = changed != 0;
+    eventInfo->nextEventTimeDefined = core_next_time(&c->now.core, &eventInfo->nextEventTime) != 0;
+    return status;
+}
+
+fmi2Status fmi2SetRealInputDerivatives(fmi2Component instance, const fmi2ValueReference vr[], size_t nvr,
+                                       const fmi2Integer order[], const fmi2Real value[]) {
+    ENTER(INSTANTIATED | INITIALIZATION | STEP_MODE, CO_SIMULATION);
+    if (face_missing(c, nvr, vr, value) || face_missing(c, nvr, order, order)) return fmi2Error;
+    for (size_t i = 0; i < nvr; i++)
+        if (order[i] != 1) return face_refuse(c, "only first derivatives of inputs are taken");
+    c->now.begun = c->now.begun && c->now.phase == STEP_MODE;
+    for (size_t i = 0; i < nvr; i++) {
+        if (vr[i] < REF_INPUTS || vr[i] >= REF_PARAMETERS) return face_bad_reference(c, vr[i]);
+        int input = (int)(vr[i] - REF_INPUTS), rate = model_input_rate[input];
+        if (rate >= 0) c->now.told[rate] |= value[i] != 0;
+        CoreStatus status = core_set_slope(&c->now.core, input, value[i]);
+        if (status != CORE_OK) return face_accepted(c, status);
+    }
+    return fmi2OK;
+}
+
+fmi2Status fmi2GetRealOutputDerivatives(fmi2Component instance, const fmi2ValueReference vr[], size_t nvr,
+                                        const fmi2Integer order[], fmi2Real value[]) {
+    ENTER(READABLE, CO_SIMULATION);
+    return nvr ? face_refuse(c, "derivatives of outputs are not provided") : fmi2OK;
+}
+
+fmi2Status fmi2DoStep(fmi2Component instance, fmi2Real currentCommunicationPoint,
+                      fmi2Real communicationStepSize, fmi2Boolean noSetFMUStatePriorToCurrentPoint) {
+    CoreStop reached;
+    ENTER(STEP_MODE, CO_SIMULATION);
+    fmi2Status status = face_step(c, currentCommunicationPoint, communicationStepSize, &reached);
+    if (status == fmi2Discard) c->now.phase = STEP_FAILED;
+    return status;
+}
+
+fmi2Status fmi2CancelStep(fmi2Component instance) {
+    ENTER(0, CO_SIMULATION);
+    return fmi2Error;
+}
+
+#define STATUS_PHASES (STEP_MODE | STEP_FAILED | TERMINATED)
+#define STATUS_OF(name, type)                                                      \
+    fmi2Status name(fmi2Component instance, const fmi2StatusKind s, type *value) { \
+        ENTER(STATUS_PHASES, CO_SIMULATION);                                       \
+        return face_refuse(c, "steps end before they return: nothing is pending"); \
+    }
+
+STATUS_OF(fmi2GetStatus, fmi2Status)
+STATUS_OF(fmi2GetIntegerStatus, fmi2Integer)
+STATUS_OF(fmi2GetStringStatus, fmi2String)
+
+fmi2Status fmi2GetRealStatus(fmi2Component instance, const fmi2StatusKind s, fmi2Real *value) {
+    ENTER(STATUS_PHASES, CO_SIMULATION);
+    if (s != fmi2LastSuccessfulTime || !value)
+        return face_refuse(c, "only the last successful time is a real number");
+    *value = core_time(&c->now.core);
+    return fmi2OK;
+}
+
+fmi2Status fmi2GetBooleanStatus(fmi2Component instance, const fmi2StatusKind s, fmi2Boolean *value) {
+    ENTER(STATUS_PHASES, CO_SIMULATION);
+    if (s != fmi2Terminated || !value)
+        return face_refuse(c, "only whether it wants to terminate is true or false");
+    *value = fmi2False;
+    return fmi2OK;
 }

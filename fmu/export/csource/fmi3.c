@@ -1,51 +1,37 @@
-/* FMI 3.0.1: instances, variables, saved states and derivatives. */
+/* FMI 3.0.1: what FMI 2 has otherwise, or not at all. */
 #include <stdlib.h>
 #include <string.h>
 
-#include "fmi3_face.h"
+#include "fmi_common.h"
 
-typedef struct {
-    Instance common;
-    fmi3InstanceEnvironment environment;
-    fmi3LogMessageCallback log;
-} Component;
-
-static void log_message(Instance *c, FaceStatus status, const char *message) {
-    const Component *self = (const Component *)(const void *)c;
-    const char *category = status == FACE_ERROR ? "logStatusError" : "logStatusDiscard";
-    if (self->log) self->log(self->environment, AS_FMI(status), category, message);
+void face_log(const Instance *c, Status status, const char *category, const char *message) {
+    if (c->host.log) c->host.log(c->host.environment, status, category, message);
 }
 
-const char *fmi3GetVersion(void) { return fmi3Version; }
-
-static Component *instantiate(const char *name, const char *token, fmi3InstanceEnvironment environment,
-                              fmi3LogMessageCallback log, Kind kind) {
-    Component *self = NULL;
+static Instance *instantiate(const char *name, const char *token, Host host, Kind kind) {
+    Instance *c = NULL;
     const char *why = NULL;
     if (!name || !*name) why = "fmi3Instantiate: the instance needs a name";
     else if (!token || strcmp(token, FMU_TOKEN)) why = "fmi3Instantiate: the token is that of another model";
     else {
-        self = calloc(1, sizeof *self);
-        if (!self) why = "fmi3Instantiate: out of memory";
+        c = calloc(1, sizeof *c);
+        if (!c) why = "fmi3Instantiate: out of memory";
     }
-    if (!self) {
-        if (log) log(environment, fmi3Error, "logStatusError", why);
+    if (!c) {
+        if (host.log) host.log(host.environment, fmi3Error, "logStatusError", why);
         return NULL;
     }
-    self->environment = environment;
-    self->log = log;
-    face_start(&self->common, kind, log_message);
-    return self;
+    c->host = host;
+    face_start(c, kind);
+    return c;
 }
 
 fmi3Instance fmi3InstantiateModelExchange(fmi3String instanceName, fmi3String instantiationToken,
                                           fmi3String resourcePath, fmi3Boolean visible, fmi3Boolean loggingOn,
                                           fmi3InstanceEnvironment instanceEnvironment,
                                           fmi3LogMessageCallback logMessage) {
-    (void)resourcePath;
-    (void)visible;
-    (void)loggingOn; /* there are only messages that say why something was not done */
-    return instantiate(instanceName, instantiationToken, instanceEnvironment, logMessage, MODEL_EXCHANGE);
+    return instantiate(instanceName, instantiationToken, (Host){instanceEnvironment, logMessage},
+                       MODEL_EXCHANGE);
 }
 
 fmi3Instance fmi3InstantiateCoSimulation(fmi3String instanceName, fmi3String instantiationToken,
@@ -56,131 +42,69 @@ fmi3Instance fmi3InstantiateCoSimulation(fmi3String instanceName, fmi3String ins
                                          fmi3InstanceEnvironment instanceEnvironment,
                                          fmi3LogMessageCallback logMessage,
                                          fmi3IntermediateUpdateCallback intermediateUpdate) {
-    Component *self =
-        instantiate(instanceName, instantiationToken, instanceEnvironment, logMessage, CO_SIMULATION);
-    (void)resourcePath;
-    (void)visible;
-    (void)loggingOn;
-    (void)requiredIntermediateVariables;
-    (void)intermediateUpdate;
-    if (!self) return NULL;
+    Host host = {instanceEnvironment, logMessage};
+    Instance *c = instantiate(instanceName, instantiationToken, host, CO_SIMULATION);
+    if (!c) return NULL;
     if (nRequiredIntermediateVariables) {
-        face_refuse(&self->common, HERE, "intermediate update is not provided");
-        free(self);
+        c->function = __func__;
+        face_refuse(c, "intermediate update is not provided");
+        free(c);
         return NULL;
     }
-    self->common.event_mode_used = eventModeUsed;
-    self->common.may_return_early = earlyReturnAllowed;
-    return self;
+    c->event_mode_used = eventModeUsed;
+    c->may_return_early = earlyReturnAllowed;
+    return c;
 }
 
 void fmi3FreeInstance(fmi3Instance instance) { free(instance); }
 
-fmi3Status fmi3SetDebugLogging(fmi3Instance instance, fmi3Boolean loggingOn, size_t nCategories,
-                               const fmi3String categories[]) {
-    ENTER(ANY_PHASE, EITHER);
-    if (nCategories && !categories) return AS_FMI(face_refuse(c, HERE, "an array is missing"));
-    (void)loggingOn;
-    return fmi3OK;
-}
-
 fmi3Status fmi3EnterInitializationMode(fmi3Instance instance, fmi3Boolean toleranceDefined,
                                        fmi3Float64 tolerance, fmi3Float64 startTime,
                                        fmi3Boolean stopTimeDefined, fmi3Float64 stopTime) {
-    FaceStatus status;
     ENTER(INSTANTIATED, EITHER);
-    status = face_experiment(c, HERE, toleranceDefined, tolerance, startTime, stopTimeDefined, stopTime);
-    if (status == FACE_OK) c->now.phase = INITIALIZATION;
-    return AS_FMI(status);
-}
-
-fmi3Status fmi3ExitInitializationMode(fmi3Instance instance) {
-    FaceStatus status;
-    ENTER(INITIALIZATION, EITHER);
-    status = face_initialize(c, HERE);
-    if (status == FACE_OK)
-        c->now.phase = c->kind == MODEL_EXCHANGE || c->event_mode_used ? EVENT_MODE : STEP_MODE;
-    return AS_FMI(status);
+    fmi3Status status = face_experiment(c, toleranceDefined, tolerance, startTime, stopTimeDefined, stopTime);
+    if (status == fmi3OK) c->now.phase = INITIALIZATION;
+    return status;
 }
 
 fmi3Status fmi3EnterEventMode(fmi3Instance instance) {
     ENTER(CONTINUOUS_TIME | STEP_MODE, EITHER);
     if (c->kind == CO_SIMULATION && !c->event_mode_used)
-        return AS_FMI(face_refuse(c, HERE, "this instance was made without event mode"));
+        return face_refuse(c, "this instance was made without event mode");
     c->now.phase = EVENT_MODE;
     return fmi3OK;
 }
 
-fmi3Status fmi3Terminate(fmi3Instance instance) {
-    ENTER(RUNNING, EITHER);
-    c->now.phase = TERMINATED;
-    return fmi3OK;
-}
-
-fmi3Status fmi3Reset(fmi3Instance instance) {
-    ENTER(ANY_PHASE, EITHER);
-    face_reset(c);
-    return fmi3OK;
+static int odd(Instance *c, size_t values, size_t references) {
+    return values != references && face_refuse(c, "every variable has one value") != fmi3OK;
 }
 
 fmi3Status fmi3GetFloat64(fmi3Instance instance, const fmi3ValueReference valueReferences[],
                           size_t nValueReferences, fmi3Float64 values[], size_t nValues) {
     ENTER(READABLE, EITHER);
-    if (nValues != nValueReferences) return AS_FMI(face_refuse(c, HERE, "every variable has one value"));
-    return AS_FMI(face_get_reals(c, HERE, valueReferences, nValueReferences, values));
+    if (odd(c, nValues, nValueReferences)) return fmi3Error;
+    return face_get_reals(c, valueReferences, nValues, values);
 }
 
 fmi3Status fmi3SetFloat64(fmi3Instance instance, const fmi3ValueReference valueReferences[],
                           size_t nValueReferences, const fmi3Float64 values[], size_t nValues) {
     ENTER(SETTABLE, EITHER);
-    if (nValues != nValueReferences) return AS_FMI(face_refuse(c, HERE, "every variable has one value"));
-    return AS_FMI(face_set_reals(c, HERE, valueReferences, nValueReferences, values));
+    if (odd(c, nValues, nValueReferences)) return fmi3Error;
+    return face_set_reals(c, valueReferences, nValues, values);
 }
 
 /* Enumerations are read as 64-bit integers. */
 fmi3Status fmi3GetInt64(fmi3Instance instance, const fmi3ValueReference valueReferences[],
                         size_t nValueReferences, fmi3Int64 values[], size_t nValues) {
     ENTER(READABLE, EITHER);
-    if (nValues != nValueReferences) return AS_FMI(face_refuse(c, HERE, "every variable has one value"));
-    if (nValues && (!valueReferences || !values)) return AS_FMI(face_refuse(c, HERE, "an array is missing"));
+    if (odd(c, nValues, nValueReferences) || face_missing(c, nValues, valueReferences, values))
+        return fmi3Error;
     for (size_t i = 0; i < nValues; i++) {
         int mode;
-        if (face_get_mode(c, HERE, valueReferences[i], &mode) != FACE_OK) return fmi3Error;
+        if (face_get_mode(c, valueReferences[i], &mode) != fmi3OK) return fmi3Error;
         values[i] = mode;
     }
     return fmi3OK;
-}
-
-fmi3Status fmi3GetFMUState(fmi3Instance instance, fmi3FMUState *FMUState) {
-    ENTER(ANY_PHASE, EITHER);
-    return AS_FMI(face_save(c, HERE, (Saved **)FMUState));
-}
-
-fmi3Status fmi3SetFMUState(fmi3Instance instance, fmi3FMUState FMUState) {
-    ENTER(ANY_PHASE, EITHER);
-    return AS_FMI(face_restore(c, HERE, FMUState));
-}
-
-fmi3Status fmi3FreeFMUState(fmi3Instance instance, fmi3FMUState *FMUState) {
-    ENTER(ANY_PHASE, EITHER);
-    return AS_FMI(face_forget(c, HERE, (Saved **)FMUState));
-}
-
-fmi3Status fmi3SerializedFMUStateSize(fmi3Instance instance, fmi3FMUState FMUState, size_t *size) {
-    ENTER(ANY_PHASE, EITHER);
-    return AS_FMI(face_saved_size(c, HERE, FMUState, size));
-}
-
-fmi3Status fmi3SerializeFMUState(fmi3Instance instance, fmi3FMUState FMUState, fmi3Byte serializedState[],
-                                 size_t size) {
-    ENTER(ANY_PHASE, EITHER);
-    return AS_FMI(face_serialize(c, HERE, FMUState, serializedState, size));
-}
-
-fmi3Status fmi3DeserializeFMUState(fmi3Instance instance, const fmi3Byte serializedState[], size_t size,
-                                   fmi3FMUState *FMUState) {
-    ENTER(ANY_PHASE, EITHER);
-    return AS_FMI(face_deserialize(c, HERE, serializedState, size, (Saved **)FMUState));
 }
 
 fmi3Status fmi3GetDirectionalDerivative(fmi3Instance instance, const fmi3ValueReference unknowns[],
@@ -188,9 +112,8 @@ fmi3Status fmi3GetDirectionalDerivative(fmi3Instance instance, const fmi3ValueRe
                                         const fmi3Float64 seed[], size_t nSeed, fmi3Float64 sensitivity[],
                                         size_t nSensitivity) {
     ENTER(READABLE, EITHER);
-    if (nSeed != nKnowns || nSensitivity != nUnknowns)
-        return AS_FMI(face_refuse(c, HERE, "every variable has one value"));
-    return AS_FMI(face_forward(c, HERE, unknowns, nUnknowns, knowns, nKnowns, seed, sensitivity));
+    if (odd(c, nSeed, nKnowns) || odd(c, nSensitivity, nUnknowns)) return fmi3Error;
+    return face_sensitivities(c, 0, knowns, nKnowns, seed, unknowns, nUnknowns, sensitivity);
 }
 
 fmi3Status fmi3GetAdjointDerivative(fmi3Instance instance, const fmi3ValueReference unknowns[],
@@ -198,7 +121,63 @@ fmi3Status fmi3GetAdjointDerivative(fmi3Instance instance, const fmi3ValueRefere
                                     const fmi3Float64 seed[], size_t nSeed, fmi3Float64 sensitivity[],
                                     size_t nSensitivity) {
     ENTER(READABLE, EITHER);
-    if (nSeed != nUnknowns || nSensitivity != nKnowns)
-        return AS_FMI(face_refuse(c, HERE, "every variable has one value"));
-    return AS_FMI(face_adjoint(c, HERE, unknowns, nUnknowns, knowns, nKnowns, seed, sensitivity));
+    if (odd(c, nSeed, nUnknowns) || odd(c, nSensitivity, nKnowns)) return fmi3Error;
+    return face_sensitivities(c, 1, unknowns, nUnknowns, seed, knowns, nKnowns, sensitivity);
+}
+
+fmi3Status fmi3UpdateDiscreteStates(fmi3Instance instance, fmi3Boolean *discreteStatesNeedUpdate,
+                                    fmi3Boolean *terminateSimulation,
+                                    fmi3Boolean *nominalsOfContinuousStatesChanged,
+                                    fmi3Boolean *valuesOfContinuousStatesChanged,
+                                    fmi3Boolean *nextEventTimeDefined, fmi3Float64 *nextEventTime) {
+    int changed = 0;
+    ENTER(EVENT_MODE, EITHER);
+    if (!discreteStatesNeedUpdate || !terminateSimulation || !nominalsOfContinuousStatesChanged ||
+        !valuesOfContinuousStatesChanged || !nextEventTimeDefined || !nextEventTime)
+        return face_refuse(c, "there is nowhere to put the answer");
+    fmi3Status status = face_settle(c, &changed);
+    *discreteStatesNeedUpdate = *terminateSimulation = *nominalsOfContinuousStatesChanged = fmi3False;
+    *valuesOfContinuousStatesChanged = changed != 0;
+    *nextEventTime = 0.0;
+    *nextEventTimeDefined = core_next_time(&c->now.core, nextEventTime) != 0;
+    return status;
+}
+
+/* How many of a kind there are, for model exchange. */
+static fmi3Status count_of(Instance *c, const char *function, size_t count, size_t *told) {
+    if (!face_may(c, function, ANY_PHASE, MODEL_EXCHANGE)) return fmi3Error;
+    if (!told) return face_refuse(c, "there is nowhere to put the answer");
+    *told = count;
+    return fmi3OK;
+}
+
+fmi3Status fmi3GetNumberOfEventIndicators(fmi3Instance instance, size_t *nEventIndicators) {
+    return count_of(instance, __func__, NG, nEventIndicators);
+}
+
+fmi3Status fmi3GetNumberOfContinuousStates(fmi3Instance instance, size_t *nContinuousStates) {
+    return count_of(instance, __func__, NX, nContinuousStates);
+}
+
+fmi3Status fmi3EnterStepMode(fmi3Instance instance) {
+    ENTER(EVENT_MODE, CO_SIMULATION);
+    c->now.phase = STEP_MODE;
+    return fmi3OK;
+}
+
+fmi3Status fmi3DoStep(fmi3Instance instance, fmi3Float64 currentCommunicationPoint,
+                      fmi3Float64 communicationStepSize, fmi3Boolean noSetFMUStatePriorToCurrentPoint,
+                      fmi3Boolean *eventHandlingNeeded, fmi3Boolean *terminateSimulation,
+                      fmi3Boolean *earlyReturn, fmi3Float64 *lastSuccessfulTime) {
+    CoreStop reached = CORE_ARRIVED;
+    ENTER(STEP_MODE, CO_SIMULATION);
+    if (!eventHandlingNeeded || !terminateSimulation || !earlyReturn || !lastSuccessfulTime)
+        return face_refuse(c, "there is nowhere to put the answer");
+    fmi3Status status = face_step(c, currentCommunicationPoint, communicationStepSize, &reached);
+    *lastSuccessfulTime = core_time(&c->now.core);
+    *eventHandlingNeeded = status == fmi3OK && reached == CORE_EVENT;
+    *earlyReturn =
+        *eventHandlingNeeded && *lastSuccessfulTime < currentCommunicationPoint + communicationStepSize;
+    *terminateSimulation = fmi3False;
+    return status;
 }

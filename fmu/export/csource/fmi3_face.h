@@ -1,16 +1,15 @@
-/* What the files of the FMI 3 face share. */
-#ifndef INERTANCE_FMI3_FACE_H
-#define INERTANCE_FMI3_FACE_H
+/* FMI 3.0.1, where the files of both standards say FMI(name). */
+#ifndef INERTANCE_FMI_FACE_H
+#define INERTANCE_FMI_FACE_H
 
-#include "fmi_common.h"
 #include "fmi3Functions.h"
 
-#define ENTER(phases, kinds) \
-    Instance *c = instance;  \
-    if (!face_may(c, __func__, (phases), (kinds))) return fmi3Error
+#define FMI(name) fmi3##name
 
-#define AS_FMI(status) ((fmi3Status)(status))
-#define HERE __func__
-#define SETTABLE (INSTANTIATED | INITIALIZATION | RUNNING)
+/* Whom an instance talks to. */
+typedef struct {
+    fmi3InstanceEnvironment environment;
+    fmi3LogMessageCallback log;
+} Host;
 
 #endif

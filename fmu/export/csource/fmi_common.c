@@ -5,21 +5,15 @@
 #include <stdio.h>
 #include <string.h>
 
-#define ABSOLUTE 1e-4 /* of the relative tolerance, times the nominal value of each state */
-#define LOCAL 1e-2    /* error of one step, of the tolerance asked for: many steps add up to no more */
-#define FINEST 1e-12
-#define INTERVALS 500 /* of a run of model exchange, whose outputs nobody tells */
-#define NEAR 1e-9 /* communication points closer than this, against their size, are one */
+#define ABSOLUTE_SHARE 1e-4 /* of the relative tolerance, times the nominal value of each state */
+#define LOCAL_ERROR_SHARE 1e-2 /* of the tolerance asked for, so that many steps add up to no more */
+#define FINEST_TOLERANCE 1e-12
+#define RUN_INTERVALS 500 /* of a run of model exchange, whose outputs nobody tells */
+#define POINT_TOLERANCE 1e-9 /* communication points closer than this, against their size, are one */
 
 static const double inputs[ROOM(NU)] = FMU_INPUTS;
 
-void face_start(Instance *c, Kind kind, Logger log) {
-    c->kind = kind;
-    c->log = log;
-    face_reset(c);
-}
-
-void face_reset(Instance *c) {
+static void reset(Instance *c) {
     memset(&c->now, 0, sizeof c->now);
     core_reset(&c->now.core);
     core_given(&c->now.given);
@@ -29,11 +23,28 @@ void face_reset(Instance *c) {
     c->now.stop = INFINITY;
 }
 
-FaceStatus face_refuse(Instance *c, const char *function, const char *why) {
+void face_start(Instance *c, Kind kind) {
+    c->kind = kind;
+    reset(c);
+}
+
+static Status say(Instance *c, Status status, const char *why) {
     char message[MESSAGE + 64];
-    snprintf(message, sizeof message, "%s: %s", function, why);
-    c->log(c, FACE_ERROR, message);
-    return FACE_ERROR;
+    snprintf(message, sizeof message, "%s: %s", c->function, why);
+    face_log(c, status, status == FMI(Error) ? "logStatusError" : "logStatusDiscard", message);
+    return status;
+}
+
+Status face_refuse(Instance *c, const char *why) { return say(c, FMI(Error), why); }
+
+Status face_accepted(Instance *c, CoreStatus status) {
+    return status == CORE_OK ? FMI(OK) : face_refuse(c, core_message(&c->now.core));
+}
+
+Status face_outcome(Instance *c, CoreStatus status) {
+    if (status == CORE_OK) return FMI(OK);
+    if (status == CORE_ERROR) c->now.phase = FAILED;
+    return say(c, status == CORE_DISCARD ? FMI(Discard) : FMI(Error), core_message(&c->now.core));
 }
 
 static const char *phase_name(int phase) {
@@ -52,42 +63,31 @@ static const char *phase_name(int phase) {
 int face_may(Instance *c, const char *function, int phases, int kinds) {
     char why[128];
     if (!c) return 0;
+    c->function = function;
     if (!(c->kind & kinds)) {
-        face_refuse(c, function,
-                    c->kind == CO_SIMULATION ? "this instance was made for co-simulation"
-                                             : "this instance was made for model exchange");
+        int steps = c->kind == CO_SIMULATION;
+        face_refuse(c, steps ? "this instance was made for co-simulation"
+                             : "this instance was made for model exchange");
         return 0;
     }
     if (c->now.phase & phases) return 1;
     snprintf(why, sizeof why, "may not be called while the instance is %s", phase_name(c->now.phase));
-    face_refuse(c, function, why);
+    face_refuse(c, why);
     return 0;
 }
 
-FaceStatus face_outcome(Instance *c, const char *function, CoreStatus status) {
-    char message[MESSAGE + 64];
-    FaceStatus told = status == CORE_DISCARD ? FACE_DISCARD : FACE_ERROR;
-    if (status == CORE_OK) return FACE_OK;
-    if (status == CORE_ERROR) c->now.phase = FAILED;
-    snprintf(message, sizeof message, "%s: %s", function, core_message(&c->now.core));
-    c->log(c, told, message);
-    return told;
+int face_missing(Instance *c, size_t n, const void *refs, const void *values) {
+    return n > 0 && (!refs || !values) && face_refuse(c, "an array is missing") != FMI(OK);
 }
 
-FaceStatus face_refuse_number(Instance *c, const char *function) {
-    return face_refuse(c, function, core_message(&c->now.core));
-}
-
-int face_missing(size_t n, const void *refs, const void *values) { return n > 0 && (!refs || !values); }
-
-FaceStatus face_bad_reference(Instance *c, const char *function, uint32_t ref) {
+Status face_bad_reference(Instance *c, uint32_t ref) {
     char why[96];
     snprintf(why, sizeof why, "value reference %lu does not fit here", (unsigned long)ref);
-    return face_refuse(c, function, why);
+    return face_refuse(c, why);
 }
 
-FaceStatus face_no_such(Instance *c, const char *function, size_t n) {
-    return n ? face_refuse(c, function, "there are no variables of this type") : FACE_OK;
+Status face_no_such(Instance *c, size_t n) {
+    return n ? face_refuse(c, "there are no variables of this type") : FMI(OK);
 }
 
 /* Find start values and modes, unless that is done. */
@@ -98,59 +98,74 @@ static CoreStatus begin(Instance *c) {
     return status;
 }
 
-FaceStatus face_ready(Instance *c, const char *function) {
-    if (c->now.phase != INITIALIZATION || begin(c) == CORE_OK) return FACE_OK;
-    return face_refuse_number(c, function);
+int face_ready(Instance *c) {
+    return c->now.phase != INITIALIZATION || face_accepted(c, begin(c)) == FMI(OK);
 }
 
-FaceStatus face_experiment(Instance *c, const char *function, int tolerance_defined, double tolerance,
-                           double start, int stop_defined, double stop) {
+Status face_experiment(Instance *c, int tolerance_defined, double tolerance, double start, int stop_defined,
+                       double stop) {
     if (tolerance_defined && !(tolerance > 0 && tolerance < 1))
-        return face_refuse(c, function, "the tolerance must lie between 0 and 1");
-    if (!isfinite(start)) return face_refuse(c, function, "the start time must be a finite number");
-    if (stop_defined && !(stop >= start))
-        return face_refuse(c, function, "the stop time lies before the start");
-    if (core_set_time(&c->now.core, start) != CORE_OK) return face_refuse_number(c, function);
+        return face_refuse(c, "the tolerance must lie between 0 and 1");
+    if (!isfinite(start)) return face_refuse(c, "the start time must be a finite number");
+    if (stop_defined && !(stop >= start)) return face_refuse(c, "the stop time lies before the start");
+    if (face_accepted(c, core_set_time(&c->now.core, start)) != FMI(OK)) return FMI(Error);
     c->now.tolerance = tolerance_defined ? tolerance : FMU_TOLERANCE;
     c->now.start = start;
     c->now.stop = stop_defined ? stop : INFINITY;
-    if (stop_defined) c->now.core.interval = (stop - start) / INTERVALS;
-    return FACE_OK;
+    if (stop_defined) c->now.core.interval = (stop - start) / RUN_INTERVALS;
+    return FMI(OK);
 }
 
-FaceStatus face_initialize(Instance *c, const char *function) {
-    CoreStatus status = begin(c);
-    if (status == CORE_OK) status = core_start(&c->now.core);
-    return face_outcome(c, function, status == CORE_OK ? CORE_OK : CORE_ERROR);
-}
-
-FaceStatus face_settle(Instance *c, const char *function, int *states_changed) {
+Status face_settle(Instance *c, int *states_changed) {
     Core *core = &c->now.core;
     long long before = core->notes;
     CoreStatus status = core_settle(core, states_changed);
     int lands = c->kind == MODEL_EXCHANGE && core->notes > before && isfinite(c->now.stop);
     if (status == CORE_OK && lands) status = core_watch_chatter(core);
-    return face_outcome(c, function, status);
+    return face_outcome(c, status);
 }
 
-/* Whether an integrator has stepped over an event, twice through zero within one step. */
-FaceStatus face_due(Instance *c, const char *function, int *due) {
-    return face_outcome(c, function, core_due(&c->now.core, due));
-}
+static double slack(double point) { return POINT_TOLERANCE * fmax(1.0, fabs(point)); }
 
-static double slack(double point) { return NEAR * fmax(1.0, fabs(point)); }
-
-FaceStatus face_step(Instance *c, const char *function, double point, double size, CoreStop *reached) {
-    double stop = point + size, asked = c->now.tolerance, rtol = fmax(LOCAL * asked, fmin(asked, FINEST));
+Status face_step(Instance *c, double point, double size, CoreStop *reached) {
+    double stop = point + size, asked = c->now.tolerance;
+    double rtol = fmax(LOCAL_ERROR_SHARE * asked, fmin(asked, FINEST_TOLERANCE));
     if (!isfinite(point) || fabs(point - core_time(&c->now.core)) > slack(point))
-        return face_refuse(c, function, "the communication point is not where the last step ended");
-    if (!(size > 0) || !isfinite(stop))
-        return face_refuse(c, function, "the step must be positive and finite");
-    if (face_untold_rate(c, function) != FACE_OK) return FACE_ERROR;
-    if (stop > c->now.stop + slack(c->now.stop))
-        return face_refuse(c, function, "the step leads beyond the stop time");
-    CoreStatus status = core_advance(&c->now.core, stop, rtol, ABSOLUTE * rtol, FMU_FIXED_STEP,
+        return face_refuse(c, "the communication point is not where the last step ended");
+    if (!(size > 0) || !isfinite(stop)) return face_refuse(c, "the step must be positive and finite");
+    if (face_untold_rate(c) != FMI(OK)) return FMI(Error);
+    if (stop > c->now.stop + slack(c->now.stop)) return face_refuse(c, "the step leads beyond the stop time");
+    CoreStatus status = core_advance(&c->now.core, stop, rtol, ABSOLUTE_SHARE * rtol, FMU_FIXED_STEP,
                                      c->event_mode_used && c->may_return_early, reached);
     /* With error control smaller steps were tried already: no other step of communication would help. */
-    return face_outcome(c, function, status == CORE_DISCARD && !(FMU_FIXED_STEP > 0) ? CORE_ERROR : status);
+    return face_outcome(c, status == CORE_DISCARD && !(FMU_FIXED_STEP > 0) ? CORE_ERROR : status);
+}
+
+const char *FMI(GetVersion)(void) { return FMI(Version); }
+
+/* There are only messages that say why something was not done: none can be left out. */
+Status FMI(SetDebugLogging)(void *instance, FMI(Boolean) on, size_t n, const FMI(String) categories[]) {
+    ENTER(ANY_PHASE, EITHER);
+    return face_missing(c, n, categories, categories) ? FMI(Error) : FMI(OK);
+}
+
+Status FMI(ExitInitializationMode)(void *instance) {
+    ENTER(INITIALIZATION, EITHER);
+    CoreStatus status = begin(c);
+    if (status == CORE_OK) status = core_start(&c->now.core);
+    if (status != CORE_OK) return face_outcome(c, CORE_ERROR);
+    c->now.phase = c->kind == MODEL_EXCHANGE || c->event_mode_used ? EVENT_MODE : STEP_MODE;
+    return FMI(OK);
+}
+
+Status FMI(Terminate)(void *instance) {
+    ENTER(RUNNING | STEP_FAILED, EITHER);
+    c->now.phase = TERMINATED;
+    return FMI(OK);
+}
+
+Status FMI(Reset)(void *instance) {
+    ENTER(ANY_PHASE, EITHER);
+    reset(c);
+    return FMI(OK);
 }

@@ -6,13 +6,13 @@
 
 #define MAGIC "inertFMU"
 
-struct Saved {
+typedef struct {
     char magic[8];
     char token[64];
     uint64_t kind;
     uint64_t sum;
     Situation situation;
-};
+} Saved;
 
 /* FNV-1a */
 static uint64_t sum_of(const Situation *situation) {
@@ -28,68 +28,74 @@ static int is_ours(const Instance *c, const Saved *state) {
            state->sum == sum_of(&state->situation);
 }
 
-static FaceStatus foreign(Instance *c, const char *function) {
-    return face_refuse(c, function, "this is no saved state of this model and kind of instance");
+static Status foreign(Instance *c) {
+    return face_refuse(c, "this is no saved state of this model and kind of instance");
 }
 
-FaceStatus face_save(Instance *c, const char *function, Saved **state) {
-    if (!state) return face_refuse(c, function, "there is nowhere to put the state");
-    if (*state && !is_ours(c, *state)) return foreign(c, function);
-    if (!*state) *state = calloc(1, sizeof **state);
-    if (!*state) return face_refuse(c, function, "out of memory");
-    memcpy((*state)->magic, MAGIC, sizeof(*state)->magic);
-    strncpy((*state)->token, FMU_TOKEN, sizeof(*state)->token - 1);
-    (*state)->kind = (uint64_t)c->kind;
-    memcpy(&(*state)->situation, &c->now, sizeof c->now);
-    (*state)->sum = sum_of(&(*state)->situation);
-    return FACE_OK;
+static void discard(Saved *state) {
+    memset(state, 0, sizeof state->magic);
+    free(state);
 }
 
-FaceStatus face_restore(Instance *c, const char *function, const Saved *state) {
-    if (!is_ours(c, state)) return foreign(c, function);
-    memcpy(&c->now, &state->situation, sizeof c->now);
-    return FACE_OK;
+Status FMI(GetFMUState)(void *instance, void **state) {
+    ENTER(ANY_PHASE, EITHER);
+    if (!state) return face_refuse(c, "there is nowhere to put the state");
+    if (*state && !is_ours(c, *state)) return foreign(c);
+    if (!*state) *state = calloc(1, sizeof(Saved));
+    if (!*state) return face_refuse(c, "out of memory");
+    Saved *saved = *state;
+    memcpy(saved->magic, MAGIC, sizeof saved->magic);
+    strncpy(saved->token, FMU_TOKEN, sizeof saved->token - 1);
+    saved->kind = (uint64_t)c->kind;
+    memcpy(&saved->situation, &c->now, sizeof c->now);
+    saved->sum = sum_of(&saved->situation);
+    return FMI(OK);
 }
 
-FaceStatus face_forget(Instance *c, const char *function, Saved **state) {
-    if (!state || !*state) return FACE_OK;
-    if (!is_ours(c, *state)) return foreign(c, function);
-    memset(*state, 0, sizeof(*state)->magic);
-    free(*state);
+Status FMI(SetFMUState)(void *instance, void *state) {
+    ENTER(ANY_PHASE, EITHER);
+    if (!is_ours(c, state)) return foreign(c);
+    memcpy(&c->now, &((const Saved *)state)->situation, sizeof c->now);
+    return FMI(OK);
+}
+
+Status FMI(FreeFMUState)(void *instance, void **state) {
+    ENTER(ANY_PHASE, EITHER);
+    if (!state || !*state) return FMI(OK);
+    if (!is_ours(c, *state)) return foreign(c);
+    discard(*state);
     *state = NULL;
-    return FACE_OK;
+    return FMI(OK);
 }
 
-FaceStatus face_saved_size(Instance *c, const char *function, const Saved *state, size_t *size) {
-    if (!size) return face_refuse(c, function, "there is nowhere to put the size");
-    if (!is_ours(c, state)) return foreign(c, function);
-    *size = sizeof *state;
-    return FACE_OK;
+Status FMI(SerializedFMUStateSize)(void *instance, void *state, size_t *size) {
+    ENTER(ANY_PHASE, EITHER);
+    if (!size) return face_refuse(c, "there is nowhere to put the size");
+    if (!is_ours(c, state)) return foreign(c);
+    *size = sizeof(Saved);
+    return FMI(OK);
 }
 
-FaceStatus face_serialize(Instance *c, const char *function, const Saved *state, void *bytes, size_t size) {
-    if (!is_ours(c, state)) return foreign(c, function);
-    if (!bytes || size < sizeof *state)
-        return face_refuse(c, function, "the room for the state is too small");
-    memcpy(bytes, state, sizeof *state);
-    return FACE_OK;
+Status FMI(SerializeFMUState)(void *instance, void *state, FMI(Byte) bytes[], size_t size) {
+    ENTER(ANY_PHASE, EITHER);
+    if (!is_ours(c, state)) return foreign(c);
+    if (!bytes || size < sizeof(Saved)) return face_refuse(c, "the room for the state is too small");
+    memcpy(bytes, state, sizeof(Saved));
+    return FMI(OK);
 }
 
-FaceStatus face_deserialize(Instance *c, const char *function, const void *bytes, size_t size,
-                            Saved **state) {
-    Saved *copy;
-    if (!state) return face_refuse(c, function, "there is nowhere to put the state");
-    if (*state && !is_ours(c, *state)) return foreign(c, function);
-    if (!bytes || size < sizeof *copy) return foreign(c, function);
-    copy = *state ? *state : calloc(1, sizeof *copy);
-    if (!copy) return face_refuse(c, function, "out of memory");
+Status FMI(DeserializeFMUState)(void *instance, const FMI(Byte) bytes[], size_t size, void **state) {
+    ENTER(ANY_PHASE, EITHER);
+    if (!state) return face_refuse(c, "there is nowhere to put the state");
+    if ((*state && !is_ours(c, *state)) || !bytes || size < sizeof(Saved)) return foreign(c);
+    Saved *copy = *state ? *state : calloc(1, sizeof *copy);
+    if (!copy) return face_refuse(c, "out of memory");
     memcpy(copy, bytes, sizeof *copy);
     if (!is_ours(c, copy)) {
-        memset(copy, 0, sizeof copy->magic);
-        free(copy);
+        discard(copy);
         *state = NULL;
-        return foreign(c, function);
+        return foreign(c);
     }
     *state = copy;
-    return FACE_OK;
+    return FMI(OK);
 }

@@ -58,7 +58,7 @@ def test_export_info_and_import_test(folder: Path) -> None:
 def test_check_tells_by_its_exit_code(folder: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     from inertance.fmu.check import states as check_states
 
-    monkeypatch.setattr(check_states, "MANY", 2)
+    monkeypatch.setattr(check_states, "INSTANCES", 2)
     monkeypatch.setattr(check_states, "REPEATED", 1)
     words = ["check", "model.py:build", "--stop", "0.2", "--step", "0.01", "--fmi", "2.0", "--json", "r.json"]
     code, told = run(*words)

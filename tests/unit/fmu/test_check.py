@@ -25,7 +25,7 @@ pytestmark = pytest.mark.skipif(
 @pytest.fixture(autouse=True)
 def few(monkeypatch: pytest.MonkeyPatch) -> None:
     """Make few instances, to be quick."""
-    monkeypatch.setattr(states, "MANY", 5)
+    monkeypatch.setattr(states, "INSTANCES", 5)
     monkeypatch.setattr(states, "REPEATED", 2)
 
 
@@ -83,7 +83,7 @@ def test_a_wrong_derivative_is_found(exported: Path, monkeypatch: pytest.MonkeyP
 
 
 def test_a_state_that_is_not_restored_is_found(exported: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(probe_module.Probe, "back", lambda probe, state: None)
+    monkeypatch.setattr(probe_module.Probe, "restore_state", lambda probe, state: None)
     report = ia.check_fmu(exported, isolated=False)
     for kind in ("ME", "CS"):
         assert report.of(f"FMI 3.0 {kind}", "save and restore").passed is False
@@ -132,7 +132,7 @@ def test_every_event_wants_one_nearby() -> None:
     missing = events_finding("it", np.array([0.5]), wanted)
     assert (missing.passed, missing.error) == (False, 0.5)
     assert events_finding("it", np.array([]), wanted).passed is False
-    assert agreement.EVENTS == 1e-6
+    assert agreement.EVENT_TOLERANCE == 1e-6
 
 
 def test_a_mode_may_differ_where_nothing_else_does() -> None:

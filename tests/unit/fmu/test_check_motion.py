@@ -16,7 +16,7 @@ pytestmark = pytest.mark.skipif(
 
 @pytest.fixture(autouse=True)
 def few(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(check_states, "MANY", 2)
+    monkeypatch.setattr(check_states, "INSTANCES", 2)
     monkeypatch.setattr(check_states, "REPEATED", 1)
 
 

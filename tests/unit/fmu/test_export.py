@@ -114,6 +114,18 @@ def test_structure_tells_what_depends_on_what(sources_only: Path) -> None:
     assert {"push.f", "ball.m", "weight.f_constant"} <= starting[f"der({speed})"]
 
 
+@pytest.mark.parametrize("version", VERSIONS)
+def test_the_rate_of_a_state_may_be_an_output(version: str, tmp_path: Path) -> None:
+    net = ia.Network("free", mass=ia.Mass(m=1.0), push=ia.Force())
+    net.connect(net.mass.flange, net.push.flange)
+    names = ["der(mass.v)", "mass.s"]
+    path = ia.export_fmu(net, tmp_path / "free.fmu", fmi_version=version, outputs=names, platforms=[])
+    assert not validate_fmu(str(path))
+    described = [v.name for v in told_by(path).modelVariables]
+    assert len(set(described)) == len(described)
+    assert {v.name for v in told_by(path).modelVariables if v.causality == "output"} == set(names)
+
+
 def test_the_same_network_gives_the_same_bytes(tmp_path: Path) -> None:
     first, second = (
         ia.export_fmu(ball(), tmp_path / name, platforms=[]).read_bytes() for name in ("a.fmu", "b.fmu")
