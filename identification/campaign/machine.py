@@ -19,38 +19,30 @@ class Machine(Protocol):
     @property
     def name(self) -> str:
         """What it is called."""
-        ...
 
     @property
     def inputs(self) -> Sequence[Input]:
         """External signals and those of their derivatives that are needed."""
-        ...
 
     @property
     def input_names(self) -> list[str]:
         """Full names of the external signals."""
-        ...
 
     @property
     def parameter_values(self) -> dict[str, float]:
         """Every parameter that can be set, with its value."""
-        ...
 
     def names(self) -> Iterable[str]:
         """Return the full names of all variables."""
-        ...
 
     def unit(self, path: str) -> str:
         """Return the unit of a variable or parameter, empty if it has none."""
-        ...
 
     def field(self, path: str) -> Parameter:
         """Return the declaration of a parameter."""
-        ...
 
     def expression(self, path: str) -> Any:
         """Return what can be measured under a name; KeyError, with the nearest name, if nothing can."""
-        ...
 
 
 Reader = Callable[[Network | str, Mapping[str, str], Path, bool], tuple[Network, Machine]]
