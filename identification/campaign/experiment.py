@@ -84,9 +84,8 @@ def read_experiments(
     experiments = []
     for number, entry in enumerate(entries, start=1):
         where = f"[[{kind}]] {number}"
-        if problems.sound(where, entry, KINDS) and problems.none(
-            where, _experiment_problems(entry, channels)
-        ):
+        sound = problems.sound(where, entry, KINDS)
+        if sound and problems.none(where, _experiment_problems(entry, channels)):
             with problems.of(where):
                 experiments.append(_experiment(entry, channels, base))
     return experiments

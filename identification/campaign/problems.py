@@ -5,11 +5,10 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from contextlib import contextmanager
 from dataclasses import dataclass
-from numbers import Integral
 from pathlib import Path
 from typing import Any
 
-from ...base import is_number
+from ...base import counting, is_number
 from ...components import InertanceError, ModelError, nearest
 
 
@@ -25,17 +24,13 @@ def _is_list(value: Any, of: Callable[[Any], bool]) -> bool:
     return isinstance(value, list | tuple) and len(value) > 0 and all(map(of, value))
 
 
-def _is_count(value: Any) -> bool:
-    return is_number(value) and isinstance(value, Integral) and int(value) > 0
-
-
 TEXT = Kind("a text in quotes", lambda v: isinstance(v, str))
 FILE = Kind("the name of a file in quotes", lambda v: isinstance(v, str | Path) and bool(str(v)))
 NUMBER = Kind("a finite number", is_number)
-COUNT = Kind("a whole number, at least 1", _is_count)
+COUNT = Kind("a whole number, at least 1", lambda v: not counting(v))
 NUMBERS = Kind("a number or two in brackets", lambda v: is_number(v) or _is_list(v, is_number))
 TEXTS = Kind('texts in brackets, such as ["a", "b"]', lambda v: _is_list(v, TEXT.takes))
-COUNTS = Kind("whole numbers in brackets, from 1", lambda v: _is_list(v, _is_count))
+COUNTS = Kind("whole numbers in brackets, from 1", lambda v: _is_list(v, COUNT.takes))
 INTERVAL = Kind(
     "[from, to] in s, from before to", lambda v: _is_list(v, is_number) and len(v) == 2 and v[0] < v[1]
 )

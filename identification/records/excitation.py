@@ -25,13 +25,7 @@ from ...base import (
 from ...components import ModelError, Sampled
 
 MOST_SAMPLES, MOST_LINES = 50_000_000, 1_000_000
-TRIALS = 64
-
-
-def faded(t: Array, begin: float, duration: float) -> Array:
-    """Return a step from 0 to 1 over a duration, twice continuously differentiable."""
-    share = np.clip((t - begin) / duration, 0.0, 1.0)
-    return share**3 * (10 - 15 * share + 6 * share**2)
+PHASE_DRAWS = 64
 
 
 def sampled(signal: Callable[[Any], Any], stop: float, rate: float = 1000.0, fade: float = 0.0) -> Sampled:
@@ -65,17 +59,16 @@ def sampled(signal: Callable[[Any], Any], stop: float, rate: float = 1000.0, fad
         )
     time = np.arange(count + 1) / rate
     t = ca.SX.sym("t")
+    window = _smooth_step(t / fade) * _smooth_step((stop - t) / fade) if fade else 1.0
     try:
         with numpy_on_symbols():
-            function_ = ca.Function("signal", [t], [ca.SX(signal(t))])
+            function_ = ca.Function("signal", [t], [ca.SX(signal(t)) * window])
     except Exception as error:
         told = f"{type(error).__name__}: {str(error).partition(chr(10))[0]}"
         raise ModelError(
             f"sampled(): the signal could not be read ({told}); write it with ca.sin or np.sin"
         ) from error
     values = np.array(function_.map(len(time))(time[None, :])).ravel()
-    if fade:
-        values = values * faded(time, 0.0, fade) * (1 - faded(time, stop - fade, fade))
     return Sampled(time, values)
 
 
@@ -130,13 +123,9 @@ class SineDwells:
             frequencies=(self.frequencies, numbers(finite("Hz"))),
             cycles=(self.cycles, whole(1)),
         )
-        object.__setattr__(self, "amplitudes", tuple(np.ravel(self.amplitudes).tolist()))
-        object.__setattr__(self, "frequencies", tuple(np.ravel(self.frequencies).tolist()))
-        if (
-            len(self.amplitudes) != len(self.frequencies)
-            or not self.frequencies
-            or min(self.frequencies) <= 0
-        ):
+        for name in ("amplitudes", "frequencies"):
+            object.__setattr__(self, name, tuple(np.ravel(getattr(self, name)).tolist()))
+        if len(self.amplitudes) != len(self.frequencies) or min(self.frequencies, default=0.0) <= 0:
             raise ModelError("a SineDwells has as many amplitudes as frequencies, and these are above 0 Hz")
 
     @property
@@ -148,13 +137,14 @@ class SineDwells:
         value, begin = 0, 0.0
         for amplitude, frequency in zip(self.amplitudes, self.frequencies, strict=True):
             end = begin + self.cycles / frequency
-            window = _ramp((t - begin) * frequency) * _ramp((end - t) * frequency)
+            window = _smooth_step((t - begin) * frequency) * _smooth_step((end - t) * frequency)
             value = value + amplitude * window * ca.sin(2 * pi * frequency * (t - begin))
             begin = end
         return value
 
 
-def _ramp(share: Any) -> Any:
+def _smooth_step(share: Any) -> Any:
+    """Return a step from 0 to 1, twice continuously differentiable."""
     share = ca.fmin(ca.fmax(share, 0), 1)
     return share**3 * (10 - 15 * share + 6 * share**2)
 
@@ -196,8 +186,7 @@ class Multisine:
         if self.high * self.period > MOST_LINES:
             raise ModelError(
                 f"a Multisine up to {self.high:g} Hz in steps of {1 / self.period:g} Hz has over "
-                f"{MOST_LINES:.0e} lines; "
-                "give a shorter period"
+                f"{MOST_LINES:.0e} lines; give a shorter period"
             )
         if not 0 < self.low < self.high or not len(self.frequencies):
             raise ModelError(f"a Multisine needs a band above 0 Hz, got {self.low:g} to {self.high:g} Hz")
@@ -206,29 +195,25 @@ class Multisine:
     def frequencies(self) -> Array:
         """The lines [Hz]."""
         lines = np.arange(np.ceil(self.low * self.period), np.floor(self.high * self.period) + 1)
-        found: Array = lines / self.period
-        return found
+        return lines / self.period
 
     @property
     def amplitudes(self) -> Array:
         """Amplitude of each line."""
         shape = self.frequencies**-self.slope
-        found: Array = self.rms * shape * np.sqrt(2 / np.sum(shape**2))
-        return found
+        return self.rms * shape * np.sqrt(2 / np.sum(shape**2))
 
     @property
     def phases(self) -> Array:
         """Phases of the draw with the least peak [rad]."""
-        draws = np.random.default_rng(self.seed).uniform(0, 2 * pi, (TRIALS, len(self.frequencies)))
+        draws = np.random.default_rng(self.seed).uniform(0, 2 * pi, (PHASE_DRAWS, len(self.frequencies)))
         count = 1 << int(np.ceil(np.log2(16 * self.high * self.period)))
         lines = np.round(self.frequencies * self.period).astype(int)
-        spectrum = np.zeros((TRIALS, count // 2 + 1), dtype=complex)
+        spectrum = np.zeros((PHASE_DRAWS, count // 2 + 1), dtype=complex)
         spectrum[:, lines] = self.amplitudes * np.exp(1j * draws)
         peaks = np.abs(np.fft.irfft(spectrum, count)).max(axis=1)
-        best: Array = draws[int(peaks.argmin())]
-        return best
+        return draws[int(peaks.argmin())]
 
     def __call__(self, t: Any) -> Any:
-        return ca.dot(
-            ca.DM(self.amplitudes), ca.cos(ca.DM(2 * pi * self.frequencies) * t + ca.DM(self.phases))
-        )
+        angles = ca.DM(2 * pi * self.frequencies) * t + ca.DM(self.phases)
+        return ca.dot(ca.DM(self.amplitudes), ca.cos(angles))

@@ -2,18 +2,17 @@
 
 from __future__ import annotations
 
-from decimal import Decimal
+from decimal import Decimal, localcontext
 from typing import Any
 
 from ...base import ModelError, whole
 from ..two_terminal import TwoTerminal
-from .bott_duffin import Side
-from .polynomials import derivative, many_digits, positive_roots, value
+from .polynomials import DIGITS, derivative, positive_roots, value
 from .positive import required_positive_real
 from .ratio import Ratio, Scale
 from .rational import RationalFunction
 from .synthesise import checked
-from .tree import Tree, joined
+from .tree import Side, Tree, scaled_by
 
 
 def foster(admittance: Any, form: int = 2) -> TwoTerminal:
@@ -43,17 +42,16 @@ def foster(admittance: Any, form: int = 2) -> TwoTerminal:
     if whole(1)(form) or form not in (1, 2):
         raise ModelError(f"Foster's forms are 1 (in series) and 2 (in parallel), got {form!r}")
     function = RationalFunction.of(admittance)
-    with many_digits():
-        ratio, scale = Ratio.normalised(function)
-        required_positive_real(ratio, scale)
+    with localcontext(prec=DIGITS):
+        ratio, scale = required_positive_real(function)
         side = Side(beside=form == 2)
-        tree = _branches(ratio if side.beside else ratio.inverse, side, scale).at(scale)
-    return checked(tree, function)
+        tree = _branches(ratio if side.beside else ratio.inverse, side, scale)
+    return checked(scaled_by(scale, tree), function)
 
 
 def _branches(function: Ratio, side: Side, scale: Scale) -> Tree:
     poles, rest = function.axis_poles()
-    parts = [side.pole(pole) for pole in poles]
+    parts = [*map(side.pole, poles)]
     constant = rest.num[-1] / rest.den[-1] if len(rest.num) == len(rest.den) else Decimal(0)
     rates = positive_roots([c if k % 2 == 0 else -c for k, c in enumerate(rest.den)])
     if len(rates) < len(rest.den) - 1:
@@ -63,7 +61,7 @@ def _branches(function: Ratio, side: Side, scale: Scale) -> Tree:
         )
     for rate in rates if rest.num else []:
         residue = value(rest.num, -rate) / value(derivative(rest.den), -rate)
-        parts.append(_branch(side.other, rate, residue))
+        parts.append(_branch(side, rate, residue))
         constant += min(residue, Decimal(0)) / rate
     if constant < -function.tolerance:
         missing = -float(constant) * (scale.gain if side.beside else 1 / scale.gain)
@@ -73,12 +71,12 @@ def _branches(function: Ratio, side: Side, scale: Scale) -> Tree:
         )
     if constant > function.tolerance:
         parts.append(side.term(0, constant))
-    return joined(side.beside, parts)
+    return side.joined(parts)
 
 
-def _branch(other: Side, rate: Decimal, residue: Decimal) -> Tree:
+def _branch(side: Side, rate: Decimal, residue: Decimal) -> Tree:
     """Return r/(s + p), or r/(s + p) - r/p for r < 0, from its inverse."""
     if residue > 0:
-        return joined(other.beside, [other.term(1, 1 / residue), other.term(0, rate / residue)])
+        return side.inverse({1: 1 / residue, 0: rate / residue})
     height = -residue / rate
-    return joined(other.beside, [other.term(0, 1 / height), other.term(-1, rate / height)])
+    return side.inverse({0: 1 / height, -1: rate / height})

@@ -4,36 +4,26 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator
 from decimal import Decimal
-from typing import TYPE_CHECKING
+from functools import partial
 
 from .polynomials import ONE, ZERO, Polynomial, plus, positive_roots, scaled, times, value
-from .ratio import INFINITY, Ratio, Scale
-from .tree import Bridge, Element, Join, Tree, joined
+from .ratio import INFINITY, Ratio
+from .tree import Side, Tree, both_ways
 
-if TYPE_CHECKING:
-    from .bott_duffin import Side
-
-Realise = Callable[[Ratio, "Side"], Tree]
+Realise = Callable[[Ratio, Side], Tree]
 
 
 def four_reactive(function: Ratio, side: Side, realise: Realise) -> Iterator[Tree]:
-    """Yield networks F = F(0) r/(s + r) + 1/(1/(L s) + Y), of which Y has four elements.
+    """Return networks F = F(0) r/(s + r) + 1/(1/(L s) + Y), of which Y has four elements.
 
     Any r > 0 makes the first two vanish at 0 together, and leaves the biquadratic Y; it takes four elements
     where r makes one of five vanish. The same with s and 1/s exchanged.
     """
-    (q, B, p), (f, E, d) = function.num, function.den
-    middle, rate = (d * f).sqrt(), (f / d).sqrt()
-    p, B, q, E = p / d, B / middle, q / f, E / middle
-    scale = Scale(float(rate), 1.0)
-    for network in _split(p, B, q, E, function.tolerance, side, realise):
-        yield network.at(scale)
-    for network in _split(q, B, p, E, function.tolerance, side, realise):
-        yield _mirrored(network).at(scale)
+    return both_ways(function, partial(_split, function.tolerance, side, realise))
 
 
 def _split(
-    p: Decimal, B: Decimal, q: Decimal, E: Decimal, tolerance: Decimal, side: Side, realise: Realise
+    tolerance: Decimal, side: Side, realise: Realise, p: Decimal, B: Decimal, q: Decimal, E: Decimal
 ) -> Iterator[Tree]:
     """Yield networks of F = (p s^2 + B s + q)/(s^2 + E s + 1).
 
@@ -49,9 +39,9 @@ def _split(
             continue
         Y = Ratio([value(c0_b0, r) / at_b0, value(c1_b0, r) / at_b0, ONE], [at_b0, at_b1, p], tolerance)
         if _regular(Y):
-            first = joined(other.beside, [other.term(0, 1 / q), other.term(1, 1 / (q * r))])
-            second = joined(other.beside, [other.term(-1, r / at_b0), realise(Y, other)])
-            yield joined(side.beside, [first, second])
+            first = side.inverse({0: 1 / q, 1: 1 / (q * r)})
+            second = other.joined([other.term(-1, r / at_b0), realise(Y, other)])
+            yield side.joined([first, second])
 
 
 def _lost(p: Decimal, b1: Polynomial, b0: Polynomial, c1: Polynomial, c0: Polynomial) -> Iterator[Polynomial]:
@@ -75,11 +65,3 @@ def _regular(Y: Ratio) -> bool:
         return False
     least, x, rounding = Y.least_real()
     return least >= -rounding and (x in (0, INFINITY) or Y.inverse.least_real()[1] in (0, INFINITY))
-
-
-def _mirrored(network: Tree) -> Tree:
-    """Return the network of F(1/s)."""
-    if isinstance(network, Element):
-        return Element(-network.power, network.value)
-    parts = tuple(_mirrored(part) for part in network.parts)
-    return Bridge(parts) if isinstance(network, Bridge) else Join(network.beside, parts)

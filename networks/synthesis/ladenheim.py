@@ -7,20 +7,18 @@ two reactive elements only these two bridges have biquadratics that are not regu
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from decimal import Decimal
-from typing import TYPE_CHECKING
+from functools import partial
 
 from .polynomials import ONE, ZERO, plus, positive_roots, scaled, times, value
 from .ratio import Ratio
-from .tree import Bridge, bridged
+from .tree import Side, Tree, both_ways
 
-if TYPE_CHECKING:
-    from .bott_duffin import Side
-
-AGREES = Decimal("1e-20")
+EQUATION_TOLERANCE = Decimal("1e-20")
 
 
-def two_reactive_bridges(function: Ratio, side: Side) -> list[Bridge]:
+def two_reactive_bridges(function: Ratio, side: Side) -> Iterator[Tree]:
     """Return the bridges with a biquadratic F; there may be none.
 
     As an impedance F = (p s^2 + B s + q)/(s^2 + E s + 1), after scaling s, of the bridge with the impedances
@@ -31,28 +29,17 @@ def two_reactive_bridges(function: Ratio, side: Side) -> list[Bridge]:
 
     The other bridge is that of F(1/s).
     """
-    (q, B, p), (f, E, d) = function.num, function.den
-    middle, rate = (d * f).sqrt(), (f / d).sqrt()
-    p, B, q, E = p / d, B / middle, q / f, E / middle
-    there = [_bridge(side, 1, rate, found) for found in _resistances(p, B, q, E)]
-    back = [_bridge(side, -1, rate, found) for found in _resistances(q, B, p, E)]
-    return there + back
+    return both_ways(function, partial(_bridges, side))
 
 
-def _bridge(side: Side, power: int, rate: Decimal, found: tuple[Decimal, ...]) -> Bridge:
-    a, b, c, d, e = found
-    return bridged(
-        side.beside,
-        [
-            side.term(power, a * rate**-power),
-            *(side.term(0, r) for r in (b, c, d)),
-            side.term(-power, e * rate**power),
-        ],
-    )
+def _bridges(side: Side, p: Decimal, B: Decimal, q: Decimal, E: Decimal) -> Iterator[Tree]:
+    for elements in _resistances(p, B, q, E):
+        terms = zip((1, 0, 0, 0, -1), elements, strict=True)
+        yield side.bridged([side.term(power, value) for power, value in terms])
 
 
-def _resistances(p: Decimal, B: Decimal, q: Decimal, E: Decimal) -> list[tuple[Decimal, ...]]:
-    """Return all a, b, c, d, e > 0.
+def _resistances(p: Decimal, B: Decimal, q: Decimal, E: Decimal) -> Iterator[tuple[Decimal, ...]]:
+    """Yield all a, b, c, d, e > 0.
 
     With u = c + d, elimination leaves (c^2 - c (u + p)) (u - q) + u^2 (p - q) = 0 and c m(u) + n(u) = 0.
     """
@@ -62,21 +49,21 @@ def _resistances(p: Decimal, B: Decimal, q: Decimal, E: Decimal) -> list[tuple[D
     m = plus(times(less_q, [-p * q * K, (p - q) * K, -K - H]), times(square, square), -G)
     n = times(square, plus(scaled(less_q, (q - p) * K), [ZERO, ZERO, K + H + q * G, G]))
     equation = plus(times(less_q, times(n, plus(n, times(m, [p, ONE])))), times(square, times(m, m)), p - q)
-    tried = [
-        _solved(p, B, q, E, u, -value(n, u) / value(m, u)) for u in positive_roots(equation) if value(m, u)
-    ]
-    return [found for found in tried if found is not None]
+    for u in positive_roots(equation):
+        if value(m, u):
+            yield from _solved(p, B, q, E, u, -value(n, u) / value(m, u))
 
 
 def _solved(
     p: Decimal, B: Decimal, q: Decimal, E: Decimal, u: Decimal, c: Decimal
-) -> tuple[Decimal, ...] | None:
-    """Return the elements for u = c + d if they are positive and all six equations hold."""
+) -> Iterator[tuple[Decimal, ...]]:
+    """Yield the elements for u = c + d if they are positive and all six equations hold."""
     d = u - c
     if not (u > q and c > 0 and d > 0 and E * u != B):
-        return None
+        return
     b = q * u / (u - q)
     t = c * (c * b + c * d + d**2) / (E * u - B)
     a, e = t / (b + d), t / (b + c + d)
     wrong = abs(a * e + c * (b + d) - t * E) + abs(a * (b * (c + d) + c * d) - t * p)
-    return (a, b, c, d, e) if t > 0 and wrong < AGREES * t * (E + p) else None
+    if t > 0 and wrong < EQUATION_TOLERANCE * t * (E + p):
+        yield a, b, c, d, e

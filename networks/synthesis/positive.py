@@ -4,13 +4,13 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
-from decimal import Decimal
+from decimal import Decimal, localcontext
 from typing import Any
 
 import numpy as np
 
 from ...base import ModelError
-from .polynomials import many_digits
+from .polynomials import DIGITS
 from .ratio import AxisPole, Ratio, Scale, hertz, right_half_plane_roots
 from .rational import RationalFunction
 
@@ -67,23 +67,24 @@ def positive_real(admittance: Any) -> PositiveReal:
         'its real part is -0.6 N.s/m at 0.389848 Hz'
     """
     function = RationalFunction.of(admittance)
-    with many_digits():
-        ratio, scale = Ratio.normalised(function)
-        return _tested(ratio, scale)
+    with localcontext(prec=DIGITS):
+        return _tested(*Ratio.normalised(function))
 
 
-def required_positive_real(ratio: Ratio, scale: Scale) -> None:
-    """Refuse what is not positive-real.
+def required_positive_real(function: RationalFunction) -> tuple[Ratio, Scale]:
+    """Return a function normalised.
 
     Raises:
-        NotPositiveRealError: naming the frequency.
+        NotPositiveRealError: if it is not positive-real, naming the frequency.
     """
+    ratio, scale = Ratio.normalised(function)
     found = _tested(ratio, scale)
     if not found:
         raise NotPositiveRealError(
             f"this admittance is not positive-real: {found.reason}; no springs, dampers and inerters have it",
             found.frequency,
         )
+    return ratio, scale
 
 
 def _tested(ratio: Ratio, scale: Scale) -> PositiveReal:

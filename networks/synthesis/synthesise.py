@@ -2,20 +2,20 @@
 
 from __future__ import annotations
 
-from typing import Any
+from decimal import localcontext
+from typing import Any, cast
 
 import numpy as np
 
 from ...base import ModelError
 from ..two_terminal import TwoTerminal, parallel
-from .bott_duffin import Side, realise
-from .polynomials import many_digits
+from .bott_duffin import realise
+from .polynomials import DIGITS
 from .positive import required_positive_real
-from .ratio import Ratio
 from .rational import RationalFunction
-from .tree import Tree
+from .tree import Side, Tree, scaled_by
 
-ACCURACY, LOSS = 1e-9, 1e4
+TOLERANCE, ACCURACY_LOSS = 1e-9, 1e4
 
 
 def synthesise(admittance: Any) -> TwoTerminal:
@@ -44,15 +44,10 @@ def synthesise(admittance: Any) -> TwoTerminal:
     function = RationalFunction.of(admittance)
     if not function.num:
         raise ModelError("this admittance is zero: nothing between the flanges has it")
-    return checked(network_tree(function), function)
-
-
-def network_tree(function: RationalFunction) -> Tree:
-    """Return the network of a function as a tree."""
-    with many_digits():
-        ratio, scale = Ratio.normalised(function)
-        required_positive_real(ratio, scale)
-        return realise(ratio, Side(beside=True)).at(scale)
+    with localcontext(prec=DIGITS):
+        ratio, scale = required_positive_real(function)
+        tree = scaled_by(scale, realise(ratio, Side(beside=True)))
+    return checked(tree, function)
 
 
 def checked(tree: Tree, function: RationalFunction) -> TwoTerminal:
@@ -67,12 +62,11 @@ def checked(tree: Tree, function: RationalFunction) -> TwoTerminal:
     got, wanted = tree(s), function(s)
     error = np.abs(got - wanted) / np.abs(wanted)
     worst = int(np.argmax(error))
-    if not error[worst] <= ACCURACY + LOSS * function.accuracy:
+    if not error[worst] <= TOLERANCE + ACCURACY_LOSS * function.accuracy:
         raise ModelError(
             f"the network found has the admittance {got[worst]:.9g} N.s/m, not {wanted[worst]:.9g} N.s/m, at "
             f"s = {s[worst]:.6g} rad/s: its coefficients are too close to degenerate; round or cancel them"
         )
     component = tree.component()
-    joined: Any = component if isinstance(component, TwoTerminal) else parallel(component)
-    found: TwoTerminal = joined
-    return found
+    found: Any = component if isinstance(component, TwoTerminal) else parallel(component)
+    return cast(TwoTerminal, found)
