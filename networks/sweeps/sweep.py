@@ -6,7 +6,7 @@ import inspect
 import json
 from collections.abc import Callable, Generator, Iterable, Mapping
 from contextlib import closing
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from hashlib import sha256
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -115,8 +115,11 @@ def sweep(
     mark = _mark(dae, design, measure)
     title = dae.name if dae is not None else "sweep"
     with opened(None if path is None else path_of(path, "the table of a sweep"), design.names, mark) as store:
-        points = {key: v for key, v in zip(keys, values, strict=True) if key not in store.rows}
-        store.values |= dict(zip(keys, values, strict=True))
+        asked = dict(zip(keys, values, strict=True))
+        store.rows |= {
+            key: replace(row, values=asked[key]) for key, row in store.rows.items() if key in asked
+        }
+        points = {key: v for key, v in asked.items() if key not in store.rows}
         rows = _rows(model, dae, measure, points, executor, workers)
         return _gathered(design, keys, store, rows, Progress(title, 0, len(points), progress, "points"))
 
@@ -127,13 +130,13 @@ def _gathered(design: Design, keys: list[str], store: Store, rows: Generator[Row
 
     def done() -> Sweep:
         there = [n for n, key in enumerate(keys) if key in store.rows]
-        table = store.table([keys[n] for n in there])
-        return Sweep(design, table.set_index(_point_index(there)), resumed)
+        table = store.table(keys[n] for n in there).set_axis(there, axis=0).rename_axis("point")
+        return Sweep(design, table, resumed)
 
     try:
         with show as bar, closing(rows):
             for count, row in enumerate(rows, start=1):
-                store.add(store.values[row.key], row)
+                store.add(row)
                 bar.at(count)
     except KeyboardInterrupt:
         store.fold()
@@ -172,29 +175,16 @@ def _rows(
 
     blob = packed(model, measure)
     if executor is None:
-        bequeath(blob, measure, dae)
-    pool = Pool(executor, workers, blob)
-    finish = False
-    try:
-        yield from pool.rows(points.items())
-        finish = True
-    finally:
-        pool.close(finish)
-
-
-def _point_index(numbers: list[int]) -> Any:
-    """Return the index of a table of points."""
-    import pandas as pd
-
-    return pd.Index(numbers, name="point")
+        bequeath(blob, Work(measure, dae))
+    yield from Pool(executor, workers, blob).rows(points.items())
 
 
 def _check_names(dae: DAE | None, design: Design) -> None:
-    known = dae.parameter_values if dae is not None else dict.fromkeys(design.names)
-    unknown = [name for name in design.names if name not in known]
-    if unknown:
-        assert dae is not None
-        told = [f"there is no parameter '{name}'{nearest(name, known)}" for name in unknown]
+    if dae is None:
+        return
+    known = dae.parameter_values
+    told = [f"there is no parameter '{n}'{nearest(n, known)}" for n in design.names if n not in known]
+    if told:
         raise ModelError(f"'{dae.name}' cannot be swept:", told)
 
 

@@ -143,10 +143,9 @@ class Ratio:
         turning = plus(times(derivative(real), below), times(real, derivative(below)), -ONE)
         found = []
         for x in [ZERO, *positive_roots(turning)]:
-            w, weight = x.sqrt(), self.tolerance / value(below, x)
-            found.append(
-                (value(real, x) / value(below, x), x, weight * size(self.num, w) * size(self.den, w))
-            )
+            w, magnitude = x.sqrt(), value(below, x)
+            rounding = self.tolerance * size(self.num, w) * size(self.den, w) / magnitude
+            found.append((value(real, x) / magnitude, x, rounding))
         top = self.num[-1] / self.den[-1] if len(self.num) == len(self.den) else ZERO
         found.append((top, INFINITY, abs(top) * self.tolerance))
         least, _, rounding = min(found)
