@@ -15,8 +15,8 @@ import numpy as np
 from ...base import demand, function, instance, path_of, shown, text_of, there_is_file, unit_for
 from ...components import ModelError
 from ...networks import DAE, Network
-from ..records.channel import Channel, outputs_of
 from ..records.noise import Floor, repeated_floor, spectral_floor
+from ..records.record import Channel, outputs_of
 from .channels import read_channels, read_noise
 from .experiment import Experiment, read_experiments, repeat_problems, strange
 from .machine import Machine, Reader, read_network

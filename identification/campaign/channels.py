@@ -8,7 +8,7 @@ from typing import Any
 from ...base import is_number, unit_for
 from ...components import nearest
 from ...components.language import INTERPOLATIONS
-from ..records.channel import Channel, outputs_of
+from ..records.record import Channel, outputs_of
 from .machine import Machine
 from .problems import TEXT, Problems
 

@@ -11,9 +11,8 @@ import numpy as np
 
 from ...components import ModelError, nearest
 from ...networks import Input, between_samples, jump_remedy
-from ..records.channel import Channel, outputs_of
 from ..records.columns import stuck
-from ..records.record import Record, read_record
+from ..records.record import Channel, Record, outputs_of, read_record
 from .problems import FILE, INTERVAL, NUMBER, TEXT, TEXTS, Kind, Problems
 
 INITIALS = ("fit", "rest")

@@ -15,7 +15,7 @@ from ...base import Array
 from ...components import ModelError
 from ...networks import ATOL, DAE, RTOL, Network, Result, Variations, dae_of, simulate
 from ..campaign.experiment import Experiment
-from ..records.channel import Channel
+from ..records.record import Channel
 
 
 @dataclass(frozen=True)

@@ -14,7 +14,7 @@ from ...components import InertanceError
 from ..campaign.campaign import Campaign
 from ..campaign.experiment import Experiment
 from ..campaign.priors import Prior
-from ..records.channel import Channel
+from ..records.record import Channel
 from .campaign_model import Accuracy, CampaignModel
 from .problem import FitProblem, Optimum
 from .residual_block import ResidualBlock

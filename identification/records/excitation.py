@@ -72,6 +72,11 @@ def sampled(signal: Callable[[Any], Any], stop: float, rate: float = 1000.0, fad
     return Sampled(time, values)
 
 
+def _check(excitation: Any, **checks: Callable[[Any], str]) -> None:
+    fields = {name: (getattr(excitation, name), check) for name, check in checks.items()}
+    demand(f"a {type(excitation).__name__}", **fields)
+
+
 @dataclass(frozen=True)
 class Chirp:
     """A sine whose frequency rises evenly: x = amplitude sin(2 pi (low t + (high - low) t^2/(2 duration))).
@@ -88,13 +93,8 @@ class Chirp:
     duration: float
 
     def __post_init__(self) -> None:
-        demand(
-            "a Chirp",
-            amplitude=(self.amplitude, finite()),
-            low=(self.low, at_least(0, "Hz")),
-            high=(self.high, at_least(0, "Hz")),
-            duration=(self.duration, above(0, "s")),
-        )
+        frequency = at_least(0, "Hz")
+        _check(self, amplitude=finite(), low=frequency, high=frequency, duration=above(0, "s"))
 
     def __call__(self, t: Any) -> Any:
         turns = self.low * t + (self.high - self.low) * t**2 / (2 * self.duration)
@@ -117,12 +117,7 @@ class SineDwells:
     cycles: int = 10
 
     def __post_init__(self) -> None:
-        demand(
-            "a SineDwells",
-            amplitudes=(self.amplitudes, numbers(finite())),
-            frequencies=(self.frequencies, numbers(finite("Hz"))),
-            cycles=(self.cycles, whole(1)),
-        )
+        _check(self, amplitudes=numbers(finite()), frequencies=numbers(finite("Hz")), cycles=whole(1))
         for name in ("amplitudes", "frequencies"):
             object.__setattr__(self, name, tuple(np.ravel(getattr(self, name)).tolist()))
         if len(self.amplitudes) != len(self.frequencies) or min(self.frequencies, default=0.0) <= 0:
@@ -174,15 +169,9 @@ class Multisine:
     slope: float = 0.0
 
     def __post_init__(self) -> None:
-        demand(
-            "a Multisine",
-            rms=(self.rms, finite()),
-            low=(self.low, above(0, "Hz")),
-            high=(self.high, above(0, "Hz")),
-            period=(self.period, above(0, "s")),
-            seed=(self.seed, whole(0)),
-            slope=(self.slope, between(-10, 10)),
-        )
+        frequency = above(0, "Hz")
+        drawn = {"seed": whole(0), "slope": between(-10, 10)}
+        _check(self, rms=finite(), low=frequency, high=frequency, period=above(0, "s"), **drawn)
         if self.high * self.period > MOST_LINES:
             raise ModelError(
                 f"a Multisine up to {self.high:g} Hz in steps of {1 / self.period:g} Hz has over "

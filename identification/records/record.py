@@ -14,12 +14,35 @@ from ...base import Array, above, demand, finite, instance, one_of, path_of, sho
 from ...base.tables import Table, read_table
 from ...components import ModelError, Sampled, UnknownNameError, nearest
 from ...components.language import INTERPOLATIONS
-from .channel import Channel
 from .columns import JITTER, LEAST_SAMPLES, number_problems, time_problems, value_problems
 from .filters import Filter
 
 EVEN_TOLERANCE = 1e-4  # of a step
 ROUNDING_TOLERANCE = 1e-2
+
+
+@dataclass(frozen=True)
+class Channel:
+    """A column of the data and the quantity of the network that it measures.
+
+    Args:
+        path: full name of the quantity.
+        driven: whether it is an input of the network; an output otherwise.
+        unit: of the column.
+        si: unit of the quantity in the network.
+        interpolation: of an input between its samples, as of `Sampled`.
+    """
+
+    path: str
+    driven: bool
+    unit: str
+    si: str
+    interpolation: str = "cubic"
+
+
+def outputs_of(channels: Mapping[str, Channel]) -> list[str]:
+    """Return the channels that the network predicts."""
+    return [name for name, channel in channels.items() if not channel.driven]
 
 
 @dataclass(frozen=True, eq=False)

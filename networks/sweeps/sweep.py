@@ -116,9 +116,8 @@ def sweep(
     title = dae.name if dae is not None else "sweep"
     with opened(None if path is None else path_of(path, "the table of a sweep"), design.names, mark) as store:
         asked = dict(zip(keys, values, strict=True))
-        store.rows |= {
-            key: replace(row, values=asked[key]) for key, row in store.rows.items() if key in asked
-        }
+        for key in asked.keys() & store.rows.keys():
+            store.rows[key] = replace(store.rows[key], values=asked[key])
         points = {key: v for key, v in asked.items() if key not in store.rows}
         rows = _rows(model, dae, measure, points, executor, workers)
         return _gathered(design, keys, store, rows, Progress(title, 0, len(points), progress, "points"))
