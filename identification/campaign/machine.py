@@ -58,13 +58,7 @@ def fmu_and_kind(model: Network | str) -> tuple[str, str] | None:
 def read_network(
     model: Network | str, port: Mapping[str, str], base: Path, validate: bool = True
 ) -> tuple[Network, Machine]:
-    """Return the network of a campaign, and its equations.
-
-    Args:
-        model: the network, or `path/to/file.py:function` that returns it.
-        port: empty; where other parts may be joined to an FMU.
-        base: the folder that a relative path starts from.
-        validate: for FMUs.
+    """Return the network of a campaign, and its equations: the `Reader` of what is no FMU.
 
     Raises:
         ModelError: telling what is wrong; for an FMU, what can be done with it.

@@ -45,7 +45,6 @@ class Problems:
         self.found: list[str] = []
 
     def add(self, *problems: str) -> None:
-        """Note problems."""
         self.found += problems
 
     def none(self, where: str, problems: Iterable[str]) -> bool:
@@ -71,7 +70,6 @@ class Problems:
             self.add(f"{where}: {error.args[0]}")
 
     def stop(self) -> None:
-        """Raise if there are any problems."""
         if self.found:
             raise ModelError(f"{self.source} cannot be used:", self.found)
 

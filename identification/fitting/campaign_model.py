@@ -58,11 +58,7 @@ class RecordModel:
     """A network on one record: its own equations with the record's inputs, compiled once."""
 
     def __init__(
-        self,
-        dae: DAE,
-        experiment: Experiment,
-        channels: Mapping[str, Channel],
-        variations: Variations,
+        self, dae: DAE, experiment: Experiment, channels: Mapping[str, Channel], variations: Variations
     ) -> None:
         self.dae, self.variations = replace(dae, bindings={}), variations
         self.experiment, self.record = experiment, experiment.compared

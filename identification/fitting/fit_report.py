@@ -19,7 +19,7 @@ PANEL_SAMPLES = 400  # that a panel can show one by one
 
 
 def table(fit: Fit) -> str:
-    """Return parameters with standard errors, fits per channel and warnings as text."""
+    """See `Fit.table`."""
     remarks = [f"note: {note}" for note in fit.campaign.notes]
     remarks += [f"warning: {warning}" for warning in fit.warnings]
     parts = [[*_parameters(fit)], [*_records(fit)] if fit.comparisons else [], remarks]
@@ -56,7 +56,7 @@ def _kind(comparison: Comparison) -> str:
 
 
 def as_dict(fit: Fit) -> dict[str, Any]:
-    """Return everything but the signals as plain numbers and texts."""
+    """See `Fit.to_dict`."""
     priors, units = fit.campaign.priors, fit.campaign.dae.unit
     return {
         "parameters": {
@@ -90,7 +90,7 @@ def as_dict(fit: Fit) -> dict[str, Any]:
 
 
 def write_json(fit: Fit, path: str | Path) -> Path:
-    """Write `as_dict` to a file and return its path."""
+    """See `Fit.to_json`."""
     check_output(path, [".json"])
     told = json.dumps(as_dict(fit), indent=2, default=float, allow_nan=True)
     return write_text(path, told.replace("NaN", "null"))
@@ -115,10 +115,7 @@ def _title(fit: Fit, comparison: Comparison, channel: str, near: slice) -> str:
 
 
 def plot(fit: Fit, channel: str) -> Any:
-    """Return a figure with a row for every record: measured and predicted, and the residuals.
-
-    Of a long record, measured and predicted are shown where the fit misses most.
-    """
+    """See `Fit.plot`; of a long record, measured and predicted are shown where the fit misses most."""
     from matplotlib.figure import Figure
 
     shown = fit.comparisons[:MOST_RECORDS]

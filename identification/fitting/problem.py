@@ -78,15 +78,12 @@ class FitProblem:
         most: int = MOST_ITERATIONS,
         interruptible: bool = False,
     ) -> Optimum:
-        """Return the best parameters near where they start.
+        """Return the best parameters near where they start, after at most so many steps.
 
         Args:
             report: called with where the descent is, before each step.
-            most: steps at most.
+            most: steps.
             interruptible: whether Ctrl-C ends it with what was found until then, once there is anything.
-
-        Raises:
-            InertanceError: if the network cannot be run with the values to start from.
         """
         start, count = np.zeros(self._ends[-1]), len(self.priors)
         low, high = np.full_like(start, -np.inf), np.full_like(start, np.inf)
@@ -110,7 +107,6 @@ class FitProblem:
         return Optimum(values, nuisances, at.cost, at.residual, at.slopes, self.scales, at.number, at.ended)
 
     def _parts(self, vector: Array) -> tuple[dict[str, float], list[Array]]:
-        """Return parameters, and the nuisances of each record."""
         moved, *nuisances = np.split(vector, self._ends[:-1])
         p = np.clip(self._center + self.scales * moved, self._lower, self._upper)
         return dict(zip(self.priors, p.tolist(), strict=True)), nuisances

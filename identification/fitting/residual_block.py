@@ -61,7 +61,6 @@ class ResidualBlock:
 
     @property
     def nuisances(self) -> int:
-        """Number of nuisances."""
         return self.center.size + len(self.offsets)
 
     def prepare(self, parameters: Mapping[str, float], accuracy: Accuracy) -> None:
@@ -80,7 +79,6 @@ class ResidualBlock:
     def linearise(
         self, parameters: Mapping[str, float], nuisances: Array, accuracy: Accuracy, slopes: bool = True
     ) -> Linearised:
-        """Return the weighted residual and its slopes."""
         moved = nuisances[: self.center.size].reshape(self.center.shape)
         starts = self.center + moved * self.width
         predictions = [

@@ -106,7 +106,6 @@ def _is_better(other: Optimum, given: Optimum, priors: Mapping[str, Prior]) -> b
 
 
 def _changed(experiment: Experiment, suspect: Suspect) -> Experiment:
-    """Return a record as it would be."""
     given = experiment.record.values
     pairs = zip(suspect.channels, reversed(suspect.channels), strict=True)
     values = {**given, **{one: suspect.factor * given[other] for one, other in pairs}}

@@ -86,7 +86,6 @@ def _unit_problem(names: Iterable[str]) -> dict[str, Any]:
 
 
 def _salib(part: str) -> Any:
-    """Return a part of SALib, or say that it is missing."""
     try:
         return import_module(f"SALib.{part}.sobol")
     except ImportError as error:

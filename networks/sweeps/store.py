@@ -42,10 +42,7 @@ class Store:
     Args:
         path: the table; None keeps rows in memory only.
         names: the parameters.
-        mark: what the rows belong to: another model, measure or other parameters have another mark.
-
-    Raises:
-        ModelError: if the file belongs to another sweep.
+        mark: of model, measure and parameters; a file of another sweep, which has another, is refused.
     """
 
     def __init__(self, path: Path | None, names: tuple[str, ...], mark: str) -> None:
@@ -60,7 +57,6 @@ class Store:
                 self.fold()
 
     def add(self, row: Row) -> None:
-        """Keep a row, once."""
         if row.key in self.rows:
             return
         self.rows[row.key] = row

@@ -39,7 +39,6 @@ class Work:
     dae: DAE | None
 
     def row(self, key: str, values: Values) -> Row:
-        """Return what comes of a point."""
         started = time.perf_counter()
         results: dict[str, Any] = {}
         error = ""
@@ -51,11 +50,7 @@ class Work:
 
 
 def packed(model: Model, measure: Callable[..., Any]) -> bytes:
-    """Return model and measure as bytes for other processes.
-
-    Raises:
-        ModelError: if they cannot be sent.
-    """
+    """Return model and measure as bytes for other processes; a ModelError says that they cannot be sent."""
     try:
         import cloudpickle as pickler  # type: ignore[import-not-found, import-untyped, unused-ignore]
     except ImportError:
@@ -87,11 +82,7 @@ def work(blob: bytes, points: list[tuple[str, Values]]) -> list[Row]:
 
 
 def equations(model: Model) -> DAE | None:
-    """Return the equations of a network, of what a function returns, or of "path/to/file.py:function".
-
-    Raises:
-        ModelError: for anything else.
-    """
+    """Return the equations of a network, of what a function returns, or of "path/to/file.py:function"."""
     if model is None:
         return None
     network: Any = model
@@ -105,7 +96,6 @@ def equations(model: Model) -> DAE | None:
 
 
 def _called(model: Callable[[], Network]) -> Any:
-    """Return what a function of the user's returns."""
     name = getattr(model, "__name__", repr(model))
     try:
         return model()
@@ -115,11 +105,7 @@ def _called(model: Callable[[], Network]) -> Any:
 
 
 def named(found: Any) -> dict[str, float | str | None]:
-    """Return results by name as plain numbers; a single one is called `value`.
-
-    Raises:
-        TypeError: for what is no number.
-    """
+    """Return results by name as plain numbers; a single one is called `value`."""
     given = found if isinstance(found, dict) else {"value": found}
     for name, value in given.items():
         if name in RESERVED:

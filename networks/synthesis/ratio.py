@@ -104,7 +104,6 @@ class Ratio:
         return max(len(self.num), len(self.den)) - 1
 
     def times(self, factor: Decimal) -> Ratio:
-        """Return factor F."""
         return Ratio(scaled(self.num, factor), self.den, self.tolerance)
 
     def on_axis(self, x: Decimal) -> tuple[Decimal, Decimal]:

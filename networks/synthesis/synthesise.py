@@ -51,11 +51,7 @@ def synthesise(admittance: Any) -> TwoTerminal:
 
 
 def checked(tree: Tree, function: RationalFunction) -> TwoTerminal:
-    """Return a network as a component, once its admittance is seen to be the one wanted.
-
-    Raises:
-        ModelError: if it is not, at points around all poles and zeros, off the axis.
-    """
+    """Return a network as a component, once its admittance at points off the axis is the one wanted."""
     corners = np.abs(np.r_[function.poles, function.zeros])
     corners = corners[corners > 0] if (corners > 0).any() else np.ones(1)
     s = np.geomspace(corners.min() / 10, corners.max() * 10, 60) * np.exp(0.45j * np.pi)

@@ -44,7 +44,6 @@ class Join:
 
     @property
     def elements(self) -> list[Element]:
-        """All elements."""
         return [element for part in self.parts for element in part.elements]
 
     def __call__(self, s: Any) -> Any:
@@ -55,7 +54,6 @@ class Join:
         return Join(self.how, tuple(part.mapped(change) for part in self.parts))
 
     def component(self) -> Component:
-        """Return the two-terminal element."""
         return self.how(*(part.component() for part in self.parts))
 
 
