@@ -160,9 +160,9 @@ def repeat_problems(experiments: list[Experiment], channels: Mapping[str, Channe
     for experiment in experiments:
         if experiment.repeat_of is None:
             continue
-        told, known = Path(experiment.repeat_of).name, [Path(source).name for source in by_source]
         other = by_source.get(experiment.repeat_of)
         if other is None:
+            told, known = Path(experiment.repeat_of).name, [Path(source).name for source in by_source]
             near = nearest(told, known) or f"; there are {', '.join(known)}"
             yield f"{experiment.name}: repeat_of: no record of the campaign is '{told}'{near}"
         elif other is experiment:

@@ -137,7 +137,6 @@ def left_prior(name: str, value: float, prior: Prior, unit: str) -> Iterator[str
 
 
 def _is_white(comparisons: Iterable[Comparison], channel: str) -> bool:
-    """Tell whether what is left of records is white."""
     residuals = [c.residual(channel, c.after) for c in comparisons]
     shares = [spectral_floor(r).sigma / max(float(np.std(r)), 1e-300) for r in residuals]
     return min(shares, default=0.0) > WHITE_SHARE

@@ -2,15 +2,13 @@
 
 from __future__ import annotations
 
-import json
 from collections.abc import Iterator
 from dataclasses import asdict
-from pathlib import Path
 from typing import Any
 
 import numpy as np
 
-from ...base import aligned, check_output, write_text
+from ...base import aligned
 from .doubts import over_noise
 from .outcome import Comparison, Fit
 
@@ -87,13 +85,6 @@ def as_dict(fit: Fit) -> dict[str, Any]:
         "interrupted": fit.interrupted,
         "warnings": fit.warnings,
     }  # fmt: skip
-
-
-def write_json(fit: Fit, path: str | Path) -> Path:
-    """See `Fit.to_json`."""
-    check_output(path, [".json"])
-    told = json.dumps(as_dict(fit), indent=2, default=float, allow_nan=True)
-    return write_text(path, told.replace("NaN", "null"))
 
 
 def _worst(comparison: Comparison, channel: str) -> slice:

@@ -29,41 +29,26 @@ LEAST_WIDTH = 1e-12  # of the box of a step, which must not be empty
 
 @dataclass(frozen=True)
 class Ending:
-    """Where a descent ends.
+    """Where a descent ends; no step is worth a run that promises a smaller drop than both allow together."""
 
-    Attributes:
-        relative, absolute: the drop of the sum of squares, over that sum and beside it, below which no step
-            is worth a run.
-        radius: of the trust region below which steps see nothing but roughness.
-        steps: tried at most.
-    """
-
-    relative: float
-    absolute: float
-    radius: float
-    steps: int
+    relative: float  # drop of the sum of squares over that sum
+    absolute: float  # drop of the sum of squares
+    radius: float  # of the trust region below which steps see nothing but roughness
+    steps: int  # tried at most
 
 
 @dataclass(frozen=True, eq=False)
 class Iterate:
-    """How far a descent has come.
-
-    Attributes:
-        vector: where it is.
-        residual, slopes: there; slopes as they were learnt, if they are.
-        number: of the step that is tried next.
-        ended: why nothing follows, in words; empty before.
-    """
+    """How far a descent has come."""
 
     vector: Array
     residual: Array
-    slopes: Array
-    number: int
-    ended: str = ""
+    slopes: Array  # as they were learnt, if they are
+    number: int  # of the step that is tried next
+    ended: str = ""  # why nothing follows, in words
 
     @property
     def cost(self) -> float:
-        """Sum of squares."""
         return float(self.residual @ self.residual)
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from operator import attrgetter
@@ -10,7 +11,7 @@ from typing import Any
 
 import numpy as np
 
-from ...base import Array
+from ...base import Array, check_output, write_text
 from ...networks import Network
 from ..campaign.campaign import Campaign
 from ..campaign.experiment import Experiment
@@ -139,9 +140,9 @@ class Fit:
 
     def to_json(self, path: str | Path) -> Path:
         """Write `to_dict` to a file and return its path."""
-        from .fit_report import write_json
-
-        return write_json(self, path)
+        check_output(path, [".json"])
+        told = json.dumps(self.to_dict(), indent=2, default=float, allow_nan=True)
+        return write_text(path, told.replace("NaN", "null"))
 
     def plot(self, channel: str | None = None) -> Any:
         """Return a matplotlib figure: measured and predicted, and what is left, for every record."""

@@ -21,37 +21,22 @@ SLOWER, LEAST_STEPS = 20, 50  # a trial may take so many times the steps of the 
 
 @dataclass(frozen=True, eq=False)
 class Optimum:
-    """Where a fit ended.
+    """Where a fit ended; rows are those of the records, then of the priors and the nuisances."""
 
-    Attributes:
-        values: the fitted parameters.
-        nuisances: those of each record.
-        cost: sum of squares of residuals over noise, priors included.
-        residual, slopes: there; rows of the records, then of the priors and the nuisances, columns in units
-            of `scales` and of the nuisances.
-        scales: units of the parameters.
-        iterations: steps taken.
-        ended: why, in words.
-    """
-
-    values: dict[str, float]
-    nuisances: list[Array]
-    cost: float
+    values: dict[str, float]  # the fitted parameters
+    nuisances: list[Array]  # of each record
+    cost: float  # sum of squares of residuals over noise, priors included
     residual: Array
-    slopes: Array
-    scales: Array
+    slopes: Array  # columns in units of `scales`, then of the nuisances
+    scales: Array  # units of the parameters
     iterations: int
-    ended: str
+    ended: str  # why, in words
 
 
 class FitProblem:
     """Parameters with priors and the records they are fitted to: the maximum a posteriori as least squares.
 
-    Args:
-        blocks: the records, which are prepared here.
-        priors: of the parameters to be fitted.
-        values: of all parameters; those to be fitted start there.
-        accuracy: how runs are computed.
+    Records are prepared for the values of all parameters; those with priors are fitted from there.
     """
 
     def __init__(

@@ -62,8 +62,7 @@ def _scatter(optimum: Optimum, blocks: Sequence[ResidualBlock]) -> Array:
         own = np.flatnonzero(slopes[rows].any(axis=0))
         scatter[np.ix_(own, own)] += _coloured(residual[rows], slopes[rows][:, own], block)
         begin += block.rows
-    assumed: Array = scatter + slopes[begin:].T @ slopes[begin:]
-    return assumed
+    return np.asarray(scatter + slopes[begin:].T @ slopes[begin:])
 
 
 def _coloured(residual: Array, slopes: Array, block: ResidualBlock) -> Array:

@@ -184,7 +184,7 @@ class Multisine:
     def frequencies(self) -> Array:
         """The lines [Hz]."""
         lines = np.arange(np.ceil(self.low * self.period), np.floor(self.high * self.period) + 1)
-        return lines / self.period
+        return np.asarray(lines / self.period)
 
     @property
     def amplitudes(self) -> Array:
@@ -201,7 +201,7 @@ class Multisine:
         spectrum = np.zeros((PHASE_DRAWS, count // 2 + 1), dtype=complex)
         spectrum[:, lines] = self.amplitudes * np.exp(1j * draws)
         peaks = np.abs(np.fft.irfft(spectrum, count)).max(axis=1)
-        return draws[int(peaks.argmin())]
+        return np.asarray(draws[int(peaks.argmin())])
 
     def __call__(self, t: Any) -> Any:
         angles = ca.DM(2 * pi * self.frequencies) * t + ca.DM(self.phases)

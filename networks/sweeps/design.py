@@ -29,7 +29,8 @@ class Design:
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "names", listed("names", self.names))
-        if not (isinstance(self.points, Sequence) and all(isinstance(p, Sequence) for p in self.points)):
+        points: Any = self.points
+        if not (isinstance(points, Sequence) and all(isinstance(point, Sequence) for point in points)):
             raise ModelError(f"points are rows of values, one for each parameter, got {shown(self.points)}")
         for number, point in enumerate(self.points):
             if len(point) != len(self.names):

@@ -11,8 +11,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from decimal import Decimal
 
-from .four_reactive import four_reactive
-from .ladenheim import two_reactive_bridges
+from .biquadratics import four_reactive, two_reactive_bridges
 from .polynomials import ONE, ZERO, by_s, divided, plus, positive_roots, scaled, times, trimmed
 from .ratio import INFINITY, AxisPole, Ratio
 from .tree import Side, Tree

@@ -95,7 +95,6 @@ class Ratio:
 
     @property
     def inverse(self) -> Ratio:
-        """1/F."""
         return Ratio(self.den, self.num, self.tolerance)
 
     @property

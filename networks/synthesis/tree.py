@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from decimal import Decimal
 from typing import Any
 
 from ...components import Component, Damper, Inerter, Spring
 from ..two_terminal import bridge, parallel, series
-from .ratio import INFINITY, AxisPole, Ratio, Scale
+from .ratio import INFINITY, AxisPole, Scale
 
 
 @dataclass(frozen=True)
@@ -122,21 +122,3 @@ class Side:
 def scaled_by(scale: Scale, network: Tree) -> Tree:
     """Return the network of the true function from that of the normalised one."""
     return network.mapped(lambda e: Element(e.power, e.value * scale.gain * scale.rate**-e.power))
-
-
-def both_ways(
-    function: Ratio, networks: Callable[[Decimal, Decimal, Decimal, Decimal], Iterable[Tree]]
-) -> Iterator[Tree]:
-    """Yield the networks of (p s^2 + B s + q)/(s^2 + E s + 1), and those found with s and 1/s exchanged.
-
-    Args:
-        function: a biquadratic, which is that after scaling s.
-        networks: of p, B, q and E.
-    """
-    (q, B, p), (f, E, d) = function.num, function.den
-    middle, scale = (d * f).sqrt(), Scale(float((f / d).sqrt()), 1.0)
-    p, B, q, E = p / d, B / middle, q / f, E / middle
-    for network in networks(p, B, q, E):
-        yield scaled_by(scale, network)
-    for network in networks(q, B, p, E):
-        yield scaled_by(scale, network.mapped(lambda e: Element(-e.power, e.value)))
