@@ -3,11 +3,9 @@
 from .campaign.campaign import Campaign as Campaign
 from .campaign.experiment import Experiment as Experiment
 from .campaign.machine import Machine as Machine
-from .campaign.machine import Reader as Reader
 from .campaign.machine import fmu_and_kind as fmu_and_kind
 from .campaign.machine import read_network as read_network
 from .campaign.priors import Prior as Prior
-from .campaign.stages import Stage as Stage
 from .fitting.campaign_model import Accuracy as Accuracy
 from .fitting.campaign_model import CampaignModel as CampaignModel
 from .fitting.campaign_model import Prediction as Prediction
@@ -18,14 +16,10 @@ from .fitting.least_squares import Ending as Ending
 from .fitting.least_squares import descent as descent
 from .fitting.outcome import Fit as Fit
 from .fitting.outcome import FitInterruptedError as FitInterruptedError
-from .fitting.outcome import FittedStage as FittedStage
 from .fitting.problem import Optimum as Optimum
-from .fitting.residual_block import ResidualBlock as ResidualBlock
-from .fitting.suspects import Suspect as Suspect
 from .fitting.suspects import likely_unit as likely_unit
 from .fitting.suspects import suspects as suspects
 from .fitting.suspects import told_of as told_of
-from .fitting.uncertainty import Uncertainty as Uncertainty
 from .fitting.uncertainty import uncertainty as uncertainty
 from .records.excitation import Chirp as Chirp
 from .records.excitation import Multisine as Multisine

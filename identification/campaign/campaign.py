@@ -24,7 +24,7 @@ from .priors import Prior, read_priors
 from .problems import TABLE, TEXT, Kind, Problems
 from .stages import Stage, read_stages
 
-NEEDED = ("model", "channels", "parameters", "train")
+REQUIRED_KEYS = ("model", "channels", "parameters", "train")
 TABLES = ("port", "channels", "parameters", "noise")
 LISTS = ("train", "test", "stage")
 KINDS = {
@@ -168,7 +168,8 @@ class Campaign:
             raise ModelError(f"{path}: this is not TOML ({error})") from error
         problems = Problems(str(path))
         problems.sound("", entries, KINDS)
-        problems.add(*(f"{key}: {KINDS[key].told} must be given" for key in NEEDED if key not in entries))
+        missing = [key for key in REQUIRED_KEYS if key not in entries]
+        problems.add(*(f"{key}: {KINDS[key].told} must be given" for key in missing))
         problems.stop()
         return cls(**entries, base=path.parent, source=str(path), validate=validate, reader=reader)
 

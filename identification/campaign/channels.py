@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Collection, Iterator, Mapping
 from typing import Any
 
 from ...base import is_number, unit_for
@@ -74,10 +74,7 @@ def _missing(entries: Mapping[str, Any], channels: Mapping[str, Channel], machin
 
 
 def read_noise(
-    entries: Mapping[str, Any],
-    channels: Mapping[str, Channel],
-    declared: Mapping[str, Any],
-    problems: Problems,
+    entries: Mapping[str, Any], channels: Mapping[str, Channel], declared: Collection[str], problems: Problems
 ) -> dict[str, float]:
     """Return the stated noise of output channels in SI units."""
     outputs = outputs_of(channels)

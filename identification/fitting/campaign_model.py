@@ -17,6 +17,9 @@ from ...networks import ATOL, DAE, RTOL, Network, Result, Variations, dae_of, si
 from ..campaign.experiment import Experiment
 from ..records.record import Channel
 
+Values = Mapping[str, float]
+"""Values of parameters, or standard deviations of channels, by name."""
+
 
 @dataclass(frozen=True)
 class Accuracy:
@@ -67,7 +70,7 @@ class RecordModel:
         self.inputs = {c.path: whole.sampled(name, c.interpolation) for name, c in driven}
         self._simulate = partial(simulate, self.dae, inputs=self.inputs, progress=False)
 
-    def rest(self, parameters: Mapping[str, float], accuracy: Accuracy, at: float | None = None) -> Array:
+    def rest(self, parameters: Values, accuracy: Accuracy, at: float | None = None) -> Array:
         """Return the model's start values; motions that are measured start where they were measured."""
         time = self.record.time
         begin = float(time[0]) if at is None else at
@@ -93,7 +96,7 @@ class RecordModel:
 
     def run(
         self,
-        parameters: Mapping[str, float],
+        parameters: Values,
         start: Array | None,
         accuracy: Accuracy,
         slopes: bool = True,
@@ -179,7 +182,7 @@ class CampaignModel:
 
     def simulate(
         self,
-        parameters: Mapping[str, float],
+        parameters: Values,
         starts: Sequence[Array | None] | None = None,
         accuracy: Accuracy | None = None,
         slopes: bool = True,

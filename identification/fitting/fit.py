@@ -8,19 +8,22 @@ from contextlib import closing
 from dataclasses import replace
 from pathlib import Path
 
-from ...base import between, demand, function, instance, one_of, optional, whole
-from ...components import ModelError
+from ...base import Array, between, demand, function, instance, one_of, optional, whole
+from ...components import ModelError, SimulationError
 from ...networks import COARSEST, FINEST, SOLVERS, chosen_solver
 from ..campaign.campaign import Campaign
-from .campaign_model import Accuracy
-from .comparison import compared
+from .campaign_model import Accuracy, CampaignModel, Values
 from .doubts import is_doubtful
 from .multistart import best_of, fits_from
-from .outcome import Fit, FitInterruptedError
+from .outcome import Comparison, Fit, FitInterruptedError
+from .problem import FitProblem
+from .residual_block import ResidualBlock
 from .stage_fit import fit_stages
 from .suspects import suspects
 
 USUAL_RUNS = 20  # of a fit
+STEPS_TO_A_START = 4  # of the least squares that find start and offsets of a test record
+Fitted = tuple[ResidualBlock, Array]  # a record in a stage, and its nuisances
 
 
 def fit(
@@ -83,7 +86,7 @@ def fit(
             found.values.update(best_of(found.starts))
         bench = fit_stages(found, accuracy, tell)
         tell("predicting the test records")
-        found.comparisons.extend(compared(found, bench, accuracy))
+        found.comparisons.extend(_compared(found, bench, accuracy))
         if is_doubtful(found):
             found.suspects.extend(suspects(campaign, found.values, accuracy, tell))
     except KeyboardInterrupt:
@@ -94,3 +97,48 @@ def fit(
         told = "interrupted; the best until then is the error's `fit`"
         raise FitInterruptedError(told, replace(found, interrupted=True)) from None
     return found
+
+
+def _compared(found: Fit, bench: CampaignModel, accuracy: Accuracy) -> list[Comparison]:
+    """Predict every record with the model's own and with the fitted parameters.
+
+    Starts and offsets are those of the fit; for test records they are estimated, nothing else.
+    """
+    campaign = found.campaign
+    fitted = {
+        block.stand.experiment: (block, nuisances)
+        for done in found.stages
+        for block, nuisances in zip(done.blocks, done.optimum.nuisances, strict=True)
+    }
+    testing = CampaignModel(campaign.dae, campaign.measured, campaign.testing)
+    comparisons = []
+    for tested, model in ((False, bench), (True, testing)):
+        for stand in model.stands:
+            block = ResidualBlock(stand, campaign.outputs, campaign.sigma, None)
+            before: dict[str, Array] = {}
+            after: dict[str, Array] = {}
+            problem = ""
+            try:
+                nuisances = _nuisances(block, fitted.get(stand.experiment), found.values, accuracy)
+                after = _predicted(block, found.values, nuisances, accuracy)
+                before = _predicted(block, campaign.start, nuisances, accuracy)
+            except SimulationError as error:
+                problem = str(error)
+            comparisons.append(Comparison(stand.experiment, tested, before, after, problem))
+    return comparisons
+
+
+def _nuisances(block: ResidualBlock, fitted: Fitted | None, values: Values, accuracy: Accuracy) -> Array:
+    """Return start and offsets of a record: those of the fit, or those that suit the fitted parameters."""
+    if fitted is None or fitted[0].offsets != block.offsets:
+        return FitProblem([block], {}, values, accuracy).minimise(most=STEPS_TO_A_START).nuisances[0]
+    block.center, block.width = fitted[0].center, fitted[0].width
+    return fitted[1]
+
+
+def _predicted(
+    block: ResidualBlock, parameters: Values, nuisances: Array, accuracy: Accuracy
+) -> dict[str, Array]:
+    predictions = block.linearise(parameters, nuisances, accuracy, slopes=False).predictions
+    measured = block.record.values
+    return {name: measured[name] - block.residual(name, predictions, nuisances) for name in block.channels}

@@ -9,14 +9,14 @@ import numpy as np
 
 from ...base import Array
 from ..campaign.priors import Prior
-from .campaign_model import Accuracy
+from .campaign_model import Accuracy, Values
 from .least_squares import Ending, Iterate, descent
 from .residual_block import Linearised, ResidualBlock
 
 MOST_ITERATIONS = 40
 LEAST_DROP = 1e-2  # of chi squared, by as much noise as there is, that an iteration must promise
 LEAST_RADIUS = 1e-9  # of what parameters may be expected to be
-SLOWER, LEAST_STEPS = 20, 50  # a trial may take so many times the steps of the start, and so many a sample
+STEPS_RATIO, LEAST_STEPS = 20, 50  # a trial may take so many times the start's steps, and so many a sample
 
 
 @dataclass(frozen=True, eq=False)
@@ -40,11 +40,7 @@ class FitProblem:
     """
 
     def __init__(
-        self,
-        blocks: Sequence[ResidualBlock],
-        priors: Mapping[str, Prior],
-        values: Mapping[str, float],
-        accuracy: Accuracy,
+        self, blocks: Sequence[ResidualBlock], priors: Mapping[str, Prior], values: Values, accuracy: Accuracy
     ) -> None:
         for block in blocks:
             block.prepare(values, accuracy)
@@ -117,4 +113,4 @@ class FitProblem:
         if self.accuracy.steps is None:
             runs = [prediction for one in found for prediction in one.predictions]
             each = max((run.run.stats["steps"] / len(run.time) for run in runs), default=0.0)
-            self.accuracy = replace(self.accuracy, steps=LEAST_STEPS + round(SLOWER * each))
+            self.accuracy = replace(self.accuracy, steps=LEAST_STEPS + round(STEPS_RATIO * each))

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from itertools import pairwise
 
@@ -10,9 +10,9 @@ import numpy as np
 
 from ...base import Array
 from ..records.filters import Filter
-from .campaign_model import Accuracy, Prediction, RecordModel
+from .campaign_model import Accuracy, Prediction, RecordModel, Values
 
-CONTINUITY = 1e-3
+CONTINUITY_SHARE = 1e-3  # of how far states move, by which pieces may miss each other
 
 
 @dataclass(frozen=True, eq=False)
@@ -36,7 +36,7 @@ class ResidualBlock:
     """
 
     def __init__(
-        self, stand: RecordModel, channels: Sequence[str], sigma: Mapping[str, float], filtered: Filter | None
+        self, stand: RecordModel, channels: Sequence[str], sigma: Values, filtered: Filter | None
     ) -> None:
         self.stand, self.channels, self.filter = stand, list(channels), filtered
         self.sigma = {name: sigma[name] for name in channels}
@@ -63,7 +63,7 @@ class ResidualBlock:
     def nuisances(self) -> int:
         return self.center.size + len(self.offsets)
 
-    def prepare(self, parameters: Mapping[str, float], accuracy: Accuracy) -> None:
+    def prepare(self, parameters: Values, accuracy: Accuracy) -> None:
         """Find where the pieces start, as a first guess, and how far states move."""
         if not self.free:
             return
@@ -77,7 +77,7 @@ class ResidualBlock:
         self.width = np.array([most if most > 0 else 1.0 for most in moved])
 
     def linearise(
-        self, parameters: Mapping[str, float], nuisances: Array, accuracy: Accuracy, slopes: bool = True
+        self, parameters: Values, nuisances: Array, accuracy: Accuracy, slopes: bool = True
     ) -> Linearised:
         moved = nuisances[: self.center.size].reshape(self.center.shape)
         starts = self.center + moved * self.width
@@ -123,7 +123,7 @@ class ResidualBlock:
         """Yield by how much pieces miss each other, in thousandths of how far the states move."""
         nx = self.center.shape[1]
         for n in range(len(predictions) - 1):
-            weight = 1 / (CONTINUITY * self.width)
+            weight = 1 / (CONTINUITY_SHARE * self.width)
             missed = weight * (predictions[n].end - starts[n + 1])
             to_p, to_n = np.zeros((nx, 0)), np.zeros((nx, self.nuisances))
             if slopes:

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
-from ..campaign.campaign import Campaign
 from ..campaign.stages import Stage
 from .campaign_model import Accuracy, CampaignModel
 from .least_squares import Iterate
@@ -26,7 +25,7 @@ def fit_stages(
         def progress(at: Iterate, label: str = label) -> None:
             tell(f"{label}iteration {at.number}, misfit {at.cost:.5g}")
 
-        done = fit_stage(campaign, bench, stage, found.values, accuracy, progress)
+        done = _fit_stage(found, bench, stage, accuracy, progress)
         found.stages.append(done)
         found.values.update(done.optimum.values)
         if done.optimum.ended == "interrupted":
@@ -34,18 +33,13 @@ def fit_stages(
     return bench
 
 
-def fit_stage(
-    campaign: Campaign,
-    bench: CampaignModel,
-    stage: Stage,
-    values: dict[str, float],
-    accuracy: Accuracy | None = None,
-    report: Callable[[Iterate], None] | None = None,
+def _fit_stage(
+    found: Fit, bench: CampaignModel, stage: Stage, accuracy: Accuracy, report: Callable[[Iterate], None]
 ) -> FittedStage:
-    """Fit some parameters to some channels of some records, starting from `values`."""
+    """Fit some parameters to some channels of some records, starting from the values in `found`."""
+    campaign = found.campaign
     sigma = campaign.sigma
     blocks = [ResidualBlock(bench.stands[n], stage.channels, sigma, stage.filter) for n in stage.train]
     priors = {name: campaign.priors[name] for name in stage.parameters}
-    problem = FitProblem(blocks, priors, values, accuracy or Accuracy())
-    optimum = problem.minimise(report, interruptible=True)
+    optimum = FitProblem(blocks, priors, found.values, accuracy).minimise(report, interruptible=True)
     return FittedStage(stage, optimum, uncertainty(optimum, blocks, priors), blocks)

@@ -15,7 +15,7 @@ from ..campaign.campaign import Campaign
 from ..campaign.experiment import Experiment
 from ..campaign.priors import Prior
 from ..records.record import Channel
-from .campaign_model import Accuracy, CampaignModel
+from .campaign_model import Accuracy, CampaignModel, Values
 from .problem import FitProblem, Optimum
 from .residual_block import ResidualBlock
 
@@ -55,10 +55,7 @@ def told_of(found: Sequence[Suspect]) -> Iterator[str]:
 
 
 def suspects(
-    campaign: Campaign,
-    values: Mapping[str, float],
-    accuracy: Accuracy,
-    report: Callable[[str], None] = lambda line: None,
+    campaign: Campaign, values: Values, accuracy: Accuracy, report: Callable[[str], None] = lambda line: None
 ) -> list[Suspect]:
     """Return what explains the training records far better than `values` do, with the same model.
 
@@ -82,11 +79,7 @@ def suspects(
 
 
 def _fitted(
-    campaign: Campaign,
-    experiments: Sequence[Experiment],
-    sigma: Mapping[str, float],
-    values: Mapping[str, float],
-    accuracy: Accuracy,
+    campaign: Campaign, experiments: Sequence[Experiment], sigma: Values, values: Values, accuracy: Accuracy
 ) -> Optimum | None:
     """Fit all parameters to all channels; None if the model cannot be run."""
     bench = CampaignModel(campaign.dae, campaign.measured, experiments, list(campaign.priors))

@@ -34,9 +34,7 @@ class Uncertainty:
     warnings: list[str]
 
 
-def uncertainty(
-    optimum: Optimum, blocks: Sequence[ResidualBlock], priors: Mapping[str, Prior]
-) -> Uncertainty:
+def uncertainty(optimum: Optimum, blocks: list[ResidualBlock], priors: Mapping[str, Prior]) -> Uncertainty:
     """Return what is known of the parameters at an optimum."""
     count = len(priors)
     inverse = np.linalg.pinv(optimum.slopes.T @ optimum.slopes, rcond=1e-14, hermitian=True)

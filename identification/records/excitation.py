@@ -190,7 +190,7 @@ class Multisine:
     def amplitudes(self) -> Array:
         """Amplitude of each line."""
         shape = self.frequencies**-self.slope
-        return self.rms * shape * np.sqrt(2 / np.sum(shape**2))
+        return np.asarray(self.rms * shape * np.sqrt(2 / np.sum(shape**2)))
 
     @property
     def phases(self) -> Array:

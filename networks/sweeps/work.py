@@ -43,7 +43,8 @@ class Work:
         results: dict[str, Any] = {}
         error = ""
         try:
-            results = named(self.measure(values) if self.dae is None else self.measure(self.dae, values))
+            equations = () if self.dae is None else (self.dae,)
+            results = named(self.measure(*equations, dict(values)))
         except Exception as problem:
             error = f"{type(problem).__name__}: {problem}"
         return Row(key, values, results, error, time.perf_counter() - started)

@@ -33,7 +33,7 @@ def _fewest(networks: list[Tree], function: Ratio, side: Side) -> Tree:
     def spoilt(network: Tree) -> bool:
         return any(abs(network(s) - Y) > TOLERANCE * abs(Y) for s, Y in zip(PROBES, wanted, strict=True))
 
-    return min(networks, key=lambda network: (spoilt(network), len(network.elements)))
+    return min(networks, key=lambda network: (spoilt(network), network.size))
 
 
 def _less_poles(side: Side, poles: list[AxisPole], rest: Ratio) -> Tree:
@@ -53,7 +53,7 @@ def _without_poles(function: Ratio, side: Side) -> Tree:
         networks += [network for F, at in both for network in _by_a_pole(F, at)]
     if function.degree == 2 and not regular:
         networks += two_reactive_bridges(function, side)
-        if min(len(network.elements) for network in networks) > 7:
+        if min(network.size for network in networks) > 7:
             networks += [network for F, at in both for network in four_reactive(F, at, realise)]
     return _fewest(networks, function, side)
 

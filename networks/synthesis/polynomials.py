@@ -10,8 +10,8 @@ Polynomial = list[Decimal]
 DIGITS = 80
 ZERO, ONE = Decimal(0), Decimal(1)
 MOST_NEWTON_STEPS = 400
-VANISHING = Decimal("1e-60")
-LAST_DIGITS = Decimal("1e-74")
+VANISHING_SHARE = Decimal("1e-60")
+ROUNDING_SHARE = Decimal("1e-74")
 
 
 def trimmed(p: Polynomial) -> Polynomial:
@@ -24,7 +24,7 @@ def trimmed(p: Polynomial) -> Polynomial:
 def plus(p: Polynomial, q: Polynomial, factor: Decimal = ONE) -> Polynomial:
     """Return p + factor q; where both cancel but for the last digits, nothing is left."""
     sums = ((a, a + factor * b) for a, b in zip_longest(p, q, fillvalue=ZERO))
-    return trimmed([total if abs(total) > VANISHING * abs(a) else ZERO for a, total in sums])
+    return trimmed([total if abs(total) > VANISHING_SHARE * abs(a) else ZERO for a, total in sums])
 
 
 def scaled(p: Polynomial, factor: Decimal) -> Polynomial:
@@ -103,7 +103,7 @@ def positive_roots(p: Polynomial) -> list[Decimal]:
 
 
 def _vanishes(p: Polynomial, x: Decimal) -> bool:
-    return abs(value(p, x)) <= VANISHING * size(p, x)
+    return abs(value(p, x)) <= VANISHING_SHARE * size(p, x)
 
 
 def _root_between(p: Polynomial, left: Decimal, right: Decimal) -> Decimal:
@@ -112,7 +112,7 @@ def _root_between(p: Polynomial, left: Decimal, right: Decimal) -> Decimal:
     x = _middle(left, right)
     for _ in range(MOST_NEWTON_STEPS):
         here, steep = value(p, x), value(slope, x)
-        if abs(here) <= LAST_DIGITS * size(p, x) or right - left <= VANISHING * right:
+        if abs(here) <= ROUNDING_SHARE * size(p, x) or right - left <= VANISHING_SHARE * right:
             break
         left, right = (left, x) if (here > 0) == rising else (x, right)
         newton = x - here / steep if steep else left

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from decimal import Decimal
-from typing import Any
+from typing import Any, ClassVar
 
 from ...components import Component, Damper, Inerter, Spring
 from ..two_terminal import bridge, parallel, series
@@ -16,12 +16,9 @@ from .ratio import INFINITY, AxisPole, Scale
 class Element:
     """One element: its admittance is value s^power: a spring (-1), a damper (0), an inerter (1)."""
 
+    size: ClassVar[int] = 1
     power: int
     value: float
-
-    @property
-    def elements(self) -> list[Element]:
-        return [self]
 
     def __call__(self, s: Any) -> Any:
         return self.value * s ** float(self.power)
@@ -43,8 +40,9 @@ class Join:
     parts: tuple[Tree, ...]
 
     @property
-    def elements(self) -> list[Element]:
-        return [element for part in self.parts for element in part.elements]
+    def size(self) -> int:
+        """Number of elements."""
+        return sum(part.size for part in self.parts)
 
     def __call__(self, s: Any) -> Any:
         return ADMITTANCES[self.how]([part(s) for part in self.parts])
