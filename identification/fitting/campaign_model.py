@@ -17,8 +17,7 @@ from ...networks import ATOL, DAE, RTOL, Network, Result, Variations, dae_of, si
 from ..campaign.experiment import Experiment
 from ..records.record import Channel
 
-Values = Mapping[str, float]
-"""Values of parameters, or standard deviations of channels, by name."""
+Values = Mapping[str, float]  # of parameters, or standard deviations of channels, by name
 
 
 @dataclass(frozen=True)

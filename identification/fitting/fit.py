@@ -14,11 +14,10 @@ from ...networks import COARSEST, FINEST, SOLVERS, chosen_solver
 from ..campaign.campaign import Campaign
 from .campaign_model import Accuracy, CampaignModel, Values
 from .doubts import is_doubtful
-from .multistart import best_of, fits_from
 from .outcome import Comparison, Fit, FitInterruptedError
 from .problem import FitProblem
 from .residual_block import ResidualBlock
-from .stage_fit import fit_stages
+from .staged_fit import best_of, fit_stages, fits_from
 from .suspects import suspects
 
 USUAL_RUNS = 20  # of a fit

@@ -87,8 +87,8 @@ class ResidualBlock:
         ]
         parts = [self._channel(name, predictions, nuisances, slopes) for name in self.channels]
         parts += self._joints(predictions, starts, slopes)
-        stacked: list[Array] = [np.concatenate(column) for column in zip(*parts, strict=True)]
-        return Linearised(stacked[0], stacked[1], stacked[2], predictions)
+        residual, to_p, to_n = map(np.concatenate, zip(*parts, strict=True))
+        return Linearised(residual, to_p, to_n, predictions)
 
     def residual(self, name: str, predictions: Sequence[Prediction], nuisances: Array) -> Array:
         """Return measured less predicted of a channel, not filtered, in SI units."""

@@ -195,8 +195,7 @@ def read_record(
     if problems:
         raise ModelError(f"record {path.name} cannot be used:", problems)
     rows = _rows(str(path), time, window)
-    first_line = table.first_line and table.first_line + int(np.argmax(rows))
-    part = replace(table, first_line=first_line)
+    part = replace(table, first_line=table.first_line and table.first_line + int(np.argmax(rows)))
     for name, channel in channels.items():
         problems += value_problems(part, name, columns[name][rows], channel.driven)
     if temperature is not None:
@@ -206,8 +205,7 @@ def read_record(
     if problems:
         raise ModelError(f"record {path.name} cannot be used:", problems)
     values = {name: unit_for(c.unit, c.si).to_si(columns[name][rows]) for name, c in channels.items()}
-    extra = columns[temperature][rows] if temperature else None
-    return _even(path.name, time[rows], values, extra)
+    return _even(path.name, time[rows], values, columns[temperature][rows] if temperature else None)
 
 
 def _time(table: Table, window: tuple[float, float] | None, problems: list[str]) -> Array:

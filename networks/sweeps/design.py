@@ -99,13 +99,11 @@ def check(ranges: Ranges, count: int, seed: int) -> None:
     if not named("ranges", ranges):
         raise ModelError("a design needs at least one parameter and one point")
     if whole(1)(count):
-        raise ModelError(
-            f"a design needs at least one point, a whole number of them, got count={shown(count)}"
-        )
+        told = "a design needs at least one point, a whole number of them"
+        raise ModelError(f"{told}, got count={shown(count)}")
     if count > MOST_POINTS:
-        raise ModelError(
-            f"a design of {count:.3g} points does not fit any memory; take {MOST_POINTS:.0e} or fewer"
-        )
+        told = f"does not fit any memory; take {MOST_POINTS:.0e} or fewer"
+        raise ModelError(f"a design of {count:.3g} points {told}")
     demand("a design", seed=(seed, whole(0)))
 
 
@@ -126,18 +124,14 @@ def drawn(ranges: Ranges, unit: Array, second_order: bool | None = None) -> Desi
 def _quantile(name: str, given: Any) -> Callable[[Array], Array]:
     if hasattr(given, "ppf"):
         return cast(Callable[[Array], Array], given.ppf)
-    if not _is_range(given):
+    pair = isinstance(given, Sequence) and len(given) == 2 and all(map(is_number, given))
+    if not (pair and given[0] < given[1]):
         raise ModelError(
             f"'{name}': a range is (least, greatest) or a distribution such as scipy.stats.norm(5.0, 0.1), "
             f"got {given!r}"
         )
     low, high = given
     return lambda u: low + (high - low) * u
-
-
-def _is_range(given: Any) -> bool:
-    pair = isinstance(given, Sequence) and len(given) == 2 and all(map(is_number, given))
-    return pair and given[0] < given[1]
 
 
 def _plain(values: Iterable[Any]) -> list[Any]:

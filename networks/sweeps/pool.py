@@ -5,7 +5,7 @@ from __future__ import annotations
 import os
 from collections import deque
 from collections.abc import Iterable, Iterator
-from concurrent.futures import FIRST_COMPLETED, BrokenExecutor, CancelledError, Executor, Future, wait
+from concurrent.futures import FIRST_COMPLETED, BrokenExecutor, Executor, Future, wait
 from functools import cache
 from typing import Any
 
@@ -16,7 +16,7 @@ Point = tuple[str, Values]
 TASK_SECONDS = 0.05
 MOST_POINTS = 64
 ATTEMPTS = 2
-LOST_TASKS = ("KilledWorker", "CancelledError", "FutureCancelledError", "CommClosedError")  # of dask
+LOST_TASKS = ("KilledWorker", "CancelledError", "FutureCancelledError", "CommClosedError")  # also of dask
 
 
 class Pool:
@@ -25,10 +25,8 @@ class Pool:
     A task is lost if its process dies. Its points are tried again, each alone, so that a point that kills
     processes is found: after the second time it gets a row that says so.
 
-    Args:
-        executor: one of `concurrent.futures`, a `dask.distributed.Client`, or None for processes of its own.
-        workers: how many processes of its own; as many as there are processors if None.
-        blob: model and measure.
+    The executor is one of `concurrent.futures`, a `dask.distributed.Client`, or None for processes of its
+    own: `workers`, or as many as there are processors. The blob holds model and measure.
     """
 
     def __init__(self, executor: Any, workers: int | None, blob: bytes) -> None:
@@ -125,10 +123,8 @@ def _rows(future: Future[list[Row]]) -> list[Row] | None:
     """Return what came of a task, or None if it was lost with its process."""
     try:
         return future.result()
-    except (BrokenExecutor, CancelledError):
-        return None
     except Exception as error:
-        if type(error).__name__ in LOST_TASKS:
+        if isinstance(error, BrokenExecutor) or type(error).__name__ in LOST_TASKS:
             return None
         raise
 

@@ -38,11 +38,7 @@ class Store:
 
     A row is appended to `path`.journal at once. Twice a minute and at the end all rows are written into the
     table, in one step, and the journal starts anew. Whatever is interrupted, table and journal hold all rows.
-
-    Args:
-        path: the table; None keeps rows in memory only.
-        names: the parameters.
-        mark: of model, measure and parameters; a file of another sweep, which has another, is refused.
+    Without a path rows are in memory only. A file with the mark of another sweep is refused.
     """
 
     def __init__(self, path: Path | None, names: tuple[str, ...], mark: str) -> None:

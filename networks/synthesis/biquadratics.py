@@ -127,10 +127,7 @@ def _regular(Y: Ratio) -> bool:
 def _both_ways(
     function: Ratio, networks: Callable[[Decimal, Decimal, Decimal, Decimal], Iterable[Tree]]
 ) -> Iterator[Tree]:
-    """Yield networks of a biquadratic, which is (p s^2 + B s + q)/(s^2 + E s + 1) after scaling s.
-
-    They are those of p, B, q and E, and those found with s and 1/s exchanged.
-    """
+    """Yield networks of (p s^2 + B s + q)/(s^2 + E s + 1) after scaling s, and with s and 1/s exchanged."""
     (q, B, p), (f, E, d) = function.num, function.den
     middle, scale = (d * f).sqrt(), Scale(float((f / d).sqrt()), 1.0)
     p, B, q, E = p / d, B / middle, q / f, E / middle

@@ -89,7 +89,6 @@ class Side:
         return Element(power, value) if self.beside else Element(-power, 1 / value)
 
     def pole(self, pole: AxisPole) -> Tree:
-        """Return what has a pole on the axis."""
         if pole.x in (0, INFINITY):
             return self.term(1 if pole.x else -1, pole.residue)
         return self.inverse({1: 1 / pole.residue, -1: pole.x / pole.residue})

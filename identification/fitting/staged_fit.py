@@ -1,9 +1,9 @@
-"""A fit from several starts, drawn from the priors; in other processes, if there are any."""
+"""A fit stage after stage, from one start or from several; in other processes, if there are any."""
 
 from __future__ import annotations
 
 import pickle
-from collections.abc import Generator, Sequence
+from collections.abc import Callable, Generator, Sequence
 from concurrent.futures import Executor, as_completed
 from functools import lru_cache
 
@@ -11,9 +11,47 @@ import numpy as np
 
 from ...components import InertanceError
 from ..campaign.campaign import Campaign
-from .campaign_model import Accuracy
-from .outcome import Fit, FittedStart
-from .stage_fit import fit_stages
+from ..campaign.stages import Stage
+from .campaign_model import Accuracy, CampaignModel
+from .least_squares import Iterate
+from .outcome import Fit, FittedStage, FittedStart
+from .problem import FitProblem
+from .residual_block import ResidualBlock
+from .uncertainty import uncertainty
+
+_unpickled = lru_cache(maxsize=1)(pickle.loads)  # the campaign, once a process
+
+
+def fit_stages(
+    found: Fit, accuracy: Accuracy, tell: Callable[[str], None] = lambda line: None
+) -> CampaignModel:
+    """Fit stage after stage, each kept in `found` as soon as it is done; return the model on the records."""
+    campaign = found.campaign
+    bench = CampaignModel(campaign.dae, campaign.measured, campaign.training, list(campaign.priors))
+    for number, stage in enumerate(campaign.stages, start=1):
+        label = f"stage {number} of {len(campaign.stages)}, " if len(campaign.stages) > 1 else ""
+
+        def progress(at: Iterate, label: str = label) -> None:
+            tell(f"{label}iteration {at.number}, misfit {at.cost:.5g}")
+
+        done = _fit_stage(found, bench, stage, accuracy, progress)
+        found.stages.append(done)
+        found.values.update(done.optimum.values)
+        if done.optimum.ended == "interrupted":
+            raise KeyboardInterrupt
+    return bench
+
+
+def _fit_stage(
+    found: Fit, bench: CampaignModel, stage: Stage, accuracy: Accuracy, report: Callable[[Iterate], None]
+) -> FittedStage:
+    """Fit some parameters to some channels of some records, starting from the values in `found`."""
+    campaign = found.campaign
+    sigma = campaign.sigma
+    blocks = [ResidualBlock(bench.stands[n], stage.channels, sigma, stage.filter) for n in stage.train]
+    priors = {name: campaign.priors[name] for name in stage.parameters}
+    optimum = FitProblem(blocks, priors, found.values, accuracy).minimise(report, interruptible=True)
+    return FittedStage(stage, optimum, uncertainty(optimum, blocks, priors), blocks)
 
 
 def fits_from(
@@ -63,9 +101,3 @@ def _fitted(campaign: Campaign, values: dict[str, float], accuracy: Accuracy) ->
 
 def _job(payload: bytes, values: dict[str, float], accuracy: Accuracy) -> FittedStart:
     return _fitted(_unpickled(payload), values, accuracy)
-
-
-@lru_cache(maxsize=1)
-def _unpickled(payload: bytes) -> Campaign:
-    campaign: Campaign = pickle.loads(payload)
-    return campaign
