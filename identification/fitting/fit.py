@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from concurrent.futures import Executor
-from contextlib import closing
 from dataclasses import replace
 from pathlib import Path
 
@@ -17,7 +16,7 @@ from .doubts import is_doubtful
 from .outcome import Comparison, Fit, FitInterruptedError
 from .problem import FitProblem
 from .residual_block import ResidualBlock
-from .staged_fit import best_of, fit_stages, fits_from
+from .staged_fit import best_of, fit_stages, fit_starts
 from .suspects import suspects
 
 USUAL_RUNS = 20  # of a fit
@@ -78,11 +77,7 @@ def fit(
     found = Fit(campaign, dict(campaign.start), [], [])
     try:
         if starts > 1:
-            with closing(fits_from(campaign, starts, seed, executor, accuracy)) as begun:
-                for start in begun:
-                    found.starts.append(start)
-                    tell(f"start {len(found.starts)} of {starts}, misfit {start.cost:.5g}")
-            found.values.update(best_of(found.starts))
+            fit_starts(found, starts, seed, executor, accuracy, tell)
         bench = fit_stages(found, accuracy, tell)
         tell("predicting the test records")
         found.comparisons.extend(_compared(found, bench, accuracy))

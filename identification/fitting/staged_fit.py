@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 import pickle
-from collections.abc import Callable, Generator, Sequence
-from concurrent.futures import Executor, as_completed
+from collections.abc import Callable, Sequence
+from concurrent.futures import Executor, Future, as_completed
 from functools import lru_cache
 
 import numpy as np
@@ -19,12 +19,11 @@ from .problem import FitProblem
 from .residual_block import ResidualBlock
 from .uncertainty import uncertainty
 
+Tell = Callable[[str], None]
 _unpickled = lru_cache(maxsize=1)(pickle.loads)  # the campaign, once a process
 
 
-def fit_stages(
-    found: Fit, accuracy: Accuracy, tell: Callable[[str], None] = lambda line: None
-) -> CampaignModel:
+def fit_stages(found: Fit, accuracy: Accuracy, tell: Tell = lambda line: None) -> CampaignModel:
     """Fit stage after stage, each kept in `found` as soon as it is done; return the model on the records."""
     campaign = found.campaign
     bench = CampaignModel(campaign.dae, campaign.measured, campaign.training, list(campaign.priors))
@@ -54,22 +53,26 @@ def _fit_stage(
     return FittedStage(stage, optimum, uncertainty(optimum, blocks, priors), blocks)
 
 
-def fits_from(
-    campaign: Campaign, starts: int, seed: int, executor: Executor | None, accuracy: Accuracy
-) -> Generator[FittedStart]:
-    """Yield where starts lead, each as it comes: the model's own values, and others drawn from the priors."""
-    drawn = _drawn(campaign, starts, seed)
-    if executor is None:
-        yield from (_fitted(campaign, values, accuracy) for values in drawn)
-        return
-    payload = campaign.pickled()
-    jobs = [executor.submit(_job, payload, values, accuracy) for values in drawn]
+def fit_starts(
+    found: Fit, count: int, seed: int, executor: Executor | None, accuracy: Accuracy, tell: Tell
+) -> None:
+    """Fit from several starts, each kept in `found` as it comes, and take the values of the best."""
+    campaign = found.campaign
+    drawn = _drawn(campaign, count, seed)
+    jobs: list[Future[FittedStart]] = []
+    fitted = (_fitted(campaign, values, accuracy) for values in drawn)
+    if executor is not None:
+        payload = campaign.pickled()
+        jobs = [executor.submit(_job, payload, values, accuracy) for values in drawn]
+        fitted = (job.result() for job in as_completed(jobs))
     try:
-        for job in as_completed(jobs):
-            yield job.result()
+        for number, start in enumerate(fitted, start=1):
+            found.starts.append(start)
+            tell(f"start {number} of {count}, misfit {start.cost:.5g}")
     finally:
         for job in jobs:
             job.cancel()
+    found.values.update(best_of(found.starts))
 
 
 def best_of(starts: Sequence[FittedStart]) -> dict[str, float]:
