@@ -122,8 +122,8 @@ from .sweeps.design import Design as Design
 from .sweeps.design import grid as grid
 from .sweeps.design import latin_hypercube as latin_hypercube
 from .sweeps.design import monte_carlo as monte_carlo
-from .sweeps.design import saltelli as saltelli
 from .sweeps.design import sobol_sequence as sobol_sequence
+from .sweeps.sobol_indices import saltelli as saltelli
 from .sweeps.sobol_indices import sobol_indices as sobol_indices
 from .sweeps.sweep import Sweep as Sweep
 from .sweeps.sweep import SweepInterruptedError as SweepInterruptedError

@@ -21,9 +21,7 @@ def cautions(campaign: Campaign, best: Refit) -> Iterator[str]:
             yield from _gain(campaign, placed)
     for name, value in best.parameters.items():
         prior = campaign.priors[name]
-        told = left_prior(name, value, prior, campaign.machine.unit(name))
-        if told:
-            yield told
+        yield from left_prior(name, value, prior, campaign.machine.unit(name))
         for side in (prior.min, prior.max):
             if isclose(value, side, rel_tol=BOUND_TOLERANCE, abs_tol=BOUND_SCALE_TOLERANCE * prior.scale):
                 yield f"{name}: ends at its bound {side:.6g}; the bound or the model is wrong"
@@ -31,11 +29,8 @@ def cautions(campaign: Campaign, best: Refit) -> Iterator[str]:
 
 def suspicions(campaign: Campaign, best: Refit, accuracy: Accuracy) -> Iterator[str]:
     """Yield what channels would explain what no effect does, if they were in another unit or exchanged."""
-    if not isinstance(campaign.machine, DAE) or max(_shares(campaign, best)) <= SUSPECT_SIGNAL_SHARE:
-        return
-    told = told_of(suspects(campaign, best.parameters, accuracy))
-    if told:
-        yield told
+    if isinstance(campaign.machine, DAE) and max(_shares(campaign, best)) > SUSPECT_SIGNAL_SHARE:
+        yield from told_of(suspects(campaign, best.parameters, accuracy))
 
 
 def _shares(campaign: Campaign, best: Refit) -> Iterator[float]:

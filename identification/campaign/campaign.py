@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import pickle
 import tomllib
-from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass, field, fields
 from itertools import combinations
 from pathlib import Path
 from typing import Any, Self
@@ -15,25 +15,22 @@ import numpy as np
 from ...base import demand, function, instance, path_of, shown, text_of, there_is_file, unit_for
 from ...components import ModelError
 from ...networks import DAE, Network
-from ..records.channel import Channel, outputs_of
 from ..records.noise import Floor, repeated_floor, spectral_floor
+from ..records.record import Channel, outputs_of
 from .channels import read_channels, read_noise
 from .experiment import Experiment, read_experiments, repeat_problems, strange
 from .machine import Machine, Reader, read_network
 from .priors import Prior, read_priors
-from .problems import TEXT, Kind, Problems
+from .problems import TABLE, TEXT, Kind, Problems
 from .stages import Stage, read_stages
 
-NEEDED = ("model", "channels", "parameters", "train")
+REQUIRED_KEYS = ("model", "channels", "parameters", "train")
+TABLES = ("port", "channels", "parameters", "noise")
+LISTS = ("train", "test", "stage")
 KINDS = {
     "model": TEXT,
-    "port": Kind("a table [port]", lambda v: isinstance(v, Mapping)),
-    "channels": Kind("a table [channels]", lambda v: isinstance(v, Mapping)),
-    "parameters": Kind("a table [parameters]", lambda v: isinstance(v, Mapping)),
-    "train": Kind("tables [[train]]", lambda v: isinstance(v, list | tuple)),
-    "test": Kind("tables [[test]]", lambda v: isinstance(v, list | tuple)),
-    "noise": Kind("a table [noise]", lambda v: isinstance(v, Mapping)),
-    "stage": Kind("tables [[stage]]", lambda v: isinstance(v, list | tuple)),
+    **{key: Kind(f"a table [{key}]", TABLE.takes) for key in TABLES},
+    **{key: Kind(f"tables [[{key}]]", lambda v: isinstance(v, list | tuple)) for key in LISTS},
 }
 
 
@@ -116,30 +113,31 @@ class Campaign:
         problems.stop()
         self.base = Path(self.base)
         with problems.of("model"):
-            self.network, self.machine = self._read()
+            try:
+                self.network, self.machine = self.reader(self.model, self.port, self.base, self.validate)
+            except TypeError as error:
+                told = f"{type(error).__name__}: {error}"
+                raise ModelError(f"the reader {shown(self.reader)} cannot read it ({told})") from error
         problems.stop()
-        self.measured = read_channels(self.channels, self.machine, problems)
+        self.measured = channels = read_channels(self.channels, self.machine, problems)
         self.priors = read_priors(self.parameters, self.machine, problems)
-        channels = self.measured
         self.training = read_experiments("train", self.train, channels, self.base, problems)
         self.testing = read_experiments("test", self.test, channels, self.base, problems)
-        self._check_apart(problems)
-        self._check_starts(problems)
-        problems.found += repeat_problems(self.experiments, channels)
+        problems.add(*self._tests_that_are_fitted(), *self._starts_of_an_fmu())
+        problems.add(*repeat_problems(self.experiments, channels))
         stated = read_noise(self.noise, channels, self.channels, problems)
-        self._check_noise(stated, problems)
+        problems.add(*self._noise_above_signals(stated))
         if self.training and len(self.training) == len(self.train):
-            self.stages = read_stages(self.stage, list(self.priors), self.outputs, self.training, problems)
-            self._check_once(problems)
+            self.stages = read_stages(self.stage, self.priors, self.outputs, self.training, problems)
+            problems.add(*self._records_fitted_twice())
         problems.stop()
         self.notes = [f"{e.name}: {note}" for e in self.experiments for note in e.record.notes]
-        self._note_rates()
+        self.notes += self._rates_that_differ()
         self.notes += [note for e in self.experiments for note in strange(e, channels, self.machine.inputs)]
         self.floors = {name: self._floor(name, stated) for name in self.outputs}
 
     def __reduce__(self) -> tuple[Any, ...]:
-        entries = (self.channels, self.parameters, self.train, self.test, self.noise, self.stage)
-        return Campaign, (self.model, *entries, self.port, self.base, self.source, self.validate, self.reader)
+        return Campaign, tuple(getattr(self, entry.name) for entry in fields(self) if entry.init)
 
     def pickled(self) -> bytes:
         """Return what other processes make the same campaign of.
@@ -154,13 +152,6 @@ class Campaign:
                 f"{self.source}: the model cannot be sent to other processes ({error}); give it as "
                 "model = 'path/to/file.py:function'"
             ) from error
-
-    def _read(self) -> tuple[Network, Machine]:
-        try:
-            return self.reader(self.model, self.port, self.base, self.validate)
-        except TypeError as error:
-            told = f"{type(error).__name__}: {error}"
-            raise ModelError(f"the reader {shown(self.reader)} cannot read it ({told})") from error
 
     @classmethod
     def load(cls, path: str | Path, *, validate: bool = True, reader: Reader = read_network) -> Self:
@@ -177,7 +168,8 @@ class Campaign:
             raise ModelError(f"{path}: this is not TOML ({error})") from error
         problems = Problems(str(path))
         problems.sound("", entries, KINDS)
-        problems.found += [f"{key}: {KINDS[key].told} must be given" for key in NEEDED if key not in entries]
+        missing = [key for key in REQUIRED_KEYS if key not in entries]
+        problems.add(*(f"{key}: {KINDS[key].told} must be given" for key in missing))
         problems.stop()
         return cls(**entries, base=path.parent, source=str(path), validate=validate, reader=reader)
 
@@ -234,52 +226,50 @@ class Campaign:
         values = self.machine.parameter_values
         return {name: values[name] for name in self.priors}
 
-    def _check_apart(self, problems: Problems) -> None:
+    def _tests_that_are_fitted(self) -> Iterator[str]:
         for number, experiment in enumerate(self.testing, start=1):
             twins = [n for n, e in enumerate(self.training, start=1) if experiment.overlaps(e)]
             if twins:
-                problems.add(
+                yield (
                     f"[[test]] {number}: '{experiment.name}' is also [[train]] {twins[0]}; what was "
                     "fitted tests nothing: give a record of another excitation, or another window"
                 )
 
-    def _check_once(self, problems: Problems) -> None:
-        """Note records that one stage would count twice."""
+    def _records_fitted_twice(self) -> Iterator[str]:
+        """Yield records that one stage would count twice."""
         pairs = {pair for stage in self.stages for pair in combinations(sorted(stage.train), 2)}
         for one, other in sorted(pairs):
-            if self.training[other].overlaps(self.training[one]):
-                name = self.training[other].name
-                problems.add(
-                    f"[[train]] {other + 1}: '{name}' is also [[train]] {one + 1}; what is fitted twice "
-                    "seems known better than it is: keep one of them, or windows that do not overlap"
+            experiment = self.training[other]
+            if experiment.overlaps(self.training[one]):
+                yield (
+                    f"[[train]] {other + 1}: '{experiment.name}' is also [[train]] {one + 1}; what is fitted "
+                    "twice seems known better than it is: keep one of them, or windows that do not overlap"
                 )
 
-    def _check_starts(self, problems: Problems) -> None:
-        if isinstance(self.machine, DAE):
-            return
-        for experiment in self.experiments:
+    def _starts_of_an_fmu(self) -> Iterator[str]:
+        for experiment in () if isinstance(self.machine, DAE) else self.experiments:
             if experiment.initial != "rest":
-                problems.add(
+                yield (
                     f'{experiment.name}: initial = "rest" is needed, as an FMU begins from its own start '
                     "values; give a record that begins at rest"
                 )
 
-    def _check_noise(self, stated: Mapping[str, float], problems: Problems) -> None:
-        for name, sigma in stated.items():
-            moved = [float(np.std(e.record.values[name])) for e in self.training]
-            if moved and sigma > max(moved):
+    def _noise_above_signals(self, stated: Mapping[str, float]) -> Iterator[str]:
+        for name, sigma in stated.items() if self.training else ():
+            largest = max(float(np.std(e.record.values[name])) for e in self.training)
+            if sigma > largest:
                 channel = self.measured[name]
                 size = unit_for(channel.unit, channel.si).factor
-                problems.add(
+                yield (
                     f"noise.{name}: {sigma / size:g} {channel.unit} is more than all that was measured "
-                    f"({max(moved) / size:.3g} {channel.unit}, standard deviation); correct it or its unit"
+                    f"({largest / size:.3g} {channel.unit}, standard deviation); correct it or its unit"
                 )
 
-    def _note_rates(self) -> None:
+    def _rates_that_differ(self) -> Iterator[str]:
         rates = {e.name: e.record.rate for e in self.experiments}
         if max(rates.values()) > 1.01 * min(rates.values()):
             told = ", ".join(f"{name} {rate:g} Hz" for name, rate in rates.items())
-            self.notes.append(f"sampling rates differ ({told}); each record is simulated at its own")
+            yield f"sampling rates differ ({told}); each record is simulated at its own"
 
     def _floor(self, channel: str, stated: Mapping[str, float]) -> Floor:
         if channel in stated:

@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Collection, Iterator, Mapping
 from typing import Any
 
 from ...base import is_number, unit_for
 from ...components import nearest
 from ...components.language import INTERPOLATIONS
-from ..records.channel import Channel, outputs_of
+from ..records.record import Channel, outputs_of
 from .machine import Machine
 from .problems import TEXT, Problems
 
@@ -26,12 +26,10 @@ def read_channels(entries: Mapping[str, Any], machine: Machine, problems: Proble
         elif problems.sound(where, entry, KINDS):
             with problems.of(where):
                 channel = _channel(entry, machine)
-                told = list(_channel_problems(channel, channels, machine))
-                problems.found += [f"{where}: {problem}" for problem in told]
-                if not told:
+                if problems.none(where, _channel_problems(channel, channels, machine)):
                     unit_for(channel.unit, channel.si)
                     channels[name] = channel
-    problems.found += _missing(entries, channels, machine)
+    problems.add(*_missing(entries, channels, machine))
     if not outputs_of(channels) and len(problems.found) == before:
         problems.add("channels: no output is measured, so there is nothing to compare")
     return channels
@@ -76,12 +74,9 @@ def _missing(entries: Mapping[str, Any], channels: Mapping[str, Channel], machin
 
 
 def read_noise(
-    entries: Any, channels: Mapping[str, Channel], declared: Mapping[str, Any], problems: Problems
+    entries: Mapping[str, Any], channels: Mapping[str, Channel], declared: Collection[str], problems: Problems
 ) -> dict[str, float]:
     """Return the stated noise of output channels in SI units."""
-    if not isinstance(entries, Mapping):
-        problems.add(f"noise: a table [noise] of channel = standard deviation is needed, got {entries!r}")
-        return {}
     outputs = outputs_of(channels)
     stated = {}
     for name, value in entries.items():

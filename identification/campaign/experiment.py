@@ -11,14 +11,13 @@ import numpy as np
 
 from ...components import ModelError, nearest
 from ...networks import Input, between_samples, jump_remedy
-from ..records.channel import Channel, outputs_of
 from ..records.columns import stuck
-from ..records.record import Record, read_record
+from ..records.record import Channel, Record, outputs_of, read_record
 from .problems import FILE, INTERVAL, NUMBER, TEXT, TEXTS, Kind, Problems
 
 INITIALS = ("fit", "rest")
-SHORTEST_PIECE = 10
-UNLIKE = 0.1
+SHORTEST_PIECE = 10  # samples
+REPEAT_TOLERANCE = 0.1  # of the scatter of an input
 KINDS = {
     "file": FILE,
     "record": Kind("a Record, which only Python can give", lambda v: isinstance(v, Record)),
@@ -76,22 +75,16 @@ class Experiment:
 
 
 def read_experiments(
-    kind: str, entries: Any, channels: Mapping[str, Channel], base: Path, problems: Problems
+    kind: str, entries: Sequence[Any], channels: Mapping[str, Channel], base: Path, problems: Problems
 ) -> list[Experiment]:
     """Return the records of [[train]] or [[test]], read and checked."""
-    if not isinstance(entries, list | tuple):
-        problems.add(f"{kind}: tables [[{kind}]] with two brackets are needed, got {entries!r}")
-        return []
     if kind == "train" and not entries:
         problems.add("train: at least one record is needed")
     experiments = []
     for number, entry in enumerate(entries, start=1):
         where = f"[[{kind}]] {number}"
-        if not problems.sound(where, entry, KINDS):
-            continue
-        told = list(_experiment_problems(entry, channels))
-        problems.found += [f"{where}: {problem}" for problem in told]
-        if not told:
+        sound = problems.sound(where, entry, KINDS)
+        if sound and problems.none(where, _experiment_problems(entry, channels)):
             with problems.of(where):
                 experiments.append(_experiment(entry, channels, base))
     return experiments
@@ -113,56 +106,51 @@ def _experiment_problems(entry: Mapping[str, Any], channels: Mapping[str, Channe
 
 def _experiment(entry: Mapping[str, Any], channels: Mapping[str, Channel], base: Path) -> Experiment:
     window = (float(entry["window"][0]), float(entry["window"][1])) if "window" in entry else None
+    repeat, shooting = entry.get("repeat_of"), entry.get("shooting")
     if "file" in entry:
         path = base / entry["file"]
-        source = str(path)
-        record = read_record(path, channels, window, entry.get("temperature"))
+        source, record = str(path), read_record(path, channels, window, entry.get("temperature"))
+        repeat = None if repeat is None else str(base / repeat)
     else:
-        record = entry["record"]
-        source = record.name
-        missing = [name for name in channels if name not in record.values]
-        if missing:
-            raise ModelError(
-                f"record '{source}' has no channel '{missing[0]}'{nearest(missing[0], record.values)}"
-            )
-        record = record.window(*window) if window else record
-        dead = [name for name in outputs_of(channels) if not np.ptp(record.values[name])]
-        if dead:
-            value = record.values[dead[0]][0]
-            raise ModelError(
-                f"record '{source}': '{dead[0]}' is {value:g} throughout; is the sensor connected?"
-            )
-    repeat = entry.get("repeat_of")
-    if repeat is not None and "file" in entry:
-        repeat = str(base / repeat)
-    shooting = entry.get("shooting")
+        source, record = entry["record"].name, _given(entry["record"], channels, window)
     if shooting is not None and shooting * record.rate < SHORTEST_PIECE:
         raise ModelError(
             f"shooting: pieces of {shooting:g} s hold {max(0.0, shooting * record.rate):.3g} samples at "
             f"{record.rate:g} Hz; at least {SHORTEST_PIECE} are needed"
         )
-    return Experiment(
-        record, source, entry.get("initial", "fit"), window, repeat, tuple(entry.get("offset", ())), shooting
-    )
+    initial, offset = entry.get("initial", "fit"), tuple(entry.get("offset", ()))
+    return Experiment(record, source, initial, window, repeat, offset, shooting)
+
+
+def _given(record: Record, channels: Mapping[str, Channel], window: tuple[float, float] | None) -> Record:
+    """Return what counts of a record given in Python, once all its channels are seen to be alive."""
+    missing = [name for name in channels if name not in record.values]
+    if missing:
+        told = nearest(missing[0], record.values)
+        raise ModelError(f"record '{record.name}' has no channel '{missing[0]}'{told}")
+    record = record.window(*window) if window else record
+    for name in outputs_of(channels):
+        if not np.ptp(record.values[name]):
+            told = f"'{name}' is {record.values[name][0]:g} throughout; is the sensor connected?"
+            raise ModelError(f"record '{record.name}': {told}")
+    return record
 
 
 def strange(
     experiment: Experiment, channels: Mapping[str, Channel], inputs: Sequence[Input]
 ) -> Iterator[str]:
     """Yield inputs of which splines make something else, and outputs that stand still as no sensor does."""
-    time = experiment.record.time
+    record = experiment.record
     for name, channel in channels.items():
+        where, span = f"{experiment.name}: '{name}'", stuck(record.values[name])
         if channel.driven:
-            told = between_samples(experiment.record.sampled(name, channel.interpolation))
+            told = between_samples(record.sampled(name, channel.interpolation))
             if told:
-                yield f"{experiment.name}: '{name}': {told}; {jump_remedy(inputs, channel.path)}"
-            continue
-        span = stuck(experiment.record.values[name])
-        if span is not None:
-            begin, end = time[span[0]], time[span[1]]
+                yield f"{where}: {told}; {jump_remedy(inputs, channel.path)}"
+        elif span is not None:
             yield (
-                f"{experiment.name}: '{name}' repeats one value from {begin:g} to {end:g} s, and hardly ever "
-                "elsewhere; if the sensor was stuck, cut the record with window = [from, to]"
+                f"{where} repeats one value from {record.time[span[0]]:g} to {record.time[span[1]]:g} s, and "
+                "hardly ever elsewhere; if the sensor was stuck, cut the record with window = [from, to]"
             )
 
 
@@ -172,9 +160,9 @@ def repeat_problems(experiments: list[Experiment], channels: Mapping[str, Channe
     for experiment in experiments:
         if experiment.repeat_of is None:
             continue
-        told, known = Path(experiment.repeat_of).name, [Path(source).name for source in by_source]
         other = by_source.get(experiment.repeat_of)
         if other is None:
+            told, known = Path(experiment.repeat_of).name, [Path(source).name for source in by_source]
             near = nearest(told, known) or f"; there are {', '.join(known)}"
             yield f"{experiment.name}: repeat_of: no record of the campaign is '{told}'{near}"
         elif other is experiment:
@@ -192,7 +180,7 @@ def _unlike(one: Experiment, other: Experiment, channels: Mapping[str, Channel])
     for name in (name for name, channel in channels.items() if channel.driven):
         mine, theirs = one.record.values[name][:count], other.record.values[name][:count]
         apart = float(np.std(mine - theirs)) / max(float(np.std(theirs)), 1e-300)
-        if apart > UNLIKE:
+        if apart > REPEAT_TOLERANCE:
             yield (
                 f"{one.name}: repeat_of: input '{name}' differs from that of '{other.name}' by {apart:.0%}; "
                 "repeats have one excitation and begin at the same instant of it"

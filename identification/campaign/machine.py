@@ -14,43 +14,25 @@ from ...networks import Input, Network, load_model
 
 
 class Machine(Protocol):
-    """What a campaign asks of a model: names, units and parameters. A `DAE` is one."""
+    """What a campaign asks of a model: names, units and parameters. A `DAE` is one.
+
+    `inputs` are external signals and those of their derivatives that are needed, `parameter_values` hold all
+    that can be set. The unit of what has none is empty. `expression` returns what can be measured under a
+    name; a KeyError tells the nearest name if nothing can.
+    """
 
     @property
-    def name(self) -> str:
-        """What it is called."""
-        ...
-
+    def name(self) -> str: ...
     @property
-    def inputs(self) -> Sequence[Input]:
-        """External signals and those of their derivatives that are needed."""
-        ...
-
+    def inputs(self) -> Sequence[Input]: ...
     @property
-    def input_names(self) -> list[str]:
-        """Full names of the external signals."""
-        ...
-
+    def input_names(self) -> list[str]: ...
     @property
-    def parameter_values(self) -> dict[str, float]:
-        """Every parameter that can be set, with its value."""
-        ...
-
-    def names(self) -> Iterable[str]:
-        """Return the full names of all variables."""
-        ...
-
-    def unit(self, path: str) -> str:
-        """Return the unit of a variable or parameter, empty if it has none."""
-        ...
-
-    def field(self, path: str) -> Parameter:
-        """Return the declaration of a parameter."""
-        ...
-
-    def expression(self, path: str) -> Any:
-        """Return what can be measured under a name; KeyError, with the nearest name, if nothing can."""
-        ...
+    def parameter_values(self) -> dict[str, float]: ...
+    def names(self) -> Iterable[str]: ...
+    def unit(self, path: str) -> str: ...
+    def field(self, path: str) -> Parameter: ...
+    def expression(self, path: str) -> Any: ...
 
 
 Reader = Callable[[Network | str, Mapping[str, str], Path, bool], tuple[Network, Machine]]
@@ -66,13 +48,7 @@ def fmu_and_kind(model: Network | str) -> tuple[str, str] | None:
 def read_network(
     model: Network | str, port: Mapping[str, str], base: Path, validate: bool = True
 ) -> tuple[Network, Machine]:
-    """Return the network of a campaign, and its equations.
-
-    Args:
-        model: the network, or `path/to/file.py:function` that returns it.
-        port: empty; where other parts may be joined to an FMU.
-        base: the folder that a relative path starts from.
-        validate: for FMUs.
+    """Return the network of a campaign, and its equations: the `Reader` of what is no FMU.
 
     Raises:
         ModelError: telling what is wrong; for an FMU, what can be done with it.

@@ -9,6 +9,7 @@ from typing import Any
 import numpy as np
 
 from ...components import nearest
+from ...components.language import Parameter
 from .machine import Machine
 from .problems import NUMBER, Problems
 
@@ -61,21 +62,17 @@ def read_priors(entries: Mapping[str, Any], machine: Machine, problems: Problems
         elif not isinstance(entry, Mapping) or not set(entry) & set(KINDS):
             problems.add(f"{where}: give rel (relative standard deviation), or min and max")
         elif problems.sound(where, entry, KINDS):
-            prior = _prior(machine, path, values[path], entry)
-            problems.found += [f"{where}: {problem}" for problem in _prior_problems(prior, entry)]
-            priors[path] = prior
+            priors[path] = _prior(machine.field(path), values[path], entry)
+            problems.none(where, _prior_problems(priors[path], entry))
     return priors
 
 
-def _prior(machine: Machine, path: str, value: float, entry: Mapping[str, float]) -> Prior:
-    declared = machine.field(path)
+def _prior(declared: Parameter, value: float, entry: Mapping[str, float]) -> Prior:
     sd = entry["rel"] * abs(value) if "rel" in entry else np.inf
-    tiny = 1e-9 * (abs(value) or 1.0)
-    lowest = declared.min if declared.min is not None else -np.inf
-    lowest = declared.above + tiny if declared.above is not None else lowest
-    highest = declared.max if declared.max is not None else np.inf
-    least, most = entry.get("min", -np.inf), entry.get("max", np.inf)
-    return Prior(value, sd, max(least, lowest), min(most, highest))
+    above = None if declared.above is None else declared.above + 1e-9 * (abs(value) or 1.0)
+    lowest = [bound for bound in (entry.get("min"), declared.min, above) if bound is not None]
+    highest = [bound for bound in (entry.get("max"), declared.max) if bound is not None]
+    return Prior(value, sd, max(lowest, default=-np.inf), min(highest, default=np.inf))
 
 
 def _prior_problems(prior: Prior, entry: Mapping[str, float]) -> Iterator[str]:

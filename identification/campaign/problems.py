@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from contextlib import contextmanager
 from dataclasses import dataclass
-from numbers import Integral
 from pathlib import Path
 from typing import Any
 
-from ...base import is_number
+from ...base import counting, is_number
 from ...components import InertanceError, ModelError, nearest
 
 
@@ -25,19 +24,13 @@ def _is_list(value: Any, of: Callable[[Any], bool]) -> bool:
     return isinstance(value, list | tuple) and len(value) > 0 and all(map(of, value))
 
 
-def _is_count(value: Any) -> bool:
-    return is_number(value) and isinstance(value, Integral) and int(value) > 0
-
-
 TEXT = Kind("a text in quotes", lambda v: isinstance(v, str))
 FILE = Kind("the name of a file in quotes", lambda v: isinstance(v, str | Path) and bool(str(v)))
 NUMBER = Kind("a finite number", is_number)
-COUNT = Kind("a whole number, at least 1", _is_count)
+COUNT = Kind("a whole number, at least 1", lambda v: not counting(v))
 NUMBERS = Kind("a number or two in brackets", lambda v: is_number(v) or _is_list(v, is_number))
-TEXTS = Kind(
-    'texts in brackets, such as ["a", "b"]', lambda v: _is_list(v, lambda item: isinstance(item, str))
-)
-COUNTS = Kind("whole numbers in brackets, from 1", lambda v: _is_list(v, _is_count))
+TEXTS = Kind('texts in brackets, such as ["a", "b"]', lambda v: _is_list(v, TEXT.takes))
+COUNTS = Kind("whole numbers in brackets, from 1", lambda v: _is_list(v, COUNT.takes))
 INTERVAL = Kind(
     "[from, to] in s, from before to", lambda v: _is_list(v, is_number) and len(v) == 2 and v[0] < v[1]
 )
@@ -51,24 +44,18 @@ class Problems:
         self.source = source
         self.found: list[str] = []
 
-    def add(self, problem: str) -> None:
-        """Note a problem."""
-        self.found.append(problem)
+    def add(self, *problems: str) -> None:
+        self.found += problems
+
+    def none(self, where: str, problems: Iterable[str]) -> bool:
+        """Return whether an entry has no problems; note those it has."""
+        before = len(self.found)
+        self.found += [f"{where}: {problem}" if where else problem for problem in problems]
+        return len(self.found) == before
 
     def sound(self, where: str, entry: Any, kinds: Mapping[str, Kind]) -> bool:
         """Return whether an entry is a table of these keys with what they take; note what is wrong."""
-        before = len(self.found)
-        place = f"{where}: " if where else ""
-        if not isinstance(entry, Mapping):
-            self.add(f"{place}a table of {', '.join(kinds)} is needed, got {entry!r}")
-            return False
-        for key, value in entry.items():
-            if key not in kinds:
-                told = nearest(str(key), kinds) or f"; known are {', '.join(kinds)}"
-                self.add(f"{place}there is no key '{key}'{told}")
-            elif not kinds[key].takes(value):
-                self.add(f"{place}{key} must be {kinds[key].told}, got {value!r}")
-        return len(self.found) == before
+        return self.none(where, _unsound(entry, kinds))
 
     @contextmanager
     def of(self, where: str) -> Iterator[None]:
@@ -83,6 +70,17 @@ class Problems:
             self.add(f"{where}: {error.args[0]}")
 
     def stop(self) -> None:
-        """Raise if there are any problems."""
         if self.found:
             raise ModelError(f"{self.source} cannot be used:", self.found)
+
+
+def _unsound(entry: Any, kinds: Mapping[str, Kind]) -> Iterator[str]:
+    if not isinstance(entry, Mapping):
+        yield f"a table of {', '.join(kinds)} is needed, got {entry!r}"
+        return
+    for key, value in entry.items():
+        if key not in kinds:
+            known = nearest(str(key), kinds) or f"; known are {', '.join(kinds)}"
+            yield f"there is no key '{key}'{known}"
+        elif not kinds[key].takes(value):
+            yield f"{key} must be {kinds[key].told}, got {value!r}"

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -28,39 +28,33 @@ class Stage:
 
 
 def read_stages(
-    entries: Any,
-    parameters: Sequence[str],
-    channels: Sequence[str],
+    entries: Sequence[Any],
+    parameters: Iterable[str],
+    channels: Iterable[str],
     training: Sequence[Experiment],
     problems: Problems,
 ) -> list[Stage]:
     """Return the stages of the fit; one of everything if none are given."""
-    if not isinstance(entries, list | tuple):
-        problems.add(f"stage: tables [[stage]] with two brackets are needed, got {entries!r}")
-        return []
-    known: dict[str, list[Any]] = {
-        "parameters": list(parameters),
-        "channels": list(channels),
-        "train": list(range(1, len(training) + 1)),
-    }
+    numbers = range(1, len(training) + 1)
+    known: dict[str, list[Any]] = {"parameters": [*parameters], "channels": [*channels], "train": [*numbers]}
     stages = []
     for number, entry in enumerate(entries or [{}], start=1):
         where = f"[[stage]] {number}"
-        if not problems.sound(where, entry, KINDS):
-            continue
-        before = len(problems.found)
-        for key, names in known.items():
-            for name in entry.get(key, ()):
-                if name not in names:
-                    told = nearest(str(name), map(str, names)) or f"; there are {', '.join(map(str, names))}"
-                    problems.add(f"{where}: {key}: there is no '{name}'{told}")
-        chosen = {key: tuple(entry.get(key, names)) for key, names in known.items()}
-        train = tuple(n - 1 for n in chosen["train"])
-        if len(problems.found) == before:
+        if problems.sound(where, entry, KINDS) and problems.none(where, _unknown(entry, known)):
+            chosen = {key: tuple(entry.get(key, names)) for key, names in known.items()}
+            train = tuple(n - 1 for n in chosen["train"])
             with problems.of(where):
                 filtered = _filter(entry, where, problems, [training[n] for n in train])
                 stages.append(Stage(chosen["parameters"], chosen["channels"], train, filtered))
     return stages
+
+
+def _unknown(entry: Mapping[str, Any], known: Mapping[str, list[Any]]) -> Iterator[str]:
+    for key, names in known.items():
+        for name in entry.get(key, ()):
+            if name not in names:
+                told = nearest(str(name), map(str, names)) or f"; there are {', '.join(map(str, names))}"
+                yield f"{key}: there is no '{name}'{told}"
 
 
 def _filter(
@@ -73,12 +67,13 @@ def _filter(
         raise ModelError("filter: cutoff [Hz] must be given")
     cutoff = entry["cutoff"]
     filtered = Filter(**{**entry, "cutoff": tuple(cutoff) if isinstance(cutoff, list) else cutoff})
+    highest = float(np.max(filtered.cutoff))
     for experiment in training:
         filtered.check(experiment.record.rate)
         length = len(experiment.record.time) / experiment.record.rate
-        if np.max(filtered.cutoff) * length < 1:
+        if highest * length < 1:
             raise ModelError(
-                f"filter: cutoff {np.max(filtered.cutoff):g} Hz has no whole cycle in the {length:g} s of "
+                f"filter: cutoff {highest:g} Hz has no whole cycle in the {length:g} s of "
                 f"{experiment.name}; raise it or take a longer record"
             )
     return filtered

@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from contextlib import suppress
 from dataclasses import dataclass, field, replace
+from functools import partial
 from typing import Any
 
 import numpy as np
@@ -13,7 +15,9 @@ from ...base import Array
 from ...components import ModelError
 from ...networks import ATOL, DAE, RTOL, Network, Result, Variations, dae_of, simulate
 from ..campaign.experiment import Experiment
-from ..records.channel import Channel
+from ..records.record import Channel
+
+Values = Mapping[str, float]  # of parameters, or standard deviations of channels, by name
 
 
 @dataclass(frozen=True)
@@ -56,63 +60,42 @@ class RecordModel:
     """A network on one record: its own equations with the record's inputs, compiled once."""
 
     def __init__(
-        self,
-        dae: DAE,
-        experiment: Experiment,
-        channels: Mapping[str, Channel],
-        variations: Variations | None = None,
+        self, dae: DAE, experiment: Experiment, channels: Mapping[str, Channel], variations: Variations
     ) -> None:
-        self.dae = replace(dae, bindings={})
+        self.dae, self.variations = replace(dae, bindings={}), variations
         self.experiment, self.record = experiment, experiment.compared
-        whole = experiment.record
         self.outputs = {name: c.path for name, c in channels.items() if not c.driven}
-        driven = {name: channel for name, channel in channels.items() if channel.driven}
-        self.inputs: dict[str, Any] = {c.path: whole.sampled(n, c.interpolation) for n, c in driven.items()}
-        self.variations = variations or Variations(dae, list(self.outputs.values()), ())
+        whole, driven = experiment.record, [(name, c) for name, c in channels.items() if c.driven]
+        self.inputs = {c.path: whole.sampled(name, c.interpolation) for name, c in driven}
+        self._simulate = partial(simulate, self.dae, inputs=self.inputs, progress=False)
 
-    def rest(self, parameters: Mapping[str, float], accuracy: Accuracy, at: float | None = None) -> Array:
+    def rest(self, parameters: Values, accuracy: Accuracy, at: float | None = None) -> Array:
         """Return the model's start values; motions that are measured start where they were measured."""
         time = self.record.time
         begin = float(time[0]) if at is None else at
         step = float(time[1] - time[0])
         guess = self._measured_start(begin) if self.experiment.initial == "fit" else {}
-        options: dict[str, Any] = {"rtol": accuracy.rtol, "atol": accuracy.atol}
-        run = simulate(
-            self.dae,
-            begin + step,
-            begin=begin,
-            step=step,
-            guess=guess,
-            inputs=self.inputs,
-            parameters=parameters,
-            progress=False,
-            **options,
-        )
+        given: dict[str, Any] = {"guess": guess, "rtol": accuracy.rtol, "atol": accuracy.atol}
+        run = self._simulate(begin + step, begin=begin, step=step, parameters=parameters, **given)
         return run.initial.values.copy()
 
     def _measured_start(self, begin: float) -> dict[str, float]:
         first = int(np.searchsorted(self.record.time, begin - 0.5 / self.record.rate))
-        count = min(20, len(self.record.time) - first)
-        t = self.record.time[first : first + count] - begin
+        nearby = slice(first, first + 20)
+        t = self.record.time[nearby] - begin
         guess = {}
         for name, path in self.outputs.items():
-            if self.dae.unit(path) in ("m", "rad") and count > 3:
-                slope, value = np.polyfit(t, self.record.values[name][first : first + count], 1)
+            if self.dae.unit(path) in ("m", "rad") and len(t) > 3:
+                slope, value = np.polyfit(t, self.record.values[name][nearby], 1)
                 guess[path] = float(value)
-                if self._moves(path):
+                with suppress(KeyError):
+                    self.dae.root(f"der({path})")
                     guess[f"der({path})"] = float(slope)
         return guess
 
-    def _moves(self, path: str) -> bool:
-        try:
-            self.dae.root(f"der({path})")
-        except KeyError:
-            return False
-        return True
-
     def run(
         self,
-        parameters: Mapping[str, float],
+        parameters: Values,
         start: Array | None,
         accuracy: Accuracy,
         slopes: bool = True,
@@ -130,21 +113,19 @@ class RecordModel:
         first, last = span or (0, len(self.record.time) - 1)
         time = self.record.time[first : last + 1]
         step = float(time[-1] - time[0]) / (len(time) - 1)
-        names = self.dae.state_names
-        given = {} if start is None else {n: float(v) for n, v in zip(names, start, strict=True)}
-        run = simulate(
-            self.dae, float(time[-1]), begin=float(time[0]), step=step, guess=given, inputs=self.inputs,
-            parameters=parameters, solver=accuracy.solver, rtol=accuracy.rtol, atol=accuracy.atol,
-            progress=False, max_steps=accuracy.steps and accuracy.steps * len(time),
+        given = {} if start is None else dict(zip(self.dae.state_names, map(float, start), strict=True))
+        run = self._simulate(
+            float(time[-1]), begin=float(time[0]), step=step, guess=given, parameters=parameters,
+            solver=accuracy.solver, rtol=accuracy.rtol, atol=accuracy.atol,
+            max_steps=accuracy.steps and accuracy.steps * len(time),
         )  # fmt: skip
         # An event at a sample ends a hair's breadth after it: what holds from there on is taken.
         at = np.searchsorted(run.time, time + 1e-3 * step, side="right") - 1
-        seen = self.variations.values(run, at)
-        values = {name: seen[:, n] for n, name in enumerate(self.outputs)}
-        first_point, last_point = run.segments[0].point(0)[1], run.segments[-1].point(-1)[1]
+        values = dict(zip(self.outputs, self.variations.values(run, at).T, strict=False))
         by_p: dict[str, Array] = {}
         by_x: dict[str, Array] = {}
-        end = np.zeros((len(names), 0))
+        states = run.points.x
+        end = np.zeros((states.shape[1], 0))
         if slopes:
             began = self.variations.start_slopes(run, {}) if start is None else None
             moved = self.variations.along(run, began)
@@ -152,7 +133,7 @@ class RecordModel:
             for n, name in enumerate(self.outputs):
                 by_p[name], by_x[name] = moved[at, n, :count], moved[at, n, count:]
             end = moved[-1, len(self.outputs) :]
-        return Prediction(time, at, values, by_p, by_x, first_point, last_point, end, run)
+        return Prediction(time, at, values, by_p, by_x, states[0], states[-1], end, run)
 
     def pushed(self, found: Prediction, changes: Mapping[str, Array]) -> Array:
         """Return what small changes of inputs change in the outputs: (instants, outputs, changes).
@@ -161,8 +142,7 @@ class RecordModel:
             found: the run.
             changes: columns of changes by input, at the points of the run.
         """
-        moved: Array = self.variations.pushed(found.run, changes)[found.at]
-        return moved
+        return self.variations.pushed(found.run, changes)[found.at]
 
 
 class CampaignModel:
@@ -191,8 +171,7 @@ class CampaignModel:
         self.channels = dict(channels)
         self.parameters = list(parameters)
         outputs = [c.path for c in channels.values() if not c.driven]
-        self.smooth = not self.dae.impulses.numel()
-        if not self.smooth:
+        if self.dae.impulses.numel():
             raise ModelError(
                 f"'{self.dae.name}' has shocks, through which slopes are not computed; replace its stops "
                 "by ElastoGap to fit it"
@@ -202,15 +181,11 @@ class CampaignModel:
 
     def simulate(
         self,
-        parameters: Mapping[str, float],
+        parameters: Values,
         starts: Sequence[Array | None] | None = None,
         accuracy: Accuracy | None = None,
         slopes: bool = True,
     ) -> list[Prediction]:
         """Return what is predicted for each record, each in one run."""
-        chosen = starts if starts is not None else [None] * len(self.stands)
-        accuracy = accuracy or Accuracy()
-        return [
-            stand.run(parameters, start, accuracy, slopes)
-            for stand, start in zip(self.stands, chosen, strict=True)
-        ]
+        pairs = zip(self.stands, starts or [None] * len(self.stands), strict=True)
+        return [stand.run(parameters, start, accuracy or Accuracy(), slopes) for stand, start in pairs]

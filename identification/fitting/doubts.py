@@ -2,30 +2,29 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from typing import TYPE_CHECKING
+from collections.abc import Iterable, Iterator
 
 import numpy as np
 
 from ..campaign.priors import Prior
 from ..records.noise import spectral_floor
-from .suspects import FLED, told_of
+from .outcome import Comparison, Fit
+from .suspects import FLED_DEVIATIONS, told_of
 
-if TYPE_CHECKING:
-    from .outcome import Comparison, Fit
-
-FAR = 2.0  # residual over noise above which a model is not taken for complete
-APART = 3.0  # times by which the residual of one record exceeds that of others to be named
-LEFT = 3.0  # standard deviations of a prior within which a parameter should stay
-MUCH = 0.3  # share of a signal that must be missed before a channel is suspected
+INCOMPLETE_RATIO = 2.0  # residual over noise above which a model is not taken for complete
+OUTLIER_RATIO = 3.0  # times by which the residual of one record exceeds that of others to be named
+PRIOR_DEVIATIONS = 3.0  # of a prior within which a parameter should stay
+MISSED_SHARE = 0.3  # share of a signal that must be missed before a channel is suspected
+WHITE_SHARE = 0.8  # share of a residual that is white noise, above which the noise was but stated wrongly
 INCOMPLETE = "the model lacks something, or a channel is not what it says"
-WHITE = 0.8  # share of a residual that is white noise, above which the noise was but stated wrongly
+SOURCES = {"stated": "[noise]", "spectrum": "the spectrum"}
 
 
-def doubts(fit: Fit) -> Iterator[str]:
-    """Yield what one should know before believing the values, the gravest first."""
-    if fit.suspects:
-        yield told_of(fit.suspects)
+def warnings(fit: Fit) -> Iterator[str]:
+    """Yield what one should know before using the values, the gravest first."""
+    if fit.interrupted:
+        yield "the fit was interrupted before its end; these are the best values until then"
+    yield from told_of(fit.suspects)
     misfits = [line for channel in fit.campaign.outputs for line in _misfit(fit, channel)]
     yield from misfits
     if any(INCOMPLETE in line for line in misfits):
@@ -34,21 +33,34 @@ def doubts(fit: Fit) -> Iterator[str]:
             "not tell. `inertance diagnose` looks for what is missing"
         )
     for name, value in fit.values.items():
-        far = left_prior(name, value, fit.campaign.priors[name], fit.campaign.dae.unit(name))
-        if far:
-            yield far
+        yield from left_prior(name, value, fit.campaign.priors[name], fit.campaign.dae.unit(name))
+    yield from _failures(fit)
+
+
+def _failures(fit: Fit) -> Iterator[str]:
+    """Yield what a fit did not get done, and what its stages say of their values."""
+    for done in fit.stages:
+        yield from done.uncertainty.warnings
+    for number, done in enumerate(fit.stages, start=1):
+        if done.optimum.ended == "interrupted":
+            yield f"stage {number} was interrupted; the best values until then are kept"
+        elif done.optimum.ended != "converged":
+            yield f"stage {number} did not converge ({done.optimum.ended})"
+    yield from (f"{c.experiment.name}: {c.problem}" for c in fit.comparisons if c.problem)
+    failed = [start.problem for start in fit.starts if start.problem]
+    if failed:
+        yield f"{len(failed)} of {len(fit.starts)} starts failed, the first with: {failed[0]}"
 
 
 def is_doubtful(fit: Fit) -> bool:
     """Tell whether so much is left, or a parameter has moved so far, that a channel may be a wrong one."""
-    train = [c for c in fit.comparisons if not c.tested and not c.problem]
-    misses = any(
-        over_noise(fit, c, name) > FAR and c.rms(name, c.after) > MUCH * c.size(name)
-        for c in train
-        for name in fit.campaign.outputs
-    )
     priors = fit.campaign.priors
-    return misses or any(priors[name].moved(value) > FLED for name, value in fit.values.items())
+    return any(priors[name].moved(value) > FLED_DEVIATIONS for name, value in fit.values.items()) or any(
+        over_noise(fit, c, name) > INCOMPLETE_RATIO and c.rms(name, c.after) > MISSED_SHARE * c.size(name)
+        for c in fit.comparisons
+        for name in fit.campaign.outputs
+        if not c.tested and not c.problem
+    )
 
 
 def over_noise(fit: Fit, comparison: Comparison, channel: str) -> float:
@@ -58,39 +70,41 @@ def over_noise(fit: Fit, comparison: Comparison, channel: str) -> float:
     """
     if channel not in comparison.after:
         return float("nan")
-    record = comparison.experiment.record
-    residual = record.values[channel] - comparison.after[channel]
+    residual = comparison.residual(channel, comparison.after)
     sigma = fit.campaign.floors[channel].sigma
     filters = [done.stage.filter for done in fit.stages if channel in done.stage.channels]
-    last = filters[-1] if filters else None
-    if last is not None:
-        residual = last.apply(residual, record.rate)
-        sigma *= float(np.sqrt(last.share(record.rate)))
+    if filters and filters[-1] is not None:
+        rate = comparison.experiment.record.rate
+        residual = filters[-1].apply(residual, rate)
+        sigma *= float(np.sqrt(filters[-1].share(rate)))
     return float(np.sqrt(np.mean(residual**2))) / sigma
 
 
 def _misfit(fit: Fit, channel: str) -> Iterator[str]:
     ratios = {c: over_noise(fit, c, channel) for c in fit.comparisons}
-    known = {c: ratio for c, ratio in ratios.items() if np.isfinite(ratio)}
-    train = [ratio for c, ratio in known.items() if not c.tested]
+    train, test = (
+        {c: ratio for c, ratio in ratios.items() if c.tested == tested and np.isfinite(ratio)}
+        for tested in (False, True)
+    )
     if not train:
         return
-    left = _together(train)
-    floor = fit.campaign.floors[channel]
-    if left < 1 / FAR:
+    left = _rms(train.values())
+    floor, si = fit.campaign.floors[channel], fit.campaign.measured[channel].si
+    noise = f"{floor.sigma:.3g} {si} from {SOURCES.get(floor.source, f'the {floor.source}')}"
+    if left < 1 / INCOMPLETE_RATIO:
         yield (
-            f"{channel}: the fit leaves {left:.2g} times the noise, {floor.sigma:.3g} {_si(fit, channel)} "
-            f"from {_source(floor.source)}; so records count for too little beside priors: correct [noise]"
+            f"{channel}: the fit leaves {left:.2g} times the noise, {noise}; so records count for too little "
+            "beside priors: correct [noise]"
         )
-    elif left > FAR and _is_white(fit, channel):
+    elif left > INCOMPLETE_RATIO and _is_white(train, channel):
         yield (
-            f"{channel}: what the fit leaves is white noise, but {left:.3g} times the "
-            f"{floor.sigma:.3g} {_si(fit, channel)} from {_source(floor.source)}; correct [noise]"
+            f"{channel}: what the fit leaves is white noise, but {left:.3g} times the {noise}; "
+            "correct [noise]"
         )
-    elif left > FAR:
-        yield _incomplete(fit, channel, known, left)
-    for comparison, ratio in known.items():
-        if comparison.tested and ratio > FAR and ratio > APART * max(left, 1.0):
+    elif left > INCOMPLETE_RATIO:
+        yield _incomplete(channel, train, test)
+    for comparison, ratio in test.items():
+        if ratio > INCOMPLETE_RATIO and ratio > OUTLIER_RATIO * max(left, 1.0):
             yield (
                 f"{comparison.experiment.name}: {channel}: this test record is missed by {ratio:.3g} times "
                 f"the noise, the training records by {left:.3g} times: what was fitted does not hold there. "
@@ -98,51 +112,35 @@ def _misfit(fit: Fit, channel: str) -> Iterator[str]:
             )
 
 
-def _incomplete(fit: Fit, channel: str, known: dict[Comparison, float], left: float) -> str:
-    test = [ratio for c, ratio in known.items() if c.tested]
-    share = _together([c.rms(channel, c.after) / c.size(channel) for c in known if not c.tested])
-    tested = f", {_together(test):.3g} times on the test records" if test else ""
-    train = {c: ratio for c, ratio in known.items() if not c.tested}
+def _incomplete(channel: str, train: dict[Comparison, float], test: dict[Comparison, float]) -> str:
+    share = _rms(c.rms(channel, c.after) / c.size(channel) for c in train)
+    tested = f", {_rms(test.values()):.3g} times on the test records" if test else ""
     worst = max(train, key=lambda c: train[c])
     others = [ratio for c, ratio in train.items() if c is not worst]
-    named = ""
-    if others and train[worst] > APART * _together(others):
-        named = f", most of it in {worst.experiment.name}"
+    outlies = others and train[worst] > OUTLIER_RATIO * _rms(others)
+    named = f", most of it in {worst.experiment.name}" if outlies else ""
     return (
-        f"{channel}: the fit leaves {left:.3g} times the noise, {share:.1%} of the signal{named}{tested}; "
-        f"{INCOMPLETE}"
+        f"{channel}: the fit leaves {_rms(train.values()):.3g} times the noise, {share:.1%} of the signal"
+        f"{named}{tested}; {INCOMPLETE}"
     )
 
 
-def left_prior(name: str, value: float, prior: Prior, unit: str) -> str:
-    """Say that a parameter is far from what was assumed; empty if it is not."""
+def left_prior(name: str, value: float, prior: Prior, unit: str) -> Iterator[str]:
+    """Say that a parameter is far from what was assumed, if it is."""
     moved = prior.moved(value)
-    if moved <= LEFT:
-        return ""
-    return (
-        f"{name}: {value:.6g} {unit} is {value / prior.center:.3g} times what was assumed, {moved:.3g} "
-        f"standard deviations; either that was known less well than rel = {prior.sd / abs(prior.center):.3g} "
-        "says, or a wrong model, unit or record moves it"
-    )
+    if moved > PRIOR_DEVIATIONS:
+        yield (
+            f"{name}: {value:.6g} {unit} is {value / prior.center:.3g} times what was assumed, {moved:.3g} "
+            "standard deviations; either that was known less well than rel = "
+            f"{prior.sd / abs(prior.center):.3g} says, or a wrong model, unit or record moves it"
+        )
 
 
-def _is_white(fit: Fit, channel: str) -> bool:
-    """Tell whether what is left of the training records is white."""
-    shares = []
-    for c in fit.comparisons:
-        if not c.tested and channel in c.after:
-            residual = c.experiment.record.values[channel] - c.after[channel]
-            shares.append(spectral_floor(residual).sigma / max(float(np.std(residual)), 1e-300))
-    return min(shares, default=0.0) > WHITE
+def _is_white(comparisons: Iterable[Comparison], channel: str) -> bool:
+    residuals = [c.residual(channel, c.after) for c in comparisons]
+    shares = [spectral_floor(r).sigma / max(float(np.std(r)), 1e-300) for r in residuals]
+    return min(shares, default=0.0) > WHITE_SHARE
 
 
-def _together(ratios: list[float]) -> float:
-    return float(np.sqrt(np.mean(np.square(ratios))))
-
-
-def _si(fit: Fit, channel: str) -> str:
-    return fit.campaign.measured[channel].si
-
-
-def _source(source: str) -> str:
-    return {"stated": "[noise]", "spectrum": "the spectrum"}.get(source, f"the {source}")
+def _rms(values: Iterable[float]) -> float:
+    return float(np.sqrt(np.mean(np.square([*values]))))

@@ -2,40 +2,26 @@
 
 from __future__ import annotations
 
-import pickle
-from collections.abc import Callable, Sequence
-from concurrent.futures import Executor, as_completed
-from dataclasses import dataclass, replace
-from functools import lru_cache
+from collections.abc import Callable
+from concurrent.futures import Executor
+from dataclasses import replace
 from pathlib import Path
 
-import numpy as np
-
-from ...base import between, demand, function, instance, one_of, optional, whole
-from ...components import InertanceError, ModelError
+from ...base import Array, between, demand, function, instance, one_of, optional, whole
+from ...components import ModelError, SimulationError
 from ...networks import COARSEST, FINEST, SOLVERS, chosen_solver
 from ..campaign.campaign import Campaign
-from ..campaign.stages import Stage
-from .campaign_model import Accuracy, CampaignModel
+from .campaign_model import Accuracy, CampaignModel, Values
 from .doubts import is_doubtful
-from .outcome import Comparison, Fit, FitInterruptedError, FittedStage, compared
-from .problem import Iteration, Optimum, Problem
-from .residual_block import Block
+from .outcome import Comparison, Fit, FitInterruptedError
+from .problem import FitProblem
+from .residual_block import ResidualBlock
+from .staged_fit import best_of, fit_stages, fit_starts
 from .suspects import suspects
-from .uncertainty import uncertainty
 
-Report = Callable[[str], None]
-RUNS = 20  # usual of a fit
-
-
-@dataclass(frozen=True)
-class Start:
-    """One start of a multi-start: its values, and where it led or why it failed."""
-
-    values: dict[str, float]
-    fitted: dict[str, float]
-    cost: float
-    problem: str = ""
+USUAL_RUNS = 20  # of a fit
+STEPS_TO_A_START = 4  # of the least squares that find start and offsets of a test record
+Fitted = tuple[ResidualBlock, Array]  # a record in a stage, and its nuisances
 
 
 def fit(
@@ -46,7 +32,7 @@ def fit(
     seed: int = 0,
     solver: str = "auto",
     rtol: float = 1e-7,
-    report: Report | None = None,
+    report: Callable[[str], None] | None = None,
 ) -> Fit:
     """Fit the parameters of a campaign to its training records: maximum a posteriori.
 
@@ -86,147 +72,67 @@ def fit(
             '[parameters], such as "spring.k" = { rel = 0.1 }'
         )
     samples = sum(len(experiment.record.time) for experiment in campaign.training)
-    accuracy = Accuracy(chosen_solver(solver, samples, RUNS), rtol)
+    accuracy = Accuracy(chosen_solver(solver, samples, USUAL_RUNS), rtol)
     tell = report or (lambda line: None)
-    values = dict(campaign.start)
-    tried: list[Start] = []
-    stages: list[FittedStage] = []
-    comparisons: list[Comparison] = []
+    found = Fit(campaign, dict(campaign.start), [], [])
     try:
         if starts > 1:
-            _multistart(campaign, tried, starts, executor, seed, accuracy, tell)
-            values |= _best(tried)
-        bench = _staged(campaign, values, accuracy, tell, stages)
+            fit_starts(found, starts, seed, executor, accuracy, tell)
+        bench = fit_stages(found, accuracy, tell)
         tell("predicting the test records")
-        comparisons = compared(campaign, bench, values, stages, accuracy)
-        found = Fit(campaign, values, stages, comparisons, tried)
+        found.comparisons.extend(_compared(found, bench, accuracy))
         if is_doubtful(found):
-            found = replace(found, suspects=suspects(campaign, values, accuracy, tell))
-        return found
+            found.suspects.extend(suspects(campaign, found.values, accuracy, tell))
     except KeyboardInterrupt:
-        known = bool(stages) or bool(_best(tried))
-        values |= {} if stages else _best(tried)
-        if not known:
+        best = {} if found.stages else best_of(found.starts)
+        if not (found.stages or best):
             raise
-        found = Fit(campaign, values, stages, comparisons, tried, interrupted=True)
-        raise FitInterruptedError("interrupted; the best until then is the error's `fit`", found) from None
+        found.values.update(best)
+        told = "interrupted; the best until then is the error's `fit`"
+        raise FitInterruptedError(told, replace(found, interrupted=True)) from None
+    return found
 
 
-def _best(tried: Sequence[Start]) -> dict[str, float]:
-    good = [one for one in tried if not one.problem]
-    return min(good, key=lambda one: one.cost).fitted if good else {}
+def _compared(found: Fit, bench: CampaignModel, accuracy: Accuracy) -> list[Comparison]:
+    """Predict every record with the model's own and with the fitted parameters.
+
+    Starts and offsets are those of the fit; for test records they are estimated, nothing else.
+    """
+    campaign = found.campaign
+    fitted = {
+        block.stand.experiment: (block, nuisances)
+        for done in found.stages
+        for block, nuisances in zip(done.blocks, done.optimum.nuisances, strict=True)
+    }
+    testing = CampaignModel(campaign.dae, campaign.measured, campaign.testing)
+    comparisons = []
+    for tested, model in ((False, bench), (True, testing)):
+        for stand in model.stands:
+            block = ResidualBlock(stand, campaign.outputs, campaign.sigma, None)
+            before: dict[str, Array] = {}
+            after: dict[str, Array] = {}
+            problem = ""
+            try:
+                nuisances = _nuisances(block, fitted.get(stand.experiment), found.values, accuracy)
+                after = _predicted(block, found.values, nuisances, accuracy)
+                before = _predicted(block, campaign.start, nuisances, accuracy)
+            except SimulationError as error:
+                problem = str(error)
+            comparisons.append(Comparison(stand.experiment, tested, before, after, problem))
+    return comparisons
 
 
-def _staged(
-    campaign: Campaign,
-    values: dict[str, float],
-    accuracy: Accuracy,
-    tell: Report,
-    stages: list[FittedStage],
-) -> CampaignModel:
-    """Fit stage after stage, each kept in `stages` and `values` as soon as it is done."""
-    bench = CampaignModel(campaign.dae, campaign.measured, campaign.training, list(campaign.priors))
-    for number, stage in enumerate(campaign.stages, start=1):
-        label = f"stage {number} of {len(campaign.stages)}, " if len(campaign.stages) > 1 else ""
-
-        def progress(i: Iteration, label: str = label) -> None:
-            tell(f"{label}iteration {i.number}, misfit {i.cost:.5g}")
-
-        done = fit_stage(campaign, bench, stage, values, accuracy, progress)
-        stages.append(done)
-        values |= done.optimum.values
-        if done.optimum.ended == "interrupted":
-            raise KeyboardInterrupt
-    return bench
+def _nuisances(block: ResidualBlock, fitted: Fitted | None, values: Values, accuracy: Accuracy) -> Array:
+    """Return start and offsets of a record: those of the fit, or those that suit the fitted parameters."""
+    if fitted is None or fitted[0].offsets != block.offsets:
+        return FitProblem([block], {}, values, accuracy).minimise(most=STEPS_TO_A_START).nuisances[0]
+    block.center, block.width = fitted[0].center, fitted[0].width
+    return fitted[1]
 
 
-def fit_stage(
-    campaign: Campaign,
-    bench: CampaignModel,
-    stage: Stage,
-    values: dict[str, float],
-    accuracy: Accuracy | None = None,
-    report: Callable[[Iteration], None] | None = None,
-) -> FittedStage:
-    """Fit some parameters to some channels of some records, starting from `values`."""
-    accuracy = accuracy or Accuracy()
-    sigma = campaign.sigma
-    blocks = [Block(bench.stands[n], stage.channels, sigma, stage.filter) for n in stage.train]
-    for block in blocks:
-        block.prepare(values, accuracy)
-    priors = {name: campaign.priors[name] for name in stage.parameters}
-    columns = [bench.parameters.index(name) for name in priors]
-    problem = Problem(blocks, priors, columns, values, accuracy)
-    optimum = problem.minimise(values, report=report)
-    return FittedStage(stage, optimum, uncertainty(optimum, blocks, priors), blocks)
-
-
-def _multistart(
-    campaign: Campaign,
-    done: list[Start],
-    starts: int,
-    executor: Executor | None,
-    seed: int,
-    accuracy: Accuracy,
-    tell: Report,
-) -> None:
-    """Fit from several starts, each kept in `done` as it comes."""
-    drawn = _drawn(campaign, starts, seed)
-    if executor is None:
-        for values in drawn:
-            done.append(_from(campaign, values, accuracy))
-            tell(f"start {len(done)} of {starts}, misfit {done[-1].cost:.5g}")
-        return
-    payload = campaign.pickled()
-    jobs = [executor.submit(_job, payload, values, accuracy) for values in drawn]
-    try:
-        for job in as_completed(jobs):
-            done.append(job.result())
-            tell(f"start {len(done)} of {starts}, misfit {done[-1].cost:.5g}")
-    except KeyboardInterrupt:
-        for job in jobs:
-            job.cancel()
-        raise
-
-
-def _drawn(campaign: Campaign, count: int, seed: int) -> list[dict[str, float]]:
-    """Return starts: the model's own values, then points of a Sobol sequence over two standard deviations."""
-    from scipy.stats import qmc
-
-    own = campaign.start
-    sobol = qmc.Sobol(len(own), rng=seed).random(1 << (count - 1).bit_length())[: count - 1]
-    drawn = [own]
-    for point in sobol:
-        values = {}
-        for share, (name, prior) in zip(point, campaign.priors.items(), strict=True):
-            low = max(prior.min, prior.center - 2 * prior.scale)
-            high = min(prior.max, prior.center + 2 * prior.scale)
-            values[name] = float(low + share * (high - low))
-        drawn.append(values)
-    return drawn
-
-
-def _from(campaign: Campaign, values: dict[str, float], accuracy: Accuracy) -> Start:
-    """Fit all stages from a start."""
-    bench = CampaignModel(campaign.dae, campaign.measured, campaign.training, list(campaign.priors))
-    fitted, cost = dict(values), np.inf
-    try:
-        for stage in campaign.stages:
-            optimum: Optimum = fit_stage(campaign, bench, stage, fitted, accuracy).optimum
-            fitted |= optimum.values
-            cost = optimum.cost
-            if optimum.ended == "interrupted":
-                raise KeyboardInterrupt
-    except InertanceError as error:
-        return Start(values, fitted, np.inf, str(error))
-    return Start(values, fitted, cost)
-
-
-def _job(payload: bytes, values: dict[str, float], accuracy: Accuracy) -> Start:
-    return _from(_unpickled(payload), values, accuracy)
-
-
-@lru_cache(maxsize=1)
-def _unpickled(payload: bytes) -> Campaign:
-    campaign: Campaign = pickle.loads(payload)
-    return campaign
+def _predicted(
+    block: ResidualBlock, parameters: Values, nuisances: Array, accuracy: Accuracy
+) -> dict[str, Array]:
+    predictions = block.linearise(parameters, nuisances, accuracy, slopes=False).predictions
+    measured = block.record.values
+    return {name: measured[name] - block.residual(name, predictions, nuisances) for name in block.channels}

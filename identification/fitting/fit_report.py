@@ -1,54 +1,47 @@
-"""A fit in words and pictures."""
+"""A fit as text, numbers and pictures."""
 
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import TYPE_CHECKING, Any
+from dataclasses import asdict
+from typing import Any
 
 import numpy as np
 
 from ...base import aligned
 from .doubts import over_noise
-
-if TYPE_CHECKING:
-    from .outcome import Comparison, Fit
+from .outcome import Comparison, Fit
 
 MOST_RECORDS = 6
-SEEN = 400  # samples that a panel can show one by one
+PANEL_SAMPLES = 400  # that a panel can show one by one
 
 
 def table(fit: Fit) -> str:
-    """Return parameters with standard errors, fits per channel and warnings as text."""
-    records = ["", *_records(fit)] if fit.comparisons else []
-    return "\n".join([*_parameters(fit), *records, *_remarks(fit)])
+    """See `Fit.table`."""
+    remarks = [f"note: {note}" for note in fit.campaign.notes]
+    remarks += [f"warning: {warning}" for warning in fit.warnings]
+    parts = [[*_parameters(fit)], [*_records(fit)] if fit.comparisons else [], remarks]
+    return "\n\n".join("\n".join(lines) for lines in parts if lines)
 
 
 def _parameters(fit: Fit) -> Iterator[str]:
     rows: list[tuple[str, ...]] = [("parameter", "fitted", "std. error", "started at", "unit")]
     for name, value in fit.values.items():
-        error, prior = fit.errors.get(name, np.nan), fit.campaign.priors[name]
-        rows.append(
-            (name, f"{value:.6g}", f"{error:.2g}", f"{prior.center:.6g}", fit.campaign.dae.unit(name))
-        )
-    yield from aligned(rows, right={1, 2, 3})
+        error, start = fit.errors.get(name, np.nan), fit.campaign.priors[name].center
+        rows.append((name, f"{value:.6g}", f"{error:.2g}", f"{start:.6g}", fit.campaign.dae.unit(name)))
+    return aligned(rows, right={1, 2, 3})
 
 
 def _records(fit: Fit) -> Iterator[str]:
-    rows: list[tuple[str, ...]] = [
-        ("record", "", "channel", "rms before", "after", "noise", "of signal", "unit")
-    ]
+    head = ("record", "", "channel", "rms before", "after", "noise", "of signal", "unit")
+    rows: list[tuple[str, ...]] = [head]
     for c in fit.comparisons:
-        for name in fit.campaign.outputs:
-            floor = fit.campaign.floors[name]
-            after = c.rms(name, c.after)
-            rows.append(
-                (
-                    c.experiment.name, "test" if c.tested else "train", name, f"{c.rms(name, c.before):.4g}",
-                    f"{after:.4g}", f"{floor.sigma:.3g} ({floor.source})", f"{after / c.size(name):.3%}",
-                    _unit(fit, name),
-                )
-            )  # fmt: skip
-    yield from aligned(rows, right={3, 4, 6})
+        for name, floor in fit.campaign.floors.items():
+            before, after = (c.rms(name, predicted) for predicted in (c.before, c.after))
+            noise, share = f"{floor.sigma:.3g} ({floor.source})", f"{after / c.size(name):.3%}"
+            record = c.experiment.name, _kind(c), name
+            rows.append((*record, f"{before:.4g}", f"{after:.4g}", noise, share, _unit(fit, name)))
+    return aligned(rows, right={3, 4, 6})
 
 
 def _unit(fit: Fit, channel: str) -> str:
@@ -56,38 +49,64 @@ def _unit(fit: Fit, channel: str) -> str:
     return measured.si or measured.unit
 
 
-def _remarks(fit: Fit) -> Iterator[str]:
-    remarks = [f"note: {note}" for note in fit.campaign.notes]
-    remarks += [f"warning: {warning}" for warning in fit.warnings]
-    if remarks:
-        yield ""
-        yield from remarks
+def _kind(comparison: Comparison) -> str:
+    return "test" if comparison.tested else "train"
+
+
+def as_dict(fit: Fit) -> dict[str, Any]:
+    """See `Fit.to_dict`."""
+    priors, units = fit.campaign.priors, fit.campaign.dae.unit
+    return {
+        "parameters": {
+            name: {
+                "value": value, "error": fit.errors.get(name), "start": priors[name].center,
+                "unit": units(name), "prior_deviations": priors[name].moved(value),
+            }
+            for name, value in fit.values.items()
+        },
+        "correlation": [
+            {"parameters": list(done.optimum.values), "matrix": done.uncertainty.correlation.tolist()}
+            for done in fit.stages
+        ],
+        "noise": {name: asdict(floor) for name, floor in fit.campaign.floors.items()},
+        "records": [
+            {
+                "record": c.experiment.name, "tested": c.tested, "channel": name,
+                "before": c.rms(name, c.before), "after": c.rms(name, c.after), "size": c.size(name),
+                "over_noise": over_noise(fit, c, name),
+            }
+            for c in fit.comparisons
+            for name in fit.campaign.outputs
+        ],
+        "suspects": [
+            {"channels": list(s.channels), "factor": s.factor, "told": s.told} for s in fit.suspects
+        ],
+        "notes": fit.campaign.notes,
+        "interrupted": fit.interrupted,
+        "warnings": fit.warnings,
+    }  # fmt: skip
 
 
 def _worst(comparison: Comparison, channel: str) -> slice:
     """Return a stretch of a record short enough to be seen, about where the fit misses most."""
-    measured = comparison.experiment.record.values[channel]
-    if len(measured) <= SEEN or channel not in comparison.after:
-        return slice(0, len(measured))
-    squares = np.concatenate([[0.0], np.cumsum((measured - comparison.after[channel]) ** 2)])
-    first = int(np.argmax(squares[SEEN:] - squares[:-SEEN]))
-    return slice(first, first + SEEN)
+    count = len(comparison.experiment.record.time)
+    if count <= PANEL_SAMPLES or channel not in comparison.after:
+        return slice(0, count)
+    squares = np.concatenate([[0.0], np.cumsum(comparison.residual(channel, comparison.after) ** 2)])
+    first = int(np.argmax(squares[PANEL_SAMPLES:] - squares[:-PANEL_SAMPLES]))
+    return slice(first, first + PANEL_SAMPLES)
 
 
 def _title(fit: Fit, comparison: Comparison, channel: str, near: slice) -> str:
-    kind = "test" if comparison.tested else "train"
     count = len(comparison.experiment.record.time)
     part = ", where the fit misses most" if near.stop - near.start < count else ""
     left = over_noise(fit, comparison, channel)
     told = f"{left:.3g} times the noise left" if np.isfinite(left) else "not simulated"
-    return f"{comparison.experiment.name} ({kind}): {told}{part}"
+    return f"{comparison.experiment.name} ({_kind(comparison)}): {told}{part}"
 
 
 def plot(fit: Fit, channel: str) -> Any:
-    """Return a figure with a row for every record: measured and predicted, and the residuals.
-
-    Of a long record, measured and predicted are shown where the fit misses most.
-    """
+    """See `Fit.plot`; of a long record, measured and predicted are shown where the fit misses most."""
     from matplotlib.figure import Figure
 
     shown = fit.comparisons[:MOST_RECORDS]
@@ -100,15 +119,13 @@ def plot(fit: Fit, channel: str) -> Any:
         for label, predicted, color in (("before", c.before, "C1"), ("fitted", c.after, "C0")):
             if channel in predicted:
                 signal.plot(record.time[near], predicted[channel][near], color=color, lw=1.2, label=label)
-                error = record.values[channel] - predicted[channel]
-                rest.plot(record.time, error, color=color, lw=0.6, label=label)
+                rest.plot(record.time, c.residual(channel, predicted), color=color, lw=0.6, label=label)
         signal.plot(record.time[near], record.values[channel][near], "k.", ms=2.5, label="measured", zorder=0)
         rest.axhspan(-2 * sigma, 2 * sigma, color="0.85", label="noise, 2 sigma", zorder=0)
         signal.set_title(_title(fit, c, channel, near), loc="left", fontsize=10)
         signal.set_ylabel(f"{channel} [{unit}]")
         rest.set_ylabel(f"measured - predicted [{unit}]")
-    panels[0, 0].legend(loc="upper right", fontsize=8)
-    panels[0, 1].legend(loc="upper right", fontsize=8)
-    for axes in panels[-1]:
-        axes.set_xlabel("time [s]")
+    for top, bottom in zip(panels[0], panels[-1], strict=True):
+        top.legend(loc="upper right", fontsize=8)
+        bottom.set_xlabel("time [s]")
     return figure

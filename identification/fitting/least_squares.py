@@ -7,9 +7,9 @@ slopes from its steps, and takes one that gains nothing before it ends.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from dataclasses import dataclass
-from typing import Protocol
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass, replace
+from math import inf
 
 import numpy as np
 
@@ -17,6 +17,9 @@ from ...base import Array
 from ...components import InertanceError, SimulationError
 
 Bounds = tuple[Array, Array]
+Residuals = Callable[[Array, bool], tuple[Array, Array | None]]
+"""Residuals at a vector, and slopes if they are asked for; an `InertanceError` says that there are none."""
+
 GOOD_RATIO = 0.5  # share of what was promised that a step must keep for its slopes to be believed
 LEAST_RATIO = 0.05  # share below which a step is not taken
 SHRUNK = 0.25  # of a step that was not taken, the radius after it
@@ -24,57 +27,34 @@ RIDGE = 1e-3  # over the norm of a column of slopes: keeps steps short where slo
 LEAST_WIDTH = 1e-12  # of the box of a step, which must not be empty
 
 
-class Residuals(Protocol):
-    """Residuals at a vector, with slopes or without."""
-
-    def __call__(self, vector: Array, slopes: bool) -> tuple[Array, Array | None]:
-        """Return both; an `InertanceError` says that there are none."""
-        ...
-
-
 @dataclass(frozen=True)
 class Ending:
-    """Where a descent ends.
+    """Where a descent ends; no step is worth a run that promises a smaller drop than both allow together."""
 
-    Attributes:
-        relative, absolute: the drop of the sum of squares, over that sum and beside it, below which no step
-            is worth a run.
-        radius: of the trust region below which steps see nothing but roughness.
-        steps: tried at most.
-    """
-
-    relative: float
-    absolute: float
-    radius: float
-    steps: int
+    relative: float  # drop of the sum of squares over that sum
+    absolute: float  # drop of the sum of squares
+    radius: float  # of the trust region below which steps see nothing but roughness
+    steps: int  # tried at most
 
 
 @dataclass(frozen=True, eq=False)
-class Point:
-    """How far a descent has come.
-
-    Attributes:
-        vector: where it is.
-        residual, slopes: there; slopes as they were learnt, if they are.
-        number: of the step that is tried next.
-        ended: why nothing follows, in words; empty before.
-    """
+class Iterate:
+    """How far a descent has come."""
 
     vector: Array
     residual: Array
-    slopes: Array
-    number: int
-    ended: str = ""
+    slopes: Array  # as they were learnt, if they are
+    number: int  # of the step that is tried next
+    ended: str = ""  # why nothing follows, in words
 
     @property
     def cost(self) -> float:
-        """Sum of squares."""
         return float(self.residual @ self.residual)
 
 
 def descent(
     residuals: Residuals, start: Array, bounds: Bounds, ending: Ending, learnt: bool = False
-) -> Iterator[Point]:
+) -> Iterator[Iterate]:
     """Yield where a descent of the sum of squares is before each step, and where it ends.
 
     The first step goes no further than 1 in each entry; one that keeps its promise may be followed by one
@@ -102,68 +82,59 @@ def descent(
             try:
                 rest, slopes = _sloped(residuals, x)
             except InertanceError:
-                yield Point(x, rest, slopes, number, "no slopes")
+                yield Iterate(x, rest, slopes, number, "no slopes")
                 return
-            exact = believed = True
-        yield Point(x, rest, slopes, number)
+            exact = True
+        yield (here := Iterate(x, rest, slopes, number))
         within = np.maximum(bounds[0] - x, -radius), np.minimum(bounds[1] - x, radius)
         step, promised = _step(slopes, rest, within)
-        cost, kept, length = float(rest @ rest), 0.0, float(np.abs(step).max(initial=0.0))
-        if promised > ending.relative * cost + ending.absolute:
-            trial = x + step
-            found, known = _tried(residuals, trial, not learnt)
-            if found is not None:
-                kept = (cost - float(found @ found)) / promised
-            if found is not None and kept > LEAST_RATIO:
-                slopes = known if known is not None else _learnt(slopes, rest, found, step)
-                x, rest, exact = np.clip(trial, *bounds), found, known is not None
-            elif exact:
-                radius = SHRUNK * length
-                if radius < ending.radius:
-                    yield Point(x, rest, slopes, number, "no further descent")
-                    return
-                continue
-        elif exact:
-            yield Point(x, rest, slopes, number, "converged")
+        length = float(np.abs(step).max(initial=0.0))
+        worth_a_run = promised > ending.relative * here.cost + ending.absolute
+        if exact and not worth_a_run:
+            yield replace(here, ended="converged")
             return
+        trial = _tried(residuals, here, step, promised, learnt) if worth_a_run else (0.0, rest, slopes)
+        kept, found, known = trial
+        if kept > LEAST_RATIO:
+            slopes = _learnt(slopes, rest, found, step) if learnt else known
+            x, rest, exact = np.clip(x + step, *bounds), found, not learnt
+        elif exact:
+            radius = SHRUNK * length
+            if radius < ending.radius:
+                yield replace(here, ended="no further descent")
+                return
         if kept > GOOD_RATIO:
             radius = max(radius, 2 * length)
         believed = exact or kept > GOOD_RATIO
-    yield Point(x, rest, slopes, ending.steps, "iterations used up")
+    yield Iterate(x, rest, slopes, ending.steps, "iterations used up")
 
 
 def _sloped(residuals: Residuals, x: Array) -> tuple[Array, Array]:
-    """Return residuals and slopes.
-
-    Raises:
-        SimulationError: if not all are finite.
-    """
     rest, slopes = residuals(x, True)
     if slopes is None or not (np.isfinite(rest).all() and np.isfinite(slopes).all()):
         raise SimulationError("the slopes of a run are not finite")
     return rest, slopes
 
 
-def _tried(residuals: Residuals, x: Array, slopes: bool) -> tuple[Array | None, Array | None]:
-    """Return residuals, and slopes if wanted; nothing where there are none."""
+def _tried(
+    residuals: Residuals, here: Iterate, step: Array, promised: float, learnt: bool
+) -> tuple[float, Array, Array]:
+    """Return the share of its promise that a step keeps, the residuals after it, and slopes unless learnt."""
+    x = here.vector + step
     try:
-        return _sloped(residuals, x) if slopes else (_finite(residuals(x, False)[0]), None)
+        found, slopes = (residuals(x, False)[0], here.slopes) if learnt else _sloped(residuals, x)
     except InertanceError:
-        return None, None
-
-
-def _finite(rest: Array) -> Array | None:
-    return rest if np.isfinite(rest).all() else None
+        return -inf, here.residual, here.slopes
+    return (here.cost - float(found @ found)) / promised, found, slopes
 
 
 def _learnt(slopes: Array, rest: Array, found: Array, step: Array) -> Array:
-    """Return slopes that agree with what a step really did."""
-    corrected: Array = slopes + np.outer(found - rest - slopes @ step, step) / float(step @ step)
-    return corrected
+    """Return slopes that agree with what a step really did: Broyden's update."""
+    return np.asarray(slopes + np.outer(found - rest - slopes @ step, step) / float(step @ step))
 
 
 def _step(slopes: Array, rest: Array, within: Bounds) -> tuple[Array, float]:
-    """Return the step within a box that promises the largest drop of the sum of squares, and that drop."""
+    """Return the step within the box (the trust region) that promises the largest drop, and that drop."""
     from scipy.optimize import lsq_linear
 
     small: Array = np.asarray(np.linalg.qr(np.column_stack([slopes, rest]), mode="r"), dtype=np.float64)

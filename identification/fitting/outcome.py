@@ -3,30 +3,33 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from dataclasses import dataclass, field
+from operator import attrgetter
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 
 from ...base import Array, check_output, write_text
-from ...components import Component, SimulationError
 from ...networks import Network
 from ..campaign.campaign import Campaign
 from ..campaign.experiment import Experiment
 from ..campaign.stages import Stage
-from .campaign_model import Accuracy, CampaignModel
-from .doubts import doubts, over_noise
-from .problem import Optimum, Problem
-from .residual_block import Block
+from .problem import Optimum
+from .residual_block import ResidualBlock
 from .suspects import Suspect
 from .uncertainty import Uncertainty
 
-if TYPE_CHECKING:
-    from .fit import Start
 
-STARTS = 4
+@dataclass(frozen=True)
+class FittedStart:
+    """One start of a multi-start: its values, and where it led or why it failed."""
+
+    values: dict[str, float]
+    fitted: dict[str, float]
+    cost: float
+    problem: str = ""
 
 
 @dataclass(frozen=True, eq=False)
@@ -36,7 +39,7 @@ class FittedStage:
     stage: Stage
     optimum: Optimum
     uncertainty: Uncertainty
-    blocks: list[Block]
+    blocks: list[ResidualBlock]
 
 
 @dataclass(frozen=True, eq=False)
@@ -57,12 +60,15 @@ class Comparison:
     after: dict[str, Array]
     problem: str = ""
 
+    def residual(self, channel: str, predicted: Mapping[str, Array]) -> Array:
+        """Return measured less predicted."""
+        return self.experiment.record.values[channel] - predicted[channel]
+
     def rms(self, channel: str, predicted: Mapping[str, Array]) -> float:
-        """Return the root mean square of measured less predicted."""
+        """Return the root mean square of measured less predicted; NaN where nothing could be predicted."""
         if channel not in predicted:
             return np.nan
-        difference = self.experiment.record.values[channel] - predicted[channel]
-        return float(np.sqrt(np.mean(difference**2)))
+        return float(np.sqrt(np.mean(self.residual(channel, predicted) ** 2)))
 
     def size(self, channel: str) -> float:
         """Return the standard deviation of what was measured."""
@@ -94,8 +100,8 @@ class Fit:
     campaign: Campaign
     values: dict[str, float]
     stages: list[FittedStage]
-    comparisons: list[Comparison]
-    starts: list[Start] = field(default_factory=list)
+    comparisons: list[Comparison] = field(default_factory=list)
+    starts: list[FittedStart] = field(default_factory=list)
     suspects: list[Suspect] = field(default_factory=list)
     interrupted: bool = False
 
@@ -105,10 +111,7 @@ class Fit:
         network = self.campaign.network.clone()
         for path, value in self.values.items():
             owner, _, name = path.rpartition(".")
-            component: Component = network
-            for part in owner.split(".") if owner else ():
-                component = component._parts[part]
-            component._set(name, value)
+            setattr(attrgetter(owner)(network) if owner else network, name, value)
         return network
 
     @property
@@ -119,22 +122,9 @@ class Fit:
     @property
     def warnings(self) -> list[str]:
         """What one should know before using the values."""
-        told = list(doubts(self))
-        told += [warning for done in self.stages for warning in done.uncertainty.warnings]
-        if self.interrupted:
-            told.insert(0, "the fit was interrupted before its end; these are the best values until then")
-        for number, done in enumerate(self.stages, start=1):
-            if done.optimum.ended == "interrupted":
-                told.append(f"stage {number} was interrupted; the best values until then are kept")
-            elif done.optimum.ended != "converged":
-                told.append(f"stage {number} did not converge ({done.optimum.ended})")
-        told += [f"{c.experiment.name}: {c.problem}" for c in self.comparisons if c.problem]
-        failed = [start for start in self.starts if start.problem]
-        if failed:
-            told.append(
-                f"{len(failed)} of {len(self.starts)} starts failed, the first with: {failed[0].problem}"
-            )
-        return told
+        from .doubts import warnings
+
+        return list(warnings(self))
 
     def table(self) -> str:
         """Return parameters with standard errors, fits per channel and warnings as text."""
@@ -144,39 +134,9 @@ class Fit:
 
     def to_dict(self) -> dict[str, Any]:
         """Return everything but the signals as plain numbers and texts."""
-        priors, units = self.campaign.priors, self.campaign.dae.unit
-        return {
-            "parameters": {
-                name: {
-                    "value": value, "error": self.errors.get(name), "start": priors[name].center,
-                    "unit": units(name), "prior_deviations": priors[name].moved(value),
-                }
-                for name, value in self.values.items()
-            },
-            "correlation": [
-                {"parameters": list(done.optimum.values), "matrix": done.uncertainty.correlation.tolist()}
-                for done in self.stages
-            ],
-            "noise": {
-                name: {"sigma": floor.sigma, "source": floor.source}
-                for name, floor in self.campaign.floors.items()
-            },
-            "records": [
-                {
-                    "record": c.experiment.name, "tested": c.tested, "channel": name,
-                    "before": c.rms(name, c.before), "after": c.rms(name, c.after), "size": c.size(name),
-                    "over_noise": over_noise(self, c, name),
-                }
-                for c in self.comparisons
-                for name in self.campaign.outputs
-            ],
-            "suspects": [
-                {"channels": list(s.channels), "factor": s.factor, "told": s.told} for s in self.suspects
-            ],
-            "notes": self.campaign.notes,
-            "interrupted": self.interrupted,
-            "warnings": self.warnings,
-        }  # fmt: skip
+        from .fit_report import as_dict
+
+        return as_dict(self)
 
     def to_json(self, path: str | Path) -> Path:
         """Write `to_dict` to a file and return its path."""
@@ -189,63 +149,3 @@ class Fit:
         from .fit_report import plot
 
         return plot(self, channel or self.campaign.outputs[0])
-
-
-def compared(
-    campaign: Campaign,
-    bench: CampaignModel,
-    values: Mapping[str, float],
-    stages: Sequence[FittedStage],
-    accuracy: Accuracy,
-) -> list[Comparison]:
-    """Predict every record with the model's own and with the fitted parameters.
-
-    Starts and offsets are those of the fit; for test records they are estimated, nothing else.
-    """
-    fitted = {
-        block.stand.experiment: (block, nuisances)
-        for done in stages
-        for block, nuisances in zip(done.blocks, done.optimum.nuisances, strict=True)
-    }
-    testing = CampaignModel(campaign.dae, campaign.measured, campaign.testing)
-    sigma = campaign.sigma
-    found = []
-    for number, stand in enumerate([*bench.stands, *testing.stands]):
-        block = Block(stand, campaign.outputs, sigma, None)
-        known = fitted.get(stand.experiment)
-        found.append(_compared(campaign, block, values, known, accuracy, number >= len(campaign.training)))
-    return found
-
-
-def _compared(
-    campaign: Campaign,
-    block: Block,
-    values: Mapping[str, float],
-    known: tuple[Block, Array] | None,
-    accuracy: Accuracy,
-    tested: bool,
-) -> Comparison:
-    predicted: list[dict[str, Array]] = [{}, {}]
-    problem = ""
-    try:
-        if known is not None and known[0].offsets == block.offsets:
-            block.center, block.width, nuisances = known[0].center, known[0].width, known[1]
-        else:
-            block.prepare(values, accuracy)
-            best = Problem([block], {}, [], values, accuracy).minimise({}, most=STARTS)
-            if best.ended == "interrupted":
-                raise KeyboardInterrupt
-            nuisances = best.nuisances[0]
-        for place, parameters in ((1, values), (0, campaign.start)):
-            predicted[place] = _predicted(block, parameters, nuisances, accuracy)
-    except SimulationError as error:
-        problem = str(error)
-    return Comparison(block.stand.experiment, tested, predicted[0], predicted[1], problem)
-
-
-def _predicted(
-    block: Block, parameters: Mapping[str, float], nuisances: Array, accuracy: Accuracy
-) -> dict[str, Array]:
-    predictions = block.linearise(parameters, nuisances, accuracy, slopes=False).predictions
-    measured = block.record.values
-    return {name: measured[name] - block.residual(name, predictions, nuisances) for name in block.channels}

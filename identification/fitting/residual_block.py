@@ -1,8 +1,8 @@
-"""`Block`: one record in a fit: its nuisances, its weighted residual and the slopes of that."""
+"""`ResidualBlock`: one record in a fit: its nuisances, its weighted residual and the slopes of that."""
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from itertools import pairwise
 
@@ -10,9 +10,9 @@ import numpy as np
 
 from ...base import Array
 from ..records.filters import Filter
-from .campaign_model import Accuracy, Prediction, RecordModel
+from .campaign_model import Accuracy, Prediction, RecordModel, Values
 
-CONTINUITY = 1e-3
+CONTINUITY_SHARE = 1e-3  # of how far states move, by which pieces may miss each other
 
 
 @dataclass(frozen=True, eq=False)
@@ -28,7 +28,7 @@ class Linearised:
     predictions: list[Prediction]
 
 
-class Block:
+class ResidualBlock:
     """A record, the channels of it that count, the filter both sides pass and the noise they are weighted by.
 
     Nuisances are the states at the start of every piece (one piece unless multiple shooting is asked for) and
@@ -36,15 +36,16 @@ class Block:
     """
 
     def __init__(
-        self, stand: RecordModel, channels: Sequence[str], sigma: Mapping[str, float], filtered: Filter | None
+        self, stand: RecordModel, channels: Sequence[str], sigma: Values, filtered: Filter | None
     ) -> None:
         self.stand, self.channels, self.filter = stand, list(channels), filtered
         self.sigma = {name: sigma[name] for name in channels}
         self.record = stand.record
-        self.offsets = [name for name in stand.experiment.offset if name in channels]
+        offsets = [name for name in stand.experiment.offset if name in channels]
+        self.offsets = {name: n - len(offsets) for n, name in enumerate(offsets)}  # places among nuisances
         self.free = stand.experiment.initial == "fit"
         self.pieces = _pieces(len(self.record.time), self.record.rate, stand.experiment.shooting)
-        self.center = np.zeros((0, 0))
+        self.center = np.zeros((len(self.pieces), 0))
         self.width = np.zeros(0)
         self.share = filtered.share(self.record.rate) if filtered else 1.0
 
@@ -56,78 +57,59 @@ class Block:
     @property
     def rows(self) -> int:
         """Number of residuals: samples of all channels, then by how much states miss each other at joints."""
-        joints = (len(self.pieces) - 1) * self.center.shape[1] if self.free else 0
-        return len(self.channels) * len(self.record.time) + joints
+        return len(self.channels) * len(self.record.time) + (len(self.pieces) - 1) * self.center.shape[1]
 
     @property
     def nuisances(self) -> int:
-        """Number of nuisances."""
-        return (len(self.pieces) * self.center.shape[1] if self.free else 0) + len(self.offsets)
+        return self.center.size + len(self.offsets)
 
-    def prepare(self, parameters: Mapping[str, float], accuracy: Accuracy) -> None:
+    def prepare(self, parameters: Values, accuracy: Accuracy) -> None:
         """Find where the pieces start, as a first guess, and how far states move."""
         if not self.free:
-            self.center = np.zeros((len(self.pieces), len(self.stand.dae.states)))
             return
-        starts = [
-            self.stand.rest(parameters, accuracy, float(self.record.time[first])) for first, _ in self.pieces
-        ]
-        self.center = np.array(starts).reshape(len(self.pieces), -1)
+        begins = [float(self.record.time[first]) for first, _ in self.pieces]
+        self.center = np.array([self.stand.rest(parameters, accuracy, begin) for begin in begins])
         runs = [
             self.stand.run(parameters, start, accuracy, False, span).run
-            for start, span in zip(starts, self.pieces, strict=True)
+            for start, span in zip(self.center, self.pieces, strict=True)
         ]
-        moved = [[np.ptp(run[name]) for run in runs] for name in self.stand.dae.state_names]
-        self.width = np.array([max(m) if max(m) > 0 else 1.0 for m in moved])
+        moved = [max(np.ptp(run[name]) for run in runs) for name in self.stand.dae.state_names]
+        self.width = np.array([most if most > 0 else 1.0 for most in moved])
 
     def linearise(
-        self, parameters: Mapping[str, float], nuisances: Array, accuracy: Accuracy, slopes: bool = True
+        self, parameters: Values, nuisances: Array, accuracy: Accuracy, slopes: bool = True
     ) -> Linearised:
-        """Return the weighted residual and its slopes."""
-        starts = self._starts(nuisances)
+        moved = nuisances[: self.center.size].reshape(self.center.shape)
+        starts = self.center + moved * self.width
         predictions = [
             self.stand.run(parameters, start if self.free else None, accuracy, slopes, span)
             for start, span in zip(starts, self.pieces, strict=True)
         ]
         parts = [self._channel(name, predictions, nuisances, slopes) for name in self.channels]
         parts += self._joints(predictions, starts, slopes)
-        stacked: list[Array] = [np.concatenate(column) for column in zip(*parts, strict=True)]
-        return Linearised(stacked[0], stacked[1], stacked[2], predictions)
+        residual, to_p, to_n = map(np.concatenate, zip(*parts, strict=True))
+        return Linearised(residual, to_p, to_n, predictions)
 
     def residual(self, name: str, predictions: Sequence[Prediction], nuisances: Array) -> Array:
         """Return measured less predicted of a channel, not filtered, in SI units."""
-        predicted = np.concatenate([p.values[name][n > 0 :] for n, p in enumerate(predictions)])
-        rest: Array = self.record.values[name] - predicted - self._offset(name, nuisances)
-        return rest
-
-    def _offset(self, name: str, nuisances: Array) -> float:
-        if name not in self.offsets:
-            return 0.0
-        return float(nuisances[len(nuisances) - len(self.offsets) + self.offsets.index(name)]) * self._span(
-            name
-        )
-
-    def _span(self, name: str) -> float:
-        return float(np.ptp(self.record.values[name]))
-
-    def _starts(self, nuisances: Array) -> Array:
-        if not self.free:
-            return self.center
-        moved = nuisances[: self.center.size].reshape(self.center.shape)
-        starts: Array = self.center + moved * self.width
-        return starts
+        measured = self.record.values[name]
+        rest: Array = measured - _joined([p.values[name] for p in predictions])
+        return rest - nuisances[self.offsets[name]] * np.ptp(measured) if name in self.offsets else rest
 
     def _channel(
         self, name: str, predictions: list[Prediction], nuisances: Array, slopes: bool
     ) -> tuple[Array, Array, Array]:
+        from scipy.linalg import block_diag
+
         residual = self.residual(name, predictions, nuisances)[:, None]
         to_p, to_n = np.zeros((len(residual), 0)), np.zeros((len(residual), self.nuisances))
         if slopes:
-            to_p = -np.concatenate([p.slopes[name][n > 0 :] for n, p in enumerate(predictions)])
+            to_p = -_joined([p.slopes[name] for p in predictions])
             if self.free:
-                self._fill(to_n, [p.start_slopes[name] for p in predictions])
+                own = (p.start_slopes[name][n > 0 :] * self.width for n, p in enumerate(predictions))
+                to_n[:, : self.center.size] = -block_diag(*own)
             if name in self.offsets:
-                to_n[:, self.offsets.index(name) - len(self.offsets)] = -self._span(name)
+                to_n[:, self.offsets[name]] = -np.ptp(self.record.values[name])
         both = np.hstack([residual, to_p, to_n])
         if self.filter is not None:
             both = self.filter.apply(both, self.record.rate)
@@ -135,19 +117,13 @@ class Block:
         split = 1 + to_p.shape[1]
         return both[:, 0], both[:, 1:split], both[:, split:]
 
-    def _fill(self, to_n: Array, slopes: list[Array]) -> None:
-        nx = self.center.shape[1]
-        for n, ((first, last), slope) in enumerate(zip(self.pieces, slopes, strict=True)):
-            rows = slice(first + (n > 0), last + 1)
-            to_n[rows, n * nx : (n + 1) * nx] = -slope[n > 0 :] * self.width
-
     def _joints(
         self, predictions: list[Prediction], starts: Array, slopes: bool
     ) -> Iterator[tuple[Array, Array, Array]]:
         """Yield by how much pieces miss each other, in thousandths of how far the states move."""
         nx = self.center.shape[1]
-        for n in range(len(predictions) - 1) if self.free else ():
-            weight = 1 / (CONTINUITY * self.width)
+        for n in range(len(predictions) - 1):
+            weight = 1 / (CONTINUITY_SHARE * self.width)
             missed = weight * (predictions[n].end - starts[n + 1])
             to_p, to_n = np.zeros((nx, 0)), np.zeros((nx, self.nuisances))
             if slopes:
@@ -156,6 +132,11 @@ class Block:
                 to_n[:, n * nx : (n + 1) * nx] = weight[:, None] * end[:, end.shape[1] - nx :] * self.width
                 to_n[:, (n + 1) * nx : (n + 2) * nx] = -np.diag(weight * self.width)
             yield missed, to_p, to_n
+
+
+def _joined(pieces: Sequence[Array]) -> Array:
+    """Return what pieces hold one after the other; the sample that neighbours share is the earlier one's."""
+    return np.concatenate([piece[n > 0 :] for n, piece in enumerate(pieces)])
 
 
 def _pieces(samples: int, rate: float, length: float | None) -> list[tuple[int, int]]:

@@ -4,18 +4,19 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
+from itertools import combinations
 
 import numpy as np
 
 from ...base import Array
 from ..campaign.priors import Prior
 from .problem import Optimum
-from .residual_block import Block
+from .residual_block import ResidualBlock
 
-UNTOLD = 0.7
-TIED = 0.95
-AT_BOUND = 1e-6
-MEMORY = 0.1
+UNTOLD_SHARE = 0.7  # of a prior's standard deviation, above which records say next to nothing
+TIED_CORRELATION = 0.95
+BOUND_TOLERANCE = 1e-6
+LONGEST_LAG_SHARE = 0.1  # of the samples
 
 
 @dataclass(frozen=True, eq=False)
@@ -33,7 +34,7 @@ class Uncertainty:
     warnings: list[str]
 
 
-def uncertainty(optimum: Optimum, blocks: Sequence[Block], priors: Mapping[str, Prior]) -> Uncertainty:
+def uncertainty(optimum: Optimum, blocks: list[ResidualBlock], priors: Mapping[str, Prior]) -> Uncertainty:
     """Return what is known of the parameters at an optimum."""
     count = len(priors)
     inverse = np.linalg.pinv(optimum.slopes.T @ optimum.slopes, rcond=1e-14, hermitian=True)
@@ -43,13 +44,14 @@ def uncertainty(optimum: Optimum, blocks: Sequence[Block], priors: Mapping[str, 
     safe = np.where(sd > 0, sd, 1.0)
     correlation = covariance / np.outer(safe, safe)
     np.fill_diagonal(correlation, 1.0)
-    errors = {name: float(e * s) for name, e, s in zip(priors, sd, optimum.scales, strict=True)}
+    errors = dict(zip(priors, (sd * optimum.scales).tolist(), strict=True))
     white = np.sqrt(np.maximum(np.diag(inverse)[:count], 0.0)) * optimum.scales
-    warnings = list(_warnings(optimum, priors, errors, correlation, white))
-    return Uncertainty(errors, correlation, warnings)
+    each = zip(priors, optimum.values.values(), priors.values(), white, strict=True)
+    warnings = [told for own in each for told in _untold(*own)]
+    return Uncertainty(errors, correlation, [*warnings, *_tied(errors, correlation)])
 
 
-def _scatter(optimum: Optimum, blocks: Sequence[Block]) -> Array:
+def _scatter(optimum: Optimum, blocks: Sequence[ResidualBlock]) -> Array:
     """Return the covariance of the scores: of residuals as coloured as they are, and of the priors."""
     residual, slopes = optimum.residual, optimum.slopes
     scatter, begin = np.zeros((slopes.shape[1], slopes.shape[1])), 0
@@ -58,70 +60,62 @@ def _scatter(optimum: Optimum, blocks: Sequence[Block]) -> Array:
         own = np.flatnonzero(slopes[rows].any(axis=0))
         scatter[np.ix_(own, own)] += _coloured(residual[rows], slopes[rows][:, own], block)
         begin += block.rows
-    assumed: Array = scatter + slopes[begin:].T @ slopes[begin:]
-    return assumed
+    return np.asarray(scatter + slopes[begin:].T @ slopes[begin:])
 
 
-def _coloured(residual: Array, slopes: Array, block: Block) -> Array:
+def _coloured(residual: Array, slopes: Array, block: ResidualBlock) -> Array:
     """Return slopes' covariance under the autocorrelation of the residual, channel by channel."""
     from scipy.signal import fftconvolve
 
-    samples = len(block.record.time)
-    total = np.zeros((slopes.shape[1], slopes.shape[1]))
-    for number in range(len(block.channels)):
-        rows = slice(number * samples, (number + 1) * samples)
-        own = slopes[rows]
-        kernel = autocovariance(residual[rows])
-        total += own.T @ fftconvolve(own, kernel[:, None], mode="same", axes=0)
-    joints = slopes[len(block.channels) * samples :]
-    return total + joints.T @ joints
+    count = len(block.channels)
+    sampled = count * len(block.record.time)
+    total = slopes[sampled:].T @ slopes[sampled:]  # where pieces join
+    channels = zip(np.split(residual[:sampled], count), np.split(slopes[:sampled], count), strict=True)
+    for left, own in channels:
+        total += own.T @ fftconvolve(own, autocovariance(left)[:, None], mode="same", axes=0)
+    return total
 
 
 def autocovariance(residual: Array) -> Array:
     """Return the autocovariance at lags from -L to L, tapered; L where it sinks into its own scatter."""
     count = len(residual)
     spectrum = np.fft.rfft(residual, 2 * count)
-    covariance = np.fft.irfft(np.abs(spectrum) ** 2)[: max(2, int(MEMORY * count))] / count
+    covariance = np.fft.irfft(np.abs(spectrum) ** 2)[: max(2, int(LONGEST_LAG_SHARE * count))] / count
     small = np.abs(covariance) < 2 * covariance[0] / np.sqrt(count)
     quiet = np.flatnonzero(small[:-1] & small[1:])
     last = int(quiet[0]) if len(quiet) else len(covariance)
     half = covariance[: max(1, 2 * last)]
     half = half * (1 - np.arange(len(half)) / len(half))
-    both: Array = np.concatenate([half[:0:-1], half])
-    return both
+    return np.concatenate([half[:0:-1], half])
 
 
-def _warnings(
-    optimum: Optimum,
-    priors: Mapping[str, Prior],
-    errors: Mapping[str, float],
-    correlation: Array,
-    white: Array,
-) -> Iterator[str]:
-    names = list(priors)
-    for name, own in zip(names, white, strict=True):
-        prior, value = priors[name], optimum.values[name]
-        width = prior.max - prior.min
-        if np.isfinite(prior.sd) and own > UNTOLD * prior.sd:
-            assumed = abs(value - prior.center) <= prior.sd
+def _tied(errors: Mapping[str, float], correlation: Array) -> Iterator[str]:
+    """Yield pairs of parameters that the records hardly tell apart."""
+    for (j, first), (i, second) in combinations(enumerate(errors), 2):
+        if abs(correlation[i, j]) > TIED_CORRELATION and errors[second] > 0:
+            how = "together" if correlation[i, j] > 0 else "against each other"
+            yield (
+                f"{first} and {second} move {how} (correlation {correlation[i, j]:.3f}): the records know a "
+                "combination of them better than each"
+            )
+
+
+def _untold(name: str, value: float, prior: Prior, own: float) -> Iterator[str]:
+    """Yield what records do not tell of a parameter; `own` is its standard error if residuals were white."""
+    width = prior.max - prior.min
+    if np.isfinite(prior.sd):
+        if own > UNTOLD_SHARE * prior.sd:
             led = f"it went from {prior.center:.4g} to {value:.4g} all the same, which means nothing"
-            led = f"it stays near the {prior.center:.4g} that was assumed" if assumed else led
+            if abs(value - prior.center) <= prior.sd:
+                led = f"it stays near the {prior.center:.4g} that was assumed"
             yield (
                 f"{name}: the records say next to nothing about it; {led}. Measure a motion in which it "
                 "matters, or leave it out of the fit"
             )
-        elif not np.isfinite(prior.sd) and np.isfinite(width) and own > 0.25 * width:
-            yield f"{name}: the records cannot tell it between {prior.min:.4g} and {prior.max:.4g}"
-        elif not np.isfinite(prior.sd) and own > abs(value) > 0:
-            yield f"{name}: the records do not tell {value:.4g} from 0; it is known to within {own:.2g}"
-        for side in (prior.min, prior.max):
-            if np.isfinite(side) and abs(value - side) <= AT_BOUND * max(prior.scale, abs(side)):
-                yield f"{name}: ends at its bound {side:.6g}; the model lacks something or the bound is wrong"
-    for i, first in enumerate(names):
-        for j in range(i):
-            if abs(correlation[i, j]) > TIED and errors[first] > 0:
-                how = "together" if correlation[i, j] > 0 else "against each other"
-                yield (
-                    f"{names[j]} and {first} move {how} (correlation {correlation[i, j]:.3f}): the records "
-                    "know a combination of them better than each"
-                )
+    elif np.isfinite(width) and own > 0.25 * width:
+        yield f"{name}: the records cannot tell it between {prior.min:.4g} and {prior.max:.4g}"
+    elif own > abs(value) > 0:
+        yield f"{name}: the records do not tell {value:.4g} from 0; it is known to within {own:.2g}"
+    for side in (prior.min, prior.max):
+        if np.isfinite(side) and abs(value - side) <= BOUND_TOLERANCE * max(prior.scale, abs(side)):
+            yield f"{name}: ends at its bound {side:.6g}; the model lacks something or the bound is wrong"

@@ -10,27 +10,26 @@ from numpy.typing import NDArray
 from ...base import Array
 from ...base.tables import Table
 
-LEAST = 32
-JITTER = 0.25
-GAP = 1.75
-RUN = 5
-STEEP = 1.0
-HUGE = 1e12
-SWITCHED = 0.5
-REPEATED = 0.01  # share of samples that repeat the one before, above which a sensor is coarse or at rest
+LEAST_SAMPLES = 32
+JITTER = 0.25  # of a step
+GAP = 1.75  # in steps
+CLIPPED_SAMPLES = 5
+CLIPPED_STEEPNESS = 1.0  # of the step before a plateau, over the usual one
+LARGEST_VALUE = 1e12
+SWITCHED_SHARE = 0.5  # of samples at the two extremes, above which a signal switches between them
+REPEATED_SHARE = 0.01  # of samples that repeat the one before, above which a sensor is coarse or at rest
 
 
 def time_problems(table: Table, name: str, time: Array) -> Iterator[str]:
     """Yield what keeps a column from being the time of a record."""
-    wrong = table.time_problem(name, time)
-    if wrong:
+    if wrong := table.time_problem(name, time):
         yield wrong
         return
     step = np.diff(time)
     usual = float(np.median(step)) if len(step) else 0.0
     holes = np.flatnonzero(step > GAP * usual)
     if len(holes):
-        row = int(holes[np.argmax(step[holes])]) + 1
+        row = int(np.argmax(step)) + 1
         told = (
             f"a gap of {time[row] - time[row - 1]:g} s before {time[row]:g} s, where samples are {usual:g} s "
             f"apart ({len(holes)} such); cut the record there with window = [from, to], or fill it"
@@ -44,10 +43,9 @@ def time_problems(table: Table, name: str, time: Array) -> Iterator[str]:
 
 def number_problems(table: Table, name: str, values: Array) -> Iterator[str]:
     """Yield where a column holds no number that a machine could have."""
-    wrong = table.number_problem(name, values)
-    if wrong:
+    if wrong := table.number_problem(name, values):
         yield wrong
-    elif np.abs(values).max() > HUGE:
+    elif np.abs(values).max() > LARGEST_VALUE:
         row = int(np.abs(values).argmax())
         told = f"{values[row]:g} is beyond any machine; correct it, or the unit of the column"
         yield f"{table.at(name, row)}: {told}"
@@ -55,20 +53,17 @@ def number_problems(table: Table, name: str, values: Array) -> Iterator[str]:
 
 def value_problems(table: Table, name: str, values: Array, driven: bool) -> Iterator[str]:
     """Yield what keeps a column from being a channel; `driven` tells that it is an input."""
-    unusable = list(number_problems(table, name, values))
-    if unusable:
+    if unusable := list(number_problems(table, name, values)):
         yield from unusable
     elif np.ptp(values) == 0:
         remedy = "it excites nothing; give it in the model instead" if driven else "is the sensor connected?"
         yield f"{table.path}, column '{name}': the value is {values[0]:g} throughout; {remedy}"
-    else:
-        row = clipped(values)
-        if row is not None:
-            told = (
-                f"stays at {values[row]:g}, an extreme, as if the sensor were saturated; measure with a "
-                "larger range, or cut with window = [from, to]"
-            )
-            yield f"{table.at(name, row)}: {told}"
+    elif (row := clipped(values)) is not None:
+        told = (
+            f"stays at {values[row]:g}, an extreme, as if the sensor were saturated; measure with a larger "
+            "range, or cut with window = [from, to]"
+        )
+        yield f"{table.at(name, row)}: {told}"
 
 
 def stuck(values: Array) -> tuple[int, int] | None:
@@ -76,17 +71,12 @@ def stuck(values: Array) -> tuple[int, int] | None:
 
     It is strange if it is long, and values hardly ever repeat outside of it, as those of a coarse sensor do.
     """
-    same: NDArray[np.bool_] = np.concatenate([[False], np.diff(values) == 0, [False]])
-    begins = np.flatnonzero(same[1:] & ~same[:-1])
-    ends = np.flatnonzero(~same[1:] & same[:-1])
-    if not len(begins):
-        return None
-    longest = int(np.argmax(ends - begins))
-    first, last = int(begins[longest]), int(ends[longest])
-    outside = np.count_nonzero(same) - (last - first)
-    if last - first < LEAST or outside > REPEATED * (len(values) - (last - first)):
-        return None
-    return first, last
+    stretches = _stretches(np.diff(values) == 0)
+    first, last = max(stretches, key=lambda ends: ends[1] - ends[0], default=(0, 0))
+    length = last - first
+    outside = sum(end - begin for begin, end in stretches) - length
+    strange = length >= LEAST_SAMPLES and outside <= REPEATED_SHARE * (len(values) - length)
+    return (first, last) if strange else None
 
 
 def clipped(values: Array) -> int | None:
@@ -96,7 +86,7 @@ def clipped(values: Array) -> int | None:
     is a signal clipped that is mostly at its two extremes: it switches between two levels.
     """
     low, high = float(values.min()), float(values.max())
-    if np.mean((values == low) | (values == high)) > SWITCHED:
+    if np.mean((values == low) | (values == high)) > SWITCHED_SHARE:
         return None
     change = np.abs(np.diff(values))
     moving = change[change > 0]
@@ -104,12 +94,15 @@ def clipped(values: Array) -> int | None:
         return None
     usual = float(np.median(moving))
     for limit in (high, low):
-        at: NDArray[np.bool_] = np.concatenate([[False], values == limit, [False]])
-        begins = np.flatnonzero(at[1:] & ~at[:-1])
-        ends = np.flatnonzero(~at[1:] & at[:-1])
-        pairs = zip(begins.tolist(), ends.tolist(), strict=True)
-        long = [begin for begin, end in pairs if end - begin >= RUN and begin > 0]
-        runs = [n for n in long if change[n - 1] + change[max(n - 2, 0)] > STEEP * usual]
+        ends = _stretches(values == limit)
+        long = [begin for begin, end in ends if end - begin >= CLIPPED_SAMPLES and begin > 0]
+        runs = [n for n in long if change[n - 1] + change[max(n - 2, 0)] > CLIPPED_STEEPNESS * usual]
         if len(runs) > 1:
-            return int(runs[0])
+            return runs[0]
     return None
+
+
+def _stretches(flags: NDArray[np.bool_]) -> list[tuple[int, int]]:
+    """Return where stretches of true begin, and where they have ended."""
+    edges = np.flatnonzero(np.diff(np.concatenate([[False], flags, [False]]))).tolist()
+    return list(zip(edges[::2], edges[1::2], strict=True))

@@ -25,13 +25,7 @@ from ...base import (
 from ...components import ModelError, Sampled
 
 MOST_SAMPLES, MOST_LINES = 50_000_000, 1_000_000
-TRIALS = 64
-
-
-def faded(t: Array, begin: float, duration: float) -> Array:
-    """Return a step from 0 to 1 over a duration, twice continuously differentiable."""
-    share = np.clip((t - begin) / duration, 0.0, 1.0)
-    return share**3 * (10 - 15 * share + 6 * share**2)
+PHASE_DRAWS = 64
 
 
 def sampled(signal: Callable[[Any], Any], stop: float, rate: float = 1000.0, fade: float = 0.0) -> Sampled:
@@ -65,18 +59,22 @@ def sampled(signal: Callable[[Any], Any], stop: float, rate: float = 1000.0, fad
         )
     time = np.arange(count + 1) / rate
     t = ca.SX.sym("t")
+    window = _smooth_step(t / fade) * _smooth_step((stop - t) / fade) if fade else 1.0
     try:
         with numpy_on_symbols():
-            function_ = ca.Function("signal", [t], [ca.SX(signal(t))])
+            function_ = ca.Function("signal", [t], [ca.SX(signal(t)) * window])
     except Exception as error:
         told = f"{type(error).__name__}: {str(error).partition(chr(10))[0]}"
         raise ModelError(
             f"sampled(): the signal could not be read ({told}); write it with ca.sin or np.sin"
         ) from error
     values = np.array(function_.map(len(time))(time[None, :])).ravel()
-    if fade:
-        values = values * faded(time, 0.0, fade) * (1 - faded(time, stop - fade, fade))
     return Sampled(time, values)
+
+
+def _check(excitation: Any, **checks: Callable[[Any], str]) -> None:
+    fields = {name: (getattr(excitation, name), check) for name, check in checks.items()}
+    demand(f"a {type(excitation).__name__}", **fields)
 
 
 @dataclass(frozen=True)
@@ -95,13 +93,8 @@ class Chirp:
     duration: float
 
     def __post_init__(self) -> None:
-        demand(
-            "a Chirp",
-            amplitude=(self.amplitude, finite()),
-            low=(self.low, at_least(0, "Hz")),
-            high=(self.high, at_least(0, "Hz")),
-            duration=(self.duration, above(0, "s")),
-        )
+        frequency = at_least(0, "Hz")
+        _check(self, amplitude=finite(), low=frequency, high=frequency, duration=above(0, "s"))
 
     def __call__(self, t: Any) -> Any:
         turns = self.low * t + (self.high - self.low) * t**2 / (2 * self.duration)
@@ -124,19 +117,10 @@ class SineDwells:
     cycles: int = 10
 
     def __post_init__(self) -> None:
-        demand(
-            "a SineDwells",
-            amplitudes=(self.amplitudes, numbers(finite())),
-            frequencies=(self.frequencies, numbers(finite("Hz"))),
-            cycles=(self.cycles, whole(1)),
-        )
-        object.__setattr__(self, "amplitudes", tuple(np.ravel(self.amplitudes).tolist()))
-        object.__setattr__(self, "frequencies", tuple(np.ravel(self.frequencies).tolist()))
-        if (
-            len(self.amplitudes) != len(self.frequencies)
-            or not self.frequencies
-            or min(self.frequencies) <= 0
-        ):
+        _check(self, amplitudes=numbers(finite()), frequencies=numbers(finite("Hz")), cycles=whole(1))
+        for name in ("amplitudes", "frequencies"):
+            object.__setattr__(self, name, tuple(np.ravel(getattr(self, name)).tolist()))
+        if len(self.amplitudes) != len(self.frequencies) or min(self.frequencies, default=0.0) <= 0:
             raise ModelError("a SineDwells has as many amplitudes as frequencies, and these are above 0 Hz")
 
     @property
@@ -148,13 +132,14 @@ class SineDwells:
         value, begin = 0, 0.0
         for amplitude, frequency in zip(self.amplitudes, self.frequencies, strict=True):
             end = begin + self.cycles / frequency
-            window = _ramp((t - begin) * frequency) * _ramp((end - t) * frequency)
+            window = _smooth_step((t - begin) * frequency) * _smooth_step((end - t) * frequency)
             value = value + amplitude * window * ca.sin(2 * pi * frequency * (t - begin))
             begin = end
         return value
 
 
-def _ramp(share: Any) -> Any:
+def _smooth_step(share: Any) -> Any:
+    """Return a step from 0 to 1, twice continuously differentiable."""
     share = ca.fmin(ca.fmax(share, 0), 1)
     return share**3 * (10 - 15 * share + 6 * share**2)
 
@@ -184,20 +169,13 @@ class Multisine:
     slope: float = 0.0
 
     def __post_init__(self) -> None:
-        demand(
-            "a Multisine",
-            rms=(self.rms, finite()),
-            low=(self.low, above(0, "Hz")),
-            high=(self.high, above(0, "Hz")),
-            period=(self.period, above(0, "s")),
-            seed=(self.seed, whole(0)),
-            slope=(self.slope, between(-10, 10)),
-        )
+        frequency = above(0, "Hz")
+        drawn = {"seed": whole(0), "slope": between(-10, 10)}
+        _check(self, rms=finite(), low=frequency, high=frequency, period=above(0, "s"), **drawn)
         if self.high * self.period > MOST_LINES:
             raise ModelError(
                 f"a Multisine up to {self.high:g} Hz in steps of {1 / self.period:g} Hz has over "
-                f"{MOST_LINES:.0e} lines; "
-                "give a shorter period"
+                f"{MOST_LINES:.0e} lines; give a shorter period"
             )
         if not 0 < self.low < self.high or not len(self.frequencies):
             raise ModelError(f"a Multisine needs a band above 0 Hz, got {self.low:g} to {self.high:g} Hz")
@@ -206,29 +184,25 @@ class Multisine:
     def frequencies(self) -> Array:
         """The lines [Hz]."""
         lines = np.arange(np.ceil(self.low * self.period), np.floor(self.high * self.period) + 1)
-        found: Array = lines / self.period
-        return found
+        return np.asarray(lines / self.period)
 
     @property
     def amplitudes(self) -> Array:
         """Amplitude of each line."""
         shape = self.frequencies**-self.slope
-        found: Array = self.rms * shape * np.sqrt(2 / np.sum(shape**2))
-        return found
+        return np.asarray(self.rms * shape * np.sqrt(2 / np.sum(shape**2)))
 
     @property
     def phases(self) -> Array:
         """Phases of the draw with the least peak [rad]."""
-        draws = np.random.default_rng(self.seed).uniform(0, 2 * pi, (TRIALS, len(self.frequencies)))
+        draws = np.random.default_rng(self.seed).uniform(0, 2 * pi, (PHASE_DRAWS, len(self.frequencies)))
         count = 1 << int(np.ceil(np.log2(16 * self.high * self.period)))
         lines = np.round(self.frequencies * self.period).astype(int)
-        spectrum = np.zeros((TRIALS, count // 2 + 1), dtype=complex)
+        spectrum = np.zeros((PHASE_DRAWS, count // 2 + 1), dtype=complex)
         spectrum[:, lines] = self.amplitudes * np.exp(1j * draws)
         peaks = np.abs(np.fft.irfft(spectrum, count)).max(axis=1)
-        best: Array = draws[int(peaks.argmin())]
-        return best
+        return np.asarray(draws[int(peaks.argmin())])
 
     def __call__(self, t: Any) -> Any:
-        return ca.dot(
-            ca.DM(self.amplitudes), ca.cos(ca.DM(2 * pi * self.frequencies) * t + ca.DM(self.phases))
-        )
+        angles = ca.DM(2 * pi * self.frequencies) * t + ca.DM(self.phases)
+        return ca.dot(ca.DM(self.amplitudes), ca.cos(angles))

@@ -34,12 +34,8 @@ class Filter:
     kind: str = "lowpass"
 
     def __post_init__(self) -> None:
-        demand(
-            "a Filter",
-            cutoff=(self.cutoff, numbers(number)),
-            order=(self.order, whole(1)),
-            kind=(self.kind, text),
-        )
+        order = self.order, whole(1)
+        demand("a Filter", cutoff=(self.cutoff, numbers(number)), order=order, kind=(self.kind, text))
         demand("a Filter", order=(self.order, between(1, 20)))
         edges = np.atleast_1d(np.asarray(self.cutoff, dtype=float))
         problems = []
@@ -65,10 +61,8 @@ class Filter:
         if np.ndim(values) not in (1, 2) or len(values) < 2:
             raise ModelError(f"apply() filters columns of at least 2 numbers, got {shown(values)}")
         sections = self._sections(rate)
-        low = float(np.min(self.cutoff))
-        padding = min(len(values) - 1, round(3 * rate / low))
-        filtered: Array = sosfiltfilt(sections, values, axis=0, padlen=padding)
-        return filtered
+        padding = min(len(values) - 1, round(3 * rate / float(np.min(self.cutoff))))
+        return np.asarray(sosfiltfilt(sections, values, axis=0, padlen=padding))
 
     def share(self, rate: float) -> float:
         """Return the share of the power of white noise that passes."""
@@ -90,14 +84,4 @@ class Filter:
         from scipy.signal import butter
 
         self.check(rate)
-        design: Any = butter
-        return design(self.order, self.cutoff, btype=self.kind, fs=rate, output="sos")
-
-
-def decimated(values: Array, rate: float, wanted: float) -> tuple[Array, float]:
-    """Return values at the nearest rate below `rate/1` that divides it, aliases removed, and that rate."""
-    stride = max(1, round(rate / wanted))
-    if stride == 1:
-        return values, rate
-    smooth = Filter(cutoff=0.4 * rate / stride, order=6).apply(values, rate)
-    return smooth[::stride], rate / stride
+        return butter(self.order, self.cutoff, btype=self.kind, fs=rate, output="sos")

@@ -9,8 +9,8 @@ import numpy as np
 from ...base import Array
 from .record import Record
 
-BAND = (0.6, 0.95)
-LEAST_SHARE = 1e-6
+NOISE_BAND = (0.6, 0.95)  # of the spectrum
+LEAST_RANGE_SHARE = 1e-6
 
 
 @dataclass(frozen=True)
@@ -30,10 +30,10 @@ def spectral_floor(values: Array) -> Floor:
 
     length = min(1024, max(16, len(values) // 8))
     density: Array = np.asarray(welch(np.asarray(values, dtype=np.float64), nperseg=length)[1], dtype=float)
-    top = density[int(BAND[0] * len(density)) : int(BAND[1] * len(density))]
-    sigma = float(np.sqrt(0.5 * np.median(top)))
+    begin, end = (int(share * len(density)) for share in NOISE_BAND)
+    sigma = float(np.sqrt(0.5 * np.median(density[begin:end])))
     quantum = _quantum(values) / np.sqrt(12)
-    least = LEAST_SHARE * float(np.ptp(values))
+    least = LEAST_RANGE_SHARE * float(np.ptp(values))
     return Floor(max(sigma, quantum, least), "steps of the sensor" if quantum > sigma else "spectrum")
 
 
@@ -49,6 +49,6 @@ def _quantum(values: Array) -> float:
     levels = np.unique(values)
     if len(levels) < 2 or len(levels) > len(values) / 4:
         return 0.0
-    steps = np.diff(levels)
-    step = float(np.median(steps))
-    return step if float(np.abs(steps / step - np.round(steps / step)).max()) < 0.05 else 0.0
+    step = float(np.median(np.diff(levels)))
+    steps = np.diff(levels) / step
+    return step if float(np.abs(steps - np.round(steps)).max()) < 0.05 else 0.0

@@ -14,12 +14,35 @@ from ...base import Array, above, demand, finite, instance, one_of, path_of, sho
 from ...base.tables import Table, read_table
 from ...components import ModelError, Sampled, UnknownNameError, nearest
 from ...components.language import INTERPOLATIONS
-from .channel import Channel
-from .columns import JITTER, LEAST, number_problems, time_problems, value_problems
-from .filters import decimated
+from .columns import JITTER, LEAST_SAMPLES, number_problems, time_problems, value_problems
+from .filters import Filter
 
-EVEN = 1e-4
-ROUNDED = 1e-2
+EVEN_TOLERANCE = 1e-4  # of a step
+ROUNDING_TOLERANCE = 1e-2
+
+
+@dataclass(frozen=True)
+class Channel:
+    """A column of the data and the quantity of the network that it measures.
+
+    Args:
+        path: full name of the quantity.
+        driven: whether it is an input of the network; an output otherwise.
+        unit: of the column.
+        si: unit of the quantity in the network.
+        interpolation: of an input between its samples, as of `Sampled`.
+    """
+
+    path: str
+    driven: bool
+    unit: str
+    si: str
+    interpolation: str = "cubic"
+
+
+def outputs_of(channels: Mapping[str, Channel]) -> list[str]:
+    """Return the channels that the network predicts."""
+    return [name for name, channel in channels.items() if not channel.driven]
 
 
 @dataclass(frozen=True, eq=False)
@@ -93,35 +116,28 @@ class Record:
             ModelError: if too little is left.
         """
         demand("window()", begin=(begin, finite("s")), end=(end, finite("s")))
-        inside = (self.time >= begin - 0.5 / self.rate) & (self.time <= end + 0.5 / self.rate)
-        if np.count_nonzero(inside) < LEAST:
-            raise ModelError(
-                f"{self.name}: window {begin:g} to {end:g} s holds {np.count_nonzero(inside)} samples of "
-                f"{self.time[0]:g} to {self.time[-1]:g} s; at least {LEAST} are needed"
-            )
-        values = {name: v[inside] for name, v in self.values.items()}
-        temperature = None if self.temperature is None else self.temperature[inside]
-        return replace(self, time=self.time[inside], values=values, temperature=temperature)
+        return self._taken(_rows(self.name, self.time, (begin, end)))
 
     def thinned(self, every: int) -> Self:
         """Return every so many samples as they are, noise and all."""
         demand("thinned()", every=(every, whole(1)))
-        if every == 1:
-            return self
-        values = {name: v[::every] for name, v in self.values.items()}
-        temperature = None if self.temperature is None else self.temperature[::every]
-        return replace(self, time=self.time[::every], values=values, temperature=temperature)
+        return self if every == 1 else self._taken(slice(None, None, every))
 
     def resampled(self, rate: float) -> Self:
         """Return the record at a lower rate [Hz], aliases removed without phase."""
         demand("resampled()", rate=(rate, above(0, "Hz")))
-        values = {name: decimated(v, self.rate, rate)[0] for name, v in self.values.items()}
         stride = max(1, round(self.rate / rate))
-        temperature = None if self.temperature is None else self.temperature[::stride]
+        values = self.values
+        if stride > 1:
+            smooth = Filter(cutoff=0.4 * self.rate / stride, order=6)
+            values = {name: smooth.apply(v, self.rate) for name, v in values.items()}
         note = f"resampled from {self.rate:g} to {self.rate / stride:g} Hz"
-        return replace(
-            self, time=self.time[::stride], values=values, temperature=temperature, notes=(*self.notes, note)
-        )
+        return replace(self, values=values, notes=(*self.notes, note)).thinned(stride)
+
+    def _taken(self, rows: slice | NDArray[np.bool_]) -> Self:
+        values = {name: v[rows] for name, v in self.values.items()}
+        temperature = None if self.temperature is None else self.temperature[rows]
+        return replace(self, time=self.time[rows], values=values, temperature=temperature)
 
 
 def _column(name: str, given: Any, problems: list[str]) -> Array:
@@ -143,17 +159,15 @@ def _uneven(time: Array) -> list[str]:
     """Say why instants are not those of a record."""
     if len(time) < 2:
         return [f"at least 2 samples are needed, got {len(time)}"]
-    step = (time[-1] - time[0]) / (len(time) - 1)
-    if not (np.diff(time) > 0).all():
-        row = int(np.argmin(np.diff(time) > 0)) + 1
-        return [
-            f"time does not increase at sample {row} ({time[row]:g} s after {time[row - 1]:g} s); sort it"
-        ]
-    if np.abs(np.diff(time) - step).max() > JITTER * step:
-        row = int(np.abs(np.diff(time) - step).argmax()) + 1
-        told = f"{time[row] - time[row - 1]:g} s before sample {row}, {step:g} s on average"
-        return [f"samples are not evenly spaced ({told}); resample them"]
-    return []
+    steps, usual = np.diff(time), (time[-1] - time[0]) / (len(time) - 1)
+    if not (steps > 0).all():
+        row = int(np.argmin(steps > 0)) + 1
+        told = f"time does not increase at sample {row} ({time[row]:g} s after {time[row - 1]:g} s); sort it"
+        return [told]
+    row = int(np.abs(steps - usual).argmax()) + 1
+    told = f"{steps[row - 1]:g} s before sample {row}, {usual:g} s on average"
+    uneven = abs(steps[row - 1] - usual) > JITTER * usual
+    return [f"samples are not evenly spaced ({told}); resample them"] if uneven else []
 
 
 def read_record(
@@ -180,21 +194,18 @@ def read_record(
     columns = _columns(table, channels, temperature, problems)
     if problems:
         raise ModelError(f"record {path.name} cannot be used:", problems)
-    rows = _rows(time, window)
-    if np.count_nonzero(rows) < LEAST:
-        of = f" in the window {window[0]:g} to {window[1]:g} s" if window else ""
-        there = f", from {time[0]:g} to {time[-1]:g} s" if len(time) else ""
-        raise ModelError(f"{path}: {np.count_nonzero(rows)} samples{of}{there}; at least {LEAST} are needed")
+    rows = _rows(str(path), time, window)
+    part = replace(table, first_line=table.first_line and table.first_line + int(np.argmax(rows)))
     for name, channel in channels.items():
-        problems += value_problems(_part(table, rows), name, columns[name][rows], channel.driven)
+        problems += value_problems(part, name, columns[name][rows], channel.driven)
     if temperature is not None:
-        problems += number_problems(_part(table, rows), temperature, columns[temperature][rows])
-    problems += [] if window is None else list(time_problems(_part(table, rows), table.time_name, time[rows]))
+        problems += number_problems(part, temperature, columns[temperature][rows])
+    if window is not None:
+        problems += time_problems(part, table.time_name, time[rows])
     if problems:
         raise ModelError(f"record {path.name} cannot be used:", problems)
     values = {name: unit_for(c.unit, c.si).to_si(columns[name][rows]) for name, c in channels.items()}
-    extra = columns[temperature][rows] if temperature else None
-    return _even(path.name, time[rows], values, extra)
+    return _even(path.name, time[rows], values, columns[temperature][rows] if temperature else None)
 
 
 def _time(table: Table, window: tuple[float, float] | None, problems: list[str]) -> Array:
@@ -206,11 +217,16 @@ def _time(table: Table, window: tuple[float, float] | None, problems: list[str])
     return time
 
 
-def _rows(time: Array, window: tuple[float, float] | None) -> NDArray[np.bool_]:
-    if window is None:
-        return np.ones(len(time), dtype=bool)
+def _rows(source: str, time: Array, window: tuple[float, float] | None) -> NDArray[np.bool_]:
+    """Return which rows lie in a window, once they are seen to be enough."""
     slack = 0.5 * float(np.median(np.diff(time))) if len(time) > 1 else 0.0
-    inside: NDArray[np.bool_] = (time >= window[0] - slack) & (time <= window[1] + slack)
+    begin, end = window or (-np.inf, np.inf)
+    inside = (time >= begin - slack) & (time <= end + slack)
+    count = np.count_nonzero(inside)
+    if count < LEAST_SAMPLES:
+        of = f" in the window {begin:g} to {end:g} s" if window else ""
+        there = f", from {time[0]:g} to {time[-1]:g} s" if len(time) else ""
+        raise ModelError(f"{source}: {count} samples{of}{there}; at least {LEAST_SAMPLES} are needed")
     return inside
 
 
@@ -241,11 +257,6 @@ def _clash(table: Table, name: str, written: str, channel: Channel) -> list[str]
     return [] if same else [f"{table.at(name)}: {told}"]
 
 
-def _part(table: Table, rows: NDArray[np.bool_]) -> Table:
-    first = int(np.argmax(rows))
-    return replace(table, first_line=table.first_line + first if table.first_line else 0)
-
-
 def _even(name: str, time: Array, values: dict[str, Array], temperature: Array | None) -> Record:
     """Return a record on evenly spaced instants; small jitter is evened out and told."""
     from scipy.interpolate import make_interp_spline
@@ -253,11 +264,10 @@ def _even(name: str, time: Array, values: dict[str, Array], temperature: Array |
     even = np.linspace(time[0], time[-1], len(time))
     step = even[1] - even[0]
     worst = float(np.abs(time - even).max())
-    if worst <= EVEN * step:
-        return Record(name, even, values, (), temperature)
+    if worst <= ROUNDING_TOLERANCE * step:
+        told = () if worst <= EVEN_TOLERANCE * step else (f"instants rounded to steps of {step:g} s",)
+        return Record(name, even, values, told, temperature)
     uneven = float(np.abs(np.diff(time) - step).max())
-    if worst <= ROUNDED * step:
-        return Record(name, even, values, (f"instants rounded to steps of {step:g} s",), temperature)
     note = f"instants jitter by up to {uneven / step:.1%} of {step:g} s; values interpolated onto even steps"
     values = {key: make_interp_spline(time, v, k=3)(even) for key, v in values.items()}
     temperature = None if temperature is None else np.interp(even, time, temperature)

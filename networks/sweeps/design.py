@@ -4,24 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass
-from importlib import import_module
 from itertools import product
-from typing import Any
+from typing import Any, cast
 
 import numpy as np
 
-from ...base import (
-    Array,
-    MissingPackageError,
-    ModelError,
-    boolean,
-    demand,
-    is_number,
-    listed,
-    named,
-    shown,
-    whole,
-)
+from ...base import Array, ModelError, demand, is_number, listed, named, shown, whole
 
 Ranges = Mapping[str, Any]
 MOST_POINTS = 50_000_000
@@ -41,7 +29,8 @@ class Design:
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "names", listed("names", self.names))
-        if not all(isinstance(rows, Sequence) for rows in (self.points, *_rows(self.points))):
+        points: Any = self.points
+        if not (isinstance(points, Sequence) and all(isinstance(point, Sequence) for point in points)):
             raise ModelError(f"points are rows of values, one for each parameter, got {shown(self.points)}")
         for number, point in enumerate(self.points):
             if len(point) != len(self.names):
@@ -76,8 +65,8 @@ def monte_carlo(ranges: Ranges, count: int, *, seed: int = 0) -> Design:
         count: how many points.
         seed: of the random numbers.
     """
-    _check(ranges, count, seed)
-    return _drawn(ranges, np.random.default_rng(seed).random((count, len(ranges))))
+    check(ranges, count, seed)
+    return drawn(ranges, np.random.default_rng(seed).random((count, len(ranges))))
 
 
 def latin_hypercube(ranges: Ranges, count: int, *, seed: int = 0) -> Design:
@@ -87,8 +76,8 @@ def latin_hypercube(ranges: Ranges, count: int, *, seed: int = 0) -> Design:
     """
     from scipy.stats import qmc
 
-    _check(ranges, count, seed)
-    return _drawn(ranges, qmc.LatinHypercube(len(ranges), rng=seed).random(count))
+    check(ranges, count, seed)
+    return drawn(ranges, qmc.LatinHypercube(len(ranges), rng=seed).random(count))
 
 
 def sobol_sequence(ranges: Ranges, count: int, *, seed: int = 0) -> Design:
@@ -100,71 +89,33 @@ def sobol_sequence(ranges: Ranges, count: int, *, seed: int = 0) -> Design:
     """
     from scipy.stats import qmc
 
-    _check(ranges, count, seed)
-    _check_power_of_two(count)
-    return _drawn(ranges, qmc.Sobol(len(ranges), rng=seed).random(count))
+    check(ranges, count, seed)
+    check_power_of_two(count)
+    return drawn(ranges, qmc.Sobol(len(ranges), rng=seed).random(count))
 
 
-def saltelli(ranges: Ranges, count: int, *, second_order: bool = False, seed: int = 0) -> Design:
-    """Return the points that `sobol_indices` needs: count (n + 2) of them, or count (2 n + 2).
-
-    Args:
-        ranges: as for `monte_carlo`, for n parameters.
-        count: base points, a power of 2.
-        second_order: whether interactions of pairs are wanted, too.
-        seed: of the random numbers.
-
-    Raises:
-        MissingPackageError: without SALib: `pip install "inertance[sensitivity]"`.
-
-    Source: A. Saltelli, Comput. Phys. Commun. 145 (2002) 280-297.
-    """
-    _check(ranges, count, seed)
-    _check_power_of_two(count)
-    demand("saltelli()", second_order=(second_order, boolean))
-    sample, _ = salib()
-    problem = unit_problem(ranges)
-    return _drawn(
-        ranges, sample.sample(problem, count, calc_second_order=second_order, seed=seed), second_order
-    )
-
-
-def _check(ranges: Ranges, count: int, seed: int) -> None:
+def check(ranges: Ranges, count: int, seed: int) -> None:
+    """Refuse what no points can be drawn from."""
     if not named("ranges", ranges):
         raise ModelError("a design needs at least one parameter and one point")
     if whole(1)(count):
-        raise ModelError(
-            f"a design needs at least one point, a whole number of them, got count={shown(count)}"
-        )
+        told = "a design needs at least one point, a whole number of them"
+        raise ModelError(f"{told}, got count={shown(count)}")
     if count > MOST_POINTS:
-        raise ModelError(
-            f"a design of {count:.3g} points does not fit any memory; take {MOST_POINTS:.0e} or fewer"
-        )
+        told = f"does not fit any memory; take {MOST_POINTS:.0e} or fewer"
+        raise ModelError(f"a design of {count:.3g} points {told}")
     demand("a design", seed=(seed, whole(0)))
 
 
-def _check_power_of_two(count: int) -> None:
+def check_power_of_two(count: int) -> None:
+    """Refuse a number of points for which a Sobol sequence is not balanced."""
     if count & (count - 1):
         near = 1 << max(count, 1).bit_length()
         raise ModelError(f"a Sobol sequence is balanced for powers of 2: take {near}, not {count}")
 
 
-def unit_problem(names: Iterable[str]) -> dict[str, Any]:
-    """Return what SALib calls a problem: parameters between 0 and 1."""
-    known = list(names)
-    return {"num_vars": len(known), "names": known, "bounds": [[0.0, 1.0]] * len(known)}
-
-
-def salib() -> tuple[Any, Any]:
-    """Return SALib's sampling and its analysis, or say that it is missing."""
-    try:
-        return import_module("SALib.sample.sobol"), import_module("SALib.analyze.sobol")
-    except ImportError as error:
-        told = 'Sobol indices need SALib: pip install "inertance[sensitivity]"'
-        raise MissingPackageError(told) from error
-
-
-def _drawn(ranges: Ranges, unit: Array, second_order: bool | None = None) -> Design:
+def drawn(ranges: Ranges, unit: Array, second_order: bool | None = None) -> Design:
+    """Return points given between 0 and 1, each parameter's by its quantiles."""
     quantiles = [_quantile(name, given) for name, given in ranges.items()]
     columns = [quantile(column) for quantile, column in zip(quantiles, unit.T, strict=True)]
     return Design(tuple(ranges), tuple(zip(*map(_plain, columns), strict=True)), second_order)
@@ -172,25 +123,15 @@ def _drawn(ranges: Ranges, unit: Array, second_order: bool | None = None) -> Des
 
 def _quantile(name: str, given: Any) -> Callable[[Array], Array]:
     if hasattr(given, "ppf"):
-        ppf: Callable[[Array], Array] = given.ppf
-        return ppf
-    if not _is_range(given):
+        return cast(Callable[[Array], Array], given.ppf)
+    pair = isinstance(given, Sequence) and len(given) == 2 and all(map(is_number, given))
+    if not (pair and given[0] < given[1]):
         raise ModelError(
             f"'{name}': a range is (least, greatest) or a distribution such as scipy.stats.norm(5.0, 0.1), "
             f"got {given!r}"
         )
     low, high = given
     return lambda u: low + (high - low) * u
-
-
-def _rows(points: Any) -> Iterable[Any]:
-    return points if isinstance(points, Iterable) else ()
-
-
-def _is_range(given: Any) -> bool:
-    return (
-        isinstance(given, Sequence) and len(given) == 2 and all(map(is_number, given)) and given[0] < given[1]
-    )
 
 
 def _plain(values: Iterable[Any]) -> list[Any]:

@@ -5,14 +5,7 @@ from __future__ import annotations
 import os
 from collections import deque
 from collections.abc import Iterable, Iterator
-from concurrent.futures import (
-    FIRST_COMPLETED,
-    BrokenExecutor,
-    CancelledError,
-    Executor,
-    Future,
-    wait,
-)
+from concurrent.futures import FIRST_COMPLETED, BrokenExecutor, Executor, Future, wait
 from functools import cache
 from typing import Any
 
@@ -23,7 +16,7 @@ Point = tuple[str, Values]
 TASK_SECONDS = 0.05
 MOST_POINTS = 64
 ATTEMPTS = 2
-LOST = ("KilledWorker", "CancelledError", "FutureCancelledError", "CommClosedError")
+LOST_TASKS = ("KilledWorker", "CancelledError", "FutureCancelledError", "CommClosedError")  # also of dask
 
 
 class Pool:
@@ -32,10 +25,8 @@ class Pool:
     A task is lost if its process dies. Its points are tried again, each alone, so that a point that kills
     processes is found: after the second time it gets a row that says so.
 
-    Args:
-        executor: one of `concurrent.futures`, a `dask.distributed.Client`, or None for processes of its own.
-        workers: how many processes of its own; as many as there are processors if None.
-        blob: model and measure.
+    The executor is one of `concurrent.futures`, a `dask.distributed.Client`, or None for processes of its
+    own: `workers`, or as many as there are processors. The blob holds model and measure.
     """
 
     def __init__(self, executor: Any, workers: int | None, blob: bytes) -> None:
@@ -54,8 +45,19 @@ class Pool:
         self.size = 1
 
     def rows(self, points: Iterable[Point]) -> Iterator[Row]:
-        """Yield the row of every point as it comes."""
-        left = list(points)[::-1]
+        """Yield the row of every point as it comes; own processes end with it, whatever they are at."""
+        try:
+            yield from self._computed(list(points)[::-1])
+        except BaseException:
+            for future in self.pending:
+                future.cancel()
+            if isinstance(self.executor, Processes):
+                self.executor.abandon()
+            raise
+        if self.own:
+            self.executor.shutdown()
+
+    def _computed(self, left: list[Point]) -> Iterator[Row]:
         while left or self.pending or self.suspects:
             while left and not self.suspects and len(self.pending) < self.width:
                 self._submit([left.pop() for _ in range(min(self.size, len(left)))])
@@ -64,17 +66,6 @@ class Pool:
                 yield from self._alone(*self.suspects.popleft())
             elif self.pending:
                 yield from self._finished()
-
-    def close(self, finish: bool) -> None:
-        """End own processes; if not `finish`, without what they are at."""
-        for future in self.pending:
-            future.cancel()
-        if not isinstance(self.executor, Processes):
-            return
-        if finish:
-            self.executor.shutdown(cancel_futures=True)
-        else:
-            self.executor.abandon()
 
     def _submit(self, points: list[Point]) -> None:
         try:
@@ -112,7 +103,7 @@ class Pool:
             if attempt < ATTEMPTS:
                 self.suspects.append((point, attempt + 1))
             else:
-                yield Row(point[0], {}, f"the process that computed it died {ATTEMPTS} times", 0.0)
+                yield Row(*point, {}, f"the process that computed it died {ATTEMPTS} times", 0.0)
 
     def _suspect(self, points: list[Point]) -> None:
         self.suspects.extend((point, 1) for point in points)
@@ -121,10 +112,9 @@ class Pool:
         """Replace own processes if they are broken; those of others are theirs to mend."""
         if self.own:
             for future, points in list(self.pending.items()):
-                if future.done() and _rows(future) is not None:
-                    continue
-                del self.pending[future]
-                self._suspect(points)
+                if not future.done() or _rows(future) is None:
+                    del self.pending[future]
+                    self._suspect(points)
             self.executor.shutdown(wait=False, cancel_futures=True)
             self.executor = Processes(self.workers)
 
@@ -133,10 +123,8 @@ def _rows(future: Future[list[Row]]) -> list[Row] | None:
     """Return what came of a task, or None if it was lost with its process."""
     try:
         return future.result()
-    except (BrokenExecutor, CancelledError):
-        return None
     except Exception as error:
-        if type(error).__name__ in LOST:
+        if isinstance(error, BrokenExecutor) or type(error).__name__ in LOST_TASKS:
             return None
         raise
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import csv
 import json
 import time
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from contextlib import contextmanager, suppress
 from dataclasses import asdict
 from pathlib import Path
@@ -18,7 +18,7 @@ from .work import RESERVED, Row
 if TYPE_CHECKING:
     import pandas as pd
 
-EVERY = 30.0
+FOLDING_SECONDS = 30.0
 
 
 @contextmanager
@@ -27,7 +27,8 @@ def opened(path: Path | None, names: tuple[str, ...], mark: str) -> Iterator[Sto
     if path is None:
         yield Store(None, names, mark)
         return
-    check_table_path(path)
+    if check_table_path(path) not in (".parquet", ".csv"):
+        raise ModelError(f"'{path}': results of a sweep go to .parquet or .csv")
     with claimed(path):
         yield Store(path, names, mark)
 
@@ -37,45 +38,27 @@ class Store:
 
     A row is appended to `path`.journal at once. Twice a minute and at the end all rows are written into the
     table, in one step, and the journal starts anew. Whatever is interrupted, table and journal hold all rows.
-
-    Args:
-        path: the table; None keeps rows in memory only.
-        names: the parameters.
-        mark: what the rows belong to: another model, measure or other parameters have another mark.
-
-    Raises:
-        ModelError: if the file belongs to another sweep.
+    Without a path rows are in memory only. A file with the mark of another sweep is refused.
     """
 
     def __init__(self, path: Path | None, names: tuple[str, ...], mark: str) -> None:
         self.path, self.names, self.mark = path, names, mark
         self.rows: dict[str, Row] = {}
-        self.values: dict[str, dict[str, Any]] = {}
         self._journal: IO[str] | None = None
         self._folded = time.monotonic()
         if path is not None:
-            self._ending = check_table_path(path)
-            if self._ending not in (".parquet", ".csv"):
-                raise ModelError(f"'{path}': results of a sweep go to .parquet or .csv")
-            for values, row in self._stored():
-                self.values[row.key], self.rows[row.key] = values, row
+            self.journal = path.with_name(f"{path.name}.journal")
+            self.rows = {row.key: row for row in (*self._tabled(path), *self._journaled())}
             if self.journal.is_file():
                 self.fold()
 
-    @property
-    def journal(self) -> Path:
-        """The journal's path."""
-        assert self.path is not None
-        return self.path.with_name(f"{self.path.name}.journal")
-
-    def add(self, values: dict[str, Any], row: Row) -> None:
-        """Keep a row, once."""
+    def add(self, row: Row) -> None:
         if row.key in self.rows:
             return
-        self.values[row.key], self.rows[row.key] = values, row
+        self.rows[row.key] = row
         if self.path is None:
             return
-        line = json.dumps({"mark": self.mark, "values": values, "row": asdict(row)})
+        line = json.dumps({"mark": self.mark, "row": asdict(row)})
         try:
             if self._journal is None:
                 self._journal = self.journal.open("a", encoding="utf-8")
@@ -83,7 +66,7 @@ class Store:
             self._journal.flush()
         except OSError as error:
             raise refusal(self.journal, error) from error
-        if time.monotonic() - self._folded > EVERY:
+        if time.monotonic() - self._folded > FOLDING_SECONDS:
             self.fold()
 
     def fold(self) -> None:
@@ -96,10 +79,10 @@ class Store:
                 journal.close()
         if not self.rows:
             return
-        table = self.table(list(self.rows))
+        table = self.table(self.rows)
         table.insert(0, "key", list(self.rows))
         with writing(self.path) as part:
-            if self._ending == ".parquet":
+            if self.path.suffix.lower() == ".parquet":
                 table.attrs["sweep"] = self.mark
                 table.to_parquet(part, index=False)
             else:
@@ -108,40 +91,34 @@ class Store:
         self.journal.unlink(missing_ok=True)
         self._folded = time.monotonic()
 
-    def table(self, keys: list[str]) -> pd.DataFrame:
+    def table(self, keys: Iterable[str]) -> pd.DataFrame:
         """Return the rows of some keys as a table: parameters, results, error, seconds."""
         import pandas as pd
 
-        results = list(dict.fromkeys(name for row in self.rows.values() for name in row.results))
-        columns: dict[str, list[Any]] = {
-            name: [self.values[key][name] for key in keys] for name in self.names
-        }
-        columns |= {name: [self.rows[key].results.get(name) for key in keys] for name in results}
-        columns["error"] = [self.rows[key].error for key in keys]
-        columns["seconds"] = [self.rows[key].seconds for key in keys]
+        rows = [self.rows[key] for key in keys]
+        results = dict.fromkeys(name for row in self.rows.values() for name in row.results)
+        columns: dict[str, list[Any]] = {name: [row.values[name] for row in rows] for name in self.names}
+        columns |= {name: [row.results.get(name) for row in rows] for name in results}
+        columns |= {name: [getattr(row, name) for row in rows] for name in ("error", "seconds")}
         return pd.DataFrame(columns)
 
-    def _stored(self) -> Iterator[tuple[dict[str, Any], Row]]:
-        if self.path is not None and self.path.is_file():
-            yield from self._tabled()
-        if self.path is not None and self.journal.is_file():
-            for line in self.journal.read_text(encoding="utf-8").splitlines():
-                try:
-                    entry = json.loads(line)
-                except json.JSONDecodeError:
-                    continue
+    def _journaled(self) -> Iterator[Row]:
+        for line in self.journal.read_text(encoding="utf-8").splitlines() if self.journal.is_file() else ():
+            with suppress(json.JSONDecodeError):
+                entry = json.loads(line)
                 self._check(entry["mark"])
-                yield entry["values"], Row(**entry["row"])
+                yield Row(**{"values": entry.get("values"), **entry["row"]})
 
-    def _tabled(self) -> Iterator[tuple[dict[str, Any], Row]]:
-        assert self.path is not None
-        mark, records = _read_csv(self.path) if self._ending == ".csv" else _read_parquet(self.path)
+    def _tabled(self, path: Path) -> Iterator[Row]:
+        if not path.is_file():
+            return
+        mark, records = _read(path)
         self._check(mark)
         for record in records:
             results = {n: v for n, v in record.items() if n not in (*self.names, *RESERVED)}
             error = str(record["error"] or "")
             values = {name: record[name] for name in self.names}
-            yield values, Row(str(record["key"]), {} if error else results, error, float(record["seconds"]))
+            yield Row(str(record["key"]), values, {} if error else results, error, float(record["seconds"]))
 
     def _check(self, mark: str) -> None:
         if mark != self.mark:
@@ -151,20 +128,18 @@ class Store:
             )
 
 
-def _read_parquet(path: Path) -> tuple[str, list[dict[str, Any]]]:
-    import pandas as pd
+def _read(path: Path) -> tuple[str, list[dict[str, Any]]]:
+    """Return the mark of a table and its rows."""
+    if path.suffix.lower() == ".parquet":
+        import pandas as pd
 
-    table = pd.read_parquet(path)
-    records: Any = table.to_dict("records")
-    return str(table.attrs.get("sweep", "")), records
-
-
-def _read_csv(path: Path) -> tuple[str, list[dict[str, Any]]]:
+        table: Any = pd.read_parquet(path)
+        return str(table.attrs.get("sweep", "")), table.to_dict("records")
     with path.open(encoding="utf-8", newline="") as file:
-        records: list[dict[str, Any]] = list(csv.DictReader(file))
-    mark = records[0].get("sweep", "") if records else ""
-    texts = ("key", "sweep", "error")
-    return mark, [{n: v if n in texts else _number(v) for n, v in r.items() if n != "sweep"} for r in records]
+        rows: list[dict[str, Any]] = list(csv.DictReader(file))
+    mark = rows[0].get("sweep", "") if rows else ""
+    texts = ("key", "error")
+    return mark, [{n: v if n in texts else _number(v) for n, v in r.items() if n != "sweep"} for r in rows]
 
 
 def _number(cell: str) -> float | str | None:

@@ -6,7 +6,7 @@ import inspect
 import json
 from collections.abc import Callable, Generator, Iterable, Mapping
 from contextlib import closing
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from hashlib import sha256
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -16,7 +16,7 @@ from ..dae import DAE
 from ..simulation.progress import Progress
 from .design import Design, grid
 from .store import Store, opened
-from .work import Model, Row, Work, bequeath, equations, packed
+from .work import Model, Row, Values, Work, bequeath, equations, packed
 
 if TYPE_CHECKING:
     import pandas as pd
@@ -109,15 +109,18 @@ def sweep(
         raise ModelError(f"a measure is a function of the equations and the values, got {measure!r}")
     design = parameters if isinstance(parameters, Design) else grid(parameters)
     dae = equations(model)
-    _check_names(dae, design)
+    if dae is not None:
+        _check_names(dae, design)
     values = [dict(zip(design.names, point, strict=True)) for point in design.points]
     keys = [_digest(v) for v in values]
+    asked = dict(zip(keys, values, strict=True))
     mark = _mark(dae, design, measure)
     title = dae.name if dae is not None else "sweep"
     with opened(None if path is None else path_of(path, "the table of a sweep"), design.names, mark) as store:
-        points = {key: v for key, v in zip(keys, values, strict=True) if key not in store.rows}
-        store.values |= dict(zip(keys, values, strict=True))
-        rows = _rows(model, dae, measure, points, executor, workers)
+        for key in asked.keys() & store.rows.keys():
+            store.rows[key] = replace(store.rows[key], values=asked[key])
+        points = {key: v for key, v in asked.items() if key not in store.rows}
+        rows = _rows(model, Work(measure, dae), points, executor, workers)
         return _gathered(design, keys, store, rows, Progress(title, 0, len(points), progress, "points"))
 
 
@@ -127,25 +130,22 @@ def _gathered(design: Design, keys: list[str], store: Store, rows: Generator[Row
 
     def done() -> Sweep:
         there = [n for n, key in enumerate(keys) if key in store.rows]
-        table = store.table([keys[n] for n in there])
-        return Sweep(design, table.set_index(_point_index(there)), resumed)
+        table = store.table(keys[n] for n in there).set_axis(there, axis=0).rename_axis("point")
+        return Sweep(design, table, resumed)
 
     try:
         with show as bar, closing(rows):
             for count, row in enumerate(rows, start=1):
-                store.add(store.values[row.key], row)
+                store.add(row)
                 bar.at(count)
     except KeyboardInterrupt:
-        store.fold()
         so_far = done()
         kept = f"kept in '{store.path}'" if store.path is not None else "in the error's `sweep`"
         told = f"interrupted: {len(so_far.table)} of {len(design)} points are done, {kept}"
         raise SweepInterruptedError(told, so_far) from None
-    except BaseException:
-        store.fold()
-        raise
-    if len(store.rows) > resumed:
-        store.fold()
+    finally:
+        if len(store.rows) > resumed:
+            store.fold()
     found = done()
     if len(found.failed) == len(design):
         first = found.table["error"].iloc[0]
@@ -155,46 +155,25 @@ def _gathered(design: Design, keys: list[str], store: Store, rows: Generator[Row
 
 
 def _rows(
-    model: Model,
-    dae: DAE | None,
-    measure: Callable[..., Any],
-    points: Mapping[str, dict[str, Any]],
-    executor: Any,
-    workers: int | None,
+    model: Model, here: Work, points: Mapping[str, Values], executor: Any, workers: int | None
 ) -> Generator[Row]:
     if not points:
         return
     if workers == 0 and executor is None:
-        here = Work(measure, dae)
         yield from (here.row(key, values) for key, values in points.items())
         return
     from .pool import Pool
 
-    blob = packed(model, measure)
+    blob = packed(model, here.measure)
     if executor is None:
-        bequeath(blob, measure, dae)
-    pool = Pool(executor, workers, blob)
-    finish = False
-    try:
-        yield from pool.rows(points.items())
-        finish = True
-    finally:
-        pool.close(finish)
+        bequeath(blob, here)
+    yield from Pool(executor, workers, blob).rows(points.items())
 
 
-def _point_index(numbers: list[int]) -> Any:
-    """Return the index of a table of points."""
-    import pandas as pd
-
-    return pd.Index(numbers, name="point")
-
-
-def _check_names(dae: DAE | None, design: Design) -> None:
-    known = dae.parameter_values if dae is not None else dict.fromkeys(design.names)
-    unknown = [name for name in design.names if name not in known]
-    if unknown:
-        assert dae is not None
-        told = [f"there is no parameter '{name}'{nearest(name, known)}" for name in unknown]
+def _check_names(dae: DAE, design: Design) -> None:
+    known = dae.parameter_values
+    told = [f"there is no parameter '{n}'{nearest(n, known)}" for n in design.names if n not in known]
+    if told:
         raise ModelError(f"'{dae.name}' cannot be swept:", told)
 
 

@@ -6,7 +6,6 @@ import pickle
 import time
 from collections.abc import Callable
 from dataclasses import dataclass
-from hashlib import sha256
 from pathlib import Path
 from typing import Any
 
@@ -17,14 +16,16 @@ from ..network import Network
 
 Values = dict[str, Any]
 Model = Network | str | Callable[[], Network] | None
-_KNOWN: dict[str, Work] = {}
+RESERVED = ("key", "error", "seconds")
+_ASSEMBLED: dict[bytes, Work] = {}
 
 
 @dataclass(frozen=True)
 class Row:
-    """What came of a point: results, or an error; `key` says which point."""
+    """What came of a point, the values of parameters: results, or an error; `key` says which point."""
 
     key: str
+    values: Values
     results: dict[str, float | str | None]
     error: str
     seconds: float
@@ -38,24 +39,19 @@ class Work:
     dae: DAE | None
 
     def row(self, key: str, values: Values) -> Row:
-        """Return what comes of a point."""
         started = time.perf_counter()
         results: dict[str, Any] = {}
         error = ""
         try:
-            found = self.measure(values) if self.dae is None else self.measure(self.dae, values)
-            results = named(found)
+            equations = () if self.dae is None else (self.dae,)
+            results = named(self.measure(*equations, dict(values)))
         except Exception as problem:
             error = f"{type(problem).__name__}: {problem}"
-        return Row(key, results, error, time.perf_counter() - started)
+        return Row(key, values, results, error, time.perf_counter() - started)
 
 
 def packed(model: Model, measure: Callable[..., Any]) -> bytes:
-    """Return model and measure as bytes for other processes.
-
-    Raises:
-        ModelError: if they cannot be sent.
-    """
+    """Return model and measure as bytes for other processes; a ModelError says that they cannot be sent."""
     try:
         import cloudpickle as pickler  # type: ignore[import-not-found, import-untyped, unused-ignore]
     except ImportError:
@@ -72,56 +68,45 @@ def packed(model: Model, measure: Callable[..., Any]) -> bytes:
         ) from error
 
 
-def bequeath(blob: bytes, measure: Callable[..., Any], dae: DAE | None) -> None:
-    """Let processes that are forked from this one have the equations without assembling them anew."""
-    _KNOWN.clear()
-    _KNOWN[sha256(blob).hexdigest()] = Work(measure, dae)
+def bequeath(blob: bytes, work: Work) -> None:
+    """Keep the equations for further points, and for processes that are forked from this one."""
+    _ASSEMBLED.clear()
+    _ASSEMBLED[blob] = work
 
 
 def work(blob: bytes, points: list[tuple[str, Values]]) -> list[Row]:
     """Return what comes of some points; runs in another process."""
-    digest = sha256(blob).hexdigest()
-    if digest not in _KNOWN:
-        _KNOWN.clear()
+    if blob not in _ASSEMBLED:
         model, measure = pickle.loads(blob)
-        _KNOWN[digest] = Work(measure, equations(model))
-    return [_KNOWN[digest].row(key, values) for key, values in points]
+        bequeath(blob, Work(measure, equations(model)))
+    return [_ASSEMBLED[blob].row(key, values) for key, values in points]
 
 
 def equations(model: Model) -> DAE | None:
-    """Return the equations of a network, of what a function returns, or of "path/to/file.py:function".
-
-    Raises:
-        ModelError: for anything else.
-    """
+    """Return the equations of a network, of what a function returns, or of "path/to/file.py:function"."""
     if model is None:
         return None
+    network: Any = model
     if isinstance(model, str):
-        network: Any = load_model(model)
-    else:
-        network = _called(model) if callable(model) else model
+        network = load_model(model)
+    elif callable(model):
+        network = _called(model)
     if not isinstance(network, Network):
         raise ModelError(f"a sweep is over a Network, or what returns one, got {network!r}")
     return network.dae()
 
 
 def _called(model: Callable[[], Network]) -> Any:
-    """Return what a function of the user's returns."""
     name = getattr(model, "__name__", repr(model))
     try:
         return model()
-    except InertanceError as error:
-        raise UserCodeError(f"model '{name}': {error}") from error
     except Exception as error:
-        raise UserCodeError(f"model '{name}': {type(error).__name__}: {error}") from error
+        kind = "" if isinstance(error, InertanceError) else f"{type(error).__name__}: "
+        raise UserCodeError(f"model '{name}': {kind}{error}") from error
 
 
 def named(found: Any) -> dict[str, float | str | None]:
-    """Return results by name as plain numbers; a single one is called `value`.
-
-    Raises:
-        TypeError: for what is no number.
-    """
+    """Return results by name as plain numbers; a single one is called `value`."""
     given = found if isinstance(found, dict) else {"value": found}
     for name, value in given.items():
         if name in RESERVED:
@@ -129,6 +114,3 @@ def named(found: Any) -> dict[str, float | str | None]:
         if not (value is None or isinstance(value, str)) and getattr(value, "size", 1) != 1:
             raise TypeError(f"measure '{name}' is {type(value).__name__}, but must be one number")
     return {name: v if v is None or isinstance(v, str) else float(v) for name, v in given.items()}
-
-
-RESERVED = ("key", "error", "seconds")

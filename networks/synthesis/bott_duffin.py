@@ -9,42 +9,14 @@ Trans. Automat. Contr. 47 (2002) 1648-1662.
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
 from decimal import Decimal
 
-from .four_reactive import four_reactive
-from .ladenheim import two_reactive_bridges
+from .biquadratics import four_reactive, two_reactive_bridges
 from .polynomials import ONE, ZERO, by_s, divided, plus, positive_roots, scaled, times, trimmed
 from .ratio import INFINITY, AxisPole, Ratio
-from .tree import Element, Tree, bridged, joined
+from .tree import Side, Tree
 
-PROBES, AGREES = (0.05 + 0.1j, 0.5 + 1j, 5 + 10j), 1e-6
-
-
-@dataclass(frozen=True)
-class Side:
-    """Whether a function is an admittance, whose terms stand side by side, or an impedance."""
-
-    beside: bool
-
-    @property
-    def other(self) -> Side:
-        """The side of 1/F."""
-        return Side(not self.beside)
-
-    def term(self, power: int, factor: Decimal) -> Tree:
-        """Return the element of the term factor s^power."""
-        value = float(factor)
-        return Element(power, value) if self.beside else Element(-power, 1 / value)
-
-    def pole(self, pole: AxisPole) -> Tree:
-        """Return what has a pole on the axis."""
-        if pole.x == INFINITY:
-            return self.term(1, pole.residue)
-        if pole.x == 0:
-            return self.term(-1, pole.residue)
-        other = self.other
-        return joined(other.beside, [other.term(1, 1 / pole.residue), other.term(-1, pole.x / pole.residue)])
+PROBES, TOLERANCE = (0.05 + 0.1j, 0.5 + 1j, 5 + 10j), 1e-6
 
 
 def realise(function: Ratio, side: Side) -> Tree:
@@ -59,37 +31,30 @@ def _fewest(networks: list[Tree], function: Ratio, side: Side) -> Tree:
     wanted = [function(s) if side.beside else 1 / function(s) for s in PROBES]
 
     def spoilt(network: Tree) -> bool:
-        return any(abs(network(s) - Y) > AGREES * abs(Y) for s, Y in zip(PROBES, wanted, strict=True))
+        return any(abs(network(s) - Y) > TOLERANCE * abs(Y) for s, Y in zip(PROBES, wanted, strict=True))
 
-    return min(networks, key=lambda network: (spoilt(network), _size(network)))
-
-
-def _size(network: Tree) -> int:
-    return len(network.elements)
+    return min(networks, key=lambda network: (spoilt(network), network.size))
 
 
 def _less_poles(side: Side, poles: list[AxisPole], rest: Ratio) -> Tree:
-    parts = [side.pole(pole) for pole in poles]
-    return joined(side.beside, [*parts, realise(rest, side)] if rest.num else parts)
+    left = [realise(rest, side)] if rest.num else []
+    return side.joined([*map(side.pole, poles), *left])
 
 
 def _without_poles(function: Ratio, side: Side) -> Tree:
     """Realise what has neither poles nor zeros on the axis."""
     if function.degree == 0:
         return side.term(0, function.num[0] / function.den[0])
-    ways = [
-        (function, side, function.least_real()),
-        (function.inverse, side.other, function.inverse.least_real()),
-    ]
+    both = ((function, side), (function.inverse, side.other))
+    ways = [(F, at, F.least_real()) for F, at in both]
     regular = [way for way in ways if way[2][1] in (0, INFINITY)]
     networks = [_without_resistance(*way) for way in regular or ways]
     if function.degree == 2:
-        networks += [*_by_a_pole(function, side), *_by_a_pole(function.inverse, side.other)]
+        networks += [network for F, at in both for network in _by_a_pole(F, at)]
     if function.degree == 2 and not regular:
         networks += two_reactive_bridges(function, side)
-        if min(map(_size, networks)) > 7:
-            networks += four_reactive(function, side, realise)
-            networks += four_reactive(function.inverse, side.other, realise)
+        if min(network.size for network in networks) > 7:
+            networks += [network for F, at in both for network in four_reactive(F, at, realise)]
     return _fewest(networks, function, side)
 
 
@@ -99,7 +64,7 @@ def _by_a_pole(function: Ratio, side: Side) -> Iterator[Tree]:
     The rest vanishes at one end, and a part of first order is left when its pole or zero there is gone: six
     elements at most, three of them reactive.
     """
-    num, den, other = function.num, function.den, side.other
+    num, den = function.num, function.den
     for rate in positive_roots([den[0], -den[1], den[2]]):
         beside = divided(den, [rate, ONE])[0]
         at_zero, at_infinity = num[0] / den[0], num[2] / den[2]
@@ -109,8 +74,8 @@ def _by_a_pole(function: Ratio, side: Side) -> Iterator[Tree]:
             rest = Ratio(left, den, function.tolerance).reduced()
             least, _, rounding = rest.least_real()
             if least >= -rounding:
-                pole = [other.term(0, 1 / height), other.term(-power, rate**power / height)]
-                yield joined(side.beside, [joined(other.beside, pole), realise(rest, side)])
+                pole = side.inverse({0: 1 / height, -power: rate**power / height})
+                yield side.joined([pole, realise(rest, side)])
 
 
 def _without_resistance(function: Ratio, side: Side, least: tuple[Decimal, Decimal, Decimal]) -> Tree:
@@ -118,19 +83,13 @@ def _without_resistance(function: Ratio, side: Side, least: tuple[Decimal, Decim
     real, x, rounding = least
     parts = [side.term(0, real)] if real > rounding else []
     rest = function.less(real, x)
-    if x in (0, INFINITY):
-        return joined(side.beside, [*parts, realise(rest, side)])
-    poles, _ = rest.inverse.axis_poles()
-    if poles:
-        return joined(side.beside, [*parts, realise(rest, side)])
-    slope = rest.on_axis(x)[1]
-    if slope > 0:
-        return joined(side.beside, [*parts, _cycle(rest, side, x, slope)])
-    inverse = rest.inverse
-    return joined(side.beside, [*parts, _cycle(inverse, side.other, x, inverse.on_axis(x)[1])])
+    if x in (0, INFINITY) or rest.inverse.axis_poles()[0]:
+        return side.joined([*parts, realise(rest, side)])
+    minimum, at = (rest, side) if rest.on_axis(x)[1] > 0 else (rest.inverse, side.other)
+    return side.joined([*parts, _cycle(minimum, at, x)])
 
 
-def _cycle(function: Ratio, side: Side, x: Decimal, slope: Decimal) -> Tree:
+def _cycle(function: Ratio, side: Side, x: Decimal) -> Tree:
     """Realise a minimum function with F(jw) = jw slope at w^2 = x, slope > 0, by two of lower degree.
 
     With F(k) = k slope and Richards' R = (k F - s F(k))/(k F(k) - s F), Bott and Duffin find
@@ -145,7 +104,7 @@ def _cycle(function: Ratio, side: Side, x: Decimal, slope: Decimal) -> Tree:
 
     have voltages that nodes of Bott and Duffin's have, and the currents into each add up to zero.
     """
-    num, den = function.num, function.den
+    num, den, slope = function.num, function.den, function.on_axis(x)[1]
     k = positive_roots(plus(num, by_s(den), -slope))[0]
     at_k = k * slope
     upper = plus(scaled(num, k), by_s(den), -at_k)
@@ -155,14 +114,13 @@ def _cycle(function: Ratio, side: Side, x: Decimal, slope: Decimal) -> Tree:
     other, a = side.other, zero.residue
     g = x / (k + a)
     series = (a + a * g / k) / at_k
-    resonant = joined(side.beside, [other.term(1, series / x), other.term(-1, series)])
-    return bridged(
-        side.beside,
+    resonant = side.joined([other.term(1, series / x), other.term(-1, series)])
+    return side.bridged(
         [
             other.term(1, 1 / ((k + a) * at_k)),
             realise(rest.times(at_k), side),
-            joined(other.beside, [realise(rest.times(1 / at_k), other), resonant]),
+            other.joined([realise(rest.times(1 / at_k), other), resonant]),
             other.term(-1, k / at_k),
             other.term(-1, g / at_k),
-        ],
+        ]
     )

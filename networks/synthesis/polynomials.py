@@ -2,25 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from contextlib import contextmanager
-from decimal import Decimal, localcontext
-from itertools import pairwise
+from decimal import Decimal
+from functools import reduce
+from itertools import pairwise, zip_longest
 
 Polynomial = list[Decimal]
 DIGITS = 80
 ZERO, ONE = Decimal(0), Decimal(1)
-NEWTON_STEPS = 400
-VANISHING = Decimal("1e-60")
-LAST_DIGITS = Decimal("1e-74")
-
-
-@contextmanager
-def many_digits() -> Iterator[None]:
-    """Reckon with `DIGITS` digits."""
-    with localcontext() as context:
-        context.prec = DIGITS
-        yield
+MOST_NEWTON_STEPS = 400
+VANISHING_SHARE = Decimal("1e-60")
+ROUNDING_SHARE = Decimal("1e-74")
 
 
 def trimmed(p: Polynomial) -> Polynomial:
@@ -32,14 +23,8 @@ def trimmed(p: Polynomial) -> Polynomial:
 
 def plus(p: Polynomial, q: Polynomial, factor: Decimal = ONE) -> Polynomial:
     """Return p + factor q; where both cancel but for the last digits, nothing is left."""
-    length = max(len(p), len(q))
-    padded = (r + [ZERO] * (length - len(r)) for r in (p, q))
-    return trimmed([_sum(a, factor * b) for a, b in zip(*padded, strict=True)])
-
-
-def _sum(a: Decimal, b: Decimal) -> Decimal:
-    total = a + b
-    return total if abs(total) > VANISHING * abs(a) else ZERO
+    sums = ((a, a + factor * b) for a, b in zip_longest(p, q, fillvalue=ZERO))
+    return trimmed([total if abs(total) > VANISHING_SHARE * abs(a) else ZERO for a, total in sums])
 
 
 def scaled(p: Polynomial, factor: Decimal) -> Polynomial:
@@ -78,10 +63,7 @@ def derivative(p: Polynomial) -> Polynomial:
 
 def value(p: Polynomial, x: Decimal) -> Decimal:
     """Return p(x)."""
-    total = ZERO
-    for a in reversed(p):
-        total = total * x + a
-    return total
+    return reduce(lambda total, a: total * x + a, reversed(p), ZERO)
 
 
 def size(p: Polynomial, x: Decimal) -> Decimal:
@@ -121,16 +103,16 @@ def positive_roots(p: Polynomial) -> list[Decimal]:
 
 
 def _vanishes(p: Polynomial, x: Decimal) -> bool:
-    return abs(value(p, x)) <= VANISHING * size(p, x)
+    return abs(value(p, x)) <= VANISHING_SHARE * size(p, x)
 
 
 def _root_between(p: Polynomial, left: Decimal, right: Decimal) -> Decimal:
     """Return the root in a stretch, by Newton's steps, parting the stretch where they do not help."""
     slope, rising = derivative(p), value(p, right) > 0
     x = _middle(left, right)
-    for _ in range(NEWTON_STEPS):
+    for _ in range(MOST_NEWTON_STEPS):
         here, steep = value(p, x), value(slope, x)
-        if abs(here) <= LAST_DIGITS * size(p, x) or right - left <= VANISHING * right:
+        if abs(here) <= ROUNDING_SHARE * size(p, x) or right - left <= VANISHING_SHARE * right:
             break
         left, right = (left, x) if (here > 0) == rising else (x, right)
         newton = x - here / steep if steep else left

@@ -4,17 +4,17 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
-from decimal import Decimal
+from decimal import Decimal, localcontext
 from typing import Any
 
 import numpy as np
 
 from ...base import ModelError
-from .polynomials import many_digits
-from .ratio import AxisPole, Ratio, Scale, hertz, right_half_plane_roots
+from .polynomials import DIGITS
+from .ratio import Ratio, Scale, hertz, right_half_plane_roots
 from .rational import RationalFunction
 
-SKEW = Decimal("1e-7")
+SKEW_TOLERANCE = Decimal("1e-7")
 
 
 class NotPositiveRealError(ModelError):
@@ -67,23 +67,20 @@ def positive_real(admittance: Any) -> PositiveReal:
         'its real part is -0.6 N.s/m at 0.389848 Hz'
     """
     function = RationalFunction.of(admittance)
-    with many_digits():
-        ratio, scale = Ratio.normalised(function)
-        return _tested(ratio, scale)
+    with localcontext(prec=DIGITS):
+        return _tested(*Ratio.normalised(function))
 
 
-def required_positive_real(ratio: Ratio, scale: Scale) -> None:
-    """Refuse what is not positive-real.
-
-    Raises:
-        NotPositiveRealError: naming the frequency.
-    """
+def required_positive_real(function: RationalFunction) -> tuple[Ratio, Scale]:
+    """Return a function normalised; a NotPositiveRealError names the frequency where it is not."""
+    ratio, scale = Ratio.normalised(function)
     found = _tested(ratio, scale)
     if not found:
         raise NotPositiveRealError(
             f"this admittance is not positive-real: {found.reason}; no springs, dampers and inerters have it",
             found.frequency,
         )
+    return ratio, scale
 
 
 def _tested(ratio: Ratio, scale: Scale) -> PositiveReal:
@@ -95,9 +92,11 @@ def _tested(ratio: Ratio, scale: Scale) -> PositiveReal:
         return _refused(0.0, "it has a multiple pole at 0 Hz")
     poles, rest = ratio.axis_poles()
     for pole in poles:
-        refused = _wrong_residue(pole, scale)
-        if refused is not None:
-            return refused
+        at = hertz(pole.x, scale)
+        if pole.residue <= 0:
+            return _refused(at, f"its pole at {at:.6g} Hz is not simple with a positive residue")
+        if abs(pole.skew) > SKEW_TOLERANCE * pole.residue:
+            return _refused(at, f"the residue of its pole at {at:.6g} Hz is not real")
     if right_half_plane_roots(rest.den):
         return _unstable(rest, scale)
     least, x, rounding = rest.least_real() if rest.num else (Decimal(0), Decimal(0), Decimal(0))
@@ -105,15 +104,6 @@ def _tested(ratio: Ratio, scale: Scale) -> PositiveReal:
     if least < -rounding:
         return _refused(frequency, f"its real part is {real:.6g} N.s/m at {frequency:.6g} Hz", real)
     return PositiveReal(True, frequency, real)
-
-
-def _wrong_residue(pole: AxisPole, scale: Scale) -> PositiveReal | None:
-    frequency = hertz(pole.x, scale)
-    if pole.residue <= 0:
-        return _refused(frequency, f"its pole at {frequency:.6g} Hz is not simple with a positive residue")
-    if abs(pole.skew) > SKEW * pole.residue:
-        return _refused(frequency, f"the residue of its pole at {frequency:.6g} Hz is not real")
-    return None
 
 
 def _unstable(rest: Ratio, scale: Scale) -> PositiveReal:

@@ -28,7 +28,7 @@ from .polynomials import (
 from .rational import RationalFunction
 
 INFINITY = Decimal("Infinity")
-SAME = Decimal("1e-10")
+ROOT_TOLERANCE = Decimal("1e-10")
 
 
 @dataclass(frozen=True)
@@ -79,14 +79,13 @@ class Ratio:
         """Return the function without the factors common to numerator and denominator."""
         if self.num and self.num[0] == 0 == self.den[0]:
             return Ratio(self.num[1:], self.den[1:], self.tolerance).reduced()
-        for root in np.roots([float(c) for c in reversed(self.den)]):
-            factor = _factor(complex(root))
-            rests = [(p, divided(p, factor)) for p in (self.num, self.den)]
-            if root.imag >= 0 and all(len(p) >= len(factor) for p, _ in rests):
-                w = Decimal(abs(root))
-                if all(size(rest, w) <= self.tolerance * size(p, w) for p, (_, rest) in rests):
-                    (_, (num, _)), (_, (den, _)) = rests
-                    return Ratio(num, den, self.tolerance).reduced()
+        for root in np.roots([float(c) for c in reversed(self.den)]) if self.num else ():
+            factor, w = _factor(complex(root)), Decimal(abs(root))
+            divisions = [(p, *divided(p, factor)) for p in (self.num, self.den)]
+            common = all(size(rest, w) <= self.tolerance * size(p, w) for p, _, rest in divisions)
+            if root.imag >= 0 and common:
+                (_, num, _), (_, den, _) = divisions
+                return Ratio(num, den, self.tolerance).reduced()
         return self
 
     def __call__(self, s: complex) -> complex:
@@ -96,7 +95,6 @@ class Ratio:
 
     @property
     def inverse(self) -> Ratio:
-        """1/F."""
         return Ratio(self.den, self.num, self.tolerance)
 
     @property
@@ -105,7 +103,6 @@ class Ratio:
         return max(len(self.num), len(self.den)) - 1
 
     def times(self, factor: Decimal) -> Ratio:
-        """Return factor F."""
         return Ratio(scaled(self.num, factor), self.den, self.tolerance)
 
     def on_axis(self, x: Decimal) -> tuple[Decimal, Decimal]:
@@ -142,15 +139,13 @@ class Ratio:
         """
         real, _, below = _parts(self.num, self.den)
         turning = plus(times(derivative(real), below), times(real, derivative(below)), -ONE)
-        found = [
-            (value(real, x) / value(below, x), x, self._rounding(x, value(below, x)))
-            for x in [ZERO, *positive_roots(turning)]
-        ]
-        if len(self.num) == len(self.den):
-            top = self.num[-1] / self.den[-1]
-            found.append((top, INFINITY, abs(top) * self.tolerance))
-        else:
-            found.append((ZERO, INFINITY, ZERO))
+        found = []
+        for x in [ZERO, *positive_roots(turning)]:
+            w, magnitude = x.sqrt(), value(below, x)
+            rounding = self.tolerance * size(self.num, w) * size(self.den, w) / magnitude
+            found.append((value(real, x) / magnitude, x, rounding))
+        top = self.num[-1] / self.den[-1] if len(self.num) == len(self.den) else ZERO
+        found.append((top, INFINITY, abs(top) * self.tolerance))
         least, _, rounding = min(found)
         return min((end for end in (found[0], found[-1]) if end[0] - least <= rounding), default=min(found))
 
@@ -163,10 +158,6 @@ class Ratio:
             num = trimmed(num[: len(self.den) - 1])
         return Ratio(num, self.den, self.tolerance)
 
-    def _rounding(self, x: Decimal, below: Decimal) -> Decimal:
-        w = x.sqrt()
-        return self.tolerance * size(self.num, w) * size(self.den, w) / below
-
 
 def axis_roots(p: Polynomial, tolerance: Decimal) -> list[Decimal]:
     """Return w^2 > 0 of the roots on the imaginary axis: where the even and the odd part vanish together."""
@@ -174,7 +165,7 @@ def axis_roots(p: Polynomial, tolerance: Decimal) -> list[Decimal]:
     for x in sorted([*positive_roots(even(p)), *positive_roots(odd(p))]):
         w = x.sqrt()
         limit = tolerance * size(p, w)
-        near = any(abs(x - other) <= SAME * x for other in found)
+        near = any(abs(x - other) <= ROOT_TOLERANCE * x for other in found)
         if not near and abs(value(even(p), x)) <= limit and abs(w * value(odd(p), x)) <= limit:
             found.append(x)
     return found
@@ -202,13 +193,13 @@ def hertz(x: Decimal, scale: Scale) -> float:
 
 def _middle(num: Polynomial, den: Polynomial) -> Decimal:
     """Return the geometric mean of the sizes of poles and zeros other than 0."""
-    logs = []
+    total, count = ZERO, 0
     for p in (num, den):
         own = [k for k, c in enumerate(p) if c]
-        if len(own) > 1:
-            spread = own[-1] - own[0]
-            logs.append((abs(p[own[0]] / p[own[-1]]).ln(), spread))
-    return (sum((log for log, _ in logs), ZERO) / sum(s for _, s in logs)).exp() if logs else ONE
+        if own:
+            total += abs(p[own[0]] / p[own[-1]]).ln()
+            count += own[-1] - own[0]
+    return (total / count).exp() if count else ONE
 
 
 def _power_of_two(near: Decimal) -> Decimal:
@@ -226,16 +217,15 @@ def _parts(num: Polynomial, den: Polynomial) -> tuple[Polynomial, Polynomial, Po
 
 def _factor(root: complex) -> Polynomial:
     """Return s - root, or (s - root)(s - its conjugate)."""
-    if not root.imag:
-        return [Decimal(-root.real), ONE]
-    return [Decimal(abs(root)) ** 2, Decimal(-2 * root.real), ONE]
+    pair = [Decimal(abs(root)) ** 2, Decimal(-2 * root.real), ONE]
+    return pair if root.imag else [Decimal(-root.real), ONE]
 
 
 def _without_pair(num: Polynomial, den: Polynomial, x: Decimal) -> tuple[AxisPole, Polynomial, Polynomial]:
     pair = [x, ZERO, ONE]
     den = divided(den, pair)[0]
     real, imaginary, below = (value(p, x) for p in _parts(num, den))
-    if below <= SAME**2 * size(den, x.sqrt()) ** 2:
+    if below <= ROOT_TOLERANCE**2 * size(den, x.sqrt()) ** 2:
         return AxisPole(x, ZERO), num, den
     residue = imaginary / below
     rest = trimmed(divided(plus(num, by_s(den), -residue), pair)[0])

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -12,9 +11,8 @@ from numpy.typing import ArrayLike, NDArray
 from ...base import Array, ModelError, between, demand, finite, numbers, shown, text
 from ..analysis.statespace import StateSpace
 
-GIVEN = 1e-14
-COMPUTED = 1e-11
-LARGEST = 1e30
+GIVEN_ACCURACY, COMPUTED_ACCURACY = 1e-14, 1e-11
+LARGEST_FREQUENCY = 1e30  # [rad/s]
 
 
 @dataclass(frozen=True, eq=False)
@@ -40,9 +38,7 @@ class RationalFunction:
     den: tuple[float, ...]
     accuracy: float
 
-    def __init__(
-        self, num: Sequence[float] | ArrayLike, den: Sequence[float] | ArrayLike, accuracy: float = GIVEN
-    ) -> None:
+    def __init__(self, num: ArrayLike, den: ArrayLike, accuracy: float = GIVEN_ACCURACY) -> None:
         for name, given in (("num", num), ("den", den)):
             if numbers(finite())(given):
                 raise ModelError(f"{name} must be finite real numbers, got {given!r}")
@@ -59,7 +55,7 @@ class RationalFunction:
             at = np.asarray(None if isinstance(s, str | bytes) or s is None else s, dtype=np.complex128)
         except (TypeError, ValueError, OverflowError):
             at = np.array(np.nan)
-        if not (np.abs(at) < LARGEST).all() or numbers(text)(s) == "":
+        if not (np.abs(at) < LARGEST_FREQUENCY).all() or numbers(text)(s) == "":
             raise ModelError(f"a rational function is taken at finite numbers [rad/s], got {shown(s)}")
         if (np.polyval(np.array(self.den), at) == 0).any():
             raise ModelError(f"a rational function is infinite at its poles, got {shown(s)} rad/s")
@@ -135,9 +131,9 @@ def _of_state_space(system: StateSpace) -> RationalFunction:
     for order, D in enumerate((small.D, *small.D_s)):
         num = np.r_[np.zeros(order + len(den) - len(num)), num]
         num += np.r_[float(D.item()) * rate**order * den, np.zeros(order)]
-    num[np.abs(num) <= COMPUTED * np.abs(np.r_[num, reached]).max()] = 0.0
-    den[np.abs(den) <= COMPUTED * np.abs(den).max()] = 0.0
-    return RationalFunction(_at_rate(num, rate), _at_rate(den, rate), COMPUTED)
+    num[np.abs(num) <= COMPUTED_ACCURACY * np.abs(np.r_[num, reached]).max()] = 0.0
+    den[np.abs(den) <= COMPUTED_ACCURACY * np.abs(den).max()] = 0.0
+    return RationalFunction(_at_rate(num, rate), _at_rate(den, rate), COMPUTED_ACCURACY)
 
 
 def _at_rate(coefficients: Array, rate: float) -> Array:
