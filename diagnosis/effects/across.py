@@ -11,13 +11,7 @@ import numpy as np
 
 from ...base import Array
 from ...components import Component, signals
-from ..criteria import (
-    REVERSAL_SPEED_RATIO,
-    RIPPLE_PERIODS,
-    RIPPLES_PER_TRAVEL,
-    STRIBECK_SPEED_RATIOS,
-    YIELD_TRAVEL_RATIOS,
-)
+from .. import criteria
 from .edits import Add, Connect, Edit, Insert, between
 from .effect import Effect, Extent, Motion, Quantity, Values, both, register
 from .sites import Site
@@ -39,17 +33,18 @@ def _across(
 
 
 def _speeds(motion: Extent) -> list[dict[str, float]]:
-    return [{"v_s": share * motion.speed} for share in STRIBECK_SPEED_RATIOS]
+    return [{"v_s": share * motion.speed} for share in criteria.STRIBECK_SPEED_RATIOS]
 
 
 def _periods(motion: Extent) -> list[dict[str, float]]:
     return [
-        {"period": 2 * motion.travel / count} for count in np.geomspace(*RIPPLES_PER_TRAVEL, RIPPLE_PERIODS)
+        {"period": 2 * motion.travel / count}
+        for count in np.geomspace(*criteria.RIPPLES_PER_TRAVEL, criteria.RIPPLE_PERIODS)
     ]
 
 
 def _yields(motion: Extent) -> list[dict[str, float]]:
-    return [{"s_y": share * motion.travel} for share in YIELD_TRAVEL_RATIOS]
+    return [{"s_y": share * motion.travel} for share in criteria.YIELD_TRAVEL_RATIOS]
 
 
 def _shape(values: Values) -> float:
@@ -188,7 +183,7 @@ HYSTERESIS = _across(
 
 def _loaded(site: Site, name: str, values: Values) -> list[Edit]:
     """Return friction by the force that arrives at a site, not by what friction leaves of it."""
-    friction = site.family.LoadedFriction(regularised=REVERSAL_SPEED_RATIO * site.speed, **values)
+    friction = site.family.LoadedFriction(regularised=criteria.REVERSAL_SPEED_RATIO * site.speed, **values)
     return [
         Insert(site.moving, f"{name}_load", site.family.ForceSensor()),
         *between(name, friction, site.fixed, f"{name}_load.flange_a"),
@@ -197,7 +192,7 @@ def _loaded(site: Site, name: str, values: Values) -> list[Edit]:
 
 
 def _drifting(site: Site, name: str, values: Values) -> list[Edit]:
-    friction = site.family.DriftingFriction(regularised=REVERSAL_SPEED_RATIO * site.speed, **values)
+    friction = site.family.DriftingFriction(regularised=criteria.REVERSAL_SPEED_RATIO * site.speed, **values)
     return [
         *between(name, friction, site.fixed, site.moving),
         Add(f"{name}_clock", signals.Clock()),

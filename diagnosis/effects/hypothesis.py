@@ -16,19 +16,39 @@ from .effect import Effect, Quantity
 from .sites import Site
 
 
-@dataclass(frozen=True)
-class Hypothesis:
-    """An effect at a site with values, and the name of what is inserted for it."""
+@dataclass(frozen=True, eq=False)
+class SitedEffect:
+    """An effect at a site."""
 
     effect: Effect
     site: Site
-    name: str
-    values: Mapping[str, float]
+
+    @property
+    def key(self) -> tuple[str, str]:
+        """Kind and path of the site."""
+        return self.effect.kind, self.site.path
 
     @property
     def label(self) -> str:
         """Kind and site."""
         return f"{self.effect.kind} at {self.site.path}"
+
+    def generalises(self, other: SitedEffect) -> bool:
+        """Tell whether another one is a special case of this one, at the same site."""
+        return self.effect.generalises(other.effect.kind) and self.site.path == other.site.path
+
+
+@dataclass(frozen=True)
+class Hypothesis(SitedEffect):
+    """An effect at a site with values, and the name of what is inserted for it."""
+
+    name: str
+    values: Mapping[str, float]
+
+    @property
+    def told(self) -> str:
+        """Kind and site in words."""
+        return told(*self.key)
 
     @property
     def quantities(self) -> tuple[Quantity, ...]:
@@ -72,17 +92,22 @@ class Hypothesis:
     def slopes(self, scales: Array) -> Array:
         """Return d(network parameters)/d(quantities), by central differences of the scales given."""
         base = np.array([self.values[q.name] for q in self.quantities])
-        columns = []
-        for i, scale in enumerate(scales):
-            step = PARAMETER_STEP_RATIO * scale
-            both = []
-            for sign in (1, -1):
-                moved = base.copy()
-                moved[i] += sign * step
-                both.append(np.array(list(self.with_values(moved).network_parameters.values())))
-            columns.append((both[0] - both[1]) / (2 * step))
-        slopes: Array = np.column_stack(columns)
-        return slopes
+
+        def parameters(values: Array) -> Array:
+            return np.array([*self.with_values(values).network_parameters.values()])
+
+        steps = np.diag(PARAMETER_STEP_RATIO * scales)
+        return np.column_stack([(parameters(base + s) - parameters(base - s)) / (2 * s.sum()) for s in steps])
+
+
+def told(kind: str, site: str) -> str:
+    """Return a kind of effect and a site in words."""
+    return f"{kind.replace('_', ' ')} at {site}"
+
+
+def inserted(effects: Sequence[Hypothesis]) -> dict[str, float]:
+    """Return the parameters of all that effects insert, by full name."""
+    return {name: value for placed in effects for name, value in placed.network_parameters.items()}
 
 
 def with_effects(network: Network, effects: Sequence[Hypothesis]) -> Network:

@@ -7,14 +7,7 @@ import numpy as np
 from ...base import Array
 from ...components import Backlash, Component, Domain, rotational
 from ...networks import parallel
-from ..criteria import (
-    CLEARANCE_STEP_RATIO,
-    LEAST_COMPLIANCE,
-    OIL_FORCE_RATIO,
-    PLAY_FORCE_RATIO,
-    SETTLING_SECONDS,
-    STOP_DEFLECTION_RATIO,
-)
+from .. import criteria
 from .edits import Add, Connect, Edit, Insert
 from .effect import Effect, Motion, Values, both, register
 from .sites import Site
@@ -22,7 +15,7 @@ from .sites import Site
 
 def _stop(site: Site) -> float:
     """Return the stiffness of a stop, so large that no record shows it."""
-    return site.force / (STOP_DEFLECTION_RATIO * site.travel)
+    return site.force / (criteria.STOP_DEFLECTION_RATIO * site.travel)
 
 
 CLEARANCES: dict[str, tuple[type[Component], str, float]] = {  # element, its width, halves of play in that
@@ -37,8 +30,8 @@ def _width(site: Site, values: Values) -> dict[str, float]:
 
 
 def _play(site: Site, name: str, values: Values) -> list[Edit]:
-    stiffness, oil = _stop(site), OIL_FORCE_RATIO * site.force / site.speed
-    calming = SETTLING_SECONDS * stiffness if site.sticks else 0.0
+    stiffness, oil = _stop(site), criteria.OIL_FORCE_RATIO * site.force / site.speed
+    calming = criteria.SETTLING_SECONDS * stiffness if site.sticks else 0.0
     kind, _, _ = CLEARANCES[site.domain]
     gap = kind(**{site.mechanics.stiffness: stiffness}, d=calming, **_width(site, values))
     both_ways = parallel(gap=gap, oil=site.family.Damper(d=oil))
@@ -49,13 +42,15 @@ def _ballast(site: Site, name: str, stiffness: float) -> list[Edit]:
     """Return what gives dry friction an inertia of its own, so small that it settles in next to no time."""
     if not site.sticks:
         return []
-    inertia = site.family.Mass(**{site.mechanics.inertia: stiffness * SETTLING_SECONDS**2})
+    inertia = site.family.Mass(**{site.mechanics.inertia: stiffness * criteria.SETTLING_SECONDS**2})
     return [Add(f"{name}_ballast", inertia), Connect((f"{name}_ballast.flange", f"{name}.flange_a"))]
 
 
 def _yielding(site: Site, name: str, values: Values) -> list[Edit]:
-    value = 1 / max(values["compliance"], LEAST_COMPLIANCE)
-    spring = site.family.SpringDamper(**{site.mechanics.stiffness: value}, d=SETTLING_SECONDS * value)
+    value = 1 / max(values["compliance"], criteria.LEAST_COMPLIANCE)
+    spring = site.family.SpringDamper(
+        **{site.mechanics.stiffness: value}, d=criteria.SETTLING_SECONDS * value
+    )
     return [Insert(site.moving, name, spring), *_ballast(site, name, _stop(site))]
 
 
@@ -68,13 +63,13 @@ def _play_parameters(site: Site, name: str, values: Values) -> dict[str, float]:
 
 
 def _yield_parameters(site: Site, name: str, values: Values) -> dict[str, float]:
-    value = 1 / max(values["compliance"], LEAST_COMPLIANCE)
-    return {f"{name}.{site.mechanics.stiffness}": value, f"{name}.d": SETTLING_SECONDS * value}
+    value = 1 / max(values["compliance"], criteria.LEAST_COMPLIANCE)
+    return {f"{name}.{site.mechanics.stiffness}": value, f"{name}.d": criteria.SETTLING_SECONDS * value}
 
 
 def _taken_up(motion: Motion, _: Values) -> list[Array]:
     """Return where play lies: on the side to which the force presses."""
-    return [np.tanh(motion.f / (PLAY_FORCE_RATIO * float(np.abs(motion.f).max())))]
+    return [np.tanh(motion.f / (criteria.PLAY_FORCE_RATIO * float(np.abs(motion.f).max())))]
 
 
 BACKLASH = register(
@@ -85,7 +80,7 @@ BACKLASH = register(
         _play,
         _taken_up,
         parameters=_play_parameters,
-        step=CLEARANCE_STEP_RATIO,
+        step=criteria.CLEARANCE_STEP_RATIO,
     )
 )
 COMPLIANCE = register(

@@ -5,10 +5,9 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable, Mapping, Sequence
 from functools import cached_property
-from pathlib import Path
 from typing import Any
 
-from ...components import FAMILIES, Domain, ModelError, nearest
+from ...components import FAMILIES, Domain
 from ...components.language import Parameter
 from ...fmu import FMU, FMUBlock, FMUError, FMUForce, FMUMotion, FMURotation, FMUTorque
 from ...networks import Input, Network
@@ -28,6 +27,7 @@ class FMUModel:
         port: where other parts may be joined; names of variables by "force", "position" and "velocity".
 
     Attributes:
+        parameter_values: every real parameter with its value, in the unit that the FMU declares.
         refined: communication steps between compared instants, 0 while that is not known.
 
     Raises:
@@ -39,9 +39,8 @@ class FMUModel:
         self.port = read_port(fmu, port) if port else None
         self.place = _identifier(fmu.name)
         self.refined = 0
-        known = fmu.parameters.items()
-        self._values = {n: float(v.start or 0.0) for n, v in known if v.real and v.size == 1}
-        self._network: Network | None = None
+        parameters = fmu.parameters
+        self.parameter_values = {name: float(parameters[name].start or 0.0) for name in _scalars(parameters)}
 
     @property
     def inputs(self) -> Sequence[Input]:
@@ -51,12 +50,7 @@ class FMUModel:
     @property
     def input_names(self) -> list[str]:
         """What can be driven."""
-        return [name for name, v in self.fmu.inputs.items() if v.real and v.size == 1]
-
-    @property
-    def parameter_values(self) -> dict[str, float]:
-        """Every real parameter with its value, in the unit that the FMU declares."""
-        return self._values
+        return _scalars(self.fmu.inputs)
 
     def own(self, parameters: Mapping[str, float]) -> dict[str, Any]:
         """Return those of some parameters that are the FMU's."""
@@ -77,7 +71,7 @@ class FMUModel:
 
     def names(self) -> Iterable[str]:
         """Return the names of all real variables."""
-        return [name for name, v in self.fmu.variables.items() if v.real and v.size == 1]
+        return _scalars(self.fmu.variables)
 
     def expression(self, path: str) -> str:
         """Return the name of what can be measured.
@@ -87,9 +81,8 @@ class FMUModel:
         """
         variable = self.fmu.variable(path)
         if not variable.real or variable.size != 1:
-            raise FMUError(
-                f"FMU '{self.name}': '{path}' is {variable.type} of size {variable.size}, no signal"
-            )
+            told = f"{variable.type} of size {variable.size}, no signal"
+            raise FMUError(f"FMU '{self.name}': '{path}' is {told}")
         return path
 
     def unit(self, path: str) -> str:
@@ -108,12 +101,10 @@ class FMUModel:
         low, high = (x if abs(x) < float("inf") else None for x in (v.minimum, v.maximum))
         return Parameter(v.unit, v.text, min=low, max=high)
 
-    @property
+    @cached_property
     def network(self) -> Network:
         """The FMU in a network that does the same, to be changed, drawn and co-simulated."""
-        if self._network is None:
-            self._network = _network(self)
-        return self._network
+        return _network(self)
 
     @cached_property
     def sites(self) -> list[Site]:
@@ -123,21 +114,21 @@ class FMUModel:
         moving, fixed = f"{self.place}.flange", GROUND
         if not self.port.takes_force:
             moving, fixed = f"{self.place}.flange_b", f"{self.place}.flange_a"
-        return [
-            Site(self.place, self.port.domain, moving, fixed, frozenset({"across", "node"}), instant=True)
-        ]
+        places = frozenset({"across", "node"})
+        return [Site(self.place, self.port.domain, moving, fixed, places, instant=True)]
 
     def limits(self, driven: Iterable[str]) -> list[str]:
         """Return what a diagnosis of it cannot see, in words; `driven` are its inputs that are set."""
         told = [f"'{self.fmu.name}' is an FMU, run as {self.kind}: effects inside of it are not looked for"]
         if self.port is None:
-            told.append(
+            tried = (
                 "no [port] with force, position and velocity is named, so only effects on channels were tried"
             )
         else:
-            told.append(
+            tried = (
                 f"at its port '{self.port.force}' all effects were tried that answer to its motion at once"
             )
+        told.append(tried)
         idle = sorted({name for name, v in self.fmu.inputs.items() if v.real} - {*driven})
         if idle:
             told.append(f"inputs that are not measured keep their start values: {', '.join(idle)}")
@@ -169,28 +160,13 @@ def _network(box: FMUModel) -> Network:
     return net.connect(net.wall.flange, part.flange_a).connect(net.motion.flange, part.flange_b)
 
 
+def _scalars(variables: Mapping[str, Any]) -> list[str]:
+    """Return the names of those that are one real number."""
+    return [name for name, variable in variables.items() if variable.real and variable.size == 1]
+
+
 def _identifier(name: str) -> str:
     """Return a name by which a network can hold the FMU."""
     cleaned = re.sub(r"\W", "_", name).strip("_")
     taken = hasattr(Network, cleaned) or cleaned in ("push", "motion", "wall", "name") or not cleaned
     return "rig" if taken or cleaned[0].isdigit() else cleaned
-
-
-def read_fmu(path: Path, kind: str, port: Mapping[str, str], validate: bool = True) -> FMUModel:
-    """Return an FMU as the model of a campaign.
-
-    Args:
-        path: the file.
-        kind: "ME" or "CS"; Co-Simulation first if empty and it has both, which is several times faster.
-        port: names of variables by "force", "position" and "velocity"; empty for none.
-        validate: whether to refuse a description that its schema does not allow.
-
-    Raises:
-        ModelError: if there is no such file, or the port is wrong.
-        FMUError: if the file is no FMU that can be run.
-    """
-    if not path.is_file():
-        others = [p.name for p in path.parent.glob("*.fmu")] if path.parent.is_dir() else []
-        raise ModelError(f"model: there is no file '{path}'{nearest(path.name, others)}")
-    fmu = FMU(path, validate=validate)
-    return FMUModel(fmu, fmu.kind(kind or ("CS" if "CS" in fmu.kinds else None)), port)

@@ -38,9 +38,10 @@ class FMUNetworkModel(FMUModel):
 
     def __init__(self, network: Network, place: str, part: Foreign) -> None:
         super().__init__(part.fmu, part.kind, _port(part))
-        self.name, self.place, self._network, self._part = network.name, place, network, part
+        self.name, self.place, self.network, self._part = network.name, place, network, part
         chosen = {n: float(part.fmu.converted(part.fmu.variable(n), v)) for n, v in part.chosen.items()}
-        self._values = {f"{place}.{name}": value for name, value in (self._values | chosen).items()}
+        values = self.parameter_values | chosen
+        self.parameter_values = {f"{place}.{name}": value for name, value in values.items()}
         self._dae: DAE = network.dae()
         self._given = {f"{place}.{g.name}": g for g in part.given}
         self._sources = self._found_sources()
@@ -55,10 +56,8 @@ class FMUNetworkModel(FMUModel):
                 continue
             source = self._linear(f"{self.place}.{taken.name}")
             if source is None or source[0].path in self._given or self._dae.states:
-                raise ModelError(
-                    f"'{self.name}': what the FMU '{self.place}' takes at '{taken.input}' is not one input "
-                    f"of the network; {REMEDY}"
-                )
+                told = f"what the FMU '{self.place}' takes at '{taken.input}' is not one input of the network"
+                raise ModelError(f"'{self.name}': {told}; {REMEDY}")
             found[source[0].path] = taken.input, source[1] * taken.sign
         return found
 
@@ -76,7 +75,7 @@ class FMUNetworkModel(FMUModel):
 
     def wired(self, path: str) -> tuple[str, float]:
         """Return the FMU's variable behind a name, and its sign."""
-        own = path.removeprefix(f"{self.place}.")
+        own = self._inner(path)
         if path in self._sources:
             return self._sources[path]
         if own != path and own in self.fmu.variables:
@@ -92,6 +91,10 @@ class FMUNetworkModel(FMUModel):
             return variable, sign * source[1]
         raise ModelError(f"'{self.name}': '{path}' is no variable of the FMU; measure one, or {REMEDY}")
 
+    def _inner(self, path: str) -> str:
+        """Return a name without that of the FMU's component before it."""
+        return path.removeprefix(f"{self.place}.")
+
     @property
     def inputs(self) -> Sequence[Input]:
         """What needs a signal: sources without one."""
@@ -104,10 +107,7 @@ class FMUNetworkModel(FMUModel):
 
     def own(self, parameters: Any) -> dict[str, Any]:
         """Return parameters by the names of the FMU, those of the component included."""
-        changed = {
-            n.removeprefix(f"{self.place}."): v for n, v in parameters.items() if n in self.parameter_values
-        }
-        return {**self._part.chosen, **changed}
+        return self._part.chosen | {self._inner(n): v for n, v in super().own(parameters).items()}
 
     @property
     def started(self) -> dict[str, Any]:
@@ -127,14 +127,14 @@ class FMUNetworkModel(FMUModel):
 
     def unit(self, path: str) -> str:
         """Return the SI unit of a variable, the declared unit of a parameter."""
-        own = path.removeprefix(f"{self.place}.")
+        own = self._inner(path)
         if path in self.parameter_values:
             return self.fmu.unit(own)
         return self._dae.unit(path) if path in self._dae.names() else super().unit(own)
 
     def field(self, path: str) -> Parameter:
         """Return what is declared of a parameter."""
-        return super().field(path.removeprefix(f"{self.place}."))
+        return super().field(self._inner(path))
 
     def part(self, path: str) -> str:
         """Return the component that a variable belongs to."""

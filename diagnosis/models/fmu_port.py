@@ -1,4 +1,4 @@
-"""`Port`: where other parts may be joined to an FMU."""
+"""`FMUPort`: where other parts may be joined to an FMU."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ NEEDED = ("force", "position", "velocity")
 
 
 @dataclass(frozen=True)
-class Port:
+class FMUPort:
     """Where other parts may be joined to an FMU.
 
     Attributes:
@@ -42,47 +42,46 @@ class Port:
         return dict(zip(names, _units(self.domain), strict=True))
 
 
-def read_port(fmu: FMU, entries: Mapping[str, str]) -> Port:
+def read_port(fmu: FMU, entries: Mapping[str, str]) -> FMUPort:
     """Return the port of an FMU by the names of its variables.
 
     Raises:
         ModelError: telling everything that is wrong with it.
     """
+    refused = f"the port of FMU '{fmu.name}' cannot be used"
+    remedy = "; a port has force, position and velocity"
     problems = [
-        f"port: there is no '{key}'{nearest(key, NEEDED) or '; a port has force, position and velocity'}"
-        for key in entries
-        if key not in NEEDED
+        f"port: there is no '{key}'{nearest(key, NEEDED) or remedy}" for key in entries if key not in NEEDED
     ]
     problems += [f'port: {key} = "name of a variable" must be given' for key in NEEDED if key not in entries]
     if problems:
-        raise ModelError(f"the port of FMU '{fmu.name}' cannot be used:", problems)
+        raise ModelError(f"{refused}:", problems)
     sign = -1.0 if entries["force"].startswith("-") else 1.0
-    names = {key: entries[key].removeprefix("-") if key == "force" else entries[key] for key in NEEDED}
-    for key, name in names.items():
+    force, position, velocity = names = entries["force"].removeprefix("-"), *(entries[k] for k in NEEDED[1:])
+    for key, name in zip(NEEDED, names, strict=True):
         try:
             variable = fmu.variable(name)
         except FMUError as error:
             problems.append(f"port: {key}: {error}")
             continue
         if not variable.real or variable.size != 1:
-            problems.append(
-                f"port: {key}: '{name}' is {variable.type} of size {variable.size}, no real signal"
-            )
+            told = f"{variable.type} of size {variable.size}, no real signal"
+            problems.append(f"port: {key}: '{name}' is {told}")
     if problems:
-        raise ModelError(f"the port of FMU '{fmu.name}' cannot be used:", problems)
-    takes_force = names["force"] in fmu.inputs
-    if not takes_force and names["position"] not in fmu.inputs:
+        raise ModelError(f"{refused}:", problems)
+    takes_force = force in fmu.inputs
+    if not takes_force and position not in fmu.inputs:
         raise ModelError(
-            f"the port of FMU '{fmu.name}' cannot be used: it takes neither '{names['force']}' nor "
-            f"'{names['position']}'; one of them must be an input (it has {', '.join(fmu.inputs) or 'none'})"
+            f"{refused}: it takes neither '{force}' nor '{position}'; one of them must be an input (it has "
+            f"{', '.join(fmu.inputs) or 'none'})"
         )
-    domain = _domain(fmu, names["force"], names["position"])
-    for name, unit in zip(names.values(), _units(domain), strict=True):
+    domain = _domain(fmu, force, position)
+    for name, unit in zip(names, _units(domain), strict=True):
         if fmu.unit(name) and not _measures(fmu, name, unit):
             problems.append(f"port: '{name}' is in {fmu.unit(name)}, where {unit} belongs")
     if problems:
-        raise ModelError(f"the port of FMU '{fmu.name}' cannot be used:", problems)
-    return Port(names["force"], names["position"], names["velocity"], sign, takes_force, domain)
+        raise ModelError(f"{refused}:", problems)
+    return FMUPort(force, position, velocity, sign, takes_force, domain)
 
 
 def _units(domain: Domain) -> tuple[str, str, str]:

@@ -1,4 +1,4 @@
-"""The force of effects at the port of a black box, from the same laws by which effects are screened."""
+"""The force of effects at the port of an FMU, from the same laws by which effects are screened."""
 
 from __future__ import annotations
 
@@ -12,17 +12,17 @@ from ..criteria import STICKING_SPEED_RATIO
 from ..effects.effect import Motion
 from ..effects.hypothesis import Hypothesis
 from .fmu_model import FMUModel
-from .fmu_port import Port
+from .fmu_port import FMUPort
 
 
-class Moving:
-    """How a site moves, at one instant or along a run, as effects are told by a `Motion`.
+class _PortMotion:
+    """How a port moves, at one instant or along a run, as effects are told by a `Motion`.
 
-    What is usual at the site comes from a run before, since one instant does not tell.
+    What is usual there comes from a run before, since one instant does not tell.
     """
 
-    def __init__(self, usual: float) -> None:
-        self._least = max(STICKING_SPEED_RATIO * usual, 1e-12)
+    def __init__(self, usual_speed: float) -> None:
+        self._least = max(STICKING_SPEED_RATIO * usual_speed, 1e-12)
         self.t = self.s = self.v = self.f = self.a = 0.0
 
     @property
@@ -54,20 +54,20 @@ class Acting:
         return force
 
 
-def _term(placed: Hypothesis) -> tuple[Any, list[float], dict[str, float], float, Moving]:
-    sizes = [placed.values[q.name] for q in placed.quantities if not q.shape]
+def _term(placed: Hypothesis) -> tuple[Any, list[float], dict[str, float], float, _PortMotion]:
     shape = {q.name: placed.values[q.name] for q in placed.quantities if q.shape}
+    sizes = [placed.values[q.name] for q in placed.effect.sizes(placed.site.domain)]
     rest = 0.0 if placed.effect.absolute else placed.site.rest
-    return placed.effect.basis, sizes, shape, rest, Moving(placed.site.speed)
+    return placed.effect.basis, sizes, shape, rest, _PortMotion(placed.site.speed)
 
 
 class Reaction:
     """What effects add to the force that an FMU takes at its port, in the FMU's units."""
 
-    def __init__(self, acting: Acting, port: Port, box: FMUModel) -> None:
+    def __init__(self, acting: Acting, port: FMUPort, box: FMUModel) -> None:
         self._acting, self.accelerating = acting, acting.accelerating
         names = port.force, port.position, port.velocity
-        force, self._position, self._velocity = (box.fmu.measure(box.fmu.variables[name]) for name in names)
+        force, self._position, self._velocity = (box.fmu.measure(box.fmu.variables[n]) for n in names)
         self._size = -port.sign / force.factor
 
     def __call__(self, t: float, s: float, v: float, a: float) -> float:

@@ -26,6 +26,7 @@ from ..effects.effect import Motion
 from ..effects.hypothesis import Hypothesis
 from ..effects.sites import Site
 from .fmu_model import FMUModel
+from .fmu_port import FMUPort
 from .fmu_port_force import Acting, Reaction
 
 
@@ -56,25 +57,23 @@ class FMUPredictor:
     ) -> None:
         self.box, self.channels, self.sigma = box, campaign.measured, campaign.sigma
         self.effects = [placed for placed in effects if placed.effect.basis is not None]
-        sizes = {name: FMU_STEP_DEVIATIONS * prior.scale for name, prior in campaign.priors.items()}
+        scales = {name: prior.scale for name, prior in campaign.priors.items()}
         for placed in self.effects:
-            names = placed.network_parameters
-            sizes |= dict(zip(names, (FMU_STEP_DEVIATIONS * placed.scales).tolist(), strict=True))
-        self.steps = {name: sizes[name] for name in parameters}
+            scales |= dict(zip(placed.network_parameters, placed.scales.tolist(), strict=True))
+        self.steps = {name: FMU_STEP_DEVIATIONS * scales[name] for name in parameters}
         self.highest = {name: prior.max for name, prior in campaign.priors.items()}
         self.driven = {c.path: box.wired(c.path) for c in self.channels.values() if c.driven}
         self.outputs = {name: box.wired(c.path) for name, c in self.channels.items() if not c.driven}
         self.taken = [variable for variable, _ in self.driven.values()]
         self.follows = _follows(box, self.taken)
         self.taken += self.follows
-        port = box.port
-        self.read = list(dict.fromkeys(variable for variable, _ in self.outputs.values()))
-        if port is not None:
-            self.read = list(dict.fromkeys([*self.read, *port.units]))
-            if port.takes_force and port.force not in self.taken:
-                self.taken.append(port.force)
-        variables = box.fmu.variables
-        self.measures = {n: box.fmu.measure(variables[n]) for n in {*self.taken, *self.read}}
+        read = [variable for variable, _ in self.outputs.values()]
+        if box.port is not None:
+            read += box.port.units
+            if box.port.takes_force and box.port.force not in self.taken:
+                self.taken.append(box.port.force)
+        self.read = list(dict.fromkeys(read))
+        self.measures = {n: box.fmu.measure(box.fmu.variables[n]) for n in {*self.taken, *self.read}}
         self.replay = Replay(box.fmu, box.kind, self.taken, self.read)
         weakref.finalize(self, self.replay.close)
         self.refined = _refined(self, campaign)
@@ -113,11 +112,13 @@ def _refined(model: FMUPredictor, campaign: Campaign) -> int:
         return 1
     if box.refined and not model.effects:
         return box.refined
+    first, start = campaign.training[0], campaign.start
     count = box.refined or FMU_STEPS_PER_SAMPLE[0]
-    coarse = ReplayedStand(model, campaign.training[0], count).predicted(campaign.start)
+    coarse = ReplayedStand(model, first, count).predicted(start)
     while count < FMU_STEPS_PER_SAMPLE[1]:
-        fine = ReplayedStand(model, campaign.training[0], 2 * count).predicted(campaign.start)
-        if all(float((fine[n] - coarse[n]).std()) < FMU_STEP_ERROR_OVER_NOISE * model.sigma[n] for n in fine):
+        fine = ReplayedStand(model, first, 2 * count).predicted(start)
+        errors = {name: float((fine[name] - coarse[name]).std()) for name in fine}
+        if all(error < FMU_STEP_ERROR_OVER_NOISE * model.sigma[name] for name, error in errors.items()):
             break
         count, coarse = 2 * count, fine
     if not model.effects:
@@ -138,8 +139,8 @@ class ReplayedStand:
             if channel.driven:
                 smooth = sampled_at(record.sampled(name, channel.interpolation), self.fine)
                 variable, sign = model.driven[channel.path]
-                measure = model.measures[variable]
-                self.given[:, model.taken.index(variable)] = (sign * smooth - measure.offset) / measure.factor
+                column = model.measures[variable].from_si(sign * smooth)
+                self.given[:, model.taken.index(variable)] = column
         self._follow(self.given)
 
     def _follow(self, given: Array) -> None:
@@ -157,10 +158,15 @@ class ReplayedStand:
         return np.zeros(0)
 
     def run(
-        self, parameters: Mapping[str, float], start: Array | None, accuracy: Accuracy, slopes: bool = True
+        self,
+        parameters: Mapping[str, float],
+        start: Array | None = None,
+        accuracy: Accuracy | None = None,
+        slopes: bool = True,
     ) -> FMUPrediction:
         """Run the record; see `RecordModel.run`."""
-        model, table = self.model, self._table(parameters, self.given)
+        model, port = self.model, self.model.box.port
+        table = self._table(parameters, self.given)
         values = self._channels(table)
         columns: dict[str, list[Array]] = {name: [] for name in values}
         for name, step in model.steps.items() if slopes else ():
@@ -169,29 +175,25 @@ class ReplayedStand:
             for channel, column in columns.items():
                 column.append((moved[channel] - values[channel]) / step)
         none = np.zeros((len(self.time), 0))
-        by_p = {name: np.column_stack(found) if found else none for name, found in columns.items()}
-        return FMUPrediction(
-            self.time, values, by_p, dict.fromkeys(values, none), dict(parameters), self._port(table)
-        )
+        by_p = {name: np.column_stack([none, *found]) for name, found in columns.items()}
+        motion = self._motion(port, table) if port is not None else None
+        return FMUPrediction(self.time, values, by_p, dict.fromkeys(values, none), dict(parameters), motion)
 
-    def predicted(self, parameters: Mapping[str, float]) -> dict[str, Array]:
-        """Return the output channels."""
-        return self._channels(self._table(parameters, self.given))
+    def predicted(
+        self, parameters: Mapping[str, float], given: Array | None = None, push: Array | float = 0.0
+    ) -> dict[str, Array]:
+        """Return the output channels; the arguments as below."""
+        return self._channels(self._table(parameters, self.given if given is None else given, push))
 
     def _channels(self, table: Mapping[str, Array]) -> dict[str, Array]:
         return {name: sign * table[variable] for name, (variable, sign) in self.model.outputs.items()}
 
-    def _port(self, table: Mapping[str, Array]) -> Motion | None:
-        port = self.model.box.port
-        if port is None:
-            return None
-        v = table[port.velocity]
-        return Motion(
-            self.time, table[port.position], v, port.sign * table[port.force], np.gradient(v, self.time)
-        )
+    def _motion(self, port: FMUPort, table: Mapping[str, Array]) -> Motion:
+        v, force = table[port.velocity], port.sign * table[port.force]
+        return Motion(self.time, table[port.position], v, force, np.gradient(v, self.time))
 
     def _table(
-        self, parameters: Mapping[str, float], given: Array, push: Array | None = None
+        self, parameters: Mapping[str, float], given: Array, push: Array | float = 0.0
     ) -> dict[str, Array]:
         """Return all that is read, in SI units.
 
@@ -211,16 +213,11 @@ class ReplayedStand:
             )
         except FMUError as error:
             raise SimulationError(str(error)) from error
-        measures = [model.measures[name] for name in model.read]
         table: dict[str, Array] = {
-            name: measure.factor * rows[:, k] + measure.offset
-            for k, (name, measure) in enumerate(zip(model.read, measures, strict=True))
+            name: model.measures[name].to_si(rows[:, k]) for k, name in enumerate(model.read)
         }
         if port is not None and not port.takes_force:
-            motion = self._port(table)
-            assert motion is not None
-            more = acting.along(motion) if push is None else acting.along(motion) + push
-            table[port.force] = table[port.force] + port.sign * more
+            table[port.force] += port.sign * (acting.along(self._motion(port, table)) + push)
         return table
 
     def pushed(self, found: FMUPrediction, changes: Mapping[str, Array]) -> Array:
@@ -235,7 +232,7 @@ class ReplayedStand:
         if self.refined > 1 and self.model.box.kind == "CS":
             return ReplayedStand(self.model, self.experiment, 1).pushed(found, changes)
         ((name, columns),) = changes.items()
-        before, moved = self._channels(self._table(found.given, self.given)), list[Array]()
+        before, moved = self.predicted(found.given), list[Array]()
         size = self._size(name, found, columns, before)
         for column in columns.T:
             width = float(np.sqrt(np.mean(column**2)))
@@ -272,12 +269,12 @@ class ReplayedStand:
         else:
             assert port is not None
             if not port.takes_force:
-                return self._channels(self._table(found.given, self.given, change))
+                return self.predicted(found.given, push=change)
             name, fine = port.force, -port.sign * fine
         given = self.given.copy()
         given[:, model.taken.index(name)] += fine / model.measures[name].factor
         self._follow(given)
-        return self._channels(self._table(found.given, given))
+        return self.predicted(found.given, given)
 
 
 def _valued(placed: Hypothesis, parameters: Mapping[str, float]) -> Hypothesis:

@@ -9,7 +9,6 @@ from ...components import Component
 from ...networks import svg_sketch
 from ..criteria import SITE_SHARE_TOLD, WINDOWS_TOLD
 from ..effects.edits import part_at
-from ..models.predictor import subject
 from ..verdict.evidence import moved_parameters
 from ..verdict.verdict import Verdict
 
@@ -38,13 +37,13 @@ def drawings(verdict: Verdict) -> Iterator[str]:
 
 def marks_of(verdict: Verdict) -> dict[str, str]:
     """Return path of a component -> what it is marked with."""
-    campaign = verdict.evidence.campaign
-    channels = campaign.measured
+    study = verdict.evidence.study
+    channels = study.campaign.measured
     marks: dict[str, str] = {}
 
     def mark(path: str, told: str) -> None:
         if path in channels:
-            path, told = subject(campaign).part(channels[path].path), f"{path}: {told}"
+            path, told = study.part(channels[path].path), f"{path}: {told}"
         if path:
             marks[path] = f"{marks[path]}, {told}" if path in marks else told
 
@@ -57,8 +56,8 @@ def marks_of(verdict: Verdict) -> dict[str, str]:
     if verdict.verdict == "unknown" and verdict.where:
         mark(next(iter(verdict.where)), "most of the gap")
     if verdict.verdict == "parameters":
-        for name in moved_parameters(campaign, verdict.parameters):
-            path = subject(campaign).part(name)
+        for name in moved_parameters(study.campaign, verdict.parameters):
+            path = study.part(name)
             mark(path, name.removeprefix(f"{path}."))
     return marks
 

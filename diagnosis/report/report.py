@@ -14,11 +14,11 @@ from ...base import check_output, demand, instance, rate_unit, write_text
 from ...networks import pretty_unit
 from ..verdict.localisation import moved
 from ..verdict.verdict import Verdict
-from .figures import COLOURS, MEASURED, Figure, Stages, bars, clouds, over_time, spectra
+from .figures import MEASURED_COLOUR, STAGE_COLOURS, Figure, Stages, bars, clouds, over_time, spectra
 from .network_drawing import drawings
 from .text import advice, chance, code, conclusion, methods, number, ruled_out, screened_out, sure
 
-HERE = Path(__file__).parent
+FOLDER = Path(__file__).parent
 PAGES = (".html", ".htm")
 
 
@@ -39,13 +39,13 @@ def write_report(verdict: Verdict, path: str | Path) -> Path:
     check_output(path, PAGES)
     figures = dict[str, Figure]()
     body = "\n".join(_sections(verdict, figures))
-    page = Template((HERE / "report.html").read_text(encoding="utf-8"))
+    page = Template((FOLDER / "report.html").read_text(encoding="utf-8"))
     return write_text(
         path,
         page.substitute(
             title=escape(f"Sim-to-real gap of {verdict.network.name}"),
-            css=(HERE / "report.css").read_text(encoding="utf-8"),
-            js=(HERE / "report.js").read_text(encoding="utf-8"),
+            css=(FOLDER / "report.css").read_text(encoding="utf-8"),
+            js=(FOLDER / "report.js").read_text(encoding="utf-8"),
             plotly=get_plotlyjs(),
             body=body,
             figures=json.dumps(figures, separators=(",", ":")).replace("</", "<\\/"),
@@ -88,13 +88,13 @@ def _verdict(verdict: Verdict) -> str:
 
 def _gap(verdict: Verdict, stages: Stages, figures: dict[str, Figure]) -> Iterator[str]:
     campaign = verdict.evidence.campaign
-    tested = "test" if campaign.testing else "training"
-    yield f"<p>Root mean square of what the model misses on the {tested} runs, over that of the noise.</p>"
+    judged = verdict.evidence.judged
+    yield f"<p>Root mean square of what the model misses on the {judged}, over that of the noise.</p>"
     yield _figure("gap", bars(verdict, stages), figures, width=220 + 160 * len(verdict.gap))
     rows = []
     for name, gap in verdict.gap.items():
         values = [gap.nominal, gap.refit, gap.after][: len(stages)]
-        size = campaign.floors[name].sigma / gap.floor
+        size = campaign.sigma[name] / gap.floor
         unit = pretty_unit(campaign.measured[name].si)
         cells = [f"{value:.3%}<br>{number(value * size)} {unit}" for value in (*values, gap.floor)]
         rows.append([escape(name), *cells])
@@ -117,18 +117,22 @@ def _signals(verdict: Verdict, stages: Stages, figures: dict[str, Figure]) -> It
 def _residual(verdict: Verdict, stages: Stages, figures: dict[str, Figure]) -> Iterator[str]:
     evidence = verdict.evidence
     campaign = evidence.campaign
-    place = next((c.site for c in evidence.screened if c.site.path == _leading(verdict)), None)
+    leading = [placed.site.path for placed in verdict.effects]
+    if not leading and verdict.verdict == "unknown":
+        leading = list(verdict.where)
+    place = next((c.site for c in evidence.screened if c.site.path in leading[:1]), None)
     motions, units = [], ("", "", "")
     if place is not None:
-        records, fitted = campaign.testing or campaign.training, evidence.refit.parameters
-        motions = moved(campaign, fitted, place, records, evidence.accuracy)
+        motions = moved(evidence.study, evidence.refit.parameters, place, evidence.study.judged)
         if place.domain == "channel":
             si = campaign.measured[place.path].si
             units = si, rate_unit(si), rate_unit(si, 2)
         else:
             units = place.mechanics.motion_units
-    shown = list(zip(stages, COLOURS, strict=False))[-2:]
-    yield f'<p class="key">{"".join(_key(*entry) for entry in [*shown, ("noise (dashed)", MEASURED)])}</p>'
+    shown = [*zip(stages, STAGE_COLOURS, strict=False)][-2:]
+    colours = [*shown, ("noise (dashed)", MEASURED_COLOUR)]
+    key = (f'<span><i style="background:{colour}"></i>{escape(name)}</span>' for name, colour in colours)
+    yield f'<p class="key">{"".join(key)}</p>'
     at = f" against how {escape(place.path)} moves in the refitted model and" if place is not None else ""
     yield f"<p>Measured minus simulated{at} over frequency; thick lines are means. Over time it stands "
     yield "above.</p>"
@@ -140,22 +144,11 @@ def _residual(verdict: Verdict, stages: Stages, figures: dict[str, Figure]) -> I
         yield "</div>"
 
 
-def _leading(verdict: Verdict) -> str:
-    """Return the site at which to look."""
-    if verdict.effects:
-        return verdict.effects[0].site.path
-    return next(iter(verdict.where), "") if verdict.verdict == "unknown" else ""
-
-
-def _key(name: str, colour: str) -> str:
-    return f'<span><i style="background:{colour}"></i>{escape(name)}</span>'
-
-
 def _ranking(verdict: Verdict) -> Iterator[str]:
     if not verdict.ranking:
         yield "<p>No effect was worth a fit.</p>"
         return
-    chosen = [(p.effect.kind, p.site.path) for p in verdict.effects]
+    chosen = [placed.key for placed in verdict.effects]
     rows, marked = [], []
     for n, ranked in enumerate(verdict.ranking, start=1):
         values = ", ".join(f"{escape(k)} = {number(v)}" for k, v in ranked.values.items())
@@ -172,8 +165,7 @@ def _ruled_out(verdict: Verdict) -> Iterator[str]:
         yield "<p>Nothing: the diagnosis was stopped before its end.</p>"
         return
     fitted = [
-        [_kind(k), escape(site), f"{gain:.2%}", chance(p), why]
-        for k, site, gain, p, why in ruled_out(verdict)
+        [_kind(k), escape(s), f"{gain:.2%}", chance(p), why] for k, s, gain, p, why in ruled_out(verdict)
     ]
     if fitted:
         yield "<h3>After a fit</h3>"
@@ -202,11 +194,8 @@ def _parameters(verdict: Verdict) -> Iterator[str]:
         prior, unit = campaign.priors[name], pretty_unit(campaign.machine.unit(name))
         before, fitted = campaign.start[name], verdict.evidence.refit.parameters[name]
         change = f"{after / before - 1:+.2%}" if before else ""
-        deviations = (
-            f"{copysign(prior.moved(after), after - prior.center):+.2f}"
-            if prior.sd < float("inf")
-            else "bounds only"
-        )
+        deviations = f"{copysign(prior.moved(after), after - prior.center):+.2f}"
+        deviations = deviations if prior.sd < float("inf") else "bounds only"
         rows.append([escape(name), number(before), number(fitted), number(after), unit, change, deviations])
     for placed, confidence in zip(verdict.effects, verdict.confidence, strict=True):
         for quantity, unit in placed.units(campaign).items():

@@ -10,39 +10,20 @@ import numpy as np
 
 from ...base import Array
 from ...components import SimulationError
-from ...identification import Accuracy, Campaign, Ending, Experiment, descent
-from ...networks import Network
-from ..criteria import (
-    DESCENT_CHI_SQUARED_DROP,
-    DESCENT_LEAST_RADIUS,
-    DESCENT_RELATIVE_DROP,
-    DESCENT_STEPS,
-    SHAPED_DESCENTS,
-    START_SINGULAR_VALUE_RATIO,
-)
-from ..effects.hypothesis import Hypothesis, driven, sensed
+from ...identification import Ending, Experiment, descent
+from .. import criteria
+from ..effects.hypothesis import Hypothesis, driven, inserted, sensed
 from ..effects.shaping import Bounds, Shapes
-from ..models.predictor import Predicted, Standing, subject
+from ..models.study import Predicted, Standing, Study
+from .model_comparison import Refit, stretches
 
-Start = tuple[Mapping[str, float], Mapping[str, float]]
-
-
-@dataclass(frozen=True, eq=False)
-class Refit:
-    """A model fitted to the training records.
-
-    Attributes:
-        parameters: the network's uncertain parameters, fitted.
-        effects: the effects in it, fitted.
-        train, test: weighted residuals of each record, each a dictionary by channel.
-        cost: sum of squares of the training residuals and the priors.
-    """
-
-    parameters: dict[str, float]
-    effects: tuple[Hypothesis, ...]
-    train: list[dict[str, Array]]
-    test: list[dict[str, Array]]
-    cost: float
+FitStart = tuple[Mapping[str, float], Mapping[str, float]]
+DESCENT = Ending(
+    criteria.DESCENT_RELATIVE_DROP,
+    criteria.DESCENT_CHI_SQUARED_DROP,
+    criteria.DESCENT_LEAST_RADIUS,
+    criteria.DESCENT_STEPS,
+)
 
 
 @dataclass(frozen=True, eq=False)
@@ -63,33 +44,33 @@ class _Run:
 
 
 class JointFit:
-    """Parameters and effects as one vector, in units of what they may be expected to be."""
+    """Parameters and effects as one vector, in units of what they may be expected to be.
+
+    Args:
+        study: records, priors, noise, and how runs are computed.
+        parameters: values of the uncertain parameters to start from.
+        effects: effects to insert, with values to start from.
+    """
 
     def __init__(
-        self,
-        campaign: Campaign,
-        network: Network,
-        parameters: Mapping[str, float],
-        effects: Sequence[Hypothesis],
-        accuracy: Accuracy,
+        self, study: Study, parameters: Mapping[str, float], effects: Sequence[Hypothesis] = ()
     ) -> None:
-        self.campaign, self.effects, self.accuracy = campaign, tuple(effects), accuracy
-        self.names = list(parameters)
-        self.sigma = campaign.sigma
-        priors = [campaign.priors[name] for name in self.names]
+        self.study, self.campaign, self.accuracy = study, study.campaign, study.accuracy
+        self.effects, self.names, self.sigma = tuple(effects), list(parameters), study.campaign.sigma
+        priors = [self.campaign.priors[name] for name in self.names]
         self.center = np.array([prior.center for prior in priors])
         self.scale = np.array([prior.scale for prior in priors])
         self.limits = np.array([prior.min for prior in priors]), np.array([prior.max for prior in priors])
-        self.pull = np.array([1.0 if np.isfinite(prior.sd) else 0.0 for prior in priors])
+        self.pull = np.isfinite([prior.sd for prior in priors]).astype(float)
         self.sizes = [placed.scales for placed in self.effects]
         low, high = ((limit - self.center) / self.scale for limit in self.limits)
-        quantities = [q for p in self.effects for q in p.quantities]
-        bounds = np.array([*low, *[q.low for q in quantities]]), np.array([*high, *[inf] * len(quantities)])
+        least = [quantity.low for placed in self.effects for quantity in placed.quantities]
+        bounds = np.array([*low, *least]), np.array([*high, *[inf] * len(least)])
         self.shapes = Shapes(bounds, self.effects, self.sizes)
         self.start = self.vector(parameters, [placed.values for placed in self.effects])
         paths = [path for placed in self.effects for path in placed.network_parameters]
-        self.predictor = subject(campaign).predictor(network, effects, [*self.names, *paths])
-        self.stands = {id(e): self.predictor.stand(e) for e in campaign.experiments}
+        self.predictor = study.predictor(effects, [*self.names, *paths])
+        self.stands = {id(e): self.predictor.stand(e) for e in self.campaign.experiments}
 
     def vector(self, parameters: Mapping[str, float], values: Sequence[Mapping[str, float]]) -> Array:
         """Return parameters and values of the effects as a vector."""
@@ -110,8 +91,8 @@ class JointFit:
             at += len(size)
         return dict(zip(self.names, values.tolist(), strict=True)), tuple(placed)
 
-    def fitted(self, starts: Sequence[Start] = ()) -> Refit:
-        """Return the model fitted to the training records.
+    def fitted(self, starts: Sequence[FitStart] = ()) -> Refit:
+        """Return the model fitted to the training records, and held against the test records.
 
         Args:
             starts: parameters, and values of the last effect, to start from; a step is taken from each, and
@@ -126,18 +107,16 @@ class JointFit:
             vector = vectors[0] if vectors else self.start
             bounds = self.shapes.bounds(vector)
         else:
-            vector, bounds = min((self._begun(vector) for vector in vectors), key=lambda begun: begun[0])[1:]
-        vector = self._descended(vector, bounds)[0]
-        for _ in range(SHAPED_DESCENTS):
+            _, vector, bounds = min(map(self._begun, vectors), key=lambda begun: begun[0])
+        for _ in range(1 + criteria.SHAPED_DESCENTS):
+            vector = self._descended(vector, bounds, DESCENT)[0]
             if not self.shapes.are_held(vector, bounds):
                 break
             bounds = self.shapes.bounds(vector)
-            vector = self._descended(vector, bounds)[0]
         return self.seen(vector)
 
-    def _descended(self, start: Array, bounds: Bounds, steps: int = DESCENT_STEPS) -> tuple[Array, float]:
+    def _descended(self, start: Array, bounds: Bounds, ending: Ending) -> tuple[Array, float]:
         """Return where a descent within bounds ends, and the sum of squares there."""
-        ending = Ending(DESCENT_RELATIVE_DROP, DESCENT_CHI_SQUARED_DROP, DESCENT_LEAST_RADIUS, steps)
         *_, end = descent(self.stacked, start, bounds, ending, learnt=True)
         return end.vector, end.cost
 
@@ -145,7 +124,7 @@ class JointFit:
         """Return the sum of squares after a step from a start, where that leads, and the bounds."""
         bounds = self.shapes.bounds(start)
         try:
-            vector, cost = self._descended(start, bounds, steps=1)
+            vector, cost = self._descended(start, bounds, replace(DESCENT, steps=1))
         except SimulationError:
             return inf, start, bounds
         return cost, vector, bounds
@@ -153,11 +132,14 @@ class JointFit:
     def seen(self, vector: Array) -> Refit:
         """Return the model with the values of a vector, held against all records."""
         fitted, placed = self.unpacked(vector)
-        train = [self.linearise(vector, e, False)[0] for e in self.campaign.training]
-        test = [self.linearise(vector, e, False)[0] for e in self.campaign.testing]
+        train, test = (
+            [self.linearise(vector, e, False)[0] for e in records]
+            for records in (self.campaign.training, self.campaign.testing)
+        )
         cost = sum(float(r @ r) for record in train for r in record.values())
         prior = self.pull * vector[: len(self.names)]
-        return Refit(fitted, placed, train, test, cost + float(prior @ prior))
+        compared = stretches(self.study.judged)
+        return Refit(fitted, placed, train, test, cost + float(prior @ prior), compared)
 
     def stacked(self, vector: Array, slopes: bool) -> tuple[Array, Array | None]:
         """Return residuals of all training records and of the priors, and their slopes if wanted.
@@ -179,9 +161,7 @@ class JointFit:
     ) -> tuple[dict[str, Array], Array]:
         """Return the weighted residual of a record by channel, and its slopes in the vector."""
         parameters, effects = self.unpacked(vector)
-        given = {**parameters}
-        for placed in effects:
-            given |= placed.network_parameters
+        given = parameters | inserted(effects)
         stand = self._driven(experiment, effects)
         free = experiment.initial == "fit"
         start = stand.rest(given, self.accuracy) if free else None
@@ -235,30 +215,6 @@ class JointFit:
         return {name: np.column_stack(found) for name, found in columns.items()}
 
 
-def refit(
-    campaign: Campaign,
-    network: Network,
-    parameters: Mapping[str, float],
-    effects: Sequence[Hypothesis] = (),
-    accuracy: Accuracy | None = None,
-    starts: Sequence[Start] = (),
-) -> Refit:
-    """Fit parameters and effects to the training records and hold them against the test records.
-
-    Args:
-        campaign: records, priors, noise.
-        network: the nominal model, without effects.
-        parameters: values of the uncertain parameters to start from.
-        effects: effects to insert, with values to start from.
-        accuracy: solver and tolerances.
-        starts: parameters, and values of the last effect, of which the most promising is taken instead.
-
-    Raises:
-        SimulationError: if the model cannot be run with the values to start from.
-    """
-    return JointFit(campaign, network, parameters, effects, accuracy or Accuracy()).fitted(starts)
-
-
 def _sensed_slopes(found: Predicted, name: str, effects: Sequence[Hypothesis]) -> Array:
     """Return slopes of a channel as its sensor passes them on; sensors are linear but for a constant."""
     slopes = found.slopes[name]
@@ -276,6 +232,6 @@ def _freed(
         return residuals, columns
     stacked = np.concatenate(list(residuals.values()))
     both = np.column_stack([stacked, columns])
-    left = both - to_start @ np.linalg.lstsq(to_start, both, rcond=START_SINGULAR_VALUE_RATIO)[0]
+    left = both - to_start @ np.linalg.lstsq(to_start, both, rcond=criteria.START_SINGULAR_VALUE_RATIO)[0]
     parts = np.split(left[:, 0], np.cumsum([len(r) for r in residuals.values()])[:-1])
     return dict(zip(residuals, parts, strict=True)), left[:, 1:]

@@ -10,7 +10,7 @@ from typing import Any
 
 from ...base import check_output, write_text
 from ...networks import Network
-from ..effects.hypothesis import Hypothesis, with_effects
+from ..effects.hypothesis import Hypothesis, told, with_effects
 from .evidence import Evidence
 
 WORDS = {
@@ -90,7 +90,7 @@ class Verdict:
     @property
     def sentence(self) -> str:
         """The verdict in a sentence."""
-        named = " and ".join(f"{p.effect.kind.replace('_', ' ')} at {p.site.path}" for p in self.effects)
+        named = " and ".join(placed.told for placed in self.effects)
         if self.verdict == "unknown" and named:
             return (
                 f"Part of what is missing is {named}, which closes {self.closed:.0%} of the gap; the rest is "
@@ -103,11 +103,9 @@ class Verdict:
             )
         if self.verdict in WORDS:
             return WORDS[self.verdict]
-        told = f"What is missing is {named}; adding it closes {self.closed:.0%} of the gap."
-        if self.equivalent:
-            others = ", ".join(f"{kind.replace('_', ' ')} at {site}" for kind, site in self.equivalent)
-            told += f" These data cannot tell it from {others}."
-        return told
+        sentence = f"What is missing is {named}; adding it closes {self.closed:.0%} of the gap."
+        others = ", ".join(told(*key) for key in self.equivalent)
+        return f"{sentence} These data cannot tell it from {others}." if others else sentence
 
     @property
     def lines(self) -> list[str]:
