@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Any
 
 import casadi as ca
 import numpy as np
+from numpy.typing import ArrayLike
 
 from ...base import Ints
 from .forms import Form
@@ -96,21 +97,19 @@ class Family:
 
     def chosen(self, rows: Ints) -> Family:
         """Return the family of some instances."""
-        arguments, label = self.arguments[:, rows.tolist()], self.label
         return Family(
-            self.form, self.columns[rows], self.signs[rows], arguments, lambda row: label(int(rows[row]))
+            self.form,
+            self.columns[rows],
+            self.signs[rows],
+            self.arguments[:, rows.tolist()],
+            lambda row: self.label(int(rows[row])),
         )
 
 
-def sum_family(
-    columns: Sequence[Sequence[int]], signs: Sequence[Sequence[int]], label: Callable[[int], str]
-) -> Family:
+def sum_family(columns: ArrayLike, signs: ArrayLike, label: Callable[[int], str]) -> Family:
     """Return the equations that state that signed variables sum to zero."""
-    symbols = ca.SX.sym("term", len(columns[0]))
-    return Family(
-        Form(ca.sum1(symbols), symbols, slopes=[ca.SX(1)] * len(columns[0])),
-        np.array(columns, dtype=np.int64),
-        np.array(signs, dtype=np.int64),
-        ca.SX(0, len(columns)),
-        label,
-    )
+    numbers = np.array(columns, dtype=np.int64)
+    rows, width = numbers.shape
+    symbols = ca.SX.sym("term", width)
+    form = Form(ca.sum1(symbols), symbols, slopes=[ca.SX(1)] * width)
+    return Family(form, numbers, np.array(signs, dtype=np.int64), ca.SX(0, rows), label)

@@ -28,18 +28,13 @@ class Local:
     state: int = -1
 
 
-def local_facts(instance: Instance) -> list[Local]:
-    """Return what is declared of each local variable of an instance's class."""
-    return [_facts(instance, name) for name in instance.template.variables]
-
-
 def _facts(instance: Instance, name: str) -> Local:
+    """Return what is declared of a local variable."""
     head, _, tail = name.partition(".")
     declared = type(instance.component).fields.get(head)
     if isinstance(declared, Variable):
         state = _STATE[declared.state]
-        rank = 4 + state
-        return Local(declared.unit, declared.doc, rank, declared.start, declared.nominal, state)
+        return Local(declared.unit, declared.doc, 4 + state, declared.start, declared.nominal, state)
     if isinstance(declared, Port):
         unit = declared.units[0] if tail == declared.across else declared.units[1]
         return Local(unit, f"{tail} of {head}", 1)
@@ -52,12 +47,12 @@ class Names:
     """The best name of every joined variable and what is declared of it."""
 
     def __init__(self, flat: Flat, roots: Ints, signs: Ints) -> None:
-        self.flat, self.roots, self.signs = flat, roots, signs
+        self.roots = roots
         self.instances: list[Instance] = []
         self.facts: list[Local] = []
         columns = []
         for group in flat.groups:
-            local = local_facts(group[0])
+            local = [_facts(group[0], name) for name in group[0].template.variables]
             self.instances += group
             self.facts += local * len(group)
             numbers = np.array([(f.rank, f.state, f.start, f.nominal) for f in local]).reshape(-1, 4)
@@ -65,9 +60,8 @@ class Names:
         rank, state, start, nominal = np.hstack(columns)
         count = len(self.facts)
         order = np.lexsort((-rank, roots[:count]))
-        sorted_roots = roots[order]
-        first = np.flatnonzero(np.diff(sorted_roots, prepend=-1))
-        self.best = dict(zip(sorted_roots[first].tolist(), order[first].tolist(), strict=True))
+        of, first = np.unique(roots[order], return_index=True)
+        self.best = dict(zip(of.tolist(), order[first].tolist(), strict=True))
         self.state = self._reduced(state.astype(int), np.maximum)
         self.start = self._strongest(start * signs[:count])
         nominal = self._reduced(nominal, np.fmin)
@@ -89,16 +83,13 @@ class Names:
         """Return the full name of a variable of the flat network."""
         instance = self.instances[bisect_right(self.instances, number, key=lambda i: i.base) - 1]
         name = list(instance.template.variables)[number - instance.base]
-        if name.startswith("der("):
-            inner = name[4:-1]
-            return f"der({instance.path}.{inner})" if instance.path else name
-        return f"{instance.path}.{name}" if instance.path else name
+        return f"der({instance.full(name[4:-1])})" if name.startswith("der(") else instance.full(name)
 
-    def name(self, root: int, derivative: dict[int, tuple[int, int]] | None = None) -> str:
+    def name(self, root: int, derivative: dict[int, tuple[int, int]]) -> str:
         """Return the best name of a joined variable."""
         if root in self.best:
             return self.full_name(self.best[root])
-        for lower, (upper, _) in (derivative or {}).items():
+        for lower, (upper, _) in derivative.items():
             if upper == root:
                 return f"der({self.name(lower, derivative)})"
         return f"variable {root}"

@@ -4,18 +4,15 @@ from __future__ import annotations
 
 import types
 from collections.abc import Iterator
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import casadi as ca
 import numpy as np
 
 from ...base import ModelError, nearest, number, numpy_on_symbols, shown, text
 from ...components.language import MISSING, Component, Option, Parameter
-from .problems import FatalProblem
+from .flat import FatalProblem, Instance
 from .vectors import column, pick_matrix
-
-if TYPE_CHECKING:
-    from .flat import Instance
 
 
 class ParameterTable:
@@ -30,7 +27,7 @@ class ParameterTable:
         for instance in instances.values():
             instance.given = [self._enter(instance, field) for field in type(instance.component)._parameters]
         self.symbols = ca.SX.sym("p", len(self.defaults))
-        self._dependent = self._read_dependent(problems) if self._bound else _none_dependent
+        self._dependent = self._read_dependent(problems)
         if not problems:
             problems += self._out_of_range(self.defaults)
 
@@ -38,10 +35,9 @@ class ParameterTable:
         """Note a parameter and return its number, negative if it follows from others."""
         given = instance.component._values.get(field.name, MISSING)
         value = field.default if given is MISSING else given
-        path = f"{instance.path}.{field.name}" if instance.path else field.name
+        path = instance.full(field.name)
         if isinstance(value, Parameter) or callable(value):
-            own = given is MISSING
-            self._bound[path] = (instance if own else instance.parent, value)
+            self._bound[path] = (instance if given is MISSING else instance.parent, value)
             return -1
         entry = self.index[path] = len(self.defaults)
         self.fields.append(field)
@@ -51,7 +47,7 @@ class ParameterTable:
 
     def expression(self, instance: Instance, name: str) -> Any:
         """Return a parameter as an expression of the symbols."""
-        path = f"{instance.path}.{name}" if instance.path else name
+        path = instance.full(name)
         if path in self.index:
             return self.symbols[self.index[path]]
         scope, value = self._bound[path]
@@ -142,10 +138,6 @@ class ParameterTable:
                 yield f"{self.instances[path.rpartition('.')[0]]}: {problem}"
 
 
-def _none_dependent(numbers: Any) -> Any:
-    return ca.DM(0, 1)
-
-
 def _problem(declared: Parameter, value: Any) -> str:
     if not number(value):
         return declared.problem(float(value))
@@ -166,8 +158,7 @@ class _View:
         if isinstance(field, Option):
             return component._get(field)
         if name in component._parts:
-            path = f"{self._instance.path}.{name}" if self._instance.path else name
-            return _View(self._table, self._table.instances[path])
+            return _View(self._table, self._table.instances[self._instance.full(name)])
         value = getattr(type(component), name, None)
         if isinstance(value, property) and value.fget:
             return value.fget(self)
