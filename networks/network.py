@@ -62,10 +62,12 @@ class Network(Component):
         Raises:
             ModelError: if nothing, or something that is no port, is given.
         """
-        wrong = [repr(port) for port in ports if not isinstance(port, PortRef)]
-        if wrong or not ports:
-            told = f"Network '{self.name}': connect() joins ports such as `net.mass.flange`"
-            raise ModelError(f"{told}, got {wrong[0] if wrong else 'none'}")
+        told = f"Network '{self.name}': connect() joins ports such as `net.mass.flange`"
+        for port in ports:
+            if not isinstance(port, PortRef):
+                raise ModelError(f"{told}, got {port!r}")
+        if not ports:
+            raise ModelError(f"{told}, got none")
         self._joined.append(ports)
         return self
 

@@ -10,26 +10,27 @@ from typing import Any
 import numpy as np
 
 from ...base import Array
-from ...components import Component, signals
+from ...components import signals
 from .. import criteria
 from .edits import Add, Connect, Edit, Insert, between
 from .effect import Effect, Extent, Motion, Quantity, Values, both, register
 from .sites import Site
 
-Maker = Callable[[Site, Values], Component]
-
 
 def _across(
     kind: str,
+    element: str,
     quantities: dict[str, tuple[Quantity, ...]],
-    make: Maker,
     basis: Callable[[Motion, Values], list[Array]],
+    given: Callable[[Site, Values], dict[str, float]] = lambda site, values: dict(values),
     **more: Any,
-) -> Effect:
-    def edits(site: Site, name: str, values: Values) -> list[Edit]:
-        return between(name, make(site, values), site.fixed, site.moving)
+) -> None:
+    """Register an effect of one element between two flanges; `given` are its parameters, of those fitted."""
 
-    return register(Effect(kind, "across", quantities, edits, basis, **more))
+    def edits(site: Site, name: str, values: Values) -> list[Edit]:
+        return between(name, getattr(site.family, element)(**given(site, values)), site.fixed, site.moving)
+
+    register(Effect(kind, "across", quantities, edits, basis, **more))
 
 
 def _speeds(motion: Extent) -> list[dict[str, float]]:
@@ -37,10 +38,8 @@ def _speeds(motion: Extent) -> list[dict[str, float]]:
 
 
 def _periods(motion: Extent) -> list[dict[str, float]]:
-    return [
-        {"period": 2 * motion.travel / count}
-        for count in np.geomspace(*criteria.RIPPLES_PER_TRAVEL, criteria.RIPPLE_PERIODS)
-    ]
+    counts = np.geomspace(*criteria.RIPPLES_PER_TRAVEL, criteria.RIPPLE_PERIODS)
+    return [{"period": 2 * motion.travel / count} for count in counts]
 
 
 def _yields(motion: Extent) -> list[dict[str, float]]:
@@ -51,8 +50,13 @@ def _shape(values: Values) -> float:
     return next(iter(values.values()))
 
 
-def _unstretched(site: Site) -> dict[str, float]:
-    return {f"{site.mechanics.across}_rel0": site.rest}
+def _unstretched(site: Site, values: Values) -> dict[str, float]:
+    """Return the parameters of a spring that is at rest where the site is."""
+    return {f"{site.mechanics.across}_rel0": site.rest, **values}
+
+
+def _cubic(site: Site, values: Values) -> dict[str, float]:
+    return {site.mechanics.stiffness: 0.0, **_unstretched(site, values)}
 
 
 def _stribeck(motion: Motion, shape: Values) -> list[Array]:
@@ -88,95 +92,81 @@ def _hysteresis(motion: Motion, shape: Values) -> list[Array]:
     return [z]
 
 
-VISCOUS = _across(
-    "viscous_damping",
-    both(d=(("d", "N.s/m"), ("d", "N.m.s/rad"))),
-    lambda at, p: at.family.Damper(**p),
-    lambda motion, _: [motion.v],
-)
-QUADRATIC = _across(
+_across("viscous_damping", "Damper", both(d=(("d", "N.s/m"), ("d", "N.m.s/rad"))), lambda m, _: [m.v])
+_across(
     "quadratic_damping",
+    "QuadraticDamper",
     both(c=(("c", "N.s2/m2"), ("k", "N.m.s2/rad2"))),
-    lambda at, p: at.family.QuadraticDamper(**p),
     lambda motion, _: [motion.v * np.abs(motion.v)],
 )
-COULOMB = _across(
-    "coulomb_friction",
-    both(f=(("f_c", "N"), ("tau_c", "N.m"))),
-    lambda at, p: at.family.CoulombFriction(**p),
-    lambda motion, _: [motion.direction],
-)
-STRIBECK = _across(
+_COULOMB = (("f_c", "N"), ("tau_c", "N.m"))
+_across("coulomb_friction", "CoulombFriction", both(f=_COULOMB), lambda motion, _: [motion.direction])
+_across(
     "stribeck_friction",
+    "StribeckFriction",
     both(
-        f_c=(("f_c", "N"), ("tau_c", "N.m")),
-        f_s=(("f_s", "N"), ("tau_s", "N.m")),
-        v_s=(("v_s", "m/s"), ("w_s", "rad/s"), 0.0, True),
+        f_c=_COULOMB, f_s=(("f_s", "N"), ("tau_s", "N.m")), v_s=(("v_s", "m/s"), ("w_s", "rad/s"), 0.0, True)
     ),
-    lambda at, p: at.family.StribeckFriction(**p),
     _stribeck,
     shapes=_speeds,
     credible=_breaks_away,
     plain=("coulomb_friction", (1.0, 1.0)),
 )
-ASYMMETRIC = _across(
+_across(
     "asymmetric_friction",
+    "AsymmetricFriction",
     both(
         forward=(("f_forward", "N"), ("tau_forward", "N.m")),
         backward=(("f_backward", "N"), ("tau_backward", "N.m")),
     ),
-    lambda at, p: at.family.AsymmetricFriction(**p),
     lambda motion, _: [np.maximum(motion.direction, 0), np.minimum(motion.direction, 0)],
     plain=("coulomb_friction", (1.0, 1.0)),
 )
-RIPPLE = _across(
+_across(
     "position_ripple",
+    "Ripple",
     both(
         f_sin=(("f_sin", "N"), ("tau_sin", "N.m"), -inf),
         f_cos=(("f_cos", "N"), ("tau_cos", "N.m"), -inf),
         period=(("period", "m"), ("period", "rad"), 0.0, True),
     ),
-    lambda at, p: at.family.Ripple(**p),
     _ripple,
     shapes=_periods,
     absolute=True,
 )
-LINEAR = _across(
-    "linear_stiffness",
-    both(k=(("k", "N/m"), ("c", "N.m/rad"))),
-    lambda at, p: at.family.Spring(**_unstretched(at), **p),
-    lambda motion, _: [motion.s],
-)
-CUBIC = _across(
+_STIFFNESS = (("k", "N/m"), ("c", "N.m/rad"))
+_across("linear_stiffness", "Spring", both(k=_STIFFNESS), lambda motion, _: [motion.s], _unstretched)
+_across(
     "cubic_stiffness",
+    "CubicSpring",
     both(k3=(("k3", "N/m3"), ("c3", "N.m/rad3"), -inf)),
-    lambda at, p: at.family.CubicSpring(**{at.mechanics.stiffness: 0.0}, **_unstretched(at), **p),
     lambda motion, _: [motion.s**3],
+    _cubic,
 )
-BILINEAR = _across(
+_across(
     "bilinear_stiffness",
-    both(
-        pull=(("k_pull", "N/m"), ("c_pull", "N.m/rad")),
-        push=(("k_push", "N/m"), ("c_push", "N.m/rad")),
-    ),
-    lambda at, p: at.family.BilinearSpring(**_unstretched(at), **p),
+    "BilinearSpring",
+    both(pull=(("k_pull", "N/m"), ("c_pull", "N.m/rad")), push=(("k_push", "N/m"), ("c_push", "N.m/rad"))),
     lambda motion, _: [np.maximum(motion.s, 0), np.minimum(motion.s, 0)],
+    _unstretched,
     plain=("linear_stiffness", (1.0, 1.0)),
 )
 
 
-def _bouc_wen_values(site: Site, p: Values) -> dict[str, float]:
+def _bouc_wen(site: Site, p: Values) -> dict[str, float]:
+    """Return what is fitted of a Bouc-Wen element, its reach told by beta and gamma."""
     stiffness, reach = site.mechanics.stiffness, p[f"{site.mechanics.across}_y"]
     return {stiffness: p[stiffness], "beta": 0.5 / reach**2, "gamma": 0.5 / reach**2}
 
 
-HYSTERESIS = _across(
+_across(
     "hysteresis",
-    both(k=(("k", "N/m"), ("c", "N.m/rad")), s_y=(("s_y", "m"), ("phi_y", "rad"), 0.0, True)),
-    lambda at, p: at.family.BoucWen(**_bouc_wen_values(at, p), alpha=0.0, n=2.0),
+    "BoucWen",
+    both(k=_STIFFNESS, s_y=(("s_y", "m"), ("phi_y", "rad"), 0.0, True)),
     _hysteresis,
+    lambda site, p: {**_bouc_wen(site, p), "alpha": 0.0, "n": 2.0},
     shapes=_yields,
-    parameters=lambda at, name, p: {f"{name}.{key}": v for key, v in _bouc_wen_values(at, p).items()},
+    parameters=lambda at, name, p: {f"{name}.{key}": v for key, v in _bouc_wen(at, p).items()},
     memory=True,
 )
 
@@ -200,7 +190,7 @@ def _drifting(site: Site, name: str, values: Values) -> list[Edit]:
     ]
 
 
-LOADED = register(
+register(
     Effect(
         "load_dependent_friction",
         "loaded",
@@ -209,14 +199,11 @@ LOADED = register(
         lambda motion, _: [np.abs(motion.f) * motion.direction],
     )
 )
-DRIFT = register(
+register(
     Effect(
         "friction_drift",
         "across",
-        both(
-            f_c=(("f_c", "N"), ("tau_c", "N.m"), -inf),
-            f_u=(("f_u", "N/s"), ("tau_u", "N.m/s"), -inf),
-        ),
+        both(f_c=(*_COULOMB, -inf), f_u=(("f_u", "N/s"), ("tau_u", "N.m/s"), -inf)),
         _drifting,
         lambda motion, _: [motion.direction, motion.t * motion.direction],
         plain=("coulomb_friction", (1.0, 0.0)),

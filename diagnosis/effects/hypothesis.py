@@ -58,15 +58,13 @@ class Hypothesis(SitedEffect):
     def units(self, campaign: Campaign) -> dict[str, str]:
         """Return the units of its parameters; of an effect on a channel, in that channel's."""
         si = campaign.measured[self.site.path].si if self.site.domain == "channel" else ""
-        told = {"unit": si, "unit/s": rate_unit(si)}
-        return {quantity.name: told.get(quantity.unit, quantity.unit) for quantity in self.quantities}
+        own = {"unit": si, "unit/s": rate_unit(si)}
+        return {quantity.name: own.get(quantity.unit, quantity.unit) for quantity in self.quantities}
 
     @property
     def edits(self) -> list[Edit]:
         """What inserts it; nothing for a channel."""
-        if self.effect.edits is None:
-            return []
-        return self.effect.edits(self.site, self.name, self.values)
+        return self.effect.edits(self.site, self.name, self.values) if self.effect.edits else []
 
     @property
     def network_parameters(self) -> dict[str, float]:
@@ -78,11 +76,9 @@ class Hypothesis(SitedEffect):
     @property
     def scales(self) -> Array:
         """What each quantity may be expected to be: its value, at least a tenth of its like."""
-        sizes = []
-        for quantity in self.quantities:
-            alike = [abs(self.values[q.name]) for q in self.quantities if q.unit == quantity.unit]
-            sizes.append(max(abs(self.values[quantity.name]), LEAST_SIZE_RATIO * max(alike)) or 1.0)
-        return np.array(sizes)
+        values = {q: abs(self.values[q.name]) for q in self.quantities}
+        largest = {q.unit: max(v for p, v in values.items() if p.unit == q.unit) for q in values}
+        return np.array([max(v, LEAST_SIZE_RATIO * largest[q.unit]) or 1.0 for q, v in values.items()])
 
     def with_values(self, values: Array) -> Hypothesis:
         """Return it with other values, in the order of its quantities."""

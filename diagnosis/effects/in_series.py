@@ -42,29 +42,23 @@ def _ballast(site: Site, name: str, stiffness: float) -> list[Edit]:
     """Return what gives dry friction an inertia of its own, so small that it settles in next to no time."""
     if not site.sticks:
         return []
-    inertia = site.family.Mass(**{site.mechanics.inertia: stiffness * criteria.SETTLING_SECONDS**2})
-    return [Add(f"{name}_ballast", inertia), Connect((f"{name}_ballast.flange", f"{name}.flange_a"))]
+    return _body(site, f"{name}_ballast", f"{name}.flange_a", stiffness * criteria.SETTLING_SECONDS**2)
+
+
+def _body(site: Site, name: str, port: str, inertia: float) -> list[Edit]:
+    body = site.family.Mass(**{site.mechanics.inertia: inertia})
+    return [Add(name, body), Connect((f"{name}.flange", port))]
+
+
+def _spring(site: Site, values: Values) -> dict[str, float]:
+    """Return stiffness and damping of a compliance."""
+    stiffness = 1 / max(values["compliance"], criteria.LEAST_COMPLIANCE)
+    return {site.mechanics.stiffness: stiffness, "d": criteria.SETTLING_SECONDS * stiffness}
 
 
 def _yielding(site: Site, name: str, values: Values) -> list[Edit]:
-    value = 1 / max(values["compliance"], criteria.LEAST_COMPLIANCE)
-    spring = site.family.SpringDamper(
-        **{site.mechanics.stiffness: value}, d=criteria.SETTLING_SECONDS * value
-    )
+    spring = site.family.SpringDamper(**_spring(site, values))
     return [Insert(site.moving, name, spring), *_ballast(site, name, _stop(site))]
-
-
-def _inertia(site: Site, name: str, values: Values) -> list[Edit]:
-    return [Add(name, site.family.Mass(**values)), Connect((f"{name}.flange", site.moving))]
-
-
-def _play_parameters(site: Site, name: str, values: Values) -> dict[str, float]:
-    return {f"{name}.gap.{key}": value for key, value in _width(site, values).items()}
-
-
-def _yield_parameters(site: Site, name: str, values: Values) -> dict[str, float]:
-    value = 1 / max(values["compliance"], criteria.LEAST_COMPLIANCE)
-    return {f"{name}.{site.mechanics.stiffness}": value, f"{name}.d": criteria.SETTLING_SECONDS * value}
 
 
 def _taken_up(motion: Motion, _: Values) -> list[Array]:
@@ -72,29 +66,33 @@ def _taken_up(motion: Motion, _: Values) -> list[Array]:
     return [np.tanh(motion.f / (criteria.PLAY_FORCE_RATIO * float(np.abs(motion.f).max())))]
 
 
-BACKLASH = register(
+register(
     Effect(
         "backlash",
         "series",
         both(eps=(("eps", "m"), ("eps", "rad"))),
         _play,
         _taken_up,
-        parameters=_play_parameters,
+        parameters=lambda at, name, p: {f"{name}.gap.{key}": v for key, v in _width(at, p).items()},
         step=criteria.CLEARANCE_STEP_RATIO,
     )
 )
-COMPLIANCE = register(
+register(
     Effect(
         "compliance",
         "series",
         both(compliance=(("compliance", "m/N"), ("compliance", "rad/(N.m)"))),
         _yielding,
         lambda motion, _: [motion.f],
-        parameters=_yield_parameters,
+        parameters=lambda at, name, p: {f"{name}.{key}": v for key, v in _spring(at, p).items()},
     )
 )
-INERTIA = register(
+register(
     Effect(
-        "added_inertia", "node", both(m=(("m", "kg"), ("J", "kg.m2"))), _inertia, lambda motion, _: [motion.a]
+        "added_inertia",
+        "node",
+        both(m=(("m", "kg"), ("J", "kg.m2"))),
+        lambda at, name, p: _body(at, name, at.moving, *p.values()),
+        lambda motion, _: [motion.a],
     )
 )

@@ -9,8 +9,7 @@ from ...components import Component
 from ...networks import svg_sketch
 from ..criteria import SITE_SHARE_TOLD, WINDOWS_TOLD
 from ..effects.edits import part_at
-from ..verdict.evidence import moved_parameters
-from ..verdict.verdict import Verdict
+from ..verdict.verdict import Verdict, moved_parameters
 
 
 def drawings(verdict: Verdict) -> Iterator[str]:

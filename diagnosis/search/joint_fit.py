@@ -75,21 +75,17 @@ class JointFit:
     def vector(self, parameters: Mapping[str, float], values: Sequence[Mapping[str, float]]) -> Array:
         """Return parameters and values of the effects as a vector."""
         own = (np.array([parameters[name] for name in self.names]) - self.center) / self.scale
-        sizes = [
-            np.array([v[q.name] for q in p.quantities]) / s
-            for p, s, v in zip(self.effects, self.sizes, values, strict=True)
-        ]
-        return np.concatenate([own, *sizes])
+        placed = zip(self.effects, self.sizes, values, strict=True)
+        return np.concatenate([own, *([v[q.name] for q in p.quantities] / s for p, s, v in placed)])
 
     def unpacked(self, vector: Array) -> tuple[dict[str, float], tuple[Hypothesis, ...]]:
         """Return parameters and effects of a vector."""
         count = len(self.names)
         values = np.clip(self.center + vector[:count] * self.scale, *self.limits)
-        placed, at = [], count
-        for effect, size in zip(self.effects, self.sizes, strict=True):
-            placed.append(effect.with_values(vector[at : at + len(size)] * size))
-            at += len(size)
-        return dict(zip(self.names, values.tolist(), strict=True)), tuple(placed)
+        own = np.split(vector[count:], np.cumsum([len(size) for size in self.sizes])[:-1])
+        placed = zip(self.effects, own, self.sizes, strict=False)
+        effects = tuple(effect.with_values(part * size) for effect, part, size in placed)
+        return dict(zip(self.names, values.tolist(), strict=True)), effects
 
     def fitted(self, starts: Sequence[FitStart] = ()) -> Refit:
         """Return the model fitted to the training records, and held against the test records.
@@ -167,11 +163,13 @@ class JointFit:
         start = stand.rest(given, self.accuracy) if free else None
         found = stand.run(given, start, self.accuracy, slopes or free)
         run = _Run(experiment, effects, given, start, found)
-        record, seen = experiment.compared, run.seen
-        residuals = {n: (record.values[n] - seen[n]) / self.sigma[n] for n in seen}
-        count = sum(len(r) for r in residuals.values())
+        measured, seen = experiment.compared.values, run.seen
+        residuals = {n: (measured[n] - seen[n]) / self.sigma[n] for n in seen}
+        count = sum(map(len, residuals.values()))
         columns = self._slopes(run) if slopes else np.zeros((count, 0))
-        to_start = np.concatenate([found.start_slopes[n] / self.sigma[n] for n in seen]) if free else None
+        if not free:
+            return residuals, columns
+        to_start = np.concatenate([found.start_slopes[n] / self.sigma[n] for n in seen])
         return _freed(residuals, columns, to_start)
 
     def _driven(self, experiment: Experiment, effects: Sequence[Hypothesis]) -> Standing:
@@ -206,32 +204,26 @@ class JointFit:
             step = placed.effect.step * max(abs(values[i]), scale)
             other = placed.with_values(values + step * np.eye(len(values))[i])
             effects = tuple(other if p is placed else p for p in run.effects)
-            changed = replace(run, effects=effects, given={**run.given, **other.network_parameters})
+            given, found = {**run.given, **other.network_parameters}, run.found
             if placed.effect.drives or placed.effect.change is None:
-                stand = self._driven(run.experiment, effects)
-                changed = replace(changed, found=stand.run(changed.given, run.start, self.accuracy, False))
-            for name, now in changed.seen.items():
+                found = self._driven(run.experiment, effects).run(given, run.start, self.accuracy, False)
+            for name, now in replace(run, effects=effects, found=found).seen.items():
                 columns[name].append((now - base[name]) / step * scale)
-        return {name: np.column_stack(found) for name, found in columns.items()}
+        return {name: np.column_stack(moved) for name, moved in columns.items()}
 
 
 def _sensed_slopes(found: Predicted, name: str, effects: Sequence[Hypothesis]) -> Array:
     """Return slopes of a channel as its sensor passes them on; sensors are linear but for a constant."""
     slopes = found.slopes[name]
-    nothing = sensed(found.time, name, np.zeros(len(found.time)), effects)
     if not any(placed.site.path == name for placed in effects):
         return slopes
+    nothing = sensed(found.time, name, np.zeros(len(found.time)), effects)
     return np.column_stack([sensed(found.time, name, column, effects) - nothing for column in slopes.T])
 
 
-def _freed(
-    residuals: dict[str, Array], columns: Array, to_start: Array | None
-) -> tuple[dict[str, Array], Array]:
-    """Take off what start values can explain."""
-    if to_start is None:
-        return residuals, columns
-    stacked = np.concatenate(list(residuals.values()))
-    both = np.column_stack([stacked, columns])
+def _freed(residuals: dict[str, Array], columns: Array, to_start: Array) -> tuple[dict[str, Array], Array]:
+    """Take off what start values can explain (variable projection)."""
+    both = np.column_stack([np.concatenate(list(residuals.values())), columns])
     left = both - to_start @ np.linalg.lstsq(to_start, both, rcond=criteria.START_SINGULAR_VALUE_RATIO)[0]
     parts = np.split(left[:, 0], np.cumsum([len(r) for r in residuals.values()])[:-1])
     return dict(zip(residuals, parts, strict=True)), left[:, 1:]

@@ -12,6 +12,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
+from typing import Any
 
 import numpy as np
 
@@ -43,14 +44,12 @@ class Candidate(SitedEffect):
 
 @dataclass(eq=False)
 class _Tally:
-    """Sums over records for one effect, site and shape."""
+    """Products of signatures with the slopes, the residual and themselves, summed over records."""
 
     effect: Effect
     site: Site
     shape: dict[str, float]
-    own: Array
-    crossed: Array
-    seen: Array
+    products: Any = 0.0
 
 
 class _Sums:
@@ -103,12 +102,10 @@ def _add(
         products = columns.T @ np.column_stack([slopes, record.residual, columns])
         begin, first = 0, slopes.shape[1] + 1
         for effect, shape, width in found:
-            own = products[begin : begin + width]
-            parts = own[:, first + begin : first + begin + width], own[:, : first - 1], own[:, first - 1]
+            rows, own = products[begin : begin + width], slice(first + begin, first + begin + width)
             key = effect.kind, site.path, tuple(shape.values())
-            tally = sums.tallies.setdefault(key, _Tally(effect, site, shape, *map(np.zeros_like, parts)))
-            for total, part in zip((tally.own, tally.crossed, tally.seen), parts, strict=True):
-                total += part
+            tally = sums.tallies.setdefault(key, _Tally(effect, site, shape))
+            tally.products += np.column_stack([rows[:, :first], rows[:, own]])
             begin += width
 
     for number, site in enumerate(sites):
@@ -166,12 +163,14 @@ def _scored(sums: _Sums, parameters: Mapping[str, float]) -> Iterator[Candidate]
     """Yield the best shape of each effect at each site."""
     prior = np.linalg.inv(sums.slopes + np.eye(len(sums.slopes)))
     best: dict[tuple[str, str], Candidate] = {}
+    count = len(prior)
     for tally in sums.tallies.values():
-        matrix = tally.own - tally.crossed @ prior @ tally.crossed.T
-        seen = tally.seen - tally.crossed @ prior @ sums.residual
+        crossed, seen, own = np.split(tally.products, [count, count + 1], axis=1)
+        matrix = own - crossed @ prior @ crossed.T
+        seen = seen[:, 0] - crossed @ prior @ sums.residual
         sizes = tally.effect.sizes(tally.site.domain)
         values, gain = _least(matrix, seen, np.array([q.low for q in sizes]))
-        size = np.trace(tally.own)
+        size = np.trace(own)
         share = float(np.trace(matrix) / size) if size > 0 else 0.0
         chosen = dict(zip([q.name for q in sizes], values.tolist(), strict=True)) | tally.shape
         candidate = Candidate(tally.effect, tally.site, chosen, gain, share, parameters)

@@ -45,7 +45,8 @@ class WhitenedRecord:
         self._stand: Any = predictor.stand(driven(experiment, effects))
         self.measured = experiment.compared
         start = None if experiment.initial == "rest" else self._stand.rest(parameters, study.accuracy)
-        self._found = found = self._stand.run(parameters, start, study.accuracy)
+        self._found: Any = self._stand.run(parameters, start, study.accuracy)
+        found = self._found
         self.predicted = {n: sensed(found.time, n, v, effects) for n, v in found.values.items()}
         free = np.concatenate([found.start_slopes[n] / sigma[n] for n in self.outputs])
         self._basis = _orthonormal(free if experiment.initial == "fit" else free[:, :0])

@@ -13,10 +13,9 @@ from ..models.study import Study
 from ..search.model_comparison import Refit, are_alike, clearness, rms
 from ..search.round import Round, same_motion
 from .cautions import cautions, suspicions
-from .evidence import Evidence, moved_parameters
 from .localisation import located, shares
 from .next_experiment import separating
-from .verdict import Gap, Ranked, Verdict
+from .verdict import Evidence, Gap, Ranked, Verdict, moved_parameters
 
 NOT_BY_SINES = (
     "No sine within what was measured parts them by more than twice the noise; measure another quantity, or "

@@ -24,8 +24,8 @@ def shares(candidates: Sequence[Candidate]) -> dict[str, float]:
     for candidate in candidates:
         best[candidate.site.path] = max(best.get(candidate.site.path, 0.0), candidate.gain)
     total = sum(best.values())
-    ordered = sorted(((site, gain / total) for site, gain in best.items() if total), key=lambda s: -s[1])
-    return {site: round(share, 4) for site, share in ordered[: criteria.SITES_TOLD]}
+    ordered = sorted(best.items(), key=lambda entry: -entry[1])[: criteria.SITES_TOLD]
+    return {site: round(gain / total, 4) for site, gain in ordered if total}
 
 
 def located(study: Study, fitted: Refit, candidates: Sequence[Candidate]) -> dict[str, Any]:
@@ -64,34 +64,22 @@ def windows(
     """
     stretches: list[tuple[Record, int, int, float]] = []
     for experiment, residuals in zip(experiments, missed, strict=True):
-        record = experiment.compared
-        above = excess(residuals)
+        record, above = experiment.compared, excess(residuals)
         count = max(1, round(len(above) / (record.rate * criteria.WINDOW_SECONDS)))
         ends = np.linspace(0, len(above), count + 1).astype(int)
         stretches += [(record, a, b, max(float(above[a:b].sum()), 0.0)) for a, b in pairwise(ends)]
     sizes = np.array([size for *_, size in stretches])
-    order = np.argsort(-sizes)
-    held = np.cumsum(sizes[order]) / max(float(sizes.sum()), 1e-300)
+    order, total = np.argsort(-sizes), float(sizes.sum())
+    held = np.cumsum(sizes[order]) / max(total, 1e-300)
     count = int(np.searchsorted(held, criteria.WINDOWS_GAP_SHARE)) + 1
-    chosen = (
-        set(order[:count].tolist())
-        if count < criteria.LOCAL_TIME_SHARE * len(sizes)
-        else set(range(len(sizes)))
-    )
-    return _merged([s for number, s in enumerate(stretches) if number in chosen], float(sizes.sum()))
-
-
-def _merged(
-    stretches: Sequence[tuple[Record, int, int, float]], total: float
-) -> list[dict[str, float | str]]:
-    """Join stretches that follow one another."""
+    if count < criteria.LOCAL_TIME_SHARE * len(sizes):
+        stretches = [stretches[number] for number in sorted(order[:count].tolist())]
     joined: list[tuple[Record, int, int, float]] = []
     for record, a, b, size in stretches:
         if joined and joined[-1][0] is record and joined[-1][2] == a:
-            _, first, _, before = joined.pop()
-            joined.append((record, first, b, before + size))
-        else:
-            joined.append((record, a, b, size))
+            _, a, _, before = joined.pop()
+            size += before
+        joined.append((record, a, b, size))
     return [
         {
             "record": record.name,
@@ -128,20 +116,14 @@ def spectrum(values: Array, rate: float, segment: int) -> tuple[Array, Array]:
 
 def regimes(motions: Sequence[Motion], missed: Sequence[Mapping[str, Array]]) -> dict[str, float]:
     """Return the gap in each regime of motion over the average gap."""
-    v, s, above = (
-        np.concatenate(parts)
-        for parts in (
-            [m.v for m in motions],
-            [m.s - 0.5 * (m.s.max() + m.s.min()) for m in motions],
-            [excess(residuals) for residuals in missed],
-        )
-    )
+    speed = np.abs(np.concatenate([m.v for m in motions]))
+    travel = np.abs(np.concatenate([m.s - 0.5 * (m.s.max() + m.s.min()) for m in motions]))
+    above = np.concatenate([excess(residuals) for residuals in missed])
     mean = float(above.mean())
-    fastest, furthest = float(np.abs(v).max()), float(np.abs(s).max())
     inside = {
-        "reversals": np.abs(v) < criteria.SLOW_SPEED_SHARE * fastest,
-        "high speed": np.abs(v) > criteria.LARGE_MOTION_SHARE * fastest,
-        "large travel": np.abs(s) > criteria.LARGE_MOTION_SHARE * furthest,
+        "reversals": speed < criteria.SLOW_SPEED_SHARE * speed.max(),
+        "high speed": speed > criteria.LARGE_MOTION_SHARE * speed.max(),
+        "large travel": travel > criteria.LARGE_MOTION_SHARE * travel.max(),
     }
     return {
         name: round(float(above[at].mean()) / mean, 3) if at.any() and mean > 0 else 0.0
@@ -162,8 +144,8 @@ def moved(
     for experiment in experiments:
         stand = model.stand(experiment)
         start = None if experiment.initial == "rest" else stand.rest(parameters, study.accuracy)
-        motion = model.motion(stand.run(parameters, start, study.accuracy, False), 0, site)
-        t = experiment.compared.time
+        run: Any = stand.run(parameters, start, study.accuracy, False)
+        motion, t = model.motion(run, 0, site), experiment.compared.time
         signals = (np.interp(t, motion.t, x) for x in (motion.s, motion.v, motion.f, motion.a))
         motions.append(Motion(t, *signals))
     return motions

@@ -9,9 +9,13 @@ from pathlib import Path
 from typing import Any
 
 from ...base import check_output, write_text
+from ...identification import Campaign
 from ...networks import Network
+from ..criteria import MOVED_STANDARD_DEVIATIONS
 from ..effects.hypothesis import Hypothesis, told, with_effects
-from .evidence import Evidence
+from ..models.study import Study
+from ..search.model_comparison import Refit
+from ..search.score_test import Candidate
 
 WORDS = {
     "none": "Nothing is missing: the model explains the data down to the noise.",
@@ -41,6 +45,35 @@ class Gap:
     after: float
     floor: float
     unit: str
+
+
+@dataclass(frozen=True, eq=False)
+class Evidence:
+    """The records, and the models held against them.
+
+    Attributes:
+        study: the campaign, and how its runs are computed.
+        nominal: the model as given.
+        refit: its parameters fitted.
+        after: with the effects as well; the same as `refit` if none was accepted.
+        screened: every effect at every site, with what it would explain.
+    """
+
+    study: Study
+    nominal: Refit
+    refit: Refit
+    after: Refit
+    screened: tuple[Candidate, ...] = ()
+
+    @property
+    def campaign(self) -> Campaign:
+        """Records, channels, priors."""
+        return self.study.campaign
+
+    @property
+    def judged(self) -> str:
+        """Which runs the figures are of: without test runs, those that were fitted."""
+        return "test runs" if self.campaign.testing else "training runs"
 
 
 class DiagnosisInterruptedError(KeyboardInterrupt):
@@ -155,3 +188,12 @@ class Verdict:
     def corrected(self) -> Network:
         """Return the network with the effects inserted."""
         return with_effects(self.network, self.effects)
+
+
+def moved_parameters(campaign: Campaign, parameters: Mapping[str, float]) -> list[str]:
+    """Return the parameters that are further from what was assumed than a true one is likely to be."""
+    return [
+        name
+        for name, value in parameters.items()
+        if abs(value - campaign.priors[name].center) > MOVED_STANDARD_DEVIATIONS * campaign.priors[name].sd
+    ]

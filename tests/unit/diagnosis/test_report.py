@@ -24,9 +24,8 @@ from inertance.diagnosis.report.text import advice, code, ruled_out, screened_ou
 from inertance.diagnosis.search.joint_fit import JointFit
 from inertance.diagnosis.search.model_comparison import Refit
 from inertance.diagnosis.search.score_test import screen
-from inertance.diagnosis.verdict.evidence import Evidence
 from inertance.diagnosis.verdict.localisation import located, shares
-from inertance.diagnosis.verdict.verdict import Gap, Ranked, Verdict
+from inertance.diagnosis.verdict.verdict import Evidence, Gap, Ranked, Verdict
 from inertance.identification import Accuracy, Campaign, Record
 
 RATE, NOISE, SECONDS = 200.0, 2e-4, 4.0
