@@ -97,8 +97,7 @@ def _code(component: Component) -> str:
     told = repr(component)
     for part in (component, *component._parts.values()):
         kind = type(part)
-        prefix = next(
-            (prefix for prefix, family in families.items() if kind.__module__.startswith(family)), ""
-        )
+        prefixes = [prefix for prefix, family in families.items() if kind.__module__.startswith(family)]
+        prefix = prefixes[0] if prefixes else ""
         told = re.sub(rf"(?<![\w.]){kind.__name__}\(", f"{prefix}{kind.__name__}(", told)
     return told

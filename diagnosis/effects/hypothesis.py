@@ -46,11 +46,6 @@ class Hypothesis(SitedEffect):
     values: Mapping[str, float]
 
     @property
-    def told(self) -> str:
-        """Kind and site in words."""
-        return told(*self.key)
-
-    @property
     def quantities(self) -> tuple[Quantity, ...]:
         """The parameters of the effect."""
         return self.effect.quantities[self.site.domain]

@@ -19,19 +19,12 @@ class FMUModel:
     """An FMU, of which nothing is known but what it does.
 
     Channels and parameters go by the names of its variables. Channels are in SI units, parameters in the unit
-    that the FMU declares. Inputs that are not measured keep their start values.
-
-    Args:
-        fmu: which.
-        kind: "ME" or "CS".
-        port: where other parts may be joined; names of variables by "force", "position" and "velocity".
+    that the FMU declares. Inputs that are not measured keep their start values. At its port, named by its
+    variables "force", "position" and "velocity", other parts may be joined.
 
     Attributes:
         parameter_values: every real parameter with its value, in the unit that the FMU declares.
         refined: communication steps between compared instants, 0 while that is not known.
-
-    Raises:
-        ModelError: telling everything that is wrong with the port.
     """
 
     def __init__(self, fmu: FMU, kind: str, port: Mapping[str, str] | None = None) -> None:
@@ -74,11 +67,7 @@ class FMUModel:
         return _scalars(self.fmu.variables)
 
     def expression(self, path: str) -> str:
-        """Return the name of what can be measured.
-
-        Raises:
-            FMUError: if nothing can.
-        """
+        """Return the name of what can be measured."""
         variable = self.fmu.variable(path)
         if not variable.real or variable.size != 1:
             told = f"{variable.type} of size {variable.size}, no signal"

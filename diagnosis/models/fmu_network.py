@@ -26,14 +26,6 @@ class FMUNetworkModel(FMUModel):
 
     Channels go by the names of the network, or, as parameters do, by those of the FMU after the name of its
     component: `rig.spring.k`. What the FMU takes must be one input of the network, up to its sign.
-
-    Args:
-        network: the network.
-        place: name of the FMU's component in it.
-        part: that component.
-
-    Raises:
-        ModelError: if anything else is in the network.
     """
 
     def __init__(self, network: Network, place: str, part: Foreign) -> None:
@@ -120,7 +112,7 @@ class FMUNetworkModel(FMUModel):
 
     def expression(self, path: str) -> str:
         """Return the FMU's variable that is measured under a name; see `wired`."""
-        known = list(self.names())
+        known = self.names()
         if path not in known:
             raise ModelError(f"'{self.name}' has no variable '{path}'{nearest(path, known)}")
         return super().expression(self.wired(path)[0])
@@ -160,11 +152,7 @@ def _port(part: Foreign) -> dict[str, str]:
 
 
 def recognised(network: Network) -> FMUNetworkModel | None:
-    """Return the model that a network with an FMU in it is; None for one without.
-
-    Raises:
-        ModelError: for a network with an FMU that cannot be diagnosed.
-    """
+    """Return the model that a network with an FMU in it is; None for one without."""
     foreign = {path: part for path, part in walk(network, "") if isinstance(part, Foreign | FMUBlock)}
     if not foreign:
         return None

@@ -1,4 +1,4 @@
-"""Runs of a black box on records: what it predicts, and what changes when a little else does."""
+"""Runs of an FMU on records: what it predicts, and what changes when a little else does."""
 
 from __future__ import annotations
 
@@ -26,8 +26,7 @@ from ..effects.effect import Motion
 from ..effects.hypothesis import Hypothesis
 from ..effects.sites import Site
 from .fmu_model import FMUModel
-from .fmu_port import FMUPort
-from .fmu_port_force import Acting, Reaction
+from .fmu_port import Acting, FMUPort, Reaction
 
 
 @dataclass(frozen=True, eq=False)
@@ -43,14 +42,7 @@ class FMUPrediction:
 
 
 class FMUPredictor:
-    """A black box with effects at its port; slopes are differences of runs.
-
-    Args:
-        box: the FMU.
-        campaign: the channels, and what is known of the parameters.
-        effects: what acts at its port besides.
-        parameters: in which slopes are wanted, those of effects included.
-    """
+    """An FMU with effects at its port; slopes in parameters, also of effects, are differences of runs."""
 
     def __init__(
         self, box: FMUModel, campaign: Campaign, effects: Sequence[Hypothesis], parameters: Sequence[str]
@@ -67,13 +59,14 @@ class FMUPredictor:
         self.taken = [variable for variable, _ in self.driven.values()]
         self.follows = _follows(box, self.taken)
         self.taken += self.follows
-        read = [variable for variable, _ in self.outputs.values()]
-        if box.port is not None:
-            read += box.port.units
-            if box.port.takes_force and box.port.force not in self.taken:
-                self.taken.append(box.port.force)
+        read, port = [variable for variable, _ in self.outputs.values()], box.port
+        if port is not None:
+            read += port.units
+            if port.takes_force and port.force not in self.taken:
+                self.taken.append(port.force)
         self.read = list(dict.fromkeys(read))
         self.measures = {n: box.fmu.measure(box.fmu.variables[n]) for n in {*self.taken, *self.read}}
+        self.place = {name: column for column, name in enumerate(self.taken)}
         self.replay = Replay(box.fmu, box.kind, self.taken, self.read)
         weakref.finalize(self, self.replay.close)
         self.refined = _refined(self, campaign)
@@ -127,7 +120,7 @@ def _refined(model: FMUPredictor, campaign: Campaign) -> int:
 
 
 class ReplayedStand:
-    """A black box on one record."""
+    """An FMU on one record."""
 
     def __init__(self, model: FMUPredictor, experiment: Experiment, refined: int) -> None:
         self.model, self.experiment, self.refined = model, experiment, refined
@@ -139,8 +132,7 @@ class ReplayedStand:
             if channel.driven:
                 smooth = sampled_at(record.sampled(name, channel.interpolation), self.fine)
                 variable, sign = model.driven[channel.path]
-                column = model.measures[variable].from_si(sign * smooth)
-                self.given[:, model.taken.index(variable)] = column
+                self.given[:, model.place[variable]] = model.measures[variable].from_si(sign * smooth)
         self._follow(self.given)
 
     def _follow(self, given: Array) -> None:
@@ -149,9 +141,8 @@ class ReplayedStand:
 
         model = self.model
         for name, (source, order) in model.follows.items():
-            rates = CubicSpline(self.fine, given[:, model.taken.index(source)])(self.fine, order)
-            size = model.measures[source].factor / model.measures[name].factor
-            given[:, model.taken.index(name)] = size * rates
+            rates = CubicSpline(self.fine, given[:, model.place[source]])(self.fine, order)
+            given[:, model.place[name]] = model.measures[source].factor / model.measures[name].factor * rates
 
     def rest(self, parameters: Mapping[str, float], accuracy: Accuracy) -> Array:
         """Return the states at the start: those of the FMU are its own."""
@@ -168,16 +159,16 @@ class ReplayedStand:
         model, port = self.model, self.model.box.port
         table = self._table(parameters, self.given)
         values = self._channels(table)
-        columns: dict[str, list[Array]] = {name: [] for name in values}
+        columns = {name: [np.zeros((len(self.time), 0))] for name in values}
+        none = {name: column[0] for name, column in columns.items()}
         for name, step in model.steps.items() if slopes else ():
             step = step if parameters[name] + step <= model.highest.get(name, np.inf) else -step
             moved = self.predicted({**parameters, name: parameters[name] + step})
             for channel, column in columns.items():
-                column.append((moved[channel] - values[channel]) / step)
-        none = np.zeros((len(self.time), 0))
-        by_p = {name: np.column_stack([none, *found]) for name, found in columns.items()}
+                column.append(((moved[channel] - values[channel]) / step)[:, None])
+        by_p = {name: np.hstack(column) for name, column in columns.items()}
         motion = self._motion(port, table) if port is not None else None
-        return FMUPrediction(self.time, values, by_p, dict.fromkeys(values, none), dict(parameters), motion)
+        return FMUPrediction(self.time, values, by_p, none, dict(parameters), motion)
 
     def predicted(
         self, parameters: Mapping[str, float], given: Array | None = None, push: Array | float = 0.0
@@ -195,18 +186,15 @@ class ReplayedStand:
     def _table(
         self, parameters: Mapping[str, float], given: Array, push: Array | float = 0.0
     ) -> dict[str, Array]:
-        """Return all that is read, in SI units.
+        """Return all that is read, in SI units, for inputs in the FMU's.
 
-        Args:
-            parameters: of the FMU and of effects.
-            given: the inputs, in the FMU's units.
-            push: a further force at a port whose motion is given, as a spring's [N or N.m].
+        At a port whose motion is given, `push` is a further force, as a spring's [N or N.m].
         """
         model, box = self.model, self.model.box
         port, acting = box.port, Acting([_valued(placed, parameters) for placed in model.effects])
         load = None
         if port is not None and port.takes_force and acting.effects:
-            load = Load(port.force, port.position, port.velocity, Reaction(acting, port, box))
+            load = Load(port.force, port.position, port.velocity, Reaction(acting, port, box.fmu))
         try:
             rows = model.replay.run(
                 self.fine, given, box.own(parameters), box.started, load, self.refined, FMU_RELATIVE_TOLERANCE
@@ -221,13 +209,10 @@ class ReplayedStand:
         return table
 
     def pushed(self, found: FMUPrediction, changes: Mapping[str, Array]) -> Array:
-        """Return what small changes of inputs, or of the force at the port, change in the outputs.
+        """Return what small changes of an input, or of the force "push_0.u" at the port, change in outputs.
 
-        Communication steps are as long as the samples, here and in the run that it is compared to.
-
-        Args:
-            found: the run.
-            changes: columns of changes of one input, or of "push_0.u" at the port, at the record's instants.
+        Changes are columns at the record's instants. Communication steps are as long as the samples, here and
+        in the run that it is compared to.
         """
         if self.refined > 1 and self.model.box.kind == "CS":
             return ReplayedStand(self.model, self.experiment, 1).pushed(found, changes)
@@ -248,16 +233,15 @@ class ReplayedStand:
         """
         if name in self.model.driven:
             variable, _ = self.model.driven[name]
-            given = self.given[:, self.model.taken.index(variable)]
+            given = self.given[:, self.model.place[variable]]
             return FMU_PROBE_SHARE * self.model.measures[variable].factor * float(given.std())
         assert found.port is not None
         force = FMU_PROBE_SHARE * float(np.sqrt(np.mean(found.port.f**2)))
         if force:
             return force
         width = max(float(np.sqrt(np.mean(columns[:, 0] ** 2))), 1e-300)
-        after, size = self._changed(found, name, FMU_TRIAL_FORCE * columns[:, 0] / width), 0.0
-        for channel, values in before.items():
-            size = max(size, float((after[channel] - values).std()) / max(float(values.std()), 1e-300))
+        after = self._changed(found, name, FMU_TRIAL_FORCE * columns[:, 0] / width)
+        size = max(float((after[n] - v).std()) / max(float(v.std()), 1e-300) for n, v in before.items())
         return FMU_TRIAL_FORCE * FMU_PROBE_SHARE / size if size else FMU_TRIAL_FORCE
 
     def _changed(self, found: FMUPrediction, name: str, change: Array) -> dict[str, Array]:
@@ -272,7 +256,7 @@ class ReplayedStand:
                 return self.predicted(found.given, push=change)
             name, fine = port.force, -port.sign * fine
         given = self.given.copy()
-        given[:, model.taken.index(name)] += fine / model.measures[name].factor
+        given[:, model.place[name]] += fine / model.measures[name].factor
         self._follow(given)
         return self.predicted(found.given, given)
 

@@ -83,13 +83,7 @@ class Study:
     def predictor(
         self, effects: Sequence[Hypothesis] = (), parameters: Sequence[str] = (), sites: Sequence[Site] = ()
     ) -> Predictor:
-        """Return what predicts the outputs.
-
-        Args:
-            effects: what is in the model besides.
-            parameters: in which slopes are wanted, those of effects included.
-            sites: where it will be pushed.
-        """
+        """Return what predicts the outputs: slopes are in parameters, also of effects, probes at sites."""
         return NetworkPredictor(self.campaign, effects, parameters, sites)
 
     @property

@@ -115,16 +115,11 @@ def clouds(
     if not motions:
         return {}
     signals = {"position": "s", "speed": "v", "acceleration": "a"}
-    return {
-        name: _cloud(
-            verdict,
-            stages,
-            channel,
-            np.concatenate([getattr(motion, signal) for motion in motions]),
-            f"{name} [{pretty_unit(unit)}]",
-        )
-        for (name, signal), unit in zip(signals.items(), units, strict=True)
-    }
+    figures = {}
+    for (name, signal), unit in zip(signals.items(), units, strict=True):
+        against = np.concatenate([getattr(motion, signal) for motion in motions])
+        figures[name] = _cloud(verdict, stages, channel, against, f"{name} [{pretty_unit(unit)}]")
+    return figures
 
 
 def _cloud(verdict: Verdict, stages: Stages, channel: str, against: Array, title: str) -> Figure:

@@ -3,12 +3,11 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from html import escape
 from math import copysign
 from pathlib import Path
 from string import Template
-from typing import Any
 
 from ...base import check_output, demand, instance, rate_unit, write_text
 from ...networks import pretty_unit
@@ -20,6 +19,7 @@ from .text import advice, chance, code, conclusion, methods, number, ruled_out, 
 
 FOLDER = Path(__file__).parent
 PAGES = (".html", ".htm")
+Rows = Sequence[Sequence[str]]
 
 
 def write_report(verdict: Verdict, path: str | Path) -> Path:
@@ -87,9 +87,8 @@ def _verdict(verdict: Verdict) -> str:
 
 
 def _gap(verdict: Verdict, stages: Stages, figures: dict[str, Figure]) -> Iterator[str]:
-    campaign = verdict.evidence.campaign
-    judged = verdict.evidence.judged
-    yield f"<p>Root mean square of what the model misses on the {judged}, over that of the noise.</p>"
+    campaign, runs = verdict.evidence.campaign, verdict.evidence.judged
+    yield f"<p>Root mean square of what the model misses on the {runs}, over that of the noise.</p>"
     yield _figure("gap", bars(verdict, stages), figures, width=220 + 160 * len(verdict.gap))
     rows = []
     for name, gap in verdict.gap.items():
@@ -115,8 +114,7 @@ def _signals(verdict: Verdict, stages: Stages, figures: dict[str, Figure]) -> It
 
 
 def _residual(verdict: Verdict, stages: Stages, figures: dict[str, Figure]) -> Iterator[str]:
-    evidence = verdict.evidence
-    campaign = evidence.campaign
+    evidence, campaign = verdict.evidence, verdict.evidence.campaign
     leading = [placed.site.path for placed in verdict.effects]
     if not leading and verdict.verdict == "unknown":
         leading = list(verdict.where)
@@ -149,12 +147,12 @@ def _ranking(verdict: Verdict) -> Iterator[str]:
         yield "<p>No effect was worth a fit.</p>"
         return
     chosen = [placed.key for placed in verdict.effects]
-    rows, marked = [], []
+    marked = [n for n, ranked in enumerate(verdict.ranking) if (ranked.kind, ranked.site) in chosen]
+    rows = []
     for n, ranked in enumerate(verdict.ranking, start=1):
         values = ", ".join(f"{escape(k)} = {number(v)}" for k, v in ranked.values.items())
         gain = f"{ranked.test_gain:.2%}"
         rows.append([str(n), _kind(ranked.kind), escape(ranked.site), gain, chance(ranked.p), values])
-        marked.append((ranked.kind, ranked.site) in chosen)
     yield "<p>Effects that were fitted together with the parameters, by what they take off the squared "
     yield f"residual of the {verdict.evidence.judged}; p is the chance of as much without the effect.</p>"
     yield _table(["", "effect", "site", "test gain", "p", "parameters"], rows, (0, 3, 4), marked)
@@ -221,18 +219,19 @@ def _kind(kind: str) -> str:
 
 
 def _table(
-    headers: Sequence[str], rows: Sequence[Sequence[str]], numbers: Any = (), marked: Sequence[bool] = ()
+    headers: Sequence[str],
+    rows: Sequence[Sequence[str]],
+    numbers: Iterable[int] = (),
+    marked: Sequence[int] = (),
 ) -> str:
     """Return a table; the columns of `numbers` are aligned right, rows that are marked stand out."""
 
     def row(cells: Sequence[str], tag: str) -> str:
-        kinds = [' class="number"' if n in numbers else "" for n in range(len(cells))]
-        return "".join(f"<{tag}{kind}>{cell}</{tag}>" for cell, kind in zip(cells, kinds, strict=True))
+        kinds = {n: ' class="number"' for n in numbers}
+        return "".join(f"<{tag}{kinds.get(n, '')}>{cell}</{tag}>" for n, cell in enumerate(cells))
 
-    flags = [*marked, *[False] * (len(rows) - len(marked))]
     body = "".join(
-        f"<tr{' class=chosen' if flag else ''}>{row(cells, 'td')}</tr>"
-        for cells, flag in zip(rows, flags, strict=True)
+        f"<tr{' class=chosen' if n in marked else ''}>{row(cells, 'td')}</tr>" for n, cells in enumerate(rows)
     )
     head = f"<thead><tr>{row(headers, 'th')}</tr></thead>"
     return f'<div class="wide"><table>{head}<tbody>{body}</tbody></table></div>'

@@ -11,8 +11,11 @@ from ...identification import Experiment
 from ...networks import pretty_unit
 from .. import criteria
 from ..effects.effect import EFFECTS
+from ..effects.hypothesis import told
 from ..search.score_test import Candidate
 from ..verdict.verdict import Verdict
+
+SOURCES = {"stated": "as stated", "spectrum": "from the top of the spectrum"}  # of noise, in words
 
 
 def number(value: float) -> str:
@@ -34,13 +37,15 @@ def conclusion(verdict: Verdict) -> Iterator[str]:
     """Yield the verdict in a sentence, its confidence, and what it rests on."""
     yield verdict.sentence
     if verdict.effects:
-        each = [f"{p.told}: {sure(c)}" for p, c in zip(verdict.effects, verdict.confidence, strict=True)]
+        each = [
+            f"{told(*p.key)}: {sure(c)}" for p, c in zip(verdict.effects, verdict.confidence, strict=True)
+        ]
         yield f"Confidence: {'; '.join(each)}."
     campaign = verdict.evidence.campaign
-    told = _runs("training", campaign.training)
-    told += f" and {_runs('test', campaign.testing)}" if campaign.testing else ", no test runs"
+    runs = _runs("training", campaign.training)
+    runs += f" and {_runs('test', campaign.testing)}" if campaign.testing else ", no test runs"
     driven, measured = ", ".join(campaign.inputs) or "nothing", ", ".join(campaign.outputs)
-    yield f"From {told}; driven by {driven}, measured {measured}."
+    yield f"From {runs}; driven by {driven}, measured {measured}."
 
 
 def _runs(kind: str, experiments: Sequence[Experiment]) -> str:
@@ -115,11 +120,11 @@ def advice(verdict: Verdict) -> str:
         return verdict.next_experiment
     if verdict.verdict == "unknown":
         place = f" at {next(iter(verdict.where))}" if verdict.where else ""
-        band = verdict.windows.get("band")
-        told = f" from {band[0]:.3g} to {band[1]:.3g} Hz" if band else ""
+        span = verdict.windows.get("band")
+        band = " from {:.3g} to {:.3g} Hz".format(*span) if span else ""
         return (
             f"The force and the relative motion{place}, each with a sensor of its own, in runs that "
-            f"dwell{told} at several amplitudes: then the law can be read off."
+            f"dwell{band} at several amplitudes: then the law can be read off."
         )
     if verdict.verdict == "ambiguous":
         return (
@@ -134,14 +139,8 @@ def methods(verdict: Verdict) -> Iterator[str]:
     """Yield how the figures came about."""
     campaign = verdict.evidence.campaign
     for name, floor in campaign.floors.items():
-        unit = pretty_unit(campaign.measured[name].si)
-        yield f"Noise of {name}: {number(floor.sigma)} {unit}, {_source(floor.source)}."
+        unit, source = pretty_unit(campaign.measured[name].si), f"from {floor.source}"
+        yield f"Noise of {name}: {number(floor.sigma)} {unit}, {SOURCES.get(floor.source, source)}."
     yield "Test runs are never fitted, except for start values where these are unknown."
     if not campaign.testing:
         yield "There are no test runs: all figures are those of the training runs and favour richer effects."
-
-
-def _source(source: str) -> str:
-    return {"stated": "as stated", "repeats": "from repeats", "spectrum": "from the top of the spectrum"}.get(
-        source, f"from {source}"
-    )

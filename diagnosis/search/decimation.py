@@ -19,9 +19,10 @@ def thinned(campaign: Campaign) -> Campaign:
     Inputs lose what is too fast to be compared where that is noise, which their second derivatives feel.
     """
     thin = copy(campaign)
-    driven = [name for name, channel in campaign.measured.items() if channel.driven]
-    for name in ("training", "testing"):
-        setattr(thin, name, [_slowed(experiment, driven) for experiment in getattr(campaign, name)])
+    thin.training, thin.testing = (
+        [_slowed(experiment, campaign.inputs) for experiment in experiments]
+        for experiments in (campaign.training, campaign.testing)
+    )
     return thin
 
 
@@ -30,8 +31,8 @@ def _slowed(experiment: Experiment, driven: Sequence[str]) -> Experiment:
     every = max(1, int(record.rate / COMPARISON_RATE_HZ))
     if every > 1:
         smooth = Filter(cutoff=0.5 * record.rate / every)
-        slow = {name: _quiet(record.values[name], smooth, record.rate) for name in driven}
-        record = replace(record, values={**record.values, **slow})
+        quiet = {name: _quiet(record.values[name], smooth, record.rate) for name in driven}
+        record = replace(record, values=record.values | quiet)
     return replace(experiment, record=record, every=every)
 
 

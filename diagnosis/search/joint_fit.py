@@ -44,13 +44,7 @@ class _Run:
 
 
 class JointFit:
-    """Parameters and effects as one vector, in units of what they may be expected to be.
-
-    Args:
-        study: records, priors, noise, and how runs are computed.
-        parameters: values of the uncertain parameters to start from.
-        effects: effects to insert, with values to start from.
-    """
+    """Parameters and effects, with values to start from, as one vector in units of what they may be."""
 
     def __init__(
         self, study: Study, parameters: Mapping[str, float], effects: Sequence[Hypothesis] = ()
@@ -93,9 +87,6 @@ class JointFit:
         Args:
             starts: parameters, and values of the last effect, to start from; a step is taken from each, and
                 the one that comes out best is followed. The values that were given if there are none.
-
-        Raises:
-            SimulationError: if the model cannot be run with any of them.
         """
         earlier = [placed.values for placed in self.effects[:-1]]
         vectors = [self.vector(parameters, [*earlier, values]) for parameters, values in starts]
@@ -138,11 +129,7 @@ class JointFit:
         return Refit(fitted, placed, train, test, cost + float(prior @ prior), compared)
 
     def stacked(self, vector: Array, slopes: bool) -> tuple[Array, Array | None]:
-        """Return residuals of all training records and of the priors, and their slopes if wanted.
-
-        Raises:
-            SimulationError: if the model cannot be run with these values.
-        """
+        """Return residuals of all training records and of the priors, and their slopes if wanted."""
         found = [self.linearise(vector, e, slopes) for e in self.campaign.training]
         count = len(self.names)
         residuals = [r for record, _ in found for r in record.values()]

@@ -63,13 +63,7 @@ class _Sums:
 def screen(
     study: Study, parameters: Mapping[str, float], effects: Sequence[Hypothesis] = ()
 ) -> list[Candidate]:
-    """Return candidates, the most explaining first.
-
-    Args:
-        study: records, channels, priors, noise, and how runs are computed.
-        parameters: uncertain parameters of the nominal model, refitted.
-        effects: what has been found already.
-    """
+    """Return candidates beside refitted parameters and effects found already, the most explaining first."""
     sites, found = study.sites, inserted(effects)
     given = {**parameters, **found}
     experiments, sigma = study.screened()

@@ -17,16 +17,7 @@ from ..models.study import Predictor, Study
 
 
 class WhitenedRecord:
-    """One record beside a prediction, whitened (in units of noise), less what its start can explain.
-
-    Args:
-        study: channels, and how runs are computed.
-        predictor: the model, with probes at its sites.
-        experiment: the record.
-        sigma: noise of each output channel.
-        parameters: values to run with.
-        effects: what has been found on channels.
-    """
+    """One record beside a prediction, whitened (in units of noise), less what its start can explain."""
 
     def __init__(
         self,

@@ -32,17 +32,15 @@ def cautions(campaign: Campaign, best: Refit) -> Iterator[str]:
 def suspicions(study: Study, best: Refit) -> Iterator[str]:
     """Yield what channels would explain what no effect does, if they were in another unit or exchanged."""
     campaign = study.campaign
-    if not isinstance(campaign.machine, DAE) or max(_shares(campaign, best)) <= SUSPECT_SIGNAL_SHARE:
+    shares = (
+        campaign.sigma[name] * rms([residual]) / float(np.std(experiment.record.values[name]))
+        for experiment, residuals in zip(campaign.training, best.train, strict=True)
+        for name, residual in residuals.items()
+    )
+    if not isinstance(campaign.machine, DAE) or max(shares) <= SUSPECT_SIGNAL_SHARE:
         return
     if told := told_of(suspects(campaign, best.parameters, study.accuracy)):
         yield told
-
-
-def _shares(campaign: Campaign, best: Refit) -> Iterator[float]:
-    """Yield which share of a channel of a training record is left."""
-    for experiment, residuals in zip(campaign.training, best.train, strict=True):
-        for name, residual in residuals.items():
-            yield campaign.sigma[name] * rms([residual]) / float(np.std(experiment.record.values[name]))
 
 
 def _gain(campaign: Campaign, placed: Hypothesis) -> Iterator[str]:

@@ -32,17 +32,7 @@ def decided(
     notes: Sequence[str],
     interrupted: bool = False,
 ) -> Verdict:
-    """Return the verdict.
-
-    Args:
-        study: the campaign, and how its runs are computed.
-        start: the nominal model.
-        base: its parameters refitted.
-        best: with the effects that were chosen.
-        rounds: what was screened and fitted.
-        notes: what limits the verdict.
-        interrupted: whether the search was stopped before its end.
-    """
+    """Return the verdict on the model: nominal as `start`, refitted as `base`, with effects as `best`."""
     first = rounds[0] if rounds else Round(base, [], [])
     evidence = Evidence(
         replace(study, executor=None, report=None), start, base, best, tuple(first.candidates)

@@ -11,6 +11,7 @@ import numpy as np
 from ...components import SimulationError
 from ...identification import Campaign, Experiment, Record
 from .. import criteria
+from ..effects.hypothesis import told
 from ..models.study import Study
 from ..search.joint_fit import JointFit
 from ..search.model_comparison import Refit, rms
@@ -42,10 +43,10 @@ def separating(study: Study, one: Refit, other: Refit) -> str | None:
     if not apart or max(apart) < criteria.SEPARATING_MISFIT:
         return None
     best = trials[int(np.argmax(apart))]
-    unit = campaign.measured[best.channel].si
+    unit, both = campaign.measured[best.channel].si, (told(*f.effects[-1].key) for f in (one, other))
     return (
         f"A sine of {best.amplitude:.3g} {unit} at {best.frequency:.3g} Hz on '{best.channel}': there "
-        f"{one.effects[-1].told} and {other.effects[-1].told} part by {max(apart):.2g} times the noise."
+        f"{' and '.join(both)} part by {max(apart):.2g} times the noise."
     )
 
 

@@ -23,6 +23,10 @@ WORDS = {
     "unknown": "Something is missing that is none of the known effects.",
     "interrupted": "The diagnosis was stopped before its end; no effect had been accepted by then.",
 }
+PARTLY = {
+    "unknown": "Part of what is missing is {}; the rest is none of the known effects.",
+    "interrupted": "The diagnosis was stopped before its end; what had been accepted by then is {}.",
+}
 
 
 @dataclass(frozen=True)
@@ -123,19 +127,10 @@ class Verdict:
     @property
     def sentence(self) -> str:
         """The verdict in a sentence."""
-        named = " and ".join(placed.told for placed in self.effects)
-        if self.verdict == "unknown" and named:
-            return (
-                f"Part of what is missing is {named}, which closes {self.closed:.0%} of the gap; the rest is "
-                "none of the known effects."
-            )
-        if self.verdict == "interrupted" and named:
-            return (
-                "The diagnosis was stopped before its end; what had been accepted by then is "
-                f"{named}, which closes {self.closed:.0%} of the gap."
-            )
-        if self.verdict in WORDS:
-            return WORDS[self.verdict]
+        named = " and ".join(told(*placed.key) for placed in self.effects)
+        words = WORDS | PARTLY if named else WORDS
+        if self.verdict in words:
+            return words[self.verdict].format(f"{named}, which closes {self.closed:.0%} of the gap")
         sentence = f"What is missing is {named}; adding it closes {self.closed:.0%} of the gap."
         others = ", ".join(told(*key) for key in self.equivalent)
         return f"{sentence} These data cannot tell it from {others}." if others else sentence

@@ -31,23 +31,8 @@ class Node:
         return "node of " + ", ".join(instance.full(name) for instance, name, _ in self.ports)
 
 
-@dataclass(eq=False, slots=True)
-class Unconnected:
-    """Variables of flanges that are connected to nothing.
-
-    Attributes:
-        grounded: across variables of supports.
-        free: through variables of bodies.
-        loose: across and through variables of others, which is a problem.
-    """
-
-    grounded: list[int] = field(default_factory=list)
-    free: list[int] = field(default_factory=list)
-    loose: list[tuple[int, int]] = field(default_factory=list)
-
-
-def connect_ports(flat: Flat) -> tuple[list[Node], Unconnected]:
-    """Join what connections join; return the nodes, and what is connected to nothing."""
+def connect_ports(flat: Flat) -> tuple[list[Node], dict[str, list[Any]]]:
+    """Join what connections join; return the nodes, and what is zero as it is connected to nothing."""
     problems, by_component = flat.problems, {id(i.component): i for i in flat.instances.values()}
     node_of: dict[_Member, Node] = {}
     insertions = [(o, *ports) for o in flat.instances.values() for ports in o.component.insertions()]
@@ -156,8 +141,13 @@ def _join_nodes(flat: Flat, nodes: list[Node]) -> None:
             flat.joined.join(anchor, instance.index(name + ending))
 
 
-def _unconnected(flat: Flat, outside: set[tuple[Instance, str]]) -> Unconnected:
-    found = Unconnected()
+def _unconnected(flat: Flat, outside: set[tuple[Instance, str]]) -> dict[str, list[Any]]:
+    """Return what is zero at flanges that are connected to nothing, by what these are called.
+
+    Supports are held and bodies free. At others, which are a problem, across and through variables are as if
+    they met something that neither holds nor drives them, to look for more faults.
+    """
+    grounded, free, loose = list[int](), list[int](), list[tuple[int, int]]()
     for instance in flat.instances.values():
         if instance.parent is None:
             continue
@@ -167,16 +157,16 @@ def _unconnected(flat: Flat, outside: set[tuple[Instance, str]]) -> Unconnected:
             kinds = declared.across, declared.through
             across, through = (instance.index(f"{declared.name}.{kind}") for kind in kinds)
             if declared.optional:
-                found.grounded.append(across)
+                grounded.append(across)
             elif declared.free:
-                found.free.append(through)
+                free.append(through)
             else:
                 others = [p for p in type(instance.component)._ports if not p.optional and p is not declared]
                 remedy = "connect it (to a Fixed if it is held, alone if its end is free)"
                 remedy = remedy if others else "connect it, or leave it out"
                 flat.problems.append(f"{instance}: {declared.name} is not connected; {remedy}")
-                found.loose.append((across, through))
-    return found
+                loose.append((across, through))
+    return {"grounded support": grounded, "free flange": free, "loose flange": loose}
 
 
 def find_inputs(flat: Flat, nodes: list[Node]) -> None:

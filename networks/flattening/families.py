@@ -26,6 +26,8 @@ def padded(variables: Any) -> Any:
 class Family:
     """N equations of one form.
 
+    Its methods take some instances as rows in ascending order, and all variables as `padded` returns them.
+
     Args:
         form: the equation in local symbols.
         columns: (N, n), the variable each local symbol stands for, per instance.
@@ -44,27 +46,14 @@ class Family:
         return len(self.columns)
 
     def evaluate(self, expression: Any, rows: Ints, values: Any, time: Any) -> Any:
-        """Return `expression` (of local symbols) for some instances, as an SX row.
-
-        Args:
-            expression: SX in local symbols.
-            rows: the instances, in ascending order.
-            values: all variables, as `padded` returns them.
-            time: SX scalar.
-        """
+        """Return an expression of local symbols for some instances, as an SX row."""
         return self._called(self.form.function(expression), self.columns[rows], rows, values, time)
 
     def solved(self, pattern: tuple[int, ...], rows: Ints, values: Any, time: Any) -> Any | None:
         """Return what an unknown of some instances is by their equations, as an SX row.
 
-        Args:
-            pattern: 1 or -1 for a local symbol that is the unknown or its negative, else 0.
-            rows: the instances, in ascending order.
-            values: all variables, as `padded` returns them.
-            time: SX scalar.
-
-        Returns:
-            None if it is not linear, or if its slope depends on a mode.
+        None if it is not linear, or if its slope depends on a mode. In `pattern` local symbols that are the
+        unknown or its negative are 1 or -1, others 0.
         """
         slope = self.form.slope(pattern)
         if slope is None or self.form.is_hybrid(slope):

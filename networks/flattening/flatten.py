@@ -46,10 +46,8 @@ def flatten(network: Component) -> Flat:
     find_inputs(flat, nodes)
     component_families(flat)
     node_families(flat, nodes)
-    zero_family(flat, unconnected.grounded, "grounded support")
-    zero_family(flat, unconnected.free, "free flange")
-    zero_family(flat, unconnected.loose, "loose flange")  # as if met by what neither holds nor drives them
-    zero_family(flat, flat.joined.contradictions, "contradiction")
+    for label, variables in {**unconnected, "contradiction": flat.joined.contradictions}.items():
+        zero_family(flat, variables, label)
     return flat
 
 
