@@ -84,9 +84,8 @@ def diagnose(
         return decided(study, start, base, best, rounds, notes)
     except KeyboardInterrupt:
         verdict = decided(study, start, base, best, rounds, notes, interrupted=True)
-        raise DiagnosisInterruptedError(
-            "interrupted; what is known so far is the error's `verdict`", verdict
-        ) from None
+        told = "interrupted; what is known so far is the error's `verdict`"
+        raise DiagnosisInterruptedError(told, verdict) from None
 
 
 def relative_tolerance(campaign: Campaign) -> float:

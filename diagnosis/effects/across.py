@@ -33,17 +33,9 @@ def _across(
     register(Effect(kind, "across", quantities, edits, basis, **more))
 
 
-def _speeds(motion: Extent) -> list[dict[str, float]]:
-    return [{"v_s": share * motion.speed} for share in criteria.STRIBECK_SPEED_RATIOS]
-
-
 def _periods(motion: Extent) -> list[dict[str, float]]:
     counts = np.geomspace(*criteria.RIPPLES_PER_TRAVEL, criteria.RIPPLE_PERIODS)
     return [{"period": 2 * motion.travel / count} for count in counts]
-
-
-def _yields(motion: Extent) -> list[dict[str, float]]:
-    return [{"s_y": share * motion.travel} for share in criteria.YIELD_TRAVEL_RATIOS]
 
 
 def _shape(values: Values) -> float:
@@ -53,10 +45,6 @@ def _shape(values: Values) -> float:
 def _unstretched(site: Site, values: Values) -> dict[str, float]:
     """Return the parameters of a spring that is at rest where the site is."""
     return {f"{site.mechanics.across}_rel0": site.rest, **values}
-
-
-def _cubic(site: Site, values: Values) -> dict[str, float]:
-    return {site.mechanics.stiffness: 0.0, **_unstretched(site, values)}
 
 
 def _stribeck(motion: Motion, shape: Values) -> list[Array]:
@@ -108,7 +96,7 @@ _across(
         f_c=_COULOMB, f_s=(("f_s", "N"), ("tau_s", "N.m")), v_s=(("v_s", "m/s"), ("w_s", "rad/s"), 0.0, True)
     ),
     _stribeck,
-    shapes=_speeds,
+    shapes=lambda motion: [{"v_s": r * motion.speed} for r in criteria.STRIBECK_SPEED_RATIOS],
     credible=_breaks_away,
     plain=("coulomb_friction", (1.0, 1.0)),
 )
@@ -141,7 +129,7 @@ _across(
     "CubicSpring",
     both(k3=(("k3", "N/m3"), ("c3", "N.m/rad3"), -inf)),
     lambda motion, _: [motion.s**3],
-    _cubic,
+    lambda site, p: {site.mechanics.stiffness: 0.0, **_unstretched(site, p)},
 )
 _across(
     "bilinear_stiffness",
@@ -165,7 +153,7 @@ _across(
     both(k=_STIFFNESS, s_y=(("s_y", "m"), ("phi_y", "rad"), 0.0, True)),
     _hysteresis,
     lambda site, p: {**_bouc_wen(site, p), "alpha": 0.0, "n": 2.0},
-    shapes=_yields,
+    shapes=lambda motion: [{"s_y": r * motion.travel} for r in criteria.YIELD_TRAVEL_RATIOS],
     parameters=lambda at, name, p: {f"{name}.{key}": v for key, v in _bouc_wen(at, p).items()},
     memory=True,
 )

@@ -97,7 +97,6 @@ def _code(component: Component) -> str:
     told = repr(component)
     for part in (component, *component._parts.values()):
         kind = type(part)
-        prefixes = [prefix for prefix, family in families.items() if kind.__module__.startswith(family)]
-        prefix = prefixes[0] if prefixes else ""
+        prefix = "".join(p for p, family in families.items() if kind.__module__.startswith(family))
         told = re.sub(rf"(?<![\w.]){kind.__name__}\(", f"{prefix}{kind.__name__}(", told)
     return told

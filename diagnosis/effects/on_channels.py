@@ -12,10 +12,6 @@ from ..criteria import CHANNEL_STEP_RATIO
 from .effect import Effect, Quantity, Values, register
 
 
-def _delayed(t: Array, y: Array, p: Values) -> Array:
-    return np.interp(t - p["delay"], t, y)
-
-
 def _lagging(t: Array, y: Array, p: Values) -> Array:
     """Return what follows y with time constant T, y being straight between its samples."""
     from scipy.signal import lfilter
@@ -46,7 +42,7 @@ def _on_channel(
     register(Effect(kind, "channel", quantities, change=change, drives=drives, step=CHANNEL_STEP_RATIO))
 
 
-_on_channel("sensor_delay", "delay", "s", 0.0, _delayed)
+_on_channel("sensor_delay", "delay", "s", 0.0, lambda t, y, p: np.interp(t - p["delay"], t, y))
 _on_channel("sensor_bias", "bias", "unit", -inf, lambda t, y, p: y + p["bias"])
 _on_channel("sensor_gain", "gain", "1", -inf, lambda t, y, p: y * (1 + p["gain"]))
 _on_channel("sensor_drift", "rate", "unit/s", -inf, lambda t, y, p: y + p["rate"] * (t - t[0]))

@@ -24,6 +24,9 @@ class FMUModel:
 
     Attributes:
         parameter_values: every real parameter with its value, in the unit that the FMU declares.
+        inputs: what needs a signal.
+        input_names: what can be driven.
+        started: start values that are not the FMU's own.
         refined: communication steps between compared instants, 0 while that is not known.
     """
 
@@ -34,25 +37,13 @@ class FMUModel:
         self.refined = 0
         parameters = fmu.parameters
         self.parameter_values = {name: float(parameters[name].start or 0.0) for name in _scalars(parameters)}
-
-    @property
-    def inputs(self) -> Sequence[Input]:
-        """What needs a signal: nothing, as the inputs of an FMU have start values."""
-        return ()
-
-    @property
-    def input_names(self) -> list[str]:
-        """What can be driven."""
-        return _scalars(self.fmu.inputs)
+        self.inputs: Sequence[Input] = ()  # as those of an FMU have start values
+        self.input_names = _scalars(fmu.inputs)
+        self.started: dict[str, Any] = {}
 
     def own(self, parameters: Mapping[str, float]) -> dict[str, Any]:
         """Return those of some parameters that are the FMU's."""
         return {name: value for name, value in parameters.items() if name in self.parameter_values}
-
-    @property
-    def started(self) -> dict[str, Any]:
-        """Start values that are not the FMU's own."""
-        return {}
 
     def wired(self, path: str) -> tuple[str, float]:
         """Return the FMU's variable behind the name of a channel, and its sign."""
@@ -110,14 +101,11 @@ class FMUModel:
         """Return what a diagnosis of it cannot see, in words; `driven` are its inputs that are set."""
         told = [f"'{self.fmu.name}' is an FMU, run as {self.kind}: effects inside of it are not looked for"]
         if self.port is None:
-            tried = (
-                "no [port] with force, position and velocity is named, so only effects on channels were tried"
-            )
+            port = "no [port] with force, position and velocity is named"
+            told.append(f"{port}, so only effects on channels were tried")
         else:
-            tried = (
-                f"at its port '{self.port.force}' all effects were tried that answer to its motion at once"
-            )
-        told.append(tried)
+            port = f"at its port '{self.port.force}'"
+            told.append(f"{port} all effects were tried that answer to its motion at once")
         idle = sorted({name for name, v in self.fmu.inputs.items() if v.real} - {*driven})
         if idle:
             told.append(f"inputs that are not measured keep their start values: {', '.join(idle)}")
@@ -136,7 +124,8 @@ def _network(box: FMUModel) -> Network:
         return Network(box.name, **{box.place: FMUBlock(box.fmu, kind=box.kind)})
     family = FAMILIES[port.domain]
     moving, answering, names = _FOREIGN[port.domain]
-    variables = dict(zip(names, (port.signed_force, port.position, port.velocity), strict=True))
+    force = port.force if port.sign > 0 else f"-{port.force}"
+    variables = dict(zip(names, (force, port.position, port.velocity), strict=True))
     if port.takes_force:
         body = moving(box.fmu, kind=box.kind, **variables)
         net = Network(box.name, **{box.place: body}, push=family.Force())

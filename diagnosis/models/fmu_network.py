@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from typing import Any
 
 import casadi as ca
@@ -37,6 +36,8 @@ class FMUNetworkModel(FMUModel):
         self._dae: DAE = network.dae()
         self._given = {f"{place}.{g.name}": g for g in part.given}
         self._sources = self._found_sources()
+        self.inputs = [i for i in self._dae.inputs if i.path not in self._given]
+        self.input_names, self.started = list(self._sources), part.started
 
     def _found_sources(self) -> dict[str, tuple[str, float]]:
         """Return what drives the FMU: input of the network -> variable of the FMU, and the sign of it."""
@@ -87,24 +88,9 @@ class FMUNetworkModel(FMUModel):
         """Return a name without that of the FMU's component before it."""
         return path.removeprefix(f"{self.place}.")
 
-    @property
-    def inputs(self) -> Sequence[Input]:
-        """What needs a signal: sources without one."""
-        return [i for i in self._dae.inputs if i.path not in self._given]
-
-    @property
-    def input_names(self) -> list[str]:
-        """What can be driven."""
-        return list(self._sources)
-
     def own(self, parameters: Any) -> dict[str, Any]:
         """Return parameters by the names of the FMU, those of the component included."""
         return self._part.chosen | {self._inner(n): v for n, v in super().own(parameters).items()}
-
-    @property
-    def started(self) -> dict[str, Any]:
-        """Start values."""
-        return self._part.started
 
     def names(self) -> list[str]:
         """Return the names of all variables."""

@@ -40,11 +40,6 @@ class FMUPort:
     domain: Domain
 
     @property
-    def signed_force(self) -> str:
-        """The force as components with an FMU take it: with a minus if it counts the other way."""
-        return self.force if self.sign > 0 else f"-{self.force}"
-
-    @property
     def units(self) -> dict[str, str]:
         """The SI unit of each variable."""
         names = (self.force, self.position, self.velocity)

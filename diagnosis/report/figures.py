@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from base64 import b64encode
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from typing import Any
 
 import numpy as np
@@ -72,10 +72,7 @@ def _record(verdict: Verdict, stages: Stages, number: int, most: int) -> Figure:
         sigma, unit = _noise(verdict, name)
         signal, left = f"y{2 * row + 1}" if row else "y", f"y{2 * row + 2}"
         measured = record.values[name]
-        missed = [
-            (stage, colour, fitted.judged[number][name] * sigma)
-            for (stage, fitted), colour in zip(stages.items(), STAGE_COLOURS, strict=False)
-        ]
+        missed = [(stage, colour, f.judged[number][name] * sigma) for stage, f, colour in _coloured(stages)]
         curves = [("measured", MEASURED_COLOUR, measured, signal)]
         curves += [(stage, colour, measured - gone, signal) for stage, colour, gone in missed]
         curves += [(*shown, left) for shown in missed[-2:]]
@@ -126,7 +123,7 @@ def _cloud(verdict: Verdict, stages: Stages, channel: str, against: Array, title
     sigma, unit = _noise(verdict, channel)
     every = max(1, len(against) * 3 * len(verdict.evidence.campaign.outputs) // CLOUD_POINTS)
     data = []
-    for stage, fitted, colour in _last(stages):
+    for stage, fitted, colour in _coloured(stages)[-2:]:
         missed = sigma * np.concatenate([record[channel] for record in fitted.judged])
         marker = {"color": colour, "size": 3, "opacity": 0.3}
         points = _points(against[::every], missed[::every])
@@ -147,7 +144,7 @@ def spectra(verdict: Verdict, stages: Stages, channel: str) -> Figure:
     records = [e.compared for e in verdict.evidence.study.judged]
     segment = max(64, min(len(record.time) for record in records) // 8)
     data = []
-    for stage, fitted, colour in _last(stages):
+    for stage, fitted, colour in _coloured(stages)[-2:]:
         found = [
             spectrum(sigma * missed[channel], record.rate, segment)
             for missed, record in zip(fitted.judged, records, strict=True)
@@ -166,10 +163,8 @@ def _noise(verdict: Verdict, channel: str) -> tuple[float, str]:
     return campaign.sigma[channel], pretty_unit(campaign.measured[channel].si) or "1"
 
 
-def _last(stages: Stages) -> Iterator[tuple[str, Refit, str]]:
-    """Yield the last two stages with their colours."""
-    for (stage, fitted), colour in list(zip(stages.items(), STAGE_COLOURS, strict=False))[-2:]:
-        yield stage, fitted, colour
+def _coloured(stages: Stages) -> list[tuple[str, Refit, str]]:
+    return [(*stage, colour) for stage, colour in zip(stages.items(), STAGE_COLOURS, strict=False)]
 
 
 def _small(data: list[dict[str, Any]], x: Figure, y: Figure, **more: Any) -> Figure:

@@ -64,7 +64,8 @@ def stages_of(verdict: Verdict) -> Stages:
 
 def _sections(verdict: Verdict, figures: dict[str, Figure]) -> Iterator[str]:
     stages = stages_of(verdict)
-    yield _verdict(verdict)
+    told = "".join(f"<p>{escape(line)}</p>" for line in conclusion(verdict))
+    yield f'<section id="verdict" class="verdict {verdict.verdict}">{told}</section>'
     yield _section("where", "Where", drawings(verdict))
     yield _section("gap", "Gap before and after", _gap(verdict, stages, figures))
     yield _section("signals", "Measured and simulated", _signals(verdict, stages, figures))
@@ -74,16 +75,12 @@ def _sections(verdict: Verdict, figures: dict[str, Figure]) -> Iterator[str]:
     yield _section("correction", "The correction", _correction(verdict))
     yield _section("next", "What to measure next", [f"<p>{escape(advice(verdict))}</p>"])
     yield _section("parameters", "Parameters", _parameters(verdict))
-    yield _section("notes", "Notes", _notes(verdict))
+    notes = [*verdict.notes, *verdict.evidence.campaign.notes, *methods(verdict)]
+    yield _section("notes", "Notes", ["<ul>", *(f"<li>{escape(note)}</li>" for note in notes), "</ul>"])
 
 
 def _section(name: str, title: str, blocks: Iterator[str] | Sequence[str]) -> str:
     return f'<section id="{name}"><h2>{title}</h2>{"".join(blocks)}</section>'
-
-
-def _verdict(verdict: Verdict) -> str:
-    told = "".join(f"<p>{escape(line)}</p>" for line in conclusion(verdict))
-    return f'<section id="verdict" class="verdict {verdict.verdict}">{told}</section>'
 
 
 def _gap(verdict: Verdict, stages: Stages, figures: dict[str, Figure]) -> Iterator[str]:
@@ -201,11 +198,6 @@ def _parameters(verdict: Verdict) -> Iterator[str]:
             rows.append([named, "", "", value, pretty_unit(unit), f"confidence {sure(confidence)}", ""])
     headers = ["parameter", "before", "refit", "after", "unit", "change", "in prior deviations"]
     yield _table(headers, rows, (1, 2, 3, 5, 6)) if rows else "<p>None is uncertain.</p>"
-
-
-def _notes(verdict: Verdict) -> Iterator[str]:
-    notes = [*verdict.notes, *verdict.evidence.campaign.notes, *methods(verdict)]
-    yield f"<ul>{''.join(f'<li>{escape(note)}</li>' for note in notes)}</ul>"
 
 
 def _figure(name: str, figure: Figure, figures: dict[str, Figure], width: int | None = None) -> str:

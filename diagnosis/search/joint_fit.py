@@ -89,12 +89,11 @@ class JointFit:
                 the one that comes out best is followed. The values that were given if there are none.
         """
         earlier = [placed.values for placed in self.effects[:-1]]
-        vectors = [self.vector(parameters, [*earlier, values]) for parameters, values in starts]
-        if len(vectors) < 2:
-            vector = vectors[0] if vectors else self.start
-            bounds = self.shapes.bounds(vector)
-        else:
-            _, vector, bounds = min(map(self._begun, vectors), key=lambda begun: begun[0])
+        begins = [self.vector(parameters, [*earlier, values]) for parameters, values in starts]
+        vector, *others = begins or [self.start]
+        bounds = self.shapes.bounds(vector)
+        if others:
+            _, vector, bounds = min(map(self._begun, begins), key=lambda begun: begun[0])
         for _ in range(1 + criteria.SHAPED_DESCENTS):
             vector = self._descended(vector, bounds, DESCENT)[0]
             if not self.shapes.are_held(vector, bounds):

@@ -74,11 +74,9 @@ def _promising(waiting: Sequence[Candidate], kept: float) -> list[Candidate]:
 
 def _next(waiting: list[Candidate]) -> tuple[list[Candidate], list[Candidate]]:
     """Return the candidates to be fitted next, none of which starts from what another one will give."""
-    count = criteria.FITS_PER_BATCH
-    for number, candidate in enumerate(waiting[:count]):
-        if any(candidate.generalises(other) for other in waiting[:number]):
-            count = number
-            break
+    batch = waiting[: criteria.FITS_PER_BATCH]
+    starting = (n for n, c in enumerate(batch) if any(c.generalises(other) for other in batch[:n]))
+    count = next(starting, len(batch))
     return waiting[:count], waiting[count:]
 
 
@@ -158,10 +156,8 @@ def _leading(candidates: Sequence[Candidate], found: Collection[str]) -> list[Ca
 
 def _named(one: Candidate, other: Candidate) -> Candidate:
     """Return of two that are one motion the whole rather than its part, or whose name says most."""
-    if one.site.holds(other.site):
-        return one
-    if other.site.holds(one.site):
-        return other
+    if one.site.holds(other.site) or other.site.holds(one.site):
+        return one if one.site.holds(other.site) else other
     return max(one, other, key=lambda c: (c.site.rank, c.site.path))
 
 

@@ -147,10 +147,10 @@ def _channel_changes(record: WhitenedRecord) -> Iterator[tuple[Effect, Site, Arr
             change = (effect.change(time, signal, {quantity.name: small}) - signal) / small
             site = Site(name, "channel", path, "", frozenset({"channel"}))
             if effect.drives:
-                given = np.interp(record.time, time, change)[:, None]
-                yield effect, site, record.to_inputs({path: given})
+                own = record.to_inputs({path: np.interp(record.time, time, change)[:, None]})
             else:
-                yield effect, site, record.to_output(name, change)
+                own = record.to_output(name, change)
+            yield effect, site, own
 
 
 def _scored(sums: _Sums, parameters: Mapping[str, float]) -> Iterator[Candidate]:

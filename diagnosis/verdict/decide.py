@@ -34,9 +34,8 @@ def decided(
 ) -> Verdict:
     """Return the verdict on the model: nominal as `start`, refitted as `base`, with effects as `best`."""
     first = rounds[0] if rounds else Round(base, [], [])
-    evidence = Evidence(
-        replace(study, executor=None, report=None), start, base, best, tuple(first.candidates)
-    )
+    alone = replace(study, executor=None, report=None)
+    evidence = Evidence(alone, start, base, best, tuple(first.candidates))
     closed = float(np.clip((base.misfit - best.misfit) / max(base.misfit - 1.0, 1e-9), 0.0, 1.0))
     word = "interrupted" if interrupted else _word(evidence, closed)
     own = _fit_of(first, best.effects[0]) if best.effects else None

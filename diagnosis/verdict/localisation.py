@@ -33,11 +33,8 @@ def located(study: Study, fitted: Refit, candidates: Sequence[Candidate]) -> dic
     records = study.campaign.experiments
     missed = [*fitted.train, *fitted.test]
     spans = windows(records, missed)
-    found: dict[str, Any] = {
-        "windows": spans,
-        "band": band(records, missed),
-        "unit": "windows in s, band in Hz",
-    }
+    found: dict[str, Any] = {"windows": spans, "band": band(records, missed)}
+    found["unit"] = "windows in s, band in Hz"
     if candidates:
         motions = moved(study, fitted.parameters, candidates[0].site, records)
         ratios = regimes(motions, missed)

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from copy import copy
-from dataclasses import dataclass, replace
+from dataclasses import replace
+from typing import NamedTuple
 
 import numpy as np
 
@@ -17,8 +18,7 @@ from ..search.joint_fit import JointFit
 from ..search.model_comparison import Refit, rms
 
 
-@dataclass(frozen=True)
-class _Sine:
+class _Sine(NamedTuple):
     """A sine on one input, the others at rest."""
 
     channel: str

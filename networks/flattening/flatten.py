@@ -52,11 +52,7 @@ def flatten(network: Component) -> Flat:
 
 
 def _walk(
-    component: Component,
-    path: str,
-    parent: Instance | None,
-    problems: list[str],
-    seen: dict[int, str],
+    component: Component, path: str, parent: Instance | None, problems: list[str], seen: dict[int, str]
 ) -> Iterator[Instance]:
     if id(component) in seen:
         told = f"{type(component).__name__} '{path}' is the same object as '{seen[id(component)]}'"

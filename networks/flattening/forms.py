@@ -63,16 +63,13 @@ class Form:
         A number, or SX in local symbols; `pattern` as for `Family.solved`.
         """
         if pattern not in self._known:
-            self._known[pattern] = self._slope(pattern)
+            places = [i for i, sign in enumerate(pattern) if sign]
+            slope: Any = float(sum(pattern[i] * self.numbers[i] for i in places))
+            if np.isnan(slope):
+                slope = sum(pattern[i] * self.slopes[i] for i in places)
+                slope = None if ca.depends_on(slope, pick(self.locals, places)) else slope
+            self._known[pattern] = slope
         return self._known[pattern]
-
-    def _slope(self, pattern: tuple[int, ...]) -> Any | None:
-        places = [i for i, sign in enumerate(pattern) if sign]
-        number = sum(pattern[i] * self.numbers[i] for i in places)
-        if not np.isnan(number):
-            return float(number)
-        slope = sum(pattern[i] * self.slopes[i] for i in places)
-        return None if ca.depends_on(slope, pick(self.locals, places)) else slope
 
     def solution(self, slope: Any) -> Any:
         """Return what a variable is by the equation, zero for itself in it, by the residual's slope in it."""

@@ -4,10 +4,8 @@ from __future__ import annotations
 
 from bisect import bisect_right
 from dataclasses import dataclass
-from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from ...base import Ints
 from ...components.language import Port, Variable
@@ -62,22 +60,14 @@ class Names:
         order = np.lexsort((-rank, roots[:count]))
         of, first = np.unique(roots[order], return_index=True)
         self.best = dict(zip(of.tolist(), order[first].tolist(), strict=True))
-        self.state = self._reduced(state.astype(int), np.maximum)
-        self.start = self._strongest(start * signs[:count])
-        nominal = self._reduced(nominal, np.fmin)
-        self.nominal = np.where(np.isnan(nominal), 1.0, nominal)
-
-    def _reduced(self, values: NDArray[Any], operation: Any) -> NDArray[Any]:
-        lowest = np.nan if values.dtype == float else -1
-        result = np.full(len(self.roots), lowest, dtype=values.dtype)
-        operation.at(result, self.roots[: len(values)], values)
-        return result
-
-    def _strongest(self, values: NDArray[Any]) -> NDArray[Any]:
-        result = np.zeros(len(self.roots))
-        nonzero = np.flatnonzero(values)
-        result[self.roots[nonzero]] = values[nonzero]
-        return result
+        self.state = np.full(len(roots), -1)
+        self.state[of] = np.maximum.reduceat(state[order], first)
+        self.nominal = np.ones(len(roots))
+        least = np.fmin.reduceat(nominal[order], first)
+        self.nominal[of] = np.where(np.isnan(least), 1.0, least)
+        given = np.flatnonzero(start)
+        self.start = np.zeros(len(roots))
+        self.start[roots[given]] = start[given] * signs[given]
 
     def full_name(self, number: int) -> str:
         """Return the full name of a variable of the flat network."""

@@ -52,10 +52,11 @@ class ParameterTable:
             return self.symbols[self.index[path]]
         scope, value = self._bound[path]
         if isinstance(value, Parameter):
-            owner = _owner_of(value, scope)
-            if owner is None:
+            while scope is not None and type(scope.component).fields.get(value.name) is not value:
+                scope = scope.parent
+            if scope is None:
                 raise ModelError(f"{instance}: {name} refers to a parameter of no enclosing component")
-            return self.expression(owner, value.name)
+            return self.expression(scope, value.name)
         if scope is None:
             raise ModelError(f"{instance}: {name} is a function, but no component encloses it")
         with numpy_on_symbols():
@@ -104,7 +105,10 @@ class ParameterTable:
             elif path not in self.index:
                 problems.append(f"there is no parameter '{path}'{nearest(str(path), self.index)}")
             else:
-                problem = _problem(self.fields[self.index[path]], value)
+                field = self.fields[self.index[path]]
+                problem = f"{field.name} must be a number [{field.unit}], got {shown(value)}"
+                if not number(value):
+                    problem = field.problem(float(value))
                 problems += [f"'{path}': {problem}"] if problem else []
                 numbers[self.index[path]] = np.nan if problem else value
         if changed and not problems:
@@ -138,12 +142,6 @@ class ParameterTable:
                 yield f"{self.instances[path.rpartition('.')[0]]}: {problem}"
 
 
-def _problem(declared: Parameter, value: Any) -> str:
-    if not number(value):
-        return declared.problem(float(value))
-    return f"{declared.name} must be a number [{declared.unit}], got {shown(value)}"
-
-
 class _View:
     """A component as a formula of a dependent parameter sees it."""
 
@@ -165,11 +163,3 @@ class _View:
         if isinstance(value, types.FunctionType):
             return types.MethodType(value, self)
         raise ModelError(f"{self._instance} has no parameter '{name}'")
-
-
-def _owner_of(declared: Parameter, instance: Instance | None) -> Instance | None:
-    while instance is not None:
-        if type(instance.component).fields.get(declared.name) is declared:
-            return instance
-        instance = instance.parent
-    return None
