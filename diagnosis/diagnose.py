@@ -14,9 +14,8 @@ from ..identification import Accuracy, Campaign
 from ..networks import COARSEST, FINEST, SOLVERS, chosen_solver
 from . import criteria
 from .effects.hypothesis import Hypothesis
-from .models.read import read_model
-from .models.study import Report, Study, study_of
-from .search.decimation import thinned
+from .models.fmu_network import read_model
+from .models.study import Report, Study, study_of, thinned
 from .search.joint_fit import JointFit
 from .search.model_comparison import Refit, are_alike, clearness, unexplained
 from .search.round import Round, run_round
@@ -59,9 +58,8 @@ def diagnose(
     )
     campaign = thinned(Campaign.of(campaign, read_model))
     samples = sum(len(experiment.record.time) for experiment in campaign.training)
-    run_by = chosen_solver(solver, samples, criteria.RUNS_PER_MODEL)
-    tolerance = rtol or relative_tolerance(campaign)
-    accuracy = Accuracy(run_by, tolerance, steps=criteria.SOLVER_STEPS_PER_SAMPLE)
+    run_by, steps = chosen_solver(solver, samples, criteria.RUNS_PER_MODEL), criteria.SOLVER_STEPS_PER_SAMPLE
+    accuracy = Accuracy(run_by, rtol or relative_tolerance(campaign), steps=steps)
     study = study_of(campaign, accuracy, executor, report)
     study.tell("refitting the parameters")
     nominal = JointFit(study, campaign.start)

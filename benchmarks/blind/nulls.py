@@ -21,8 +21,7 @@ from inertance.components import InertanceError
 from inertance.diagnosis import criteria
 from inertance.diagnosis.diagnose import relative_tolerance
 from inertance.diagnosis.effects.hypothesis import Hypothesis
-from inertance.diagnosis.models.study import study_of
-from inertance.diagnosis.search.decimation import thinned
+from inertance.diagnosis.models.study import study_of, thinned
 from inertance.diagnosis.search.joint_fit import JointFit
 from inertance.diagnosis.search.model_comparison import Refit, clearness
 from inertance.diagnosis.search.score_test import screen

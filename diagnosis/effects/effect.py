@@ -156,11 +156,7 @@ def effect_of(kind: str) -> Effect:
 
 
 def both(**names: Any) -> dict[str, tuple[Quantity, ...]]:
-    """Return quantities for both domains.
-
-    Args:
-        names: each ((translational name, unit), (rotational name, unit), low, shape), the last two optional.
-    """
+    """Return quantities, each ((translational name, unit), (rotational name, unit), low, shape)."""
     return {
         domain: tuple(Quantity(*entry[number], *entry[2:]) for entry in names.values())
         for number, domain in enumerate(Domain)

@@ -108,8 +108,7 @@ def with_effects(network: Network, effects: Sequence[Hypothesis]) -> Network:
 
 def driven(experiment: Experiment, effects: Sequence[Hypothesis]) -> Experiment:
     """Return an experiment with its inputs as the actuators pass them on."""
-    record = experiment.record
-    values = dict(record.values)
+    record, values = experiment.record, dict(experiment.record.values)
     for placed in effects:
         if placed.effect.change and placed.effect.drives:
             name = placed.site.path

@@ -1,14 +1,18 @@
-"""`FMUNetworkModel`: a network of one FMU and sources as the model of a campaign."""
+"""`read_model` reads the model of a campaign; `FMUNetworkModel` is one of an FMU and sources beside it."""
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+from pathlib import Path
 from typing import Any
 
 import casadi as ca
 
+from ...base import boolean, demand, instance
 from ...components import ModelError, nearest
 from ...components.language import Parameter
-from ...fmu import FMUBlock, FMUForce, FMUMotion, FMURotation, FMUTorque
+from ...fmu import FMU, FMUBlock, FMUForce, FMUMotion, FMURotation, FMUTorque
+from ...identification import Machine, fmu_and_kind, read_network
 from ...networks import DAE, Input, Network
 from ..effects.sites import walk
 from .fmu_model import FMUModel
@@ -137,7 +141,7 @@ def _port(part: Foreign) -> dict[str, str]:
     return {"force": signed[0] if signed[1] > 0 else f"-{signed[0]}", **names}
 
 
-def recognised(network: Network) -> FMUNetworkModel | None:
+def _recognised(network: Network) -> FMUNetworkModel | None:
     """Return the model that a network with an FMU in it is; None for one without."""
     foreign = {path: part for path, part in walk(network, "") if isinstance(part, Foreign | FMUBlock)}
     if not foreign:
@@ -146,3 +150,39 @@ def recognised(network: Network) -> FMUNetworkModel | None:
     if others or isinstance(part, FMUBlock):
         raise ModelError(f"'{network.name}' has {', '.join(foreign)}; {REMEDY}")
     return FMUNetworkModel(network, place, part)
+
+
+def read_model(
+    model: Network | str, port: Mapping[str, str], base: Path, validate: bool = True
+) -> tuple[Network, Machine]:
+    """Return the network of a campaign that is to be diagnosed, and what predicts its outputs.
+
+    Args:
+        model: the network, `path/to/file.py:function` that returns it, or `path/to/file.fmu`, with `:ME` or
+            `:CS` after it to choose (Co-Simulation if it has both, which is several times faster).
+        port: names of variables by "force", "position" and "velocity", where parts may be joined to an FMU.
+        base: the folder that a relative path starts from.
+        validate: whether to refuse an FMU whose description its schema does not allow.
+
+    Raises:
+        ModelError: telling what is wrong.
+        FMUError: if the file is no FMU that can be run.
+    """
+    demand(
+        "read_model()",
+        model=(model, instance(Network, str)),
+        port=(port, instance(Mapping)),
+        base=(base, instance(Path)),
+        validate=(validate, boolean),
+    )
+    foreign = fmu_and_kind(model)
+    if foreign:
+        path, kind = base / foreign[0], foreign[1]
+        if not path.is_file():
+            others = [p.name for p in path.parent.glob("*.fmu")] if path.parent.is_dir() else []
+            raise ModelError(f"model: there is no file '{path}'{nearest(path.name, others)}")
+        fmu = FMU(path, validate=validate)
+        box = FMUModel(fmu, fmu.kind(kind or ("CS" if "CS" in fmu.kinds else None)), port)
+        return box.network, box
+    network, equations = read_network(model, port, base)
+    return network, _recognised(network) or equations

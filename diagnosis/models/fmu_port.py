@@ -42,8 +42,7 @@ class FMUPort:
     @property
     def units(self) -> dict[str, str]:
         """The SI unit of each variable."""
-        names = (self.force, self.position, self.velocity)
-        return dict(zip(names, _units(self.domain), strict=True))
+        return dict(zip((self.force, self.position, self.velocity), _units(self.domain), strict=True))
 
 
 def read_port(fmu: FMU, entries: Mapping[str, str]) -> FMUPort:
@@ -102,10 +101,7 @@ def _measures(fmu: FMU, name: str, unit: str) -> bool:
 
 
 class _PortMotion:
-    """How a port moves, at one instant or along a run, as effects are told by a `Motion`.
-
-    What is usual there comes from a run before, since one instant does not tell.
-    """
+    """How a port moves, at an instant or along a run, as a `Motion` tells; its usual speed is known."""
 
     def __init__(self, usual_speed: float) -> None:
         self._least = max(STICKING_SPEED_RATIO * usual_speed, 1e-12)

@@ -6,6 +6,7 @@ import re
 import weakref
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 
@@ -75,13 +76,14 @@ class FMUPredictor:
         """Return the FMU on a record."""
         return ReplayedStand(self, experiment, self.refined)
 
-    def instants(self, found: FMUPrediction) -> Array:
+    def instants(self, found: Any) -> Array:
         """Return the instants of the record [s]."""
-        return found.time
+        time: Array = found.time
+        return time
 
-    def motion(self, found: FMUPrediction, number: int, site: Site) -> Motion:
+    def motion(self, found: Any, number: int, site: Site) -> Motion:
         """Return how the port moves."""
-        assert found.port is not None
+        assert isinstance(found.port, Motion)
         return found.port
 
 

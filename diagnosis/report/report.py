@@ -53,17 +53,11 @@ def write_report(verdict: Verdict, path: str | Path) -> Path:
     )
 
 
-def stages_of(verdict: Verdict) -> Stages:
-    """Return the models that were held against the records, by what they are called in the report."""
+def _sections(verdict: Verdict, figures: dict[str, Figure]) -> Iterator[str]:
     evidence = verdict.evidence
-    stages = {"nominal": evidence.nominal, "refit": evidence.refit}
+    stages = {"nominal": evidence.nominal, "refit": evidence.refit}  # by what they are called in the report
     if evidence.after is not evidence.refit:
         stages["with the effect" if verdict.effects else "with the best candidate"] = evidence.after
-    return stages
-
-
-def _sections(verdict: Verdict, figures: dict[str, Figure]) -> Iterator[str]:
-    stages = stages_of(verdict)
     told = "".join(f"<p>{escape(line)}</p>" for line in conclusion(verdict))
     yield f'<section id="verdict" class="verdict {verdict.verdict}">{told}</section>'
     yield _section("where", "Where", drawings(verdict))
@@ -75,7 +69,7 @@ def _sections(verdict: Verdict, figures: dict[str, Figure]) -> Iterator[str]:
     yield _section("correction", "The correction", _correction(verdict))
     yield _section("next", "What to measure next", [f"<p>{escape(advice(verdict))}</p>"])
     yield _section("parameters", "Parameters", _parameters(verdict))
-    notes = [*verdict.notes, *verdict.evidence.campaign.notes, *methods(verdict)]
+    notes = [*verdict.notes, *evidence.campaign.notes, *methods(verdict)]
     yield _section("notes", "Notes", ["<ul>", *(f"<li>{escape(note)}</li>" for note in notes), "</ul>"])
 
 

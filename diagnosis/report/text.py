@@ -37,9 +37,8 @@ def conclusion(verdict: Verdict) -> Iterator[str]:
     """Yield the verdict in a sentence, its confidence, and what it rests on."""
     yield verdict.sentence
     if verdict.effects:
-        each = [
-            f"{told(*p.key)}: {sure(c)}" for p, c in zip(verdict.effects, verdict.confidence, strict=True)
-        ]
+        pairs = zip(verdict.effects, verdict.confidence, strict=True)
+        each = [f"{told(*placed.key)}: {sure(confidence)}" for placed, confidence in pairs]
         yield f"Confidence: {'; '.join(each)}."
     campaign = verdict.evidence.campaign
     runs = _runs("training", campaign.training)

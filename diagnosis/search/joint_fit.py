@@ -95,25 +95,21 @@ class JointFit:
         if others:
             _, vector, bounds = min(map(self._begun, begins), key=lambda begun: begun[0])
         for _ in range(1 + criteria.SHAPED_DESCENTS):
-            vector = self._descended(vector, bounds, DESCENT)[0]
+            *_, end = descent(self.stacked, vector, bounds, DESCENT, learnt=True)
+            vector = end.vector
             if not self.shapes.are_held(vector, bounds):
                 break
             bounds = self.shapes.bounds(vector)
         return self.seen(vector)
 
-    def _descended(self, start: Array, bounds: Bounds, ending: Ending) -> tuple[Array, float]:
-        """Return where a descent within bounds ends, and the sum of squares there."""
-        *_, end = descent(self.stacked, start, bounds, ending, learnt=True)
-        return end.vector, end.cost
-
     def _begun(self, start: Array) -> tuple[float, Array, Bounds]:
         """Return the sum of squares after a step from a start, where that leads, and the bounds."""
         bounds = self.shapes.bounds(start)
         try:
-            vector, cost = self._descended(start, bounds, replace(DESCENT, steps=1))
+            *_, end = descent(self.stacked, start, bounds, replace(DESCENT, steps=1), learnt=True)
         except SimulationError:
             return inf, start, bounds
-        return cost, vector, bounds
+        return end.cost, end.vector, bounds
 
     def seen(self, vector: Array) -> Refit:
         """Return the model with the values of a vector, held against all records."""
@@ -124,8 +120,7 @@ class JointFit:
         )
         cost = sum(float(r @ r) for record in train for r in record.values())
         prior = self.pull * vector[: len(self.names)]
-        compared = stretches(self.study.judged)
-        return Refit(fitted, placed, train, test, cost + float(prior @ prior), compared)
+        return Refit(fitted, placed, train, test, cost + float(prior @ prior), stretches(self.study.judged))
 
     def stacked(self, vector: Array, slopes: bool) -> tuple[Array, Array | None]:
         """Return residuals of all training records and of the priors, and their slopes if wanted."""

@@ -11,8 +11,7 @@ from ...components import InertanceError
 from ...identification import Accuracy, Campaign
 from .. import criteria
 from ..effects.hypothesis import Hypothesis
-from ..models.study import Study, study_of
-from .decimation import thinned
+from ..models.study import Study, study_of, thinned
 from .joint_fit import FitStart, JointFit
 from .model_comparison import Refit, unexplained
 from .score_test import Candidate, screen

@@ -36,19 +36,14 @@ class WhitenedRecord:
         self._stand: Any = predictor.stand(driven(experiment, effects))
         self.measured = experiment.compared
         start = None if experiment.initial == "rest" else self._stand.rest(parameters, study.accuracy)
-        self._found: Any = self._stand.run(parameters, start, study.accuracy)
-        found = self._found
+        self._found = found = self._stand.run(parameters, start, study.accuracy)
+        self.time = predictor.instants(found)  # at which changes of inputs are to be given [s]
         self.predicted = {n: sensed(found.time, n, v, effects) for n, v in found.values.items()}
         free = np.concatenate([found.start_slopes[n] / sigma[n] for n in self.outputs])
         self._basis = _orthonormal(free if experiment.initial == "fit" else free[:, :0])
         missed = [(self.measured.values[n] - self.predicted[n]) / sigma[n] for n in self.outputs]
         self.residual = self.off(np.concatenate(missed))
         self.slopes = self.off(np.concatenate([found.slopes[n] / sigma[n] for n in self.outputs]))
-
-    @property
-    def time(self) -> Array:
-        """Instants at which changes of inputs are to be given [s]."""
-        return self._predictor.instants(self._found)
 
     def motion(self, number: int, site: Site) -> Motion:
         """Return how one of the predictor's sites moves."""

@@ -141,8 +141,8 @@ def moved(
     for experiment in experiments:
         stand = model.stand(experiment)
         start = None if experiment.initial == "rest" else stand.rest(parameters, study.accuracy)
-        run: Any = stand.run(parameters, start, study.accuracy, False)
-        motion, t = model.motion(run, 0, site), experiment.compared.time
+        motion = model.motion(stand.run(parameters, start, study.accuracy, False), 0, site)
+        t = experiment.compared.time
         signals = (np.interp(t, motion.t, x) for x in (motion.s, motion.v, motion.f, motion.a))
         motions.append(Motion(t, *signals))
     return motions

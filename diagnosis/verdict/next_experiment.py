@@ -66,16 +66,16 @@ def _trials(campaign: Campaign) -> Iterator[_Sine]:
 
 def _band(records: list[Record], channel: str) -> tuple[float, float]:
     """Return between which frequencies the middle nine tenths of the energy of an input lie."""
-    begins, ends = [], []
+    bands = []
     for record in records:
         power = np.abs(np.fft.rfft(record.values[channel] - record.values[channel].mean())) ** 2
         share = np.cumsum(power) / max(float(power.sum()), 1e-300)
         frequencies = np.fft.rfftfreq(len(record.time), 1 / record.rate)
-        first, last = np.searchsorted(share, criteria.INPUT_BAND_ENERGY_SHARES)
-        begins.append(float(frequencies[first]))
-        ends.append(float(frequencies[min(int(last), len(frequencies) - 1)]))
-    low = max(min(begins), 1 / criteria.TRIAL_SECONDS)
-    return low, max(max(ends), 2 * low)
+        ends = np.searchsorted(share, criteria.INPUT_BAND_ENERGY_SHARES)
+        bands.append(frequencies[np.minimum(ends, len(frequencies) - 1)])
+    (low, _), (_, high) = np.min(bands, axis=0), np.max(bands, axis=0)
+    low = max(float(low), 1 / criteria.TRIAL_SECONDS)
+    return low, max(float(high), 2 * low)
 
 
 def _peak(record: Record, channel: str, order: int) -> float:

@@ -47,15 +47,9 @@ def component_families(flat: Flat) -> None:
         for residual, slopes in zip(template.residuals, template.slopes, strict=True):
             locals_ = pick(template.symbols, [*slopes])
             columns = bases + np.array([*slopes], dtype=np.int64)[None, :]
-            flat.families.append(
-                Family(
-                    Form(residual, locals_, given, modes, template.time, [*slopes.values()]),
-                    columns,
-                    np.ones_like(columns),
-                    arguments,
-                    _label(group),
-                )
-            )
+            form = Form(residual, locals_, given, modes, template.time, [*slopes.values()])
+            family = Family(form, columns, np.ones_like(columns), arguments, _label(group))
+            flat.families.append(family)
 
 
 def node_families(flat: Flat, nodes: list[Node]) -> None:

@@ -71,12 +71,10 @@ class ParameterTable:
 
     def field(self, path: str) -> Parameter | None:
         """Return the declaration of a parameter by its full name, None if there is none."""
-        if text(path):
+        if text(path) or (path not in self.index and path not in self._bound):
             return None
-        if path in self.index:
-            return self.fields[self.index[path]]
         owner, _, name = path.rpartition(".")
-        return type(self.instances[owner].component).fields[name] if path in self._bound else None  # type: ignore[return-value]
+        return type(self.instances[owner].component).fields[name]  # type: ignore[return-value]
 
     def matrix(self, group: list[Instance]) -> Any:
         """Return the parameters of like instances, (parameters, instances)."""
