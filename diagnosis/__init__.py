@@ -8,7 +8,7 @@ from .effects.edits import between as between
 from .effects.effect import Effect as Effect
 from .effects.effect import Quantity as Quantity
 from .effects.effect import register as register
-from .models.read import read_model as read_model
+from .models.fmu_network import read_model as read_model
 from .report.report import write_report as write_report
 from .verdict.verdict import DiagnosisInterruptedError as DiagnosisInterruptedError
 from .verdict.verdict import Gap as Gap

@@ -12,28 +12,13 @@ from ..base import between, demand, function, instance, one_of, optional
 from ..components import InertanceError
 from ..identification import Accuracy, Campaign
 from ..networks import COARSEST, FINEST, SOLVERS, chosen_solver
-from .criteria import (
-    CLEAR_STANDARD_ERRORS,
-    COLOURED_MISFIT,
-    EARLY_END_COST_RATIO,
-    FIRST_EFFECT_SHARE,
-    FURTHER_EFFECT_SHARE,
-    GENERALISATION_SHARE,
-    MOST_EFFECTS,
-    NOISE_MISFIT,
-    PART_CHI_SQUARED,
-    RELATIVE_TOLERANCES,
-    RUNS_PER_MODEL,
-    SOLVER_STEPS_PER_SAMPLE,
-    TOLERANCE_OVER_NOISE,
-)
+from . import criteria
 from .effects.hypothesis import Hypothesis
-from .models.predictor import subject
-from .models.read import read_model
-from .search.decimation import thinned
-from .search.joint_fit import JointFit, Refit, refit
-from .search.model_comparison import are_alike, blocks, clearness, is_simpler, misfit, unexplained
-from .search.round import Report, Round, run_round
+from .models.fmu_network import read_model
+from .models.study import Report, Study, study_of, thinned
+from .search.joint_fit import JointFit
+from .search.model_comparison import Refit, are_alike, clearness, unexplained
+from .search.round import Round, run_round
 from .verdict.decide import decided
 from .verdict.verdict import DiagnosisInterruptedError, Verdict
 
@@ -71,112 +56,108 @@ def diagnose(
         report=(report, optional(function)),
         executor=(executor, optional(instance(Executor))),
     )
-    tell = report or (lambda line: None)
     campaign = thinned(Campaign.of(campaign, read_model))
-    rtol = rtol or relative_tolerance(campaign)
     samples = sum(len(experiment.record.time) for experiment in campaign.training)
-    accuracy = Accuracy(chosen_solver(solver, samples, RUNS_PER_MODEL), rtol, steps=SOLVER_STEPS_PER_SAMPLE)
-    tell("refitting the parameters")
-    nominal = JointFit(campaign, campaign.network, campaign.start, (), accuracy)
-    start = nominal.seen(nominal.start)
-    base = nominal.fitted()
+    run_by, steps = chosen_solver(solver, samples, criteria.RUNS_PER_MODEL), criteria.SOLVER_STEPS_PER_SAMPLE
+    accuracy = Accuracy(run_by, rtol or relative_tolerance(campaign), steps=steps)
+    study = study_of(campaign, accuracy, executor, report)
+    study.tell("refitting the parameters")
+    nominal = JointFit(study, campaign.start)
+    start, base = nominal.seen(nominal.start), nominal.fitted()
     rounds: list[Round] = []
-    notes = subject(campaign).limits()
+    notes = study.limits()
     best = base
     try:
-        while len(best.effects) < MOST_EFFECTS and _misses_much(best, base):
-            done = run_round(campaign, best, accuracy, executor, tell, rounds)
-            chosen = _chosen(done, base, campaign)
+        while len(best.effects) < criteria.MOST_EFFECTS and _misses_much(best, base):
+            chosen = _chosen(run_round(study, best, rounds), base)
             if chosen is None:
                 break
-            without = _without(chosen.effects[-1], chosen, campaign, accuracy)
-            if without is not None and without.cost < EARLY_END_COST_RATIO * best.cost:
-                tell("the fit before had ended early: once more from where this one led")
+            without = _without(chosen.effects[-1], chosen, study)
+            if without is not None and without.cost < criteria.EARLY_END_COST_RATIO * best.cost:
+                study.tell("the fit before had ended early: once more from where this one led")
                 best, base = without, base if best.effects else without
                 rounds.pop()
                 continue
-            best = _pruned(chosen, campaign, accuracy)
-        return decided(campaign, accuracy, start, base, best, rounds, notes)
+            best = _pruned(chosen, study)
+        return decided(study, start, base, best, rounds, notes)
     except KeyboardInterrupt:
-        verdict = decided(campaign, accuracy, start, base, best, rounds, notes, interrupted=True)
-        raise DiagnosisInterruptedError(
-            "interrupted; what is known so far is the error's `verdict`", verdict
-        ) from None
+        verdict = decided(study, start, base, best, rounds, notes, interrupted=True)
+        told = "interrupted; what is known so far is the error's `verdict`"
+        raise DiagnosisInterruptedError(told, verdict) from None
 
 
 def relative_tolerance(campaign: Campaign) -> float:
     """Return a relative tolerance at which errors of runs, friction and all, do not show in the noise."""
     moved = {n: max(float(np.std(e.record.values[n])) for e in campaign.training) for n in campaign.outputs}
     share = min(sigma / (moved[name] or sigma) for name, sigma in campaign.sigma.items())
-    return float(np.clip(TOLERANCE_OVER_NOISE * share, *RELATIVE_TOLERANCES))
+    return float(np.clip(criteria.TOLERANCE_OVER_NOISE * share, *criteria.RELATIVE_TOLERANCES))
 
 
 def _misses_much(best: Refit, base: Refit) -> bool:
     """Tell whether another effect could take away enough to be believed."""
     if not best.effects:
-        return misfit(best) > NOISE_MISFIT
-    return misfit(best) > COLOURED_MISFIT and unexplained(best, base) > FURTHER_EFFECT_SHARE
+        return best.misfit > criteria.NOISE_MISFIT
+    return best.misfit > criteria.COLOURED_MISFIT and unexplained(best, base) > criteria.FURTHER_EFFECT_SHARE
 
 
-def _chosen(done: Round, base: Refit, campaign: Campaign) -> Refit | None:
+def _chosen(done: Round, base: Refit) -> Refit | None:
     """Return the best model of a round among those clearly better than the first, the simplest of equals.
 
     How much it must take away is counted in what the model without effects misses.
     """
-    clear = [found for found in done.fitted if clearness(done.base, found, campaign) > CLEAR_STANDARD_ERRORS]
+    clear = [found for found in done.fitted if clearness(done.base, found) > criteria.CLEAR_STANDARD_ERRORS]
     if not clear:
         return None
-    best = _sited(min(clear, key=lambda f: blocks(f, campaign).sum()), clear, campaign)
+    best = _sited(min(clear, key=lambda f: f.blocks.sum()), clear)
     for other in clear:
-        if is_simpler(other, best) and not _worth_it(other, best, campaign):
+        if best.effects[-1].generalises(other.effects[-1]) and not _worth_it(other, best):
             best = other
-    drop = blocks(done.base, campaign).sum() - blocks(best, campaign).sum()
-    least = FURTHER_EFFECT_SHARE if done.base.effects else FIRST_EFFECT_SHARE
-    return best if drop > least * blocks(base, campaign).sum() else None
+    drop = done.base.blocks.sum() - best.blocks.sum()
+    least = criteria.FURTHER_EFFECT_SHARE if done.base.effects else criteria.FIRST_EFFECT_SHARE
+    return best if drop > least * base.blocks.sum() else None
 
 
-def _sited(best: Refit, clear: Sequence[Refit], campaign: Campaign) -> Refit:
+def _sited(best: Refit, clear: Sequence[Refit]) -> Refit:
     """Return a model or its like with the same effect elsewhere, if test records cannot tell them apart.
 
-    Those have equally many parameters, so that what was fitted tells more; what it does not tell of a part
-    is told of the whole.
+    With equally many parameters the lower training cost decides; an assembly is preferred unless a part is
+    better by PART_CHI_SQUARED.
     """
     kind = best.effects[-1].effect.kind
-    alike = [f for f in clear if f.effects[-1].effect.kind == kind and are_alike(f, best, campaign)]
+    alike = [f for f in clear if f.effects[-1].effect.kind == kind and are_alike(f, best)]
     best = min(alike, key=lambda f: f.cost)
     for other in alike:
-        if other.effects[-1].site.holds(best.effects[-1].site) and other.cost < best.cost + PART_CHI_SQUARED:
+        near = other.cost < best.cost + criteria.PART_CHI_SQUARED
+        if near and other.effects[-1].site.holds(best.effects[-1].site):
             best = other
     return best
 
 
-def _worth_it(plain: Refit, richer: Refit, campaign: Campaign) -> bool:
+def _worth_it(plain: Refit, richer: Refit) -> bool:
     """Tell whether a generalisation does clearly better, and not only mends what no law has quite right.
 
     One that leaves nothing but noise, where its special case leaves more, does clearly better.
     """
-    left = misfit(plain) ** 2 - 1.0
-    taken = misfit(plain) ** 2 - misfit(richer) ** 2
-    clear = (
-        misfit(richer) <= NOISE_MISFIT < misfit(plain)
-        or clearness(plain, richer, campaign) >= CLEAR_STANDARD_ERRORS
-    )
-    return taken > GENERALISATION_SHARE * left and clear
+    left = plain.misfit**2 - 1.0
+    taken = plain.misfit**2 - richer.misfit**2
+    nothing_left = richer.misfit <= criteria.NOISE_MISFIT < plain.misfit
+    clear = nothing_left or clearness(plain, richer) >= criteria.CLEAR_STANDARD_ERRORS
+    return taken > criteria.GENERALISATION_SHARE * left and clear
 
 
-def _pruned(best: Refit, campaign: Campaign, accuracy: Accuracy) -> Refit:
+def _pruned(best: Refit, study: Study) -> Refit:
     """Return the model without those effects that a later one has made needless."""
     for placed in best.effects[:-1]:
-        less = _without(placed, best, campaign, accuracy)
-        if less is not None and clearness(less, best, campaign) < CLEAR_STANDARD_ERRORS:
+        less = _without(placed, best, study)
+        if less is not None and clearness(less, best) < criteria.CLEAR_STANDARD_ERRORS:
             best = less
     return best
 
 
-def _without(placed: Hypothesis, model: Refit, campaign: Campaign, accuracy: Accuracy) -> Refit | None:
+def _without(placed: Hypothesis, model: Refit, study: Study) -> Refit | None:
     """Return a model without one of its effects, fitted again from where it is; None if it cannot be run."""
     others = [p for p in model.effects if p is not placed]
     try:
-        return refit(campaign, campaign.network, model.parameters, others, accuracy)
+        return JointFit(study, model.parameters, others).fitted()
     except InertanceError:
         return None

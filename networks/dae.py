@@ -110,8 +110,7 @@ class DAE:
     @cached_property
     def followed(self) -> dict[int, tuple[int, int]]:
         """By variable that starts where an input does: that input, and its sign against the variable."""
-        flat = self.flat
-        found = {}
+        flat, found = self.flat, dict[int, tuple[int, int]]()
         for group in flat.groups:
             for name, declared in type(group[0].component).fields.items():
                 leader = declared.follows if isinstance(declared, Variable) else ""

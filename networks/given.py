@@ -13,11 +13,7 @@ if TYPE_CHECKING:
 
 
 def dae_of(given: Network | DAE | Any) -> DAE:
-    """Return the equations of a network, or the equations that were given.
-
-    Raises:
-        ModelError: for anything else.
-    """
+    """Return the equations of a network, or those that were given; a ModelError is for anything else."""
     if isinstance(given, DAE):
         return given
     if _is_network(given):
@@ -26,22 +22,14 @@ def dae_of(given: Network | DAE | Any) -> DAE:
 
 
 def network_of(given: Network | Any) -> Network:
-    """Return a network that was given.
-
-    Raises:
-        ModelError: for anything else.
-    """
+    """Return a network that was given; a ModelError is for anything else."""
     if _is_network(given):
         return given
     raise ModelError(f"a Network is needed, got {shown(given)}{_remedy(given)}")
 
 
 def element_of(given: Component | Any) -> Component:
-    """Return a component that was given, which may be a network.
-
-    Raises:
-        ModelError: for anything else.
-    """
+    """Return a component that was given, which may be a network; a ModelError is for anything else."""
     if isinstance(given, Component):
         return given
     raise ModelError(f"a component is needed, got {shown(given)}{_remedy(given)}")

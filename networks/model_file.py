@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import traceback
 from pathlib import Path
-from typing import Any
 
 from ..base import InertanceError, ModelError, is_utf_16, module_of, nearest, there_is_file
 from .network import Network
@@ -33,9 +32,9 @@ def load_model(model: str, base: Path = Path(), asked: str = "model") -> Network
     if is_utf_16(path):
         raise ModelError(f"{path}: Python reads UTF-8, and this file is UTF-16; save it as UTF-8")
     try:
-        network = _called(path, name)
-    except _UnknownError as error:
-        raise ModelError(f"{path} has no function '{name}'{error}") from None
+        module = module_of(path)
+        function = getattr(module, name, None)
+        network = function() if callable(function) else None
     except InertanceError as error:
         raise UserCodeError(f"{_place(path, error)}: {error}") from error
     except SystemExit as error:
@@ -43,27 +42,14 @@ def load_model(model: str, base: Path = Path(), asked: str = "model") -> Network
         raise UserCodeError(f"{_place(path, error)}: {told}") from error
     except Exception as error:
         raise UserCodeError(f"{_place(path, error)}: {type(error).__name__}: {error}") from error
+    if not callable(function):
+        named = {n: getattr(v, "__module__", "") for n, v in vars(module).items() if callable(v)}
+        own = [n for n, home in named.items() if home == module.__name__]
+        known = f"; it has {', '.join(own)}" if own else ""
+        raise ModelError(f"{path} has no function '{name}'{nearest(name, own) or known}")
     if not isinstance(network, Network):
         raise ModelError(f"{model} returned {type(network).__name__}, but {asked} returns a Network")
     return network
-
-
-class _UnknownError(Exception):
-    """A function that a file does not have; the message tells which it has."""
-
-
-def _called(path: Path, name: str) -> Any:
-    module = module_of(path)
-    function = getattr(module, name, None)
-    if not callable(function):
-        own = [
-            key
-            for key, value in vars(module).items()
-            if callable(value) and getattr(value, "__module__", "") == module.__name__
-        ]
-        known = f"; it has {', '.join(own)}" if own else ""
-        raise _UnknownError(nearest(name, own) or known)
-    return function()
 
 
 def _place(path: Path, error: BaseException) -> str:

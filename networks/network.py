@@ -61,15 +61,12 @@ class Network(Component):
         Raises:
             ModelError: if nothing, or something that is no port, is given.
         """
+        told = f"Network '{self.name}': connect() joins ports such as `net.mass.flange`"
         for port in ports:
             if not isinstance(port, PortRef):
-                raise ModelError(
-                    f"Network '{self.name}': connect() joins ports such as `net.mass.flange`, got {port!r}"
-                )
+                raise ModelError(f"{told}, got {port!r}")
         if not ports:
-            raise ModelError(
-                f"Network '{self.name}': connect() joins ports such as `net.mass.flange`, got none"
-            )
+            raise ModelError(f"{told}, got none")
         self._joined.append(ports)
         return self
 
@@ -96,10 +93,9 @@ class Network(Component):
         told = f"Network '{self.name}': insert() puts an element with flange_a and flange_b at a port"
         if not isinstance(port, PortRef):
             raise ModelError(f"{told} such as `net.mass.flange`, got {port!r}")
-        if len(element) != 1 or any(
-            not {"flange_a", "flange_b"} <= type(e).fields.keys() for e in element.values()
-        ):
-            raise ModelError(f"{told}, got {', '.join(repr(e) for e in element.values()) or 'none'}")
+        joinable = [{"flange_a", "flange_b"} <= type(e).fields.keys() for e in element.values()]
+        if joinable != [True]:
+            raise ModelError(f"{told}, got {', '.join(map(repr, element.values())) or 'none'}")
         self.add(**element)
         self._inserted.append((self._end_of(port), next(iter(element))))
         return self

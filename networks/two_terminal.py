@@ -15,9 +15,8 @@ class _Joined(Component):
 
     def __init__(self, how: str, nodes: list[list[tuple[str, str]]], parts: dict[str, Component]) -> None:
         super().__init__()
-        self._how = how
+        self._how, self._nodes = how, nodes
         self._parts.update(parts)
-        self._nodes = nodes
         self._own_parts()
 
     def __repr__(self) -> str:
@@ -51,12 +50,6 @@ class RotationalTwoTerminal(_Joined, rotational.TwoFlanges):
     def equations(self) -> Iterable[Any]:
         """State what `tau` is."""
         yield self.tau == self.flange_b.tau
-
-
-_KINDS: dict[Domain, type[TwoTerminal | RotationalTwoTerminal]] = {
-    Domain.TRANSLATIONAL: TwoTerminal,
-    Domain.ROTATIONAL: RotationalTwoTerminal,
-}
 
 
 def series(*elements: Component, **named: Component) -> TwoTerminal | RotationalTwoTerminal:
@@ -128,7 +121,8 @@ def _joined(
     domain, *others = {PortRef(element, "flange_a").domain for element in parts.values()}
     if others or domain is None:
         raise ModelError(f"{how}() joins sliding elements or turning ones, not both")
-    return _KINDS[domain](how, nodes, parts)
+    kind = TwoTerminal if domain == Domain.TRANSLATIONAL else RotationalTwoTerminal
+    return kind(how, nodes, parts)
 
 
 def _named(elements: tuple[Component, ...], named: dict[str, Component]) -> dict[str, Component]:
@@ -145,8 +139,6 @@ def _named(elements: tuple[Component, ...], named: dict[str, Component]) -> dict
         raise ModelError("series() and parallel() join at least one element")
     for name, element in parts.items():
         if not {"flange_a", "flange_b"} <= getattr(type(element), "fields", {}).keys():
-            raise ModelError(
-                f"'{name}' ({element!r}) has no flange_a and flange_b; "
-                "series() and parallel() join two-terminal elements"
-            )
+            told = f"'{name}' ({element!r}) has no flange_a and flange_b"
+            raise ModelError(f"{told}; series() and parallel() join two-terminal elements")
     return parts

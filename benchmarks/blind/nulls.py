@@ -21,9 +21,9 @@ from inertance.components import InertanceError
 from inertance.diagnosis import criteria
 from inertance.diagnosis.diagnose import relative_tolerance
 from inertance.diagnosis.effects.hypothesis import Hypothesis
-from inertance.diagnosis.search.decimation import thinned
-from inertance.diagnosis.search.joint_fit import Refit, refit
-from inertance.diagnosis.search.model_comparison import blocks, clearness, misfit
+from inertance.diagnosis.models.study import study_of, thinned
+from inertance.diagnosis.search.joint_fit import JointFit
+from inertance.diagnosis.search.model_comparison import Refit, clearness
 from inertance.diagnosis.search.score_test import screen
 from inertance.identification import Accuracy, Campaign, CampaignModel, Experiment
 
@@ -54,21 +54,21 @@ def null(folder: Path, rng: np.random.Generator) -> Campaign:
 
 def reached(campaign: Campaign) -> dict[str, float]:
     """Return what a null case reaches, by the threshold that it is held against."""
-    accuracy = Accuracy(rtol=relative_tolerance(campaign))
-    base = refit(campaign, campaign.network, campaign.start, (), accuracy)
-    candidates = screen(campaign, campaign.network, base.parameters, (), accuracy)
+    study = study_of(campaign, Accuracy(rtol=relative_tolerance(campaign)))
+    base = JointFit(study, campaign.start).fitted()
+    candidates = screen(study, base.parameters)
     fitted: list[Refit] = []
     for candidate in candidates[:FITTED]:
         placed = Hypothesis(candidate.effect, candidate.site, "null", candidate.values)
         try:
-            fitted.append(refit(campaign, campaign.network, base.parameters, [placed], accuracy))
+            fitted.append(JointFit(study, base.parameters, [placed]).fitted())
         except InertanceError as error:
             print(f"{candidate.label}: {error}", file=sys.stderr)
-    priors, left = campaign.priors, blocks(base, campaign).sum()
+    priors, left = campaign.priors, base.blocks.sum()
     moved = [abs(value - priors[name].center) / priors[name].sd for name, value in base.parameters.items()]
-    found = (misfit(base), misfit(base), max(moved), candidates[0].gain)
-    clear = max((clearness(base, other, campaign) for other in fitted), default=0.0)
-    taken = max((1 - float(blocks(other, campaign).sum() / left) for other in fitted), default=0.0)
+    found = (base.misfit, base.misfit, max(moved), candidates[0].gain)
+    clear = max((clearness(base, other) for other in fitted), default=0.0)
+    taken = max((1 - float(other.blocks.sum() / left) for other in fitted), default=0.0)
     return dict(zip((*THRESHOLDS, *FITS), (*found, clear, taken), strict=True))
 
 

@@ -10,54 +10,41 @@ from typing import Any
 import numpy as np
 
 from ...base import Array
-from ...components import Component, signals
-from ..criteria import (
-    REVERSAL_SPEED_RATIO,
-    RIPPLE_PERIODS,
-    RIPPLES_PER_TRAVEL,
-    STRIBECK_SPEED_RATIOS,
-    YIELD_TRAVEL_RATIOS,
-)
+from ...components import signals
+from .. import criteria
 from .edits import Add, Connect, Edit, Insert, between
 from .effect import Effect, Extent, Motion, Quantity, Values, both, register
 from .sites import Site
 
-Maker = Callable[[Site, Values], Component]
-
 
 def _across(
     kind: str,
+    element: str,
     quantities: dict[str, tuple[Quantity, ...]],
-    make: Maker,
     basis: Callable[[Motion, Values], list[Array]],
+    given: Callable[[Site, Values], dict[str, float]] = lambda site, values: dict(values),
     **more: Any,
-) -> Effect:
+) -> None:
+    """Register an effect of one element between two flanges; `given` are its parameters, of those fitted."""
+
     def edits(site: Site, name: str, values: Values) -> list[Edit]:
-        return between(name, make(site, values), site.fixed, site.moving)
+        return between(name, getattr(site.family, element)(**given(site, values)), site.fixed, site.moving)
 
-    return register(Effect(kind, "across", quantities, edits, basis, **more))
-
-
-def _speeds(motion: Extent) -> list[dict[str, float]]:
-    return [{"v_s": share * motion.speed} for share in STRIBECK_SPEED_RATIOS]
+    register(Effect(kind, "across", quantities, edits, basis, **more))
 
 
 def _periods(motion: Extent) -> list[dict[str, float]]:
-    return [
-        {"period": 2 * motion.travel / count} for count in np.geomspace(*RIPPLES_PER_TRAVEL, RIPPLE_PERIODS)
-    ]
-
-
-def _yields(motion: Extent) -> list[dict[str, float]]:
-    return [{"s_y": share * motion.travel} for share in YIELD_TRAVEL_RATIOS]
+    counts = np.geomspace(*criteria.RIPPLES_PER_TRAVEL, criteria.RIPPLE_PERIODS)
+    return [{"period": 2 * motion.travel / count} for count in counts]
 
 
 def _shape(values: Values) -> float:
     return next(iter(values.values()))
 
 
-def _unstretched(site: Site) -> dict[str, float]:
-    return {f"{site.mechanics.across}_rel0": site.rest}
+def _unstretched(site: Site, values: Values) -> dict[str, float]:
+    """Return the parameters of a spring that is at rest where the site is."""
+    return {f"{site.mechanics.across}_rel0": site.rest, **values}
 
 
 def _stribeck(motion: Motion, shape: Values) -> list[Array]:
@@ -93,102 +80,88 @@ def _hysteresis(motion: Motion, shape: Values) -> list[Array]:
     return [z]
 
 
-VISCOUS = _across(
-    "viscous_damping",
-    both(d=(("d", "N.s/m"), ("d", "N.m.s/rad"))),
-    lambda at, p: at.family.Damper(**p),
-    lambda motion, _: [motion.v],
-)
-QUADRATIC = _across(
+_across("viscous_damping", "Damper", both(d=(("d", "N.s/m"), ("d", "N.m.s/rad"))), lambda m, _: [m.v])
+_across(
     "quadratic_damping",
+    "QuadraticDamper",
     both(c=(("c", "N.s2/m2"), ("k", "N.m.s2/rad2"))),
-    lambda at, p: at.family.QuadraticDamper(**p),
     lambda motion, _: [motion.v * np.abs(motion.v)],
 )
-COULOMB = _across(
-    "coulomb_friction",
-    both(f=(("f_c", "N"), ("tau_c", "N.m"))),
-    lambda at, p: at.family.CoulombFriction(**p),
-    lambda motion, _: [motion.direction],
-)
-STRIBECK = _across(
+_COULOMB = (("f_c", "N"), ("tau_c", "N.m"))
+_across("coulomb_friction", "CoulombFriction", both(f=_COULOMB), lambda motion, _: [motion.direction])
+_across(
     "stribeck_friction",
+    "StribeckFriction",
     both(
-        f_c=(("f_c", "N"), ("tau_c", "N.m")),
-        f_s=(("f_s", "N"), ("tau_s", "N.m")),
-        v_s=(("v_s", "m/s"), ("w_s", "rad/s"), 0.0, True),
+        f_c=_COULOMB, f_s=(("f_s", "N"), ("tau_s", "N.m")), v_s=(("v_s", "m/s"), ("w_s", "rad/s"), 0.0, True)
     ),
-    lambda at, p: at.family.StribeckFriction(**p),
     _stribeck,
-    shapes=_speeds,
+    shapes=lambda motion: [{"v_s": r * motion.speed} for r in criteria.STRIBECK_SPEED_RATIOS],
     credible=_breaks_away,
     plain=("coulomb_friction", (1.0, 1.0)),
 )
-ASYMMETRIC = _across(
+_across(
     "asymmetric_friction",
+    "AsymmetricFriction",
     both(
         forward=(("f_forward", "N"), ("tau_forward", "N.m")),
         backward=(("f_backward", "N"), ("tau_backward", "N.m")),
     ),
-    lambda at, p: at.family.AsymmetricFriction(**p),
     lambda motion, _: [np.maximum(motion.direction, 0), np.minimum(motion.direction, 0)],
     plain=("coulomb_friction", (1.0, 1.0)),
 )
-RIPPLE = _across(
+_across(
     "position_ripple",
+    "Ripple",
     both(
         f_sin=(("f_sin", "N"), ("tau_sin", "N.m"), -inf),
         f_cos=(("f_cos", "N"), ("tau_cos", "N.m"), -inf),
         period=(("period", "m"), ("period", "rad"), 0.0, True),
     ),
-    lambda at, p: at.family.Ripple(**p),
     _ripple,
     shapes=_periods,
     absolute=True,
 )
-LINEAR = _across(
-    "linear_stiffness",
-    both(k=(("k", "N/m"), ("c", "N.m/rad"))),
-    lambda at, p: at.family.Spring(**_unstretched(at), **p),
-    lambda motion, _: [motion.s],
-)
-CUBIC = _across(
+_STIFFNESS = (("k", "N/m"), ("c", "N.m/rad"))
+_across("linear_stiffness", "Spring", both(k=_STIFFNESS), lambda motion, _: [motion.s], _unstretched)
+_across(
     "cubic_stiffness",
+    "CubicSpring",
     both(k3=(("k3", "N/m3"), ("c3", "N.m/rad3"), -inf)),
-    lambda at, p: at.family.CubicSpring(**{at.mechanics.stiffness: 0.0}, **_unstretched(at), **p),
     lambda motion, _: [motion.s**3],
+    lambda site, p: {site.mechanics.stiffness: 0.0, **_unstretched(site, p)},
 )
-BILINEAR = _across(
+_across(
     "bilinear_stiffness",
-    both(
-        pull=(("k_pull", "N/m"), ("c_pull", "N.m/rad")),
-        push=(("k_push", "N/m"), ("c_push", "N.m/rad")),
-    ),
-    lambda at, p: at.family.BilinearSpring(**_unstretched(at), **p),
+    "BilinearSpring",
+    both(pull=(("k_pull", "N/m"), ("c_pull", "N.m/rad")), push=(("k_push", "N/m"), ("c_push", "N.m/rad"))),
     lambda motion, _: [np.maximum(motion.s, 0), np.minimum(motion.s, 0)],
+    _unstretched,
     plain=("linear_stiffness", (1.0, 1.0)),
 )
 
 
-def _bouc_wen_values(site: Site, p: Values) -> dict[str, float]:
+def _bouc_wen(site: Site, p: Values) -> dict[str, float]:
+    """Return what is fitted of a Bouc-Wen element, its reach told by beta and gamma."""
     stiffness, reach = site.mechanics.stiffness, p[f"{site.mechanics.across}_y"]
     return {stiffness: p[stiffness], "beta": 0.5 / reach**2, "gamma": 0.5 / reach**2}
 
 
-HYSTERESIS = _across(
+_across(
     "hysteresis",
-    both(k=(("k", "N/m"), ("c", "N.m/rad")), s_y=(("s_y", "m"), ("phi_y", "rad"), 0.0, True)),
-    lambda at, p: at.family.BoucWen(**_bouc_wen_values(at, p), alpha=0.0, n=2.0),
+    "BoucWen",
+    both(k=_STIFFNESS, s_y=(("s_y", "m"), ("phi_y", "rad"), 0.0, True)),
     _hysteresis,
-    shapes=_yields,
-    parameters=lambda at, name, p: {f"{name}.{key}": v for key, v in _bouc_wen_values(at, p).items()},
+    lambda site, p: {**_bouc_wen(site, p), "alpha": 0.0, "n": 2.0},
+    shapes=lambda motion: [{"s_y": r * motion.travel} for r in criteria.YIELD_TRAVEL_RATIOS],
+    parameters=lambda at, name, p: {f"{name}.{key}": v for key, v in _bouc_wen(at, p).items()},
     memory=True,
 )
 
 
 def _loaded(site: Site, name: str, values: Values) -> list[Edit]:
     """Return friction by the force that arrives at a site, not by what friction leaves of it."""
-    friction = site.family.LoadedFriction(regularised=REVERSAL_SPEED_RATIO * site.speed, **values)
+    friction = site.family.LoadedFriction(regularised=criteria.REVERSAL_SPEED_RATIO * site.speed, **values)
     return [
         Insert(site.moving, f"{name}_load", site.family.ForceSensor()),
         *between(name, friction, site.fixed, f"{name}_load.flange_a"),
@@ -197,7 +170,7 @@ def _loaded(site: Site, name: str, values: Values) -> list[Edit]:
 
 
 def _drifting(site: Site, name: str, values: Values) -> list[Edit]:
-    friction = site.family.DriftingFriction(regularised=REVERSAL_SPEED_RATIO * site.speed, **values)
+    friction = site.family.DriftingFriction(regularised=criteria.REVERSAL_SPEED_RATIO * site.speed, **values)
     return [
         *between(name, friction, site.fixed, site.moving),
         Add(f"{name}_clock", signals.Clock()),
@@ -205,7 +178,7 @@ def _drifting(site: Site, name: str, values: Values) -> list[Edit]:
     ]
 
 
-LOADED = register(
+register(
     Effect(
         "load_dependent_friction",
         "loaded",
@@ -214,14 +187,11 @@ LOADED = register(
         lambda motion, _: [np.abs(motion.f) * motion.direction],
     )
 )
-DRIFT = register(
+register(
     Effect(
         "friction_drift",
         "across",
-        both(
-            f_c=(("f_c", "N"), ("tau_c", "N.m"), -inf),
-            f_u=(("f_u", "N/s"), ("tau_u", "N.m/s"), -inf),
-        ),
+        both(f_c=(*_COULOMB, -inf), f_u=(("f_u", "N/s"), ("tau_u", "N.m/s"), -inf)),
         _drifting,
         lambda motion, _: [motion.direction, motion.t * motion.direction],
         plain=("coulomb_friction", (1.0, 0.0)),

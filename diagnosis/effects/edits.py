@@ -19,8 +19,7 @@ class Add:
     name: str
     component: Component
 
-    def apply(self, network: Network) -> None:
-        """Change the network in place."""
+    def __call__(self, network: Network) -> None:
         network.add(**{self.name: self.component.clone()})
 
     def __str__(self) -> str:
@@ -33,8 +32,7 @@ class Connect:
 
     ports: tuple[str, ...]
 
-    def apply(self, network: Network) -> None:
-        """Change the network in place."""
+    def __call__(self, network: Network) -> None:
         network.connect(*(port_at(network, path) for path in self.ports))
 
     def __str__(self) -> str:
@@ -49,8 +47,7 @@ class Insert:
     name: str
     component: Component
 
-    def apply(self, network: Network) -> None:
-        """Change the network in place."""
+    def __call__(self, network: Network) -> None:
         network.insert(port_at(network, self.port), **{self.name: self.component.clone()})
 
     def __str__(self) -> str:
@@ -64,7 +61,7 @@ def edited(network: Network, edits: Iterable[Edit]) -> Network:
     """Return a copy of a network with edits made."""
     copy = network.clone()
     for edit in edits:
-        edit.apply(copy)
+        edit(copy)
     return copy
 
 
@@ -97,8 +94,6 @@ def _code(component: Component) -> str:
     told = repr(component)
     for part in (component, *component._parts.values()):
         kind = type(part)
-        prefix = next(
-            (prefix for prefix, family in families.items() if kind.__module__.startswith(family)), ""
-        )
+        prefix = "".join(p for p, family in families.items() if kind.__module__.startswith(family))
         told = re.sub(rf"(?<![\w.]){kind.__name__}\(", f"{prefix}{kind.__name__}(", told)
     return told

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
-from typing import Any, Protocol
+from typing import Any
 
 import numpy as np
 
@@ -16,20 +16,6 @@ from .edits import Edit
 from .sites import Site
 
 Values = Mapping[str, float]
-
-
-class Extent(Protocol):
-    """How far and how fast a site moves."""
-
-    @property
-    def travel(self) -> float:
-        """Half of the range of the distance."""
-        ...
-
-    @property
-    def speed(self) -> float:
-        """Root mean square of the speed."""
-        ...
 
 
 @dataclass(frozen=True)
@@ -61,6 +47,9 @@ class Motion:
     def direction(self) -> Array:
         """Sign of the speed, smooth within a hundredth of its usual size."""
         return np.tanh(self.v / max(REVERSAL_SPEED_RATIO * self.speed, 1e-12))
+
+
+Extent = Motion | Site  # what has a travel and a speed
 
 
 @dataclass(frozen=True)
@@ -167,13 +156,8 @@ def effect_of(kind: str) -> Effect:
 
 
 def both(**names: Any) -> dict[str, tuple[Quantity, ...]]:
-    """Return quantities for both domains.
-
-    Args:
-        names: each ((translational name, unit), (rotational name, unit), low, shape), the last two optional.
-    """
-    given = names.values()
+    """Return quantities, each ((translational name, unit), (rotational name, unit), low, shape)."""
     return {
-        domain: tuple(Quantity(*entry[number], *entry[2:]) for entry in given)
+        domain: tuple(Quantity(*entry[number], *entry[2:]) for entry in names.values())
         for number, domain in enumerate(Domain)
     }

@@ -16,19 +16,34 @@ from .effect import Effect, Quantity
 from .sites import Site
 
 
-@dataclass(frozen=True)
-class Hypothesis:
-    """An effect at a site with values, and the name of what is inserted for it."""
+@dataclass(frozen=True, eq=False)
+class SitedEffect:
+    """An effect at a site."""
 
     effect: Effect
     site: Site
-    name: str
-    values: Mapping[str, float]
+
+    @property
+    def key(self) -> tuple[str, str]:
+        """Kind and path of the site."""
+        return self.effect.kind, self.site.path
 
     @property
     def label(self) -> str:
         """Kind and site."""
         return f"{self.effect.kind} at {self.site.path}"
+
+    def generalises(self, other: SitedEffect) -> bool:
+        """Tell whether another one is a special case of this one, at the same site."""
+        return self.effect.generalises(other.effect.kind) and self.site.path == other.site.path
+
+
+@dataclass(frozen=True)
+class Hypothesis(SitedEffect):
+    """An effect at a site with values, and the name of what is inserted for it."""
+
+    name: str
+    values: Mapping[str, float]
 
     @property
     def quantities(self) -> tuple[Quantity, ...]:
@@ -38,15 +53,13 @@ class Hypothesis:
     def units(self, campaign: Campaign) -> dict[str, str]:
         """Return the units of its parameters; of an effect on a channel, in that channel's."""
         si = campaign.measured[self.site.path].si if self.site.domain == "channel" else ""
-        told = {"unit": si, "unit/s": rate_unit(si)}
-        return {quantity.name: told.get(quantity.unit, quantity.unit) for quantity in self.quantities}
+        own = {"unit": si, "unit/s": rate_unit(si)}
+        return {quantity.name: own.get(quantity.unit, quantity.unit) for quantity in self.quantities}
 
     @property
     def edits(self) -> list[Edit]:
         """What inserts it; nothing for a channel."""
-        if self.effect.edits is None:
-            return []
-        return self.effect.edits(self.site, self.name, self.values)
+        return self.effect.edits(self.site, self.name, self.values) if self.effect.edits else []
 
     @property
     def network_parameters(self) -> dict[str, float]:
@@ -58,11 +71,9 @@ class Hypothesis:
     @property
     def scales(self) -> Array:
         """What each quantity may be expected to be: its value, at least a tenth of its like."""
-        sizes = []
-        for quantity in self.quantities:
-            alike = [abs(self.values[q.name]) for q in self.quantities if q.unit == quantity.unit]
-            sizes.append(max(abs(self.values[quantity.name]), LEAST_SIZE_RATIO * max(alike)) or 1.0)
-        return np.array(sizes)
+        values = {q: abs(self.values[q.name]) for q in self.quantities}
+        largest = {q.unit: max(v for p, v in values.items() if p.unit == q.unit) for q in values}
+        return np.array([max(v, LEAST_SIZE_RATIO * largest[q.unit]) or 1.0 for q, v in values.items()])
 
     def with_values(self, values: Array) -> Hypothesis:
         """Return it with other values, in the order of its quantities."""
@@ -72,17 +83,22 @@ class Hypothesis:
     def slopes(self, scales: Array) -> Array:
         """Return d(network parameters)/d(quantities), by central differences of the scales given."""
         base = np.array([self.values[q.name] for q in self.quantities])
-        columns = []
-        for i, scale in enumerate(scales):
-            step = PARAMETER_STEP_RATIO * scale
-            both = []
-            for sign in (1, -1):
-                moved = base.copy()
-                moved[i] += sign * step
-                both.append(np.array(list(self.with_values(moved).network_parameters.values())))
-            columns.append((both[0] - both[1]) / (2 * step))
-        slopes: Array = np.column_stack(columns)
-        return slopes
+
+        def parameters(values: Array) -> Array:
+            return np.array([*self.with_values(values).network_parameters.values()])
+
+        steps = np.diag(PARAMETER_STEP_RATIO * scales)
+        return np.column_stack([(parameters(base + s) - parameters(base - s)) / (2 * s.sum()) for s in steps])
+
+
+def told(kind: str, site: str) -> str:
+    """Return a kind of effect and a site in words."""
+    return f"{kind.replace('_', ' ')} at {site}"
+
+
+def inserted(effects: Sequence[Hypothesis]) -> dict[str, float]:
+    """Return the parameters of all that effects insert, by full name."""
+    return {name: value for placed in effects for name, value in placed.network_parameters.items()}
 
 
 def with_effects(network: Network, effects: Sequence[Hypothesis]) -> Network:
@@ -92,8 +108,7 @@ def with_effects(network: Network, effects: Sequence[Hypothesis]) -> Network:
 
 def driven(experiment: Experiment, effects: Sequence[Hypothesis]) -> Experiment:
     """Return an experiment with its inputs as the actuators pass them on."""
-    record = experiment.record
-    values = dict(record.values)
+    record, values = experiment.record, dict(experiment.record.values)
     for placed in effects:
         if placed.effect.change and placed.effect.drives:
             name = placed.site.path

@@ -7,14 +7,7 @@ import numpy as np
 from ...base import Array
 from ...components import Backlash, Component, Domain, rotational
 from ...networks import parallel
-from ..criteria import (
-    CLEARANCE_STEP_RATIO,
-    LEAST_COMPLIANCE,
-    OIL_FORCE_RATIO,
-    PLAY_FORCE_RATIO,
-    SETTLING_SECONDS,
-    STOP_DEFLECTION_RATIO,
-)
+from .. import criteria
 from .edits import Add, Connect, Edit, Insert
 from .effect import Effect, Motion, Values, both, register
 from .sites import Site
@@ -22,7 +15,7 @@ from .sites import Site
 
 def _stop(site: Site) -> float:
     """Return the stiffness of a stop, so large that no record shows it."""
-    return site.force / (STOP_DEFLECTION_RATIO * site.travel)
+    return site.force / (criteria.STOP_DEFLECTION_RATIO * site.travel)
 
 
 CLEARANCES: dict[str, tuple[type[Component], str, float]] = {  # element, its width, halves of play in that
@@ -37,8 +30,8 @@ def _width(site: Site, values: Values) -> dict[str, float]:
 
 
 def _play(site: Site, name: str, values: Values) -> list[Edit]:
-    stiffness, oil = _stop(site), OIL_FORCE_RATIO * site.force / site.speed
-    calming = SETTLING_SECONDS * stiffness if site.sticks else 0.0
+    stiffness, oil = _stop(site), criteria.OIL_FORCE_RATIO * site.force / site.speed
+    calming = criteria.SETTLING_SECONDS * stiffness if site.sticks else 0.0
     kind, _, _ = CLEARANCES[site.domain]
     gap = kind(**{site.mechanics.stiffness: stiffness}, d=calming, **_width(site, values))
     both_ways = parallel(gap=gap, oil=site.family.Damper(d=oil))
@@ -49,57 +42,57 @@ def _ballast(site: Site, name: str, stiffness: float) -> list[Edit]:
     """Return what gives dry friction an inertia of its own, so small that it settles in next to no time."""
     if not site.sticks:
         return []
-    inertia = site.family.Mass(**{site.mechanics.inertia: stiffness * SETTLING_SECONDS**2})
-    return [Add(f"{name}_ballast", inertia), Connect((f"{name}_ballast.flange", f"{name}.flange_a"))]
+    return _body(site, f"{name}_ballast", f"{name}.flange_a", stiffness * criteria.SETTLING_SECONDS**2)
+
+
+def _body(site: Site, name: str, port: str, inertia: float) -> list[Edit]:
+    body = site.family.Mass(**{site.mechanics.inertia: inertia})
+    return [Add(name, body), Connect((f"{name}.flange", port))]
+
+
+def _spring(site: Site, values: Values) -> dict[str, float]:
+    """Return stiffness and damping of a compliance."""
+    stiffness = 1 / max(values["compliance"], criteria.LEAST_COMPLIANCE)
+    return {site.mechanics.stiffness: stiffness, "d": criteria.SETTLING_SECONDS * stiffness}
 
 
 def _yielding(site: Site, name: str, values: Values) -> list[Edit]:
-    value = 1 / max(values["compliance"], LEAST_COMPLIANCE)
-    spring = site.family.SpringDamper(**{site.mechanics.stiffness: value}, d=SETTLING_SECONDS * value)
+    spring = site.family.SpringDamper(**_spring(site, values))
     return [Insert(site.moving, name, spring), *_ballast(site, name, _stop(site))]
-
-
-def _inertia(site: Site, name: str, values: Values) -> list[Edit]:
-    return [Add(name, site.family.Mass(**values)), Connect((f"{name}.flange", site.moving))]
-
-
-def _play_parameters(site: Site, name: str, values: Values) -> dict[str, float]:
-    return {f"{name}.gap.{key}": value for key, value in _width(site, values).items()}
-
-
-def _yield_parameters(site: Site, name: str, values: Values) -> dict[str, float]:
-    value = 1 / max(values["compliance"], LEAST_COMPLIANCE)
-    return {f"{name}.{site.mechanics.stiffness}": value, f"{name}.d": SETTLING_SECONDS * value}
 
 
 def _taken_up(motion: Motion, _: Values) -> list[Array]:
     """Return where play lies: on the side to which the force presses."""
-    return [np.tanh(motion.f / (PLAY_FORCE_RATIO * float(np.abs(motion.f).max())))]
+    return [np.tanh(motion.f / (criteria.PLAY_FORCE_RATIO * float(np.abs(motion.f).max())))]
 
 
-BACKLASH = register(
+register(
     Effect(
         "backlash",
         "series",
         both(eps=(("eps", "m"), ("eps", "rad"))),
         _play,
         _taken_up,
-        parameters=_play_parameters,
-        step=CLEARANCE_STEP_RATIO,
+        parameters=lambda at, name, p: {f"{name}.gap.{key}": v for key, v in _width(at, p).items()},
+        step=criteria.CLEARANCE_STEP_RATIO,
     )
 )
-COMPLIANCE = register(
+register(
     Effect(
         "compliance",
         "series",
         both(compliance=(("compliance", "m/N"), ("compliance", "rad/(N.m)"))),
         _yielding,
         lambda motion, _: [motion.f],
-        parameters=_yield_parameters,
+        parameters=lambda at, name, p: {f"{name}.{key}": v for key, v in _spring(at, p).items()},
     )
 )
-INERTIA = register(
+register(
     Effect(
-        "added_inertia", "node", both(m=(("m", "kg"), ("J", "kg.m2"))), _inertia, lambda motion, _: [motion.a]
+        "added_inertia",
+        "node",
+        both(m=(("m", "kg"), ("J", "kg.m2"))),
+        lambda at, name, p: _body(at, name, at.moving, *p.values()),
+        lambda motion, _: [motion.a],
     )
 )

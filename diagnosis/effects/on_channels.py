@@ -12,10 +12,6 @@ from ..criteria import CHANNEL_STEP_RATIO
 from .effect import Effect, Quantity, Values, register
 
 
-def _delayed(t: Array, y: Array, p: Values) -> Array:
-    return np.interp(t - p["delay"], t, y)
-
-
 def _lagging(t: Array, y: Array, p: Values) -> Array:
     """Return what follows y with time constant T, y being straight between its samples."""
     from scipy.signal import lfilter
@@ -25,8 +21,7 @@ def _lagging(t: Array, y: Array, p: Values) -> Array:
     step = float(t[1] - t[0])
     a = np.exp(-step / p["T"])
     share = p["T"] / step * (1 - a)
-    y0 = y - y[0]
-    lagging: Array = y[0] + lfilter([1 - share, share - a], [1, -a], y0)
+    lagging: Array = y[0] + lfilter([1 - share, share - a], [1, -a], y - y[0])
     return lagging
 
 
@@ -42,16 +37,14 @@ def _on_channel(
     low: float,
     change: Callable[[Array, Array, Values], Array],
     drives: bool = False,
-) -> Effect:
+) -> None:
     quantities = {"channel": (Quantity(name, unit, low),)}
-    return register(
-        Effect(kind, "channel", quantities, change=change, drives=drives, step=CHANNEL_STEP_RATIO)
-    )
+    register(Effect(kind, "channel", quantities, change=change, drives=drives, step=CHANNEL_STEP_RATIO))
 
 
-DELAY = _on_channel("sensor_delay", "delay", "s", 0.0, _delayed)
-BIAS = _on_channel("sensor_bias", "bias", "unit", -inf, lambda t, y, p: y + p["bias"])
-GAIN = _on_channel("sensor_gain", "gain", "1", -inf, lambda t, y, p: y * (1 + p["gain"]))
-DRIFT = _on_channel("sensor_drift", "rate", "unit/s", -inf, lambda t, y, p: y + p["rate"] * (t - t[0]))
-LAG = _on_channel("actuator_lag", "T", "s", 0.0, _lagging, drives=True)
-DEAD_ZONE = _on_channel("actuator_dead_zone", "width", "unit", 0.0, _dead_zone, drives=True)
+_on_channel("sensor_delay", "delay", "s", 0.0, lambda t, y, p: np.interp(t - p["delay"], t, y))
+_on_channel("sensor_bias", "bias", "unit", -inf, lambda t, y, p: y + p["bias"])
+_on_channel("sensor_gain", "gain", "1", -inf, lambda t, y, p: y * (1 + p["gain"]))
+_on_channel("sensor_drift", "rate", "unit/s", -inf, lambda t, y, p: y + p["rate"] * (t - t[0]))
+_on_channel("actuator_lag", "T", "s", 0.0, _lagging, drives=True)
+_on_channel("actuator_dead_zone", "width", "unit", 0.0, _dead_zone, drives=True)

@@ -17,25 +17,18 @@ class Shapes:
     """Bounds of a vector of parameters and effects whose shapes keep near where a descent starts.
 
     A long step could lead a shape to where it means something else. One that ends at such a bound may go on
-    from there, within the extremes of what is screened.
-
-    Args:
-        bounds: least and largest values of all, to be narrowed for shapes.
-        effects: whose quantities are the vector's last entries.
-        sizes: the units of these, effect by effect.
+    from there, within the extremes of what is screened. The quantities of effects, in units of their sizes,
+    are the vector's last entries.
     """
 
     def __init__(self, bounds: Bounds, effects: Sequence[Hypothesis], sizes: Sequence[Array]) -> None:
         self._bounds = bounds
-        quantities = [
-            (p, q, s)
-            for p, size in zip(effects, sizes, strict=True)
-            for q, s in zip(p.quantities, size, strict=True)
-        ]
-        first = len(bounds[0]) - len(quantities)
-        self._shapes = [first + i for i, (_, q, _) in enumerate(quantities) if q.shape]
-        ranges = [_range(p, q.name, s) for p, q, s in quantities if q.shape]
-        self._least, self._most = np.array(ranges).reshape(-1, 2).T
+        entries = [(placed, quantity) for placed in effects for quantity in placed.quantities]
+        places = [i for i, (_, quantity) in enumerate(entries) if quantity.shape]
+        self._shapes = [len(bounds[0]) - len(entries) + i for i in places]
+        units = np.concatenate([np.zeros(0), *sizes])[places]
+        ranges = np.array([_range(entries[i][0], entries[i][1].name) for i in places]).reshape(-1, 2)
+        self._least, self._most = ranges.T / units
 
     def bounds(self, start: Array) -> Bounds:
         """Return least and largest values for a descent from a start."""
@@ -53,7 +46,7 @@ class Shapes:
         return bool((below | above).any())
 
 
-def _range(placed: Hypothesis, name: str, size: float) -> tuple[float, float]:
-    """Return least and largest value of a shape that screening comes near, in units of its size."""
+def _range(placed: Hypothesis, name: str) -> tuple[float, float]:
+    """Return least and largest value of a shape that screening comes near."""
     values = [shape[name] for shape in placed.effect.shaped(placed.site.domain, placed.site)]
-    return min(values) / SHAPE_FACTOR / size, max(values) * SHAPE_FACTOR / size
+    return min(values) / SHAPE_FACTOR, max(values) * SHAPE_FACTOR

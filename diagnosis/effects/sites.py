@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, replace
 from typing import Any
 
@@ -73,19 +73,15 @@ class Site:
 def sites_of(network: Network) -> list[Site]:
     """Return the sites of a network; components between the same two nodes are one, named by the deepest."""
     parts = dict(walk(network, ""))
-    nodes = _nodes(network, parts)
-    held = {path for path, part in _ports(parts) if _is_held(path, part, network, parts)}
+    nodes, held = _nodes(network, parts), set(_held(network, parts))
     node_of = {port: -1 if node & held else number for number, node in enumerate(nodes) for port in node}
     found: dict[frozenset[object], list[Site]] = {}
     for path, part in parts.items():
         site = _site(path, part, node_of)
         if site is not None:
-            ends = frozenset(
-                node_of.get(port, -1 if port == GROUND else port) for port in (site.fixed, site.moving)
-            )
-            if len(ends) == 2:
-                found.setdefault(ends, []).append(site)
-    return [site for group in found.values() for site in _merged(group)]
+            ends = (node_of.get(port, -1 if port == GROUND else port) for port in (site.fixed, site.moving))
+            found.setdefault(frozenset(ends), []).append(site)
+    return [site for ends, group in found.items() if len(ends) == 2 for site in _merged(group)]
 
 
 def _merged(group: list[Site]) -> Iterator[Site]:
@@ -129,23 +125,22 @@ def walk(component: Component, path: str) -> Iterator[tuple[str, Component]]:
         yield from walk(part, inner)
 
 
-def _ports(parts: dict[str, Component]) -> Iterator[tuple[str, Component]]:
+def _held(network: Network, parts: Mapping[str, Component]) -> Iterator[str]:
+    """Yield the ports that are the ground's: of a Fixed, or of a housing that nothing is joined to."""
     for path, part in parts.items():
+        owner = parts.get(path.rpartition(".")[0], network)
+        joined = {
+            (id(port.component), port.name)
+            for composite in (owner, network)
+            for ports in composite.connections()
+            for port in ports
+        }
         for name, declared in type(part).fields.items():
-            if isinstance(declared, Port):
-                yield f"{path}.{name}", part
-
-
-def _is_held(port: str, part: Component, network: Network, parts: dict[str, Component]) -> bool:
-    """Tell whether a port is the ground's: of a Fixed, or a housing that nothing outside is joined to."""
-    if isinstance(part, Fixed | rotational.Fixed):
-        return True
-    path, _, name = port.rpartition(".")
-    owner = parts.get(path.rpartition(".")[0], network)
-    joined = {(id(p.component), p.name) for ports in owner.connections() for p in ports}
-    deep = {(id(p.component), p.name) for ports in network.connections() for p in ports}
-    optional: bool = type(part).fields[name].optional  # type: ignore[attr-defined]
-    return optional and (id(part), name) not in joined | deep
+            if not isinstance(declared, Port):
+                continue
+            free = declared.optional and (id(part), name) not in joined
+            if free or isinstance(part, Fixed | rotational.Fixed):
+                yield f"{path}.{name}"
 
 
 def _nodes(network: Network, parts: dict[str, Component]) -> list[set[str]]:

@@ -5,10 +5,9 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable, Mapping, Sequence
 from functools import cached_property
-from pathlib import Path
 from typing import Any
 
-from ...components import FAMILIES, Domain, ModelError, nearest
+from ...components import FAMILIES, Domain
 from ...components.language import Parameter
 from ...fmu import FMU, FMUBlock, FMUError, FMUForce, FMUMotion, FMURotation, FMUTorque
 from ...networks import Input, Network
@@ -20,18 +19,15 @@ class FMUModel:
     """An FMU, of which nothing is known but what it does.
 
     Channels and parameters go by the names of its variables. Channels are in SI units, parameters in the unit
-    that the FMU declares. Inputs that are not measured keep their start values.
-
-    Args:
-        fmu: which.
-        kind: "ME" or "CS".
-        port: where other parts may be joined; names of variables by "force", "position" and "velocity".
+    that the FMU declares. Inputs that are not measured keep their start values. At its port, named by its
+    variables "force", "position" and "velocity", other parts may be joined.
 
     Attributes:
+        parameter_values: every real parameter with its value, in the unit that the FMU declares.
+        inputs: what needs a signal.
+        input_names: what can be driven.
+        started: start values that are not the FMU's own.
         refined: communication steps between compared instants, 0 while that is not known.
-
-    Raises:
-        ModelError: telling everything that is wrong with the port.
     """
 
     def __init__(self, fmu: FMU, kind: str, port: Mapping[str, str] | None = None) -> None:
@@ -39,33 +35,15 @@ class FMUModel:
         self.port = read_port(fmu, port) if port else None
         self.place = _identifier(fmu.name)
         self.refined = 0
-        known = fmu.parameters.items()
-        self._values = {n: float(v.start or 0.0) for n, v in known if v.real and v.size == 1}
-        self._network: Network | None = None
-
-    @property
-    def inputs(self) -> Sequence[Input]:
-        """What needs a signal: nothing, as the inputs of an FMU have start values."""
-        return ()
-
-    @property
-    def input_names(self) -> list[str]:
-        """What can be driven."""
-        return [name for name, v in self.fmu.inputs.items() if v.real and v.size == 1]
-
-    @property
-    def parameter_values(self) -> dict[str, float]:
-        """Every real parameter with its value, in the unit that the FMU declares."""
-        return self._values
+        parameters = fmu.parameters
+        self.parameter_values = {name: float(parameters[name].start or 0.0) for name in _scalars(parameters)}
+        self.inputs: Sequence[Input] = ()  # as those of an FMU have start values
+        self.input_names = _scalars(fmu.inputs)
+        self.started: dict[str, Any] = {}
 
     def own(self, parameters: Mapping[str, float]) -> dict[str, Any]:
         """Return those of some parameters that are the FMU's."""
         return {name: value for name, value in parameters.items() if name in self.parameter_values}
-
-    @property
-    def started(self) -> dict[str, Any]:
-        """Start values that are not the FMU's own."""
-        return {}
 
     def wired(self, path: str) -> tuple[str, float]:
         """Return the FMU's variable behind the name of a channel, and its sign."""
@@ -77,19 +55,14 @@ class FMUModel:
 
     def names(self) -> Iterable[str]:
         """Return the names of all real variables."""
-        return [name for name, v in self.fmu.variables.items() if v.real and v.size == 1]
+        return _scalars(self.fmu.variables)
 
     def expression(self, path: str) -> str:
-        """Return the name of what can be measured.
-
-        Raises:
-            FMUError: if nothing can.
-        """
+        """Return the name of what can be measured."""
         variable = self.fmu.variable(path)
         if not variable.real or variable.size != 1:
-            raise FMUError(
-                f"FMU '{self.name}': '{path}' is {variable.type} of size {variable.size}, no signal"
-            )
+            told = f"{variable.type} of size {variable.size}, no signal"
+            raise FMUError(f"FMU '{self.name}': '{path}' is {told}")
         return path
 
     def unit(self, path: str) -> str:
@@ -108,12 +81,10 @@ class FMUModel:
         low, high = (x if abs(x) < float("inf") else None for x in (v.minimum, v.maximum))
         return Parameter(v.unit, v.text, min=low, max=high)
 
-    @property
+    @cached_property
     def network(self) -> Network:
         """The FMU in a network that does the same, to be changed, drawn and co-simulated."""
-        if self._network is None:
-            self._network = _network(self)
-        return self._network
+        return _network(self)
 
     @cached_property
     def sites(self) -> list[Site]:
@@ -123,21 +94,18 @@ class FMUModel:
         moving, fixed = f"{self.place}.flange", GROUND
         if not self.port.takes_force:
             moving, fixed = f"{self.place}.flange_b", f"{self.place}.flange_a"
-        return [
-            Site(self.place, self.port.domain, moving, fixed, frozenset({"across", "node"}), instant=True)
-        ]
+        places = frozenset({"across", "node"})
+        return [Site(self.place, self.port.domain, moving, fixed, places, instant=True)]
 
     def limits(self, driven: Iterable[str]) -> list[str]:
         """Return what a diagnosis of it cannot see, in words; `driven` are its inputs that are set."""
         told = [f"'{self.fmu.name}' is an FMU, run as {self.kind}: effects inside of it are not looked for"]
         if self.port is None:
-            told.append(
-                "no [port] with force, position and velocity is named, so only effects on channels were tried"
-            )
+            port = "no [port] with force, position and velocity is named"
+            told.append(f"{port}, so only effects on channels were tried")
         else:
-            told.append(
-                f"at its port '{self.port.force}' all effects were tried that answer to its motion at once"
-            )
+            port = f"at its port '{self.port.force}'"
+            told.append(f"{port} all effects were tried that answer to its motion at once")
         idle = sorted({name for name, v in self.fmu.inputs.items() if v.real} - {*driven})
         if idle:
             told.append(f"inputs that are not measured keep their start values: {', '.join(idle)}")
@@ -156,7 +124,8 @@ def _network(box: FMUModel) -> Network:
         return Network(box.name, **{box.place: FMUBlock(box.fmu, kind=box.kind)})
     family = FAMILIES[port.domain]
     moving, answering, names = _FOREIGN[port.domain]
-    variables = dict(zip(names, (port.signed_force, port.position, port.velocity), strict=True))
+    force = port.force if port.sign > 0 else f"-{port.force}"
+    variables = dict(zip(names, (force, port.position, port.velocity), strict=True))
     if port.takes_force:
         body = moving(box.fmu, kind=box.kind, **variables)
         net = Network(box.name, **{box.place: body}, push=family.Force())
@@ -169,28 +138,13 @@ def _network(box: FMUModel) -> Network:
     return net.connect(net.wall.flange, part.flange_a).connect(net.motion.flange, part.flange_b)
 
 
+def _scalars(variables: Mapping[str, Any]) -> list[str]:
+    """Return the names of those that are one real number."""
+    return [name for name, variable in variables.items() if variable.real and variable.size == 1]
+
+
 def _identifier(name: str) -> str:
     """Return a name by which a network can hold the FMU."""
     cleaned = re.sub(r"\W", "_", name).strip("_")
     taken = hasattr(Network, cleaned) or cleaned in ("push", "motion", "wall", "name") or not cleaned
     return "rig" if taken or cleaned[0].isdigit() else cleaned
-
-
-def read_fmu(path: Path, kind: str, port: Mapping[str, str], validate: bool = True) -> FMUModel:
-    """Return an FMU as the model of a campaign.
-
-    Args:
-        path: the file.
-        kind: "ME" or "CS"; Co-Simulation first if empty and it has both, which is several times faster.
-        port: names of variables by "force", "position" and "velocity"; empty for none.
-        validate: whether to refuse a description that its schema does not allow.
-
-    Raises:
-        ModelError: if there is no such file, or the port is wrong.
-        FMUError: if the file is no FMU that can be run.
-    """
-    if not path.is_file():
-        others = [p.name for p in path.parent.glob("*.fmu")] if path.parent.is_dir() else []
-        raise ModelError(f"model: there is no file '{path}'{nearest(path.name, others)}")
-    fmu = FMU(path, validate=validate)
-    return FMUModel(fmu, fmu.kind(kind or ("CS" if "CS" in fmu.kinds else None)), port)

@@ -1,15 +1,18 @@
-"""`FMUNetworkModel`: a network of one FMU and sources as the model of a campaign."""
+"""`read_model` reads the model of a campaign; `FMUNetworkModel` is one of an FMU and sources beside it."""
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping
+from pathlib import Path
 from typing import Any
 
 import casadi as ca
 
+from ...base import boolean, demand, instance
 from ...components import ModelError, nearest
 from ...components.language import Parameter
-from ...fmu import FMUBlock, FMUForce, FMUMotion, FMURotation, FMUTorque
+from ...fmu import FMU, FMUBlock, FMUForce, FMUMotion, FMURotation, FMUTorque
+from ...identification import Machine, fmu_and_kind, read_network
 from ...networks import DAE, Input, Network
 from ..effects.sites import walk
 from .fmu_model import FMUModel
@@ -26,24 +29,19 @@ class FMUNetworkModel(FMUModel):
 
     Channels go by the names of the network, or, as parameters do, by those of the FMU after the name of its
     component: `rig.spring.k`. What the FMU takes must be one input of the network, up to its sign.
-
-    Args:
-        network: the network.
-        place: name of the FMU's component in it.
-        part: that component.
-
-    Raises:
-        ModelError: if anything else is in the network.
     """
 
     def __init__(self, network: Network, place: str, part: Foreign) -> None:
         super().__init__(part.fmu, part.kind, _port(part))
-        self.name, self.place, self._network, self._part = network.name, place, network, part
+        self.name, self.place, self.network, self._part = network.name, place, network, part
         chosen = {n: float(part.fmu.converted(part.fmu.variable(n), v)) for n, v in part.chosen.items()}
-        self._values = {f"{place}.{name}": value for name, value in (self._values | chosen).items()}
+        values = self.parameter_values | chosen
+        self.parameter_values = {f"{place}.{name}": value for name, value in values.items()}
         self._dae: DAE = network.dae()
         self._given = {f"{place}.{g.name}": g for g in part.given}
         self._sources = self._found_sources()
+        self.inputs = [i for i in self._dae.inputs if i.path not in self._given]
+        self.input_names, self.started = list(self._sources), part.started
 
     def _found_sources(self) -> dict[str, tuple[str, float]]:
         """Return what drives the FMU: input of the network -> variable of the FMU, and the sign of it."""
@@ -55,10 +53,8 @@ class FMUNetworkModel(FMUModel):
                 continue
             source = self._linear(f"{self.place}.{taken.name}")
             if source is None or source[0].path in self._given or self._dae.states:
-                raise ModelError(
-                    f"'{self.name}': what the FMU '{self.place}' takes at '{taken.input}' is not one input "
-                    f"of the network; {REMEDY}"
-                )
+                told = f"what the FMU '{self.place}' takes at '{taken.input}' is not one input of the network"
+                raise ModelError(f"'{self.name}': {told}; {REMEDY}")
             found[source[0].path] = taken.input, source[1] * taken.sign
         return found
 
@@ -76,7 +72,7 @@ class FMUNetworkModel(FMUModel):
 
     def wired(self, path: str) -> tuple[str, float]:
         """Return the FMU's variable behind a name, and its sign."""
-        own = path.removeprefix(f"{self.place}.")
+        own = self._inner(path)
         if path in self._sources:
             return self._sources[path]
         if own != path and own in self.fmu.variables:
@@ -91,27 +87,13 @@ class FMUNetworkModel(FMUModel):
             return variable, sign * source[1]
         raise ModelError(f"'{self.name}': '{path}' is no variable of the FMU; measure one, or {REMEDY}")
 
-    @property
-    def inputs(self) -> Sequence[Input]:
-        """What needs a signal: sources without one."""
-        return [i for i in self._dae.inputs if i.path not in self._given]
-
-    @property
-    def input_names(self) -> list[str]:
-        """What can be driven."""
-        return list(self._sources)
+    def _inner(self, path: str) -> str:
+        """Return a name without that of the FMU's component before it."""
+        return path.removeprefix(f"{self.place}.")
 
     def own(self, parameters: Any) -> dict[str, Any]:
         """Return parameters by the names of the FMU, those of the component included."""
-        changed = {
-            n.removeprefix(f"{self.place}."): v for n, v in parameters.items() if n in self.parameter_values
-        }
-        return {**self._part.chosen, **changed}
-
-    @property
-    def started(self) -> dict[str, Any]:
-        """Start values."""
-        return self._part.started
+        return self._part.chosen | {self._inner(n): v for n, v in super().own(parameters).items()}
 
     def names(self) -> list[str]:
         """Return the names of all variables."""
@@ -119,21 +101,21 @@ class FMUNetworkModel(FMUModel):
 
     def expression(self, path: str) -> str:
         """Return the FMU's variable that is measured under a name; see `wired`."""
-        known = list(self.names())
+        known = self.names()
         if path not in known:
             raise ModelError(f"'{self.name}' has no variable '{path}'{nearest(path, known)}")
         return super().expression(self.wired(path)[0])
 
     def unit(self, path: str) -> str:
         """Return the SI unit of a variable, the declared unit of a parameter."""
-        own = path.removeprefix(f"{self.place}.")
+        own = self._inner(path)
         if path in self.parameter_values:
             return self.fmu.unit(own)
         return self._dae.unit(path) if path in self._dae.names() else super().unit(own)
 
     def field(self, path: str) -> Parameter:
         """Return what is declared of a parameter."""
-        return super().field(path.removeprefix(f"{self.place}."))
+        return super().field(self._inner(path))
 
     def part(self, path: str) -> str:
         """Return the component that a variable belongs to."""
@@ -157,12 +139,8 @@ def _port(part: Foreign) -> dict[str, str]:
     return {"force": signed[0] if signed[1] > 0 else f"-{signed[0]}", **names}
 
 
-def recognised(network: Network) -> FMUNetworkModel | None:
-    """Return the model that a network with an FMU in it is; None for one without.
-
-    Raises:
-        ModelError: for a network with an FMU that cannot be diagnosed.
-    """
+def _recognised(network: Network) -> FMUNetworkModel | None:
+    """Return the model that a network with an FMU in it is; None for one without."""
     foreign = {path: part for path, part in walk(network, "") if isinstance(part, Foreign | FMUBlock)}
     if not foreign:
         return None
@@ -170,3 +148,39 @@ def recognised(network: Network) -> FMUNetworkModel | None:
     if others or isinstance(part, FMUBlock):
         raise ModelError(f"'{network.name}' has {', '.join(foreign)}; {REMEDY}")
     return FMUNetworkModel(network, place, part)
+
+
+def read_model(
+    model: Network | str, port: Mapping[str, str], base: Path, validate: bool = True
+) -> tuple[Network, Machine]:
+    """Return the network of a campaign that is to be diagnosed, and what predicts its outputs.
+
+    Args:
+        model: the network, `path/to/file.py:function` that returns it, or `path/to/file.fmu`, with `:ME` or
+            `:CS` after it to choose (Co-Simulation if it has both, which is several times faster).
+        port: names of variables by "force", "position" and "velocity", where parts may be joined to an FMU.
+        base: the folder that a relative path starts from.
+        validate: whether to refuse an FMU whose description its schema does not allow.
+
+    Raises:
+        ModelError: telling what is wrong.
+        FMUError: if the file is no FMU that can be run.
+    """
+    demand(
+        "read_model()",
+        model=(model, instance(Network, str)),
+        port=(port, instance(Mapping)),
+        base=(base, instance(Path)),
+        validate=(validate, boolean),
+    )
+    foreign = fmu_and_kind(model)
+    if foreign:
+        path, kind = base / foreign[0], foreign[1]
+        if not path.is_file():
+            others = [p.name for p in path.parent.glob("*.fmu")] if path.parent.is_dir() else []
+            raise ModelError(f"model: there is no file '{path}'{nearest(path.name, others)}")
+        fmu = FMU(path, validate=validate)
+        box = FMUModel(fmu, fmu.kind(kind or ("CS" if "CS" in fmu.kinds else None)), port)
+        return box.network, box
+    network, equations = read_network(model, port, base)
+    return network, _recognised(network) or equations

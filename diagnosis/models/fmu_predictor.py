@@ -1,4 +1,4 @@
-"""Runs of a black box on records: what it predicts, and what changes when a little else does."""
+"""Runs of an FMU on records: what it predicts, and what changes when a little else does."""
 
 from __future__ import annotations
 
@@ -6,6 +6,7 @@ import re
 import weakref
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 
@@ -26,7 +27,7 @@ from ..effects.effect import Motion
 from ..effects.hypothesis import Hypothesis
 from ..effects.sites import Site
 from .fmu_model import FMUModel
-from .fmu_port_force import Acting, Reaction
+from .fmu_port import Acting, FMUPort, Reaction
 
 
 @dataclass(frozen=True, eq=False)
@@ -42,39 +43,31 @@ class FMUPrediction:
 
 
 class FMUPredictor:
-    """A black box with effects at its port; slopes are differences of runs.
-
-    Args:
-        box: the FMU.
-        campaign: the channels, and what is known of the parameters.
-        effects: what acts at its port besides.
-        parameters: in which slopes are wanted, those of effects included.
-    """
+    """An FMU with effects at its port; slopes in parameters, also of effects, are differences of runs."""
 
     def __init__(
         self, box: FMUModel, campaign: Campaign, effects: Sequence[Hypothesis], parameters: Sequence[str]
     ) -> None:
         self.box, self.channels, self.sigma = box, campaign.measured, campaign.sigma
         self.effects = [placed for placed in effects if placed.effect.basis is not None]
-        sizes = {name: FMU_STEP_DEVIATIONS * prior.scale for name, prior in campaign.priors.items()}
+        scales = {name: prior.scale for name, prior in campaign.priors.items()}
         for placed in self.effects:
-            names = placed.network_parameters
-            sizes |= dict(zip(names, (FMU_STEP_DEVIATIONS * placed.scales).tolist(), strict=True))
-        self.steps = {name: sizes[name] for name in parameters}
+            scales |= dict(zip(placed.network_parameters, placed.scales.tolist(), strict=True))
+        self.steps = {name: FMU_STEP_DEVIATIONS * scales[name] for name in parameters}
         self.highest = {name: prior.max for name, prior in campaign.priors.items()}
         self.driven = {c.path: box.wired(c.path) for c in self.channels.values() if c.driven}
         self.outputs = {name: box.wired(c.path) for name, c in self.channels.items() if not c.driven}
         self.taken = [variable for variable, _ in self.driven.values()]
         self.follows = _follows(box, self.taken)
         self.taken += self.follows
-        port = box.port
-        self.read = list(dict.fromkeys(variable for variable, _ in self.outputs.values()))
+        read, port = [variable for variable, _ in self.outputs.values()], box.port
         if port is not None:
-            self.read = list(dict.fromkeys([*self.read, *port.units]))
+            read += port.units
             if port.takes_force and port.force not in self.taken:
                 self.taken.append(port.force)
-        variables = box.fmu.variables
-        self.measures = {n: box.fmu.measure(variables[n]) for n in {*self.taken, *self.read}}
+        self.read = list(dict.fromkeys(read))
+        self.measures = {n: box.fmu.measure(box.fmu.variables[n]) for n in {*self.taken, *self.read}}
+        self.place = {name: column for column, name in enumerate(self.taken)}
         self.replay = Replay(box.fmu, box.kind, self.taken, self.read)
         weakref.finalize(self, self.replay.close)
         self.refined = _refined(self, campaign)
@@ -83,13 +76,14 @@ class FMUPredictor:
         """Return the FMU on a record."""
         return ReplayedStand(self, experiment, self.refined)
 
-    def instants(self, found: FMUPrediction) -> Array:
+    def instants(self, found: Any) -> Array:
         """Return the instants of the record [s]."""
-        return found.time
+        time: Array = found.time
+        return time
 
-    def motion(self, found: FMUPrediction, number: int, site: Site) -> Motion:
+    def motion(self, found: Any, number: int, site: Site) -> Motion:
         """Return how the port moves."""
-        assert found.port is not None
+        assert isinstance(found.port, Motion)
         return found.port
 
 
@@ -113,11 +107,13 @@ def _refined(model: FMUPredictor, campaign: Campaign) -> int:
         return 1
     if box.refined and not model.effects:
         return box.refined
+    first, start = campaign.training[0], campaign.start
     count = box.refined or FMU_STEPS_PER_SAMPLE[0]
-    coarse = ReplayedStand(model, campaign.training[0], count).predicted(campaign.start)
+    coarse = ReplayedStand(model, first, count).predicted(start)
     while count < FMU_STEPS_PER_SAMPLE[1]:
-        fine = ReplayedStand(model, campaign.training[0], 2 * count).predicted(campaign.start)
-        if all(float((fine[n] - coarse[n]).std()) < FMU_STEP_ERROR_OVER_NOISE * model.sigma[n] for n in fine):
+        fine = ReplayedStand(model, first, 2 * count).predicted(start)
+        errors = {name: float((fine[name] - coarse[name]).std()) for name in fine}
+        if all(error < FMU_STEP_ERROR_OVER_NOISE * model.sigma[name] for name, error in errors.items()):
             break
         count, coarse = 2 * count, fine
     if not model.effects:
@@ -126,7 +122,7 @@ def _refined(model: FMUPredictor, campaign: Campaign) -> int:
 
 
 class ReplayedStand:
-    """A black box on one record."""
+    """An FMU on one record."""
 
     def __init__(self, model: FMUPredictor, experiment: Experiment, refined: int) -> None:
         self.model, self.experiment, self.refined = model, experiment, refined
@@ -138,8 +134,7 @@ class ReplayedStand:
             if channel.driven:
                 smooth = sampled_at(record.sampled(name, channel.interpolation), self.fine)
                 variable, sign = model.driven[channel.path]
-                measure = model.measures[variable]
-                self.given[:, model.taken.index(variable)] = (sign * smooth - measure.offset) / measure.factor
+                self.given[:, model.place[variable]] = model.measures[variable].from_si(sign * smooth)
         self._follow(self.given)
 
     def _follow(self, given: Array) -> None:
@@ -148,94 +143,83 @@ class ReplayedStand:
 
         model = self.model
         for name, (source, order) in model.follows.items():
-            rates = CubicSpline(self.fine, given[:, model.taken.index(source)])(self.fine, order)
-            size = model.measures[source].factor / model.measures[name].factor
-            given[:, model.taken.index(name)] = size * rates
+            rates = CubicSpline(self.fine, given[:, model.place[source]])(self.fine, order)
+            given[:, model.place[name]] = model.measures[source].factor / model.measures[name].factor * rates
 
     def rest(self, parameters: Mapping[str, float], accuracy: Accuracy) -> Array:
         """Return the states at the start: those of the FMU are its own."""
         return np.zeros(0)
 
     def run(
-        self, parameters: Mapping[str, float], start: Array | None, accuracy: Accuracy, slopes: bool = True
+        self,
+        parameters: Mapping[str, float],
+        start: Array | None = None,
+        accuracy: Accuracy | None = None,
+        slopes: bool = True,
     ) -> FMUPrediction:
         """Run the record; see `RecordModel.run`."""
-        model, table = self.model, self._table(parameters, self.given)
+        model, port = self.model, self.model.box.port
+        table = self._table(parameters, self.given)
         values = self._channels(table)
-        columns: dict[str, list[Array]] = {name: [] for name in values}
+        columns = {name: [np.zeros((len(self.time), 0))] for name in values}
+        none = {name: column[0] for name, column in columns.items()}
         for name, step in model.steps.items() if slopes else ():
             step = step if parameters[name] + step <= model.highest.get(name, np.inf) else -step
             moved = self.predicted({**parameters, name: parameters[name] + step})
             for channel, column in columns.items():
-                column.append((moved[channel] - values[channel]) / step)
-        none = np.zeros((len(self.time), 0))
-        by_p = {name: np.column_stack(found) if found else none for name, found in columns.items()}
-        return FMUPrediction(
-            self.time, values, by_p, dict.fromkeys(values, none), dict(parameters), self._port(table)
-        )
+                column.append(((moved[channel] - values[channel]) / step)[:, None])
+        by_p = {name: np.hstack(column) for name, column in columns.items()}
+        motion = self._motion(port, table) if port is not None else None
+        return FMUPrediction(self.time, values, by_p, none, dict(parameters), motion)
 
-    def predicted(self, parameters: Mapping[str, float]) -> dict[str, Array]:
-        """Return the output channels."""
-        return self._channels(self._table(parameters, self.given))
+    def predicted(
+        self, parameters: Mapping[str, float], given: Array | None = None, push: Array | float = 0.0
+    ) -> dict[str, Array]:
+        """Return the output channels; the arguments as below."""
+        return self._channels(self._table(parameters, self.given if given is None else given, push))
 
     def _channels(self, table: Mapping[str, Array]) -> dict[str, Array]:
         return {name: sign * table[variable] for name, (variable, sign) in self.model.outputs.items()}
 
-    def _port(self, table: Mapping[str, Array]) -> Motion | None:
-        port = self.model.box.port
-        if port is None:
-            return None
-        v = table[port.velocity]
-        return Motion(
-            self.time, table[port.position], v, port.sign * table[port.force], np.gradient(v, self.time)
-        )
+    def _motion(self, port: FMUPort, table: Mapping[str, Array]) -> Motion:
+        v, force = table[port.velocity], port.sign * table[port.force]
+        return Motion(self.time, table[port.position], v, force, np.gradient(v, self.time))
 
     def _table(
-        self, parameters: Mapping[str, float], given: Array, push: Array | None = None
+        self, parameters: Mapping[str, float], given: Array, push: Array | float = 0.0
     ) -> dict[str, Array]:
-        """Return all that is read, in SI units.
+        """Return all that is read, in SI units, for inputs in the FMU's.
 
-        Args:
-            parameters: of the FMU and of effects.
-            given: the inputs, in the FMU's units.
-            push: a further force at a port whose motion is given, as a spring's [N or N.m].
+        At a port whose motion is given, `push` is a further force, as a spring's [N or N.m].
         """
         model, box = self.model, self.model.box
         port, acting = box.port, Acting([_valued(placed, parameters) for placed in model.effects])
         load = None
         if port is not None and port.takes_force and acting.effects:
-            load = Load(port.force, port.position, port.velocity, Reaction(acting, port, box))
+            load = Load(port.force, port.position, port.velocity, Reaction(acting, port, box.fmu))
         try:
             rows = model.replay.run(
                 self.fine, given, box.own(parameters), box.started, load, self.refined, FMU_RELATIVE_TOLERANCE
             )
         except FMUError as error:
             raise SimulationError(str(error)) from error
-        measures = [model.measures[name] for name in model.read]
         table: dict[str, Array] = {
-            name: measure.factor * rows[:, k] + measure.offset
-            for k, (name, measure) in enumerate(zip(model.read, measures, strict=True))
+            name: model.measures[name].to_si(rows[:, k]) for k, name in enumerate(model.read)
         }
         if port is not None and not port.takes_force:
-            motion = self._port(table)
-            assert motion is not None
-            more = acting.along(motion) if push is None else acting.along(motion) + push
-            table[port.force] = table[port.force] + port.sign * more
+            table[port.force] += port.sign * (acting.along(self._motion(port, table)) + push)
         return table
 
     def pushed(self, found: FMUPrediction, changes: Mapping[str, Array]) -> Array:
-        """Return what small changes of inputs, or of the force at the port, change in the outputs.
+        """Return what small changes of an input, or of the force "push_0.u" at the port, change in outputs.
 
-        Communication steps are as long as the samples, here and in the run that it is compared to.
-
-        Args:
-            found: the run.
-            changes: columns of changes of one input, or of "push_0.u" at the port, at the record's instants.
+        Changes are columns at the record's instants. Communication steps are as long as the samples, here and
+        in the run that it is compared to.
         """
         if self.refined > 1 and self.model.box.kind == "CS":
             return ReplayedStand(self.model, self.experiment, 1).pushed(found, changes)
         ((name, columns),) = changes.items()
-        before, moved = self._channels(self._table(found.given, self.given)), list[Array]()
+        before, moved = self.predicted(found.given), list[Array]()
         size = self._size(name, found, columns, before)
         for column in columns.T:
             width = float(np.sqrt(np.mean(column**2)))
@@ -251,16 +235,15 @@ class ReplayedStand:
         """
         if name in self.model.driven:
             variable, _ = self.model.driven[name]
-            given = self.given[:, self.model.taken.index(variable)]
+            given = self.given[:, self.model.place[variable]]
             return FMU_PROBE_SHARE * self.model.measures[variable].factor * float(given.std())
         assert found.port is not None
         force = FMU_PROBE_SHARE * float(np.sqrt(np.mean(found.port.f**2)))
         if force:
             return force
         width = max(float(np.sqrt(np.mean(columns[:, 0] ** 2))), 1e-300)
-        after, size = self._changed(found, name, FMU_TRIAL_FORCE * columns[:, 0] / width), 0.0
-        for channel, values in before.items():
-            size = max(size, float((after[channel] - values).std()) / max(float(values.std()), 1e-300))
+        after = self._changed(found, name, FMU_TRIAL_FORCE * columns[:, 0] / width)
+        size = max(float((after[n] - v).std()) / max(float(v.std()), 1e-300) for n, v in before.items())
         return FMU_TRIAL_FORCE * FMU_PROBE_SHARE / size if size else FMU_TRIAL_FORCE
 
     def _changed(self, found: FMUPrediction, name: str, change: Array) -> dict[str, Array]:
@@ -272,12 +255,12 @@ class ReplayedStand:
         else:
             assert port is not None
             if not port.takes_force:
-                return self._channels(self._table(found.given, self.given, change))
+                return self.predicted(found.given, push=change)
             name, fine = port.force, -port.sign * fine
         given = self.given.copy()
-        given[:, model.taken.index(name)] += fine / model.measures[name].factor
+        given[:, model.place[name]] += fine / model.measures[name].factor
         self._follow(given)
-        return self._channels(self._table(found.given, given))
+        return self.predicted(found.given, given)
 
 
 def _valued(placed: Hypothesis, parameters: Mapping[str, float]) -> Hypothesis:

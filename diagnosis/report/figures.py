@@ -12,47 +12,37 @@ from ...base import Array
 from ...identification import Experiment
 from ...networks import pretty_unit
 from ..effects.effect import Motion
-from ..search.joint_fit import Refit
+from ..search.model_comparison import Refit
 from ..verdict.localisation import spectrum
 from ..verdict.verdict import Verdict
 
 Figure = dict[str, Any]
 Stages = Mapping[str, Refit]
 
-MEASURED = "#888888"
-COLOURS = ("#ccaa22", "#4477aa", "#ee6677")
-SAMPLES = 900_000  # in all curves over time together; two bytes each
-FEWEST = 2_000  # samples of a curve
-POINTS = 12_000  # in all clouds of one kind together
-BINS = 40
-AXIS = {"exponentformat": "SI", "automargin": True, "zeroline": False}
+MEASURED_COLOUR = "#888888"
+STAGE_COLOURS = ("#ccaa22", "#4477aa", "#ee6677")
+RECORD_SAMPLES = 900_000  # in all curves over time together; two bytes each
+LEAST_CURVE_SAMPLES = 2_000
+CLOUD_POINTS = 12_000  # in all clouds of one kind together
+CLOUD_BINS = 40
 
 
 def bars(verdict: Verdict, stages: Stages) -> Figure:
     """Return the misfit of each channel at each stage, over noise."""
     gaps = verdict.gap
-    fields = ("nominal", "refit", "after")
-    data = [
-        {
-            "type": "bar",
-            "name": stage,
-            "x": list(gaps),
-            "y": [getattr(gap, field) / gap.floor for gap in gaps.values()],
-            "marker": {"color": colour},
-        }
-        for stage, field, colour in zip(stages, fields, COLOURS, strict=False)
-    ]
+    data: list[dict[str, Any]] = []
+    for stage, field, colour in zip(stages, ("nominal", "refit", "after"), STAGE_COLOURS, strict=False):
+        heights = [getattr(gap, field) / gap.floor for gap in gaps.values()]
+        data.append(
+            {"type": "bar", "name": stage, "x": list(gaps), "y": heights, "marker": {"color": colour}}
+        )
     highest = max(max(bar["y"]) for bar in data)
-    floor = {"type": "line", "xref": "paper", "x0": 0, "x1": 1, "y0": 1, "y1": 1, "line": {"dash": "dash"}}
-    note = {
-        "xref": "paper", "x": 1, "y": 0, "yref": "y", "text": "noise", "showarrow": False, "xanchor": "right",
-        "yanchor": "bottom",
-    }  # fmt: skip
+    note = {"xref": "paper", "x": 1, "y": 0, "yref": "y", "text": "noise", "showarrow": False}
     span = [np.log10(0.5), np.log10(max(highest, 2.0)) + 0.1]
     layout = {
-        "yaxis": {**AXIS, "type": "log", "range": span, "dtick": 1, "title": {"text": "misfit / noise"}},
-        "shapes": [floor],
-        "annotations": [note],
+        "yaxis": _axis("misfit / noise", type="log", range=span, dtick=1),
+        "shapes": [_dashed(1)],
+        "annotations": [{**note, "xanchor": "right", "yanchor": "bottom"}],
         "barmode": "group",
         "height": 300,
     }
@@ -61,11 +51,10 @@ def bars(verdict: Verdict, stages: Stages) -> Figure:
 
 def over_time(verdict: Verdict, stages: Stages) -> list[tuple[str, Figure]]:
     """Return name, and measured and simulated channels, of each test record."""
-    campaign = verdict.evidence.campaign
-    experiments = campaign.testing or campaign.training
-    curves = len(campaign.outputs) * (len(stages) + 3)
-    shown = experiments[: max(1, SAMPLES // (FEWEST * curves))]
-    most = max(FEWEST, SAMPLES // (curves * len(shown)))
+    experiments = verdict.evidence.study.judged
+    curves = len(verdict.evidence.campaign.outputs) * (len(stages) + 3)
+    shown = experiments[: max(1, RECORD_SAMPLES // (LEAST_CURVE_SAMPLES * curves))]
+    most = max(LEAST_CURVE_SAMPLES, RECORD_SAMPLES // (curves * len(shown)))
     return [(_title(e), _record(verdict, stages, number, most)) for number, e in enumerate(shown)]
 
 
@@ -75,53 +64,30 @@ def _title(experiment: Experiment) -> str:
 
 
 def _record(verdict: Verdict, stages: Stages, number: int, most: int) -> Figure:
-    campaign = verdict.evidence.campaign
-    record = (campaign.testing or campaign.training)[number].compared
+    campaign, record = verdict.evidence.campaign, verdict.evidence.study.judged[number].compared
     data: list[dict[str, Any]] = []
-    layout: dict[str, Any] = {"shapes": [], "hovermode": "x"}
-    outputs = campaign.outputs
-    for row, name in enumerate(outputs):
-        sigma = campaign.floors[name].sigma
-        unit = pretty_unit(campaign.measured[name].si)
-        missed = {stage: (f.test or f.train)[number][name] * sigma for stage, f in stages.items()}
+    shapes: list[dict[str, Any]] = []
+    layout: dict[str, Any] = {"shapes": shapes, "hovermode": "x"}
+    for row, name in enumerate(campaign.outputs):
+        sigma, unit = _noise(verdict, name)
         signal, left = f"y{2 * row + 1}" if row else "y", f"y{2 * row + 2}"
-        curves = [("measured", MEASURED, record.values[name], signal)]
-        curves += [
-            (stage, colour, record.values[name] - gone, signal)
-            for (stage, gone), colour in zip(missed.items(), COLOURS, strict=False)
-        ]
-        curves += [
-            (stage, colour, gone, left)
-            for (stage, gone), colour in list(zip(missed.items(), COLOURS, strict=False))[-2:]
-        ]
+        measured = record.values[name]
+        missed = [(stage, colour, f.judged[number][name] * sigma) for stage, f, colour in _coloured(stages)]
+        curves = [("measured", MEASURED_COLOUR, measured, signal)]
+        curves += [(stage, colour, measured - gone, signal) for stage, colour, gone in missed]
+        curves += [(*shown, left) for shown in missed[-2:]]
         for stage, colour, values, axis in curves:
-            data.append(
-                {
-                    "type": "scatter", "mode": "lines", "name": stage, "legendgroup": stage, "yaxis": axis,
-                    "showlegend": row == 0 and axis == signal, "hoverinfo": "x+y",
-                    "line": {"color": colour, "width": 2.2 if stage == "measured" else 1.1},
-                    "samples": _packed(record.time, values, most),
-                }
-            )  # fmt: skip
-        top, height = 1 - row / len(outputs), 1 / len(outputs)
-        for axis, low, high, told in (
-            (signal, 0.42, 0.98, name),
-            (left, 0.08, 0.36, "residual"),
-        ):
-            layout[axis.replace("y", "yaxis")] = {
-                **AXIS,
-                "title": {"text": f"{told} [{unit or '1'}]"},
-                "domain": [top - (1 - low) * height, top - (1 - high) * height],
-            }
-        layout["shapes"].append(
-            {
-                "type": "rect", "xref": "paper", "x0": 0, "x1": 1, "yref": left, "y0": -2 * sigma,
-                "y1": 2 * sigma, "fillcolor": MEASURED, "opacity": 0.25, "line": {"width": 0},
-                "layer": "below",
-            }
-        )  # fmt: skip
-    layout["xaxis"] = {**AXIS, "title": {"text": "time [s]"}, "anchor": f"y{2 * len(outputs)}"}
-    layout["height"] = 90 + 270 * len(outputs)
+            look = _line(colour, 2.2 if stage == "measured" else 1.1)
+            legend = {"yaxis": axis, "legendgroup": stage, "showlegend": row == 0 and axis == signal}
+            data.append(_curve(stage, **look, **legend, samples=_packed(record.time, values, most)))
+        height = 1 / len(campaign.outputs)
+        top = 1 - row * height
+        for axis, low, high, told in ((signal, 0.42, 0.98, name), (left, 0.08, 0.36, "residual")):
+            domain = [top - (1 - low) * height, top - (1 - high) * height]
+            layout[axis.replace("y", "yaxis")] = _axis(f"{told} [{unit}]", domain=domain)
+        shapes.append(_band(left, 2 * sigma))
+    layout["xaxis"] = _axis("time [s]", anchor=f"y{2 * len(campaign.outputs)}")
+    layout["height"] = 90 + 270 * len(campaign.outputs)
     return {"data": data, "layout": layout}
 
 
@@ -135,14 +101,8 @@ def _packed(time: Array, values: Array, most: int) -> dict[str, Any]:
         values = np.concatenate([part[end] for part, end in zip(parts, ends, strict=True)])
         step *= len(time) / len(values)
     low, size = float(values.min()), float(np.ptp(values)) or 1.0
-    whole = np.round((values - low) / size * 65535).astype("<u2")
-    return {
-        "t0": float(time[0]),
-        "step": step,
-        "low": low,
-        "size": size,
-        "u2": b64encode(whole.tobytes()).decode(),
-    }
+    whole = b64encode(np.round((values - low) / size * 65535).astype("<u2").tobytes()).decode()
+    return {"t0": float(time[0]), "step": step, "low": low, "size": size, "u2": whole}
 
 
 def clouds(
@@ -151,106 +111,92 @@ def clouds(
     """Return the residual of a channel against how a site moves, by what it is drawn against."""
     if not motions:
         return {}
-    titles = [
-        f"{name} [{pretty_unit(unit)}]"
-        for name, unit in zip(("position", "speed", "acceleration"), units, strict=True)
-    ]
-    moved = (np.concatenate([getattr(m, name) for m in motions]) for name in ("s", "v", "a"))
-    return {
-        title.split(" [")[0]: _cloud(verdict, stages, channel, against, title)
-        for title, against in zip(titles, moved, strict=True)
-    }
+    signals = {"position": "s", "speed": "v", "acceleration": "a"}
+    figures = {}
+    for (name, signal), unit in zip(signals.items(), units, strict=True):
+        against = np.concatenate([getattr(motion, signal) for motion in motions])
+        figures[name] = _cloud(verdict, stages, channel, against, f"{name} [{pretty_unit(unit)}]")
+    return figures
 
 
 def _cloud(verdict: Verdict, stages: Stages, channel: str, against: Array, title: str) -> Figure:
-    campaign = verdict.evidence.campaign
-    sigma, unit = campaign.floors[channel].sigma, pretty_unit(campaign.measured[channel].si)
-    every = max(1, len(against) * 3 * len(campaign.outputs) // POINTS)
+    sigma, unit = _noise(verdict, channel)
+    every = max(1, len(against) * 3 * len(verdict.evidence.campaign.outputs) // CLOUD_POINTS)
     data = []
-    for (stage, fitted), colour in list(zip(stages.items(), COLOURS, strict=False))[-2:]:
-        missed = sigma * np.concatenate([record[channel] for record in fitted.test or fitted.train])
-        x, y = _means(against, missed)
+    for stage, fitted, colour in _coloured(stages)[-2:]:
+        missed = sigma * np.concatenate([record[channel] for record in fitted.judged])
         marker = {"color": colour, "size": 3, "opacity": 0.3}
-        common = {"type": "scatter", "name": stage, "showlegend": False, "hoverinfo": "x+y"}
-        data.append(
-            {
-                **common,
-                "mode": "markers",
-                "x": _short(against[::every]),
-                "y": _short(missed[::every]),
-                "marker": marker,
-            }
-        )
-        data.append(
-            {
-                **common,
-                "mode": "lines",
-                "x": _short(x),
-                "y": _short(y),
-                "line": {"color": colour, "width": 2.5},
-            }
-        )
-    layout = {
-        "xaxis": {**AXIS, "title": {"text": title}},
-        "yaxis": {**AXIS, "title": {"text": f"residual [{unit or '1'}]"}},
-        "height": 260,
-    }
-    return {"data": data, "layout": layout}
+        points = _points(against[::every], missed[::every])
+        data.append(_curve(stage, mode="markers", marker=marker, **points))
+        data.append(_curve(stage, **_line(colour, 2.5), **_points(*_means(against, missed))))
+    return _small(data, _axis(title), _axis(f"residual [{unit}]"))
 
 
 def _means(x: Array, y: Array) -> tuple[Array, Array]:
     """Return the mean of y over stretches of x that hold equally many points."""
-    order = np.argsort(x)
-    parts = np.array_split(order, min(BINS, len(x)))
+    parts = np.array_split(np.argsort(x), min(CLOUD_BINS, len(x)))
     return np.array([x[part].mean() for part in parts]), np.array([y[part].mean() for part in parts])
 
 
 def spectra(verdict: Verdict, stages: Stages, channel: str) -> Figure:
     """Return the power spectral density of a channel's residual, by Welch's method, and of noise."""
-    campaign = verdict.evidence.campaign
-    sigma, unit = campaign.floors[channel].sigma, pretty_unit(campaign.measured[channel].si)
-    experiments = campaign.testing or campaign.training
-    rate = experiments[0].compared.rate
-    segment = max(64, min(len(e.compared.time) for e in experiments) // 8)
+    sigma, unit = _noise(verdict, channel)
+    records = [e.compared for e in verdict.evidence.study.judged]
+    segment = max(64, min(len(record.time) for record in records) // 8)
     data = []
-    for (stage, fitted), colour in list(zip(stages.items(), COLOURS, strict=False))[-2:]:
+    for stage, fitted, colour in _coloured(stages)[-2:]:
         found = [
-            spectrum(sigma * record[channel], e.compared.rate, segment)
-            for record, e in zip(fitted.test or fitted.train, experiments, strict=True)
+            spectrum(sigma * missed[channel], record.rate, segment)
+            for missed, record in zip(fitted.judged, records, strict=True)
         ]
-        density = np.mean([np.interp(found[0][0], f, d) for f, d in found], axis=0)
-        data.append(
-            {
-                "type": "scatter", "mode": "lines", "name": stage, "showlegend": False, "hoverinfo": "x+y",
-                "x": _short(found[0][0][1:]), "y": _short(density[1:]),
-                "line": {"color": colour, "width": 1.5},
-            }
-        )  # fmt: skip
-    floor = 2 * sigma**2 / rate
-    line = {
-        "type": "line",
-        "xref": "paper",
-        "x0": 0,
-        "x1": 1,
-        "y0": floor,
-        "y1": floor,
-        "line": {"dash": "dash"},
-    }
-    layout = {
-        "xaxis": {**AXIS, "type": "log", "title": {"text": "frequency [Hz]"}},
-        "yaxis": {
-            **AXIS,
-            "type": "log",
-            "exponentformat": "power",
-            "nticks": 6,
-            "title": {"text": f"PSD [({unit or '1'})²/Hz]"},
-        },
-        "shapes": [line],
-        "height": 260,
-    }
-    return {"data": data, "layout": layout}
+        common = found[0][0]
+        density = np.mean([np.interp(common, f, d) for f, d in found], axis=0)
+        data.append(_curve(stage, **_line(colour, 1.5), **_points(common[1:], density[1:])))
+    power = _axis(f"PSD [({unit})²/Hz]", type="log", exponentformat="power", nticks=6)
+    noise = _dashed(2 * sigma**2 / records[0].rate)
+    return _small(data, _axis("frequency [Hz]", type="log"), power, shapes=[noise])
 
 
-def _short(values: Array) -> list[float]:
-    """Return numbers with the digits that a plot needs."""
-    return [float(f"{value:.5g}") for value in values.tolist()]
+def _noise(verdict: Verdict, channel: str) -> tuple[float, str]:
+    """Return the noise of a channel, and its unit as it is written."""
+    campaign = verdict.evidence.campaign
+    return campaign.sigma[channel], pretty_unit(campaign.measured[channel].si) or "1"
+
+
+def _coloured(stages: Stages) -> list[tuple[str, Refit, str]]:
+    return [(*stage, colour) for stage, colour in zip(stages.items(), STAGE_COLOURS, strict=False)]
+
+
+def _small(data: list[dict[str, Any]], x: Figure, y: Figure, **more: Any) -> Figure:
+    return {"data": data, "layout": {"xaxis": x, "yaxis": y, "height": 260, **more}}
+
+
+def _curve(stage: str, **more: Any) -> dict[str, Any]:
+    return {"type": "scatter", "name": stage, "showlegend": False, "hoverinfo": "x+y", **more}
+
+
+def _line(colour: str, width: float) -> dict[str, Any]:
+    return {"mode": "lines", "line": {"color": colour, "width": width}}
+
+
+def _points(x: Array, y: Array) -> dict[str, list[float]]:
+    """Return coordinates with the digits that a plot needs."""
+    return {axis: [float(f"{v:.5g}") for v in values.tolist()] for axis, values in (("x", x), ("y", y))}
+
+
+def _axis(title: str, **more: Any) -> dict[str, Any]:
+    common = {"exponentformat": "SI", "automargin": True, "zeroline": False}
+    return {**common, "title": {"text": title}, **more}
+
+
+def _dashed(level: float) -> dict[str, Any]:
+    """Return a dashed line across a figure: the level of noise."""
+    ends = {"x0": 0, "x1": 1, "y0": level, "y1": level}
+    return {"type": "line", "xref": "paper", **ends, "line": {"dash": "dash"}}
+
+
+def _band(axis: str, half: float) -> dict[str, Any]:
+    """Return a grey band about zero."""
+    ends = {"xref": "paper", "x0": 0, "x1": 1, "yref": axis, "y0": -half, "y1": half}
+    look = {"fillcolor": MEASURED_COLOUR, "opacity": 0.25, "line": {"width": 0}, "layer": "below"}
+    return {"type": "rect", **ends, **look}

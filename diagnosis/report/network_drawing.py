@@ -5,21 +5,17 @@ from __future__ import annotations
 from collections.abc import Iterator
 from html import escape
 
-from ...components import Component
 from ...networks import svg_sketch
 from ..criteria import SITE_SHARE_TOLD, WINDOWS_TOLD
 from ..effects.edits import part_at
-from ..models.predictor import subject
-from ..verdict.evidence import moved_parameters
-from ..verdict.verdict import Verdict
+from ..verdict.verdict import Verdict, moved_parameters
 
 
 def drawings(verdict: Verdict) -> Iterator[str]:
     """Yield what is known of the place, and the corrected network, outermost first."""
     if verdict.where:
-        shares = ", ".join(
-            f"{escape(site)} {share:.0%}" for site, share in verdict.where.items() if share >= SITE_SHARE_TOLD
-        )
+        large = {site: share for site, share in verdict.where.items() if share >= SITE_SHARE_TOLD}
+        shares = ", ".join(f"{escape(site)} {share:.0%}" for site, share in large.items())
         yield f"<p>What the best effect at each site would explain, as shares: {shares}.</p>"
     for placed in verdict.effects:
         if placed.site.same:
@@ -32,19 +28,21 @@ def drawings(verdict: Verdict) -> Iterator[str]:
         composite = part_at(network, owner) if owner else network
         here = _within(marks, owner)
         title = f"Inside {owner}" if owner else network.name
-        drawn = svg_sketch(composite, here) or _listed(here, composite)
+        marked = "; ".join(f"{escape(name)}: {escape(told)}" for name, told in here.items())
+        listed = f"<p>{len(composite._parts)} components, too many to draw. {marked}</p>"
+        drawn = svg_sketch(composite, here) or listed
         yield f'<figure class="wide"><figcaption class="faint">{escape(title)}</figcaption>{drawn}</figure>'
 
 
 def marks_of(verdict: Verdict) -> dict[str, str]:
     """Return path of a component -> what it is marked with."""
-    campaign = verdict.evidence.campaign
-    channels = campaign.measured
+    study = verdict.evidence.study
+    channels = study.campaign.measured
     marks: dict[str, str] = {}
 
     def mark(path: str, told: str) -> None:
         if path in channels:
-            path, told = subject(campaign).part(channels[path].path), f"{path}: {told}"
+            path, told = study.part(channels[path].path), f"{path}: {told}"
         if path:
             marks[path] = f"{marks[path]}, {told}" if path in marks else told
 
@@ -57,8 +55,8 @@ def marks_of(verdict: Verdict) -> dict[str, str]:
     if verdict.verdict == "unknown" and verdict.where:
         mark(next(iter(verdict.where)), "most of the gap")
     if verdict.verdict == "parameters":
-        for name in moved_parameters(campaign, verdict.parameters):
-            path = subject(campaign).part(name)
+        for name in moved_parameters(study.campaign, verdict.parameters):
+            path = study.part(name)
             mark(path, name.removeprefix(f"{path}."))
     return marks
 
@@ -81,11 +79,6 @@ def _within(marks: dict[str, str], owner: str) -> dict[str, str]:
             name, _, inner = path.removeprefix(prefix).partition(".")
             here[name] = told if not inner or name in here else f"in {inner}"
     return here
-
-
-def _listed(here: dict[str, str], composite: Component) -> str:
-    marked = "; ".join(f"{escape(name)}: {escape(told)}" for name, told in here.items())
-    return f"<p>{len(composite._parts)} components, too many to draw. {marked}</p>"
 
 
 def _located(verdict: Verdict) -> str:

@@ -56,12 +56,11 @@ const places = [...document.querySelectorAll(".figure")];
 for (const place of places) draw(place, figures[place.dataset.figure]);
 
 for (const select of document.querySelectorAll("select[data-shows]")) {
-  const show = () => {
+  select.addEventListener("change", () => {
     const place = document.getElementById(select.dataset.shows);
     Plotly.purge(place);
     draw(place, figures[select.value]);
-  };
-  select.addEventListener("change", show);
+  });
 }
 
 for (const button of document.querySelectorAll("button[data-copies]")) {

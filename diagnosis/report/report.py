@@ -3,23 +3,23 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from html import escape
 from math import copysign
 from pathlib import Path
 from string import Template
-from typing import Any
 
 from ...base import check_output, demand, instance, rate_unit, write_text
 from ...networks import pretty_unit
 from ..verdict.localisation import moved
 from ..verdict.verdict import Verdict
-from .figures import COLOURS, MEASURED, Figure, Stages, bars, clouds, over_time, spectra
+from .figures import MEASURED_COLOUR, STAGE_COLOURS, Figure, Stages, bars, clouds, over_time, spectra
 from .network_drawing import drawings
 from .text import advice, chance, code, conclusion, methods, number, ruled_out, screened_out, sure
 
-HERE = Path(__file__).parent
+FOLDER = Path(__file__).parent
 PAGES = (".html", ".htm")
+Rows = Sequence[Sequence[str]]
 
 
 def write_report(verdict: Verdict, path: str | Path) -> Path:
@@ -39,13 +39,13 @@ def write_report(verdict: Verdict, path: str | Path) -> Path:
     check_output(path, PAGES)
     figures = dict[str, Figure]()
     body = "\n".join(_sections(verdict, figures))
-    page = Template((HERE / "report.html").read_text(encoding="utf-8"))
+    page = Template((FOLDER / "report.html").read_text(encoding="utf-8"))
     return write_text(
         path,
         page.substitute(
             title=escape(f"Sim-to-real gap of {verdict.network.name}"),
-            css=(HERE / "report.css").read_text(encoding="utf-8"),
-            js=(HERE / "report.js").read_text(encoding="utf-8"),
+            css=(FOLDER / "report.css").read_text(encoding="utf-8"),
+            js=(FOLDER / "report.js").read_text(encoding="utf-8"),
             plotly=get_plotlyjs(),
             body=body,
             figures=json.dumps(figures, separators=(",", ":")).replace("</", "<\\/"),
@@ -53,18 +53,13 @@ def write_report(verdict: Verdict, path: str | Path) -> Path:
     )
 
 
-def stages_of(verdict: Verdict) -> Stages:
-    """Return the models that were held against the records, by what they are called in the report."""
+def _sections(verdict: Verdict, figures: dict[str, Figure]) -> Iterator[str]:
     evidence = verdict.evidence
-    stages = {"nominal": evidence.nominal, "refit": evidence.refit}
+    stages = {"nominal": evidence.nominal, "refit": evidence.refit}  # by what they are called in the report
     if evidence.after is not evidence.refit:
         stages["with the effect" if verdict.effects else "with the best candidate"] = evidence.after
-    return stages
-
-
-def _sections(verdict: Verdict, figures: dict[str, Figure]) -> Iterator[str]:
-    stages = stages_of(verdict)
-    yield _verdict(verdict)
+    told = "".join(f"<p>{escape(line)}</p>" for line in conclusion(verdict))
+    yield f'<section id="verdict" class="verdict {verdict.verdict}">{told}</section>'
     yield _section("where", "Where", drawings(verdict))
     yield _section("gap", "Gap before and after", _gap(verdict, stages, figures))
     yield _section("signals", "Measured and simulated", _signals(verdict, stages, figures))
@@ -74,27 +69,22 @@ def _sections(verdict: Verdict, figures: dict[str, Figure]) -> Iterator[str]:
     yield _section("correction", "The correction", _correction(verdict))
     yield _section("next", "What to measure next", [f"<p>{escape(advice(verdict))}</p>"])
     yield _section("parameters", "Parameters", _parameters(verdict))
-    yield _section("notes", "Notes", _notes(verdict))
+    notes = [*verdict.notes, *evidence.campaign.notes, *methods(verdict)]
+    yield _section("notes", "Notes", ["<ul>", *(f"<li>{escape(note)}</li>" for note in notes), "</ul>"])
 
 
 def _section(name: str, title: str, blocks: Iterator[str] | Sequence[str]) -> str:
     return f'<section id="{name}"><h2>{title}</h2>{"".join(blocks)}</section>'
 
 
-def _verdict(verdict: Verdict) -> str:
-    told = "".join(f"<p>{escape(line)}</p>" for line in conclusion(verdict))
-    return f'<section id="verdict" class="verdict {verdict.verdict}">{told}</section>'
-
-
 def _gap(verdict: Verdict, stages: Stages, figures: dict[str, Figure]) -> Iterator[str]:
-    campaign = verdict.evidence.campaign
-    tested = "test" if campaign.testing else "training"
-    yield f"<p>Root mean square of what the model misses on the {tested} runs, over that of the noise.</p>"
+    campaign, runs = verdict.evidence.campaign, verdict.evidence.judged
+    yield f"<p>Root mean square of what the model misses on the {runs}, over that of the noise.</p>"
     yield _figure("gap", bars(verdict, stages), figures, width=220 + 160 * len(verdict.gap))
     rows = []
     for name, gap in verdict.gap.items():
         values = [gap.nominal, gap.refit, gap.after][: len(stages)]
-        size = campaign.floors[name].sigma / gap.floor
+        size = campaign.sigma[name] / gap.floor
         unit = pretty_unit(campaign.measured[name].si)
         cells = [f"{value:.3%}<br>{number(value * size)} {unit}" for value in (*values, gap.floor)]
         rows.append([escape(name), *cells])
@@ -115,20 +105,23 @@ def _signals(verdict: Verdict, stages: Stages, figures: dict[str, Figure]) -> It
 
 
 def _residual(verdict: Verdict, stages: Stages, figures: dict[str, Figure]) -> Iterator[str]:
-    evidence = verdict.evidence
-    campaign = evidence.campaign
-    place = next((c.site for c in evidence.screened if c.site.path == _leading(verdict)), None)
+    evidence, campaign = verdict.evidence, verdict.evidence.campaign
+    leading = [placed.site.path for placed in verdict.effects]
+    if not leading and verdict.verdict == "unknown":
+        leading = list(verdict.where)
+    place = next((c.site for c in evidence.screened if c.site.path in leading[:1]), None)
     motions, units = [], ("", "", "")
     if place is not None:
-        records, fitted = campaign.testing or campaign.training, evidence.refit.parameters
-        motions = moved(campaign, fitted, place, records, evidence.accuracy)
+        motions = moved(evidence.study, evidence.refit.parameters, place, evidence.study.judged)
         if place.domain == "channel":
             si = campaign.measured[place.path].si
             units = si, rate_unit(si), rate_unit(si, 2)
         else:
             units = place.mechanics.motion_units
-    shown = list(zip(stages, COLOURS, strict=False))[-2:]
-    yield f'<p class="key">{"".join(_key(*entry) for entry in [*shown, ("noise (dashed)", MEASURED)])}</p>'
+    shown = [*zip(stages, STAGE_COLOURS, strict=False)][-2:]
+    colours = [*shown, ("noise (dashed)", MEASURED_COLOUR)]
+    key = (f'<span><i style="background:{colour}"></i>{escape(name)}</span>' for name, colour in colours)
+    yield f'<p class="key">{"".join(key)}</p>'
     at = f" against how {escape(place.path)} moves in the refitted model and" if place is not None else ""
     yield f"<p>Measured minus simulated{at} over frequency; thick lines are means. Over time it stands "
     yield "above.</p>"
@@ -140,28 +133,17 @@ def _residual(verdict: Verdict, stages: Stages, figures: dict[str, Figure]) -> I
         yield "</div>"
 
 
-def _leading(verdict: Verdict) -> str:
-    """Return the site at which to look."""
-    if verdict.effects:
-        return verdict.effects[0].site.path
-    return next(iter(verdict.where), "") if verdict.verdict == "unknown" else ""
-
-
-def _key(name: str, colour: str) -> str:
-    return f'<span><i style="background:{colour}"></i>{escape(name)}</span>'
-
-
 def _ranking(verdict: Verdict) -> Iterator[str]:
     if not verdict.ranking:
         yield "<p>No effect was worth a fit.</p>"
         return
-    chosen = [(p.effect.kind, p.site.path) for p in verdict.effects]
-    rows, marked = [], []
+    chosen = [placed.key for placed in verdict.effects]
+    marked = [n for n, ranked in enumerate(verdict.ranking) if (ranked.kind, ranked.site) in chosen]
+    rows = []
     for n, ranked in enumerate(verdict.ranking, start=1):
         values = ", ".join(f"{escape(k)} = {number(v)}" for k, v in ranked.values.items())
         gain = f"{ranked.test_gain:.2%}"
         rows.append([str(n), _kind(ranked.kind), escape(ranked.site), gain, chance(ranked.p), values])
-        marked.append((ranked.kind, ranked.site) in chosen)
     yield "<p>Effects that were fitted together with the parameters, by what they take off the squared "
     yield f"residual of the {verdict.evidence.judged}; p is the chance of as much without the effect.</p>"
     yield _table(["", "effect", "site", "test gain", "p", "parameters"], rows, (0, 3, 4), marked)
@@ -172,8 +154,7 @@ def _ruled_out(verdict: Verdict) -> Iterator[str]:
         yield "<p>Nothing: the diagnosis was stopped before its end.</p>"
         return
     fitted = [
-        [_kind(k), escape(site), f"{gain:.2%}", chance(p), why]
-        for k, site, gain, p, why in ruled_out(verdict)
+        [_kind(k), escape(s), f"{gain:.2%}", chance(p), why] for k, s, gain, p, why in ruled_out(verdict)
     ]
     if fitted:
         yield "<h3>After a fit</h3>"
@@ -202,11 +183,8 @@ def _parameters(verdict: Verdict) -> Iterator[str]:
         prior, unit = campaign.priors[name], pretty_unit(campaign.machine.unit(name))
         before, fitted = campaign.start[name], verdict.evidence.refit.parameters[name]
         change = f"{after / before - 1:+.2%}" if before else ""
-        deviations = (
-            f"{copysign(prior.moved(after), after - prior.center):+.2f}"
-            if prior.sd < float("inf")
-            else "bounds only"
-        )
+        deviations = f"{copysign(prior.moved(after), after - prior.center):+.2f}"
+        deviations = deviations if prior.sd < float("inf") else "bounds only"
         rows.append([escape(name), number(before), number(fitted), number(after), unit, change, deviations])
     for placed, confidence in zip(verdict.effects, verdict.confidence, strict=True):
         for quantity, unit in placed.units(campaign).items():
@@ -214,11 +192,6 @@ def _parameters(verdict: Verdict) -> Iterator[str]:
             rows.append([named, "", "", value, pretty_unit(unit), f"confidence {sure(confidence)}", ""])
     headers = ["parameter", "before", "refit", "after", "unit", "change", "in prior deviations"]
     yield _table(headers, rows, (1, 2, 3, 5, 6)) if rows else "<p>None is uncertain.</p>"
-
-
-def _notes(verdict: Verdict) -> Iterator[str]:
-    notes = [*verdict.notes, *verdict.evidence.campaign.notes, *methods(verdict)]
-    yield f"<ul>{''.join(f'<li>{escape(note)}</li>' for note in notes)}</ul>"
 
 
 def _figure(name: str, figure: Figure, figures: dict[str, Figure], width: int | None = None) -> str:
@@ -232,18 +205,19 @@ def _kind(kind: str) -> str:
 
 
 def _table(
-    headers: Sequence[str], rows: Sequence[Sequence[str]], numbers: Any = (), marked: Sequence[bool] = ()
+    headers: Sequence[str],
+    rows: Sequence[Sequence[str]],
+    numbers: Iterable[int] = (),
+    marked: Sequence[int] = (),
 ) -> str:
     """Return a table; the columns of `numbers` are aligned right, rows that are marked stand out."""
 
     def row(cells: Sequence[str], tag: str) -> str:
-        kinds = [' class="number"' if n in numbers else "" for n in range(len(cells))]
-        return "".join(f"<{tag}{kind}>{cell}</{tag}>" for cell, kind in zip(cells, kinds, strict=True))
+        kinds = {n: ' class="number"' for n in numbers}
+        return "".join(f"<{tag}{kinds.get(n, '')}>{cell}</{tag}>" for n, cell in enumerate(cells))
 
-    flags = [*marked, *[False] * (len(rows) - len(marked))]
     body = "".join(
-        f"<tr{' class=chosen' if flag else ''}>{row(cells, 'td')}</tr>"
-        for cells, flag in zip(rows, flags, strict=True)
+        f"<tr{' class=chosen' if n in marked else ''}>{row(cells, 'td')}</tr>" for n, cells in enumerate(rows)
     )
     head = f"<thead><tr>{row(headers, 'th')}</tr></thead>"
     return f'<div class="wide"><table>{head}<tbody>{body}</tbody></table></div>'

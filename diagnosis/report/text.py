@@ -9,16 +9,13 @@ import numpy as np
 
 from ...identification import Experiment
 from ...networks import pretty_unit
-from ..criteria import (
-    CHANCE_PROBABILITY,
-    LEAST_PROBABILITY_TOLD,
-    MOST_CONFIDENCE_TOLD,
-    NEGLIGIBLE_GAIN_SHARE,
-    OWN_SIGNATURE_SHARE,
-)
+from .. import criteria
 from ..effects.effect import EFFECTS
-from ..effects.hypothesis import Hypothesis
+from ..effects.hypothesis import told
+from ..search.score_test import Candidate
 from ..verdict.verdict import Verdict
+
+SOURCES = {"stated": "as stated", "spectrum": "from the top of the spectrum"}  # of noise, in words
 
 
 def number(value: float) -> str:
@@ -28,25 +25,26 @@ def number(value: float) -> str:
 
 def chance(p: float) -> str:
     """Return a probability with the digits that count."""
-    return f"{p:.2g}" if p > LEAST_PROBABILITY_TOLD else "< 1e-6"
+    return f"{p:.2g}" if p > criteria.LEAST_PROBABILITY_TOLD else "< 1e-6"
 
 
 def sure(confidence: float) -> str:
     """Return a confidence in per cent; nothing is certain."""
-    return f"{confidence:.0%}" if confidence < MOST_CONFIDENCE_TOLD else "> 99%"
+    return f"{confidence:.0%}" if confidence < criteria.MOST_CONFIDENCE_TOLD else "> 99%"
 
 
 def conclusion(verdict: Verdict) -> Iterator[str]:
     """Yield the verdict in a sentence, its confidence, and what it rests on."""
     yield verdict.sentence
     if verdict.effects:
-        each = [f"{_told(p)}: {sure(c)}" for p, c in zip(verdict.effects, verdict.confidence, strict=True)]
+        pairs = zip(verdict.effects, verdict.confidence, strict=True)
+        each = [f"{told(*placed.key)}: {sure(confidence)}" for placed, confidence in pairs]
         yield f"Confidence: {'; '.join(each)}."
     campaign = verdict.evidence.campaign
-    told = _runs("training", campaign.training)
-    told += f" and {_runs('test', campaign.testing)}" if campaign.testing else ", no test runs"
+    runs = _runs("training", campaign.training)
+    runs += f" and {_runs('test', campaign.testing)}" if campaign.testing else ", no test runs"
     driven, measured = ", ".join(campaign.inputs) or "nothing", ", ".join(campaign.outputs)
-    yield f"From {told}; driven by {driven}, measured {measured}."
+    yield f"From {runs}; driven by {driven}, measured {measured}."
 
 
 def _runs(kind: str, experiments: Sequence[Experiment]) -> str:
@@ -56,7 +54,7 @@ def _runs(kind: str, experiments: Sequence[Experiment]) -> str:
 
 def ruled_out(verdict: Verdict) -> Iterator[tuple[str, str, float, float, str]]:
     """Yield kind, site, test gain, p and the reason of each fitted effect that is not the verdict."""
-    chosen = [(p.effect.kind, p.site.path) for p in verdict.effects]
+    chosen = [placed.key for placed in verdict.effects]
     kept = {*chosen, *verdict.equivalent}
     gains = [r.test_gain for r in verdict.ranking if (r.kind, r.site) in chosen]
     for ranked in verdict.ranking:
@@ -68,7 +66,7 @@ def ruled_out(verdict: Verdict) -> Iterator[tuple[str, str, float, float, str]]:
 def _reason(gain: float, p: float, best: float | None) -> str:
     if gain <= 0:
         return "makes the test runs worse"
-    if p > CHANCE_PROBABILITY:
+    if p > criteria.CHANCE_PROBABILITY:
         return "no more than chance would do"
     if best is None:
         return "takes too little off"
@@ -79,28 +77,27 @@ def _reason(gain: float, p: float, best: float | None) -> str:
 
 def screened_out(verdict: Verdict) -> Iterator[tuple[str, str, str, str]]:
     """Yield kind, best site, predicted gain and the reason of each kind that was not worth a fit."""
-    fitted = {ranked.kind for ranked in verdict.ranking}
+    fitted, screened = {ranked.kind for ranked in verdict.ranking}, verdict.evidence.screened
     places = {(ranked.kind, ranked.site) for ranked in verdict.ranking}
-    gains = [c.gain for c in verdict.evidence.screened if (c.effect.kind, c.site.path) in places]
+    gains = [candidate.gain for candidate in screened if candidate.key in places]
     least = min(gains, default=float("inf"))
     total = sum(float(r @ r) for record in verdict.evidence.refit.train for r in record.values())
-    best: dict[str, tuple[float, float, str]] = {}
-    for candidate in verdict.evidence.screened:
-        if candidate.gain >= best.get(candidate.effect.kind, (-1.0, 0.0, ""))[0]:
-            best[candidate.effect.kind] = candidate.gain, candidate.share, candidate.site.path
-    for kind, (gain, share, site) in sorted(best.items(), key=lambda entry: -entry[1][0]):
+    best: dict[str, Candidate] = {}
+    for c in screened:
+        known = best.setdefault(c.effect.kind, c)
+        best[c.effect.kind] = max(c, known, key=lambda candidate: candidate.gain)
+    for kind, c in sorted(best.items(), key=lambda entry: -entry[1].gain):
         if kind in fitted:
             continue
-        why = "explains less than those fitted" if gain < least else "not fitted, or its fit failed"
-        if share < OWN_SIGNATURE_SHARE:
-            why = f"the parameters mimic it: {share:.1%} of its signature is its own"
-        elif gain / total < NEGLIGIBLE_GAIN_SHARE:
+        why = "explains less than those fitted" if c.gain < least else "not fitted, or its fit failed"
+        if c.share < criteria.OWN_SIGNATURE_SHARE:
+            why = f"the parameters mimic it: {c.share:.1%} of its signature is its own"
+        elif c.gain / total < criteria.NEGLIGIBLE_GAIN_SHARE:
             why = "explains next to nothing with its physical sign"
-        yield kind, site, f"{max(gain / total, 0.0):.2%}", why
-    if best:
-        for kind in EFFECTS:
-            if kind not in best and kind not in fitted:
-                yield kind, "", "", "there is no site for it, or nothing moves there"
+        yield kind, c.site.path, f"{max(c.gain / total, 0.0):.2%}", why
+    for kind in EFFECTS if best else ():
+        if kind not in best and kind not in fitted:
+            yield kind, "", "", "there is no site for it, or nothing moves there"
 
 
 def code(verdict: Verdict) -> list[str]:
@@ -122,11 +119,11 @@ def advice(verdict: Verdict) -> str:
         return verdict.next_experiment
     if verdict.verdict == "unknown":
         place = f" at {next(iter(verdict.where))}" if verdict.where else ""
-        band = verdict.windows.get("band")
-        told = f" from {band[0]:.3g} to {band[1]:.3g} Hz" if band else ""
+        span = verdict.windows.get("band")
+        band = " from {:.3g} to {:.3g} Hz".format(*span) if span else ""
         return (
             f"The force and the relative motion{place}, each with a sensor of its own, in runs that "
-            f"dwell{told} at several amplitudes: then the law can be read off."
+            f"dwell{band} at several amplitudes: then the law can be read off."
         )
     if verdict.verdict == "ambiguous":
         return (
@@ -141,18 +138,8 @@ def methods(verdict: Verdict) -> Iterator[str]:
     """Yield how the figures came about."""
     campaign = verdict.evidence.campaign
     for name, floor in campaign.floors.items():
-        unit = pretty_unit(campaign.measured[name].si)
-        yield f"Noise of {name}: {number(floor.sigma)} {unit}, {_source(floor.source)}."
+        unit, source = pretty_unit(campaign.measured[name].si), f"from {floor.source}"
+        yield f"Noise of {name}: {number(floor.sigma)} {unit}, {SOURCES.get(floor.source, source)}."
     yield "Test runs are never fitted, except for start values where these are unknown."
     if not campaign.testing:
         yield "There are no test runs: all figures are those of the training runs and favour richer effects."
-
-
-def _source(source: str) -> str:
-    return {"stated": "as stated", "repeats": "from repeats", "spectrum": "from the top of the spectrum"}.get(
-        source, f"from {source}"
-    )
-
-
-def _told(placed: Hypothesis) -> str:
-    return f"{placed.effect.kind.replace('_', ' ')} at {placed.site.path}"

@@ -10,39 +10,20 @@ import numpy as np
 
 from ...base import Array
 from ...components import SimulationError
-from ...identification import Accuracy, Campaign, Ending, Experiment, descent
-from ...networks import Network
-from ..criteria import (
-    DESCENT_CHI_SQUARED_DROP,
-    DESCENT_LEAST_RADIUS,
-    DESCENT_RELATIVE_DROP,
-    DESCENT_STEPS,
-    SHAPED_DESCENTS,
-    START_SINGULAR_VALUE_RATIO,
-)
-from ..effects.hypothesis import Hypothesis, driven, sensed
+from ...identification import Ending, Experiment, descent
+from .. import criteria
+from ..effects.hypothesis import Hypothesis, driven, inserted, sensed
 from ..effects.shaping import Bounds, Shapes
-from ..models.predictor import Predicted, Standing, subject
+from ..models.study import Predicted, Standing, Study
+from .model_comparison import Refit, stretches
 
-Start = tuple[Mapping[str, float], Mapping[str, float]]
-
-
-@dataclass(frozen=True, eq=False)
-class Refit:
-    """A model fitted to the training records.
-
-    Attributes:
-        parameters: the network's uncertain parameters, fitted.
-        effects: the effects in it, fitted.
-        train, test: weighted residuals of each record, each a dictionary by channel.
-        cost: sum of squares of the training residuals and the priors.
-    """
-
-    parameters: dict[str, float]
-    effects: tuple[Hypothesis, ...]
-    train: list[dict[str, Array]]
-    test: list[dict[str, Array]]
-    cost: float
+FitStart = tuple[Mapping[str, float], Mapping[str, float]]
+DESCENT = Ending(
+    criteria.DESCENT_RELATIVE_DROP,
+    criteria.DESCENT_CHI_SQUARED_DROP,
+    criteria.DESCENT_LEAST_RADIUS,
+    criteria.DESCENT_STEPS,
+)
 
 
 @dataclass(frozen=True, eq=False)
@@ -63,108 +44,86 @@ class _Run:
 
 
 class JointFit:
-    """Parameters and effects as one vector, in units of what they may be expected to be."""
+    """Parameters and effects, with values to start from, as one vector in units of what they may be."""
 
     def __init__(
-        self,
-        campaign: Campaign,
-        network: Network,
-        parameters: Mapping[str, float],
-        effects: Sequence[Hypothesis],
-        accuracy: Accuracy,
+        self, study: Study, parameters: Mapping[str, float], effects: Sequence[Hypothesis] = ()
     ) -> None:
-        self.campaign, self.effects, self.accuracy = campaign, tuple(effects), accuracy
-        self.names = list(parameters)
-        self.sigma = campaign.sigma
-        priors = [campaign.priors[name] for name in self.names]
+        self.study, self.campaign, self.accuracy = study, study.campaign, study.accuracy
+        self.effects, self.names, self.sigma = tuple(effects), list(parameters), study.campaign.sigma
+        priors = [self.campaign.priors[name] for name in self.names]
         self.center = np.array([prior.center for prior in priors])
         self.scale = np.array([prior.scale for prior in priors])
         self.limits = np.array([prior.min for prior in priors]), np.array([prior.max for prior in priors])
-        self.pull = np.array([1.0 if np.isfinite(prior.sd) else 0.0 for prior in priors])
+        self.pull = np.isfinite([prior.sd for prior in priors]).astype(float)
         self.sizes = [placed.scales for placed in self.effects]
         low, high = ((limit - self.center) / self.scale for limit in self.limits)
-        quantities = [q for p in self.effects for q in p.quantities]
-        bounds = np.array([*low, *[q.low for q in quantities]]), np.array([*high, *[inf] * len(quantities)])
+        least = [quantity.low for placed in self.effects for quantity in placed.quantities]
+        bounds = np.array([*low, *least]), np.array([*high, *[inf] * len(least)])
         self.shapes = Shapes(bounds, self.effects, self.sizes)
         self.start = self.vector(parameters, [placed.values for placed in self.effects])
         paths = [path for placed in self.effects for path in placed.network_parameters]
-        self.predictor = subject(campaign).predictor(network, effects, [*self.names, *paths])
-        self.stands = {id(e): self.predictor.stand(e) for e in campaign.experiments}
+        self.predictor = study.predictor(effects, [*self.names, *paths])
+        self.stands = {id(e): self.predictor.stand(e) for e in self.campaign.experiments}
 
     def vector(self, parameters: Mapping[str, float], values: Sequence[Mapping[str, float]]) -> Array:
         """Return parameters and values of the effects as a vector."""
         own = (np.array([parameters[name] for name in self.names]) - self.center) / self.scale
-        sizes = [
-            np.array([v[q.name] for q in p.quantities]) / s
-            for p, s, v in zip(self.effects, self.sizes, values, strict=True)
-        ]
-        return np.concatenate([own, *sizes])
+        placed = zip(self.effects, self.sizes, values, strict=True)
+        return np.concatenate([own, *([v[q.name] for q in p.quantities] / s for p, s, v in placed)])
 
     def unpacked(self, vector: Array) -> tuple[dict[str, float], tuple[Hypothesis, ...]]:
         """Return parameters and effects of a vector."""
         count = len(self.names)
         values = np.clip(self.center + vector[:count] * self.scale, *self.limits)
-        placed, at = [], count
-        for effect, size in zip(self.effects, self.sizes, strict=True):
-            placed.append(effect.with_values(vector[at : at + len(size)] * size))
-            at += len(size)
-        return dict(zip(self.names, values.tolist(), strict=True)), tuple(placed)
+        own = np.split(vector[count:], np.cumsum([len(size) for size in self.sizes])[:-1])
+        placed = zip(self.effects, own, self.sizes, strict=False)
+        effects = tuple(effect.with_values(part * size) for effect, part, size in placed)
+        return dict(zip(self.names, values.tolist(), strict=True)), effects
 
-    def fitted(self, starts: Sequence[Start] = ()) -> Refit:
-        """Return the model fitted to the training records.
+    def fitted(self, starts: Sequence[FitStart] = ()) -> Refit:
+        """Return the model fitted to the training records, and held against the test records.
 
         Args:
             starts: parameters, and values of the last effect, to start from; a step is taken from each, and
                 the one that comes out best is followed. The values that were given if there are none.
-
-        Raises:
-            SimulationError: if the model cannot be run with any of them.
         """
         earlier = [placed.values for placed in self.effects[:-1]]
-        vectors = [self.vector(parameters, [*earlier, values]) for parameters, values in starts]
-        if len(vectors) < 2:
-            vector = vectors[0] if vectors else self.start
-            bounds = self.shapes.bounds(vector)
-        else:
-            vector, bounds = min((self._begun(vector) for vector in vectors), key=lambda begun: begun[0])[1:]
-        vector = self._descended(vector, bounds)[0]
-        for _ in range(SHAPED_DESCENTS):
+        begins = [self.vector(parameters, [*earlier, values]) for parameters, values in starts]
+        vector, *others = begins or [self.start]
+        bounds = self.shapes.bounds(vector)
+        if others:
+            _, vector, bounds = min(map(self._begun, begins), key=lambda begun: begun[0])
+        for _ in range(1 + criteria.SHAPED_DESCENTS):
+            *_, end = descent(self.stacked, vector, bounds, DESCENT, learnt=True)
+            vector = end.vector
             if not self.shapes.are_held(vector, bounds):
                 break
             bounds = self.shapes.bounds(vector)
-            vector = self._descended(vector, bounds)[0]
         return self.seen(vector)
-
-    def _descended(self, start: Array, bounds: Bounds, steps: int = DESCENT_STEPS) -> tuple[Array, float]:
-        """Return where a descent within bounds ends, and the sum of squares there."""
-        ending = Ending(DESCENT_RELATIVE_DROP, DESCENT_CHI_SQUARED_DROP, DESCENT_LEAST_RADIUS, steps)
-        *_, end = descent(self.stacked, start, bounds, ending, learnt=True)
-        return end.vector, end.cost
 
     def _begun(self, start: Array) -> tuple[float, Array, Bounds]:
         """Return the sum of squares after a step from a start, where that leads, and the bounds."""
         bounds = self.shapes.bounds(start)
         try:
-            vector, cost = self._descended(start, bounds, steps=1)
+            *_, end = descent(self.stacked, start, bounds, replace(DESCENT, steps=1), learnt=True)
         except SimulationError:
             return inf, start, bounds
-        return cost, vector, bounds
+        return end.cost, end.vector, bounds
 
     def seen(self, vector: Array) -> Refit:
         """Return the model with the values of a vector, held against all records."""
         fitted, placed = self.unpacked(vector)
-        train = [self.linearise(vector, e, False)[0] for e in self.campaign.training]
-        test = [self.linearise(vector, e, False)[0] for e in self.campaign.testing]
+        train, test = (
+            [self.linearise(vector, e, False)[0] for e in records]
+            for records in (self.campaign.training, self.campaign.testing)
+        )
         cost = sum(float(r @ r) for record in train for r in record.values())
         prior = self.pull * vector[: len(self.names)]
-        return Refit(fitted, placed, train, test, cost + float(prior @ prior))
+        return Refit(fitted, placed, train, test, cost + float(prior @ prior), stretches(self.study.judged))
 
     def stacked(self, vector: Array, slopes: bool) -> tuple[Array, Array | None]:
-        """Return residuals of all training records and of the priors, and their slopes if wanted.
-
-        Raises:
-            SimulationError: if the model cannot be run with these values.
-        """
+        """Return residuals of all training records and of the priors, and their slopes if wanted."""
         found = [self.linearise(vector, e, slopes) for e in self.campaign.training]
         count = len(self.names)
         residuals = [r for record, _ in found for r in record.values()]
@@ -179,19 +138,19 @@ class JointFit:
     ) -> tuple[dict[str, Array], Array]:
         """Return the weighted residual of a record by channel, and its slopes in the vector."""
         parameters, effects = self.unpacked(vector)
-        given = {**parameters}
-        for placed in effects:
-            given |= placed.network_parameters
+        given = parameters | inserted(effects)
         stand = self._driven(experiment, effects)
         free = experiment.initial == "fit"
         start = stand.rest(given, self.accuracy) if free else None
         found = stand.run(given, start, self.accuracy, slopes or free)
         run = _Run(experiment, effects, given, start, found)
-        record, seen = experiment.compared, run.seen
-        residuals = {n: (record.values[n] - seen[n]) / self.sigma[n] for n in seen}
-        count = sum(len(r) for r in residuals.values())
+        measured, seen = experiment.compared.values, run.seen
+        residuals = {n: (measured[n] - seen[n]) / self.sigma[n] for n in seen}
+        count = sum(map(len, residuals.values()))
         columns = self._slopes(run) if slopes else np.zeros((count, 0))
-        to_start = np.concatenate([found.start_slopes[n] / self.sigma[n] for n in seen]) if free else None
+        if not free:
+            return residuals, columns
+        to_start = np.concatenate([found.start_slopes[n] / self.sigma[n] for n in seen])
         return _freed(residuals, columns, to_start)
 
     def _driven(self, experiment: Experiment, effects: Sequence[Hypothesis]) -> Standing:
@@ -226,56 +185,26 @@ class JointFit:
             step = placed.effect.step * max(abs(values[i]), scale)
             other = placed.with_values(values + step * np.eye(len(values))[i])
             effects = tuple(other if p is placed else p for p in run.effects)
-            changed = replace(run, effects=effects, given={**run.given, **other.network_parameters})
+            given, found = {**run.given, **other.network_parameters}, run.found
             if placed.effect.drives or placed.effect.change is None:
-                stand = self._driven(run.experiment, effects)
-                changed = replace(changed, found=stand.run(changed.given, run.start, self.accuracy, False))
-            for name, now in changed.seen.items():
+                found = self._driven(run.experiment, effects).run(given, run.start, self.accuracy, False)
+            for name, now in replace(run, effects=effects, found=found).seen.items():
                 columns[name].append((now - base[name]) / step * scale)
-        return {name: np.column_stack(found) for name, found in columns.items()}
-
-
-def refit(
-    campaign: Campaign,
-    network: Network,
-    parameters: Mapping[str, float],
-    effects: Sequence[Hypothesis] = (),
-    accuracy: Accuracy | None = None,
-    starts: Sequence[Start] = (),
-) -> Refit:
-    """Fit parameters and effects to the training records and hold them against the test records.
-
-    Args:
-        campaign: records, priors, noise.
-        network: the nominal model, without effects.
-        parameters: values of the uncertain parameters to start from.
-        effects: effects to insert, with values to start from.
-        accuracy: solver and tolerances.
-        starts: parameters, and values of the last effect, of which the most promising is taken instead.
-
-    Raises:
-        SimulationError: if the model cannot be run with the values to start from.
-    """
-    return JointFit(campaign, network, parameters, effects, accuracy or Accuracy()).fitted(starts)
+        return {name: np.column_stack(moved) for name, moved in columns.items()}
 
 
 def _sensed_slopes(found: Predicted, name: str, effects: Sequence[Hypothesis]) -> Array:
     """Return slopes of a channel as its sensor passes them on; sensors are linear but for a constant."""
     slopes = found.slopes[name]
-    nothing = sensed(found.time, name, np.zeros(len(found.time)), effects)
     if not any(placed.site.path == name for placed in effects):
         return slopes
+    nothing = sensed(found.time, name, np.zeros(len(found.time)), effects)
     return np.column_stack([sensed(found.time, name, column, effects) - nothing for column in slopes.T])
 
 
-def _freed(
-    residuals: dict[str, Array], columns: Array, to_start: Array | None
-) -> tuple[dict[str, Array], Array]:
-    """Take off what start values can explain."""
-    if to_start is None:
-        return residuals, columns
-    stacked = np.concatenate(list(residuals.values()))
-    both = np.column_stack([stacked, columns])
-    left = both - to_start @ np.linalg.lstsq(to_start, both, rcond=START_SINGULAR_VALUE_RATIO)[0]
+def _freed(residuals: dict[str, Array], columns: Array, to_start: Array) -> tuple[dict[str, Array], Array]:
+    """Take off what start values can explain (variable projection)."""
+    both = np.column_stack([np.concatenate(list(residuals.values())), columns])
+    left = both - to_start @ np.linalg.lstsq(to_start, both, rcond=criteria.START_SINGULAR_VALUE_RATIO)[0]
     parts = np.split(left[:, 0], np.cumsum([len(r) for r in residuals.values()])[:-1])
     return dict(zip(residuals, parts, strict=True)), left[:, 1:]

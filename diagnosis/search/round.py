@@ -3,31 +3,18 @@
 from __future__ import annotations
 
 import pickle
-from collections.abc import Callable, Collection, Sequence
-from concurrent.futures import Executor
+from collections.abc import Collection, Iterator, Sequence
 from dataclasses import dataclass
 from functools import lru_cache
 
 from ...components import InertanceError
 from ...identification import Accuracy, Campaign
-from ..criteria import (
-    COLOURED_MISFIT,
-    CONTENDERS_PER_ROUND,
-    FITS_PER_BATCH,
-    HIDDEN_RESIDUAL_SHARE,
-    HOPELESS_GAIN_RATIO,
-    LEAST_CHI_SQUARED_GAIN,
-    RESERVES_PER_ROUND,
-    SAME_MOTION_GAIN_TOLERANCE,
-    SERIES_START_SIZES,
-)
+from .. import criteria
 from ..effects.hypothesis import Hypothesis
-from .decimation import thinned
-from .joint_fit import Refit, Start, refit
-from .model_comparison import misfit, unexplained
+from ..models.study import Study, study_of, thinned
+from .joint_fit import FitStart, JointFit
+from .model_comparison import Refit, unexplained
 from .score_test import Candidate, screen
-
-Report = Callable[[str], None]
 
 
 @dataclass(frozen=True, eq=False)
@@ -39,40 +26,29 @@ class Round:
     fitted: list[Refit]
 
 
-def run_round(
-    campaign: Campaign,
-    base: Refit,
-    accuracy: Accuracy,
-    executor: Executor | None,
-    tell: Report,
-    rounds: list[Round],
-) -> Round:
+def run_round(study: Study, base: Refit, rounds: list[Round]) -> Round:
     """Screen all effects on top of a model and fit the leading ones; what is known stands in `rounds`."""
     told = " on top of what was found" if base.effects else ""
-    tell(f"screening effects{told}")
-    candidates = screen(campaign, campaign.network, base.parameters, base.effects, accuracy)
+    study.tell(f"screening effects{told}")
+    candidates = screen(study, base.parameters, base.effects)
     waiting = _leading(candidates, {placed.effect.kind for placed in base.effects})
     tried, fitted, kept = list[Candidate](), list[Refit](), 0.0
-    payload = campaign.pickled() if executor is not None else b""
+    payload = study.campaign.pickled() if study.executor is not None else b""
     rounds.append(Round(base, list(candidates), fitted))
     early: list[Candidate] | None = [] if base.effects else None
     while waiting:
         batch, waiting = _next(waiting)
         tried += batch
-        if executor is None:
-            results = (_fit(campaign, base, candidate, fitted, accuracy) for candidate in batch)
-        else:
-            jobs = [executor.submit(_job, payload, base, candidate, fitted, accuracy) for candidate in batch]
-            results = (job.result() for job in jobs)
+        results = _fits(study, payload, base, batch, fitted)
         for left, candidate, found in zip(reversed(range(len(batch))), batch, results, strict=True):
-            tell(f"fitted {candidate.label}, at most {left + len(waiting)} to go")
+            study.tell(f"fitted {candidate.label}, at most {left + len(waiting)} to go")
             if found is not None:
                 fitted.append(found)
                 kept = max(kept, min(candidate.gain, base.cost - found.cost))
         waiting = _promising(waiting, kept)
         if not waiting and early is None and _much_is_left((base, *fitted), base):
-            tell("much is left: screening where the parameters were given")
-            early = screen(campaign, campaign.network, campaign.start, (), accuracy)
+            study.tell("much is left: screening where the parameters were given")
+            early = screen(study, study.campaign.start)
             waiting = _reserve(candidates, early, tried)
     screened = {c.label for c in candidates}
     rounds[-1].candidates.extend(c for c in early or () if c.label not in screened)
@@ -80,8 +56,9 @@ def run_round(
 
 
 def _much_is_left(models: Sequence[Refit], base: Refit) -> bool:
-    best = min(models, key=misfit)
-    return misfit(best) > COLOURED_MISFIT and unexplained(best, base) > HIDDEN_RESIDUAL_SHARE
+    best = min(models, key=lambda model: model.misfit)
+    share = unexplained(best, base)
+    return best.misfit > criteria.COLOURED_MISFIT and share > criteria.HIDDEN_RESIDUAL_SHARE
 
 
 def _promising(waiting: Sequence[Candidate], kept: float) -> list[Candidate]:
@@ -89,64 +66,69 @@ def _promising(waiting: Sequence[Candidate], kept: float) -> list[Candidate]:
 
     Screening underrates what is in series.
     """
-    good = [c for c in waiting if c.effect.place == "series" or c.gain > HOPELESS_GAIN_RATIO * kept]
-    return [c for c in waiting if c in good or any(_starts_from(other, c) for other in good)]
+    least = criteria.HOPELESS_GAIN_RATIO * kept
+    good = [c for c in waiting if c.effect.place == "series" or c.gain > least]
+    return [c for c in waiting if c in good or any(other.generalises(c) for other in good)]
 
 
 def _next(waiting: list[Candidate]) -> tuple[list[Candidate], list[Candidate]]:
     """Return the candidates to be fitted next, none of which starts from what another one will give."""
-    for number, candidate in enumerate(waiting[:FITS_PER_BATCH]):
-        if any(_starts_from(candidate, other) for other in waiting[:number]):
-            return waiting[:number], waiting[number:]
-    return waiting[:FITS_PER_BATCH], waiting[FITS_PER_BATCH:]
+    batch = waiting[: criteria.FITS_PER_BATCH]
+    starting = (n for n, c in enumerate(batch) if any(c.generalises(other) for other in batch[:n]))
+    count = next(starting, len(batch))
+    return waiting[:count], waiting[count:]
 
 
-def _starts_from(candidate: Candidate, plain: Candidate | Hypothesis) -> bool:
-    return candidate.effect.generalises(plain.effect.kind) and candidate.site.path == plain.site.path
-
-
-def _fit(
-    campaign: Campaign, base: Refit, candidate: Candidate, fitted: Sequence[Refit], accuracy: Accuracy
-) -> Refit | None:
-    name = f"{candidate.effect.kind}_{len(base.effects) + 1}"
-    placed = Hypothesis(candidate.effect, candidate.site, name, candidate.values)
-    starts = _starts(candidate, fitted)
-    try:
-        found = refit(campaign, campaign.network, base.parameters, [*base.effects, placed], accuracy, starts)
-    except InertanceError:
-        return None
-    return found if candidate.effect.credible(found.effects[-1].values) else None
-
-
-def _starts(candidate: Candidate, fitted: Sequence[Refit]) -> list[Start]:
-    """Return parameters and values to fit a candidate from: as screened, or as its special case."""
-    if candidate.effect.place == "series":
-        return [
-            (candidate.parameters, {k: size * v for k, v in candidate.values.items()})
-            for size in SERIES_START_SIZES
-        ]
-    starts: list[Start] = [(candidate.parameters, candidate.values)]
-    effect, site = candidate.effect, candidate.site
-    for plain in fitted:
-        last = plain.effects[-1]
-        if effect.plain and _starts_from(candidate, last):
-            size = next(iter(last.values.values()))
-            values = dict(zip([q.name for q in effect.sizes(site.domain)], effect.plain[1], strict=True))
-            sized = {name: value * size for name, value in values.items()}
-            starts += [(plain.parameters, sized | shape) for shape in effect.shaped(site.domain, site)]
-    return starts
+def _fits(
+    study: Study, payload: bytes, base: Refit, batch: Sequence[Candidate], fitted: list[Refit]
+) -> Iterator[Refit | None]:
+    """Return the fits of candidates, made here or by the executor."""
+    if study.executor is None:
+        return (_fit(study, base, candidate, fitted) for candidate in batch)
+    submit = study.executor.submit
+    jobs = [submit(_job, payload, study.accuracy, base, candidate, fitted) for candidate in batch]
+    return (job.result() for job in jobs)
 
 
 def _job(
-    payload: bytes, base: Refit, candidate: Candidate, fitted: Sequence[Refit], accuracy: Accuracy
+    payload: bytes, accuracy: Accuracy, base: Refit, candidate: Candidate, fitted: Sequence[Refit]
 ) -> Refit | None:
-    return _fit(_received(payload), base, candidate, fitted, accuracy)
+    return _fit(study_of(_received(payload), accuracy), base, candidate, fitted)
 
 
 @lru_cache(maxsize=1)
 def _received(payload: bytes) -> Campaign:
     """Return a campaign in the process that it was sent to, with what is compared there again."""
     return thinned(pickle.loads(payload))
+
+
+def _fit(study: Study, base: Refit, candidate: Candidate, fitted: Sequence[Refit]) -> Refit | None:
+    name = f"{candidate.effect.kind}_{len(base.effects) + 1}"
+    placed = Hypothesis(candidate.effect, candidate.site, name, candidate.values)
+    try:
+        found = JointFit(study, base.parameters, [*base.effects, placed]).fitted(_starts(candidate, fitted))
+    except InertanceError:
+        return None
+    return found if candidate.effect.credible(found.effects[-1].values) else None
+
+
+def _starts(candidate: Candidate, fitted: Sequence[Refit]) -> list[FitStart]:
+    """Return parameters and values to fit a candidate from: as screened, or as its special case."""
+    effect, site = candidate.effect, candidate.site
+    if effect.place == "series":
+        return [
+            (candidate.parameters, {k: size * v for k, v in candidate.values.items()})
+            for size in criteria.SERIES_START_SIZES
+        ]
+    starts: list[FitStart] = [(candidate.parameters, candidate.values)]
+    for plain in fitted:
+        last = plain.effects[-1]
+        if effect.plain and candidate.generalises(last):
+            size = next(iter(last.values.values()))
+            shares = zip(effect.sizes(site.domain), effect.plain[1], strict=True)
+            sized = {quantity.name: share * size for quantity, share in shares}
+            starts += [(plain.parameters, sized | shape) for shape in effect.shaped(site.domain, site)]
+    return starts
 
 
 def _leading(candidates: Sequence[Candidate], found: Collection[str]) -> list[Candidate]:
@@ -157,7 +139,7 @@ def _leading(candidates: Sequence[Candidate], found: Collection[str]) -> list[Ca
     """
     chosen: list[Candidate] = []
     for candidate in candidates:
-        if candidate.gain < LEAST_CHI_SQUARED_GAIN or len(chosen) >= CONTENDERS_PER_ROUND:
+        if candidate.gain < criteria.LEAST_CHI_SQUARED_GAIN or len(chosen) >= criteria.CONTENDERS_PER_ROUND:
             break
         if candidate.effect.kind in found:
             continue
@@ -167,16 +149,14 @@ def _leading(candidates: Sequence[Candidate], found: Collection[str]) -> list[Ca
         else:
             chosen[alike] = _named(chosen[alike], candidate)
     special = [c for c in candidates if c.effect.kind not in found]
-    ordered = [one for c in chosen for one in (*(p for p in special if _starts_from(c, p)), c)]
+    ordered = [one for c in chosen for one in (*(p for p in special if c.generalises(p)), c)]
     return list(dict.fromkeys(ordered))
 
 
 def _named(one: Candidate, other: Candidate) -> Candidate:
     """Return of two that are one motion the whole rather than its part, or whose name says most."""
-    if one.site.holds(other.site):
-        return one
-    if other.site.holds(one.site):
-        return other
+    if one.site.holds(other.site) or other.site.holds(one.site):
+        return one if one.site.holds(other.site) else other
     return max(one, other, key=lambda c: (c.site.rank, c.site.path))
 
 
@@ -188,15 +168,15 @@ def _reserve(
     Parameters that were fitted without a large effect go far off, and there it looks like another: what was
     screened `early`, where they were given, is fitted from there.
     """
-    series = [c for c in candidates if c.effect.place == "series" and c.gain > LEAST_CHI_SQUARED_GAIN]
-    series = [c for c in series if not any(c is other or same_motion(c, other) for other in tried)]
+    worth = (c for c in candidates if c.effect.place == "series" and c.gain > criteria.LEAST_CHI_SQUARED_GAIN)
+    series = [c for c in worth if not any(c is other or same_motion(c, other) for other in tried)]
     labels = {c.label for c in tried}
     hidden = [c for c in _leading(early, ()) if c.label not in labels]
-    return [*series[:RESERVES_PER_ROUND], *hidden[:RESERVES_PER_ROUND]]
+    return [*series[: criteria.RESERVES_PER_ROUND], *hidden[: criteria.RESERVES_PER_ROUND]]
 
 
 def same_motion(one: Candidate, other: Candidate) -> bool:
     """Tell whether two candidates are one effect seen from two sites of one motion; channels have none."""
     moved = "channel" not in one.site.places and other.gain > 0
-    close = abs(one.gain - other.gain) <= SAME_MOTION_GAIN_TOLERANCE * other.gain
+    close = abs(one.gain - other.gain) <= criteria.SAME_MOTION_GAIN_TOLERANCE * other.gain
     return moved and one.effect.kind == other.effect.kind and close

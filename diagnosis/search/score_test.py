@@ -11,24 +11,23 @@ by sizes a on their physical side. It is the one-sided Lagrange multiplier test,
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, replace
+from typing import Any
 
 import numpy as np
 
 from ...base import Array
-from ...identification import Accuracy, Campaign
-from ...networks import Network
 from ..criteria import CHANNEL_PROBE_SHARE, DEPENDENT_EIGENVALUE_RATIO, FOUND_EFFECT_DEVIATIONS
 from ..effects.effect import EFFECTS, Effect, Motion
-from ..effects.hypothesis import Hypothesis
+from ..effects.hypothesis import Hypothesis, SitedEffect, inserted
 from ..effects.sites import Site
-from ..models.predictor import subject
 from ..models.probes import scaled
+from ..models.study import Study
 from .whitened_record import WhitenedRecord
 
 
 @dataclass(frozen=True, eq=False)
-class Candidate:
+class Candidate(SitedEffect):
     """An effect at a site (or on a channel) with the values that explain most.
 
     Attributes:
@@ -37,115 +36,79 @@ class Candidate:
         parameters: those of the model that it was screened on.
     """
 
-    effect: Effect
-    site: Site
     values: dict[str, float]
     gain: float
     share: float
     parameters: Mapping[str, float]
 
-    @property
-    def label(self) -> str:
-        """Kind and site."""
-        return f"{self.effect.kind} at {self.site.path}"
-
 
 @dataclass(eq=False)
 class _Tally:
-    """Sums over records for one effect, site and shape."""
+    """Products of signatures with the slopes, the residual and themselves, summed over records."""
 
     effect: Effect
     site: Site
     shape: dict[str, float]
-    own: Array
-    crossed: Array
-    seen: Array
+    products: Any = 0.0
 
 
-@dataclass(eq=False)
 class _Sums:
-    """Sums over records that all candidates share, and theirs."""
+    """Sums over records that all candidates share, and theirs; `count` of uncertain parameters."""
 
-    count: int
-    slopes: Array = field(init=False)
-    residual: Array = field(init=False)
-    tallies: dict[tuple[str, str, tuple[float, ...]], _Tally] = field(default_factory=dict)
-
-    def __post_init__(self) -> None:
-        self.slopes, self.residual = np.zeros((self.count, self.count)), np.zeros(self.count)
+    def __init__(self, count: int) -> None:
+        self.slopes, self.residual = np.zeros((count, count)), np.zeros(count)
+        self.tallies: dict[tuple[str, str, tuple[float, ...]], _Tally] = {}
 
 
 def screen(
-    campaign: Campaign,
-    network: Network,
-    parameters: Mapping[str, float],
-    effects: Sequence[Hypothesis] = (),
-    accuracy: Accuracy | None = None,
+    study: Study, parameters: Mapping[str, float], effects: Sequence[Hypothesis] = ()
 ) -> list[Candidate]:
-    """Return candidates, the most explaining first.
-
-    Args:
-        campaign: records, channels, priors, noise.
-        network: the nominal model.
-        parameters: its uncertain parameters, refitted.
-        effects: what has been found already.
-        accuracy: solver and tolerances.
-    """
-    model = subject(campaign)
-    sites = model.sites(network)
-    found = {name: value for placed in effects for name, value in placed.network_parameters.items()}
-    names = [*parameters, *found]
-    experiments, sigma = model.screened()
-    given, accuracy = {**parameters, **found}, accuracy or Accuracy()
-    predictor = model.predictor(network, effects, names, sites)
-    sights = [
-        WhitenedRecord(predictor, e, campaign.measured, sigma, given, effects, accuracy) for e in experiments
-    ]
-    motions = [[sight.motion(number, site) for sight in sights] for number, site in enumerate(sites)]
+    """Return candidates beside refitted parameters and effects found already, the most explaining first."""
+    sites, found = study.sites, inserted(effects)
+    given = {**parameters, **found}
+    experiments, sigma = study.screened()
+    predictor = study.predictor(effects, [*given], sites)
+    records = [WhitenedRecord(study, predictor, e, sigma, given, effects) for e in experiments]
+    motions = [[record.motion(number, site) for record in records] for number, site in enumerate(sites)]
     sites = [scaled(site, moved) for site, moved in zip(sites, motions, strict=True)]
-    deviations = [campaign.priors[name].scale for name in parameters]
+    deviations = [study.campaign.priors[name].scale for name in parameters]
     deviations += [FOUND_EFFECT_DEVIATIONS * (abs(value) or 1.0) for value in found.values()]
-    sums = _Sums(len(names))
-    for index, sight in enumerate(sights):
-        slopes = sight.slopes * np.array(deviations)
-        _add(sums, sight, slopes, sites, [moved[index] for moved in motions], motions)
+    sums = _Sums(len(given))
+    for index, record in enumerate(records):
+        slopes = record.slopes * np.array(deviations)
+        _add(sums, record, slopes, sites, [moved[index] for moved in motions], motions)
     return sorted(_scored(sums, parameters), key=lambda candidate: -candidate.gain)
 
 
 def _add(
     sums: _Sums,
-    sight: WhitenedRecord,
+    record: WhitenedRecord,
     slopes: Array,
     sites: Sequence[Site],
     moved: Sequence[Motion],
     motions: Sequence[Sequence[Motion]],
 ) -> None:
     """Add what one record says of every candidate."""
-    residual = sight.residual
     sums.slopes += slopes.T @ slopes
-    sums.residual += slopes.T @ residual
+    sums.residual += slopes.T @ record.residual
 
     def count(site: Site, found: Sequence[tuple[Effect, dict[str, float], int]], columns: Array) -> None:
-        products = columns.T @ np.column_stack([slopes, residual, columns])
+        products = columns.T @ np.column_stack([slopes, record.residual, columns])
         begin, first = 0, slopes.shape[1] + 1
         for effect, shape, width in found:
-            own = products[begin : begin + width]
-            parts = own[:, first + begin : first + begin + width], own[:, : first - 1], own[:, first - 1]
+            rows, own = products[begin : begin + width], slice(first + begin, first + begin + width)
             key = effect.kind, site.path, tuple(shape.values())
-            empty = (np.zeros_like(part) for part in parts)
-            tally = sums.tallies.setdefault(key, _Tally(effect, site, shape, *empty))
-            tally.own += parts[0]
-            tally.crossed += parts[1]
-            tally.seen += parts[2]
+            tally = sums.tallies.setdefault(key, _Tally(effect, site, shape))
+            tally.products += np.column_stack([rows[:, :first], rows[:, own]])
             begin += width
 
     for number, site in enumerate(sites):
         for probe in ("push", "stretch"):
             found = list(_forces(site, moved[number], motions[number], probe))
             if found:
-                columns = sight.to_inputs({f"{probe}_{number}.u": np.hstack([c for _, _, c in found])})
+                columns = record.to_inputs({f"{probe}_{number}.u": np.hstack([c for _, _, c in found])})
                 count(site, [(effect, shape, c.shape[1]) for effect, shape, c in found], columns)
-    for effect, site, own in _channel_changes(sight):
+    for effect, site, own in _channel_changes(record):
         count(site, [(effect, {}, own.shape[1])], own)
 
 
@@ -156,12 +119,10 @@ def _forces(
     widest = max(motions, key=lambda m: m.travel)
     at_rest = replace(motion, s=motion.s - site.rest)
     for effect in EFFECTS.values():
-        if site.domain not in effect.quantities:
-            continue
         stretched = effect.place == "series"
         if effect.basis is None or effect.place not in site.places or stretched != (probe == "stretch"):
             continue
-        if effect.memory and site.instant:
+        if site.domain not in effect.quantities or (effect.memory and site.instant):
             continue
         if not motion.travel or (stretched and not motion.f.any()):
             continue
@@ -170,43 +131,45 @@ def _forces(
             yield effect, shape, np.column_stack(effect.basis(about, shape))
 
 
-def _channel_changes(sight: WhitenedRecord) -> Iterator[tuple[Effect, Site, Array]]:
+def _channel_changes(record: WhitenedRecord) -> Iterator[tuple[Effect, Site, Array]]:
     """Yield what a small effect on each channel changes, per unit of its size."""
-    time = sight.record.time
+    time = record.measured.time
     for effect in EFFECTS.values():
         if effect.change is None:
             continue
         quantity = effect.quantities["channel"][0]
-        for name, path in (sight.inputs if effect.drives else sight.outputs).items():
-            signal = sight.record.values[name] if effect.drives else sight.predicted[name]
+        for name, path in (record.inputs if effect.drives else record.outputs).items():
+            signal = record.measured.values[name] if effect.drives else record.predicted[name]
             if not np.ptp(signal):
                 continue
             part = CHANNEL_PROBE_SHARE * float(np.ptp(signal))
-            small = {"s": 1 / sight.record.rate, "unit": part}.get(quantity.unit, 1.0)
+            small = {"s": 1 / record.measured.rate, "unit": part}.get(quantity.unit, 1.0)
             change = (effect.change(time, signal, {quantity.name: small}) - signal) / small
             site = Site(name, "channel", path, "", frozenset({"channel"}))
             if effect.drives:
-                given = np.interp(sight.time, time, change)[:, None]
-                yield effect, site, sight.to_inputs({path: given})
+                own = record.to_inputs({path: np.interp(record.time, time, change)[:, None]})
             else:
-                yield effect, site, sight.to_output(name, change)
+                own = record.to_output(name, change)
+            yield effect, site, own
 
 
 def _scored(sums: _Sums, parameters: Mapping[str, float]) -> Iterator[Candidate]:
     """Yield the best shape of each effect at each site."""
-    prior = np.linalg.inv(sums.slopes + np.eye(sums.count)) if sums.count else np.zeros((0, 0))
+    prior = np.linalg.inv(sums.slopes + np.eye(len(sums.slopes)))
     best: dict[tuple[str, str], Candidate] = {}
-    for (kind, path, _), tally in sums.tallies.items():
-        matrix = tally.own - tally.crossed @ prior @ tally.crossed.T
-        seen = tally.seen - tally.crossed @ prior @ sums.residual
+    count = len(prior)
+    for tally in sums.tallies.values():
+        crossed, seen, own = np.split(tally.products, [count, count + 1], axis=1)
+        matrix = own - crossed @ prior @ crossed.T
+        seen = seen[:, 0] - crossed @ prior @ sums.residual
         sizes = tally.effect.sizes(tally.site.domain)
         values, gain = _least(matrix, seen, np.array([q.low for q in sizes]))
-        size = np.trace(tally.own)
+        size = np.trace(own)
         share = float(np.trace(matrix) / size) if size > 0 else 0.0
         chosen = dict(zip([q.name for q in sizes], values.tolist(), strict=True)) | tally.shape
         candidate = Candidate(tally.effect, tally.site, chosen, gain, share, parameters)
-        if (kind, path) not in best or gain > best[kind, path].gain:
-            best[kind, path] = candidate
+        if candidate.key not in best or gain > best[candidate.key].gain:
+            best[candidate.key] = candidate
     yield from best.values()
 
 
@@ -220,8 +183,7 @@ def _least(matrix: Array, seen: Array, low: Array) -> tuple[Array, float]:
     kept = strength > DEPENDENT_EIGENVALUE_RATIO
     root = np.sqrt(strength[kept])[:, None] * vectors[:, kept].T
     wanted = (vectors[:, kept].T @ (seen / scale)) / np.sqrt(strength[kept])
-    bounds = np.where(np.isfinite(low), 0.0, -np.inf), np.full(len(low), np.inf)
-    found = lsq_linear(root, wanted, bounds) if kept.any() else None
-    if found is None:
+    if not kept.any():
         return np.zeros(len(low)), 0.0
+    found = lsq_linear(root, wanted, (np.where(np.isfinite(low), 0.0, -np.inf), np.inf))
     return found.x / scale, float(wanted @ wanted - 2 * found.cost)

@@ -3,61 +3,47 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from typing import Any
 
 import numpy as np
 
 from ...base import Array
-from ...identification import Accuracy, Channel, Experiment
+from ...identification import Experiment
 from ..criteria import START_SINGULAR_VALUE_RATIO
 from ..effects.effect import Motion
 from ..effects.hypothesis import Hypothesis, driven, sensed
 from ..effects.sites import Site
-from ..models.predictor import Predictor
+from ..models.study import Predictor, Study
 
 
 class WhitenedRecord:
-    """One record beside a prediction, in units of noise, with what its start can explain taken off.
-
-    Args:
-        predictor: the model, with probes at its sites.
-        experiment: the record.
-        channels: what is measured.
-        sigma: noise of each output channel.
-        parameters: values to run with.
-        effects: what has been found on channels.
-        accuracy: solver and tolerances.
-    """
+    """One record beside a prediction, whitened (in units of noise), less what its start can explain."""
 
     def __init__(
         self,
+        study: Study,
         predictor: Predictor,
         experiment: Experiment,
-        channels: Mapping[str, Channel],
         sigma: Mapping[str, float],
         parameters: Mapping[str, float],
         effects: Sequence[Hypothesis],
-        accuracy: Accuracy,
     ) -> None:
-        self.outputs = {name: c.path for name, c in channels.items() if not c.driven}
-        self.inputs = {name: c.path for name, c in channels.items() if c.driven}
+        channels = study.campaign.measured.items()
+        self.outputs = {name: c.path for name, c in channels if not c.driven}
+        self.inputs = {name: c.path for name, c in channels if c.driven}
         self.sigma = sigma
         self._predictor = predictor
-        self._stand = stand = predictor.stand(driven(experiment, effects))
-        self.record = experiment.compared
-        start = None if experiment.initial == "rest" else stand.rest(parameters, accuracy)
-        found = stand.run(parameters, start, accuracy)
-        self._found = found
+        self._stand: Any = predictor.stand(driven(experiment, effects))
+        self.measured = experiment.compared
+        start = None if experiment.initial == "rest" else self._stand.rest(parameters, study.accuracy)
+        self._found = found = self._stand.run(parameters, start, study.accuracy)
+        self.time = predictor.instants(found)  # at which changes of inputs are to be given [s]
         self.predicted = {n: sensed(found.time, n, v, effects) for n, v in found.values.items()}
         free = np.concatenate([found.start_slopes[n] / sigma[n] for n in self.outputs])
         self._basis = _orthonormal(free if experiment.initial == "fit" else free[:, :0])
-        missed = [(self.record.values[n] - self.predicted[n]) / sigma[n] for n in self.outputs]
+        missed = [(self.measured.values[n] - self.predicted[n]) / sigma[n] for n in self.outputs]
         self.residual = self.off(np.concatenate(missed))
         self.slopes = self.off(np.concatenate([found.slopes[n] / sigma[n] for n in self.outputs]))
-
-    @property
-    def time(self) -> Array:
-        """Instants at which changes of inputs are to be given [s]."""
-        return self._predictor.instants(self._found)
 
     def motion(self, number: int, site: Site) -> Motion:
         """Return how one of the predictor's sites moves."""

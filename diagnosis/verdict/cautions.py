@@ -7,11 +7,12 @@ from math import isclose
 
 import numpy as np
 
-from ...identification import Accuracy, Campaign, left_prior, likely_unit, suspects, told_of
+from ...identification import Campaign, left_prior, likely_unit, suspects, told_of
 from ...networks import DAE
 from ..criteria import BOUND_SCALE_TOLERANCE, BOUND_TOLERANCE, SUSPECT_SIGNAL_SHARE, UNIT_GAIN_TOLERANCE
 from ..effects.hypothesis import Hypothesis
-from ..search.joint_fit import Refit
+from ..models.study import Study
+from ..search.model_comparison import Refit, rms
 
 
 def cautions(campaign: Campaign, best: Refit) -> Iterator[str]:
@@ -27,18 +28,17 @@ def cautions(campaign: Campaign, best: Refit) -> Iterator[str]:
                 yield f"{name}: ends at its bound {side:.6g}; the bound or the model is wrong"
 
 
-def suspicions(campaign: Campaign, best: Refit, accuracy: Accuracy) -> Iterator[str]:
+def suspicions(study: Study, best: Refit) -> Iterator[str]:
     """Yield what channels would explain what no effect does, if they were in another unit or exchanged."""
-    if isinstance(campaign.machine, DAE) and max(_shares(campaign, best)) > SUSPECT_SIGNAL_SHARE:
-        yield from told_of(suspects(campaign, best.parameters, accuracy))
-
-
-def _shares(campaign: Campaign, best: Refit) -> Iterator[float]:
-    """Yield which share of a channel of a training record is left."""
-    for experiment, residuals in zip(campaign.training, best.train, strict=True):
-        for name, residual in residuals.items():
-            left = campaign.sigma[name] * float(np.sqrt(np.mean(residual**2)))
-            yield left / float(np.std(experiment.record.values[name]))
+    campaign = study.campaign
+    shares = (
+        campaign.sigma[name] * rms([residual]) / float(np.std(experiment.record.values[name]))
+        for experiment, residuals in zip(campaign.training, best.train, strict=True)
+        for name, residual in residuals.items()
+    )
+    if not isinstance(campaign.machine, DAE) or max(shares) <= SUSPECT_SIGNAL_SHARE:
+        return
+    yield from told_of(suspects(campaign, best.parameters, study.accuracy))
 
 
 def _gain(campaign: Campaign, placed: Hypothesis) -> Iterator[str]:

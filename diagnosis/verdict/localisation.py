@@ -9,24 +9,12 @@ from typing import Any
 import numpy as np
 
 from ...base import Array
-from ...identification import Accuracy, Campaign, Experiment, Record
-from ..criteria import (
-    BAND_POWER_SHARES,
-    EPISODE_TIME_SHARE,
-    LARGE_MOTION_SHARE,
-    LOCAL_TIME_SHARE,
-    REGIME_GAP_RATIO,
-    RELATIVE_TOLERANCES,
-    SITES_TOLD,
-    SLOW_SPEED_SHARE,
-    SPECTRUM_SEGMENT_SAMPLES,
-    WINDOW_SECONDS,
-    WINDOWS_GAP_SHARE,
-)
+from ...identification import Experiment, Record
+from .. import criteria
 from ..effects.effect import Motion
 from ..effects.sites import Site
-from ..models.predictor import subject
-from ..search.joint_fit import Refit
+from ..models.study import Study
+from ..search.model_comparison import Refit
 from ..search.score_test import Candidate
 
 
@@ -36,29 +24,24 @@ def shares(candidates: Sequence[Candidate]) -> dict[str, float]:
     for candidate in candidates:
         best[candidate.site.path] = max(best.get(candidate.site.path, 0.0), candidate.gain)
     total = sum(best.values())
-    ordered = sorted(((site, gain / total) for site, gain in best.items() if total), key=lambda s: -s[1])
-    return {site: round(share, 4) for site, share in ordered[:SITES_TOLD]}
+    ordered = sorted(best.items(), key=lambda entry: -entry[1])[: criteria.SITES_TOLD]
+    return {site: round(gain / total, 4) for site, gain in ordered if total}
 
 
-def located(
-    campaign: Campaign, fitted: Refit, candidates: Sequence[Candidate], accuracy: Accuracy | None = None
-) -> dict[str, Any]:
+def located(study: Study, fitted: Refit, candidates: Sequence[Candidate]) -> dict[str, Any]:
     """Return windows of time, the band of frequency and the regime of motion that hold a model's gap."""
-    records = campaign.experiments
+    records = study.campaign.experiments
     missed = [*fitted.train, *fitted.test]
     spans = windows(records, missed)
-    found: dict[str, Any] = {
-        "windows": spans,
-        "band": band(records, missed),
-        "unit": "windows in s, band in Hz",
-    }
+    found: dict[str, Any] = {"windows": spans, "band": band(records, missed)}
+    found["unit"] = "windows in s, band in Hz"
     if candidates:
-        motions = moved(campaign, fitted.parameters, candidates[0].site, records, accuracy)
+        motions = moved(study, fitted.parameters, candidates[0].site, records)
         ratios = regimes(motions, missed)
         regime = max(ratios, key=lambda name: ratios[name])
         lasting = sum(float(w["to"]) - float(w["from"]) for w in spans)
-        brief = lasting < EPISODE_TIME_SHARE * sum(float(np.ptp(e.compared.time)) for e in records)
-        found["regime"] = "any" if brief or ratios[regime] < REGIME_GAP_RATIO else regime
+        brief = lasting < criteria.EPISODE_TIME_SHARE * sum(float(np.ptp(e.compared.time)) for e in records)
+        found["regime"] = "any" if brief or ratios[regime] < criteria.REGIME_GAP_RATIO else regime
         found["regimes"] = ratios
     return found
 
@@ -78,30 +61,22 @@ def windows(
     """
     stretches: list[tuple[Record, int, int, float]] = []
     for experiment, residuals in zip(experiments, missed, strict=True):
-        record = experiment.compared
-        above = excess(residuals)
-        count = max(1, round(len(above) / (record.rate * WINDOW_SECONDS)))
+        record, above = experiment.compared, excess(residuals)
+        count = max(1, round(len(above) / (record.rate * criteria.WINDOW_SECONDS)))
         ends = np.linspace(0, len(above), count + 1).astype(int)
         stretches += [(record, a, b, max(float(above[a:b].sum()), 0.0)) for a, b in pairwise(ends)]
     sizes = np.array([size for *_, size in stretches])
-    order = np.argsort(-sizes)
-    held = np.cumsum(sizes[order]) / max(float(sizes.sum()), 1e-300)
-    count = int(np.searchsorted(held, WINDOWS_GAP_SHARE)) + 1
-    chosen = set(order[:count].tolist()) if count < LOCAL_TIME_SHARE * len(sizes) else set(range(len(sizes)))
-    return _merged([s for number, s in enumerate(stretches) if number in chosen], float(sizes.sum()))
-
-
-def _merged(
-    stretches: Sequence[tuple[Record, int, int, float]], total: float
-) -> list[dict[str, float | str]]:
-    """Join stretches that follow one another."""
+    order, total = np.argsort(-sizes), float(sizes.sum())
+    held = np.cumsum(sizes[order]) / max(total, 1e-300)
+    count = int(np.searchsorted(held, criteria.WINDOWS_GAP_SHARE)) + 1
+    if count < criteria.LOCAL_TIME_SHARE * len(sizes):
+        stretches = [stretches[number] for number in sorted(order[:count].tolist())]
     joined: list[tuple[Record, int, int, float]] = []
     for record, a, b, size in stretches:
         if joined and joined[-1][0] is record and joined[-1][2] == a:
-            _, first, _, before = joined.pop()
-            joined.append((record, first, b, before + size))
-        else:
-            joined.append((record, a, b, size))
+            _, a, _, before = joined.pop()
+            size += before
+        joined.append((record, a, b, size))
     return [
         {
             "record": record.name,
@@ -120,12 +95,12 @@ def band(experiments: Sequence[Experiment], missed: Sequence[Mapping[str, Array]
     above = np.zeros(len(common))
     for experiment, residuals in zip(experiments, missed, strict=True):
         for residual in residuals.values():
-            segment = min(len(residual), SPECTRUM_SEGMENT_SAMPLES)
+            segment = min(len(residual), criteria.SPECTRUM_SEGMENT_SAMPLES)
             f, density = spectrum(residual, experiment.compared.rate, segment)
             above += np.interp(common, f, density - 2 / experiment.compared.rate) * len(residual)
     power = np.cumsum(np.maximum(above, 0.0))
     power /= max(float(power[-1]), 1e-300)
-    return [round(float(common[np.searchsorted(power, share)]), 3) for share in BAND_POWER_SHARES]
+    return [round(float(common[np.searchsorted(power, share)]), 3) for share in criteria.BAND_POWER_SHARES]
 
 
 def spectrum(values: Array, rate: float, segment: int) -> tuple[Array, Array]:
@@ -138,20 +113,14 @@ def spectrum(values: Array, rate: float, segment: int) -> tuple[Array, Array]:
 
 def regimes(motions: Sequence[Motion], missed: Sequence[Mapping[str, Array]]) -> dict[str, float]:
     """Return the gap in each regime of motion over the average gap."""
-    v, s, above = (
-        np.concatenate(parts)
-        for parts in (
-            [m.v for m in motions],
-            [m.s - 0.5 * (m.s.max() + m.s.min()) for m in motions],
-            [excess(residuals) for residuals in missed],
-        )
-    )
+    speed = np.abs(np.concatenate([m.v for m in motions]))
+    travel = np.abs(np.concatenate([m.s - 0.5 * (m.s.max() + m.s.min()) for m in motions]))
+    above = np.concatenate([excess(residuals) for residuals in missed])
     mean = float(above.mean())
-    fastest, furthest = float(np.abs(v).max()), float(np.abs(s).max())
     inside = {
-        "reversals": np.abs(v) < SLOW_SPEED_SHARE * fastest,
-        "high speed": np.abs(v) > LARGE_MOTION_SHARE * fastest,
-        "large travel": np.abs(s) > LARGE_MOTION_SHARE * furthest,
+        "reversals": speed < criteria.SLOW_SPEED_SHARE * speed.max(),
+        "high speed": speed > criteria.LARGE_MOTION_SHARE * speed.max(),
+        "large travel": travel > criteria.LARGE_MOTION_SHARE * travel.max(),
     }
     return {
         name: round(float(above[at].mean()) / mean, 3) if at.any() and mean > 0 else 0.0
@@ -160,11 +129,7 @@ def regimes(motions: Sequence[Motion], missed: Sequence[Mapping[str, Array]]) ->
 
 
 def moved(
-    campaign: Campaign,
-    parameters: Mapping[str, float],
-    site: Site,
-    experiments: Sequence[Experiment],
-    accuracy: Accuracy | None = None,
+    study: Study, parameters: Mapping[str, float], site: Site, experiments: Sequence[Experiment]
 ) -> list[Motion]:
     """Return how a site moves in the nominal model with these parameters, at the instants of records.
 
@@ -172,13 +137,11 @@ def moved(
     """
     if site.domain == "channel":
         return [_signal(e.compared, site.path) for e in experiments]
-    model = subject(campaign).predictor(campaign.network, (), (), [site])
-    accuracy = accuracy or Accuracy(rtol=RELATIVE_TOLERANCES[1])
-    motions = []
+    model, motions = study.predictor(sites=[site]), []
     for experiment in experiments:
         stand = model.stand(experiment)
-        start = None if experiment.initial == "rest" else stand.rest(parameters, accuracy)
-        motion = model.motion(stand.run(parameters, start, accuracy, False), 0, site)
+        start = None if experiment.initial == "rest" else stand.rest(parameters, study.accuracy)
+        motion = model.motion(stand.run(parameters, start, study.accuracy, False), 0, site)
         t = experiment.compared.time
         signals = (np.interp(t, motion.t, x) for x in (motion.s, motion.v, motion.f, motion.a))
         motions.append(Motion(t, *signals))

@@ -9,15 +9,23 @@ from pathlib import Path
 from typing import Any
 
 from ...base import check_output, write_text
+from ...identification import Campaign
 from ...networks import Network
-from ..effects.hypothesis import Hypothesis, with_effects
-from .evidence import Evidence
+from ..criteria import MOVED_STANDARD_DEVIATIONS
+from ..effects.hypothesis import Hypothesis, told, with_effects
+from ..models.study import Study
+from ..search.model_comparison import Refit
+from ..search.score_test import Candidate
 
 WORDS = {
     "none": "Nothing is missing: the model explains the data down to the noise.",
     "parameters": "No effect is missing; parameters were wrong.",
     "unknown": "Something is missing that is none of the known effects.",
     "interrupted": "The diagnosis was stopped before its end; no effect had been accepted by then.",
+}
+PARTLY = {
+    "unknown": "Part of what is missing is {}; the rest is none of the known effects.",
+    "interrupted": "The diagnosis was stopped before its end; what had been accepted by then is {}.",
 }
 
 
@@ -41,6 +49,35 @@ class Gap:
     after: float
     floor: float
     unit: str
+
+
+@dataclass(frozen=True, eq=False)
+class Evidence:
+    """The records, and the models held against them.
+
+    Attributes:
+        study: the campaign, and how its runs are computed.
+        nominal: the model as given.
+        refit: its parameters fitted.
+        after: with the effects as well; the same as `refit` if none was accepted.
+        screened: every effect at every site, with what it would explain.
+    """
+
+    study: Study
+    nominal: Refit
+    refit: Refit
+    after: Refit
+    screened: tuple[Candidate, ...] = ()
+
+    @property
+    def campaign(self) -> Campaign:
+        """Records, channels, priors."""
+        return self.study.campaign
+
+    @property
+    def judged(self) -> str:
+        """Which runs the figures are of: without test runs, those that were fitted."""
+        return "test runs" if self.campaign.testing else "training runs"
 
 
 class DiagnosisInterruptedError(KeyboardInterrupt):
@@ -90,24 +127,13 @@ class Verdict:
     @property
     def sentence(self) -> str:
         """The verdict in a sentence."""
-        named = " and ".join(f"{p.effect.kind.replace('_', ' ')} at {p.site.path}" for p in self.effects)
-        if self.verdict == "unknown" and named:
-            return (
-                f"Part of what is missing is {named}, which closes {self.closed:.0%} of the gap; the rest is "
-                "none of the known effects."
-            )
-        if self.verdict == "interrupted" and named:
-            return (
-                "The diagnosis was stopped before its end; what had been accepted by then is "
-                f"{named}, which closes {self.closed:.0%} of the gap."
-            )
-        if self.verdict in WORDS:
-            return WORDS[self.verdict]
-        told = f"What is missing is {named}; adding it closes {self.closed:.0%} of the gap."
-        if self.equivalent:
-            others = ", ".join(f"{kind.replace('_', ' ')} at {site}" for kind, site in self.equivalent)
-            told += f" These data cannot tell it from {others}."
-        return told
+        named = " and ".join(told(*placed.key) for placed in self.effects)
+        words = WORDS | PARTLY if named else WORDS
+        if self.verdict in words:
+            return words[self.verdict].format(f"{named}, which closes {self.closed:.0%} of the gap")
+        sentence = f"What is missing is {named}; adding it closes {self.closed:.0%} of the gap."
+        others = ", ".join(told(*key) for key in self.equivalent)
+        return f"{sentence} These data cannot tell it from {others}." if others else sentence
 
     @property
     def lines(self) -> list[str]:
@@ -157,3 +183,12 @@ class Verdict:
     def corrected(self) -> Network:
         """Return the network with the effects inserted."""
         return with_effects(self.network, self.effects)
+
+
+def moved_parameters(campaign: Campaign, parameters: Mapping[str, float]) -> list[str]:
+    """Return the parameters that are further from what was assumed than a true one is likely to be."""
+    return [
+        name
+        for name, value in parameters.items()
+        if abs(value - campaign.priors[name].center) > MOVED_STANDARD_DEVIATIONS * campaign.priors[name].sd
+    ]

@@ -7,8 +7,7 @@ from dataclasses import dataclass, field
 from typing import Any
 
 from ...components.language import Domain, Port, PortRef, RealInput, RealOutput, fields_of
-from .flat import Flat, Instance
-from .problems import FatalProblem
+from .flat import FatalProblem, Flat, Instance
 
 _Member = tuple[Instance, str, int]
 
@@ -28,25 +27,13 @@ class Node:
         """Return what follows the ports' names in those of their across or through variables."""
         return f".{getattr(self.domain, kind)}" if self.domain else ""
 
-
-@dataclass(eq=False, slots=True)
-class Unconnected:
-    """Variables of flanges that are connected to nothing.
-
-    Attributes:
-        grounded: across variables of supports.
-        free: through variables of bodies.
-        loose: across and through variables of others, which is a problem.
-    """
-
-    grounded: list[int] = field(default_factory=list)
-    free: list[int] = field(default_factory=list)
-    loose: list[tuple[int, int]] = field(default_factory=list)
+    def __str__(self) -> str:
+        return "node of " + ", ".join(instance.full(name) for instance, name, _ in self.ports)
 
 
-def connect_ports(flat: Flat, problems: list[str]) -> tuple[list[Node], Unconnected]:
-    """Join what connections join; return the nodes, and what is connected to nothing."""
-    by_component = {id(i.component): i for i in flat.instances.values()}
+def connect_ports(flat: Flat) -> tuple[list[Node], dict[str, list[Any]]]:
+    """Join what connections join; return the nodes, and what is zero as it is connected to nothing."""
+    problems, by_component = flat.problems, {id(i.component): i for i in flat.instances.values()}
     node_of: dict[_Member, Node] = {}
     insertions = [(o, *ports) for o in flat.instances.values() for ports in o.component.insertions()]
     moved = {(id(port.component), port.name): near for _, port, _, near in insertions}
@@ -65,26 +52,21 @@ def connect_ports(flat: Flat, problems: list[str]) -> tuple[list[Node], Unconnec
     nodes = list({id(node): node for node in node_of.values()}.values())
     for node in nodes:
         _check_node(node, problems)
-    if not any(isinstance(p, FatalProblem) for p in problems):
+    if not flat.hopeless:
         _join_nodes(flat, nodes)
-    return nodes, _unconnected(flat, outside, problems)
+    return nodes, _unconnected(flat, outside)
 
 
 def _members(
-    owner: Instance,
-    ports: tuple[PortRef, ...],
-    by_component: dict[int, Instance],
-    problems: list[str],
+    owner: Instance, ports: tuple[PortRef, ...], by_component: dict[int, Instance], problems: list[str]
 ) -> list[_Member]:
     members = []
     for port in ports:
         instance = by_component.get(id(port.component))
         if instance is None or (instance.parent is not owner and not _belongs(instance, owner)):
-            told = (
-                f"{port!r} is connected in {owner if owner.path else 'the network'} but belongs to no "
-                "component of it; add the component, or connect it where it lives"
-            )
-            problems.append(FatalProblem(told))
+            told = f"{port!r} is connected in {owner if owner.path else 'the network'}"
+            remedy = "but belongs to no component of it; add the component, or connect it where it lives"
+            problems.append(FatalProblem(f"{told} {remedy}"))
             continue
         members.append((instance, port.name, -1 if instance is owner else 1))
     return members
@@ -132,11 +114,9 @@ def _check_node(node: Node, problems: list[str]) -> None:
     if domain and not others:
         node.domain = domain
         return
-    kinds = defaultdict(list)
-    drivers = []
+    kinds, drivers = defaultdict(list), []
     for instance, name, sign in node.ports:
-        declared = port_of(instance, name)
-        where = f"{instance.path}.{name}".lstrip(".")
+        declared, where = port_of(instance, name), instance.full(name)
         kinds[declared.domain or "signal"].append(where)
         if isinstance(declared, RealOutput if sign > 0 else RealInput):
             drivers.append(where)
@@ -161,28 +141,32 @@ def _join_nodes(flat: Flat, nodes: list[Node]) -> None:
             flat.joined.join(anchor, instance.index(name + ending))
 
 
-def _unconnected(flat: Flat, outside: set[tuple[Instance, str]], problems: list[str]) -> Unconnected:
-    found = Unconnected()
+def _unconnected(flat: Flat, outside: set[tuple[Instance, str]]) -> dict[str, list[Any]]:
+    """Return what is zero at flanges that are connected to nothing, by what these are called.
+
+    Supports are held and bodies free. At others, which are a problem, across and through variables are as if
+    they met something that neither holds nor drives them, to look for more faults.
+    """
+    grounded, free, loose = list[int](), list[int](), list[tuple[int, int]]()
     for instance in flat.instances.values():
         if instance.parent is None:
             continue
         for declared in fields_of(instance.component, Port):
             if (instance, declared.name) in outside:
                 continue
-            across, through = (
-                instance.index(f"{declared.name}.{kind}") for kind in (declared.across, declared.through)
-            )
+            kinds = declared.across, declared.through
+            across, through = (instance.index(f"{declared.name}.{kind}") for kind in kinds)
             if declared.optional:
-                found.grounded.append(across)
+                grounded.append(across)
             elif declared.free:
-                found.free.append(through)
+                free.append(through)
             else:
                 others = sum(not port.optional for port in fields_of(instance.component, Port)) > 1
                 remedy = "connect it (to a Fixed if it is held, alone if its end is free)"
                 remedy = remedy if others else "connect it, or leave it out"
-                problems.append(f"{instance}: {declared.name} is not connected; {remedy}")
-                found.loose.append((across, through))
-    return found
+                flat.problems.append(f"{instance}: {declared.name} is not connected; {remedy}")
+                loose.append((across, through))
+    return {"grounded support": grounded, "free flange": free, "loose flange": loose}
 
 
 def find_inputs(flat: Flat, nodes: list[Node]) -> None:
@@ -197,5 +181,4 @@ def find_inputs(flat: Flat, nodes: list[Node]) -> None:
     for instance in flat.instances.values():
         for declared in fields_of(instance.component, RealInput):
             if (id(instance), declared.name) not in driven:
-                path = f"{instance.path}.{declared.name}" if instance.path else declared.name
-                flat.inputs[path] = instance.index(declared.name)
+                flat.inputs[instance.full(declared.name)] = instance.index(declared.name)

@@ -21,11 +21,9 @@ def local_arguments(flat: Flat, group: list[Instance]) -> tuple[Any, Any]:
     template = group[0].template
     mode_of = {(id(i), m.name): k for k, (i, m) in enumerate(flat.modes)}
     impulse_of = {(id(i), name): k for k, (i, name) in enumerate(flat.impulses)}
-    modes = [[mode_of[id(i), name] for i in group] for name in template.modes]
-    impulses = [[impulse_of[id(i), name] for i in group] for name in template.impulses]
-    discrete = [
-        *[flat.mode_symbols[row].T for row in modes],
-        *[flat.impulse_symbols[row].T for row in impulses],
+    discrete = [flat.mode_symbols[[mode_of[id(i), name] for i in group]].T for name in template.modes]
+    discrete += [
+        flat.impulse_symbols[[impulse_of[id(i), name] for i in group]].T for name in template.impulses
     ]
     parameters = flat.table.matrix(group)
     arguments = ca.vertcat(parameters, *discrete) if discrete else parameters
@@ -33,8 +31,8 @@ def local_arguments(flat: Flat, group: list[Instance]) -> tuple[Any, Any]:
     return column(symbols), arguments
 
 
-def _label(group: list[Instance]) -> Callable[[int], str]:
-    return lambda row: str(group[row])
+def _label(members: Sequence[Instance | Node]) -> Callable[[int], str]:
+    return lambda row: str(members[row])
 
 
 def component_families(flat: Flat) -> None:
@@ -49,15 +47,9 @@ def component_families(flat: Flat) -> None:
         for residual, slopes in zip(template.residuals, template.slopes, strict=True):
             locals_ = pick(template.symbols, [*slopes])
             columns = bases + np.array([*slopes], dtype=np.int64)[None, :]
-            flat.families.append(
-                Family(
-                    Form(residual, locals_, given, modes, template.time, [*slopes.values()]),
-                    columns,
-                    np.ones_like(columns),
-                    arguments,
-                    _label(group),
-                )
-            )
+            form = Form(residual, locals_, given, modes, template.time, [*slopes.values()])
+            family = Family(form, columns, np.ones_like(columns), arguments, _label(group))
+            flat.families.append(family)
 
 
 def node_families(flat: Flat, nodes: list[Node]) -> None:
@@ -75,25 +67,11 @@ def node_families(flat: Flat, nodes: list[Node]) -> None:
         sums[len(numbers)].append((numbers, signs, node))
     for members in sums.values():
         numbers_, signs_, summed = zip(*members, strict=True)
-        flat.families.append(sum_family(numbers_, signs_, _node_label(summed)))
+        flat.families.append(sum_family(numbers_, signs_, _label(summed)))
 
 
-def _node_label(nodes: Sequence[Node]) -> Callable[[int], str]:
-    def label(row: int) -> str:
-        ports = nodes[row].ports
-        return "node of " + ", ".join(f"{i.path}.{name}".lstrip(".") for i, name, _ in ports)
-
-    return label
-
-
-def zero_family(flat: Flat, variables: list[int], label: str) -> None:
-    """State that variables are zero."""
+def zero_family(flat: Flat, variables: Sequence[int] | Sequence[tuple[int, int]], label: str) -> None:
+    """State that variables, or sums of two, are zero."""
     if variables:
-        columns = [[v] for v in variables]
-        flat.families.append(sum_family(columns, [[1] for _ in variables], lambda _: label))
-
-
-def open_family(flat: Flat, loose: list[tuple[int, int]]) -> None:
-    """Let loose flanges meet something that neither holds nor drives them, to look for more faults."""
-    if loose:
-        flat.families.append(sum_family(loose, [[1, 1] for _ in loose], lambda _: "loose flange"))
+        columns = np.reshape(variables, (len(variables), -1))
+        flat.families.append(sum_family(columns, np.ones_like(columns), lambda _: label))

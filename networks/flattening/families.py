@@ -2,16 +2,17 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
-from dataclasses import dataclass
+from collections.abc import Callable
+from dataclasses import dataclass, replace
 from typing import Any
 
 import casadi as ca
 import numpy as np
+from numpy.typing import ArrayLike
 
 from ...base import Ints
 from .forms import Form
-from .vectors import pick_matrix, stacked
+from .vectors import pick, pick_matrix, stacked
 
 ZERO = -1
 
@@ -24,6 +25,8 @@ def padded(variables: Any) -> Any:
 @dataclass(eq=False)
 class Family:
     """N equations of one form.
+
+    Its methods take some instances as rows in ascending order, and all variables as `padded` returns them.
 
     Args:
         form: the equation in local symbols.
@@ -43,27 +46,14 @@ class Family:
         return len(self.columns)
 
     def evaluate(self, expression: Any, rows: Ints, values: Any, time: Any) -> Any:
-        """Return `expression` (of local symbols) for some instances, as an SX row.
-
-        Args:
-            expression: SX in local symbols.
-            rows: the instances, in ascending order.
-            values: all variables, as `padded` returns them.
-            time: SX scalar.
-        """
+        """Return an expression of local symbols for some instances, as an SX row."""
         return self._called(self.form.function(expression), self.columns[rows], rows, values, time)
 
     def solved(self, pattern: tuple[int, ...], rows: Ints, values: Any, time: Any) -> Any | None:
         """Return what an unknown of some instances is by their equations, as an SX row.
 
-        Args:
-            pattern: 1 or -1 for a local symbol that is the unknown or its negative, else 0.
-            rows: the instances, in ascending order.
-            values: all variables, as `padded` returns them.
-            time: SX scalar.
-
-        Returns:
-            None if it is not linear, or if its slope depends on a mode.
+        None if it is not linear, or if its slope depends on a mode. In `pattern` local symbols that are the
+        unknown or its negative are 1 or -1, others 0.
         """
         slope = self.form.slope(pattern)
         if slope is None or self.form.is_hybrid(slope):
@@ -96,21 +86,57 @@ class Family:
 
     def chosen(self, rows: Ints) -> Family:
         """Return the family of some instances."""
-        arguments, label = self.arguments[:, rows.tolist()], self.label
         return Family(
-            self.form, self.columns[rows], self.signs[rows], arguments, lambda row: label(int(rows[row]))
+            self.form,
+            self.columns[rows],
+            self.signs[rows],
+            self.arguments[:, rows.tolist()],
+            lambda row: self.label(int(rows[row])),
         )
 
 
-def sum_family(
-    columns: Sequence[Sequence[int]], signs: Sequence[Sequence[int]], label: Callable[[int], str]
-) -> Family:
+def sum_family(columns: ArrayLike, signs: ArrayLike, label: Callable[[int], str]) -> Family:
     """Return the equations that state that signed variables sum to zero."""
-    symbols = ca.SX.sym("term", len(columns[0]))
-    return Family(
-        Form(ca.sum1(symbols), symbols, slopes=[ca.SX(1)] * len(columns[0])),
-        np.array(columns, dtype=np.int64),
-        np.array(signs, dtype=np.int64),
-        ca.SX(0, len(columns)),
-        label,
+    numbers = np.array(columns, dtype=np.int64)
+    rows, width = numbers.shape
+    symbols = ca.SX.sym("term", width)
+    form = Form(ca.sum1(symbols), symbols, slopes=[ca.SX(1)] * width)
+    return Family(form, numbers, np.array(signs, dtype=np.int64), ca.SX(0, rows), label)
+
+
+def without_duplicates(family: Family) -> list[Family]:
+    """Return a family as families in whose equations every variable stands once.
+
+    Two forces of a node that are equal and opposite cancel; left alone, they would count as unknowns.
+    """
+    ordered = np.sort(family.columns, axis=1)
+    double = (ordered[:, 1:] == ordered[:, :-1]).any(axis=1)
+    if not double.any():
+        return [family]
+    plain, rows = np.flatnonzero(~double), np.flatnonzero(double)
+    first = np.array([[row.index(c) for c in row] for row in family.columns[rows].tolist()])
+    turned = family.signs[rows] * np.take_along_axis(family.signs[rows], first, axis=1)
+    forms, kind = np.unique(np.hstack([first, turned]), axis=0, return_inverse=True)
+    half = forms.shape[1] // 2
+    merged = [
+        _merged(family, form[:half], form[half:], rows[kind.ravel() == k]) for k, form in enumerate(forms)
+    ]
+    return [*([family.chosen(plain)] if len(plain) else []), *merged]
+
+
+def _merged(family: Family, first: Ints, turned: Ints, rows: Ints) -> Family:
+    """Write each local symbol as its first double, turned or not, and drop what cancels."""
+    form = family.form
+    symbols = [form.locals[int(f)] * int(s) for f, s in zip(first, turned, strict=True)]
+    residual = ca.substitute(form.residual, form.locals, ca.vertcat(*symbols))
+    slopes = ca.densify(ca.jacobian(residual, form.locals))
+    cancelled = [i for i in range(len(first)) if slopes[i].is_zero()]
+    residual = ca.substitute(residual, pick(form.locals, cancelled), ca.DM.zeros(len(cancelled)))
+    kept = [i for i in range(len(first)) if first[i] == i and i not in cancelled]
+    part = family.chosen(rows)
+    return replace(
+        part,
+        form=Form(residual, pick(form.locals, kept), form.given, form.modes, form.time),
+        columns=part.columns[:, kept],
+        signs=part.signs[:, kept],
     )

@@ -16,10 +16,9 @@ import casadi as ca
 from ...base import ModelError
 from ...components.language import Component, Template, declared_template, template_of
 from .connections import connect_ports, find_inputs
-from .equations import component_families, node_families, open_family, zero_family
-from .flat import Flat, Instance
+from .equations import component_families, node_families, zero_family
+from .flat import FatalProblem, Flat, Instance
 from .parameters import ParameterTable
-from .problems import FatalProblem
 from .union import SignedUnion
 
 
@@ -38,58 +37,44 @@ def flatten(network: Component) -> Flat:
         problems.append(FatalProblem("it has no components; give some to Network(...) or add()"))
     groups = _grouped(instances)
     size = sum(len(group) * len(group[0].template.variables) for group in groups)
-    flat = Flat(name, instances, groups, SignedUnion(size), ParameterTable(instances, problems))
+    flat = Flat(name, instances, groups, SignedUnion(size), ParameterTable(instances, problems), problems)
     _collect_modes(flat)
-    flat.problems = problems
-    nodes, unconnected = connect_ports(flat, problems)
-    if any(isinstance(p, FatalProblem) for p in problems) or any(
-        i.component._shapeless for i in instances.values()
-    ):
+    nodes, unconnected = connect_ports(flat)
+    if flat.hopeless or any(i.component._shapeless for i in instances.values()):
         raise ModelError(f"'{name}' cannot be assembled:", problems)
     _join_aliases(flat)
     find_inputs(flat, nodes)
     component_families(flat)
     node_families(flat, nodes)
-    zero_family(flat, unconnected.grounded, "grounded support")
-    zero_family(flat, unconnected.free, "free flange")
-    open_family(flat, unconnected.loose)
-    zero_family(flat, flat.joined.contradictions, "contradiction")
+    for label, variables in {**unconnected, "contradiction": flat.joined.contradictions}.items():
+        zero_family(flat, variables, label)
     return flat
 
 
 def _walk(
-    component: Component,
-    path: str,
-    parent: Instance | None,
-    problems: list[str],
-    seen: dict[int, str],
+    component: Component, path: str, parent: Instance | None, problems: list[str], seen: dict[int, str]
 ) -> Iterator[Instance]:
     if id(component) in seen:
-        problems.append(
-            FatalProblem(
-                f"{type(component).__name__} '{path}' is the same object as '{seen[id(component)]}'; "
-                "give each place its own (`.clone()`)"
-            )
-        )
+        told = f"{type(component).__name__} '{path}' is the same object as '{seen[id(component)]}'"
+        problems.append(FatalProblem(f"{told}; give each place its own (`.clone()`)"))
         return
     seen[id(component)] = path
     instance = Instance(path, component, parent, _template(component, path, problems))
     problems += [f"{instance}: {problem}" for problem in component.problems()]
     yield instance
     for name, part in component._parts.items():
-        yield from _walk(part, f"{path}.{name}" if path else name, instance, problems, seen)
+        yield from _walk(part, instance.full(name), instance, problems, seen)
 
 
 def _template(component: Component, path: str, problems: list[str]) -> Template:
-    if component._shapeless:
-        return declared_template(component)
-    try:
-        return template_of(component)
-    except ModelError as error:
-        problems.append(FatalProblem(f"{type(component).__name__} '{path}': {error}"))
-    except Exception as error:
-        told = f"{type(component).__name__} '{path}': its equations cannot be read: {_told(error)}"
-        problems.append(FatalProblem(told))
+    if not component._shapeless:
+        try:
+            return template_of(component)
+        except ModelError as error:
+            told = str(error)
+        except Exception as error:
+            told = f"its equations cannot be read: {_told(error)}"
+        problems.append(FatalProblem(f"{type(component).__name__} '{path}': {told}"))
     return declared_template(component)
 
 
@@ -119,11 +104,8 @@ def _grouped(instances: dict[str, Instance]) -> list[list[Instance]]:
 
 def _collect_modes(flat: Flat) -> None:
     for instance in flat.instances.values():
-        if not (instance.template.modes or instance.template.impulses):
-            continue
-        fields = type(instance.component).fields
         for name in instance.template.modes:
-            flat.modes.append((instance, fields[name]))  # type: ignore[arg-type]
+            flat.modes.append((instance, type(instance.component).fields[name]))  # type: ignore[arg-type]
         flat.impulses.extend((instance, name) for name in instance.template.impulses)
     flat.mode_symbols = ca.SX.sym("mode", len(flat.modes))
     flat.impulse_symbols = ca.SX.sym("impulse", len(flat.impulses))
@@ -150,15 +132,5 @@ def _join_used_parts(flat: Flat, instance: Instance) -> None:
     for local in instance.template.variables:
         head = local.split(".")[0]
         if head in instance.component._parts and not local.startswith("der("):
-            path = f"{instance.path}.{local}" if instance.path else local
-            owner, _, rest = _owner(flat, path)
+            owner, rest = next(flat.owners(instance.full(local)))
             flat.joined.join(instance.index(local), owner.index(rest))
-
-
-def _owner(flat: Flat, path: str) -> tuple[Instance, str, str]:
-    pieces = path.split(".")
-    for cut in range(len(pieces) - 1, 0, -1):
-        head = ".".join(pieces[:cut])
-        if head in flat.instances:
-            return flat.instances[head], head, ".".join(pieces[cut:])
-    raise KeyError(path)

@@ -17,10 +17,6 @@ from numpy.typing import NDArray
 from .vectors import column, pick
 
 
-def _nothing() -> Any:
-    return ca.SX(0, 1)
-
-
 @dataclass(eq=False)
 class Form:
     """An equation `residual = 0`.
@@ -36,8 +32,8 @@ class Form:
 
     residual: Any
     locals: Any
-    given: Any = field(default_factory=_nothing)
-    modes: Any = field(default_factory=_nothing)
+    given: Any = field(default_factory=lambda: ca.SX(0, 1))
+    modes: Any = field(default_factory=lambda: ca.SX(0, 1))
     time: Any = field(default_factory=lambda: ca.SX.sym("time"))
     slopes: list[Any] = field(default_factory=list)
     _known: dict[tuple[int, ...], Any] = field(default_factory=dict)
@@ -64,30 +60,19 @@ class Form:
     def slope(self, pattern: tuple[int, ...]) -> Any | None:
         """Return the slope in the variable that some local symbols stand for, None if it depends on that.
 
-        Args:
-            pattern: 1 or -1 for a local symbol that is the variable or its negative, else 0.
-
-        Returns:
-            A number, or SX in local symbols.
+        A number, or SX in local symbols; `pattern` as for `Family.solved`.
         """
         if pattern not in self._known:
-            self._known[pattern] = self._slope(pattern)
+            places = [i for i, sign in enumerate(pattern) if sign]
+            slope: Any = float(sum(pattern[i] * self.numbers[i] for i in places))
+            if np.isnan(slope):
+                slope = sum(pattern[i] * self.slopes[i] for i in places)
+                slope = None if ca.depends_on(slope, pick(self.locals, places)) else slope
+            self._known[pattern] = slope
         return self._known[pattern]
 
-    def _slope(self, pattern: tuple[int, ...]) -> Any | None:
-        places = [i for i, sign in enumerate(pattern) if sign]
-        number = sum(pattern[i] * self.numbers[i] for i in places)
-        if not np.isnan(number):
-            return float(number)
-        slope = sum(pattern[i] * self.slopes[i] for i in places)
-        return None if ca.depends_on(slope, pick(self.locals, places)) else slope
-
     def solution(self, slope: Any) -> Any:
-        """Return what a variable is by the equation: SX in local symbols, with zero for the variable itself.
-
-        Args:
-            slope: the residual's slope in it.
-        """
+        """Return what a variable is by the equation, zero for itself in it, by the residual's slope in it."""
         if isinstance(slope, float) and abs(slope) == 1:
             return self.residual if slope < 0 else -self.residual
         return -self.residual / slope
@@ -95,9 +80,8 @@ class Form:
     def differentiated(self) -> tuple[Form, list[int], list[int]]:
         """Return the form of the residual's time derivative.
 
-        Returns:
-            (form, again, moved): its symbols are the local ones numbered `again`, then the derivatives of
-            those numbered `moved`.
+        Of (form, again, moved) the symbols are the local ones numbered `again`, then the derivatives of
+        those numbered `moved`.
         """
         rates = ca.vertcat(*[ca.SX.sym(f"der({symbol.name()})") for symbol in self.locals.elements()])
         if not np.isnan(self.numbers).any() and not ca.depends_on(self.residual, self.time):

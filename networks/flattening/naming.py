@@ -4,10 +4,8 @@ from __future__ import annotations
 
 from bisect import bisect_right
 from dataclasses import dataclass
-from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from ...base import Ints
 from ...components.language import Port, Variable
@@ -28,18 +26,13 @@ class Local:
     state: int = -1
 
 
-def local_facts(instance: Instance) -> list[Local]:
-    """Return what is declared of each local variable of an instance's class."""
-    return [_facts(instance, name) for name in instance.template.variables]
-
-
 def _facts(instance: Instance, name: str) -> Local:
+    """Return what is declared of a local variable."""
     head, _, tail = name.partition(".")
     declared = type(instance.component).fields.get(head)
     if isinstance(declared, Variable):
         state = _STATE[declared.state]
-        rank = 4 + state
-        return Local(declared.unit, declared.doc, rank, declared.start, declared.nominal, state)
+        return Local(declared.unit, declared.doc, 4 + state, declared.start, declared.nominal, state)
     if isinstance(declared, Port):
         unit = declared.units[0] if tail == declared.across else declared.units[1]
         return Local(unit, f"{tail} of {head}", 1)
@@ -52,12 +45,12 @@ class Names:
     """The best name of every joined variable and what is declared of it."""
 
     def __init__(self, flat: Flat, roots: Ints, signs: Ints) -> None:
-        self.flat, self.roots, self.signs = flat, roots, signs
+        self.roots = roots
         self.instances: list[Instance] = []
         self.facts: list[Local] = []
         columns = []
         for group in flat.groups:
-            local = local_facts(group[0])
+            local = [_facts(group[0], name) for name in group[0].template.variables]
             self.instances += group
             self.facts += local * len(group)
             numbers = np.array([(f.rank, f.state, f.start, f.nominal) for f in local]).reshape(-1, 4)
@@ -65,40 +58,28 @@ class Names:
         rank, state, start, nominal = np.hstack(columns)
         count = len(self.facts)
         order = np.lexsort((-rank, roots[:count]))
-        sorted_roots = roots[order]
-        first = np.flatnonzero(np.diff(sorted_roots, prepend=-1))
-        self.best = dict(zip(sorted_roots[first].tolist(), order[first].tolist(), strict=True))
-        self.state = self._reduced(state.astype(int), np.maximum)
-        self.start = self._strongest(start * signs[:count])
-        nominal = self._reduced(nominal, np.fmin)
-        self.nominal = np.where(np.isnan(nominal), 1.0, nominal)
-
-    def _reduced(self, values: NDArray[Any], operation: Any) -> NDArray[Any]:
-        lowest = np.nan if values.dtype == float else -1
-        result = np.full(len(self.roots), lowest, dtype=values.dtype)
-        operation.at(result, self.roots[: len(values)], values)
-        return result
-
-    def _strongest(self, values: NDArray[Any]) -> NDArray[Any]:
-        result = np.zeros(len(self.roots))
-        nonzero = np.flatnonzero(values)
-        result[self.roots[nonzero]] = values[nonzero]
-        return result
+        of, first = np.unique(roots[order], return_index=True)
+        self.best = dict(zip(of.tolist(), order[first].tolist(), strict=True))
+        self.state = np.full(len(roots), -1)
+        self.state[of] = np.maximum.reduceat(state[order], first)
+        self.nominal = np.ones(len(roots))
+        least = np.fmin.reduceat(nominal[order], first)
+        self.nominal[of] = np.where(np.isnan(least), 1.0, least)
+        given = np.flatnonzero(start)
+        self.start = np.zeros(len(roots))
+        self.start[roots[given]] = start[given] * signs[given]
 
     def full_name(self, number: int) -> str:
         """Return the full name of a variable of the flat network."""
         instance = self.instances[bisect_right(self.instances, number, key=lambda i: i.base) - 1]
         name = list(instance.template.variables)[number - instance.base]
-        if name.startswith("der("):
-            inner = name[4:-1]
-            return f"der({instance.path}.{inner})" if instance.path else name
-        return f"{instance.path}.{name}" if instance.path else name
+        return f"der({instance.full(name[4:-1])})" if name.startswith("der(") else instance.full(name)
 
-    def name(self, root: int, derivative: dict[int, tuple[int, int]] | None = None) -> str:
+    def name(self, root: int, derivative: dict[int, tuple[int, int]]) -> str:
         """Return the best name of a joined variable."""
         if root in self.best:
             return self.full_name(self.best[root])
-        for lower, (upper, _) in (derivative or {}).items():
+        for lower, (upper, _) in derivative.items():
             if upper == root:
                 return f"der({self.name(lower, derivative)})"
         return f"variable {root}"

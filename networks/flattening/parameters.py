@@ -4,18 +4,15 @@ from __future__ import annotations
 
 import types
 from collections.abc import Iterator
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import casadi as ca
 import numpy as np
 
 from ...base import ModelError, nearest, number, numpy_on_symbols, shown, text
 from ...components.language import MISSING, Component, Option, Parameter, fields_of
-from .problems import FatalProblem
+from .flat import FatalProblem, Instance
 from .vectors import column, pick_matrix
-
-if TYPE_CHECKING:
-    from .flat import Instance
 
 
 class ParameterTable:
@@ -31,7 +28,7 @@ class ParameterTable:
             declared = fields_of(instance.component, Parameter)
             instance.given = [self._enter(instance, field) for field in declared]
         self.symbols = ca.SX.sym("p", len(self.defaults))
-        self._dependent = self._read_dependent(problems) if self._bound else _none_dependent
+        self._dependent = self._read_dependent(problems)
         if not problems:
             problems += self._out_of_range(self.defaults)
 
@@ -39,10 +36,9 @@ class ParameterTable:
         """Note a parameter and return its number, negative if it follows from others."""
         given = instance.component._values.get(field.name, MISSING)
         value = field.default if given is MISSING else given
-        path = f"{instance.path}.{field.name}" if instance.path else field.name
+        path = instance.full(field.name)
         if isinstance(value, Parameter) or callable(value):
-            own = given is MISSING
-            self._bound[path] = (instance if own else instance.parent, value)
+            self._bound[path] = (instance if given is MISSING else instance.parent, value)
             return -1
         entry = self.index[path] = len(self.defaults)
         self.fields.append(field)
@@ -52,15 +48,16 @@ class ParameterTable:
 
     def expression(self, instance: Instance, name: str) -> Any:
         """Return a parameter as an expression of the symbols."""
-        path = f"{instance.path}.{name}" if instance.path else name
+        path = instance.full(name)
         if path in self.index:
             return self.symbols[self.index[path]]
         scope, value = self._bound[path]
         if isinstance(value, Parameter):
-            owner = _owner_of(value, scope)
-            if owner is None:
+            while scope is not None and type(scope.component).fields.get(value.name) is not value:
+                scope = scope.parent
+            if scope is None:
                 raise ModelError(f"{instance}: {name} refers to a parameter of no enclosing component")
-            return self.expression(owner, value.name)
+            return self.expression(scope, value.name)
         if scope is None:
             raise ModelError(f"{instance}: {name} is a function, but no component encloses it")
         with numpy_on_symbols():
@@ -75,12 +72,10 @@ class ParameterTable:
 
     def field(self, path: str) -> Parameter | None:
         """Return the declaration of a parameter by its full name, None if there is none."""
-        if text(path):
+        if text(path) or (path not in self.index and path not in self._bound):
             return None
-        if path in self.index:
-            return self.fields[self.index[path]]
         owner, _, name = path.rpartition(".")
-        return type(self.instances[owner].component).fields[name] if path in self._bound else None  # type: ignore[return-value]
+        return type(self.instances[owner].component).fields[name]  # type: ignore[return-value]
 
     def matrix(self, group: list[Instance]) -> Any:
         """Return the parameters of like instances, (parameters, instances)."""
@@ -109,7 +104,10 @@ class ParameterTable:
             elif path not in self.index:
                 problems.append(f"there is no parameter '{path}'{nearest(str(path), self.index)}")
             else:
-                problem = _problem(self.fields[self.index[path]], value)
+                field = self.fields[self.index[path]]
+                problem = f"{field.name} must be a number [{field.unit}], got {shown(value)}"
+                if not number(value):
+                    problem = field.problem(float(value))
                 problems += [f"'{path}': {problem}"] if problem else []
                 numbers[self.index[path]] = np.nan if problem else value
         if changed and not problems:
@@ -143,16 +141,6 @@ class ParameterTable:
                 yield f"{self.instances[path.rpartition('.')[0]]}: {problem}"
 
 
-def _none_dependent(numbers: Any) -> Any:
-    return ca.DM(0, 1)
-
-
-def _problem(declared: Parameter, value: Any) -> str:
-    if not number(value):
-        return declared.problem(float(value))
-    return f"{declared.name} must be a number [{declared.unit}], got {shown(value)}"
-
-
 class _View:
     """A component as a formula of a dependent parameter sees it."""
 
@@ -167,19 +155,10 @@ class _View:
         if isinstance(field, Option):
             return component._get(field)
         if name in component._parts:
-            path = f"{self._instance.path}.{name}" if self._instance.path else name
-            return _View(self._table, self._table.instances[path])
+            return _View(self._table, self._table.instances[self._instance.full(name)])
         value = getattr(type(component), name, None)
         if isinstance(value, property) and value.fget:
             return value.fget(self)
         if isinstance(value, types.FunctionType):
             return types.MethodType(value, self)
         raise ModelError(f"{self._instance} has no parameter '{name}'")
-
-
-def _owner_of(declared: Parameter, instance: Instance | None) -> Instance | None:
-    while instance is not None:
-        if type(instance.component).fields.get(declared.name) is declared:
-            return instance
-        instance = instance.parent
-    return None

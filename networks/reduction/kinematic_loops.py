@@ -17,8 +17,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ...base import Ints
-from ..flattening.duplicates import without_duplicates
-from ..flattening.families import Family
+from ..flattening.families import Family, without_duplicates
 from ..flattening.forms import Form
 from ..flattening.union import SignedUnion
 from ..flattening.vectors import column

@@ -15,8 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ...base import Ints, ModelError
-from ..flattening.duplicates import without_duplicates
-from ..flattening.families import Family, sum_family
+from ..flattening.families import Family, sum_family, without_duplicates
 from ..flattening.flat import Flat
 from ..flattening.naming import Names
 

@@ -8,8 +8,7 @@ from inertance.diagnosis.effects.effect import effect_of
 from inertance.diagnosis.effects.hypothesis import Hypothesis
 from inertance.diagnosis.effects.shaping import Shapes
 from inertance.diagnosis.effects.sites import BETWEEN, Site
-from inertance.diagnosis.search.joint_fit import Refit
-from inertance.diagnosis.search.model_comparison import clearness
+from inertance.diagnosis.search.model_comparison import Refit, clearness, stretches
 from inertance.identification import Campaign, Record
 from numpy.typing import NDArray
 
@@ -68,9 +67,9 @@ def test_what_generalises_must_take_away_a_good_part_of_what_is_left(
 
     def fitted(misfit: float) -> Refit:
         residual = misfit * noise + 0.01 * rng.standard_normal(len(noise))
-        return Refit({}, (hysteresis(TRAVEL),), [], [{"s": residual}], 0.0)
+        return Refit({}, (hysteresis(TRAVEL),), [], [{"s": residual}], 0.0, stretches(made.testing))
 
-    assert _worth_it(fitted(plain), fitted(richer), made) is worth
+    assert _worth_it(fitted(plain), fitted(richer)) is worth
 
 
 @pytest.mark.parametrize(("left", "worth"), [(0.0, True), (2.0, False)])
@@ -81,8 +80,8 @@ def test_what_generalises_is_worth_it_if_nothing_is_left_but_noise(left: float, 
     burst = np.where(np.arange(1001) < 50, 3.0, 0.0)
 
     def fitted(residual: Array) -> Refit:
-        return Refit({}, (hysteresis(TRAVEL),), [], [{"s": residual}], 0.0)
+        return Refit({}, (hysteresis(TRAVEL),), [], [{"s": residual}], 0.0, stretches(made.testing))
 
     plain, richer = fitted(noise + burst), fitted(noise + left / 3 * burst)
-    assert clearness(plain, richer, made) < 3
-    assert _worth_it(plain, richer, made) is worth
+    assert clearness(plain, richer) < 3
+    assert _worth_it(plain, richer) is worth

@@ -18,13 +18,14 @@ from inertance.diagnosis.effects.edits import Insert
 from inertance.diagnosis.effects.effect import EFFECTS, effect_of
 from inertance.diagnosis.effects.hypothesis import Hypothesis
 from inertance.diagnosis.effects.sites import sites_of
+from inertance.diagnosis.models.study import Study
 from inertance.diagnosis.report.network_drawing import drawings, marks_of
 from inertance.diagnosis.report.text import advice, code, ruled_out, screened_out
-from inertance.diagnosis.search.joint_fit import JointFit, Refit, refit
+from inertance.diagnosis.search.joint_fit import JointFit
+from inertance.diagnosis.search.model_comparison import Refit
 from inertance.diagnosis.search.score_test import screen
-from inertance.diagnosis.verdict.evidence import Evidence
 from inertance.diagnosis.verdict.localisation import located, shares
-from inertance.diagnosis.verdict.verdict import Gap, Ranked, Verdict
+from inertance.diagnosis.verdict.verdict import Evidence, Gap, Ranked, Verdict
 from inertance.identification import Accuracy, Campaign, Record
 
 RATE, NOISE, SECONDS = 200.0, 2e-4, 4.0
@@ -126,13 +127,13 @@ def verdict_of(word: str, evidence: Evidence, effects: tuple[Hypothesis, ...] = 
 @pytest.fixture(scope="module")
 def verdict() -> Verdict:
     """Return the verdict on friction that is missing."""
-    rubbing = campaign(friction=1.0)
-    nominal = JointFit(rubbing, rubbing.network, rubbing.start, (), Accuracy())
+    rubbing = Study(campaign(friction=1.0), Accuracy())
+    nominal = JointFit(rubbing, rubbing.campaign.start)
     start, base = nominal.seen(nominal.start), nominal.fitted()
-    candidates = screen(rubbing, rubbing.network, base.parameters)
+    candidates = screen(rubbing, base.parameters)
     best = next(c for c in candidates if c.effect.kind == "coulomb_friction")
     placed = Hypothesis(best.effect, best.site, "coulomb_friction_1", best.values)
-    after = refit(rubbing, rubbing.network, base.parameters, [placed])
+    after = JointFit(rubbing, base.parameters, [placed]).fitted()
     ranking = (
         Ranked("coulomb_friction", "damper", 0.99, 1e-5, after.effects[0].values),
         Ranked("stribeck_friction", "damper", 0.991, 1e-5),
@@ -147,9 +148,9 @@ def verdict() -> Verdict:
 @pytest.fixture(scope="module")
 def jammed() -> Verdict:
     """Return the verdict on a sensor that jumps about for a moment."""
-    jumping = campaign(friction=0.0, k=400.0, jam=0.01)
-    base = refit(jumping, jumping.network, jumping.start)
-    candidates = tuple(screen(jumping, jumping.network, base.parameters))
+    jumping = Study(campaign(friction=0.0, k=400.0, jam=0.01), Accuracy())
+    base = JointFit(jumping, jumping.campaign.start).fitted()
+    candidates = tuple(screen(jumping, base.parameters))
     found = located(jumping, base, candidates)
     return verdict_of("unknown", Evidence(jumping, base, base, base, candidates), windows=found)
 
@@ -285,7 +286,7 @@ def test_windows_and_band_of_a_moment(jammed: Verdict) -> None:
 
 def test_steady_gap_has_no_windows_of_its_own(verdict: Verdict) -> None:
     evidence = verdict.evidence
-    found = located(evidence.campaign, evidence.refit, evidence.screened)
+    found = located(evidence.study, evidence.refit, evidence.screened)
     assert [(w["from"], w["to"]) for w in found["windows"]] == [(0.0, SECONDS)] * 3
     assert found["band"][1] < 10
 
@@ -295,7 +296,7 @@ def test_gap_at_reversals_is_told_as_such(verdict: Verdict) -> None:
     at = [np.abs(np.gradient(e.record.values["x"], 1 / RATE)) < 0.05 for e in evidence.campaign.experiments]
     missed = [{"x": 5.0 * slow.astype(np.float64)} for slow in at]
     shaped = replace(evidence.refit, train=missed[:1], test=missed[1:])
-    assert located(evidence.campaign, shaped, evidence.screened)["regime"] == "reversals"
+    assert located(evidence.study, shaped, evidence.screened)["regime"] == "reversals"
 
 
 @pytest.mark.parametrize("word", ["none", "parameters", "unknown"])
@@ -356,7 +357,7 @@ def test_figures_are_said_to_be_of_the_runs_they_are_of(verdict: Verdict) -> Non
     alone = copy(evidence.campaign)
     alone.testing = []
     assert evidence.judged == "test runs"
-    assert replace(evidence, campaign=alone).judged == "training runs"
+    assert replace(evidence, study=replace(evidence.study, campaign=alone)).judged == "training runs"
 
 
 def test_sentence_names_the_class(verdict: Verdict) -> None:

@@ -3,7 +3,7 @@
 from inertance.diagnosis.effects.effect import effect_of
 from inertance.diagnosis.effects.hypothesis import Hypothesis
 from inertance.diagnosis.effects.sites import BETWEEN, Site
-from inertance.diagnosis.search.joint_fit import Refit
+from inertance.diagnosis.search.model_comparison import Refit
 from inertance.diagnosis.search.round import Round, _leading, _reserve, same_motion
 from inertance.diagnosis.search.score_test import Candidate
 from inertance.diagnosis.verdict.decide import _class

@@ -1,0 +1,188 @@
+"""`Study`: the campaign that is diagnosed, how its runs are computed, and what predicts them."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from concurrent.futures import Executor
+from copy import copy
+from dataclasses import dataclass, replace
+from typing import Any
+
+import numpy as np
+
+from ...base import Array
+from ...identification import Accuracy, Campaign, Experiment, Filter, Prediction, RecordModel
+from ...networks import Variations
+from ..criteria import ACTIVE_POWER_SHARE, COMPARISON_RATE_HZ, NOISE_PEAK_STANDARD_DEVIATIONS
+from ..effects.effect import Motion
+from ..effects.hypothesis import Hypothesis, with_effects
+from ..effects.sites import Site, sites_of
+from .fmu_model import FMUModel
+from .fmu_predictor import FMUPrediction, FMUPredictor, ReplayedStand
+from .probes import motion_at, probed
+
+Report = Callable[[str], None]
+
+
+class NetworkPredictor:
+    """A network with effects in it, probed at sites; slopes come from the variational equations."""
+
+    def __init__(
+        self,
+        campaign: Campaign,
+        effects: Sequence[Hypothesis],
+        parameters: Sequence[str],
+        sites: Sequence[Site],
+    ) -> None:
+        changed = with_effects(campaign.network, effects)
+        self.dae = (probed(changed, sites) if sites else changed).dae()
+        self.channels = campaign.measured
+        outputs = [c.path for c in self.channels.values() if not c.driven]
+        self.variations = Variations(self.dae, outputs, parameters)
+
+    def stand(self, experiment: Experiment) -> RecordModel:
+        """Return the network on a record."""
+        return RecordModel(self.dae, experiment, self.channels, self.variations)
+
+    def instants(self, found: Any) -> Array:
+        """Return at which instants of a run changes are to be given: its points [s]."""
+        time: Array = found.run.time
+        return time
+
+    def motion(self, found: Any, number: int, site: Site) -> Motion:
+        """Return how a probed site moves."""
+        return motion_at(found.run, number, site)
+
+
+Predictor = NetworkPredictor | FMUPredictor
+Standing = RecordModel | ReplayedStand  # a model on one record
+Predicted = Prediction | FMUPrediction  # outputs in a run, with their slopes in parameters and start values
+
+
+@dataclass(frozen=True, eq=False)
+class Study:
+    """What is diagnosed and how: a campaign, how runs are computed, who fits, and who hears of progress.
+
+    Its model is a network, of an `FMUStudy` an FMU.
+    """
+
+    campaign: Campaign
+    accuracy: Accuracy
+    executor: Executor | None = None
+    report: Report | None = None
+
+    def tell(self, line: str) -> None:
+        """Report a line of progress."""
+        if self.report is not None:
+            self.report(line)
+
+    @property
+    def judged(self) -> list[Experiment]:
+        """The records that models are judged by: those of the test, or without any those that are fitted."""
+        return self.campaign.testing or self.campaign.training
+
+    def predictor(
+        self, effects: Sequence[Hypothesis] = (), parameters: Sequence[str] = (), sites: Sequence[Site] = ()
+    ) -> Predictor:
+        """Return what predicts the outputs: slopes are in parameters, also of effects, probes at sites."""
+        return NetworkPredictor(self.campaign, effects, parameters, sites)
+
+    @property
+    def sites(self) -> list[Site]:
+        """Where in the model effects may hide."""
+        return sites_of(self.campaign.network)
+
+    def screened(self) -> tuple[list[Experiment], dict[str, float]]:
+        """Return the records by which effects are screened, and the noise that makes them count for all."""
+        return self.campaign.training, self.campaign.sigma
+
+    def part(self, path: str) -> str:
+        """Return the component of the network that a variable or parameter belongs to."""
+        return path.rpartition(".")[0]
+
+    def limits(self) -> list[str]:
+        """Return what the kind of model keeps a diagnosis from seeing, in words."""
+        return []
+
+
+class FMUStudy(Study):
+    """A study of an FMU, alone or between sources and sensors; each signature takes a run of it."""
+
+    @property
+    def box(self) -> FMUModel:
+        """The FMU."""
+        assert isinstance(self.campaign.machine, FMUModel)
+        return self.campaign.machine
+
+    def predictor(
+        self, effects: Sequence[Hypothesis] = (), parameters: Sequence[str] = (), sites: Sequence[Site] = ()
+    ) -> FMUPredictor:
+        """Return its runs."""
+        return FMUPredictor(self.box, self.campaign, effects, parameters)
+
+    @property
+    def sites(self) -> list[Site]:
+        """Its port."""
+        return self.box.sites
+
+    def screened(self) -> tuple[list[Experiment], dict[str, float]]:
+        """Return the first record, which has to do."""
+        campaign, weight = self.campaign, len(self.campaign.training) ** -0.5
+        return campaign.training[:1], {name: weight * sigma for name, sigma in campaign.sigma.items()}
+
+    def part(self, path: str) -> str:
+        """Return the FMU's component, or the one beside it."""
+        return self.box.part(path)
+
+    def limits(self) -> list[str]:
+        """Tell that its inside is not looked at, and when its port gives energy off."""
+        box, model = self.box, self.predictor()
+        told = box.limits(model.taken)
+        port = model.stand(self.campaign.training[0]).run(self.campaign.start, slopes=False).port
+        if box.port is None or port is None:
+            return told
+        power = float(np.trapezoid(port.f * port.v, port.t))
+        if power < -ACTIVE_POWER_SHARE * float(np.trapezoid(np.abs(port.f * port.v), port.t)):
+            told.append(
+                f"at the port the FMU gives energy off; if it should take it, '{box.port.force}' counts the "
+                "other way: put a minus before it"
+            )
+        return told
+
+
+def study_of(
+    campaign: Campaign, accuracy: Accuracy, executor: Executor | None = None, report: Report | None = None
+) -> Study:
+    """Return the study of a campaign by the kind of its model."""
+    kind = FMUStudy if isinstance(campaign.machine, FMUModel) else Study
+    return kind(campaign, accuracy, executor, report)
+
+
+def thinned(campaign: Campaign) -> Campaign:
+    """Return a campaign whose outputs are compared as often as machines need, and no more often.
+
+    Inputs lose what is too fast to be compared where that is noise, which their second derivatives feel.
+    """
+    thin = copy(campaign)
+    thin.training, thin.testing = (
+        [_slowed(experiment, campaign.inputs) for experiment in experiments]
+        for experiments in (campaign.training, campaign.testing)
+    )
+    return thin
+
+
+def _slowed(experiment: Experiment, driven: Sequence[str]) -> Experiment:
+    record = experiment.record
+    every = max(1, int(record.rate / COMPARISON_RATE_HZ))
+    if every > 1:
+        smooth = Filter(cutoff=0.5 * record.rate / every)
+        quiet = {name: _quiet(record.values[name], smooth, record.rate) for name in driven}
+        record = replace(record, values=record.values | quiet)
+    return replace(experiment, record=record, every=every)
+
+
+def _quiet(values: Array, smooth: Filter, rate: float) -> Array:
+    """Return a signal without its fast noise; as it is, if it has steps."""
+    slow = smooth.apply(values, rate)
+    fast = values - slow
+    return slow if float(np.abs(fast).max()) < NOISE_PEAK_STANDARD_DEVIATIONS * float(fast.std()) else values
