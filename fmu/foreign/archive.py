@@ -28,6 +28,13 @@ def platform_folder(version: str) -> str:
     return str(fmpy.platform_tuple if version.startswith("3") else fmpy.platform)
 
 
+def library_name(identifier: str) -> str:
+    """Return the file name of a model's library on this machine."""
+    import fmpy
+
+    return f"{identifier}{fmpy.sharedLibraryExtension}"
+
+
 def platforms(path: Path) -> list[str]:
     """Return the folders of `binaries/` that hold a library."""
     with _opened(path) as archive:

@@ -11,6 +11,7 @@ from threading import Lock
 from typing import Any, Self
 
 from ..errors import FMUError
+from .archive import library_name
 from .instance import Group, Stepped, Update, Values
 from .model_description import FACES, KINDS
 from .unpacked import Unpacked
@@ -72,10 +73,10 @@ class LocalInstance:
             self._files.remove()
 
     def _load(self, face: Any) -> None:
-        from fmpy import instantiate_fmu, sharedLibraryExtension
+        from fmpy import instantiate_fmu
 
         folder = self._files.folder
-        library = folder / "binaries" / self._files.binaries / (face.modelIdentifier + sharedLibraryExtension)
+        library = folder / "binaries" / self._files.binaries / library_name(face.modelIdentifier)
         _check_symbols(self.name, library, self.major, self.kind)
         try:
             with _LOADING, chdir("."):  # FMPy goes into the folder of the library meanwhile
