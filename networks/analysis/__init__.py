@@ -1,51 +1,5 @@
 """What a network does near an operating point and in the frequency domain."""
 
-from .closed_forms import Tuning as Tuning
-from .closed_forms import den_hartog as den_hartog
-from .closed_forms import quarter_car_damping as quarter_car_damping
-from .closed_forms import quarter_car_j1 as quarter_car_j1
-from .closed_forms import tmdi_white_base as tmdi_white_base
-from .closed_forms import tvmd_fixed_points as tvmd_fixed_points
-from .comfort import comfort_filter as comfort_filter
-from .comfort import weighted as weighted
-from .comfort import weighted_rms as weighted_rms
-from .continuation import ResponseCurve as ResponseCurve
-from .continuation import harmonic_orbit as harmonic_orbit
-from .continuation import harmonic_response as harmonic_response
-from .linearise import Linearisation as Linearisation
-from .linearise import linearise as linearise
-from .measures import base_shear as base_shear
-from .measures import drift as drift
-from .measures import load_j5 as load_j5
-from .measures import ride_comfort as ride_comfort
-from .measures import ride_j1 as ride_j1
-from .measures import suspension_travel as suspension_travel
-from .measures import tyre_j3 as tyre_j3
-from .modes import Mode as Mode
-from .modes import animate_modes as animate_modes
-from .modes import body_positions as body_positions
-from .modes import plot_modes as plot_modes
-from .norms import Norm as Norm
-from .operating import OperatingPoint as OperatingPoint
-from .operating import equilibria as equilibria
-from .operating import operating_point as operating_point
-from .orbits import Orbit as Orbit
-from .probing import admittance as admittance
-from .probing import impedance as impedance
-from .random import response_psd as response_psd
-from .random import response_rms as response_rms
-from .roads import bump as bump
-from .roads import record as record
-from .roads import road_profile as road_profile
-from .roads import road_spectrum as road_spectrum
-from .roads import roughness as roughness
-from .statespace import StateSpace as StateSpace
-from .stepped import SteppedSine as SteppedSine
-from .stepped import describing_function as describing_function
-from .stepped import stepped_sine as stepped_sine
-from .tuning import Scatter as Scatter
-from .tuning import Tuned as Tuned
-from .tuning import front as front
-from .tuning import scatter as scatter
-from .tuning import tune as tune
-from .varied import Varied as Varied
+from ...base.lazy_names import face
+
+__getattr__, __dir__, __all__ = face(__name__, __file__)

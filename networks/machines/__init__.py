@@ -1,32 +1,5 @@
 """Ready-made machines."""
 
-from . import ge_wang as ge_wang
-from .absorbers import TMD as TMD
-from .absorbers import TMDI as TMDI
-from .absorbers import tid as tid
-from .absorbers import tvmd as tvmd
-from .dampers import BilinearDamper as BilinearDamper
-from .dampers import BumpStop as BumpStop
-from .dampers import DigressiveDamper as DigressiveDamper
-from .frames import isolated_machine as isolated_machine
-from .frames import shear_frame as shear_frame
-from .frames import taut_cable as taut_cable
-from .inerters import BallScrewInerter as BallScrewInerter
-from .inerters import PlanetaryFlywheelInerter as PlanetaryFlywheelInerter
-from .inerters import RackPinionInerter as RackPinionInerter
-from .planetary_design import PlanetaryGeometry as PlanetaryGeometry
-from .planetary_design import disk_mass as disk_mass
-from .planetary_design import equivalent_inertia as equivalent_inertia
-from .planetary_design import screw_inertance as screw_inertance
-from .rig import RandomDisplacement as RandomDisplacement
-from .rig import Sinusoid as Sinusoid
-from .rig import inerter_rig as inerter_rig
-from .rig import rig_response as rig_response
-from .rig import run_on_rig as run_on_rig
-from .suspensions import suspension as suspension
-from .vehicles import PitchingBody as PitchingBody
-from .vehicles import RigidBody as RigidBody
-from .vehicles import full_car as full_car
-from .vehicles import half_car as half_car
-from .vehicles import quarter_car as quarter_car
-from .vehicles import seat_in_cab as seat_in_cab
+from ...base.lazy_names import face
+
+__getattr__, __dir__, __all__ = face(__name__, __file__)

@@ -36,7 +36,7 @@ def foster(admittance: Any, form: int = 2) -> TwoTerminal:
     (1926) 355-388.
 
     Example:
-        >>> from inertance import foster
+        >>> from inertance.synthesis import foster
         >>> foster(([1.0, 2.0], [1.0, 1.0]))  # 1 + 1/(s + 1)
         parallel(branch=series(spring=Spring(k=1.0), damper=Damper(d=1.0)), damper=Damper(d=1.0))
     """

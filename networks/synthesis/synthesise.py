@@ -36,7 +36,8 @@ def synthesise(admittance: Any) -> TwoTerminal:
     Automat. Contr. 62 (2017) 4333-4346 (bridges).
 
     Example:
-        >>> from inertance import admittance, synthesise
+        >>> from inertance.analysis import admittance
+        >>> from inertance.synthesis import synthesise
         >>> strut = synthesise(([1.0, 2.0], [1.0, 1.0]))
         >>> round(abs(admittance(strut)(1j).item()), 6)  # |(j + 2)/(j + 1)|
         1.581139
