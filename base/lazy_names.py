@@ -1,11 +1,10 @@
 """Lazy names: what a package shows is imported when it is first asked for."""
 
 from collections.abc import Callable
+from types import ModuleType
 from typing import Any
 
 import lazy_loader
-
-from .errors import nearest
 
 
 def face(package: str, file: str) -> tuple[Callable[[str], Any], Callable[[], list[str]], list[str]]:
@@ -15,6 +14,21 @@ def face(package: str, file: str) -> tuple[Callable[[str], Any], Callable[[], li
     def find(name: str) -> Any:
         if name in names:
             return found(name)
-        raise AttributeError(f"module '{package}' has no '{name}'{nearest(name, names)}")
+        raise AttributeError(f"module '{package}' has no '{name}'{_nearest(name, names, found)}")
 
     return find, listed, names
+
+
+def _nearest(name: str, names: list[str], found: Callable[[str], Any]) -> str:
+    """Return a hint at the name that was meant, which may be one of a module that the package shows."""
+    from difflib import get_close_matches
+
+    if name.startswith("_"):
+        return ""
+    known = {shown.lower(): shown for shown in names}
+    for shown in names:
+        if isinstance(module := found(shown), ModuleType):
+            inner = getattr(module, "__all__", dir(module))
+            known = {other.lower(): f"{shown}.{other}" for other in inner} | known
+    matches = get_close_matches(name.lower(), known, n=1)
+    return f"; did you mean '{known[matches[0]]}'?" if matches else ""

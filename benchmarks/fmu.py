@@ -14,6 +14,7 @@ from time import perf_counter
 
 import fmpy
 import inertance as ia
+from inertance.machines import Sinusoid
 from measure import Contender, Cost, compare, timed
 
 sys.path.insert(0, str(Path(__file__).parents[1] / "examples"))
@@ -25,7 +26,7 @@ TARGET = 2.0
 
 def rig() -> tuple[ia.DAE, dict[str, float]]:
     """Return the planetary flywheel inerter on its rig, and how it starts."""
-    net = ia.inerter_rig(ia.ge_wang.planetary_inerter(), ia.Sinusoid(0.01, 3.0))
+    net = ia.machines.inerter_rig(ia.machines.ge_wang.planetary_inerter(), Sinusoid(0.01, 3.0))
     return net.dae(), CASES["pfi_rig"].start
 
 

@@ -21,13 +21,15 @@ def table() -> dict[tuple[str, float], float]:
 
 def tuned(layout: str, k: float) -> float:
     start = peer.START
-    strut = ia.suspension(layout, k, start["d"], start["b"], start["k_b"], start["k_1"], start["k_2"])
-    car = ia.quarter_car(strut, m_s=peer.M_S, m_u=peer.M_U, k_t=peer.K_T).dae()
+    strut = ia.machines.suspension(
+        layout, k, start["d"], start["b"], start["k_b"], start["k_1"], start["k_2"]
+    )
+    car = ia.machines.quarter_car(strut, m_s=peer.M_S, m_u=peer.M_U, k_t=peer.K_T).dae()
     known = car.parameter_values
     names = {key: name for key in peer.LAYOUTS[layout] if (name := _path(key, known))}
     bounds = {name: peer.BOUNDS[key[0]] for key, name in names.items()}
     begin = {name: start[key] for key, name in names.items()}
-    return float(ia.tune(car, ia.ride_j1, bounds, start=begin, starts=1).value)
+    return float(ia.analysis.tune(car, ia.analysis.ride_j1, bounds, start=begin, starts=1).value)
 
 
 ENDS = {"d": (".damper.d", "rest.d"), "b": (".inerter.b",), "k_b": (".relaxation.k",)}

@@ -5,7 +5,8 @@ from __future__ import annotations
 from math import pi
 
 import numpy as np
-from inertance import DAE, Sinusoid, ge_wang, inerter_rig, simulate
+from inertance import DAE, simulate
+from inertance.machines import Sinusoid, ge_wang, inerter_rig
 from numpy.typing import NDArray
 from peers.pfi_casadi import LEAD, R_PLANET, R_SCREW
 

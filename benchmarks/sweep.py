@@ -18,11 +18,15 @@ from scipy.integrate import solve_ivp
 COUNT, STOP, TARGET = 1000, 3.0, 1.8
 RTOL, ATOL = 1e-6, 1e-8
 M_S, M_U, K_T, K = 250.0, 35.0, 150e3, 60e3
-DESIGN = ia.latin_hypercube({"strut.rest.damper.d": (1e3, 6e3), "strut.rest.inerter.b": (50.0, 500.0)}, COUNT)
+DESIGN = ia.sweeps.latin_hypercube(
+    {"strut.rest.damper.d": (1e3, 6e3), "strut.rest.inerter.b": (50.0, 500.0)}, COUNT
+)
 
 
 def build() -> ia.Network:
-    return ia.quarter_car(ia.suspension("S4", k=K, d=3224.0, b=333.0), m_s=M_S, m_u=M_U, k_t=K_T)
+    return ia.machines.quarter_car(
+        ia.machines.suspension("S4", k=K, d=3224.0, b=333.0), m_s=M_S, m_u=M_U, k_t=K_T
+    )
 
 
 def kerb(t: float) -> float:
@@ -50,7 +54,7 @@ def by_hand(point: tuple[float, float]) -> float:
 
 
 def ours(workers: int) -> list[float]:
-    done = ia.sweep(build, DESIGN, ride, workers=workers, progress=False)
+    done = ia.sweeps.sweep(build, DESIGN, ride, workers=workers, progress=False)
     return [float(value) for value in done.table["value"]]
 
 

@@ -11,6 +11,7 @@ from collections.abc import Callable, Mapping
 from functools import partial
 
 import inertance as ia
+from inertance.machines import TMDI
 from measure import Contender, compare, once
 from peers import tmdi_scipy
 from table import show
@@ -19,20 +20,20 @@ NAMES = ("absorber1.k", "absorber1.d")
 
 
 def peak(dae: ia.DAE, /, *, parameters: Mapping[str, float]) -> float:
-    return ia.linearise(dae, ["wind.f"], ["floor1.s"], parameters=parameters).hinf()
+    return ia.analysis.linearise(dae, ["wind.f"], ["floor1.s"], parameters=parameters).hinf()
 
 
 def tuned(dae: ia.DAE) -> tuple[float, float]:
     bounds, start = (dict(zip(NAMES, v, strict=True)) for v in (tmdi_scipy.BOUNDS, tmdi_scipy.START))
-    found = ia.tune(dae, peak, bounds, start=start, starts=1)
+    found = ia.analysis.tune(dae, peak, bounds, start=start, starts=1)
     k, d = (found.parameters[name] for name in NAMES)
     return k, d
 
 
 def main(rounds: int) -> None:
     k, d = tmdi_scipy.START
-    absorber = ia.TMDI(m=tmdi_scipy.MU, k=k, d=d, b=tmdi_scipy.BETA)
-    dae = ia.shear_frame([1.0], [1.0], [tmdi_scipy.LOSS], {(0, 1): absorber}).dae()
+    absorber = TMDI(m=tmdi_scipy.MU, k=k, d=d, b=tmdi_scipy.BETA)
+    dae = ia.machines.shear_frame([1.0], [1.0], [tmdi_scipy.LOSS], {(0, 1): absorber}).dae()
     contenders: dict[str, Callable[[], tuple[float, float]]] = {
         "library": partial(tuned, dae),
         "SciPy, peaks refined, Nelder-Mead": tmdi_scipy.by_nelder_mead,

@@ -26,12 +26,11 @@ def catalogue() -> dict[str, dict[str, Kind]]:
 
 
 def _faces() -> Iterator[tuple[str, ModuleType]]:
-    """Yield the public face and the families on it that have names of their own."""
+    """Yield the public face and its modules of components."""
     face = import_module("..", __package__)
     yield "", face
-    for name, value in inspect.getmembers(face, inspect.ismodule):
-        if value.__name__ == f"{face.__name__}.components.{name}":
-            yield f"{name}.", value
+    for name in ("machines", "rotational", "signals"):
+        yield f"{name}.", getattr(face, name)
 
 
 def _family(kind: Kind) -> str:

@@ -15,7 +15,7 @@ from rich.text import Text
 
 from ..base import Array, Complex
 from ..components import Component
-from ..networks import RandomDisplacement, Sinusoid, ge_wang, rig_response, run_on_rig
+from ..machines import RandomDisplacement, Sinusoid, ge_wang, rig_response, run_on_rig
 from .failure import WRONG_USE, fail
 from .outputs import JSON, expect
 from .terminal import CommandConsole, table_of

@@ -11,7 +11,7 @@ from matplotlib.colors import CenteredNorm
 from matplotlib.figure import Figure
 from matplotlib.ticker import ScalarFormatter
 
-from ..networks import PlanetaryGeometry, Sinusoid, ge_wang
+from ..machines import PlanetaryGeometry, Sinusoid, ge_wang
 from .outputs import draw
 
 if TYPE_CHECKING:

@@ -14,3 +14,20 @@ from .verdict.verdict import DiagnosisInterruptedError as DiagnosisInterruptedEr
 from .verdict.verdict import Gap as Gap
 from .verdict.verdict import Ranked as Ranked
 from .verdict.verdict import Verdict as Verdict
+
+__all__ = [
+    "DiagnosisInterruptedError",
+    "Effect",
+    "Gap",
+    "Quantity",
+    "Ranked",
+    "Verdict",
+    "across",
+    "between",
+    "diagnose",
+    "in_series",
+    "on_channels",
+    "read_model",
+    "register",
+    "write_report",
+]

@@ -12,7 +12,8 @@ from typing import Any
 
 import inertance as ia
 import numpy as np
-from inertance import ge_wang
+from inertance.analysis import Tuned
+from inertance.machines import ge_wang
 from matplotlib import pyplot
 
 PAGE = Path(__file__).parent / "gallery.md"
@@ -22,9 +23,11 @@ RANGES = {"d": (50.0, 30e3), "b": (0.1, 3000.0), "k": (10.0, 1e8)}
 STIFFNESS = np.linspace(10e3, 120e3, 12)
 
 
-def best(layout: str, k: float, measure: Any, starts: list[dict[str, float]]) -> ia.Tuned:
+def best(layout: str, k: float, measure: Any, starts: list[dict[str, float]]) -> Tuned:
     """Return the best parameters of a layout at a static stiffness, starting from others."""
-    car = ia.quarter_car(ia.suspension(layout, k, 2e3, 200.0, k_b=1e6, k_1=1e2, k_2=1e2)).dae()
+    car = ia.machines.quarter_car(
+        ia.machines.suspension(layout, k, 2e3, 200.0, k_b=1e6, k_1=1e2, k_2=1e2)
+    ).dae()
     bounds = {
         n: RANGES[n[-1]] for n in car.parameter_values if n[-1] in RANGES and n.startswith("strut.rest")
     }
@@ -33,7 +36,7 @@ def best(layout: str, k: float, measure: Any, starts: list[dict[str, float]]) ->
         given = {_last(n): value for n, value in start.items()}
         begin = {n: start.get(n, given.get(_last(n), car.parameter_values[n])) for n in bounds}
         if np.isfinite(measure(car, parameters=begin)):
-            tried.append(ia.tune(car, measure, bounds, start=begin, starts=1 if number else 4))
+            tried.append(ia.analysis.tune(car, measure, bounds, start=begin, starts=1 if number else 4))
     return min(tried, key=lambda tuned: tuned.value)
 
 
@@ -63,7 +66,10 @@ def tuned_over_stiffness(measure: Any) -> dict[str, list[float]]:
 def ranking() -> None:
     """Draw J1 and J3 of S1 to S8 over static stiffness."""
     figure, axes = pyplot.subplots(1, 2, figsize=(11.0, 4.6), layout="constrained")
-    for ax, measure, title in ((axes[0], ia.ride_j1, "J1 [m/s²]"), (axes[1], ia.tyre_j3, "J3 [N]")):
+    for ax, measure, title in (
+        (axes[0], ia.analysis.ride_j1, "J1 [m/s²]"),
+        (axes[1], ia.analysis.tyre_j3, "J3 [N]"),
+    ):
         for number, (layout, values) in enumerate(tuned_over_stiffness(measure).items()):
             style = "o-" if number % 2 == 0 else "s--"
             ax.plot(STIFFNESS / 1e3, values, style, markersize=3, label=layout)
@@ -88,27 +94,31 @@ KEPT = re.compile(r"the disk keeps\s.*?on D\.", re.DOTALL)
 
 def real_car(strut: ia.Component, road: str) -> float:
     """Return the rms acceleration of a quarter car on a road [m/s2]."""
-    car = ia.quarter_car(strut)
-    profile = ia.road_profile(road, 25.0, 8.0, seed=1)
+    car = ia.machines.quarter_car(strut)
+    profile = ia.analysis.road_profile(road, 25.0, 8.0, seed=1)
     return car.simulate(8.0, inputs={"road.s_ref": profile}, step=2e-3).rms("body.a")
 
 
 def bare_car(road: str) -> float:
     """Return the rms acceleration without an inerter, damped best for ride [m/s2]."""
-    return real_car(ia.suspension("S1", 60e3, ia.quarter_car_damping(60e3, 250.0, 35.0, 150e3)), road)
+    return real_car(
+        ia.machines.suspension("S1", 60e3, ia.analysis.quarter_car_damping(60e3, 250.0, 35.0, 150e3)), road
+    )
 
 
 def inerter_car(name: str, road: str) -> float:
     """Return the rms acceleration with one of the inerters in S4 [m/s2]."""
-    return real_car(ia.suspension("S4", 60e3, 3200.0, INERTERS[name]()), road)
+    return real_car(ia.machines.suspension("S4", 60e3, 3200.0, INERTERS[name]()), road)
 
 
 def real_tid(inerter: ia.Component | None, force: float) -> float:
     """Return the rms displacement [m] of a structure of 7.7 t and 1.5 Hz in random wind."""
     m, w = 7700.0, 3 * np.pi
-    rule, b = ia.den_hartog(ge_wang.B / m), ge_wang.B
-    absorbers = {(0, 1): ia.tid(rule.stiffness(b, w), rule.damping(b, w), inerter)} if inerter else None
-    frame = ia.shear_frame([m], [m * w**2], [2 * 0.01 * m * w], absorbers)
+    rule, b = ia.analysis.den_hartog(ge_wang.B / m), ge_wang.B
+    absorbers = (
+        {(0, 1): ia.machines.tid(rule.stiffness(b, w), rule.damping(b, w), inerter)} if inerter else None
+    )
+    frame = ia.machines.shear_frame([m], [m * w**2], [2 * 0.01 * m * w], absorbers)
     dae, t, power = frame.dae(), np.linspace(0.0, 20.0, 401), 0.0
     for seed in range(3):
         gusts = ia.Sampled(t, force * np.random.default_rng(seed).standard_normal(len(t)))

@@ -24,7 +24,8 @@ from typing import Any
 import inertance as ia
 import numpy as np
 from fmpy.ssp.simulation import simulate_ssp
-from inertance import Network, Result, Split, SystemStructure
+from inertance import Network, Result
+from inertance.fmu import Split, SystemStructure
 from matplotlib.figure import Figure
 from numpy.typing import NDArray
 
@@ -82,9 +83,9 @@ def cuts(car: Network) -> dict[str, Split]:
     """Return the car cut in three ways, into the sides `body` and `wheel`."""
     wheel = ["wave", "road", "tyre", "wheel"]
     return {
-        "at the body": ia.split(car, ["body"], names=("body", "wheel")),
-        "at the wheel": ia.split(car, wheel, names=("wheel", "body")),
-        "through the strut": ia.split(car, ["body"], through=["strut"], names=("body", "wheel")),
+        "at the body": ia.fmu.split(car, ["body"], names=("body", "wheel")),
+        "at the wheel": ia.fmu.split(car, wheel, names=("wheel", "body")),
+        "through the strut": ia.fmu.split(car, ["body"], through=["strut"], names=("body", "wheel")),
     }
 
 

@@ -16,7 +16,9 @@ from pathlib import Path
 sys.path.insert(0, str(Path(__file__).parent))
 
 import emps
-from inertance import Campaign, Network, Record, Verdict, diagnose, signals, write_report
+from inertance import Network, diagnose, signals
+from inertance.diagnosis import Verdict, write_report
+from inertance.identification import Campaign, Record
 
 CHANNELS = {
     "qg": {"input": "dq_ref.u1", "unit": "m"},

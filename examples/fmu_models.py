@@ -14,21 +14,23 @@ from collections.abc import Callable
 from dataclasses import dataclass, field
 
 import inertance as ia
+from inertance.fmu import CheckReport
+from inertance.machines import Sinusoid
 
 ROLLING = ("inerter.screw.contact", "inerter.flywheel.planet")
 
 
 def pfi_rig() -> ia.Network:
     """The planetary flywheel inerter on its rig, 5 mm at 0.5 Hz: it sticks, and its clearances open."""
-    return ia.inerter_rig(ia.ge_wang.planetary_inerter(), ia.Sinusoid(0.005, 0.5))
+    return ia.machines.inerter_rig(ia.machines.ge_wang.planetary_inerter(), Sinusoid(0.005, 0.5))
 
 
 def tid_quarter_car() -> ia.Network:
     """A quarter car with a tuned inerter damper in its strut, over a swell of the road."""
-    strut = ia.suspension("S5", k=6e4, d=3.2e3, b=330.0, k_b=3e4)
+    strut = ia.machines.suspension("S5", k=6e4, d=3.2e3, b=330.0, k_b=3e4)
     car = ia.Network(
         "TID quarter car",
-        road=ia.Position(s_ref=ia.Sinusoid(0.02, 1.5)),
+        road=ia.Position(s_ref=Sinusoid(0.02, 1.5)),
         tyre=ia.SpringDamper(k=1.5e5, d=100.0),
         wheel=ia.Mass(m=35.0),
         strut=strut,
@@ -139,10 +141,10 @@ CASES = {
 }
 
 
-def check(name: str, **options: object) -> ia.CheckReport:
+def check(name: str, **options: object) -> CheckReport:
     """Return the check of one of the machines."""
     case = CASES[name]
-    return ia.check_fmu(
+    return ia.fmu.check_fmu(
         case.build(), case.stop, step=case.step, start=case.start, inputs=case.inputs, outputs=case.outputs,
         **options,  # type: ignore[arg-type]
     )  # fmt: skip

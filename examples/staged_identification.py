@@ -26,6 +26,8 @@ from typing import Any
 
 import inertance as ia
 import numpy as np
+from inertance.identification import Campaign, Fit, Record
+from inertance.machines import BallScrewInerter, Sinusoid
 
 RATE = 1000.0  # Hz
 NOISE = 1.0  # N
@@ -59,7 +61,7 @@ def rig(flywheel: ia.Component, values: Values) -> ia.Network:
     net = ia.Network(
         "rig",
         frame=ia.Fixed(),
-        inerter=ia.BallScrewInerter(screw=screw, flywheel=flywheel),
+        inerter=BallScrewInerter(screw=screw, flywheel=flywheel),
         load_cell=ia.ForceSensor(),
         actuator=ia.Position(),
     )
@@ -89,7 +91,7 @@ class Experiment:
 
     title: str
     build: Callable[[Values], ia.Network]
-    excitation: ia.Sinusoid
+    excitation: Sinusoid
     duration: float
     fitted: dict[str, tuple[str, str]]
     filter: dict[str, float] | None = None
@@ -104,7 +106,7 @@ EXPERIMENTS = (
     Experiment(
         "(28) friction of the screw, no flywheel, 20 mm at 0.1 Hz",
         bare,
-        ia.Sinusoid(0.020, 0.1),
+        Sinusoid(0.020, 0.1),
         20.0,
         named(FRICTION, "friction", "tau_c", "tau_s", "d"),
         {"cutoff": 0.5, "order": 6},
@@ -112,23 +114,23 @@ EXPERIMENTS = (
     Experiment(
         "(29) screw, with the disk, 10 mm at 3 Hz",
         disk,
-        ia.Sinusoid(0.010, 3.0),
+        Sinusoid(0.010, 3.0),
         4.0,
         {**named(SCREW, "screw", "m_r", "k", "d", "eps"), **named(DISK, "disk", "m")},
     ),
     Experiment(
         "(30) planets, 10 mm at 3 Hz",
         planetary,
-        ia.Sinusoid(0.010, 3.0),
+        Sinusoid(0.010, 3.0),
         4.0,
         named(PLANETS, "planets", "k_r", "c_r", "g_r", "T_pm", "T_pv"),
     ),
 )
 
 
-def measured(experiment: Experiment, seed: int = 0) -> ia.Record:
+def measured(experiment: Experiment, seed: int = 0) -> Record:
     """Return what the true machine shows, with the noise of its load cell."""
-    drive = ia.sampled(experiment.excitation, stop=experiment.duration, rate=RATE, fade=0.5)
+    drive = ia.identification.sampled(experiment.excitation, stop=experiment.duration, rate=RATE, fade=0.5)
     run = experiment.build(TRUTH).simulate(
         experiment.duration,
         step=1 / RATE,
@@ -139,17 +141,17 @@ def measured(experiment: Experiment, seed: int = 0) -> ia.Record:
     )
     at = np.searchsorted(run.time, drive.time + 0.5e-3 / RATE, side="right") - 1
     noise = np.random.default_rng(seed).normal(0, NOISE, len(at))
-    return ia.Record(experiment.title, drive.time, {"x": drive.values, "F": run["load_cell.f"][at] + noise})
+    return Record(experiment.title, drive.time, {"x": drive.values, "F": run["load_cell.f"][at] + noise})
 
 
-def identify(experiment: Experiment, values: Values, known: dict[str, float], record: ia.Record) -> ia.Fit:
+def identify(experiment: Experiment, values: Values, known: dict[str, float], record: Record) -> Fit:
     """Fit what an experiment is for, and what is known of the machine already within its error."""
     network = experiment.build(values)
     present = network.dae().parameter_values
     parameters = {name: {"rel": error / present[name]} for name, error in known.items() if name in present}
     parameters |= {name: {"rel": UNKNOWN} for name in experiment.fitted}
     stage: list[dict[str, Any]] = [{"filter": experiment.filter}] if experiment.filter else []
-    campaign = ia.Campaign(
+    campaign = Campaign(
         network,
         channels={"x": {"input": "actuator.s_ref", "unit": "m"}, "F": {"output": "load_cell.f", "unit": "N"}},
         parameters=parameters,
@@ -160,7 +162,7 @@ def identify(experiment: Experiment, values: Values, known: dict[str, float], re
     return ia.fit(campaign)
 
 
-def study() -> list[ia.Fit]:
+def study() -> list[Fit]:
     """Run the three stages, each from what those before it found."""
     values = {group: dict(own) for group, own in MODEL.items()}
     places: dict[str, tuple[str, str]] = {}

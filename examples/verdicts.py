@@ -14,22 +14,19 @@ from collections.abc import Callable
 
 import numpy as np
 from inertance import (
-    Campaign,
     CoulombFriction,
     Damper,
     ElastoGap,
     Fixed,
     Force,
     Mass,
-    Multisine,
     Network,
-    Record,
     Sampled,
     Spring,
-    Verdict,
     diagnose,
-    sampled,
 )
+from inertance.diagnosis import Verdict
+from inertance.identification import Campaign, Multisine, Record, sampled
 
 RATE, DURATION, NOISE = 250.0, 8.0, 2e-5
 

@@ -27,3 +27,28 @@ from .ssp.split import Split as Split
 from .ssp.split import split as split
 from .ssp.system import Connection as Connection
 from .ssp.system import SystemStructure as SystemStructure
+
+__all__ = [
+    "FMU",
+    "CheckReport",
+    "Connection",
+    "CoupledRun",
+    "FMUBlock",
+    "FMUError",
+    "FMUForce",
+    "FMUMotion",
+    "FMURotation",
+    "FMUTorque",
+    "Finding",
+    "ForeignEvent",
+    "ForeignRun",
+    "Split",
+    "SystemRun",
+    "SystemStructure",
+    "check_fmu",
+    "cosimulate",
+    "export_fmu",
+    "publish",
+    "read_ssp",
+    "split",
+]

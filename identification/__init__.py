@@ -30,3 +30,22 @@ from .records.noise import Floor as Floor
 from .records.record import Channel as Channel
 from .records.record import Record as Record
 from .records.record import read_record as read_record
+
+__all__ = [
+    "Campaign",
+    "CampaignModel",
+    "Channel",
+    "Chirp",
+    "Experiment",
+    "Filter",
+    "Fit",
+    "FitInterruptedError",
+    "Floor",
+    "Multisine",
+    "Prediction",
+    "Record",
+    "SineDwells",
+    "fit",
+    "read_record",
+    "sampled",
+]

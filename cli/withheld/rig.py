@@ -15,10 +15,10 @@ from inertance import (
     ForceSensor,
     IdealPlanetaryFlywheel,
     Network,
-    PlanetaryFlywheelInerter,
     Position,
     rotational,
 )
+from inertance.machines import PlanetaryFlywheelInerter
 
 
 def build() -> Network:

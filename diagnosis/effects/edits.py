@@ -6,6 +6,7 @@ import re
 from collections.abc import Iterable
 from dataclasses import dataclass
 
+from ...base.checks import demand, instance, text
 from ...components import FAMILIES, Component, rotational, signals
 from ...components.language import PortRef
 from ...networks import Network
@@ -67,6 +68,13 @@ def edited(network: Network, edits: Iterable[Edit]) -> Network:
 
 def between(name: str, component: Component, fixed: str, moving: str) -> list[Edit]:
     """Return the edits that put a component between two flanges, of which `fixed` may be the ground."""
+    demand(
+        "between()",
+        name=(name, text),
+        component=(component, instance(Component)),
+        fixed=(fixed, text),
+        moving=(moving, text),
+    )
     edits: list[Edit] = [Add(name, component)]
     if fixed == GROUND:
         edits.append(Add(f"{name}_ground", FAMILIES[PortRef(component, "flange_a").domain or ""].Fixed()))

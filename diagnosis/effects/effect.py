@@ -9,6 +9,7 @@ from typing import Any
 import numpy as np
 
 from ...base import Array
+from ...base.checks import demand, instance
 from ...components import Domain, ModelError, nearest
 from ...networks import Pieces
 from ..criteria import REVERSAL_SPEED_RATIO
@@ -136,8 +137,9 @@ def register(effect: Effect) -> Effect:
     """Make an effect known to every diagnosis.
 
     Raises:
-        ModelError: if its kind is taken.
+        ModelError: if its kind is taken, or if it is no `Effect`.
     """
+    demand("register()", effect=(effect, instance(Effect)))
     if effect.kind in EFFECTS:
         raise ModelError(f"there is an effect '{effect.kind}' already; choose another kind")
     EFFECTS[effect.kind] = effect

@@ -66,7 +66,8 @@ def check_fmu(
         FMUError: for a file that is no FMU.
 
     Example:
-        >>> from inertance import Fixed, Mass, Network, Spring, check_fmu
+        >>> from inertance import Fixed, Mass, Network, Spring
+        >>> from inertance.fmu import check_fmu
         >>> net = Network("oscillator", wall=Fixed(), spring=Spring(k=100.0), mass=Mass(m=1.0, s=0.1))
         >>> net = net.connect(net.wall.flange, net.spring.flange_a)
         >>> net = net.connect(net.spring.flange_b, net.mass.flange)

@@ -96,7 +96,7 @@ class FMUBlock(ForeignComponent):
         outputs: its outputs to join; all continuous ones if not given.
 
     Example:
-        >>> from inertance import FMUBlock
+        >>> from inertance.fmu import FMUBlock
         >>> valve = FMUBlock("valve.fmu", inputs=["u"], outputs=["y"])      # doctest: +SKIP
     """
 
@@ -153,7 +153,7 @@ class FMUForce(ForeignComponent):
     the mass that it accelerates, however small the step.
 
     Example:
-        >>> from inertance import FMUForce
+        >>> from inertance.fmu import FMUForce
         >>> damper = FMUForce("damper.fmu", velocity="v", force="F")        # doctest: +SKIP
     """
 
@@ -223,7 +223,7 @@ class FMUMotion(ForeignComponent):
     FMU.
 
     Example:
-        >>> from inertance import FMUMotion
+        >>> from inertance.fmu import FMUMotion
         >>> body = FMUMotion("body.fmu", force="F", position="s", velocity="v")  # doctest: +SKIP
     """
 

@@ -40,7 +40,7 @@ def read_ssp(path: str | Path) -> SystemStructure:
             systems, signal dictionaries and mappings, which are not supported; if the system cannot be.
 
     Example:
-        >>> from inertance import read_ssp
+        >>> from inertance.fmu import read_ssp
         >>> system = read_ssp("quarter_car.ssp")       # doctest: +SKIP
         >>> list(system.components)                    # doctest: +SKIP
         ['body', 'wheel']

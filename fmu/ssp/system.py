@@ -48,7 +48,7 @@ class SystemStructure:
         begin, stop: the default experiment [s].
 
     Example:
-        >>> from inertance import SystemStructure, read_ssp
+        >>> from inertance.fmu import SystemStructure, read_ssp
         >>> system = read_ssp("quarter_car.ssp")                  # doctest: +SKIP
         >>> run = system.simulate(2.0, communication_step=1e-3)   # doctest: +SKIP
         >>> run["body.body.s"], run.step_error                    # doctest: +SKIP

@@ -54,8 +54,8 @@ class Campaign:
         port: of an FMU: {"force", "position", "velocity"} -> its variables where other parts may act on it.
         base: folder that relative paths start from.
         validate: whether to refuse an FMU whose description its schema does not allow.
-        reader: what reads the model; `inertance.read_model` for an FMU, or a network with one in it, which
-            only `diagnose` takes.
+        reader: what reads the model; `inertance.diagnosis.read_model` for an FMU, or a network with one in
+            it, which only `diagnose` takes.
 
     Raises:
         ModelError: telling everything that is wrong at once, with file and key.
@@ -68,8 +68,8 @@ class Campaign:
         >>> _ = net.connect(net.wall.flange, net.spring.flange_a)
         >>> _ = net.connect(net.spring.flange_b, net.mass.flange, net.push.flange)
         >>> t = np.linspace(0, 10, 1001)
-        >>> run = ia.Record("chirp", t, {"F": np.sin(t**2), "x": 1e-3 * np.sin(9 * t)})
-        >>> campaign = ia.Campaign(
+        >>> run = ia.identification.Record("chirp", t, {"F": np.sin(t**2), "x": 1e-3 * np.sin(9 * t)})
+        >>> campaign = ia.identification.Campaign(
         ...     net,
         ...     channels={"F": {"input": "push.f", "unit": "N"}, "x": {"output": "mass.s", "unit": "m"}},
         ...     parameters={"spring.k": {"rel": 0.2}},

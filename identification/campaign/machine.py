@@ -57,7 +57,7 @@ def read_network(
         raise ModelError(
             f"'{model}' is an FMU, whose equations are not known; `inertance diagnose` fits its parameters, "
             'too; in Python, diagnose("campaign.toml"), or diagnose() of a Campaign made with '
-            "reader=inertance.read_model"
+            "reader=inertance.diagnosis.read_model"
         )
     if port:
         raise ModelError("[port] is for a model that is an FMU; a network has its flanges")

@@ -38,7 +38,8 @@ def sampled(signal: Callable[[Any], Any], stop: float, rate: float = 1000.0, fad
         fade: how long it takes to fade in, and out [s].
 
     Example:
-        >>> from inertance import Sinusoid, sampled
+        >>> from inertance.identification import sampled
+        >>> from inertance.machines import Sinusoid
         >>> drive = sampled(Sinusoid(0.01, 3.0), stop=4.0, fade=0.5)
         >>> drive.values[0], len(drive.time)
         (np.float64(0.0), 4001)

@@ -22,7 +22,7 @@ class Filter:
 
     Example:
         >>> import numpy as np
-        >>> from inertance import Filter
+        >>> from inertance.identification import Filter
         >>> slow = Filter(cutoff=0.5, order=6)
         >>> t = np.arange(0, 20, 1e-3)
         >>> bool(abs(slow.apply(np.sin(2 * np.pi * 5 * t), rate=1000)[5000:-5000]).max() < 1e-3)

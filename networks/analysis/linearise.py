@@ -71,7 +71,8 @@ def linearise(
     the motions it holds are no states. A law with a corner has the slope of one side of it.
 
     Example:
-        >>> from inertance import Damper, Fixed, Force, Mass, Network, Spring, linearise
+        >>> from inertance import Damper, Fixed, Force, Mass, Network, Spring
+        >>> from inertance.analysis import linearise
         >>> net = Network("oscillator", wall=Fixed(), spring=Spring(k=100.0), mass=Mass(m=1.0), push=Force())
         >>> _ = net.connect(net.wall.flange, net.spring.flange_a)
         >>> _ = net.connect(net.spring.flange_b, net.mass.flange, net.push.flange)

@@ -34,7 +34,8 @@ def admittance(
     Source: M. C. Smith, IEEE Trans. Automat. Contr. 47 (2002) 1648-1662, section II.
 
     Example:
-        >>> from inertance import Damper, Inerter, admittance, series
+        >>> from inertance import Damper, Inerter, series
+        >>> from inertance.analysis import admittance
         >>> Y = admittance(series(Damper(d=100.0), Inerter(b=10.0)))
         >>> round(abs(Y(1j).item()), 6)  # 1/(1/d + 1/(b s)) at 1 rad/s
         9.950372

@@ -67,7 +67,8 @@ def tune(
         ModelError: for unknown parameters, empty bounds, or limits that nothing found meets.
 
     Example:
-        >>> from inertance import quarter_car, ride_j1, suspension, tune
+        >>> from inertance.analysis import ride_j1, tune
+        >>> from inertance.machines import quarter_car, suspension
         >>> car = quarter_car(suspension("S1", k=60e3, d=2000.0))
         >>> tuned = tune(car, ride_j1, {"strut.rest.d": (500.0, 10e3)}, starts=1)
         >>> round(tuned.parameters["strut.rest.d"]), round(tuned.value, 4)

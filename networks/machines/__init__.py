@@ -1,3 +1,5 @@
 """Ready-made machines."""
 
-from . import ge_wang as ge_wang
+from ...base.lazy_names import face
+
+__getattr__, __dir__, __all__ = face(__name__, __file__)

@@ -34,7 +34,7 @@ def shear_frame(
         ModelError: for lengths that differ, or an absorber that does not join two floors that are there.
 
     Example:
-        >>> from inertance import shear_frame, tid
+        >>> from inertance.machines import shear_frame, tid
         >>> frame = shear_frame([1e3] * 3, [1.5e6] * 3, absorbers={(0, 1): tid(k=3e4, d=300.0, b=200.0)})
     """
     _check_lists(m, k, d)

@@ -33,7 +33,8 @@ class BallScrewInerter(FlywheelInerter):
     Source: Ge & Wang on the planetary flywheel inerter (see `ge_wang`), eqs. (1), (2).
 
     Example:
-        >>> from inertance import BallScrewInerter, DiskFlywheel, NutScrew
+        >>> from inertance import DiskFlywheel, NutScrew
+        >>> from inertance.machines import BallScrewInerter
         >>> inerter = BallScrewInerter(screw=NutScrew(lead=0.01), flywheel=DiskFlywheel(m=0.78, R=0.05))
     """
 

@@ -59,7 +59,7 @@ class PlanetaryGeometry:
         rho: density [kg/m3].
 
     Example:
-        >>> from inertance import PlanetaryGeometry
+        >>> from inertance.machines import PlanetaryGeometry
         >>> round(PlanetaryGeometry(N=4, lam=0.34, beta=0.5, tau=2.0).gain, 3)
         1.095
     """

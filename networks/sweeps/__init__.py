@@ -1,1 +1,5 @@
 """A measure of a network at many points, in many processes, resumable."""
+
+from ...base.lazy_names import face
+
+__getattr__, __dir__, __all__ = face(__name__, __file__)

@@ -46,7 +46,7 @@ def grid(values: Mapping[str, Iterable[Any]]) -> Design:
     """Return all combinations of the values of each parameter, the last one running fastest.
 
     Example:
-        >>> from inertance import grid
+        >>> from inertance.sweeps import grid
         >>> len(grid({"strut.damper.d": [1e3, 2e3, 3e3], "strut.inerter.b": [50.0, 100.0]}))
         6
     """

@@ -93,7 +93,8 @@ def sweep(
     `if __name__ == "__main__":`; functions defined in a notebook need cloudpickle there.
 
     Example:
-        >>> from inertance import Damper, Fixed, Mass, Network, Spring, parallel, simulate, sweep
+        >>> from inertance import Damper, Fixed, Mass, Network, Spring, parallel, simulate
+        >>> from inertance.sweeps import sweep
         >>> strut = parallel(Spring(k=1.0), Damper(d=0.1))
         >>> net = Network("swing", wall=Fixed(), strut=strut, mass=Mass(m=1.0))
         >>> _ = net.connect(net.wall.flange, net.strut.flange_a)

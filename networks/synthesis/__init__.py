@@ -1,8 +1,5 @@
 """From an admittance to a network of springs, dampers and inerters."""
 
-from .positive import NotPositiveRealError as NotPositiveRealError
-from .positive import PositiveReal as PositiveReal
-from .positive import positive_real as positive_real
-from .rational import RationalFunction as RationalFunction
-from .synthesise import foster as foster
-from .synthesise import synthesise as synthesise
+from ...base.lazy_names import face
+
+__getattr__, __dir__, __all__ = face(__name__, __file__)

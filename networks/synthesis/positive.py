@@ -60,7 +60,7 @@ def positive_real(admittance: Any) -> PositiveReal:
     1648-1662, theorem 1.
 
     Example:
-        >>> from inertance import positive_real
+        >>> from inertance.synthesis import positive_real
         >>> bool(positive_real(([1.0, 1.0, 1.0], [1.0, 1.0, 4.0])))  # Re F(jw) = 0 at w^2 = 2
         True
         >>> positive_real(([1.0, 1.0, 1.0], [1.0, 1.0, 9.0])).reason

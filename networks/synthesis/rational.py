@@ -28,7 +28,7 @@ class RationalFunction:
         ModelError: if a coefficient is not finite, or the denominator is zero.
 
     Example:
-        >>> from inertance import RationalFunction
+        >>> from inertance.synthesis import RationalFunction
         >>> Y = RationalFunction([1.0, 0.0], [1.0, 2.0])
         >>> round(float(abs(Y(2j))), 6)
         0.707107

@@ -37,7 +37,8 @@ def synthesise(admittance: Any) -> TwoTerminal:
     Automat. Contr. 62 (2017) 4333-4346 (bridges).
 
     Example:
-        >>> from inertance import admittance, synthesise
+        >>> from inertance.analysis import admittance
+        >>> from inertance.synthesis import synthesise
         >>> strut = synthesise(([1.0, 2.0], [1.0, 1.0]))
         >>> round(abs(admittance(strut)(1j).item()), 6)  # |(j + 2)/(j + 1)|
         1.581139
@@ -71,7 +72,7 @@ def foster(admittance: Any, form: int = 2) -> TwoTerminal:
     (1926) 355-388.
 
     Example:
-        >>> from inertance import foster
+        >>> from inertance.synthesis import foster
         >>> foster(([1.0, 2.0], [1.0, 1.0]))  # 1 + 1/(s + 1)
         parallel(branch=series(spring=Spring(k=1.0), damper=Damper(d=1.0)), damper=Damper(d=1.0))
     """

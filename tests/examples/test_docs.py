@@ -23,7 +23,6 @@ from matplotlib import pyplot
 ROOT = Path(__file__).parents[2]
 PAGES = [ROOT / "README.md", *sorted((ROOT / "docs").glob("*.md"))]
 FENCE = re.compile(r"^```(\w+)\n(.*?)^```$", re.MULTILINE | re.DOTALL)
-ROOMS = ("components", "networks", "fmu", "identification", "diagnosis", "cli")
 FILE = re.compile(r"^<!-- (\S+\.\w+) -->\n```\w+\n(.*?)^```$", re.MULTILINE | re.DOTALL)
 COMMAND = re.compile(r"^inertance .*$", re.MULTILINE)
 LONG = {"inertance demo --out pictures"}  # runs, with shorter tests, in tests/unit/cli/test_demo.py
@@ -48,15 +47,17 @@ def public(kind: type) -> dict[str, Any]:
     found: dict[str, Any] = {}
     for name in dir(inertance):
         value = getattr(inertance, name)
-        if isinstance(value, ModuleType) and name not in ROOMS:
-            found |= {f"{name}.{inner}": item for inner, item in vars(value).items() if _own(item, value)}
+        if isinstance(value, ModuleType):
+            found |= {
+                f"{name}.{inner}": getattr(value, inner) for inner in getattr(value, "__all__", dir(value))
+            }
         else:
             found[name] = value
-    return {name: item for name, item in found.items() if isinstance(item, kind) and name[0] != "_"}
-
-
-def _own(item: Any, module: ModuleType) -> bool:
-    return getattr(item, "__module__", "").startswith(module.__name__)
+    return {
+        name: item
+        for name, item in found.items()
+        if isinstance(item, kind) and "_" not in (name[0], name.partition(".")[2][:1])
+    }
 
 
 def examples() -> list[doctest.DocTest]:

@@ -14,8 +14,8 @@ from typing import Any
 import inertance as ia
 import numpy as np
 import pytest
-from inertance import ge_wang
 from inertance.cli import demo
+from inertance.machines import ge_wang
 from matplotlib import pyplot
 
 ROOT = Path(__file__).parents[2]
@@ -77,9 +77,9 @@ def test_the_smallest_inertance_of_the_ranking_costs_a_thousandth() -> None:
     assert kg == gallery().RANGES["b"][0]
     least = {}
     for layout in ("S1", "S3"):
-        car = ia.quarter_car(ia.suspension(layout, 10e3, d=2e3, b=kg)).dae()
+        car = ia.machines.quarter_car(ia.machines.suspension(layout, 10e3, d=2e3, b=kg)).dae()
         (damper,) = (n for n in car.parameter_values if n.startswith("strut.rest") and n.endswith(".d"))
-        least[layout] = ia.tune(car, ia.tyre_j3, {damper: (50.0, 30e3)}, starts=1).value
+        least[layout] = ia.analysis.tune(car, ia.analysis.tyre_j3, {damper: (50.0, 30e3)}, starts=1).value
     assert 100 * (least["S3"] / least["S1"] - 1) == pytest.approx(percent, abs=0.05)
 
 
@@ -95,7 +95,7 @@ def test_the_struts_of_the_readme() -> None:
     names: dict[str, Any] = {}
     exec(BLOCK.findall(page("README.md"))[0], names)
     (k, d) = told("README.md", "With `SpringDamper(k=#e3, d=#)` instead, the damper that is best for ride")
-    assert d == round(ia.quarter_car_damping(1e3 * k, 250.0, 35.0, 150e3))
+    assert d == round(ia.analysis.quarter_car_damping(1e3 * k, 250.0, 35.0, 150e3))
     strut = ia.SpringDamper(k=1e3 * k, d=d)
     car = ia.Network(
         "car", road=ia.Position(), tyre=ia.Spring(k=150e3), wheel=ia.Mass(m=35.0), strut=strut,
@@ -120,7 +120,7 @@ def test_the_prototype() -> None:
         ge_wang.M_DISK, round(100 * (1 - mass / ge_wang.M_DISK), 1)
     ]  # fmt: skip
     assert told("docs/machines.md", "with that inertia weighs # kg") == [
-        round(ia.disk_mass(ge_wang.J_E, R=0.050), 3)
+        round(ia.machines.disk_mass(ge_wang.J_E, R=0.050), 3)
     ]
     assert told("docs/machines.md", "`gain`, # for the prototype") == [round(float(ge_wang.GEOMETRY.gain), 2)]
     friction = ge_wang.FRICTION
@@ -139,7 +139,7 @@ def test_the_networks_of_random_biquadratics() -> None:
     while count.total() < 500:
         b, c, e, f = 10 ** rng.uniform(-1.2, 1.2, 4)
         if sqrt(b * e) >= abs(sqrt(c) - sqrt(f)) and not regular(b, c, e, f) and not regular(e, f, b, c):
-            parts = elements(ia.synthesise(([1.0, b, c], [1.0, e, f])))
+            parts = elements(ia.synthesis.synthesise(([1.0, b, c], [1.0, e, f])))
             count[len(parts), sum(not isinstance(part, ia.Damper) for part in parts)] += 1
     cells = re.findall(r"^\| (\d) \| (\d) \|.*\| (\d+) \|$", page("docs/synthesis.md"), re.MULTILINE)
     assert {(int(n), int(reactive)): int(found) for n, reactive, found in cells} == dict(count)

@@ -9,6 +9,7 @@ import casadi as ca
 import inertance as ia
 import numpy as np
 import pytest
+from inertance.identification import Campaign, Fit
 from numpy.typing import NDArray
 
 Array = NDArray[np.float64]
@@ -136,7 +137,7 @@ x = {noise}
 NUMBERS = {"m": 1.0, "mm": 1e-3, "um": 1e-6, "N": 1.0, "kN": 1e3}
 
 
-def fitted(folder: Path, length: str, force: str, size: float = 1.0) -> ia.Fit:
+def fitted(folder: Path, length: str, force: str, size: float = 1.0) -> Fit:
     """Fit k and d of a rig of `size` times a metre, whose records are in such units."""
     folder.mkdir()
     (folder / "rig.py").write_text(MODEL.format(start=0.3 * size))
@@ -148,7 +149,7 @@ def fitted(folder: Path, length: str, force: str, size: float = 1.0) -> ia.Fit:
     (folder / "campaign.toml").write_text(text)
     rows = [",".join(f"{value:.15g}" for value in row) for row in zip(*columns, strict=True)]
     (folder / "train.csv").write_text("\n".join([f"time [s],x [{length}],F [{force}]", *rows]) + "\n")
-    return ia.fit(ia.Campaign.load(folder / "campaign.toml"))
+    return ia.fit(Campaign.load(folder / "campaign.toml"))
 
 
 def test_a_fit_finds_the_same_from_records_in_other_units_and_of_other_sizes(tmp_path: Path) -> None:

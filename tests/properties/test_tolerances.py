@@ -8,6 +8,7 @@ import casadi as ca
 import inertance as ia
 import numpy as np
 import pytest
+from inertance.machines import TMDI, Sinusoid
 from numpy.typing import NDArray
 
 Array = NDArray[np.float64]
@@ -25,29 +26,29 @@ def force(t: Any) -> Any:
 
 
 def strut() -> Any:
-    return ia.suspension("S6", 20e3, d=1500.0, b=50.0)
+    return ia.machines.suspension("S6", 20e3, d=1500.0, b=50.0)
 
 
 def frame(absorber: ia.Component) -> ia.Network:
-    return ia.shear_frame([1e3] * 3, [1e6] * 3, [1e3] * 3, absorbers={(0, 1): absorber})
+    return ia.machines.shear_frame([1e3] * 3, [1e6] * 3, [1e3] * 3, absorbers={(0, 1): absorber})
 
 
 def on_a_rig(inerter: ia.Component) -> ia.Network:
-    return ia.inerter_rig(inerter, ia.Sinusoid(0.01, 2.0))
+    return ia.machines.inerter_rig(inerter, Sinusoid(0.01, 2.0))
 
 
 MACHINES: dict[str, Callable[[], ia.Network]] = {
-    "quarter car": lambda: ia.quarter_car(strut()),
-    "half car": lambda: ia.half_car(strut(), strut()),
-    "full car": lambda: ia.full_car(strut(), strut()),
-    "isolated machine": lambda: ia.isolated_machine(ia.SpringDamper(k=1e5, d=50.0)),
-    "seat": lambda: ia.seat_in_cab(ia.SpringDamper(k=5e3, d=300.0), ia.SpringDamper(k=1e5, d=3e3)),
-    "frame with TMDI": lambda: frame(ia.TMDI(m=20.0, k=1e4, d=50.0, b=100.0)),
-    "frame with TID": lambda: frame(ia.tid(k=1e4, d=50.0, b=100.0)),
-    "frame with TVMD": lambda: frame(ia.tvmd(k=1e4, d=50.0, b=100.0)),
-    "cable": lambda: ia.taut_cable(100.0, 1e6, 50.0, parts=10, damper=ia.Damper(d=1e4)),
-    "ball-screw inerter": lambda: on_a_rig(ia.ge_wang.disk_inerter()),
-    "planetary inerter": lambda: on_a_rig(ia.ge_wang.planetary_inerter()),
+    "quarter car": lambda: ia.machines.quarter_car(strut()),
+    "half car": lambda: ia.machines.half_car(strut(), strut()),
+    "full car": lambda: ia.machines.full_car(strut(), strut()),
+    "isolated machine": lambda: ia.machines.isolated_machine(ia.SpringDamper(k=1e5, d=50.0)),
+    "seat": lambda: ia.machines.seat_in_cab(ia.SpringDamper(k=5e3, d=300.0), ia.SpringDamper(k=1e5, d=3e3)),
+    "frame with TMDI": lambda: frame(TMDI(m=20.0, k=1e4, d=50.0, b=100.0)),
+    "frame with TID": lambda: frame(ia.machines.tid(k=1e4, d=50.0, b=100.0)),
+    "frame with TVMD": lambda: frame(ia.machines.tvmd(k=1e4, d=50.0, b=100.0)),
+    "cable": lambda: ia.machines.taut_cable(100.0, 1e6, 50.0, parts=10, damper=ia.Damper(d=1e4)),
+    "ball-screw inerter": lambda: on_a_rig(ia.machines.ge_wang.disk_inerter()),
+    "planetary inerter": lambda: on_a_rig(ia.machines.ge_wang.planetary_inerter()),
 }
 
 
@@ -84,7 +85,9 @@ def test_a_tolerance_keeps_what_it_promises(name: str, solver: str) -> None:
 
 def test_rounding_does_not_rule_the_steps_at_the_default_tolerance() -> None:
     """A hundredth of 1e-12 between events did, in gears of 0.1 m and 1e8 N/m, and took 30 times the steps."""
-    car = ia.quarter_car(ia.suspension("S4", 60e3, 3200.0, ia.ge_wang.planetary_inerter())).dae()
-    inputs = {"road.s_ref": ia.road_profile("A", 25.0, 8.0, seed=1)}
+    car = ia.machines.quarter_car(
+        ia.machines.suspension("S4", 60e3, 3200.0, ia.machines.ge_wang.planetary_inerter())
+    ).dae()
+    inputs = {"road.s_ref": ia.analysis.road_profile("A", 25.0, 8.0, seed=1)}
     steps = [ia.simulate(car, 0.5, inputs=inputs, atol=atol).stats["steps"] for atol in (1e-8, 1e-12)]
     assert steps[1] < 2 * steps[0]

@@ -21,7 +21,12 @@ import numpy as np
 import pandas  # noqa: F401
 import pytest
 import scipy.signal  # noqa: F401
+from inertance.analysis import Norm, Orbit, ResponseCurve, Scatter, StateSpace, SteppedSine, Tuning
 from inertance.components.language import Field, Option, Parameter, RealInput, Variable
+from inertance.identification import Campaign, Chirp, Filter, Multisine, Record, SineDwells
+from inertance.machines import BallScrewInerter, PlanetaryGeometry, RandomDisplacement, Sinusoid
+from inertance.sweeps import Design, Sweep
+from inertance.synthesis import RationalFunction
 
 SECONDS = 60
 BAD: dict[str, Callable[[], Any]] = {
@@ -82,38 +87,38 @@ def run() -> ia.Result:
 
 
 @cache
-def linear() -> ia.StateSpace:
-    return ia.linearise(dae(), ["push.f"], ["mass.s"])
+def linear() -> StateSpace:
+    return ia.analysis.linearise(dae(), ["push.f"], ["mass.s"])
 
 
 @cache
 def car() -> ia.DAE:
-    return ia.quarter_car(strut()).dae()
+    return ia.machines.quarter_car(strut()).dae()
 
 
 @cache
 def frame() -> ia.DAE:
-    return ia.shear_frame([1.0, 1.0], [10.0, 10.0]).dae()
+    return ia.machines.shear_frame([1.0, 1.0], [10.0, 10.0]).dae()
 
 
 def strut() -> Any:
-    return ia.suspension("S1", k=1e4, d=1e3)
+    return ia.machines.suspension("S1", k=1e4, d=1e3)
 
 
 @cache
-def orbit() -> ia.Orbit:
-    return ia.harmonic_orbit(dae(), "push.f", 1.0, 1.0, ["mass.s"], harmonics=3)
+def orbit() -> Orbit:
+    return ia.analysis.harmonic_orbit(dae(), "push.f", 1.0, 1.0, ["mass.s"], harmonics=3)
 
 
 @cache
-def record() -> ia.Record:
+def record() -> Record:
     t = np.linspace(0.0, 1.0, 101)
-    return ia.Record("record", t, {"F": np.sin(9 * t), "x": 1e-3 * np.cos(9 * t)})
+    return Record("record", t, {"F": np.sin(9 * t), "x": 1e-3 * np.cos(9 * t)})
 
 
 @cache
-def campaign() -> ia.Campaign:
-    return ia.Campaign(
+def campaign() -> Campaign:
+    return Campaign(
         oscillator(),
         channels={"F": {"input": "push.f", "unit": "N"}, "x": {"output": "mass.s", "unit": "m"}},
         parameters={"spring.k": {"rel": 0.2}},
@@ -122,26 +127,26 @@ def campaign() -> ia.Campaign:
 
 
 @cache
-def swept() -> ia.Sweep:
-    return ia.sweep(oscillator(), {"spring.k": [1.0, 2.0]}, lambda d, v: v["spring.k"], workers=0)
+def swept() -> Sweep:
+    return ia.sweeps.sweep(oscillator(), {"spring.k": [1.0, 2.0]}, lambda d, v: v["spring.k"], workers=0)
 
 
 @cache
-def stepped() -> ia.SteppedSine:
-    return ia.stepped_sine(oscillator(), "push.f", 1.0, [1.0], ["mass.s"], most=4)
+def stepped() -> SteppedSine:
+    return ia.analysis.stepped_sine(oscillator(), "push.f", 1.0, [1.0], ["mass.s"], most=4)
 
 
 def stepwise() -> ia.Stepwise:
     return ia.Stepwise(dae(), 0.0, 1.0, {}, {"push.f": [0.0]})
 
 
-def line() -> ia.RationalFunction:
-    return ia.RationalFunction([1.0], [1.0, 1.0])
+def line() -> RationalFunction:
+    return RationalFunction([1.0], [1.0, 1.0])
 
 
 GOOD: dict[str, Callable[[], Any]] = {
     "network": dae, "dae": dae, "car": car, "frame": frame, "system": linear, "model": oscillator,
-    "admittance": line, "impedance": line, "inerter": lambda: ia.BallScrewInerter(lead=0.01, J=1e-4),
+    "admittance": line, "impedance": line, "inerter": lambda: BallScrewInerter(lead=0.01, J=1e-4),
     "strut": strut, "front": strut, "rear": strut, "mount": strut, "seat": strut, "element": strut,
     "elements": strut, "campaign": campaign, "done": swept, "result": run, "after": linear, "effect": object,
     "inputs": lambda: ["push.f"], "outputs": lambda: ["mass.s"], "signals": lambda: ["mass.s"],
@@ -157,7 +162,9 @@ GOOD: dict[str, Callable[[], Any]] = {
     "tau": lambda: 0.1, "inertia": lambda: 1.0, "w": lambda: 1.0, "layout": lambda: "S1",
     "road_class": lambda: "C", "speed": lambda: 20.0, "duration": lambda: 10.0, "height": lambda: 0.1,
     "length": lambda: 1.0, "low": lambda: 0.5, "high": lambda: 2.0, "input_psd": lambda: 1.0,
-    "count": lambda: 4, "step": lambda: 0.01, "read_model.port": dict, "read_model.base": Path,
+    "component": lambda: ia.Damper(d=1.0), "fixed": lambda: "ground", "moving": lambda: "mass.flange",
+    "flanges": lambda: {"mass.flange": "force-in"}, "count": lambda: 4, "step": lambda: 0.01,
+    "read_model.port": dict, "read_model.base": Path,
     "values": lambda: {"spring.k": [1.0, 2.0]}, "ranges": lambda: {"spring.k": (1.0, 2.0)},
     "rate": lambda: 50.0,
     "measure": lambda: lambda dae, *, parameters: parameters.get("spring.k", 1.0),
@@ -165,7 +172,7 @@ GOOD: dict[str, Callable[[], Any]] = {
     "second": lambda: lambda dae, *, parameters: 1.0 / parameters.get("spring.k", 1.0),
     "bounds": lambda: {"spring.k": (50.0, 200.0)}, "spread": lambda: {"spring.k": 0.1}, "share": lambda: 0.5,
     "modes": lambda: linear().modes(), "signal": lambda: np.sin, "displacement": lambda: np.sin,
-    "displacements": lambda: [ia.RandomDisplacement(1, 1.0)], "acceleration": lambda: np.zeros(8),
+    "displacements": lambda: [RandomDisplacement(1, 1.0)], "acceleration": lambda: np.zeros(8),
     "rms": lambda: 1.0, "cutoff": lambda: 10.0, "seed": lambda: 1, "factor": lambda: 2.0, "every": lambda: 2,
     "channel": lambda: "x", "channels": lambda: campaign().measured, "end": lambda: 1.0, "stage": lambda: (),
     "amplitudes": lambda: (1.0,), "names": lambda: ("spring.k",), "points": lambda: ((1.0,),),
@@ -216,18 +223,19 @@ GOOD: dict[str, Callable[[], Any]] = {
     "inerter_rig.displacement": lambda: np.sin, "mode.values": lambda: "a", "Chirp.__call__.t": lambda: 0.1,
 }  # fmt: skip
 
+MODULES = ("analysis", "diagnosis", "fmu", "identification", "machines", "sweeps", "synthesis")
 CONSTRUCTED = {
-    ia.Network, ia.Sampled, ia.Record, ia.Design, ia.Polynomial, ia.Stepwise, ia.Variations, ia.StateSpace,
-    ia.RationalFunction, ia.PlanetaryGeometry, ia.RandomDisplacement, ia.Sinusoid, ia.Campaign, ia.Chirp,
-    ia.Multisine, ia.SineDwells, ia.Filter, ia.FMU,
+    ia.Network, ia.Sampled, Record, Design, ia.Polynomial, ia.Stepwise, ia.Variations, StateSpace,
+    RationalFunction, PlanetaryGeometry, RandomDisplacement, Sinusoid, Campaign, Chirp,
+    Multisine, SineDwells, Filter, ia.FMU,
 }  # fmt: skip
 INSTANCES: dict[type, Callable[[], Any]] = {
-    ia.Network: oscillator, ia.DAE: dae, ia.Result: run, ia.StateSpace: linear, ia.Record: record,
-    ia.Campaign: campaign, ia.Orbit: orbit, ia.ResponseCurve: lambda: ia.ResponseCurve([orbit()]),
-    ia.SteppedSine: stepped, ia.Stepwise: stepwise, ia.RationalFunction: line,
-    ia.Scatter: lambda: ia.Scatter(1.0, np.array([1.0, 2.0])), ia.Tuning: lambda: ia.Tuning(1.0, 0.1),
-    ia.Variations: lambda: ia.Variations(dae(), ["mass.s"], ["spring.k"]), ia.Norm: lambda: linear().h2(),
-    ia.Filter: lambda: ia.Filter(10.0),
+    ia.Network: oscillator, ia.DAE: dae, ia.Result: run, StateSpace: linear, Record: record,
+    Campaign: campaign, Orbit: orbit, ResponseCurve: lambda: ResponseCurve([orbit()]),
+    SteppedSine: stepped, ia.Stepwise: stepwise, RationalFunction: line,
+    Scatter: lambda: Scatter(1.0, np.array([1.0, 2.0])), Tuning: lambda: Tuning(1.0, 0.1),
+    ia.Variations: lambda: ia.Variations(dae(), ["mass.s"], ["spring.k"]), Norm: lambda: linear().h2(),
+    Filter: lambda: Filter(10.0),
 }  # fmt: skip
 OTHERS = {
     # made by the library alone, or without methods that take anything
@@ -240,10 +248,17 @@ OTHERS = {
 }  # fmt: skip
 
 
+def faces() -> dict[str, Any]:
+    """Return what the package and its modules show, by name."""
+    shown = {name: getattr(ia, name) for name in dir(ia)}
+    for module in map(shown.__getitem__, MODULES):
+        shown |= {name: getattr(module, name) for name in getattr(module, "__all__", dir(module))}
+    return shown
+
+
 def public() -> Iterator[tuple[str, Callable[..., Any]]]:
     """Yield every public function, constructor and method with its name."""
-    for name in dir(ia):
-        found = getattr(ia, name)
+    for name, found in faces().items():
         if name in OTHERS or inspect.ismodule(found) or not callable(found):
             continue
         if not inspect.isclass(found):
@@ -268,7 +283,7 @@ def call(name: str, function: Callable[..., Any], changed: str, value: Any) -> A
     instance = []
     for parameter in taken.values():
         if parameter.name == "self":
-            instance = [INSTANCES[getattr(ia, owner)]()]
+            instance = [next(make() for kind, make in INSTANCES.items() if kind.__name__ == owner)]
             continue
         good = value if parameter.name == changed else None
         if parameter.name != changed:
@@ -385,7 +400,7 @@ def test_a_bad_argument_is_refused(
 
 def elements() -> Iterator[tuple[str, type[ia.Component], Field]]:
     """Yield every parameter, option, input and start value of every component."""
-    for room in (ia, ia.rotational, ia.signals):
+    for room in (ia, ia.machines, ia.rotational, ia.signals):
         for name in dir(room):
             kind = getattr(room, name)
             if not (inspect.isclass(kind) and issubclass(kind, ia.Component)):

@@ -9,7 +9,11 @@ from pathlib import Path
 import inertance
 import pytest
 
-FACES = ["inertance", "inertance.networks"]
+FACES = [
+    "inertance",
+    "inertance.networks",
+    *(f"inertance.networks.{door}" for door in ("analysis", "machines", "sweeps", "synthesis")),
+]
 
 
 def stubbed(face: str) -> dict[str, str]:
@@ -17,7 +21,7 @@ def stubbed(face: str) -> dict[str, str]:
     place = Path(importlib.import_module(face).__file__ or "")
     tree = ast.parse(place.with_suffix(".pyi").read_text(encoding="utf-8"))
     return {
-        alias.asname or alias.name: f"{face}.{node.module}"
+        alias.asname or alias.name: ".".join(filter(None, (face, node.module)))
         for node in tree.body
         if isinstance(node, ast.ImportFrom)
         for alias in node.names
@@ -39,7 +43,13 @@ def test_a_star_import_gives_all() -> None:
 
 
 @pytest.mark.parametrize(
-    ("wrong", "meant"), [("Sprig", "Spring"), ("qarter_car", "quarter_car"), ("diagnos", "diagnose")]
+    ("wrong", "meant"),
+    [
+        ("Sprig", "Spring"),
+        ("qarter_car", "machines.quarter_car"),
+        ("Campaign", "identification.Campaign"),
+        ("diagnos", "diagnose"),
+    ],
 )
 def test_a_wrong_name_gets_the_nearest(wrong: str, meant: str) -> None:
     with pytest.raises(AttributeError, match=f"no '{wrong}'; did you mean '{meant}'?"):

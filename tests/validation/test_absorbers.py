@@ -6,19 +6,21 @@ from math import sqrt
 import inertance as ia
 import numpy as np
 import pytest
+from inertance.analysis import Tuning
+from inertance.machines import TMD, TMDI
 
 
-def with_tid(mu: float, tuning: ia.Tuning) -> ia.Network:
-    tid = ia.tid(tuning.stiffness(mu, 1.0), tuning.damping(mu, 1.0), mu)
-    return ia.shear_frame([1.0], [1.0], absorbers={(0, 1): tid})
+def with_tid(mu: float, tuning: Tuning) -> ia.Network:
+    tid = ia.machines.tid(tuning.stiffness(mu, 1.0), tuning.damping(mu, 1.0), mu)
+    return ia.machines.shear_frame([1.0], [1.0], absorbers={(0, 1): tid})
 
 
 def to_force(dae: ia.DAE, *, parameters: Mapping[str, float] | None = None) -> float:
-    return ia.linearise(dae, ["wind.f"], ["floor1.s"], parameters=parameters).hinf()
+    return ia.analysis.linearise(dae, ["wind.f"], ["floor1.s"], parameters=parameters).hinf()
 
 
 def to_ground(dae: ia.DAE, *, parameters: Mapping[str, float] | None = None) -> float:
-    return ia.linearise(dae, ["ground.s_ref"], ["storey1.s_rel"], parameters=parameters).hinf()
+    return ia.analysis.linearise(dae, ["ground.s_ref"], ["storey1.s_rel"], parameters=parameters).hinf()
 
 
 @pytest.mark.parametrize(
@@ -28,27 +30,27 @@ def to_ground(dae: ia.DAE, *, parameters: Mapping[str, float] | None = None) -> 
 def test_grounded_tid_is_a_tuned_mass(
     mu: float, fixed: float, peak: float, f: float, zeta: float, best: float
 ) -> None:
-    rule = ia.den_hartog(mu)
+    rule = ia.analysis.den_hartog(mu)
     frame = with_tid(mu, rule)
     assert to_force(frame.dae()) == pytest.approx(peak, abs=1e-5)
-    mass = ia.TMD(m=mu, k=rule.stiffness(mu, 1.0), d=rule.damping(mu, 1.0))
-    other = ia.shear_frame([1.0], [1.0], absorbers={(0, 1): mass})
+    mass = TMD(m=mu, k=rule.stiffness(mu, 1.0), d=rule.damping(mu, 1.0))
+    other = ia.machines.shear_frame([1.0], [1.0], absorbers={(0, 1): mass})
     assert to_force(other.dae()) == pytest.approx(peak, abs=1e-5)
     crossing = [
-        abs(ia.linearise(with_tid(mu, ia.Tuning(rule.f, z)), ["wind.f"], ["floor1.s"])(1j * w).item())
+        abs(ia.analysis.linearise(with_tid(mu, Tuning(rule.f, z)), ["wind.f"], ["floor1.s"])(1j * w).item())
         for z in (0.05, 0.3)
         for w in np.sqrt((1 + np.array([-1, 1]) * sqrt(mu / (2 + mu))) / (1 + mu))
     ]
     assert crossing == pytest.approx([fixed] * 4, abs=1e-4)
     bounds = {"absorber1.link.k": (0.5 * mu, mu), "absorber1.link.d": (0.01 * mu, mu)}
-    tuned = ia.tune(frame, to_force, bounds, start=_link(mu, rule), starts=1)
+    tuned = ia.analysis.tune(frame, to_force, bounds, start=_link(mu, rule), starts=1)
     assert tuned.value == pytest.approx(best, abs=1e-5)
     w = sqrt(tuned.parameters["absorber1.link.k"] / mu)
     assert w == pytest.approx(f, abs=1e-5)
     assert tuned.parameters["absorber1.link.d"] / (2 * mu * w) == pytest.approx(zeta, abs=2e-5)
 
 
-def _link(mu: float, rule: ia.Tuning) -> dict[str, float]:
+def _link(mu: float, rule: Tuning) -> dict[str, float]:
     return {"absorber1.link.k": rule.stiffness(mu, 1.0), "absorber1.link.d": rule.damping(mu, 1.0)}
 
 
@@ -57,12 +59,12 @@ def _link(mu: float, rule: ia.Tuning) -> dict[str, float]:
     [(0.01, 0.1, 0.920512, 0.159460, 1.738367), (0.05, 0.2, 0.825775, 0.230072, 1.447278)],
 )
 def test_tmdi_on_white_base(mu: float, beta: float, f: float, zeta: float, sigma: float) -> None:
-    rule = ia.tmdi_white_base(beta, mu)
+    rule = ia.analysis.tmdi_white_base(beta, mu)
     assert (rule.f, rule.zeta) == pytest.approx((f, zeta), abs=1e-6)
 
     def spread(k: float, d: float) -> float:
-        frame = ia.shear_frame([1.0], [1.0], absorbers={(0, 1): ia.TMDI(m=mu, k=k, d=d, b=beta)})
-        return ia.linearise(frame, ["der(der(ground.s_ref))"], ["storey1.s_rel"]).h2()
+        frame = ia.machines.shear_frame([1.0], [1.0], absorbers={(0, 1): TMDI(m=mu, k=k, d=d, b=beta)})
+        return ia.analysis.linearise(frame, ["der(der(ground.s_ref))"], ["storey1.s_rel"]).h2()
 
     k, d = rule.stiffness(mu + beta, 1.0), rule.damping(mu + beta, 1.0)
     assert spread(k, d) == pytest.approx(sigma, abs=1e-6)
@@ -71,25 +73,25 @@ def test_tmdi_on_white_base(mu: float, beta: float, f: float, zeta: float, sigma
 
 def test_tvmd_by_fixed_points() -> None:
     mu = 0.1
-    rule = ia.tvmd_fixed_points(mu)
+    rule = ia.analysis.tvmd_fixed_points(mu)
     assert (rule.f, rule.zeta) == pytest.approx((1.12702, 0.20558), abs=1e-5)
-    tvmd = ia.tvmd(rule.stiffness(mu, 1.0), rule.damping(mu, 1.0), mu)
-    frame = ia.shear_frame([1.0], [1.0], absorbers={(0, 1): tvmd})
+    tvmd = ia.machines.tvmd(rule.stiffness(mu, 1.0), rule.damping(mu, 1.0), mu)
+    frame = ia.machines.shear_frame([1.0], [1.0], absorbers={(0, 1): tvmd})
     assert to_ground(frame.dae()) == pytest.approx(4.1008, abs=5e-5)
     bounds = {"absorber1.spring.k": (0.05, 0.3), "absorber1.pair.damper.d": (0.01, 0.2)}
-    assert ia.tune(frame, to_ground, bounds).value == pytest.approx(4.0985, abs=5e-5)
+    assert ia.analysis.tune(frame, to_ground, bounds).value == pytest.approx(4.0985, abs=5e-5)
 
 
 def test_first_modes_of_a_taut_cable() -> None:
-    cable = ia.taut_cable(L=100.0, T=1e6, m=50.0, parts=60)
-    frequencies = [mode.frequency for mode in ia.linearise(cable).modes()[:3]]
+    cable = ia.machines.taut_cable(L=100.0, T=1e6, m=50.0, parts=60)
+    frequencies = [mode.frequency for mode in ia.analysis.linearise(cable).modes()[:3]]
     exact = [n / 200.0 * sqrt(1e6 / 50.0) for n in (1, 2, 3)]
     assert frequencies == pytest.approx(exact, rel=2e-3)
 
 
 def test_uniform_shear_frame_has_the_frequencies_of_the_textbook() -> None:
     n, w0 = 5, 30.0
-    frame = ia.shear_frame([1e3] * n, [1e3 * w0**2] * n)
-    found = [2 * np.pi * mode.frequency for mode in ia.linearise(frame).modes()]
+    frame = ia.machines.shear_frame([1e3] * n, [1e3 * w0**2] * n)
+    found = [2 * np.pi * mode.frequency for mode in ia.analysis.linearise(frame).modes()]
     exact = [2 * w0 * np.sin((2 * k - 1) * np.pi / (2 * (2 * n + 1))) for k in range(1, n + 1)]
     assert found == pytest.approx(exact, rel=1e-9)

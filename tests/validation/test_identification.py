@@ -7,6 +7,8 @@ from typing import Any
 import inertance as ia
 import numpy as np
 import pytest
+from inertance.identification import Campaign, Chirp, Fit, Multisine, Record
+from inertance.machines import RandomDisplacement, Sinusoid
 from scipy.signal import welch
 
 
@@ -16,7 +18,7 @@ def recorded(
     drive: ia.Sampled,
     driven: str,
     seen: dict[str, tuple[str, float]],
-) -> ia.Record:
+) -> Record:
     """Return what a network with other parameters shows: channel -> (path, noise)."""
     step = float(drive.time[1])
     run = net.simulate(
@@ -25,7 +27,7 @@ def recorded(
     at = np.searchsorted(run.time, drive.time + 1e-3 * step, side="right") - 1
     rng = np.random.default_rng(0)
     values = {name: run[path][at] + rng.normal(0, noise, len(at)) for name, (path, noise) in seen.items()}
-    return ia.Record("run", drive.time, {"u": drive.values, **values})
+    return Record("run", drive.time, {"u": drive.values, **values})
 
 
 def duffing() -> ia.Network:
@@ -40,12 +42,12 @@ TRUE_DUFFING = {"spring.k3": 1.08, "damper.d": 0.06}
 
 
 @pytest.fixture(scope="module")
-def chaos() -> Callable[..., ia.Fit]:
-    drive = ia.sampled(ia.Sinusoid(7.5, 1 / (2 * np.pi)), stop=45.0, rate=10.0)
+def chaos() -> Callable[..., Fit]:
+    drive = ia.identification.sampled(Sinusoid(7.5, 1 / (2 * np.pi)), stop=45.0, rate=10.0)
     record = recorded(duffing(), TRUE_DUFFING, drive, "push.f", {"x": ("mass.s", 0.02)})
 
-    def fitted(**entry: Any) -> ia.Fit:
-        campaign = ia.Campaign(
+    def fitted(**entry: Any) -> Fit:
+        campaign = Campaign(
             duffing(),
             channels={"u": {"input": "push.f", "unit": "N"}, "x": {"output": "mass.s", "unit": "m"}},
             parameters={"spring.k3": {"rel": 0.2}, "damper.d": {"rel": 0.5}},
@@ -57,7 +59,7 @@ def chaos() -> Callable[..., ia.Fit]:
     return fitted
 
 
-def test_multiple_shooting_follows_chaos_that_a_free_run_loses(chaos: Callable[..., ia.Fit]) -> None:
+def test_multiple_shooting_follows_chaos_that_a_free_run_loses(chaos: Callable[..., Fit]) -> None:
     lost, found = chaos(), chaos(shooting=3.0)
     assert abs(lost.values["spring.k3"] - 1.08) > 0.02
     for name, true in TRUE_DUFFING.items():
@@ -73,9 +75,9 @@ def resonator(k: float = 400.0) -> ia.Network:
 
 
 def test_a_multi_start_leaves_a_local_minimum() -> None:
-    drive = ia.sampled(ia.Chirp(1.0, 1.0, 8.0, 3.0), stop=3.0, rate=100.0)
+    drive = ia.identification.sampled(Chirp(1.0, 1.0, 8.0, 3.0), stop=3.0, rate=100.0)
     record = recorded(resonator(), {"spring.k": 1300.0}, drive, "push.f", {"x": ("mass.s", 1e-5)})
-    campaign = ia.Campaign(
+    campaign = Campaign(
         resonator(),
         channels={"u": {"input": "push.f", "unit": "N"}, "x": {"output": "mass.s", "unit": "m"}},
         parameters={"spring.k": {"min": 100.0, "max": 2500.0}},
@@ -106,9 +108,11 @@ def servo() -> ia.Network:
 
 def test_a_machine_in_a_closed_loop_is_fitted_with_its_controller() -> None:
     truth = {"mass.m": 2.3, "viscous.d": 8.0}
-    drive = ia.sampled(ia.Multisine(rms=0.01, low=0.5, high=8.0, period=3.0), stop=3.0, rate=200.0, fade=0.5)
+    drive = ia.identification.sampled(
+        Multisine(rms=0.01, low=0.5, high=8.0, period=3.0), stop=3.0, rate=200.0, fade=0.5
+    )
     record = recorded(servo(), truth, drive, "error.u1", {"x": ("mass.s", 1e-5), "F": ("law.y", 0.02)})
-    campaign = ia.Campaign(
+    campaign = Campaign(
         servo(),
         channels={"u": {"input": "error.u1"}, "x": {"output": "mass.s"}, "F": {"output": "law.y"}},
         parameters={"mass.m": {"rel": 0.3}, "viscous.d": {"rel": 0.6}},
@@ -122,7 +126,9 @@ def test_a_machine_in_a_closed_loop_is_fitted_with_its_controller() -> None:
 
 
 def test_a_filter_on_both_sides_keeps_out_what_the_model_does_not_hold() -> None:
-    drive = ia.sampled(ia.Multisine(rms=2.0, low=0.5, high=6.0, period=4.0), stop=4.0, rate=200.0, fade=0.5)
+    drive = ia.identification.sampled(
+        Multisine(rms=2.0, low=0.5, high=6.0, period=4.0), stop=4.0, rate=200.0, fade=0.5
+    )
     record = recorded(resonator(), {"spring.k": 430.0}, drive, "push.f", {"x": ("mass.s", 1e-5)})
     record.values["x"] += 2e-3 * np.sin(2 * np.pi * 50.0 * drive.time)
     entries: dict[str, Any] = {
@@ -131,21 +137,23 @@ def test_a_filter_on_both_sides_keeps_out_what_the_model_does_not_hold() -> None
         "train": [{"record": record, "initial": "rest"}],
         "noise": {"x": 1e-5},
     }
-    raw = ia.fit(ia.Campaign(resonator(), **entries))
-    clean = ia.fit(ia.Campaign(resonator(), **entries, stage=[{"filter": {"cutoff": 10.0, "order": 6}}]))
+    raw = ia.fit(Campaign(resonator(), **entries))
+    clean = ia.fit(Campaign(resonator(), **entries, stage=[{"filter": {"cutoff": 10.0, "order": 6}}]))
     assert clean.errors["spring.k"] < 0.1 * raw.errors["spring.k"]
     assert clean.values["spring.k"] == pytest.approx(430.0, rel=1e-3)
 
 
 def test_standard_errors_are_as_large_as_the_scatter() -> None:
     truth = {"spring.k": 430.0, "spring.d": 0.5}
-    drive = ia.sampled(ia.Multisine(rms=2.0, low=0.5, high=6.0, period=4.0), stop=4.0, rate=100.0, fade=0.5)
+    drive = ia.identification.sampled(
+        Multisine(rms=2.0, low=0.5, high=6.0, period=4.0), stop=4.0, rate=100.0, fade=0.5
+    )
     exact = recorded(resonator(), truth, drive, "push.f", {"x": ("mass.s", 0.0)})
     scores = []
     for seed in range(12):
         noise = np.random.default_rng(seed).normal(0, 2e-4, len(drive.time))
-        record = ia.Record("run", drive.time, {"u": drive.values, "x": exact.values["x"] + noise})
-        campaign = ia.Campaign(
+        record = Record("run", drive.time, {"u": drive.values, "x": exact.values["x"] + noise})
+        campaign = Campaign(
             resonator(),
             channels={"u": {"input": "push.f"}, "x": {"output": "mass.s"}},
             parameters={"spring.k": {"rel": 1.0}, "spring.d": {"rel": 3.0}},
@@ -160,7 +168,7 @@ def test_standard_errors_are_as_large_as_the_scatter() -> None:
 
 
 def test_the_random_displacement_has_the_spectrum_of_the_source() -> None:
-    drive = ia.sampled(ia.RandomDisplacement(seed=3, period=40.0), stop=40.0, rate=200.0)
+    drive = ia.identification.sampled(RandomDisplacement(seed=3, period=40.0), stop=40.0, rate=200.0)
     f, density = (np.asarray(v, dtype=float) for v in welch(drive.values[:-1], 200.0, nperseg=1600))
     inside = (f > 0.8) & (f < 14.5)
     assert np.mean(density[inside] * f[inside] ** 2) == pytest.approx(6.4e-6, rel=0.15)
@@ -168,7 +176,7 @@ def test_the_random_displacement_has_the_spectrum_of_the_source() -> None:
 
 
 def test_a_chirp_sweeps_evenly_from_low_to_high() -> None:
-    values = ia.sampled(ia.Chirp(2.0, 1.0, 9.0, 8.0), stop=8.0, rate=1000.0).values
+    values = ia.identification.sampled(Chirp(2.0, 1.0, 9.0, 8.0), stop=8.0, rate=1000.0).values
     rises = np.flatnonzero((values[:-1] < 0) & (values[1:] >= 0)) / 1000.0
     middles, rates = 0.5 * (rises[1:] + rises[:-1]), 1 / np.diff(rises)
     assert rates == pytest.approx(1.0 + middles, rel=0.03)

@@ -10,19 +10,9 @@ from functools import partial
 
 import numpy as np
 import pytest
-from inertance import (
-    Campaign,
-    CoulombFriction,
-    Damper,
-    Fixed,
-    Force,
-    Mass,
-    Network,
-    Record,
-    Spring,
-    Verdict,
-    diagnose,
-)
+from inertance import CoulombFriction, Damper, Fixed, Force, Mass, Network, Spring, diagnose
+from inertance.diagnosis import Verdict
+from inertance.identification import Campaign, Record
 from numpy.typing import NDArray
 from scipy.integrate import solve_ivp
 

@@ -5,17 +5,8 @@ Input `shaker.f` [N], outputs `carriage.s` [m] and `carriage.a` [m/s2]. Paths wh
 with the disk), `inerter.flywheel` (the disk against the frame); channels `u`, `s`, `a`.
 """
 
-from inertance import (
-    BallScrewInerter,
-    Damper,
-    DiskFlywheel,
-    Fixed,
-    Force,
-    Mass,
-    Network,
-    NutScrew,
-    Spring,
-)
+from inertance import Damper, DiskFlywheel, Fixed, Force, Mass, Network, NutScrew, Spring
+from inertance.machines import BallScrewInerter
 
 
 def build() -> Network:

@@ -115,7 +115,7 @@ def test_the_rate_of_a_speed_is_an_acceleration() -> None:
     net = ia.Network("free", mass=ia.Mass(m=1.0), push=ia.Force(f=1.0))
     run = net.connect(net.push.flange, net.mass.flange).simulate(0.1)
     assert (run.unit("der(mass.s)"), run.unit("der(mass.v)")) == ("m/s", "m/s2")
-    assert ia.weighted_rms(run, "der(mass.v)") == ia.weighted_rms(run, "mass.a")
+    assert ia.analysis.weighted_rms(run, "der(mass.v)") == ia.analysis.weighted_rms(run, "mass.a")
 
 
 def test_the_comfort_of_a_table_in_g_is_that_in_si(tmp_path: Path) -> None:
@@ -123,5 +123,5 @@ def test_the_comfort_of_a_table_in_g_is_that_in_si(tmp_path: Path) -> None:
     for unit, size in (("g", 1.0), ("m/s2", 9.80665)):
         rows = "\n".join(f"{0.01 * k},{size * (k % 7)}" for k in range(200))
         (tmp_path / "run.csv").write_text(f"time,a [{unit}]\n{rows}\n")
-        found.append(ia.weighted_rms(ia.Recorded(ia.load_table(tmp_path / "run.csv")), "a"))
+        found.append(ia.analysis.weighted_rms(ia.Recorded(ia.load_table(tmp_path / "run.csv")), "a"))
     assert found[0] == pytest.approx(found[1])

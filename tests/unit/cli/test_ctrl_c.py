@@ -144,7 +144,7 @@ def test_a_check_of_fmus_is_ended() -> None:
 
 
 def test_an_fmu_alone_is_ended() -> None:
-    ia.export_fmu(ia.quarter_car(ia.suspension("S1", k=60e3, d=2000.0)), "car.fmu")
+    ia.export_fmu(ia.machines.quarter_car(ia.machines.suspension("S1", k=60e3, d=2000.0)), "car.fmu")
     Path(MARK).touch()
     options = ["--stop", "1e6", "--step", "1e-2"]
     assert "interrupted" in interrupted(4.0, "fmu", "import-test", "car.fmu", *options)[1]

@@ -2,16 +2,16 @@
 
 from pathlib import Path
 
-import inertance as ia
 import pytest
 from inertance.cli import app, demo
+from inertance.machines import RandomDisplacement, Sinusoid
 from PIL import Image
 from typer.testing import CliRunner
 
 
 def test_demo_prints_tables_and_draws_pictures(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(demo, "TESTS", (ia.Sinusoid(0.01, 3.0), ia.Sinusoid(0.0015, 10.0)))
-    monkeypatch.setattr(demo, "RANDOM", (ia.RandomDisplacement(seed=1, period=2.0),))
+    monkeypatch.setattr(demo, "TESTS", (Sinusoid(0.01, 3.0), Sinusoid(0.0015, 10.0)))
+    monkeypatch.setattr(demo, "RANDOM", (RandomDisplacement(seed=1, period=2.0),))
     done = CliRunner().invoke(app, ["demo", "--out", str(tmp_path / "new")])
     assert done.exit_code == 0
     for told in ("9.752e-04 kg.m2", "385 kg", "0.802 kg", "17.7%", "10 mm, 3 Hz", "389.8"):

@@ -13,6 +13,7 @@ import numpy as np
 import pytest
 from inertance.cli import app
 from inertance.diagnosis import diagnose
+from inertance.fmu import FMUForce, FMUMotion
 from inertance.identification import Campaign, Multisine, Record, sampled
 from numpy.typing import NDArray
 from typer.testing import CliRunner
@@ -61,7 +62,7 @@ def campaign_on(
         "noise": {"x": NOISE * 1e3},
         "port": PORT,
     }
-    return Campaign(model, base=folder, reader=ia.read_model, **{**entries, **changed})
+    return Campaign(model, base=folder, reader=ia.diagnosis.read_model, **{**entries, **changed})
 
 
 def late(t: Array, x: Array) -> Array:
@@ -89,9 +90,9 @@ def test_friction_at_the_port_of_an_fmu(cart: Any, fmus: Path, tmp_path: Path) -
     assert found.parameters["spring.k"] == pytest.approx(820.0, rel=0.01)
     assert found.closed > 0.95
     assert any("inside of it" in note for note in found.notes)
-    assert ia.write_report(found, tmp_path / "gap.html").stat().st_size > 0
+    assert ia.diagnosis.write_report(found, tmp_path / "gap.html").stat().st_size > 0
     drive = found.evidence.campaign.testing[0].record
-    run = ia.cosimulate(
+    run = ia.fmu.cosimulate(
         found.corrected(), 1.0, communication_step=2e-3, inputs={"push.f": drive.sampled("F")}, halving=False
     )
     seen = np.interp(drive.time[:100], run.time, run["rig.s"])
@@ -131,7 +132,7 @@ def test_friction_at_a_free_port_of_an_fmu_on_a_table(tmp_path: Path) -> None:
         noise={"x": NOISE},
         port={"force": "free.f", "position": "mass.s", "velocity": "mass.v"},
         base=tmp_path,
-        reader=ia.read_model,
+        reader=ia.diagnosis.read_model,
     )
     found = diagnose(campaign)
     (placed,) = found.effects
@@ -156,7 +157,7 @@ def moved(fmu: Path) -> ia.Network:
     """Return the strut as an FMU, moved at its end."""
     net = ia.Network("bench", wall=ia.Fixed(), motion=ia.Position())
     net.add(
-        strut=ia.FMUForce(
+        strut=FMUForce(
             fmu,
             kind="CS",
             position="motion.s_ref",
@@ -192,7 +193,7 @@ def test_an_fmu_that_is_moved_and_gives_a_force(tmp_path: Path, is_file: bool) -
         noise={"F": 0.05},
         port=port if is_file else {},
         base=tmp_path,
-        reader=ia.read_model,
+        reader=ia.diagnosis.read_model,
     )
     found = diagnose(campaign)
     (placed,) = found.effects
@@ -205,7 +206,7 @@ def test_an_fmu_that_is_moved_and_gives_a_force(tmp_path: Path, is_file: bool) -
 def joined(fmu: Path, force: str = "push.f") -> ia.Network:
     """Return the rig as an FMU, pushed through a load cell."""
     net = ia.Network("bench", push=ia.Force(), cell=ia.ForceSensor())
-    net.add(body=ia.FMUMotion(fmu, kind="CS", force=force, position="carriage.s", velocity="carriage.v"))
+    net.add(body=FMUMotion(fmu, kind="CS", force=force, position="carriage.s", velocity="carriage.v"))
     net.connect(net.push.flange, net.cell.flange_a)
     return net.connect(net.cell.flange_b, net.body.flange)
 
@@ -219,7 +220,7 @@ def test_a_network_with_an_fmu_in_it(cart: Any, fmus: Path) -> None:
         train=[{"record": records[0], "initial": "rest"}],
         test=[{"record": records[1], "initial": "rest"}],
         noise={"x": NOISE},
-        reader=ia.read_model,
+        reader=ia.diagnosis.read_model,
     )
     found = diagnose(campaign)
     (placed,) = found.effects
@@ -234,7 +235,7 @@ def test_a_network_that_has_more_than_an_fmu(cart: Any, fmus: Path) -> None:
     net.add(more=ia.Mass(m=1.0)).connect(net.more.flange, net.body.flange)
     record = cart.measured(cart.rig(), 1)
     with pytest.raises(ia.ModelError, match=r"'push.f' is not one input of the network; .*put the rest"):
-        Campaign(net, CHANNELS, {}, [{"record": record, "initial": "rest"}], reader=ia.read_model)
+        Campaign(net, CHANNELS, {}, [{"record": record, "initial": "rest"}], reader=ia.diagnosis.read_model)
 
 
 WRONG: dict[str, tuple[dict[str, Any], str]] = {

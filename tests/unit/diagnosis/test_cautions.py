@@ -4,7 +4,6 @@ from collections.abc import Callable
 from dataclasses import replace
 from typing import Any
 
-import inertance as ia
 import numpy as np
 import pytest
 from inertance.cli.diagnose import show
@@ -13,6 +12,7 @@ from inertance.diagnosis.effects.effect import effect_of
 from inertance.diagnosis.effects.hypothesis import Hypothesis
 from inertance.diagnosis.effects.sites import Site
 from inertance.diagnosis.verdict.cautions import cautions
+from inertance.identification import Campaign, Record
 
 RIGS: dict[str, tuple[float, float]] = {"mm": (1e3, 1.0), "prior": (1.0, 0.05)}
 
@@ -25,8 +25,8 @@ def verdicts(carriage: Callable[..., Any]) -> dict[str, Verdict]:
     for name, (factor, share) in RIGS.items():
         truth = rig.rig(k=950.0)
         runs = [rig.measured(truth, seed) for seed in (1, 2)]
-        records = [ia.Record(r.name, r.time, {**r.values, "x": factor * r.values["x"]}) for r in runs]
-        campaign = ia.Campaign(
+        records = [Record(r.name, r.time, {**r.values, "x": factor * r.values["x"]}) for r in runs]
+        campaign = Campaign(
             rig.rig(),
             channels={"F": {"input": "push.f", "unit": "N"}, "x": {"output": "carriage.s", "unit": "m"}},
             parameters={"spring.k": {"rel": 0.2 * share}, "guide.d": {"rel": 0.3}},
@@ -81,7 +81,7 @@ def test_the_fitted_parameters_and_sites_of_one_motion_are_printed(
     assert "parameters" in told
     assert f"spring.k │ 800 │ {value:.5g} │ {value:.5g} │ N/m" in told
     rig = carriage(rate=100.0, duration=4.0, noise=2e-5)
-    rubbing = ia.Campaign(
+    rubbing = Campaign(
         rig.rig(),
         channels={"F": {"input": "push.f", "unit": "N"}, "x": {"output": "carriage.s", "unit": "m"}},
         parameters={"spring.k": {"rel": 0.2}},

@@ -6,18 +6,18 @@ from unittest.mock import patch
 import inertance as ia
 import numpy as np
 import pytest
-from inertance import ge_wang
 from inertance.diagnosis.effects.edits import edited
 from inertance.diagnosis.effects.effect import EFFECTS, Effect, Motion, Quantity, effect_of, register
 from inertance.diagnosis.effects.hypothesis import Hypothesis, driven, sensed
 from inertance.diagnosis.effects.sites import GROUND, Site, sites_of
 from inertance.diagnosis.models.probes import scaled
 from inertance.diagnosis.search.score_test import _forces
-from inertance.identification import Experiment, Record
+from inertance.identification import Campaign, Experiment, Record
+from inertance.machines import Sinusoid, ge_wang
 
 
 def rig() -> ia.Network:
-    return ia.inerter_rig(ge_wang.planetary_inerter(regularised=0.1), ia.Sinusoid(0.01, 3.0))
+    return ia.machines.inerter_rig(ge_wang.planetary_inerter(regularised=0.1), Sinusoid(0.01, 3.0))
 
 
 def cart() -> ia.Network:
@@ -84,7 +84,8 @@ def test_every_effect_fits_every_site_and_runs(kind: str) -> None:
         edits = effect.edits(scaled, "extra", values)
         run = edited(net, edits).simulate(0.05)
         assert np.isfinite(run["one.s"]).all()
-        scope = {"net": net.clone(), **{name: getattr(ia, name) for name in dir(ia)}}
+        scope = {"net": net.clone()}
+        exec("from inertance import *", scope)
         exec("\n".join(map(str, edits)), scope)
         again = scope["net"].simulate(0.05)
         assert again["one.s"] == pytest.approx(run["one.s"], abs=1e-12)
@@ -186,9 +187,9 @@ def test_the_drift_of_a_sensor_of_speed_is_an_acceleration() -> None:
     net = ia.Network("cart", push=ia.Force(), mass=ia.Mass(m=1.0))
     net.connect(net.push.flange, net.mass.flange)
     time = np.linspace(0.0, 1.0, 101)
-    record = ia.Record("run", time, {"F": np.sin(9 * time), "v": 1 - np.cos(9 * time)})
+    record = Record("run", time, {"F": np.sin(9 * time), "v": 1 - np.cos(9 * time)})
     channels = {"F": {"input": "push.f"}, "v": {"output": "mass.v", "unit": "km/h"}}
-    campaign = ia.Campaign(net, channels, {"mass.m": {"rel": 0.1}}, [{"record": record}])
+    campaign = Campaign(net, channels, {"mass.m": {"rel": 0.1}}, [{"record": record}])
     site = Site("v", "channel", "mass.v", "", frozenset({"channel"}))
     placed = Hypothesis(effect_of("sensor_drift"), site, "drift_1", {"rate": 0.1})
     assert placed.units(campaign) == {"rate": "m/s2"}

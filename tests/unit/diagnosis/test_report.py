@@ -27,6 +27,7 @@ from inertance.diagnosis.search.score_test import screen
 from inertance.diagnosis.verdict.localisation import located, shares
 from inertance.diagnosis.verdict.verdict import Evidence, Gap, Ranked, Verdict
 from inertance.identification import Accuracy, Campaign, Record
+from inertance.machines import Sinusoid
 
 RATE, NOISE, SECONDS = 200.0, 2e-4, 4.0
 SECTIONS = [
@@ -157,7 +158,7 @@ def jammed() -> Verdict:
 
 @pytest.fixture(scope="module")
 def page(verdict: Verdict, tmp_path_factory: pytest.TempPathFactory) -> Path:
-    return ia.write_report(verdict, tmp_path_factory.mktemp("report") / "gap.html")
+    return ia.diagnosis.write_report(verdict, tmp_path_factory.mktemp("report") / "gap.html")
 
 
 class Sections(HTMLParser):
@@ -243,7 +244,7 @@ def test_a_parameter_is_marked_from_where_the_verdict_says_it_moved(
 
 
 def test_site_within_parts_is_marked_at_every_depth(verdict: Verdict) -> None:
-    rig = ia.inerter_rig(ia.ge_wang.planetary_inerter(regularised=0.1), ia.Sinusoid(0.01, 3.0))
+    rig = ia.machines.inerter_rig(ia.machines.ge_wang.planetary_inerter(regularised=0.1), Sinusoid(0.01, 3.0))
     site = next(site for site in sites_of(rig) if site.path == "inerter.screw.friction")
     placed = Hypothesis(effect_of("viscous_damping"), site, "viscous_damping_1", {"d": 1e-3})
     drawn = list(drawings(replace(verdict, network=rig, effects=(placed,), where={})))
@@ -301,7 +302,9 @@ def test_gap_at_reversals_is_told_as_such(verdict: Verdict) -> None:
 
 @pytest.mark.parametrize("word", ["none", "parameters", "unknown"])
 def test_every_verdict_has_a_report(word: str, jammed: Verdict, tmp_path: Path) -> None:
-    text = ia.write_report(replace(jammed, verdict=word), tmp_path / "gap.html").read_text(encoding="utf-8")
+    text = ia.diagnosis.write_report(replace(jammed, verdict=word), tmp_path / "gap.html").read_text(
+        encoding="utf-8"
+    )
     read = Sections()
     read.feed(text)
     assert read.found == SECTIONS
@@ -311,7 +314,7 @@ def test_every_verdict_has_a_report(word: str, jammed: Verdict, tmp_path: Path) 
 def test_effect_on_a_channel_has_a_report(verdict: Verdict, tmp_path: Path) -> None:
     delay = next(c for c in verdict.evidence.screened if c.effect.kind == "sensor_delay")
     placed = Hypothesis(effect_of("sensor_delay"), delay.site, "sensor_delay_1", {"delay": 0.004})
-    text = ia.write_report(replace(verdict, effects=(placed,)), tmp_path / "gap.html").read_text(
+    text = ia.diagnosis.write_report(replace(verdict, effects=(placed,)), tmp_path / "gap.html").read_text(
         encoding="utf-8"
     )
     assert "# sensor_delay on channel x: delay = 0.004" in text

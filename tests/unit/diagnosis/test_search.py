@@ -10,7 +10,7 @@ from typing import Any
 import inertance as ia
 import numpy as np
 import pytest
-from inertance.diagnosis import Verdict, diagnose
+from inertance.diagnosis import DiagnosisInterruptedError, Verdict, diagnose
 from inertance.diagnosis.search.joint_fit import JointFit
 from inertance.identification import Campaign
 from numpy.typing import NDArray
@@ -64,14 +64,14 @@ def test_an_interrupted_diagnosis_states_no_verdict(cart: Any, tmp_path: Path, l
         if told.startswith(line):
             raise KeyboardInterrupt
 
-    with pytest.raises(ia.DiagnosisInterruptedError) as interrupted:
+    with pytest.raises(DiagnosisInterruptedError) as interrupted:
         verdict_on(cart, cart.rubbing(), report=interrupt)
     found = interrupted.value.verdict
     assert found.verdict == "interrupted"
     assert found.effects == ()
     assert "stopped before its end" in found.sentence
     assert json.loads(found.save(tmp_path / "v.json").read_text())["verdict"] == "interrupted"
-    page = ia.write_report(found, tmp_path / "v.html").read_text(encoding="utf-8")
+    page = ia.diagnosis.write_report(found, tmp_path / "v.html").read_text(encoding="utf-8")
     assert "Nothing yet: the diagnosis was stopped before its end" in page
 
 
@@ -86,7 +86,8 @@ def test_missing_friction_is_named_and_corrected(cart: Any, tmp_path: Path) -> N
     assert found.closed > 0.95
     assert found.confidence[0] > 0.9
     assert any("screening" in line for line in told)
-    scope = {"net": cart.rig(), **{name: getattr(ia, name) for name in dir(ia)}}
+    scope = {"net": cart.rig()}
+    exec("from inertance import *", scope)
     exec("\n".join(found.lines), scope)
     push = {"push.f": lambda t: 5 * np.sin(9 * t)}
     same = scope["net"].simulate(1.0, inputs=push)

@@ -11,6 +11,7 @@ from typing import Any
 import inertance as ia
 import numpy as np
 import pytest
+from inertance.fmu import CheckReport, Finding
 from inertance.fmu.check import agreement, derivatives, states
 from inertance.fmu.check import probe as probe_module
 from inertance.fmu.check.agreement import Reference, events_finding, modes_finding, outputs_finding
@@ -50,8 +51,8 @@ def exported(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 @pytest.mark.parametrize("version", ["2.0", "3.0"])
 def test_a_network_agrees_with_its_fmus(version: str) -> None:
-    told: list[ia.Finding] = []
-    report = ia.check_fmu(
+    told: list[Finding] = []
+    report = ia.fmu.check_fmu(
         ball(), 1.2, step=0.01, versions=[version], inputs={"push.f": 0.5}, found=told.append
     )
     assert report.passed, str(report)
@@ -65,7 +66,7 @@ def test_a_network_agrees_with_its_fmus(version: str) -> None:
 
 
 def test_a_file_is_held_against_itself(exported: Path) -> None:
-    report = ia.check_fmu(exported, isolated=False)
+    report = ia.fmu.check_fmu(exported, isolated=False)
     assert report.passed, str(report)
     assert report.of("FMI 3.0 CS", "outputs against ME").error < 1e-6  # type: ignore[operator]
     assert "1 event" in report.of("FMI 3.0 ME", "run").told
@@ -74,7 +75,7 @@ def test_a_file_is_held_against_itself(exported: Path) -> None:
 def test_a_wrong_derivative_is_found(exported: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     right = probe_module.Probe.directional
     monkeypatch.setattr(probe_module.Probe, "directional", lambda *given: right(*given) * 1.00001)
-    report = ia.check_fmu(exported, isolated=False)
+    report = ia.fmu.check_fmu(exported, isolated=False)
     found = report.of("FMI 3.0 ME", "directional derivatives")
     assert found.passed is False
     assert found.error == pytest.approx(1e-5, rel=0.01)
@@ -84,7 +85,7 @@ def test_a_wrong_derivative_is_found(exported: Path, monkeypatch: pytest.MonkeyP
 
 def test_a_state_that_is_not_restored_is_found(exported: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(probe_module.Probe, "restore_state", lambda probe, state: None)
-    report = ia.check_fmu(exported, isolated=False)
+    report = ia.fmu.check_fmu(exported, isolated=False)
     for kind in ("ME", "CS"):
         assert report.of(f"FMI 3.0 {kind}", "save and restore").passed is False
         assert report.of(f"FMI 3.0 {kind}", "reset equals fresh").passed is True
@@ -96,7 +97,7 @@ def test_another_network_is_found(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(
         "inertance.fmu.check.against_network.export_fmu", lambda dae, *a, **k: write(heavier.dae(), *a, **k)
     )
-    report = ia.check_fmu(ball(), 0.6, step=0.01, versions=["2.0"])
+    report = ia.fmu.check_fmu(ball(), 0.6, step=0.01, versions=["2.0"])
     assert not report.passed
     assert {f.check for f in report.failures if f.subject == "FMI 2.0 ME"} == {"outputs", "events"}
     assert {f.check for f in report.failures if f.subject == "FMI 2.0 CS"} == {"outputs", "events"}
@@ -147,7 +148,7 @@ def test_a_mode_may_differ_where_nothing_else_does() -> None:
 
 def test_nan_is_no_agreement() -> None:
     assert measured("it", "outputs", float("nan"), 1.0).passed is False
-    assert not ia.CheckReport("empty").passed
+    assert not CheckReport("empty").passed
 
 
 @pytest.mark.parametrize(
@@ -163,4 +164,4 @@ def test_nan_is_no_agreement() -> None:
 )
 def test_wrong_options_are_told(options: dict[str, Any], told: str) -> None:
     with pytest.raises(ia.ModelError, match=told):
-        ia.check_fmu(ball(), **options)
+        ia.fmu.check_fmu(ball(), **options)

@@ -13,7 +13,7 @@ MakeFMU = Callable[..., Path]
 
 
 def test_a_crash_is_a_finding(make_fmu: MakeFMU) -> None:
-    report = ia.check_fmu(make_fmu("body", "FAULT=1"), 0.2, step=0.01)
+    report = ia.fmu.check_fmu(make_fmu("body", "FAULT=1"), 0.2, step=0.01)
     assert not report.passed
     told = [f.told for f in report.failures if f.check in SECTIONS]
     assert told
@@ -21,23 +21,23 @@ def test_a_crash_is_a_finding(make_fmu: MakeFMU) -> None:
 
 
 def test_a_call_that_never_returns_is_a_finding(make_fmu: MakeFMU) -> None:
-    report = ia.check_fmu(make_fmu("body", "FAULT=4"), 0.2, step=0.01, timeout=2.0)
+    report = ia.fmu.check_fmu(make_fmu("body", "FAULT=4"), 0.2, step=0.01, timeout=2.0)
     assert any("did not end within 2 s" in f.told for f in report.failures)
 
 
 def test_a_model_that_returns_nan_is_a_finding(make_fmu: MakeFMU) -> None:
-    report = ia.check_fmu(make_fmu("body", "FAULT=5"), 0.2, step=0.01, isolated=False)
+    report = ia.fmu.check_fmu(make_fmu("body", "FAULT=5"), 0.2, step=0.01, isolated=False)
     assert any("nan" in f.told for f in report.failures)
 
 
 def test_sound_ones_pass(make_fmu: MakeFMU) -> None:
-    report = ia.check_fmu(make_fmu("ball"), 0.6, step=0.01, isolated=False)
+    report = ia.fmu.check_fmu(make_fmu("ball"), 0.6, step=0.01, isolated=False)
     runs = report.of("FMI 2.0 ME", "run")
     assert runs.passed, runs.told
 
 
 def test_an_fmu_may_end_the_run(make_fmu: MakeFMU) -> None:
-    report = ia.check_fmu(make_fmu("clock"), 1.5, step=0.01, isolated=False)
+    report = ia.fmu.check_fmu(make_fmu("clock"), 1.5, step=0.01, isolated=False)
     runs = report.of("FMI 2.0 ME", "run")
     assert runs.passed, runs.told
     assert "to 1 s, where the FMU ended it" in runs.told
@@ -47,4 +47,4 @@ def test_what_is_no_fmu_is_refused(tmp_path: Path) -> None:
     path = tmp_path / "broken.fmu"
     path.write_bytes(b"no archive")
     with pytest.raises(ia.FMUError, match="no sound zip archive"):
-        ia.check_fmu(path)
+        ia.fmu.check_fmu(path)

@@ -10,6 +10,7 @@ import fmpy
 import inertance as ia
 import numpy as np
 import pytest
+from inertance.machines import Sinusoid
 from inertance.networks import corners_as_modes
 
 needs_compiler = pytest.mark.skipif(
@@ -24,7 +25,7 @@ def rattle() -> ia.Network:
         wall=ia.Fixed(),
         play=ia.ElastoGap(k=1e8, d=1e3),
         mass=ia.Mass(m=1.0, s=1e-3),
-        shake=ia.Force(f=ia.Sinusoid(50.0, 5.0)),
+        shake=ia.Force(f=Sinusoid(50.0, 5.0)),
         spring=ia.Spring(k=1e4),
     )
     net.connect(net.wall.flange, net.play.flange_a, net.spring.flange_a)
@@ -62,7 +63,7 @@ def test_without_corners_nothing_is_done() -> None:
 @needs_compiler
 def test_an_integrator_outside_gets_through_a_clearance(tmp_path: Path) -> None:
     """CVODE needed 500 steps within a millisecond at corners of the inerter's meshes, and gave up."""
-    rig = ia.inerter_rig(ia.ge_wang.planetary_inerter(), ia.Sinusoid(0.005, 0.5)).dae()
+    rig = ia.machines.inerter_rig(ia.machines.ge_wang.planetary_inerter(), Sinusoid(0.005, 0.5)).dae()
     parts = "inerter.screw.contact", "inerter.flywheel.planet"
     start = {f"{part}.{x}": 0.0 for part in parts for x in ("s_rel", "v_rel")}
     path = ia.export_fmu(rig, tmp_path / "rig.fmu", start=start, outputs=["inerter.flange_a.f"])

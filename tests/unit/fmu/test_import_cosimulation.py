@@ -11,21 +11,16 @@ import pytest
 from inertance import (
     FMU,
     CoulombFriction,
-    CoupledRun,
     Fixed,
-    FMUBlock,
     FMUError,
-    FMUForce,
-    FMUMotion,
     Force,
-    ForeignRun,
     Mass,
     ModelError,
     Network,
     PositionSensor,
     SpringDamper,
-    cosimulate,
 )
+from inertance.fmu import CoupledRun, FMUBlock, FMUForce, FMUMotion, ForeignRun, cosimulate
 
 
 class Make(Protocol):

@@ -12,13 +12,9 @@ import numpy as np
 import pytest
 from inertance import (
     FMU,
-    Connection,
-    CoupledRun,
     Damper,
     Fixed,
     FMUError,
-    FMUForce,
-    FMUMotion,
     Force,
     HardStop,
     Mass,
@@ -26,11 +22,10 @@ from inertance import (
     Result,
     Spring,
     SpringDamper,
-    SystemStructure,
-    cosimulate,
     export_fmu,
     signals,
 )
+from inertance.fmu import Connection, CoupledRun, FMUForce, FMUMotion, SystemStructure, cosimulate
 
 ALL = [("2.0", "ME"), ("3.0", "ME"), ("3.0", "CS")]
 STEPS = (1e-2, 5e-3, 2.5e-3)

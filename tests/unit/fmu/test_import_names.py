@@ -12,7 +12,8 @@ from xml.sax.saxutils import quoteattr
 
 import fmpy
 import pytest
-from inertance import FMU, FMUError, Network, SystemStructure, export_fmu, read_ssp
+from inertance import FMU, FMUError, Network, export_fmu
+from inertance.fmu import SystemStructure, read_ssp
 
 TWO = (
     '<?xml version="1.0"?>\n<fmiModelDescription fmiVersion="2.0" modelName="m" guid="g">{faces}'

@@ -6,21 +6,8 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from inertance import (
-    FMU,
-    CoupledRun,
-    Fixed,
-    FMUError,
-    FMUForce,
-    FMUMotion,
-    FMURotation,
-    FMUTorque,
-    Mass,
-    Network,
-    SpringDamper,
-    cosimulate,
-    rotational,
-)
+from inertance import FMU, Fixed, FMUError, Mass, Network, SpringDamper, rotational
+from inertance.fmu import CoupledRun, FMUForce, FMUMotion, FMURotation, FMUTorque, cosimulate
 
 DRAG = """
 from pythonfmu import Fmi2Causality, Fmi2Slave, Fmi2Variability, Real

@@ -10,20 +10,8 @@ from typing import Any, Protocol
 
 import numpy as np
 import pytest
-from inertance import (
-    FMU,
-    Connection,
-    FMUBlock,
-    FMUError,
-    Force,
-    InertanceError,
-    Mass,
-    Network,
-    PositionSensor,
-    Sampled,
-    SystemStructure,
-    cosimulate,
-)
+from inertance import FMU, FMUError, Force, InertanceError, Mass, Network, PositionSensor, Sampled
+from inertance.fmu import Connection, FMUBlock, SystemStructure, cosimulate
 
 Edit = tuple[str, str]
 UNITS = "</UnitDefinitions>"

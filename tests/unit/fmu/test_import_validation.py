@@ -9,20 +9,10 @@ from typing import Any
 
 import numpy as np
 import pytest
-from inertance import (
-    FMU,
-    Campaign,
-    Fixed,
-    FMUError,
-    InertanceError,
-    Mass,
-    Network,
-    Record,
-    Spring,
-    export_fmu,
-    read_model,
-)
+from inertance import FMU, Fixed, FMUError, InertanceError, Mass, Network, Spring, export_fmu
 from inertance.cli import app
+from inertance.diagnosis import read_model
+from inertance.identification import Campaign, Record
 from typer.testing import CliRunner
 
 LATE = '<Annotations><Annotation type="org.tool">kept</Annotation></Annotations>'

@@ -55,7 +55,7 @@ def test_the_check_of_an_fmu_knows_shocks_through_contacts() -> None:
     net.add(stop=HardStop(s_min=-1.0), wall=Fixed())
     net.connect(net.wall.flange, net.stop.flange_a)
     net.connect(net.stop.flange_b, net.mass.flange)
-    assert ia.check_fmu(net).passed
+    assert ia.fmu.check_fmu(net).passed
 
 
 def given(path: Path, version: str, kind: str, columns: dict[str, Any]) -> float:

@@ -13,7 +13,9 @@ import numpy as np
 import pytest
 from fmpy.ssp.simulation import simulate_ssp
 from fmpy.ssp.ssd import read_ssd
-from inertance import Connection, FMUError, ModelError, Network, Split, SystemStructure, read_ssp, split
+from inertance import FMUError, ModelError, Network
+from inertance.fmu import Connection, FMUForce, Split, SystemStructure, read_ssp, split
+from inertance.machines import Sinusoid
 
 from .conftest import MakeFMU
 
@@ -52,7 +54,7 @@ def exported(cut: Split, folder: Path, version: str = "2.0") -> SystemStructure:
 
 @pytest.fixture(scope="module")
 def truth() -> ia.Result:
-    inputs = {"load.f": ia.Sinusoid(500.0, 10.0 / np.pi)}
+    inputs = {"load.f": Sinusoid(500.0, 10.0 / np.pi)}
     return car().simulate(STOP, step=0.01, start=START, inputs=inputs, rtol=1e-11, atol=1e-13)
 
 
@@ -169,17 +171,17 @@ def test_a_position_beside_its_rate_follows_it_in_a_network(
     cut_at_the_body: SystemStructure, truth: ia.Result, order: int, fall: float
 ) -> None:
     motion = "strut_flange_b.motion.s_ref"
-    wheel = ia.FMUForce(
+    wheel = FMUForce(
         cut_at_the_body.components["wheel"], position=motion, velocity=f"der({motion})",
         force="-strut_flange_b.sensor.f", kind="CS",
     )  # fmt: skip
     net = Network("body", wall=ia.Fixed(), wheel=wheel, body=ia.Mass(m=250.0, v=1.0), load=ia.Force())
     net.connect(net.wall.flange, net.wheel.flange_a)
     net.connect(net.wheel.flange_b, net.body.flange, net.load.flange)
-    inputs = {"load.f": ia.Sinusoid(500.0, 10.0 / np.pi)}
+    inputs = {"load.f": Sinusoid(500.0, 10.0 / np.pi)}
     found = []
     for step in (5e-3, 2.5e-3):
-        run = ia.cosimulate(
+        run = ia.fmu.cosimulate(
             net, STOP, communication_step=step, order=order, inputs=inputs, halving=False, rtol=1e-9
         )
         found.append(np.abs(np.interp(truth.time, run.time, run["body.s"]) - truth["body.s"]).max())

@@ -10,6 +10,7 @@ import inertance as ia
 import numpy as np
 import pytest
 from inertance.cli import app
+from inertance.identification import Campaign
 from typer.testing import CliRunner
 
 UNITS = {
@@ -79,7 +80,7 @@ def test_a_unit_is_the_same_through_every_door(
     monkeypatch.chdir(folder)
     factor = _foreign(make_fmu("spring"), folder, si, unit)
     channels = {"probe.u": {"input": "probe.u", "unit": unit}, "y": {"output": "probe.y"}}
-    campaign = ia.Campaign("rig.py:build", channels, {}, [{"file": "record.csv"}])
+    campaign = Campaign("rig.py:build", channels, {}, [{"file": "record.csv"}])
     assert campaign.training[0].record.values["probe.u"] == pytest.approx(factor * GIVEN)
     run = CliRunner().invoke(
         app, ["run", "rig.py:build", "--input", "input.csv", "--signals", "probe.y", "--out", "out.csv",

@@ -9,6 +9,8 @@ import inertance as ia
 import numpy as np
 import pytest
 from inertance.cli import app
+from inertance.identification import Campaign, Record
+from inertance.machines import Sinusoid
 from typer.testing import CliRunner
 
 BUILD = """    net = ia.Network("rig", table=ia.Position(), spring=ia.SpringDamper(k=1000.0, d=4.0), mass=ia.Mass(m=2.0))
@@ -272,13 +274,13 @@ def test_a_model_that_cannot_be_run_is_told_with_instant_and_state(folder: Path,
     assert " s" in done.output
 
 
-def recorded(frequency: float, until: float = 1.0) -> ia.Record:
+def recorded(frequency: float, until: float = 1.0) -> Record:
     model: dict[str, Callable[[], ia.Network]] = {}
     exec(MODEL, model)
-    drive = ia.sampled(ia.Sinusoid(2e-3, frequency), stop=until, rate=200.0, fade=0.3)
+    drive = ia.identification.sampled(Sinusoid(2e-3, frequency), stop=until, rate=200.0, fade=0.3)
     run = model["build"]().simulate(until, step=5e-3, inputs={"table.s_ref": drive})
     force = run["spring.f"] + np.random.default_rng(0).normal(0, 0.01, len(run.time))
-    return ia.Record("run", drive.time, {"x": drive.values, "F": force})
+    return Record("run", drive.time, {"x": drive.values, "F": force})
 
 
 def test_what_can_still_be_said_without_a_test_record_is_said(folder: Path) -> None:
@@ -296,12 +298,12 @@ def test_a_record_that_cannot_be_run_leaves_the_others_standing(folder: Path) ->
     exec(FAILING, source)
     quiet, wild = recorded(2.0), recorded(3.0)
     quiet.values["x"] *= 1e-2
-    campaign = ia.Campaign(
+    campaign = Campaign(
         source["build"](),
         channels={"x": {"input": "table.s_ref"}, "F": {"output": "spring.f"}},
         parameters={"spring.k": {"rel": 0.1}},
         train=[{"record": quiet, "initial": "rest"}],
-        test=[{"record": ia.Record("wild", wild.time, wild.values), "initial": "rest"}],
+        test=[{"record": Record("wild", wild.time, wild.values), "initial": "rest"}],
     )
     found = ia.fit(campaign, solver="rosenbrock")
     assert found.values["spring.k"] > 0

@@ -7,6 +7,8 @@ import inertance as ia
 import numpy as np
 import pytest
 from inertance.cli import app
+from inertance.identification import Campaign, Filter, Multisine, SineDwells
+from inertance.machines import Sinusoid
 from typer.testing import CliRunner
 
 MODEL = """
@@ -36,7 +38,7 @@ F = 0.01
 
 
 def rows(frequency: float = 2.0, rate: float = 200.0) -> list[tuple[float, float, float]]:
-    drive = ia.sampled(ia.Sinusoid(2e-3, frequency), stop=1.0, rate=rate, fade=0.3)
+    drive = ia.identification.sampled(Sinusoid(2e-3, frequency), stop=1.0, rate=rate, fade=0.3)
     model: dict[str, Callable[[], ia.Network]] = {}
     exec(MODEL, model)
     inputs = {"table.s_ref": drive}
@@ -66,13 +68,13 @@ def test_all_problems_are_told_at_once(folder: Path) -> None:
     text = CAMPAIGN.replace("rel = 0.1", "rel = 0.0").replace("F = 0.01", "G = 1.0").replace('"mm"', '"lbf"')
     (folder / "campaign.toml").write_text(text)
     with pytest.raises(ia.ModelError) as told:
-        ia.Campaign.load(folder / "campaign.toml")
+        Campaign.load(folder / "campaign.toml")
     assert len(told.value.problems) >= 3
 
 
 def test_a_campaign_in_si_units_with_notes_on_rates(folder: Path) -> None:
     write(folder / "test.csv", rows(3.0, 100.0))
-    campaign = ia.Campaign.load(folder / "campaign.toml")
+    campaign = Campaign.load(folder / "campaign.toml")
     record = campaign.training[0].record
     assert record.values["x"].max() == pytest.approx(2e-3, rel=0.05)
     assert record.rate == pytest.approx(200.0)
@@ -83,7 +85,7 @@ def test_a_campaign_in_si_units_with_notes_on_rates(folder: Path) -> None:
 def test_small_jitter_is_evened_out_and_told(folder: Path) -> None:
     jitter = np.random.default_rng(0).uniform(-3e-4, 3e-4, len(ROWS))
     write(folder / "train.csv", [(t + j, x, f) for (t, x, f), j in zip(ROWS, jitter, strict=True)])
-    campaign = ia.Campaign.load(folder / "campaign.toml")
+    campaign = Campaign.load(folder / "campaign.toml")
     assert any("jitter" in note for note in campaign.notes)
     assert np.ptp(np.diff(campaign.training[0].record.time)) < 1e-12
 
@@ -102,7 +104,7 @@ def test_other_formats_hold_the_same(folder: Path, ending: str) -> None:
     else:
         pd.DataFrame({"time": time, "x": x, "F": force}).to_parquet(path)
     (folder / "campaign.toml").write_text(CAMPAIGN.replace("train.csv", path.name))
-    record = ia.Campaign.load(folder / "campaign.toml").training[0].record
+    record = Campaign.load(folder / "campaign.toml").training[0].record
     assert record.values["x"] == pytest.approx(1e-3 * x)
     assert record.values["F"] == pytest.approx(force)
 
@@ -110,14 +112,14 @@ def test_other_formats_hold_the_same(folder: Path, ending: str) -> None:
 def test_noise_is_estimated_from_the_spectrum_and_from_repeats(folder: Path) -> None:
     text = CAMPAIGN[: CAMPAIGN.index("[noise]")]
     (folder / "campaign.toml").write_text(text)
-    floor = ia.Campaign.load(folder / "campaign.toml").floors["F"]
+    floor = Campaign.load(folder / "campaign.toml").floors["F"]
     assert floor.source == "spectrum"
     assert floor.sigma == pytest.approx(0.01, rel=0.25)
     again = np.random.default_rng(5).normal(0, 0.01 * 2**0.5, len(ROWS))
     write(folder / "again.csv", [(t, x, f + n) for (t, x, f), n in zip(ROWS, again, strict=True)])
     repeat = '[[train]]\nfile = "again.csv"\nrepeat_of = "train.csv"\n'
     (folder / "campaign.toml").write_text(text + repeat)
-    floor = ia.Campaign.load(folder / "campaign.toml").floors["F"]
+    floor = Campaign.load(folder / "campaign.toml").floors["F"]
     assert floor.source == "repeats"
     assert floor.sigma == pytest.approx(0.01, rel=0.25)
 
@@ -125,13 +127,13 @@ def test_noise_is_estimated_from_the_spectrum_and_from_repeats(folder: Path) -> 
 def test_a_filter_delays_nothing() -> None:
     t = np.arange(0, 10, 1e-3)
     slow, fast = np.sin(2 * np.pi * 0.2 * t), np.sin(2 * np.pi * 5 * t)
-    passed = ia.Filter(cutoff=1.0, order=6).apply(slow + fast, rate=1000.0)
+    passed = Filter(cutoff=1.0, order=6).apply(slow + fast, rate=1000.0)
     assert np.abs(passed - slow)[2000:-2000].max() < 1e-3
 
 
 def test_a_multisine_is_flat_in_its_band_and_of_low_crest() -> None:
-    signal = ia.Multisine(rms=1.0, low=1.0, high=20.0, period=10.0)
-    values = ia.sampled(signal, stop=10.0, rate=200.0).values[:-1]
+    signal = Multisine(rms=1.0, low=1.0, high=20.0, period=10.0)
+    values = ia.identification.sampled(signal, stop=10.0, rate=200.0).values[:-1]
     amplitude = 2 * np.abs(np.fft.rfft(values)) / len(values)
     assert amplitude[10:201] == pytest.approx(amplitude[10], rel=1e-6)
     assert np.abs(np.r_[amplitude[:10], amplitude[201:]]).max() < 1e-9
@@ -140,8 +142,8 @@ def test_a_multisine_is_flat_in_its_band_and_of_low_crest() -> None:
 
 
 def test_dwells_begin_and_end_at_rest() -> None:
-    dwells = ia.SineDwells((1.0, 0.5), (2.0, 4.0), cycles=5)
-    values = ia.sampled(dwells, stop=dwells.duration, rate=1000.0).values
+    dwells = SineDwells((1.0, 0.5), (2.0, 4.0), cycles=5)
+    values = ia.identification.sampled(dwells, stop=dwells.duration, rate=1000.0).values
     assert values[0] == 0.0
     assert abs(values[2500]) < 1e-9
     assert np.abs(np.diff(values, 3)).max() < 1e-4

@@ -7,7 +7,16 @@ from typing import Any
 import inertance as ia
 import numpy as np
 import pytest
-from inertance.identification import CampaignModel, Optimum, Prior, uncertainty
+from inertance.identification import (
+    Campaign,
+    CampaignModel,
+    Fit,
+    Multisine,
+    Optimum,
+    Prior,
+    Record,
+    uncertainty,
+)
 from numpy.typing import NDArray
 from scipy.integrate import solve_ivp
 from scipy.interpolate import CubicSpline
@@ -31,7 +40,7 @@ def measured(
     k: float = 440.0,
     k3: float = 0.0,
     times: dict[str, float] | None = None,
-) -> ia.Record:
+) -> Record:
     """Return a record of the rig, computed by SciPy; `times` multiplies columns."""
     rng = np.random.default_rng(seed)
     t = np.arange(int(RATE * LENGTH) + 1) / RATE
@@ -46,18 +55,18 @@ def measured(
 
     run = solve_ivp(rates, (0, t[-1]), [0.01, 0.1], t_eval=t, rtol=1e-8, atol=1e-10, max_step=1e-2)
     columns = {"F": force, "x": run.y[0] + NOISE * rng.normal(size=len(t))}
-    return ia.Record(f"run {seed}", t, {n: v * (times or {}).get(n, 1.0) for n, v in columns.items()})
+    return Record(f"run {seed}", t, {n: v * (times or {}).get(n, 1.0) for n, v in columns.items()})
 
 
-def fitted(*, priors: Any = None, channels: Any = None, entries: Any = None, **how: Any) -> ia.Fit:
-    campaign = ia.Campaign(
+def fitted(*, priors: Any = None, channels: Any = None, entries: Any = None, **how: Any) -> Fit:
+    campaign = Campaign(
         model(), channels or CHANNELS, priors or PRIORS,
         train=[{"record": measured(1, **how)}], test=[{"record": measured(2, **how)}], **(entries or {}),
     )  # fmt: skip
     return ia.fit(campaign)
 
 
-def told(fit: ia.Fit, *words: str) -> bool:
+def told(fit: Fit, *words: str) -> bool:
     return any(all(word in warning for word in words) for warning in fit.warnings)
 
 
@@ -117,7 +126,7 @@ def test_a_unit_is_named_as_the_campaign_of_files_has_it(tmp_path: Path) -> None
         'x = { output = "mass.s", unit = "mm" }\n[parameters]\n"spring.k" = { rel = 0.2 }\n'
         '"spring.d" = { rel = 0.5 }\n[[train]]\nfile = "1.csv"\n[[test]]\nfile = "2.csv"\n'
     )
-    found = ia.fit(ia.Campaign.load(tmp_path / "c.toml"))
+    found = ia.fit(Campaign.load(tmp_path / "c.toml"))
     assert told(found, "x is likely in m, not in mm")
     stored = json.loads(found.to_json(tmp_path / "fit.json").read_text())
     assert stored["suspects"][0]["told"]
@@ -130,7 +139,9 @@ def test_outputs_that_are_exchanged_are_named() -> None:
     net.add(a=ia.SpringDamper(k=300.0, d=4.0), b=ia.SpringDamper(k=100.0, d=2.0))
     net.connect(net.wall.flange, net.a.flange_a).connect(net.a.flange_b, net.one.flange, net.b.flange_a)
     net.connect(net.b.flange_b, net.two.flange, net.push.flange)
-    drive = ia.sampled(ia.Multisine(rms=5.0, low=0.5, high=4.0, period=5.0), stop=5.0, rate=100.0, fade=0.5)
+    drive = ia.identification.sampled(
+        Multisine(rms=5.0, low=0.5, high=4.0, period=5.0), stop=5.0, rate=100.0, fade=0.5
+    )
     run = net.simulate(5.0, step=0.01, inputs={"push.f": drive})
     scatter = np.random.default_rng(0).normal(0, 1e-5, (2, len(run.time)))
     columns = {"F": drive.values, "x1": run["two.s"] + scatter[0], "x2": run["one.s"] + scatter[1]}
@@ -140,7 +151,7 @@ def test_outputs_that_are_exchanged_are_named() -> None:
         "x2": {"output": "two.s", "unit": "m"},
     }
     priors = {"a.k": {"rel": 0.1}, "b.k": {"rel": 0.1}}
-    found = ia.fit(ia.Campaign(net, channels, priors, [{"record": ia.Record("run", drive.time, columns)}]))
+    found = ia.fit(Campaign(net, channels, priors, [{"record": Record("run", drive.time, columns)}]))
     assert told(found, "x1 and x2 are likely exchanged")
 
 
@@ -174,7 +185,7 @@ def test_noise_that_was_stated_ten_times_wrong_is_told(stated: float, words: str
 
 def test_a_test_record_of_another_machine_is_told() -> None:
     train, test = [{"record": measured(1)}], [{"record": measured(2, k=600.0)}]
-    found = ia.fit(ia.Campaign(model(), CHANNELS, PRIORS, train, test))
+    found = ia.fit(Campaign(model(), CHANNELS, PRIORS, train, test))
     assert told(found, "run 2: x: this test record is missed by", "what was fitted does not hold there")
     assert not told(found, "the model lacks something")
 
@@ -183,51 +194,51 @@ def test_the_record_that_spoils_a_fit_is_named() -> None:
     train = [{"record": measured(n, k=520.0 if n == 3 else 440.0)} for n in range(1, 8)]
     stiff = {"spring.k": {"min": 430.0, "max": 450.0}, "spring.d": {"rel": 0.5}}
     net = model().with_values(spring=ia.SpringDamper(k=440.0, d=4.0))
-    found = ia.fit(ia.Campaign(net, CHANNELS, stiff, train))
+    found = ia.fit(Campaign(net, CHANNELS, stiff, train))
     assert told(found, "x: the fit leaves", "most of it in run 3")
 
 
 def test_a_record_that_is_fitted_twice_is_refused() -> None:
     one = measured(1)
-    twin = ia.Record("its twin", one.time, dict(one.values))
+    twin = Record("its twin", one.time, dict(one.values))
     with pytest.raises(ia.ModelError, match=r"\[\[train\]\] 2: 'its twin' is also \[\[train\]\] 1"):
-        ia.Campaign(model(), CHANNELS, PRIORS, [{"record": one}, {"record": twin}])
+        Campaign(model(), CHANNELS, PRIORS, [{"record": one}, {"record": twin}])
     halves = [{"record": one, "window": [0.0, 2.5]}, {"record": one, "window": [2.5, 5.0]}]
-    assert len(ia.Campaign(model(), CHANNELS, PRIORS, halves).training) == 2
+    assert len(Campaign(model(), CHANNELS, PRIORS, halves).training) == 2
     whole: list[dict[str, Any]] = [{"record": one}, {"record": one, "window": [2.5, 5.0]}]
     apart = [{"train": [1], "parameters": ["spring.k"]}, {"train": [2], "parameters": ["spring.d"]}]
-    assert len(ia.Campaign(model(), CHANNELS, PRIORS, whole, stage=apart).stages) == 2
+    assert len(Campaign(model(), CHANNELS, PRIORS, whole, stage=apart).stages) == 2
 
 
 def test_a_sensor_that_sticks_on_the_way_is_told_and_one_that_is_dead_refused() -> None:
     run = measured(1)
     late = run.time > 3.0
-    stuck = ia.Record(
+    stuck = Record(
         "run", run.time, {**run.values, "x": np.where(late, run.values["x"][300], run.values["x"])}
     )
-    notes = ia.Campaign(model(), CHANNELS, PRIORS, [{"record": stuck}]).notes
+    notes = Campaign(model(), CHANNELS, PRIORS, [{"record": stuck}]).notes
     assert any("'x' repeats one value from 3 to 5 s" in note for note in notes)
-    coarse = ia.Record("run", run.time, {**run.values, "x": np.round(run.values["x"], 2)})
-    assert not ia.Campaign(model(), CHANNELS, PRIORS, [{"record": coarse}]).notes
-    dead = ia.Record("run", run.time, {**run.values, "x": np.full(len(run.time), 0.2)})
+    coarse = Record("run", run.time, {**run.values, "x": np.round(run.values["x"], 2)})
+    assert not Campaign(model(), CHANNELS, PRIORS, [{"record": coarse}]).notes
+    dead = Record("run", run.time, {**run.values, "x": np.full(len(run.time), 0.2)})
     with pytest.raises(ia.ModelError, match=r"'x' is 0\.2 throughout; is the sensor connected"):
-        ia.Campaign(model(), CHANNELS, PRIORS, [{"record": dead}])
+        Campaign(model(), CHANNELS, PRIORS, [{"record": dead}])
 
 
 def test_an_input_that_jumps_between_samples_is_told_and_may_be_taken_as_linear() -> None:
     run = measured(1)
-    jumps = ia.Record("run", run.time, {**run.values, "F": np.sign(np.sin(9 * run.time))})
-    notes = ia.Campaign(model(), CHANNELS, PRIORS, [{"record": jumps}]).notes
+    jumps = Record("run", run.time, {**run.values, "F": np.sign(np.sin(9 * run.time))})
+    notes = Campaign(model(), CHANNELS, PRIORS, [{"record": jumps}]).notes
     assert any(
         "'F': it jumps within one sample" in note and "interpolation='linear'" in note for note in notes
     )
     linear = {**CHANNELS, "F": {**CHANNELS["F"], "interpolation": "linear"}}
-    campaign = ia.Campaign(model(), linear, PRIORS, [{"record": jumps}])
+    campaign = Campaign(model(), linear, PRIORS, [{"record": jumps}])
     assert not campaign.notes
     stand = CampaignModel(campaign.dae, campaign.measured, campaign.training).stands[0]
     assert stand.inputs["push.f"].interpolation == "linear"
     with pytest.raises(ia.ModelError, match="interpolation is 'cubic' or 'linear', got 'spline'"):
-        ia.Campaign(
+        Campaign(
             model(), {**linear, "F": {**CHANNELS["F"], "interpolation": "spline"}}, PRIORS, [{"record": run}]
         )
 
@@ -238,7 +249,7 @@ def test_two_parameters_that_act_as_one_are_told() -> None:
     net.connect(net.a.flange_a, net.b.flange_a, net.damper.flange_a)
     net.connect(net.a.flange_b, net.b.flange_b, net.damper.flange_b, net.mass.flange, net.push.flange)
     priors = {"a.k": {"rel": 0.2}, "b.k": {"rel": 0.2}}
-    found = ia.fit(ia.Campaign(net, CHANNELS, priors, [{"record": measured(1)}]))
+    found = ia.fit(Campaign(net, CHANNELS, priors, [{"record": measured(1)}]))
     assert told(found, "a.k and b.k move against each other")
     assert sum(found.values[name] for name in priors) == pytest.approx(440.0, rel=1e-3)
 

@@ -7,6 +7,7 @@ from typing import Any
 
 import inertance as ia
 import pytest
+from inertance.identification import Campaign
 
 
 def load_example() -> Any:
@@ -39,7 +40,7 @@ def test_the_published_parameters_lie_within_three_standard_errors() -> None:
         "offset.f_constant": {"min": -20.0, "max": 20.0},
     }
     train = [{"file": str(FILE), "window": [0.0, 7.0]}]
-    found = ia.fit(ia.Campaign(network, channels, parameters, train, stage=[{"channels": ["vir"]}]))
+    found = ia.fit(Campaign(network, channels, parameters, train, stage=[{"channels": ["vir"]}]))
     published = (emps.PUBLISHED.m, emps.PUBLISHED.d, emps.PUBLISHED.f_c, -emps.PUBLISHED.f_0)
     for name, value in zip(parameters, published, strict=True):
         assert abs(found.values[name] - value) < 3 * found.errors[name]

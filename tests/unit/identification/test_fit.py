@@ -8,6 +8,8 @@ from typing import Any
 import inertance as ia
 import numpy as np
 import pytest
+from inertance.identification import Campaign, Chirp, Fit, FitInterruptedError, Multisine, Record
+from inertance.machines import Sinusoid
 
 TRUTH = {"spring.k": 1100.0, "spring.d": 5.0, "rub.friction.f_c": 0.9}
 PARAMETERS = {
@@ -31,48 +33,48 @@ def rig() -> ia.Network:
     return net
 
 
-def measured(signal: Any, name: str, noise: float = 0.05, seed: int = 0, pulled: float = 0.0) -> ia.Record:
-    drive = ia.sampled(signal, stop=2.0, rate=250.0, fade=0.3)
+def measured(signal: Any, name: str, noise: float = 0.05, seed: int = 0, pulled: float = 0.0) -> Record:
+    drive = ia.identification.sampled(signal, stop=2.0, rate=250.0, fade=0.3)
     run = rig().simulate(
         2.0, step=4e-3, inputs={"table.s_ref": drive}, parameters=TRUTH, start={"mass.s": pulled}
     )
     at = np.searchsorted(run.time, drive.time + 1e-6, side="right") - 1
     scatter = np.random.default_rng(seed).normal(0, noise, len(at))
-    return ia.Record(name, drive.time, {"x": drive.values, "F": run["spring.f"][at] + scatter})
+    return Record(name, drive.time, {"x": drive.values, "F": run["spring.f"][at] + scatter})
 
 
-def campaign(**entries: Any) -> ia.Campaign:
-    train = [{"record": measured(ia.Multisine(rms=2e-3, low=0.5, high=8.0, period=2.0), "noise")}]
-    test = [{"record": measured(ia.Chirp(4e-3, 0.5, 6.0, 2.0), "chirp", seed=1)}]
-    return ia.Campaign(rig(), CHANNELS, PARAMETERS, **{"train": train, "test": test, **entries})
+def campaign(**entries: Any) -> Campaign:
+    train = [{"record": measured(Multisine(rms=2e-3, low=0.5, high=8.0, period=2.0), "noise")}]
+    test = [{"record": measured(Chirp(4e-3, 0.5, 6.0, 2.0), "chirp", seed=1)}]
+    return Campaign(rig(), CHANNELS, PARAMETERS, **{"train": train, "test": test, **entries})
 
 
 @pytest.fixture(scope="module")
-def done() -> ia.Fit:
+def done() -> Fit:
     return ia.fit(campaign())
 
 
-def test_values_lie_within_three_standard_errors_of_the_truth(done: ia.Fit) -> None:
+def test_values_lie_within_three_standard_errors_of_the_truth(done: Fit) -> None:
     for name, true in TRUTH.items():
         assert abs(done.values[name] - true) < 3 * done.errors[name]
         assert done.errors[name] < 0.02 * true
     assert not done.warnings
 
 
-def test_the_test_record_is_met_down_to_its_noise(done: ia.Fit) -> None:
+def test_the_test_record_is_met_down_to_its_noise(done: Fit) -> None:
     test = done.comparisons[-1]
     assert test.tested
     assert test.rms("F", test.before) > 0.2
     assert test.rms("F", test.after) == pytest.approx(0.05, rel=0.1)
 
 
-def test_the_network_of_a_fit_carries_its_values(done: ia.Fit) -> None:
+def test_the_network_of_a_fit_carries_its_values(done: Fit) -> None:
     values = done.network.dae().parameter_values
     assert {name: values[name] for name in TRUTH} == done.values
     assert rig().dae().parameter_values["spring.k"] == 1000.0
 
 
-def test_a_fit_tells_in_a_table_in_json_and_in_a_picture(done: ia.Fit, tmp_path: Path) -> None:
+def test_a_fit_tells_in_a_table_in_json_and_in_a_picture(done: Fit, tmp_path: Path) -> None:
     assert "spring.k" in done.table()
     told = json.loads(done.to_json(tmp_path / "fit.json").read_text())
     assert told["parameters"]["spring.k"]["value"] == done.values["spring.k"]
@@ -80,8 +82,8 @@ def test_a_fit_tells_in_a_table_in_json_and_in_a_picture(done: ia.Fit, tmp_path:
 
 
 def test_offset_and_start_are_found_with_the_parameters() -> None:
-    record = measured(ia.Chirp(4e-3, 0.5, 6.0, 2.0), "pulled", pulled=5e-3)
-    shifted = ia.Record("shifted", record.time, {"x": record.values["x"], "F": record.values["F"] + 1.5})
+    record = measured(Chirp(4e-3, 0.5, 6.0, 2.0), "pulled", pulled=5e-3)
+    shifted = Record("shifted", record.time, {"x": record.values["x"], "F": record.values["F"] + 1.5})
     found = ia.fit(campaign(train=[{"record": shifted, "offset": ["F"]}], test=[]))
     for name, true in TRUTH.items():
         assert abs(found.values[name] - true) < 3.5 * found.errors[name]
@@ -106,25 +108,25 @@ def test_multiple_shooting_finds_the_same() -> None:
 
 def test_motion_is_predicted_from_force_when_the_source_is_exchanged() -> None:
     record = campaign().training[0].record
-    drive = ia.sampled(ia.Sinusoid(1.0, 2.0), stop=2.0, rate=250.0, fade=0.3)
+    drive = ia.identification.sampled(Sinusoid(1.0, 2.0), stop=2.0, rate=250.0, fade=0.3)
     pushed = rig().with_values(table=ia.Force())
     pushed.add(bar=ia.Mass(m=1.0))
     pushed.connect(pushed.bar.flange, pushed.table.flange)
     run = pushed.simulate(2.0, step=4e-3, inputs={"table.f": drive}, parameters=TRUTH)
     at = np.searchsorted(run.time, drive.time + 1e-6, side="right") - 1
     noise = np.random.default_rng(0).normal(0, 1e-5, len(at))
-    record = ia.Record("pushed", drive.time, {"F": drive.values, "x": run["bar.s"][at] + noise})
+    record = Record("pushed", drive.time, {"F": drive.values, "x": run["bar.s"][at] + noise})
     channels = {"F": {"input": "table.f"}, "x": {"output": "bar.s"}}
-    found = ia.fit(ia.Campaign(pushed, channels, PARAMETERS, train=[{"record": record, "initial": "rest"}]))
+    found = ia.fit(Campaign(pushed, channels, PARAMETERS, train=[{"record": record, "initial": "rest"}]))
     for name, true in TRUTH.items():
         assert abs(found.values[name] - true) < 3.5 * found.errors[name]
 
 
 def test_what_the_records_do_not_show_is_said() -> None:
     net = rig().with_values(spring=ia.SpringDamper(k=1100.0, d=5.0))
-    record = measured(ia.Sinusoid(2e-3, 0.5), "slow", noise=1.0)
+    record = measured(Sinusoid(2e-3, 0.5), "slow", noise=1.0)
     parameters = {"spring.d": {"rel": 0.3}, "mass.m": {"rel": 0.1}}
-    found = ia.fit(ia.Campaign(net, CHANNELS, parameters, train=[{"record": record}]))
+    found = ia.fit(Campaign(net, CHANNELS, parameters, train=[{"record": record}]))
     assert any("spring.d: the records say next to nothing" in warning for warning in found.warnings)
 
 
@@ -152,7 +154,7 @@ def test_ctrl_c_keeps_the_best_until_then() -> None:
         if count == 3:
             raise KeyboardInterrupt
 
-    with pytest.raises(ia.FitInterruptedError) as interrupted:
+    with pytest.raises(FitInterruptedError) as interrupted:
         ia.fit(campaign(test=[]), report=interrupt)
     found = interrupted.value.fit
     assert found.interrupted
@@ -171,7 +173,7 @@ def test_variations_agree_with_differences_of_runs(kind: str) -> None:
     dae = net.dae()
     names = ["spring.k", "spring.d", "rub.friction.f_c", "mass.m"]
     options: dict[str, Any] = {
-        "inputs": {"table.s_ref": ia.Sinusoid(0.004, 2.0)},
+        "inputs": {"table.s_ref": Sinusoid(0.004, 2.0)},
         "step": 2e-3,
         "progress": False,
     }
@@ -193,7 +195,7 @@ def test_variations_agree_with_differences_of_runs(kind: str) -> None:
 
 def test_a_start_that_follows_no_parameter_may_be_given() -> None:
     dae = rig().dae()
-    run = ia.simulate(dae, 0.1, inputs={"table.s_ref": ia.Sinusoid(0.004, 2.0)}, progress=False)
+    run = ia.simulate(dae, 0.1, inputs={"table.s_ref": Sinusoid(0.004, 2.0)}, progress=False)
     states = len(dae.state_names)
     slopes = ia.Variations(dae, ["spring.f"], []).along(run, np.zeros((states, 0)))
     assert slopes.shape == (len(run.time), 1, states)

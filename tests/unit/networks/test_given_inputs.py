@@ -26,9 +26,9 @@ from inertance import (
     parameter,
     series,
     simulate,
-    suspension,
 )
-from inertance import quarter_car as ready_car
+from inertance.machines import quarter_car as ready_car
+from inertance.machines import suspension
 
 SOLVERS = ("cvodes", "idas", "rosenbrock", "compiled")
 

@@ -5,11 +5,11 @@ from math import pi, sqrt
 import inertance as ia
 import numpy as np
 import pytest
-from inertance import ge_wang
+from inertance.machines import BallScrewInerter, RackPinionInerter, RandomDisplacement, Sinusoid, ge_wang
 
 
-def ball_screw() -> ia.BallScrewInerter:
-    return ia.BallScrewInerter(screw=ia.NutScrew(lead=0.02), flywheel=ia.DiskFlywheel(m=2.0, R=0.1))
+def ball_screw() -> BallScrewInerter:
+    return BallScrewInerter(screw=ia.NutScrew(lead=0.02), flywheel=ia.DiskFlywheel(m=2.0, R=0.1))
 
 
 BALL_SCREW = (2 * pi / 0.02) ** 2 * 0.01
@@ -19,7 +19,7 @@ BALL_SCREW = (2 * pi / 0.02) ** 2 * 0.01
     ("inerter", "b"),
     [
         (ball_screw(), BALL_SCREW),
-        (ia.RackPinionInerter(pinion=ia.RackPinion(R=0.02), flywheel=ia.DiskFlywheel(m=2.0, R=0.1)), 25.0),
+        (RackPinionInerter(pinion=ia.RackPinion(R=0.02), flywheel=ia.DiskFlywheel(m=2.0, R=0.1)), 25.0),
         (ge_wang.ideal_inerter(), ge_wang.B),
     ],
 )
@@ -58,14 +58,14 @@ def test_inerter_in_two_terminal_algebra() -> None:
 
 def test_housing_keeps_the_torque() -> None:
     """The support takes what the flywheel is given."""
-    run = ia.run_on_rig(ge_wang.planetary_inerter(regularised=0.1), ia.Sinusoid(0.01, 3.0), 0.5)
+    run = ia.machines.run_on_rig(ge_wang.planetary_inerter(regularised=0.1), Sinusoid(0.01, 3.0), 0.5)
     inner = run["inerter.flywheel.bracket.a"] * (ge_wang.GEARS["J_s"] + 4 * ge_wang.GEARS["J_r"])
     inner -= 4 * ge_wang.GEARS["J_p"] * run["inerter.flywheel.planet.a_p"]
     assert run["inerter.support.tau"] == pytest.approx(inner, abs=1e-6 * np.abs(inner).max())
 
 
 def test_power_goes_into_motion_contacts_and_friction() -> None:
-    run = ia.run_on_rig(ge_wang.planetary_inerter(lumped=False), ia.Sinusoid(0.01, 3.0), 0.5)
+    run = ia.machines.run_on_rig(ge_wang.planetary_inerter(lumped=False), Sinusoid(0.01, 3.0), 0.5)
     screw, bracket = "inerter.screw.", "inerter.flywheel.bracket."
     flows = [
         ge_wang.SCREW["m_r"] * run[f"{screw}nut.a"] * run[f"{screw}nut.v"],
@@ -88,18 +88,18 @@ def test_power_goes_into_motion_contacts_and_friction() -> None:
 
 def test_many_reversals_in_random_motion() -> None:
     """Screw and planets that come to rest within a tolerance, and break away from rest by a hair."""
-    run = ia.run_on_rig(ge_wang.planetary_inerter(), ia.RandomDisplacement(seed=0), 2.0, step=1e-3)
+    run = ia.machines.run_on_rig(ge_wang.planetary_inerter(), RandomDisplacement(seed=0), 2.0, step=1e-3)
     assert run.time[-1] == 2.0
     assert 100 < len(run.events) < 200
-    smooth = ia.run_on_rig(
-        ge_wang.planetary_inerter(regularised=0.05), ia.RandomDisplacement(seed=0), 2.0, step=1e-3
+    smooth = ia.machines.run_on_rig(
+        ge_wang.planetary_inerter(regularised=0.05), RandomDisplacement(seed=0), 2.0, step=1e-3
     )
     force = np.interp(smooth.time, run.time, run["inerter.flange_a.f"])
     assert force == pytest.approx(smooth["inerter.flange_a.f"], abs=5e-3 * np.ptp(force))
 
 
 def test_parts_that_must_be_given_are_told_by_path() -> None:
-    inerter = ia.BallScrewInerter(screw=ia.NutScrew(lead=0.01))
-    net = ia.inerter_rig(inerter, ia.Sinusoid(0.01, 1.0))
+    inerter = BallScrewInerter(screw=ia.NutScrew(lead=0.01))
+    net = ia.machines.inerter_rig(inerter, Sinusoid(0.01, 1.0))
     with pytest.raises(ia.ModelError, match=r"DiskFlywheel 'inerter\.flywheel': m \[kg\]"):
         net.dae()

@@ -3,7 +3,7 @@
 import inertance as ia
 import numpy as np
 import pytest
-from inertance import ge_wang
+from inertance.machines import Sinusoid, ge_wang
 
 
 def oscillator() -> ia.Network:
@@ -40,7 +40,7 @@ def test_a_copy_carries_what_was_inserted_and_the_original_does_not_change() -> 
 
 
 def test_at_a_port_deep_inside() -> None:
-    rig = ia.inerter_rig(ge_wang.disk_inerter(regularised=0.1), ia.Sinusoid(0.01, 3.0))
+    rig = ia.machines.inerter_rig(ge_wang.disk_inerter(regularised=0.1), Sinusoid(0.01, 3.0))
     loose = rig.clone()
     loose.insert(loose.inerter.screw.flange_t, play=ia.Backlash(k=1e8, d=1e4, eps=1e-4))
     run = loose.simulate(0.5)

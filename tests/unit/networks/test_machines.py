@@ -6,51 +6,63 @@ from typing import Any
 import inertance as ia
 import numpy as np
 import pytest
+from inertance.machines import (
+    TMD,
+    TMDI,
+    BallScrewInerter,
+    BilinearDamper,
+    BumpStop,
+    DigressiveDamper,
+    PitchingBody,
+    PlanetaryFlywheelInerter,
+    RackPinionInerter,
+    RigidBody,
+)
 from numpy.typing import NDArray
 
 Array = NDArray[np.float64]
-STRUT = ia.suspension("S8", 20e3, 1200.0, 80.0, k_b=1e5, k_1=2e3, k_2=1e3)
+STRUT = ia.machines.suspension("S8", 20e3, 1200.0, 80.0, k_b=1e5, k_1=2e3, k_2=1e3)
 STOPPED = ia.parallel(
     spring=ia.Spring(k=15e3),
-    damper=ia.BilinearDamper(d_c=600.0, d_r=1800.0),
-    stop=ia.BumpStop(k=50e3, k3=1e9, s_min=-0.01, s_max=0.02),
+    damper=BilinearDamper(d_c=600.0, d_r=1800.0),
+    stop=BumpStop(k=50e3, k3=1e9, s_min=-0.01, s_max=0.02),
     inerter=ia.Inerter(b=30.0),
 )
-DIGRESSIVE = ia.parallel(ia.Spring(k=15e3), ia.DigressiveDamper(d=3e3, d_h=400.0, v_k=0.1))
+DIGRESSIVE = ia.parallel(ia.Spring(k=15e3), DigressiveDamper(d=3e3, d_h=400.0, v_k=0.1))
 DISK = ia.DiskFlywheel(m=0.5, R=0.05)
 ABSORBERS: dict[tuple[int, int], ia.Component] = {
-    (0, 1): ia.tid(3e4, 300.0, 200.0),
-    (1, 2): ia.tvmd(3e4, 300.0, 100.0),
-    (1, 3): ia.TMDI(m=50.0, k=5e3, d=100.0, b=80.0),
-    (0, 3): ia.TMD(m=40.0, k=6e3, d=90.0),
+    (0, 1): ia.machines.tid(3e4, 300.0, 200.0),
+    (1, 2): ia.machines.tvmd(3e4, 300.0, 100.0),
+    (1, 3): TMDI(m=50.0, k=5e3, d=100.0, b=80.0),
+    (0, 3): TMD(m=40.0, k=6e3, d=90.0),
 }
 MACHINES: dict[str, Callable[[], ia.Network]] = {
     **{
-        f"quarter car {layout}": lambda layout=layout: ia.quarter_car(  # type: ignore[misc]
-            ia.suspension(layout, 60e3, 2600.0, 100.0, k_b=2e5, k_1=5e3, k_2=2e3)
+        f"quarter car {layout}": lambda layout=layout: ia.machines.quarter_car(  # type: ignore[misc]
+            ia.machines.suspension(layout, 60e3, 2600.0, 100.0, k_b=2e5, k_1=5e3, k_2=2e3)
         )
         for layout in (f"S{n}" for n in range(1, 9))
     },
-    "half car": lambda: ia.half_car(STRUT.clone(), DIGRESSIVE.clone()),
-    "full car": lambda: ia.full_car(STRUT.clone(), STOPPED.clone()),
-    "seat": lambda: ia.seat_in_cab(STOPPED.clone(), STRUT.clone()),
-    "frame": lambda: ia.shear_frame(
+    "half car": lambda: ia.machines.half_car(STRUT.clone(), DIGRESSIVE.clone()),
+    "full car": lambda: ia.machines.full_car(STRUT.clone(), STOPPED.clone()),
+    "seat": lambda: ia.machines.seat_in_cab(STOPPED.clone(), STRUT.clone()),
+    "frame": lambda: ia.machines.shear_frame(
         [1e3] * 3, [1.5e6] * 3, [2e3] * 3, {at: a.clone() for at, a in ABSORBERS.items()}
     ),
-    "cable": lambda: ia.taut_cable(50.0, 1e6, 20.0, 8, ia.tvmd(1e5, 1e3, 50.0)),
-    "isolated machine": lambda: ia.isolated_machine(STRUT.clone()),
-    "ball screw": lambda: ia.isolated_machine(
+    "cable": lambda: ia.machines.taut_cable(50.0, 1e6, 20.0, 8, ia.machines.tvmd(1e5, 1e3, 50.0)),
+    "isolated machine": lambda: ia.machines.isolated_machine(STRUT.clone()),
+    "ball screw": lambda: ia.machines.isolated_machine(
         ia.parallel(
-            ia.SpringDamper(k=1e4, d=200.0), ia.BallScrewInerter(screw=ia.NutScrew(lead=0.02), flywheel=DISK)
+            ia.SpringDamper(k=1e4, d=200.0), BallScrewInerter(screw=ia.NutScrew(lead=0.02), flywheel=DISK)
         )
     ),
-    "rack and pinion": lambda: ia.isolated_machine(
+    "rack and pinion": lambda: ia.machines.isolated_machine(
         ia.parallel(
-            ia.SpringDamper(k=1e4, d=200.0), ia.RackPinionInerter(pinion=ia.RackPinion(R=0.01), flywheel=DISK)
+            ia.SpringDamper(k=1e4, d=200.0), RackPinionInerter(pinion=ia.RackPinion(R=0.01), flywheel=DISK)
         )
     ),
-    "planetary": lambda: ia.isolated_machine(
-        ia.parallel(ia.SpringDamper(k=1e4, d=200.0), ia.ge_wang.ideal_inerter())
+    "planetary": lambda: ia.machines.isolated_machine(
+        ia.parallel(ia.SpringDamper(k=1e4, d=200.0), ia.machines.ge_wang.ideal_inerter())
     ),
 }
 DRIVEN = {"cable": "wind.f", "half car": "front_road.s_ref", "full car": "front_left_road.s_ref"}
@@ -77,13 +89,13 @@ def stored(run: ia.Result, path: str, part: Any) -> Any:
     if isinstance(part, ia.DiskFlywheel):
         return 0.25 * part.m * part.R**2 * run[f"{path}.w"] ** 2
     if isinstance(part, ia.IdealPlanetaryFlywheel):
-        return 0.5 * ia.ge_wang.J_E * run[f"{path}.w"] ** 2
-    if isinstance(part, ia.PitchingBody):
+        return 0.5 * ia.machines.ge_wang.J_E * run[f"{path}.w"] ** 2
+    if isinstance(part, PitchingBody):
         return 0.5 * part.m * run[f"{path}.v"] ** 2 + 0.5 * part.J * run[f"{path}.q"] ** 2
-    if isinstance(part, ia.RigidBody):
+    if isinstance(part, RigidBody):
         turning = part.J_x * run[f"{path}.p"] ** 2 + part.J_y * run[f"{path}.q"] ** 2
         return 0.5 * (part.m * run[f"{path}.v"] ** 2 + turning)
-    if isinstance(part, ia.BumpStop):
+    if isinstance(part, BumpStop):
         e = np.maximum(run[f"{path}.s_rel"] - part.s_max, 0) + np.minimum(
             run[f"{path}.s_rel"] - part.s_min, 0
         )
@@ -99,7 +111,7 @@ def lost(run: ia.Result, path: str, part: Any) -> Any:
     """Power that an element loses [W]."""
     if isinstance(part, ia.SpringDamper):
         return _number(run, path, part, "d") * run[f"{path}.v_rel"] ** 2
-    if isinstance(part, ia.Damper | ia.BilinearDamper | ia.DigressiveDamper):
+    if isinstance(part, ia.Damper | BilinearDamper | DigressiveDamper):
         return run[f"{path}.f"] * run[f"{path}.v_rel"]
     return 0.0
 
@@ -129,41 +141,43 @@ def test_energy_is_kept(name: str) -> None:
     assert all(np.min(lost(run, *part)) >= -1e-9 for part in parts)
 
 
-def real() -> ia.PlanetaryFlywheelInerter:
-    return ia.ge_wang.planetary_inerter()
+def real() -> PlanetaryFlywheelInerter:
+    return ia.machines.ge_wang.planetary_inerter()
 
 
 def real_strut() -> Any:
-    return ia.suspension("S8", 20e3, 1200.0, real(), k_b=1e5, k_1=2e3, k_2=1e3)
+    return ia.machines.suspension("S8", 20e3, 1200.0, real(), k_b=1e5, k_1=2e3, k_2=1e3)
 
 
 WITH_REAL_INERTERS: dict[str, Callable[[], ia.Network]] = {
     **{
-        f"quarter car {layout}": lambda layout=layout: ia.quarter_car(  # type: ignore[misc]
-            ia.suspension(layout, 60e3, 2600.0, real(), k_b=2e5, k_1=5e3, k_2=2e3)
+        f"quarter car {layout}": lambda layout=layout: ia.machines.quarter_car(  # type: ignore[misc]
+            ia.machines.suspension(layout, 60e3, 2600.0, real(), k_b=2e5, k_1=5e3, k_2=2e3)
         )
         for layout in (f"S{n}" for n in range(3, 9))
     },
-    "half car": lambda: ia.half_car(real_strut(), real_strut()),
-    "full car": lambda: ia.full_car(real_strut(), real_strut()),
-    "seat": lambda: ia.seat_in_cab(real_strut(), real_strut()),
-    "TID": lambda: framed(ia.tid(3e4, 300.0, real())),
-    "TVMD": lambda: framed(ia.tvmd(3e4, 300.0, real())),
-    "TMDI": lambda: framed(ia.TMDI(m=50.0, k=5e3, d=100.0, inerter=real())),
-    "cable": lambda: ia.taut_cable(50.0, 1e6, 20.0, 8, ia.tvmd(1e5, 1e3, real())),
-    "isolator": lambda: ia.isolated_machine(ia.parallel(ia.SpringDamper(k=1e4, d=200.0), real())),
-    "isolator in series": lambda: ia.isolated_machine(ia.series(ia.SpringDamper(k=1e4, d=200.0), real())),
+    "half car": lambda: ia.machines.half_car(real_strut(), real_strut()),
+    "full car": lambda: ia.machines.full_car(real_strut(), real_strut()),
+    "seat": lambda: ia.machines.seat_in_cab(real_strut(), real_strut()),
+    "TID": lambda: framed(ia.machines.tid(3e4, 300.0, real())),
+    "TVMD": lambda: framed(ia.machines.tvmd(3e4, 300.0, real())),
+    "TMDI": lambda: framed(TMDI(m=50.0, k=5e3, d=100.0, inerter=real())),
+    "cable": lambda: ia.machines.taut_cable(50.0, 1e6, 20.0, 8, ia.machines.tvmd(1e5, 1e3, real())),
+    "isolator": lambda: ia.machines.isolated_machine(ia.parallel(ia.SpringDamper(k=1e4, d=200.0), real())),
+    "isolator in series": lambda: ia.machines.isolated_machine(
+        ia.series(ia.SpringDamper(k=1e4, d=200.0), real())
+    ),
 }
 
 
 def framed(absorber: ia.Component) -> ia.Network:
-    return ia.shear_frame([1e3] * 3, [1.5e6] * 3, [2e3] * 3, {(0, 2): absorber})
+    return ia.machines.shear_frame([1e3] * 3, [1.5e6] * 3, [2e3] * 3, {(0, 2): absorber})
 
 
 def inerters(component: ia.Component, path: str = "") -> Iterator[str]:
     for name, part in component._parts.items():
         inner = f"{path}.{name}" if path else name
-        if isinstance(part, ia.PlanetaryFlywheelInerter):
+        if isinstance(part, PlanetaryFlywheelInerter):
             yield inner
         yield from inerters(part, inner)
 
@@ -183,44 +197,46 @@ def test_any_composition_takes_a_real_inerter(name: str) -> None:
         moved = max(moved, got.max())
         assert got.min() >= -0.02 * got.max()
     assert moved > 1e-6
-    assert np.isfinite(ia.linearise(net).A).all()
+    assert np.isfinite(ia.analysis.linearise(net).A).all()
 
 
 @pytest.mark.parametrize("layout", [f"S{n}" for n in range(3, 9)])
 def test_a_real_inerter_stands_where_an_ideal_one_does(layout: str) -> None:
-    ideal = ia.ge_wang.ideal_inerter()
+    ideal = ia.machines.ge_wang.ideal_inerter()
     cars = [
-        ia.quarter_car(ia.suspension(layout, 60e3, 2600.0, b, k_b=2e5, k_1=5e3, k_2=2e3))
-        for b in (ia.ge_wang.B, ideal)
+        ia.machines.quarter_car(ia.machines.suspension(layout, 60e3, 2600.0, b, k_b=2e5, k_1=5e3, k_2=2e3))
+        for b in (ia.machines.ge_wang.B, ideal)
     ]
-    assert ia.ride_j1(cars[1]) == pytest.approx(ia.ride_j1(cars[0]), rel=1e-9)
+    assert ia.analysis.ride_j1(cars[1]) == pytest.approx(ia.analysis.ride_j1(cars[0]), rel=1e-9)
 
 
 def test_a_rough_planetary_inerter_sticks_at_rest() -> None:
-    car = ia.quarter_car(ia.suspension("S4", 60e3, 3200.0, ia.ge_wang.planetary_inerter()))
-    system = ia.linearise(car, ["road.s_ref"], ["body.v"])
+    car = ia.machines.quarter_car(
+        ia.machines.suspension("S4", 60e3, 3200.0, ia.machines.ge_wang.planetary_inerter())
+    )
+    system = ia.analysis.linearise(car, ["road.s_ref"], ["body.v"])
     assert any("'stuck'" in note for note in system.notes)
 
 
 def test_layouts_and_floors_that_are_wrong_are_told() -> None:
     with pytest.raises(ia.ModelError, match="S1, S2"):
-        ia.suspension("S9", 1.0, 1.0)
+        ia.machines.suspension("S9", 1.0, 1.0)
     with pytest.raises(ia.ModelError, match="there are 0 to 1"):
-        ia.shear_frame([1.0], [1.0], absorbers={(0, 2): ia.tid(1.0, 1.0, 1.0)})
+        ia.machines.shear_frame([1.0], [1.0], absorbers={(0, 2): ia.machines.tid(1.0, 1.0, 1.0)})
     with pytest.raises(ia.ModelError, match="beads 1 to 19"):
-        ia.taut_cable(1.0, 1.0, 1.0, at=20)
+        ia.machines.taut_cable(1.0, 1.0, 1.0, at=20)
 
 
 def test_full_car_heaves_pitches_and_rolls() -> None:
     strut = ia.SpringDamper(k=20e3, d=1500.0)
-    car = ia.full_car(strut, strut.clone())
-    assert len(ia.linearise(car).states) == 14
+    car = ia.machines.full_car(strut, strut.clone())
+    assert len(ia.analysis.linearise(car).states) == 14
     left = {f"{axle}_left_road.s_ref": 0.01 for axle in ("front", "rear")}
-    rolled = ia.operating_point(
+    rolled = ia.analysis.operating_point(
         car.dae(), inputs=left | {f"{a}_right_road.s_ref": 0.0 for a in ("front", "rear")}
     )
     assert rolled.values["body.s"] == pytest.approx(0.005, rel=1e-9)
     assert rolled.values["body.phi"] == pytest.approx(0.01 / 1.4, rel=1e-9)
     front = {f"front_{side}_road.s_ref": 0.01 for side in ("left", "right")}
-    pitched = ia.operating_point(car.dae(), inputs=front)
+    pitched = ia.analysis.operating_point(car.dae(), inputs=front)
     assert pitched.values["body.theta"] == pytest.approx(-0.01 / 2.5, rel=1e-9)

@@ -10,6 +10,7 @@ import inertance as ia
 import numpy as np
 import pytest
 from inertance.cli import app
+from inertance.identification import Multisine
 from inertance.networks import UserCodeError, load_model
 from typer.testing import CliRunner
 
@@ -79,8 +80,8 @@ def campaign(folder: Path, source: str) -> Path:
     net.connect(net.rail.flange_b, net.mass.flange)
     t = np.linspace(0.0, 2.0, 201)
     for number in (1, 2):
-        drive = ia.sampled(
-            ia.Multisine(rms=5.0, low=0.5, high=8.0, period=2.0, seed=number), 2.0, 100.0, fade=0.5
+        drive = ia.identification.sampled(
+            Multisine(rms=5.0, low=0.5, high=8.0, period=2.0, seed=number), 2.0, 100.0, fade=0.5
         )
         seen = net.simulate(2.0, inputs={"push.f": drive}, step=0.01, parameters={"spring.k": 820.0})
         x = np.interp(t, seen.time, seen["mass.s"]) + np.random.default_rng(number).normal(0, 1e-4, len(t))
@@ -127,9 +128,9 @@ def test_a_sweep_imports_what_stands_beside_a_model(
     name = written(tmp_path / "version 1.0", source)
     model = name if given == "by name" else load_model(name)
     with spawned:
-        done = ia.sweep(model, {"mass.m": [1.0, 2.0]}, stiffness, executor=spawned)
+        done = ia.sweeps.sweep(model, {"mass.m": [1.0, 2.0]}, stiffness, executor=spawned)
     assert list(done.table["value"]) == [801.0, 802.0]
-    assert list(ia.sweep(model, {"mass.m": [3.0]}, stiffness, workers=1).table["value"]) == [803.0]
+    assert list(ia.sweeps.sweep(model, {"mass.m": [3.0]}, stiffness, workers=1).table["value"]) == [803.0]
 
 
 @PLACES

@@ -150,7 +150,7 @@ def test_a_rough_road_is_followed_between_coarse_points() -> None:
     """Of noise some pieces look like cubics by chance."""
     t, rng = np.linspace(0.0, 4.0, 4001), np.random.default_rng(0)
     road = (t, 3e-4 * np.cumsum(rng.standard_normal(len(t))))
-    car = ia.quarter_car(ia.suspension("S1", 60e3, 2600.0)).dae()
+    car = ia.machines.quarter_car(ia.machines.suspension("S1", 60e3, 2600.0)).dae()
     coarse, fine = (ia.simulate(car, 4.0, inputs={"road.s_ref": road}, step=step) for step in (0.04, 1e-3))
     assert coarse.rms("body.a") == pytest.approx(fine.rms("body.a"), rel=1e-5)
     times = np.linspace(0.3, 3.7, 7)
@@ -269,11 +269,11 @@ def test_what_cannot_be_followed_is_told() -> None:
         (lambda r: r.resample("fine"), ia.ModelError, r"step must be a number \[s\], got 'fine'"),
         (lambda r: r.resample(1e-12), ia.ModelError, "is 2e[+]12 rows"),
         (
-            lambda r: ia.weighted_rms(r, "block.v"),
+            lambda r: ia.analysis.weighted_rms(r, "block.v"),
             ia.ModelError,
             "'block.v' of 'belt' is not an acceleration",
         ),
-        (lambda r: ia.weighted_rms(r, [1.0]), ia.ModelError, "name the acceleration of 'belt'"),
+        (lambda r: ia.analysis.weighted_rms(r, [1.0]), ia.ModelError, "name the acceleration of 'belt'"),
     ],
 )
 def test_wrong_questions_are_told(call: Any, error: type[Exception], told: str) -> None:
@@ -292,12 +292,12 @@ def test_tables_without_a_time_are_told(index: list[float], told: str) -> None:
 
 
 def test_comfort_of_a_run_does_not_depend_on_its_points() -> None:
-    felt = [ia.weighted_rms(belt().simulate(4.0, step=step), "block.a") for step in (0.05, 1e-3)]
+    felt = [ia.analysis.weighted_rms(belt().simulate(4.0, step=step), "block.a") for step in (0.05, 1e-3)]
     assert felt[0] == pytest.approx(felt[1], rel=2e-3)
     t = np.linspace(0.0, 4.0, 16001)
     run = oscillator(5.0).simulate(4.0, step=0.05, rtol=1e-8)
-    plain = ia.weighted_rms(t, -((10 * np.pi) ** 2) * np.cos(10 * np.pi * t))
-    assert ia.weighted_rms(run, "mass.a") == pytest.approx(plain, rel=1e-3)
+    plain = ia.analysis.weighted_rms(t, -((10 * np.pi) ** 2) * np.cos(10 * np.pi * t))
+    assert ia.analysis.weighted_rms(run, "mass.a") == pytest.approx(plain, rel=1e-3)
 
 
 def test_a_sweep_measures_over_time() -> None:
@@ -305,7 +305,7 @@ def test_a_sweep_measures_over_time() -> None:
         run = ia.simulate(dae, 5.0, parameters=values, start={"rub.v_rel": 0.0}, step=0.5)
         return {"rms": run.rms("block.v"), "stuck": run.share("rub.mode", "stuck")}
 
-    done = ia.sweep(belt(), {"spring.k": [50.0, 100.0]}, ride, workers=0).table
+    done = ia.sweeps.sweep(belt(), {"spring.k": [50.0, 100.0]}, ride, workers=0).table
     fine = belt().simulate(5.0, start={"rub.v_rel": 0.0}, step=1e-3)
     assert done["rms"].to_list()[1] == pytest.approx(fine.rms("block.v"), rel=1e-3)
     assert done["stuck"].to_list()[1] == pytest.approx(fine.share("rub.mode", "stuck"), rel=1e-3)

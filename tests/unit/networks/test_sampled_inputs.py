@@ -88,8 +88,8 @@ def test_signals_bound_to_components_must_last_too() -> None:
 def test_operating_points_and_stepwise_runs_keep_to_the_data() -> None:
     dae = oscillator(ia.Sampled(TIME, FORCE)).dae()
     with pytest.raises(ia.ModelError, match="data are from 2 to 3 s, wanted are t = 0 s"):
-        ia.operating_point(dae)
-    assert ia.operating_point(dae, time=2.5).values["mass.s"] == pytest.approx(-1 / K, rel=1e-6)
+        ia.analysis.operating_point(dae)
+    assert ia.analysis.operating_point(dae, time=2.5).values["mass.s"] == pytest.approx(-1 / K, rel=1e-6)
     from inertance.networks import Stepwise
 
     with pytest.raises(ia.ModelError, match=r"wanted are 2 to 3\.5 s"):

@@ -16,6 +16,7 @@ import inertance as ia
 import numpy as np
 import pandas as pd
 import pytest
+from inertance.sweeps import SweepInterruptedError
 
 
 def swing() -> ia.Network:
@@ -61,35 +62,35 @@ def deadly(values: dict[str, Any]) -> float:
 
 
 def test_a_grid_has_all_combinations() -> None:
-    design = ia.grid({"a": [1, 2], "b": np.array([0.5, 0.6, 0.7])})
+    design = ia.sweeps.grid({"a": [1, 2], "b": np.array([0.5, 0.6, 0.7])})
     assert design.points == ((1, 0.5), (1, 0.6), (1, 0.7), (2, 0.5), (2, 0.6), (2, 0.7))
 
 
 def test_a_latin_hypercube_has_one_point_a_slice() -> None:
-    design = ia.latin_hypercube({"a": (0.0, 50.0), "b": (-1.0, 1.0)}, 50, seed=3)
+    design = ia.sweeps.latin_hypercube({"a": (0.0, 50.0), "b": (-1.0, 1.0)}, 50, seed=3)
     a, b = np.array(design.points).T
     assert sorted(np.floor(a)) == list(range(50))
     assert sorted(np.floor((b + 1) * 25)) == list(range(50))
 
 
 def test_a_sobol_sequence_is_balanced() -> None:
-    points = np.array(ia.sobol_sequence({"a": (0.0, 1.0), "b": (0.0, 1.0)}, 64).points)
+    points = np.array(ia.sweeps.sobol_sequence({"a": (0.0, 1.0), "b": (0.0, 1.0)}, 64).points)
     for half in (points[:, 0] < 0.5, points[:, 1] < 0.5, (points < 0.5).all(axis=1)):
         assert half.sum() in (32, 16)
     with pytest.raises(ia.ModelError, match="take 128, not 100"):
-        ia.sobol_sequence({"a": (0.0, 1.0)}, 100)
+        ia.sweeps.sobol_sequence({"a": (0.0, 1.0)}, 100)
 
 
 def test_monte_carlo_follows_its_distributions() -> None:
     from scipy.stats import norm
 
-    points = np.array(ia.monte_carlo({"a": norm(5.0, 0.1), "b": (2.0, 3.0)}, 4000, seed=1).points)
+    points = np.array(ia.sweeps.monte_carlo({"a": norm(5.0, 0.1), "b": (2.0, 3.0)}, 4000, seed=1).points)
     assert points.mean(axis=0) == pytest.approx([5.0, 2.5], abs=0.02)
     assert points.std(axis=0) == pytest.approx([0.1, 1 / np.sqrt(12)], rel=0.05)
-    again = np.array(ia.monte_carlo({"a": norm(5.0, 0.1), "b": (2.0, 3.0)}, 4000, seed=1).points)
+    again = np.array(ia.sweeps.monte_carlo({"a": norm(5.0, 0.1), "b": (2.0, 3.0)}, 4000, seed=1).points)
     assert (points == again).all()
     with pytest.raises(ia.ModelError, match="'a': a range is"):
-        ia.monte_carlo({"a": (3.0, 2.0)}, 5)
+        ia.sweeps.monte_carlo({"a": (3.0, 2.0)}, 5)
 
 
 # Running
@@ -97,8 +98,8 @@ def test_monte_carlo_follows_its_distributions() -> None:
 
 @pytest.mark.parametrize("workers", [0, 2])
 def test_every_point_has_its_row_in_order(workers: int) -> None:
-    design = ia.grid({"strut.spring.k": [1.0, 2.0, 3.0], "strut.damper.d": [0.0, 0.5]})
-    done = ia.sweep(swing, design, static, workers=workers)
+    design = ia.sweeps.grid({"strut.spring.k": [1.0, 2.0, 3.0], "strut.damper.d": [0.0, 0.5]})
+    done = ia.sweeps.sweep(swing, design, static, workers=workers)
     assert done.table["stiffness"].tolist() == [abs(k + 2j * d) for k, d in design.points]
     assert list(done.table.columns[:2]) == list(design.names)
     assert (os.getpid() in done.table["process"].tolist()) == (workers == 0)
@@ -110,7 +111,7 @@ def test_a_network_is_simulated_at_every_point() -> None:
     def last(dae: ia.DAE, values: dict[str, Any]) -> float:
         return float(ia.simulate(dae, 1.0, parameters=values, start={"mass.s": 1.0})["mass.s"][-1])
 
-    done = ia.sweep(swing(), {"mass.m": [0.5, 1.0, 2.0], "strut.damper.d": [0.0]}, last, workers=0)
+    done = ia.sweeps.sweep(swing(), {"mass.m": [0.5, 1.0, 2.0], "strut.damper.d": [0.0]}, last, workers=0)
     expected = [np.cos(1 / np.sqrt(m)) for m in (0.5, 1.0, 2.0)]
     assert done.table["value"].to_numpy() == pytest.approx(expected, abs=1e-5)
 
@@ -129,14 +130,14 @@ def test_a_model_is_named_by_file_and_function(tmp_path: Path) -> None:
     def stiffness(dae: ia.DAE, values: dict[str, Any]) -> float:
         return dae.parameter_values["spring.k"] * float(values["mass.m"])
 
-    done = ia.sweep(f"{file}:build", {"mass.m": [1.0, 2.0]}, stiffness, workers=0)
+    done = ia.sweeps.sweep(f"{file}:build", {"mass.m": [1.0, 2.0]}, stiffness, workers=0)
     assert done.table["value"].tolist() == [7.0, 14.0]
     with pytest.raises(ia.ModelError, match="has no function 'biuld'"):
-        ia.sweep(f"{file}:biuld", {"mass.m": [1.0]}, stiffness)
+        ia.sweeps.sweep(f"{file}:biuld", {"mass.m": [1.0]}, stiffness)
 
 
 def test_an_error_is_a_row() -> None:
-    done = ia.sweep(None, {"x": [1, 2, 3, 4]}, picky, workers=0)
+    done = ia.sweeps.sweep(None, {"x": [1, 2, 3, 4]}, picky, workers=0)
     assert done.table["error"].tolist() == ["", "", "ValueError: three is too much", ""]
     assert done.failed.index.tolist() == [2]
     assert np.isnan(done.table["value"][2])
@@ -152,15 +153,15 @@ def test_forked_processes_take_over_the_equations(tmp_path: Path) -> None:
     if multiprocessing.get_start_method() != "fork":
         pytest.skip("processes are started anew here")
     mark = tmp_path / "mark"
-    design = ia.grid({"strut.spring.k": np.linspace(1, 9, 30), "strut.damper.d": [0.1]})
-    done = ia.sweep(partial(noted_swing, mark), design, static, workers=2)
+    design = ia.sweeps.grid({"strut.spring.k": np.linspace(1, 9, 30), "strut.damper.d": [0.1]})
+    done = ia.sweeps.sweep(partial(noted_swing, mark), design, static, workers=2)
     assert not len(done.failed)
     assert mark.read_text().splitlines() == ["assembled"]
 
 
 def test_unknown_parameters_are_told_at_once() -> None:
     with pytest.raises(ia.ModelError, match=r"did you mean 'strut\.spring\.k'"):
-        ia.sweep(swing(), {"strut.spring.kk": [1.0]}, static)
+        ia.sweeps.sweep(swing(), {"strut.spring.kk": [1.0]}, static)
 
 
 def test_points_given_twice_are_computed_once() -> None:
@@ -170,32 +171,32 @@ def test_points_given_twice_are_computed_once() -> None:
         seen.append(values["x"])
         return float(values["x"])
 
-    done = ia.sweep(None, {"x": [1.0, 2.0, 1.0]}, noted, workers=0)
+    done = ia.sweeps.sweep(None, {"x": [1.0, 2.0, 1.0]}, noted, workers=0)
     assert seen == [1.0, 2.0]
     assert done.table["value"].tolist() == [1.0, 2.0, 1.0]
 
 
 def test_an_executor_of_ones_own() -> None:
     with ThreadPoolExecutor(2) as executor:
-        done = ia.sweep(None, {"x": range(50)}, square, executor=executor)
+        done = ia.sweeps.sweep(None, {"x": range(50)}, square, executor=executor)
     assert done.table["value"].tolist() == [n**2 for n in range(50)]
     with pytest.raises(ia.ModelError, match="an executor is one of"):
-        ia.sweep(None, {"x": range(5)}, square, executor=object())
+        ia.sweeps.sweep(None, {"x": range(5)}, square, executor=object())
 
 
 # What goes wrong on the way
 
 
 def test_points_of_a_killed_process_are_done_again(tmp_path: Path) -> None:
-    design = ia.grid({"mark": [str(tmp_path / "mark")], "x": range(40)})
-    done = ia.sweep(None, design, fragile, workers=2, path=tmp_path / "out.csv")
+    design = ia.sweeps.grid({"mark": [str(tmp_path / "mark")], "x": range(40)})
+    done = ia.sweeps.sweep(None, design, fragile, workers=2, path=tmp_path / "out.csv")
     assert (tmp_path / "mark").exists()
     assert done.table["value"].tolist() == list(range(40))
     assert len(pd.read_csv(tmp_path / "out.csv")["key"].unique()) == 40
 
 
 def test_a_point_that_kills_its_process_is_found() -> None:
-    done = ia.sweep(None, {"x": range(20)}, deadly, workers=2)
+    done = ia.sweeps.sweep(None, {"x": range(20)}, deadly, workers=2)
     assert done.failed.index.tolist() == [5]
     assert "died 2 times" in done.table["error"][5]
     assert done.table["value"].drop(5).tolist() == [n for n in range(20) if n != 5]
@@ -215,31 +216,31 @@ def test_a_sweep_goes_on_where_it_stopped(tmp_path: Path, ending: str) -> None:
             raise KeyboardInterrupt
         return 1 / float(values["x"])
 
-    with pytest.raises(ia.SweepInterruptedError, match="3 of 5 points are done") as caught:
-        ia.sweep(None, {"x": values}, noted, workers=0, path=path)
+    with pytest.raises(SweepInterruptedError, match="3 of 5 points are done") as caught:
+        ia.sweeps.sweep(None, {"x": values}, noted, workers=0, path=path)
     assert len(caught.value.sweep.table) == 3
-    done = ia.sweep(None, {"x": values}, noted, workers=0, path=path)
+    done = ia.sweeps.sweep(None, {"x": values}, noted, workers=0, path=path)
     assert done.resumed == 3
     assert done.table["value"].tolist() == [1 / x for x in values]
     assert [float(line) for line in seen.read_text().split()] == [1 / 3, 2.0, 3.0, 4.0, 4.0, 5.0]
-    more = ia.sweep(None, {"x": [*values, 8.0]}, noted, workers=0, path=path)
+    more = ia.sweeps.sweep(None, {"x": [*values, 8.0]}, noted, workers=0, path=path)
     assert (more.resumed, more.table["value"].iloc[-1]) == (5, 0.125)
     assert sorted(p.name for p in tmp_path.iterdir()) == [f"out.{ending}", "seen"]
 
 
 def test_a_file_of_another_sweep_is_refused(tmp_path: Path) -> None:
     path = tmp_path / "out.csv"
-    ia.sweep(None, {"x": [1.0]}, square, workers=0, path=path)
+    ia.sweeps.sweep(None, {"x": [1.0]}, square, workers=0, path=path)
     with pytest.raises(ia.ModelError, match="holds another sweep"):
-        ia.sweep(None, {"x": [1.0]}, picky, workers=0, path=path)
+        ia.sweeps.sweep(None, {"x": [1.0]}, picky, workers=0, path=path)
     with pytest.raises(ia.ModelError, match=r"go to \.parquet or \.csv"):
-        ia.sweep(None, {"x": [1.0]}, square, workers=0, path=tmp_path / "out.npz")
+        ia.sweeps.sweep(None, {"x": [1.0]}, square, workers=0, path=tmp_path / "out.npz")
 
 
 def test_errors_are_kept_and_read_back(tmp_path: Path) -> None:
     path = tmp_path / "out.parquet"
-    first = ia.sweep(None, {"x": [1, 2, 3, 4]}, picky, workers=0, path=path)
-    again = ia.sweep(None, {"x": [1, 2, 3, 4]}, picky, workers=0, path=path)
+    first = ia.sweeps.sweep(None, {"x": [1, 2, 3, 4]}, picky, workers=0, path=path)
+    again = ia.sweeps.sweep(None, {"x": [1, 2, 3, 4]}, picky, workers=0, path=path)
     assert again.resumed == 4
     pd.testing.assert_frame_equal(first.table, again.table)
 
@@ -255,7 +256,7 @@ def slow(values):
     return values["x"] + 0.5
 
 if __name__ == "__main__":
-    done = ia.sweep(None, {"x": range(120)}, slow, workers=2, path=sys.argv[1])
+    done = ia.sweeps.sweep(None, {"x": range(120)}, slow, workers=2, path=sys.argv[1])
     print(done.resumed, done.table["value"].tolist() == [n + 0.5 for n in range(120)])
 """
 
@@ -323,8 +324,8 @@ def test_dask_with_a_killed_worker(tmp_path: Path) -> None:
             n_workers=3, threads_per_worker=1, processes=True, dashboard_address=None, silence_logs=50
         )
         with cluster, distributed.Client(cluster) as client:
-            design = ia.grid({"mark": [str(tmp_path / "mark")], "x": range(60)})
-            done = ia.sweep(None, design, fragile_too, executor=client, path=tmp_path / "out.csv")
+            design = ia.sweeps.grid({"mark": [str(tmp_path / "mark")], "x": range(60)})
+            done = ia.sweeps.sweep(None, design, fragile_too, executor=client, path=tmp_path / "out.csv")
     assert (tmp_path / "mark").exists()
     assert done.table["value"].tolist() == list(range(60))
     assert len(pd.read_csv(tmp_path / "out.csv")) == 60
@@ -337,9 +338,9 @@ def ishigami(values: dict[str, Any]) -> float:
 
 def test_sobol_indices_of_the_ishigami_function() -> None:
     pytest.importorskip("SALib", reason="needs SALib")
-    design = ia.saltelli(dict.fromkeys(("x1", "x2", "x3"), (-np.pi, np.pi)), 2048, seed=1)
+    design = ia.sweeps.saltelli(dict.fromkeys(("x1", "x2", "x3"), (-np.pi, np.pi)), 2048, seed=1)
     assert len(design) == 2048 * 5
-    indices = ia.sobol_indices(ia.sweep(None, design, ishigami, workers=0))
+    indices = ia.sweeps.sobol_indices(ia.sweeps.sweep(None, design, ishigami, workers=0))
     variance = 49 / 8 + 0.1 * np.pi**4 / 5 + 0.01 * np.pi**8 / 18 + 0.5
     v1, v13 = 0.5 * (1 + 0.1 * np.pi**4 / 5) ** 2, 0.01 * np.pi**8 * (1 / 18 - 1 / 50)
     assert indices["S1"].tolist() == pytest.approx([v1 / variance, 49 / 8 / variance, 0.0], abs=0.03)
@@ -347,7 +348,7 @@ def test_sobol_indices_of_the_ishigami_function() -> None:
         [(v1 + v13) / variance, 49 / 8 / variance, v13 / variance], abs=0.03
     )
     with pytest.raises(ia.ModelError, match="points of saltelli"):
-        ia.sobol_indices(ia.sweep(None, {"x": [1.0]}, square, workers=0))
+        ia.sweeps.sobol_indices(ia.sweeps.sweep(None, {"x": [1.0]}, square, workers=0))
 
 
 # Files
@@ -359,10 +360,10 @@ def test_a_sweep_that_ended_before_its_first_row_can_be_resumed(tmp_path: Path) 
             raise KeyboardInterrupt
         return float(values["x"])
 
-    with pytest.raises(ia.SweepInterruptedError, match="0 of 3 points"):
-        ia.sweep(None, {"x": [1.0, 2.0, 3.0]}, interrupted, workers=0, path=tmp_path / "o.csv")
+    with pytest.raises(SweepInterruptedError, match="0 of 3 points"):
+        ia.sweeps.sweep(None, {"x": [1.0, 2.0, 3.0]}, interrupted, workers=0, path=tmp_path / "o.csv")
     (tmp_path / "again").touch()
-    done = ia.sweep(None, {"x": [1.0, 2.0, 3.0]}, interrupted, workers=0, path=tmp_path / "o.csv")
+    done = ia.sweeps.sweep(None, {"x": [1.0, 2.0, 3.0]}, interrupted, workers=0, path=tmp_path / "o.csv")
     assert done.table["value"].tolist() == [1.0, 2.0, 3.0]
 
 
@@ -371,10 +372,10 @@ def test_two_sweeps_do_not_write_one_file(tmp_path: Path) -> None:
 
     def nested(values: dict[str, Any]) -> float:
         with pytest.raises(ia.ModelError, match=r"o\.csv' is being written by another process"):
-            ia.sweep(None, {"x": [1.0]}, square, workers=0, path=path)
+            ia.sweeps.sweep(None, {"x": [1.0]}, square, workers=0, path=path)
         return float(values["x"])
 
-    done = ia.sweep(None, {"x": [1.0, 2.0]}, nested, workers=0, path=path)
+    done = ia.sweeps.sweep(None, {"x": [1.0, 2.0]}, nested, workers=0, path=path)
     assert done.table["value"].tolist() == [1.0, 2.0]
     assert [file.name for file in tmp_path.iterdir()] == ["o.csv"]
 
@@ -391,7 +392,7 @@ def square(values):
 
 
 try:
-    ia.sweep(None, {"x": range(200)}, square, workers=0, path=sys.argv[1], progress=False)
+    ia.sweeps.sweep(None, {"x": range(200)}, square, workers=0, path=sys.argv[1], progress=False)
 except ia.InertanceError as error:
     print(error)
 """

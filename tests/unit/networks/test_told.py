@@ -13,7 +13,11 @@ import inertance as ia
 import numpy as np
 import pytest
 from inertance import rotational
+from inertance.analysis import admittance, body_positions, front, linearise, record, scatter, tune
 from inertance.cli import app
+from inertance.identification import Campaign, Channel, Record, read_record
+from inertance.machines import PitchingBody
+from inertance.sweeps import saltelli, sweep
 from typer.testing import CliRunner
 
 
@@ -43,16 +47,16 @@ def broken(t: Any) -> Any:
         (lambda: ia.fit("camapign.toml"), ia.MissingFileError, "there is no file 'camapign.toml'"),
         (lambda: ia.diagnose("x"), ia.MissingFileError, "there is no file 'x'"),
         (lambda: ia.diagnose(3), ia.ModelError, "a Campaign or the path of its TOML file is needed, got 3"),  # type: ignore[arg-type]
-        (lambda: ia.linearise(None), ia.ModelError, "a Network (or the DAE of one) is needed, got None"),  # type: ignore[arg-type]
-        (lambda: ia.linearise(oscillator), ia.ModelError, "call the function that makes it"),  # type: ignore[arg-type]
-        (lambda: ia.admittance(None), ia.ModelError, "a component is needed, got None"),  # type: ignore[arg-type]
-        (lambda: ia.admittance(ia.Spring), ia.ModelError, "give one, Spring(...), and not its class"),  # type: ignore[arg-type]
+        (lambda: linearise(None), ia.ModelError, "a Network (or the DAE of one) is needed, got None"),  # type: ignore[arg-type]
+        (lambda: linearise(oscillator), ia.ModelError, "call the function that makes it"),  # type: ignore[arg-type]
+        (lambda: admittance(None), ia.ModelError, "a component is needed, got None"),  # type: ignore[arg-type]
+        (lambda: admittance(ia.Spring), ia.ModelError, "give one, Spring(...), and not its class"),  # type: ignore[arg-type]
         (lambda: run()[0], ia.UnknownNameError, "by full names, such as 'mass.s', got 0"),  # type: ignore[index]
         (lambda: run()["mass.x"], ia.UnknownNameError, "no variable 'mass.x'; did you mean"),
         (lambda: oscillator().sprng, ia.UnknownPartError, "has no 'sprng'; did you mean 'spring'?"),
         (lambda: run(stepp=0.1), ia.ModelError, "no argument 'stepp'; did you mean 'step'?"),
         (lambda: oscillator().simulate(1.0, stepp=0.1), ia.ModelError, "did you mean 'step'?"),
-        (lambda: ia.front(oscillator(), abs, abs, {}, stars=1), ia.ModelError, "did you mean 'starts'?"),  # type: ignore[arg-type]
+        (lambda: front(oscillator(), abs, abs, {}, stars=1), ia.ModelError, "did you mean 'starts'?"),  # type: ignore[arg-type]
         (lambda: run(rtol=1e-20), ia.ModelError, "rtol must be from 1e-14 to 0.1, got 1e-20"),
         (lambda: run(rtol=10), ia.ModelError, "rtol must be from 1e-14 to 0.1, got 10"),
         (lambda: run(step=1e-12), ia.ModelError, "asks for 1e+12 outputs of 1 s, more than 2e+07"),
@@ -64,9 +68,9 @@ def broken(t: Any) -> Any:
         (lambda: run().to_dataframe("body.*"), ia.UnknownNameError, "no variable like 'body.*'"),
         (lambda: run().at("mass.s", 3.0), ia.ModelError, "t = 3 s is outside the run"),
         (lambda: oscillator().connect(), ia.ModelError, "connect() joins ports such as"),
-        (lambda: ia.linearise(floating(), "push.f", "mass.s").response(0), ia.ModelError, "(0 Hz) is a pole"),
+        (lambda: linearise(floating(), "push.f", "mass.s").response(0), ia.ModelError, "(0 Hz) is a pole"),
         (lambda: ia.load_table("none.csv"), ia.MissingFileError, "there is no file 'none.csv'"),
-        (lambda: ia.saltelli({"x": (0.0, 1.0)}, 2.5), ia.ModelError, "a whole number of them, got count=2.5"),  # type: ignore[arg-type]
+        (lambda: saltelli({"x": (0.0, 1.0)}, 2.5), ia.ModelError, "a whole number of them, got count=2.5"),  # type: ignore[arg-type]
     ],
 )  # fmt: skip
 def test_what_is_asked_wrongly_is_told(go: Callable[[], object], kind: type[Exception], told: str) -> None:
@@ -97,8 +101,8 @@ def test_a_measure_that_is_no_number_is_told(found: Any) -> None:
 
     bounds = {"spring.k": (50.0, 200.0)}
     for go in (
-        lambda: ia.tune(oscillator(), size, bounds),
-        lambda: ia.scatter(oscillator(), size, {"spring.k": 0.1}),
+        lambda: tune(oscillator(), size, bounds),
+        lambda: scatter(oscillator(), size, {"spring.k": 0.1}),
     ):
         with pytest.raises(ia.ModelError, match="measure 'size' must return a number, got"):
             go()
@@ -109,7 +113,7 @@ def test_an_error_of_a_measure_is_told_with_the_parameters() -> None:
         return 1.0 / (float(parameters["spring.k"]) - 125.0)
 
     with pytest.raises(ia.ModelError, match=r"measure 'size' failed at spring\.k = 125: ZeroDivisionError"):
-        ia.tune(oscillator(), size, {"spring.k": (50.0, 200.0)})
+        tune(oscillator(), size, {"spring.k": (50.0, 200.0)})
 
 
 def test_a_sweep_without_any_result_is_an_error_that_keeps_the_table() -> None:
@@ -119,7 +123,7 @@ def test_a_sweep_without_any_result_is_an_error_that_keeps_the_table() -> None:
     with pytest.raises(
         ia.SimulationError, match=r"none of the 2 points .* RuntimeError: no spring of 1"
     ) as caught:
-        ia.sweep(oscillator(), {"spring.k": [1.0, 2.0]}, wrong, workers=0)
+        sweep(oscillator(), {"spring.k": [1.0, 2.0]}, wrong, workers=0)
     assert len(caught.value.result.failed) == 2  # type: ignore[attr-defined]
 
 
@@ -136,7 +140,7 @@ def test_a_sweep_without_any_result_is_an_error_that_keeps_the_table() -> None:
 )
 def test_a_record_of_columns_that_do_not_fit_is_told(time: Any, values: Any, told: str) -> None:
     with pytest.raises(ia.ModelError) as caught:
-        ia.Record("record", time, values)
+        Record("record", time, values)
     assert told in str(caught.value)
 
 
@@ -162,7 +166,7 @@ def test_a_machine_that_comes_to_rest_may_run_for_very_long() -> None:
         (ia.Mass(m=2.0, v=3.0), "s", "v"),
         (rotational.Inertia(J=2.0, w=3.0), "phi", "w"),
         (ia.DiskFlywheel(m=1.0, R=1.0, w=3.0), "flange.phi", "w"),
-        (ia.PitchingBody(m=1.0, J=1.0, l_f=1.0, l_r=1.0, v=3.0), "s", "v"),
+        (PitchingBody(m=1.0, J=1.0, l_f=1.0, l_r=1.0, v=3.0), "s", "v"),
     ],
 )
 def test_a_body_may_float_freely(body: ia.Component, position: str, speed: str) -> None:
@@ -204,7 +208,7 @@ def test_positions_of_bodies_that_only_turn_are_refused() -> None:
     )
     net.connect(net.wall.flange, net.spring.flange_a).connect(net.spring.flange_b, net.disc.flange)
     with pytest.raises(ia.ModelError, match=r"no mass that slides.*name its angles, disc\.phi"):
-        ia.body_positions(net)
+        body_positions(net)
 
 
 LINES = "time,push.f\n" + "\n".join(f"{k / 10},{k % 7}" for k in range(40)) + "\n"
@@ -216,9 +220,9 @@ def test_tables_are_read_in_utf_8_and_utf_16(encoding: str, tmp_path: Path) -> N
     text = LINES if encoding != "utf-16-le-bom" else "\ufeff" + LINES
     path.write_bytes(text.encode(encoding.removesuffix("-bom")))
     assert ia.load_table(path)["push.f"].iloc[3] == 3.0
-    assert ia.record(path).values[3] == 3.0
-    channel = ia.Channel("push.f", True, "N", "N")
-    assert ia.read_record(path, {"push.f": channel}).values["push.f"][3] == 3.0
+    assert record(path).values[3] == 3.0
+    channel = Channel("push.f", True, "N", "N")
+    assert read_record(path, {"push.f": channel}).values["push.f"][3] == 3.0
 
 
 @pytest.mark.parametrize(
@@ -242,9 +246,9 @@ def test_a_bad_table_is_told_alike_wherever_it_is_read(
         f"import inertance as ia\n\n\ndef build():\n    net = {rig}\n"
         "    return net.connect(net.push.flange, net.m.flange)\n"
     )
-    channels = {"push.f": ia.Channel("push.f", True, "N", "N")}
+    channels = {"push.f": Channel("push.f", True, "N", "N")}
     messages = []
-    for read in (ia.load_table, ia.record, lambda path: ia.read_record(path, channels)):
+    for read in (ia.load_table, record, lambda path: read_record(path, channels)):
         with pytest.raises(ia.ModelError) as caught:
             read("data.csv")
         messages.append(str(caught.value))
@@ -257,7 +261,7 @@ def test_a_bad_table_is_told_alike_wherever_it_is_read(
 def test_what_is_no_text_is_told_with_its_line(tmp_path: Path) -> None:
     path = tmp_path / "data.csv"
     path.write_bytes(b"time,push.f\n0,1\n1,\xb5\n")
-    for read in (ia.load_table, ia.record):
+    for read in (ia.load_table, record):
         with pytest.raises(ia.ModelError, match=r"data\.csv: not a text file in UTF-8 \(line 3, byte 0xb5"):
             read(path)
 
@@ -281,8 +285,8 @@ def test_what_a_model_of_the_user_does_wrong_is_told(content: bytes, told: str, 
     path = tmp_path / "model.py"
     path.write_bytes(content)
     for go in (
-        lambda: ia.sweep(f"{path}:build", {"x": [1.0]}, max, workers=0),
-        lambda: ia.Campaign(f"{path}:build", {}, {}, []),
+        lambda: sweep(f"{path}:build", {"x": [1.0]}, max, workers=0),
+        lambda: Campaign(f"{path}:build", {}, {}, []),
     ):
         with pytest.raises(ia.ModelError) as caught:
             go()
@@ -325,7 +329,7 @@ def test_an_equation_without_value_or_slope_is_named(n: float, solver: str, what
     assert "write-your-own-component.md" in told
     assert "Spring" not in told
     with pytest.raises(ia.ModelError, match=f"Power 'law' has no finite {what}"):
-        ia.linearise(powered(n))
+        linearise(powered(n))
 
 
 def test_an_input_that_ceases_to_be_a_number_is_named() -> None:

@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 import scipy.linalg
 import scipy.signal
+from inertance.analysis import StateSpace
 from inertance.networks import DAE
 
 
@@ -67,7 +68,7 @@ def test_oscillator_has_the_textbook_poles_names_and_units() -> None:
     net.connect(net.wall.flange, net.strut.flange_a).connect(
         net.strut.flange_b, net.mass.flange, net.push.flange
     )
-    system = ia.linearise(net, ["push.f"], ["mass.s", "mass.a"])
+    system = ia.analysis.linearise(net, ["push.f"], ["mass.s", "mass.a"])
     assert system.states == ("mass.s", "mass.v")
     assert system.state_units == ("m", "m/s")
     assert system.input_units == ("N",)
@@ -83,7 +84,7 @@ def test_small_motion_agrees_with_a_run_to_1e_4() -> None:
     inerter = ia.series(ia.Damper(d=3224.0), ia.Inerter(b=333.0))
     net = quarter_car(ia.parallel(ia.CubicSpring(k=60e3, k3=1e7), inerter))
     f, amplitude = 1.5, 1e-5
-    system = ia.linearise(net, ["road.s_ref"], ["body.a", "tyre.f"])
+    system = ia.analysis.linearise(net, ["road.s_ref"], ["body.a", "tyre.f"])
     stop = 12.0
     run = net.simulate(
         stop,
@@ -107,8 +108,8 @@ def test_derivatives_of_inputs_are_kept_out_of_the_states() -> None:
     net.connect(net.table.flange, net.mass.flange, net.spring.flange_a).connect(
         net.spring.flange_b, net.load.flange
     )
-    by_position = ia.linearise(net, ["table.s_ref"], ["table.flange.f", "load.s"])
-    by_acceleration = ia.linearise(net, ["der(der(table.s_ref))"], ["table.flange.f", "load.s"])
+    by_position = ia.analysis.linearise(net, ["table.s_ref"], ["table.flange.f", "load.s"])
+    by_acceleration = ia.analysis.linearise(net, ["der(der(table.s_ref))"], ["table.flange.f", "load.s"])
     assert len(by_position.D_s) == 2
     assert not by_position.proper
     assert by_acceleration.proper
@@ -133,14 +134,14 @@ def test_parameters_can_be_inputs() -> None:
     net.connect(net.wall.flange, net.spring.flange_a).connect(
         net.spring.flange_b, net.mass.flange, net.w.flange
     )
-    system = ia.linearise(net, ["spring.k", "w.f_constant"], ["mass.s"])
+    system = ia.analysis.linearise(net, ["spring.k", "w.f_constant"], ["mass.s"])
     assert system.point is not None
     assert system.point.values["mass.s"] == pytest.approx(0.0981)
     assert system(0.0)[0] == pytest.approx([-9.81 / 100.0**2, 0.01])
 
 
 def test_stuck_friction_is_linear_in_its_mode_and_told() -> None:
-    system = ia.linearise(rubbing(), ["push.f"], ["second.s", "first.s"], signals={"push.f": 1.0})
+    system = ia.analysis.linearise(rubbing(), ["push.f"], ["second.s", "first.s"], signals={"push.f": 1.0})
     assert system.point is not None
     assert system.point.modes == {"rub.mode": "stuck"}
     assert system.states == ("second.v", "second.s")
@@ -159,7 +160,7 @@ def test_what_slid_to_its_rest_holds_there() -> None:
     )  # fmt: skip
     net.connect(net.wall.flange, net.spring.flange_a, net.rub.flange_a)
     net.connect(net.spring.flange_b, net.rub.flange_b, net.mass.flange, net.push.flange)
-    system = ia.linearise(net, ["push.f"], ["mass.s"])
+    system = ia.analysis.linearise(net, ["push.f"], ["mass.s"])
     assert system.point is not None
     assert system.point.modes == {"rub.mode": "stuck"}
     assert system.point.values["rub.s_rel"] == pytest.approx(5.0 / 400.0)
@@ -176,36 +177,36 @@ def test_a_mass_pressed_on_a_stop_rests_on_it() -> None:
     )  # fmt: skip
     net.connect(net.wall.flange, net.spring.flange_a, net.stop.flange_a)
     net.connect(net.spring.flange_b, net.stop.flange_b, net.mass.flange, net.push.flange)
-    system = ia.linearise(net, ["push.f"], ["mass.s"])
+    system = ia.analysis.linearise(net, ["push.f"], ["mass.s"])
     assert system.point is not None
     assert system.point.modes == {"stop.mode": "contact"}
     assert system.states == ()
-    assert ia.operating_point(net).values["stop.s_rel"] == pytest.approx(0.05)
+    assert ia.analysis.operating_point(net).values["stop.s_rel"] == pytest.approx(0.05)
 
 
 @pytest.mark.parametrize("law", [ia.Backlash(k=1.0, d=1.0, eps=0.1), ia.QuadraticDamper(c=1.0)])
 def test_what_has_no_slope_in_series_with_a_spring_has_no_admittance(law: ia.Component) -> None:
     """A clearance passes no force on; the admittance of the spring alone was returned."""
     with pytest.raises(ia.ModelError, match=r"not linear here: .*\.v_rel has no slope"):
-        ia.admittance(ia.series(law, ia.Spring(k=1.0)))
+        ia.analysis.admittance(ia.series(law, ia.Spring(k=1.0)))
 
 
 def test_a_force_past_break_away_leaves_no_equilibrium() -> None:
     with pytest.raises(ia.ModelError, match=r"no equilibrium near its start: der\(.*remains"):
-        ia.linearise(rubbing(), signals={"push.f": 7.0})
+        ia.analysis.linearise(rubbing(), signals={"push.f": 7.0})
 
 
 def test_sliding_friction_is_linearised_along_a_run() -> None:
     net = rubbing(0.5)
     run = net.simulate(1.0, inputs={"push.f": 7.0})
     assert run["rub.mode"][-1] == 1
-    system = ia.linearise(net, ["push.f"], ["second.s"], at=run, time=1.0)
+    system = ia.analysis.linearise(net, ["push.f"], ["second.s"], at=run, time=1.0)
     assert len(system.states) == 4
     assert abs(system.poles) == pytest.approx([0, 0, sqrt(150.0), sqrt(150.0)], abs=1e-6)
 
 
 def test_all_wells_are_found() -> None:
-    points = ia.equilibria(pendulum_like(), spread=0.3)
+    points = ia.analysis.equilibria(pendulum_like(), spread=0.3)
     assert sorted(p.values["mass.s"] for p in points) == pytest.approx([-0.1, 0.0, 0.1], abs=1e-9)
 
 
@@ -213,30 +214,32 @@ def test_admittances_of_elements_and_of_flanges_in_a_network() -> None:
     s = 0.3 + 2j
     tid = ia.parallel(ia.Spring(k=5.0), ia.series(ia.Damper(d=2.0), ia.Inerter(b=3.0)))
     exact = 5.0 / s + 1 / (1 / 2.0 + 1 / (3.0 * s))
-    assert ia.admittance(tid)(s).item() == pytest.approx(exact)
-    assert ia.impedance(tid)(s).item() == pytest.approx(1 / exact)
+    assert ia.analysis.admittance(tid)(s).item() == pytest.approx(exact)
+    assert ia.analysis.impedance(tid)(s).item() == pytest.approx(1 / exact)
     wheel = ia.rotational.Inerter(J=2.0)
-    assert ia.admittance(wheel)(s).item() == pytest.approx(2.0 * s)
+    assert ia.analysis.admittance(wheel)(s).item() == pytest.approx(2.0 * s)
     car = quarter_car(tid)
     masses = 1 / (1 / (250.0 * s) + 1 / (35.0 * s + 150e3 / s))
-    assert ia.admittance(car, "strut.flange_a", "strut.flange_b")(s).item() == pytest.approx(exact + masses)
+    assert ia.analysis.admittance(car, "strut.flange_a", "strut.flange_b")(s).item() == pytest.approx(
+        exact + masses
+    )
     with pytest.raises(ia.ModelError, match="did you mean 'flange_b'"):
-        ia.admittance(car, "strut.flange_x", "strut.flange_b")
+        ia.analysis.admittance(car, "strut.flange_x", "strut.flange_b")
 
 
 def test_norms_are_infinite_for_a_reason() -> None:
     net = quarter_car(ia.SpringDamper(k=60e3, d=2600.0))
-    direct = ia.linearise(net, ["road.s_ref"], ["tyre.f"]).h2()
+    direct = ia.analysis.linearise(net, ["road.s_ref"], ["tyre.f"]).h2()
     assert direct == inf
     assert "strictly proper" in direct.reason
-    free = ia.linearise(net, ["der(road.s_ref)"], ["body.s"]).h2()
+    free = ia.analysis.linearise(net, ["der(road.s_ref)"], ["body.s"]).h2()
     assert free == inf
     assert "pole at" in free.reason
 
 
 def test_hinf_finds_the_peak_of_an_oscillator() -> None:
     zeta = 1e-3
-    system = ia.StateSpace(
+    system = StateSpace(
         np.array([[0, 1.0], [-1.0, -2 * zeta]]),
         np.array([[0], [1.0]]),
         np.array([[1.0, 0]]),
@@ -251,52 +254,52 @@ def test_hinf_finds_the_peak_of_an_oscillator() -> None:
 def test_names_that_are_wrong_are_told() -> None:
     net = quarter_car(ia.Spring(k=1.0))
     with pytest.raises(ia.ModelError, match=r"did you mean 'road\.s_ref'"):
-        ia.linearise(net, ["road.s_re"])
+        ia.analysis.linearise(net, ["road.s_re"])
     with pytest.raises(ia.ModelError, match=r"no output 'body\.x'"):
-        ia.linearise(net, outputs=["body.x"])
+        ia.analysis.linearise(net, outputs=["body.x"])
     with pytest.raises(KeyError, match=r"did you mean 'body\.v'"):
-        ia.linearise(net)["body.w", "road.s_ref"]
+        ia.analysis.linearise(net)["body.w", "road.s_ref"]
 
 
 def test_python_control_agrees_to_1e_10_and_gives_back_what_it_got() -> None:
     control = pytest.importorskip("control")
     net = quarter_car(ia.SpringDamper(k=60e3, d=2600.0))
-    system = ia.linearise(net, ["road.s_ref"], ["body.v", "wheel.v"])
+    system = ia.analysis.linearise(net, ["road.s_ref"], ["body.v", "wheel.v"])
     other = system.to_ss()
     w = np.geomspace(0.1, 300.0, 50)
     theirs = np.moveaxis(other(1j * w, squeeze=False), -1, 0)
     assert abs(theirs - system(1j * w)).max() <= 1e-10 * abs(theirs).max()
     assert sorted(other.poles().imag) == pytest.approx(sorted(system.poles.imag), rel=1e-10)
     assert float(system.h2()) == pytest.approx(control.norm(other, 2), rel=1e-10)
-    back = ia.StateSpace.from_ss(other)
+    back = StateSpace.from_ss(other)
     assert (back.A == system.A).all()
     assert back.inputs == ("road_s_ref",)
 
 
 def test_scipy_there_and_back() -> None:
-    system = ia.linearise(quarter_car(ia.SpringDamper(k=60e3, d=2600.0)), ["road.s_ref"], ["body.s"])
+    system = ia.analysis.linearise(quarter_car(ia.SpringDamper(k=60e3, d=2600.0)), ["road.s_ref"], ["body.s"])
     theirs = system.to_scipy()
     time = np.linspace(0.0, 0.5, 501)
     _, moved, _ = scipy.signal.lsim(theirs, np.ones(len(time)), time)
     steady = -np.linalg.solve(system.A, system.B)
     end = steady - scipy.linalg.expm(system.A * 0.5) @ steady
     assert moved[-1] == pytest.approx((system.C @ end).item(), rel=1e-9)
-    lag = ia.StateSpace.from_ss(scipy.signal.TransferFunction([3.0], [0.5, 1.0]))
+    lag = StateSpace.from_ss(scipy.signal.TransferFunction([3.0], [0.5, 1.0]))
     assert lag(2j).item() == pytest.approx(3.0 / (1j + 1.0))
 
 
 def test_plots_carry_names_and_units(tmp_path: Path) -> None:
     from matplotlib import pyplot
 
-    system = ia.linearise(quarter_car(ia.SpringDamper(k=60e3, d=2600.0)), ["road.s_ref"], ["body.a"])
+    system = ia.analysis.linearise(quarter_car(ia.SpringDamper(k=60e3, d=2600.0)), ["road.s_ref"], ["body.a"])
     figure = system.plot_bode()
     legend = figure.axes[0].get_legend()
     assert legend is not None
     assert legend.get_texts()[0].get_text() == "body.a [m/s² / (m)]"
     assert figure.axes[1].get_xlabel() == "frequency [Hz]"
     assert system.plot_nyquist().axes[0].get_title() == "car"
-    assert len(ia.plot_modes(system.modes()).axes) == 2
-    animation = ia.animate_modes(system.modes(), frames=4)
+    assert len(ia.analysis.plot_modes(system.modes()).axes) == 2
+    animation = ia.analysis.animate_modes(system.modes(), frames=4)
     animation.save(tmp_path / "modes.gif", writer="pillow")
     assert (tmp_path / "modes.gif").stat().st_size > 1000
     pyplot.close("all")

@@ -18,8 +18,8 @@ def driven(spring: ia.Component, d: float = 0.4) -> ia.Network:
 @pytest.mark.parametrize("f", [1.2, 3.0])
 def test_duffing_by_harmonic_balance_and_by_simulation(f: float) -> None:
     net = driven(ia.CubicSpring(k=100.0, k3=1e4))
-    orbit = ia.harmonic_orbit(net, "push.f", 1.0, f, ["mass.s"], harmonics=11)
-    stepped = ia.stepped_sine(
+    orbit = ia.analysis.harmonic_orbit(net, "push.f", 1.0, f, ["mass.s"], harmonics=11)
+    stepped = ia.analysis.stepped_sine(
         net, "push.f", 1.0, [f], ["mass.s"], tolerance=1e-6, most=400, rtol=1e-9, atol=1e-11
     )
     assert stepped.settled.all()
@@ -31,7 +31,7 @@ def test_duffing_by_harmonic_balance_and_by_simulation(f: float) -> None:
 
 def test_duffing_curve_is_followed_through_its_folds() -> None:
     net = driven(ia.CubicSpring(k=100.0, k3=1e4))
-    curve = ia.harmonic_response(net, "push.f", 1.0, (1.0, 4.0), ["mass.s"], harmonics=5)
+    curve = ia.analysis.harmonic_response(net, "push.f", 1.0, (1.0, 4.0), ["mass.s"], harmonics=5)
     turning = np.flatnonzero(np.diff(np.sign(np.diff(curve.frequency))))
     assert len(turning) == 2
     between = slice(turning[0] + 2, turning[1])
@@ -46,10 +46,10 @@ def test_duffing_curve_is_followed_through_its_folds() -> None:
 def test_up_and_down_part_where_the_curve_folds() -> None:
     net = driven(ia.CubicSpring(k=100.0, k3=1e4))
     up, down = (
-        ia.stepped_sine(net, "push.f", 1.0, f, ["mass.s"], tolerance=1e-3, most=80)
+        ia.analysis.stepped_sine(net, "push.f", 1.0, f, ["mass.s"], tolerance=1e-3, most=80)
         for f in ([1.4, 1.7, 2.0], [3.0, 2.3, 2.0])
     )
-    curve = ia.harmonic_response(net, "push.f", 1.0, (1.4, 3.0), ["mass.s"], harmonics=5)
+    curve = ia.analysis.harmonic_response(net, "push.f", 1.0, (1.4, 3.0), ["mass.s"], harmonics=5)
     near = abs(curve.frequency - 2.0) < 0.05
     upper, lower = (np.max, np.min)
     size = curve.amplitude("mass.s")[near & curve.stable]
@@ -61,27 +61,29 @@ def test_up_and_down_part_where_the_curve_folds() -> None:
 @pytest.mark.parametrize("f", [2.5, 7.0])
 def test_backlash_by_harmonic_balance_and_by_simulation(f: float) -> None:
     net = driven(ia.parallel(ia.Backlash(k=1e3, d=2.0, eps=1e-3), ia.Spring(k=100.0)), d=2.0)
-    orbit = ia.harmonic_orbit(net, "push.f", 0.5, f, ["mass.s"], harmonics=21)
-    stepped = ia.stepped_sine(net, "push.f", 0.5, [f], ["mass.s"], tolerance=1e-5, rtol=1e-9, atol=1e-12)
+    orbit = ia.analysis.harmonic_orbit(net, "push.f", 0.5, f, ["mass.s"], harmonics=21)
+    stepped = ia.analysis.stepped_sine(
+        net, "push.f", 0.5, [f], ["mass.s"], tolerance=1e-5, rtol=1e-9, atol=1e-12
+    )
     assert orbit.stable
     assert orbit.amplitude("mass.s") == pytest.approx(stepped.amplitude("mass.s")[0], rel=1e-4)
 
 
 def test_friction_takes_part_when_it_is_regularised() -> None:
     rub = ia.parallel(ia.CoulombFriction(f_c=0.3, regularised=1e-3), ia.Spring(k=100.0))
-    orbit = ia.harmonic_orbit(driven(rub), "push.f", 1.0, 1.2, ["mass.s"], harmonics=15)
+    orbit = ia.analysis.harmonic_orbit(driven(rub), "push.f", 1.0, 1.2, ["mass.s"], harmonics=15)
     true = driven(ia.parallel(ia.CoulombFriction(f_c=0.3), ia.Spring(k=100.0)))
-    stepped = ia.stepped_sine(true, "push.f", 1.0, [1.2], ["mass.s"], tolerance=1e-4)
+    stepped = ia.analysis.stepped_sine(true, "push.f", 1.0, [1.2], ["mass.s"], tolerance=1e-4)
     assert orbit.amplitude("mass.s") == pytest.approx(stepped.amplitude("mass.s")[0], rel=3e-3)
     with pytest.raises(ia.ModelError, match="regularised="):
-        ia.harmonic_orbit(true, "push.f", 1.0, 1.2, ["mass.s"])
+        ia.analysis.harmonic_orbit(true, "push.f", 1.0, 1.2, ["mass.s"])
 
 
 def test_a_driven_position_brings_its_derivatives() -> None:
     """A linear network on a shaken base, against its transfer function."""
-    net = ia.isolated_machine(ia.parallel(ia.SpringDamper(k=1e4, d=100.0), ia.Inerter(b=20.0)))
-    orbit = ia.harmonic_orbit(net, "floor.s_ref", 1e-3, 2.0, ["machine.a"], harmonics=3)
-    gain = ia.linearise(net, ["floor.s_ref"], ["machine.a"]).response(2.0).item()
+    net = ia.machines.isolated_machine(ia.parallel(ia.SpringDamper(k=1e4, d=100.0), ia.Inerter(b=20.0)))
+    orbit = ia.analysis.harmonic_orbit(net, "floor.s_ref", 1e-3, 2.0, ["machine.a"], harmonics=3)
+    gain = ia.analysis.linearise(net, ["floor.s_ref"], ["machine.a"]).response(2.0).item()
     assert orbit.amplitude("machine.a") == pytest.approx(1e-3 * abs(gain), rel=1e-9)
     assert orbit.phase("machine.a") == pytest.approx(np.angle(gain), abs=1e-9)
 
@@ -102,4 +104,6 @@ X = 0.5
     ],
 )
 def test_describing_functions_are_those_of_the_textbook(element: ia.Component, exact: complex) -> None:
-    assert ia.describing_function(element, A * 1.0) == pytest.approx(exact, rel=1e-4, abs=1e-4 * abs(exact))
+    assert ia.analysis.describing_function(element, A * 1.0) == pytest.approx(
+        exact, rel=1e-4, abs=1e-4 * abs(exact)
+    )

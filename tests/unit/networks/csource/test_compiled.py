@@ -9,6 +9,7 @@ import inertance as ia
 import numpy as np
 import pytest
 from inertance import rotational
+from inertance.machines import Sinusoid
 from inertance.networks.csource import native
 from inertance.networks.csource.toolchain import ToolchainError, compiler
 from inertance.networks.simulation.bound_dae import bound
@@ -26,7 +27,7 @@ def grounded(name: str, **parts: Any) -> ia.Network:
 
 
 def pfi() -> ia.Network:
-    return ia.inerter_rig(ia.ge_wang.planetary_inerter(), ia.Sinusoid(0.01, 3.0))
+    return ia.machines.inerter_rig(ia.machines.ge_wang.planetary_inerter(), Sinusoid(0.01, 3.0))
 
 
 def bouncing_ball() -> ia.Network:

@@ -5,6 +5,8 @@ from typing import Any
 import inertance as ia
 import numpy as np
 import pytest
+from inertance.analysis import StateSpace
+from inertance.synthesis import NotPositiveRealError, RationalFunction
 from numpy.polynomial import polynomial as upwards
 from scipy.optimize import minimize_scalar
 from scipy.signal import step
@@ -54,18 +56,18 @@ def positive_real_function(seed: int) -> tuple[Coefficients, Coefficients]:
     return (den, num) if rng.random() < 0.3 else (num, den)
 
 
-def linearised(strut: ia.TwoTerminal) -> ia.StateSpace:
+def linearised(strut: ia.TwoTerminal) -> StateSpace:
     """Return the admittance with all states the network has."""
     net = ia.Network("moved", strut=strut.clone(), wall=ia.Fixed(), probe=ia.Position())
     net.connect(net.strut.flange_a, net.wall.flange).connect(net.strut.flange_b, net.probe.flange)
-    return ia.linearise(net, ["der(probe.s_ref)"], ["strut.f"])
+    return ia.analysis.linearise(net, ["der(probe.s_ref)"], ["strut.f"])
 
 
 @pytest.mark.parametrize("seed", range(200))
 def test_random_positive_real_functions_are_realised(seed: int) -> None:
     num, den = positive_real_function(seed)
-    assert ia.positive_real((num, den))
-    strut = ia.synthesise((num, den))
+    assert ia.synthesis.positive_real((num, den))
+    strut = ia.synthesis.synthesise((num, den))
     s = 1j * FREQUENCIES
     wanted = np.polyval(num, s) / np.polyval(den, s)
     assert np.abs(linearised(strut)(s).ravel() / wanted - 1).max() < 1e-8
@@ -85,14 +87,14 @@ def test_what_is_a_little_less_is_refused_at_its_frequency(seed: int) -> None:
     num = rng.normal(size=len(den)) * den
     num = num - (1 + 1e-3) * least_real(num, den) * den + (0.0 if seed % 2 else -1e-6) * den
     expected = least_real(num, den)
-    found = ia.positive_real((num, den))
+    found = ia.synthesis.positive_real((num, den))
     s = 2j * np.pi * min(found.frequency, 1e12)
     assert found.least == pytest.approx(expected, rel=1e-6, abs=1e-12)
     assert np.real(np.polyval(num, s) / np.polyval(den, s)) == pytest.approx(expected, rel=1e-6, abs=1e-9)
     assert bool(found) == (expected >= 0)
     if not found:
-        with pytest.raises(ia.NotPositiveRealError, match="its real part is -") as caught:
-            ia.synthesise((num, den))
+        with pytest.raises(NotPositiveRealError, match="its real part is -") as caught:
+            ia.synthesis.synthesise((num, den))
         assert caught.value.frequency == found.frequency
 
 
@@ -114,12 +116,12 @@ def test_what_is_a_little_less_is_refused_at_its_frequency(seed: int) -> None:
 def test_every_way_not_to_be_positive_real(
     num: Coefficients, den: Coefficients, frequency: float, reason: str
 ) -> None:
-    found = ia.positive_real((num, den))
+    found = ia.synthesis.positive_real((num, den))
     assert not found
     assert found.frequency == pytest.approx(frequency)
     assert reason in found.reason
-    with pytest.raises(ia.NotPositiveRealError, match="not positive-real"):
-        ia.synthesise((num, den))
+    with pytest.raises(NotPositiveRealError, match="not positive-real"):
+        ia.synthesis.synthesise((num, den))
 
 
 def elements(component: ia.Component) -> list[ia.Component]:
@@ -145,7 +147,7 @@ def regular_biquadratic(rng: np.random.Generator) -> tuple[Coefficients, Coeffic
 @pytest.mark.parametrize("seed", range(20))
 def test_a_regular_biquadratic_takes_five_elements(seed: int) -> None:
     """Jiang & Smith, IEEE Trans. Automat. Contr. 56 (2011) 1275-1290: two reactive ones and three dampers."""
-    strut = ia.synthesise(regular_biquadratic(np.random.default_rng(seed)))
+    strut = ia.synthesis.synthesise(regular_biquadratic(np.random.default_rng(seed)))
     found = kinds(strut)
     assert found["Damper"] == 3
     assert sum(found.values()) == 5
@@ -154,8 +156,8 @@ def test_a_regular_biquadratic_takes_five_elements(seed: int) -> None:
 def test_lossless_functions_become_foster_forms() -> None:
     num = upwards.polyfromroots([0.0, 2j, -2j, 5j, -5j]).real[::-1]
     den = upwards.polyfromroots([1j, -1j, 3j, -3j]).real[::-1]
-    assert kinds(ia.synthesise((num, den))) == {"Inerter": 3, "Spring": 2}
-    assert kinds(ia.synthesise((den, num))) == {"Inerter": 2, "Spring": 3}
+    assert kinds(ia.synthesis.synthesise((num, den))) == {"Inerter": 3, "Spring": 2}
+    assert kinds(ia.synthesis.synthesise((den, num))) == {"Inerter": 2, "Spring": 3}
 
 
 def minimum_function(rng: np.random.Generator) -> tuple[Coefficients, Coefficients]:
@@ -173,7 +175,7 @@ def test_a_minimum_function_takes_seven_elements(seed: int) -> None:
     """Hughes, IEEE Trans. Automat. Contr. 62 (2017) 4333-4346: five reactive ones, in a bridge."""
     num, den = minimum_function(np.random.default_rng(seed))
     for one, other in ((num, den), (den, num)):
-        strut = ia.synthesise((one, other))
+        strut = ia.synthesis.synthesise((one, other))
         found = kinds(strut)
         assert found["Damper"] == 2
         assert found["Inerter"] + found["Spring"] == 5
@@ -198,7 +200,7 @@ def test_what_is_not_regular_takes_at_most_eight_elements(seed: int) -> None:
         ends = [min(one[0] / other[0], one[-1] / other[-1]) for one, other in ((num, den), (den, num))]
         if least[0] > 0 and all(a < b * (1 - 1e-6) for a, b in zip(least, ends, strict=True)):
             break
-    strut = ia.synthesise((num, den))
+    strut = ia.synthesis.synthesise((num, den))
     found = kinds(strut)
     assert sum(found.values()) <= 8
     assert found["Damper"] == 3
@@ -209,7 +211,7 @@ def test_six_elements_where_a_pole_is_shared() -> None:
     """An inerter and a damper side by side share a pole of 1/Y with what is in series with them."""
     num, den = [1.0, 1.77, 0.26], [1.0, 9.28, 15.7]
     for one, other in ((num, den), (den, num), (num[::-1], den[::-1])):
-        strut = ia.synthesise((one, other))
+        strut = ia.synthesis.synthesise((one, other))
         assert kinds(strut)["Damper"] == 3
         assert len(elements(strut)) == 6
         assert_it_is(strut, one, other)
@@ -224,7 +226,7 @@ def test_six_elements_where_a_pole_is_shared() -> None:
     ],
 )
 def test_seven_elements_do_for_most_that_are_not_regular(num: Coefficients, den: Coefficients) -> None:
-    strut = ia.synthesise((num, den))
+    strut = ia.synthesis.synthesise((num, den))
     assert kinds(strut)["Damper"] == 3
     assert len(elements(strut)) == 7
     assert_it_is(strut, num, den)
@@ -250,31 +252,31 @@ INERTER, SPRING = ia.Inerter(b=2.0), ia.Spring(k=5.0)
     ],
 )
 def test_no_more_elements_come_back_than_went_in(strut: ia.TwoTerminal) -> None:
-    again = ia.synthesise(ia.admittance(strut))
+    again = ia.synthesis.synthesise(ia.analysis.admittance(strut))
     assert len(elements(again)) <= len(elements(strut))
     s = 1j * FREQUENCIES
-    assert np.abs(ia.admittance(again)(s) / ia.admittance(strut)(s) - 1).max() < 1e-8
+    assert np.abs(ia.analysis.admittance(again)(s) / ia.analysis.admittance(strut)(s) - 1).max() < 1e-8
 
 
 def test_a_bridge_joins_five_elements() -> None:
     with pytest.raises(ia.ModelError, match="joins five elements, got 2"):
         ia.bridge(ia.Damper(d=1.0), ia.Spring(k=1.0))
     balanced = ia.bridge(*(ia.Damper(d=d) for d in (1.0, 2.0, 3.0, 6.0)), across=ia.Spring(k=9.0))
-    assert ia.admittance(balanced)(1j).item() == pytest.approx(2 / 3 + 2.0, rel=1e-12)
+    assert ia.analysis.admittance(balanced)(1j).item() == pytest.approx(2 / 3 + 2.0, rel=1e-12)
 
 
 @pytest.mark.parametrize(
     "strut",
     [
         ia.series(ia.SpringDamper(k=4e4, d=260.0), ia.Inerter(b=130.0)),
-        ia.suspension("S3", 60e3, 2300.0, 31.0),
-        ia.suspension("S7", 60e3, 3200.0, 330.0, k_1=2e4, k_2=3e4),
-        ia.suspension("S8", 60e3, 3200.0, 300.0, 1e4, 2e4, 3e4),
+        ia.machines.suspension("S3", 60e3, 2300.0, 31.0),
+        ia.machines.suspension("S7", 60e3, 3200.0, 330.0, k_1=2e4, k_2=3e4),
+        ia.machines.suspension("S8", 60e3, 3200.0, 300.0, 1e4, 2e4, 3e4),
     ],
 )
 def test_the_admittance_of_a_network_is_realised_anew(strut: ia.TwoTerminal) -> None:
-    own = ia.admittance(strut)
-    again = ia.admittance(ia.synthesise(own))
+    own = ia.analysis.admittance(strut)
+    again = ia.analysis.admittance(ia.synthesis.synthesise(own))
     s = 2j * np.pi * np.geomspace(0.1, 100.0, 50)
     assert np.abs(again(s) / own(s) - 1).max() < 1e-8
 
@@ -290,9 +292,9 @@ def test_fosters_forms_have_a_branch_a_pole(seed: int) -> None:
     den: Coefficients = np.ones(1)
     for above, below in terms:
         num, den = np.polyadd(np.polymul(num, below), np.polymul(above, den)), np.polymul(den, below)
-    second = ia.foster((num, den), form=2)
+    second = ia.synthesis.foster((num, den), form=2)
     assert kinds(second) == {"Damper": 3, "Inerter": 2, "Spring": 3}
-    first = ia.foster((den, num), form=1)
+    first = ia.synthesis.foster((den, num), form=1)
     assert kinds(first) == {"Damper": 3, "Inerter": 3, "Spring": 2}
     wanted = sum(np.polyval(above, s) / np.polyval(below, s) for above, below in terms)
     assert np.abs(linearised(second)(s).ravel() / wanted - 1).max() < 1e-10
@@ -301,16 +303,19 @@ def test_fosters_forms_have_a_branch_a_pole(seed: int) -> None:
 
 def test_what_has_no_foster_form_is_told() -> None:
     with pytest.raises(ia.ModelError, match="no branch for complex or multiple poles, of which there are 2"):
-        ia.foster(([1.0, 1.0, 3.0], [1.0, 2.0, 2.0]))
+        ia.synthesis.foster(([1.0, 1.0, 3.0], [1.0, 2.0, 2.0]))
     with pytest.raises(ia.ModelError, match=r"lacks a resistance of 0\.25 N\.s/m"):
-        ia.foster(([0.5, 1.5], [1.0, 3.0, 2.0]))  # 1/(s + 1) - 0.5/(s + 2)
+        ia.synthesis.foster(([0.5, 1.5], [1.0, 3.0, 2.0]))  # 1/(s + 1) - 0.5/(s + 2)
     with pytest.raises(ia.ModelError, match="forms are 1"):
-        ia.foster(([1.0], [1.0]), form=3)
+        ia.synthesis.foster(([1.0], [1.0]), form=3)
 
 
 def test_common_factors_are_cancelled() -> None:
-    assert kinds(ia.synthesise(([1.0, -1.0], [2.0, -2.0]))) == {"Damper": 1}
-    assert kinds(ia.synthesise(([1.0, 3.0, 2.0, 0.0], [1.0, 6.0, 5.0, 0.0]))) == {"Damper": 2, "Inerter": 1}
+    assert kinds(ia.synthesis.synthesise(([1.0, -1.0], [2.0, -2.0]))) == {"Damper": 1}
+    assert kinds(ia.synthesis.synthesise(([1.0, 3.0, 2.0, 0.0], [1.0, 6.0, 5.0, 0.0]))) == {
+        "Damper": 2,
+        "Inerter": 1,
+    }
 
 
 @pytest.mark.parametrize(
@@ -318,7 +323,7 @@ def test_common_factors_are_cancelled() -> None:
     [([2.0], [1.0], "Damper"), ([2.0, 0], [1.0], "Inerter"), ([2.0], [1.0, 0], "Spring")],
 )
 def test_single_elements(num: Coefficients, den: Coefficients, kind: str) -> None:
-    assert kinds(ia.synthesise((num, den))) == {kind: 1}
+    assert kinds(ia.synthesis.synthesise((num, den))) == {kind: 1}
 
 
 def test_admittances_come_in_many_forms() -> None:
@@ -327,21 +332,23 @@ def test_admittances_come_in_many_forms() -> None:
     num, den = [1.0, 2.0], [1.0, 1.0]
     for given in (
         (num, den),
-        ia.RationalFunction(num, den),
+        RationalFunction(num, den),
         scipy.signal.TransferFunction(num, den),
         scipy.signal.TransferFunction(num, den).to_ss(),
     ):
-        assert ia.admittance(ia.synthesise(given))(1j).item() == pytest.approx((1j + 2) / (1j + 1), rel=1e-9)
+        assert ia.analysis.admittance(ia.synthesis.synthesise(given))(1j).item() == pytest.approx(
+            (1j + 2) / (1j + 1), rel=1e-9
+        )
     control = pytest.importorskip("control", reason="needs python-control")
-    assert ia.positive_real(control.tf(num, den))
+    assert ia.synthesis.positive_real(control.tf(num, den))
 
 
 def test_what_cannot_be_an_admittance() -> None:
     with pytest.raises(ia.ModelError, match="must be finite real"):
-        ia.RationalFunction([np.nan], [1.0])
+        RationalFunction([np.nan], [1.0])
     with pytest.raises(ia.ModelError, match="denominator must not be zero"):
-        ia.RationalFunction([1.0], [0.0])
+        RationalFunction([1.0], [0.0])
     with pytest.raises(ia.ModelError, match="is zero: nothing"):
-        ia.synthesise(([0.0], [1.0]))
+        ia.synthesis.synthesise(([0.0], [1.0]))
     with pytest.raises(ia.ModelError, match="an admittance is a"):
-        ia.synthesise(3.0)
+        ia.synthesis.synthesise(3.0)

@@ -1,0 +1,10 @@
+from .design import Design as Design
+from .design import grid as grid
+from .design import latin_hypercube as latin_hypercube
+from .design import monte_carlo as monte_carlo
+from .design import sobol_sequence as sobol_sequence
+from .sobol_indices import saltelli as saltelli
+from .sobol_indices import sobol_indices as sobol_indices
+from .sweep import Sweep as Sweep
+from .sweep import SweepInterruptedError as SweepInterruptedError
+from .sweep import sweep as sweep

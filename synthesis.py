@@ -1,0 +1,3 @@
+"""From an admittance to a network of springs, dampers and inerters."""
+
+from .networks.synthesis import *
