@@ -26,7 +26,7 @@ from .records.excitation import Multisine as Multisine
 from .records.excitation import SineDwells as SineDwells
 from .records.excitation import sampled as sampled
 from .records.filters import Filter as Filter
-from .records.noise import Floor as Floor
+from .records.noise import NoiseFloor as NoiseFloor
 from .records.record import Channel as Channel
 from .records.record import Record as Record
 from .records.record import read_record as read_record
@@ -40,8 +40,8 @@ __all__ = [
     "Filter",
     "Fit",
     "FitInterruptedError",
-    "Floor",
     "Multisine",
+    "NoiseFloor",
     "Prediction",
     "Record",
     "SineDwells",

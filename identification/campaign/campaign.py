@@ -15,7 +15,7 @@ import numpy as np
 from ...base import demand, function, instance, path_of, shown, text_of, there_is_file, unit_for
 from ...components import ModelError
 from ...networks import DAE, Network
-from ..records.noise import Floor, repeated_floor, spectral_floor
+from ..records.noise import NoiseFloor, repeated_floor, spectral_floor
 from ..records.record import Channel, outputs_of
 from .channels import read_channels, read_noise
 from .experiment import Experiment, read_experiments, repeat_problems, strange
@@ -98,7 +98,7 @@ class Campaign:
     training: list[Experiment] = field(init=False, repr=False)
     testing: list[Experiment] = field(init=False, repr=False)
     stages: list[Stage] = field(init=False, repr=False)
-    floors: dict[str, Floor] = field(init=False, repr=False)
+    floors: dict[str, NoiseFloor] = field(init=False, repr=False)
     notes: list[str] = field(init=False, repr=False)
 
     def __post_init__(self) -> None:
@@ -271,9 +271,9 @@ class Campaign:
             told = ", ".join(f"{name} {rate:g} Hz" for name, rate in rates.items())
             yield f"sampling rates differ ({told}); each record is simulated at its own"
 
-    def _floor(self, channel: str, stated: Mapping[str, float]) -> Floor:
+    def _floor(self, channel: str, stated: Mapping[str, float]) -> NoiseFloor:
         if channel in stated:
-            return Floor(stated[channel], "stated")
+            return NoiseFloor(stated[channel], "stated")
         by_source = {str(e.source): e.record for e in self.experiments}
         pairs = [(e.record, by_source[e.repeat_of]) for e in self.experiments if e.repeat_of in by_source]
         floors = [repeated_floor(*pair, channel) for pair in pairs]

@@ -14,14 +14,14 @@ LEAST_RANGE_SHARE = 1e-6
 
 
 @dataclass(frozen=True)
-class Floor:
+class NoiseFloor:
     """Standard deviation of what is noise in a channel, as white noise, in SI units, and how it is known."""
 
     sigma: float
     source: str
 
 
-def spectral_floor(values: Array) -> Floor:
+def spectral_floor(values: Array) -> NoiseFloor:
     """Estimate white noise from the spectrum between 60 and 95 % of its top, where machines hardly move.
 
     Not below what the steps of a digital sensor make.
@@ -34,14 +34,14 @@ def spectral_floor(values: Array) -> Floor:
     sigma = float(np.sqrt(0.5 * np.median(density[begin:end])))
     quantum = _quantum(values) / np.sqrt(12)
     least = LEAST_RANGE_SHARE * float(np.ptp(values))
-    return Floor(max(sigma, quantum, least), "steps of the sensor" if quantum > sigma else "spectrum")
+    return NoiseFloor(max(sigma, quantum, least), "steps of the sensor" if quantum > sigma else "spectrum")
 
 
-def repeated_floor(record: Record, other: Record, channel: str) -> Floor:
+def repeated_floor(record: Record, other: Record, channel: str) -> NoiseFloor:
     """Estimate noise from two runs under one excitation: their difference over the root of two."""
     count = min(len(record.time), len(other.time))
     difference = record.values[channel][:count] - other.values[channel][:count]
-    return Floor(max(float(difference.std() / np.sqrt(2)), 1e-300), "repeats")
+    return NoiseFloor(max(float(difference.std() / np.sqrt(2)), 1e-300), "repeats")
 
 
 def _quantum(values: Array) -> float:

@@ -14,10 +14,10 @@ from .linearise import Linearisation as Linearisation
 from .linearise import Varied as Varied
 from .linearise import linearise as linearise
 from .measures import base_shear as base_shear
-from .measures import drift as drift
 from .measures import load_j5 as load_j5
 from .measures import ride_comfort as ride_comfort
 from .measures import ride_j1 as ride_j1
+from .measures import storey_drift as storey_drift
 from .measures import suspension_travel as suspension_travel
 from .measures import tyre_j3 as tyre_j3
 from .modes import Mode as Mode
@@ -34,7 +34,7 @@ from .probing import impedance as impedance
 from .random import response_psd as response_psd
 from .random import response_rms as response_rms
 from .roads import bump as bump
-from .roads import record as record
+from .roads import load_signal as load_signal
 from .roads import road_profile as road_profile
 from .roads import road_spectrum as road_spectrum
 from .roads import roughness as roughness
@@ -44,6 +44,6 @@ from .stepped import describing_function as describing_function
 from .stepped import stepped_sine as stepped_sine
 from .tuning import Scatter as Scatter
 from .tuning import Tuned as Tuned
-from .tuning import front as front
+from .tuning import pareto_front as pareto_front
 from .tuning import scatter as scatter
 from .tuning import tune as tune

@@ -124,7 +124,7 @@ def base_shear(
     return _at_worst(frame, f"der(der({ground}.s_ref))", f"{storey}.f", parameters)
 
 
-def drift(
+def storey_drift(
     frame: Network | DAE, *, storey: str = "storey1", ground: str = "ground", parameters: Changes = None
 ) -> Norm:
     """Return the greatest drift of a storey for a unit harmonic ground acceleration [s2]."""

@@ -113,7 +113,9 @@ def bump(height: float, length: float, speed: float, begin: float = 0.0) -> Call
     return profile
 
 
-def record(path: str | Path, column: str | None = None, *, time: str = "time", scale: float = 1.0) -> Sampled:
+def load_signal(
+    path: str | Path, column: str | None = None, *, time: str = "time", scale: float = 1.0
+) -> Sampled:
     """Return a measured signal from a file, such as the acceleration of the ground or the force of wind.
 
     Args:
@@ -127,7 +129,7 @@ def record(path: str | Path, column: str | None = None, *, time: str = "time", s
         ModelError: for a missing file or column, or what is no finite number or out of order, with its line.
     """
     file = path_of(path, "a record")
-    demand("record()", scale=(scale, finite()), time=(time, text), column=(column, optional(text)))
+    demand("load_signal()", scale=(scale, finite()), time=(time, text), column=(column, optional(text)))
     table = read_table(file)
     instants = table.in_si(time, "s")
     wanted = column or next((name for name in table.columns if name != time), "")

@@ -92,7 +92,7 @@ def tune(
     return Tuned(problem.parameters(x), value, problem.count, at_bound, problem.exact)
 
 
-def front(
+def pareto_front(
     network: Network | DAE, first: Measure, second: Measure, bounds: Bounds, points: int = 9, **options: Any
 ) -> list[tuple[float, float, dict[str, float]]]:
     """Return designs none of which beats another in both measures: (first, second, parameters).
@@ -111,7 +111,7 @@ def front(
     """
     if whole(2)(points):
         raise ModelError(f"a front has at least its two ends, got points={points}")
-    check_keywords("front()", options, tune)
+    check_keywords("pareto_front()", options, tune)
     dae = dae_of(network)
     begin, end = (tune(dae, measure, bounds, **options) for measure in (first, second))
     highest = float(second(dae, parameters=begin.parameters))

@@ -196,8 +196,8 @@ GOOD: dict[str, Callable[[], Any]] = {
     "Record.name": lambda: "record",
     "Record.time": lambda: np.arange(64.0), "Record.values": lambda: {"F": np.arange(64.0)},
     "shear_frame.m": lambda: [1.0], "shear_frame.k": lambda: [1.0], "shear_frame.d": lambda: [1.0],
-    "front.first": lambda: lambda dae, *, parameters: parameters["spring.k"],
-    "read_record.path": lambda: "none.csv", "record.path": lambda: "none.csv",
+    "pareto_front.first": lambda: lambda dae, *, parameters: parameters["spring.k"],
+    "read_record.path": lambda: "none.csv", "load_signal.path": lambda: "none.csv",
     "load_table.path": lambda: "none.csv",
     "read_ssp.path": lambda: "none.ssp", "FMU.path": lambda: "none.fmu",
     "Result.save.path": lambda: "none.txt",
@@ -239,7 +239,8 @@ INSTANCES: dict[type, Callable[[], Any]] = {
 }  # fmt: skip
 OTHERS = {
     # made by the library alone, or without methods that take anything
-    "CheckReport", "Connection", "CoupledRun", "Event", "Experiment", "FMUBlock", "Finding", "Fit", "Floor",
+    "CheckReport", "Connection", "CoupledRun", "Event", "Experiment", "FMUBlock", "Finding", "Fit",
+    "NoiseFloor",
     "ForeignEvent", "ForeignRun", "Mode", "OperatingPoint", "PositiveReal", "Prediction", "Shock", "Split",
     "Sweep", "SystemRun", "SystemStructure", "Tuned", "Verdict", "Channel", "Varied", "write_report",
     # what a declaration of a component takes is tried where components are

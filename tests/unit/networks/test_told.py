@@ -13,7 +13,7 @@ import inertance as ia
 import numpy as np
 import pytest
 from inertance import rotational
-from inertance.analysis import admittance, body_positions, front, linearise, record, scatter, tune
+from inertance.analysis import admittance, body_positions, linearise, pareto_front, scatter, tune
 from inertance.cli import app
 from inertance.identification import Campaign, Channel, Record, read_record
 from inertance.machines import PitchingBody
@@ -56,7 +56,7 @@ def broken(t: Any) -> Any:
         (lambda: oscillator().sprng, ia.UnknownPartError, "has no 'sprng'; did you mean 'spring'?"),
         (lambda: run(stepp=0.1), ia.ModelError, "no argument 'stepp'; did you mean 'step'?"),
         (lambda: oscillator().simulate(1.0, stepp=0.1), ia.ModelError, "did you mean 'step'?"),
-        (lambda: front(oscillator(), abs, abs, {}, stars=1), ia.ModelError, "did you mean 'starts'?"),  # type: ignore[arg-type]
+        (lambda: pareto_front(oscillator(), abs, abs, {}, stars=1), ia.ModelError, "did you mean 'starts'?"),  # type: ignore[arg-type]
         (lambda: run(rtol=1e-20), ia.ModelError, "rtol must be from 1e-14 to 0.1, got 1e-20"),
         (lambda: run(rtol=10), ia.ModelError, "rtol must be from 1e-14 to 0.1, got 10"),
         (lambda: run(step=1e-12), ia.ModelError, "asks for 1e+12 outputs of 1 s, more than 2e+07"),
@@ -220,7 +220,7 @@ def test_tables_are_read_in_utf_8_and_utf_16(encoding: str, tmp_path: Path) -> N
     text = LINES if encoding != "utf-16-le-bom" else "\ufeff" + LINES
     path.write_bytes(text.encode(encoding.removesuffix("-bom")))
     assert ia.load_table(path)["push.f"].iloc[3] == 3.0
-    assert record(path).values[3] == 3.0
+    assert load_signal(path).values[3] == 3.0
     channel = Channel("push.f", True, "N", "N")
     assert read_record(path, {"push.f": channel}).values["push.f"][3] == 3.0
 
@@ -248,7 +248,7 @@ def test_a_bad_table_is_told_alike_wherever_it_is_read(
     )
     channels = {"push.f": Channel("push.f", True, "N", "N")}
     messages = []
-    for read in (ia.load_table, record, lambda path: read_record(path, channels)):
+    for read in (ia.load_table, load_signal, lambda path: read_record(path, channels)):
         with pytest.raises(ia.ModelError) as caught:
             read("data.csv")
         messages.append(str(caught.value))
@@ -261,7 +261,7 @@ def test_a_bad_table_is_told_alike_wherever_it_is_read(
 def test_what_is_no_text_is_told_with_its_line(tmp_path: Path) -> None:
     path = tmp_path / "data.csv"
     path.write_bytes(b"time,push.f\n0,1\n1,\xb5\n")
-    for read in (ia.load_table, record):
+    for read in (ia.load_table, load_signal):
         with pytest.raises(ia.ModelError, match=r"data\.csv: not a text file in UTF-8 \(line 3, byte 0xb5"):
             read(path)
 

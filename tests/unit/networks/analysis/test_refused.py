@@ -12,12 +12,12 @@ from inertance.analysis import (
     Varied,
     bump,
     describing_function,
-    front,
     harmonic_orbit,
     linearise,
+    load_signal,
+    pareto_front,
     quarter_car_damping,
     quarter_car_j1,
-    record,
     response_psd,
     response_rms,
     ride_j1,
@@ -100,7 +100,7 @@ def test_a_bad_road_file_is_refused_at_its_line(text: str, told: str, tmp_path: 
     file = tmp_path / "road.csv"
     file.write_text(text, encoding="utf-8")
     with pytest.raises(ia.ModelError, match=told):
-        record(file)
+        load_signal(file)
 
 
 @pytest.mark.parametrize(
@@ -114,7 +114,7 @@ def test_a_bad_ground_motion_is_refused(values: str, told: str, tmp_path: Path) 
     file = tmp_path / "quake.at2"
     file.write_text(f"PEER\nsomewhere\nin g\n{values}\n", encoding="utf-8")
     with pytest.raises(ia.ModelError, match=told):
-        record(file)
+        load_signal(file)
 
 
 @pytest.mark.parametrize(
@@ -131,7 +131,7 @@ def test_a_bad_ground_motion_is_refused(values: str, told: str, tmp_path: Path) 
         (lambda: tune(car(), ride_j1, {D: (1.0, 2.0, 3.0)}), "lower to a higher"),  # type: ignore[dict-item]
         (lambda: tune(car(), ride_j1, {D: (1.0, np.inf)}), "lower to a higher"),
         (lambda: tune(car(), ride_j1, {D: (1e3, 2e3)}, limits=[(tyre_j3, 0.0)]), "limit must be"),
-        (lambda: front(car(), ride_j1, tyre_j3, {D: (1e3, 2e3)}, points=1), "two ends"),
+        (lambda: pareto_front(car(), ride_j1, tyre_j3, {D: (1e3, 2e3)}, points=1), "two ends"),
         (lambda: scatter(car(), ride_j1, {D: 0.1}, samples=0), "at least 2 samples"),
         (lambda: road_profile("A", -10.0, 10.0), "speed must be above 0 m/s, got -10"),
         (lambda: road_profile("A", 10.0, 100.0, low=3.0, high=1.0), "high must be above 3 cycle/m, got 1"),

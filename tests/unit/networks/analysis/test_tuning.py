@@ -54,7 +54,7 @@ def test_a_parameter_is_driven_to_its_bound_whatever_the_last_bits(seed: int, mi
 
 def test_a_front_goes_from_one_optimum_to_the_other() -> None:
     dae = car()
-    designs = ia.analysis.front(
+    designs = ia.analysis.pareto_front(
         dae, ia.analysis.ride_j1, ia.analysis.suspension_travel, {D: (1500.0, 6e3)}, points=4, starts=1
     )
     first, second = zip(*[d[:2] for d in designs], strict=True)
@@ -97,17 +97,17 @@ def test_bump_lifts_a_car_and_lets_it_down() -> None:
 def test_records_are_read_from_files(tmp_path: Path) -> None:
     table = tmp_path / "wind.csv"
     table.write_text("time,force\n0,1\n0.1,2\n0.2,4\n0.3,3\n", encoding="utf-8")
-    assert ia.analysis.record(table, scale=1e3).values.tolist() == [1e3, 2e3, 4e3, 3e3]
+    assert ia.analysis.load_signal(table, scale=1e3).values.tolist() == [1e3, 2e3, 4e3, 3e3]
     with pytest.raises(ia.ModelError, match="did you mean 'force'"):
-        ia.analysis.record(table, "forse")
+        ia.analysis.load_signal(table, "forse")
     table.write_text("time,force\n0,1\n0.1,x\n", encoding="utf-8")
     with pytest.raises(ia.ModelError, match="line 3"):
-        ia.analysis.record(table)
+        ia.analysis.load_signal(table)
     quake = tmp_path / "quake.at2"
     quake.write_text(
         "PEER\nsomewhere\nacceleration in g\nNPTS=   5, DT=   .0100 SEC\n 0 .1 .2\n .1 0\n", encoding="utf-8"
     )
-    found = ia.analysis.record(quake)
+    found = ia.analysis.load_signal(quake)
     assert found.time[1] == 0.01
     assert found.values[2] == pytest.approx(0.2 * 9.80665)
 
@@ -123,7 +123,7 @@ def test_base_shear_and_drift_of_one_storey() -> None:
     zeta, w = 0.05, 10.0
     frame = ia.machines.shear_frame([1e3], [1e3 * w**2], [2 * zeta * 1e3 * w])
     peak = 1 / (2 * zeta * sqrt(1 - zeta**2) * w**2)
-    assert ia.analysis.drift(frame) == pytest.approx(peak, rel=1e-9)
+    assert ia.analysis.storey_drift(frame) == pytest.approx(peak, rel=1e-9)
     assert ia.analysis.base_shear(frame) == pytest.approx(1e3 * sqrt(1 + 4 * zeta**2) * w**2 * peak, rel=2e-3)
 
 
