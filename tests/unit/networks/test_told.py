@@ -13,7 +13,7 @@ import inertance as ia
 import numpy as np
 import pytest
 from inertance import rotational
-from inertance.analysis import admittance, body_positions, linearise, pareto_front, scatter, tune
+from inertance.analysis import admittance, body_positions, linearise, load_signal, pareto_front, scatter, tune
 from inertance.cli import app
 from inertance.identification import Campaign, Channel, Record, read_record
 from inertance.machines import PitchingBody
