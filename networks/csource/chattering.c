@@ -18,19 +18,13 @@ void core_say_latest(Core *c, int count) {
                 next = name;
         }
         if (!next) return;
-        if (*last) core_say_more(c, ", ");
-        core_say_more(c, next);
+        core_say_more(c, "%s%s", *last ? ", " : "", next);
     }
 }
 
 static CoreStatus chatters(Core *c, int count, double since) {
-    core_say(c, "chattering: ");
-    core_say_number(c, count);
-    core_say_more(c, " events within ");
-    core_say_number(c, c->t - since);
-    core_say_more(c, " s at t = ");
-    core_say_number(c, c->t);
-    core_say_more(c, " s, from ");
+    core_fail(c, CORE_ERROR, "chattering: %g events within %g s at t = %g s, from ", (double)count,
+              c->t - since, c->t);
     core_say_latest(c, count);
     core_say_more(c, "; give it a resting speed, hysteresis or some compliance");
     return CORE_ERROR;

@@ -14,17 +14,12 @@ double core_near_zero(const Core *c, int i) { return fmax(INDICATOR_FLOOR, INDIC
 
 /* Evaluate indicators and their rates where states have `rates`; remember their size. */
 int core_watch(Core *c, double t, const double y[], const double rates[], Watched *w) {
-    const double *arg[ROOM(MODEL_ARGS)] = {0};
-    double *res[ROOM(MODEL_RESULTS)] = {w->value, w->rate}, sum = 0;
+    double sum = 0;
     if (NG == 0) return 1;
     memcpy(c->trial, rates, NY * sizeof *rates);
     if (!core_algebra_rates(c, t, y, c->trial)) return 0;
-    core_arguments(c, t, y, arg);
-    arg[4] = &t;
-    arg[5] = c->trial;
-    arg[6] = c->trial + NX;
-    arg[7] = c->u_rate;
-    model_watch(arg, res, c->iw, c->w, 0);
+    Call call = {.arg = {[5] = c->trial, c->trial + NX, c->u_rate}, .res = {w->value, w->rate}};
+    core_evaluate(c, model_watch, t, y, &call);
     for (int i = 0; i < NG; i++) {
         sum += fabs(w->value[i]) + fabs(w->rate[i]);
         c->seen[i] = fmax(c->seen[i], fabs(w->value[i]));
@@ -33,13 +28,7 @@ int core_watch(Core *c, double t, const double y[], const double rates[], Watche
     return isfinite(sum);
 }
 
-void core_switching(Core *c) {
-    const double *arg[ROOM(MODEL_ARGS)] = {0};
-    double *res[ROOM(MODEL_RESULTS)] = {c->expressions};
-    core_arguments(c, c->t, c->y, arg);
-    arg[4] = &c->t;
-    model_switch(arg, res, c->iw, c->w, 0);
-}
+void core_switching(Core *c) { core_evaluate(c, model_switch, c->t, c->y, &(Call){.res = {c->expressions}}); }
 
 static int is_ready(const Core *c, int i, int forced) {
     const double *g = c->left.value, *rate = c->left.rate, near = core_near_zero(c, i);
@@ -130,17 +119,14 @@ static CoreStatus apply(Core *c, const int fired[], int count, const Observer *t
 
 static CoreStatus check_adrift(Core *c) {
     if (!c->adrift) return CORE_OK;
-    core_say_when(c);
-    core_say_more(c, "nothing with inertia moves with ");
-    core_say_more(c, model_block_label[c->adrift - 1]);
-    core_say_more(c, ", which no longer holds; join a Mass (or an Inertia) where it slides");
-    return CORE_ERROR;
+    return core_fail(c, CORE_ERROR,
+                     "at t = %g s nothing with inertia moves with %s, which no longer holds; join a Mass "
+                     "(or an Inertia) where it slides",
+                     c->t, model_block_label[c->adrift - 1]);
 }
 
 static CoreStatus forever(Core *c) {
-    core_say(c, "no consistent set of modes at t = ");
-    core_say_number(c, c->t);
-    core_say_more(c, " s; these switch for ever: ");
+    core_fail(c, CORE_ERROR, "no consistent set of modes at t = %g s; these switch for ever: ", c->t);
     core_say_latest(c, FIRING_TOLD);
     return CORE_ERROR;
 }
@@ -157,8 +143,8 @@ CoreStatus core_fire(Core *c, int forced, const Observer *told, int begins, int 
         count = firing(c, forced, fired);
         forced = -1;
         if (count < 0) {
-            if (core_rates(c, 0) == CORE_OK) core_say(c, "indicators are not finite");
-            return CORE_DISCARD;
+            if (core_rates(c, 0) != CORE_OK) return CORE_DISCARD;
+            return core_fail(c, CORE_DISCARD, "indicators are not finite");
         }
         if (count == 0) {
             if (!*happened && waited >= 0) c->muted[waited] = 1;

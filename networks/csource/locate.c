@@ -168,9 +168,7 @@ static CoreStatus step_onto(Core *c, const Crossing *crossing) {
     double error;
     if (core_step_begin(c) && core_step_try(c, crossing->t - c->t, 1, 1, &error) && look(c, crossing->t))
         return CORE_OK;
-    core_say(c, "no way onto the event of ");
-    core_say_more(c, model_component[crossing->indicator]);
-    return CORE_DISCARD;
+    return core_fail(c, CORE_DISCARD, "no way onto the event of %s", model_component[crossing->indicator]);
 }
 
 /* Shift the end of the step onto a crossing, if that is possible, else leave it. Returns -1 if it is lost. */

@@ -266,7 +266,7 @@ def _library(dae: DAE, functions: dict[str, Any]) -> Any:
         folder = Path(mkdtemp(prefix="inertance-"))
         finalize(dae.flat, rmtree, folder, ignore_errors=True)
         model = Model(dae, functions, (), (), products=False)
-        files = model.texts() | sources((*SOURCES, "records.c", "native.c"))
+        files = model.texts() | sources((*SOURCES, "native.c"))
         for name, text in files.items():
             (folder / name).write_text(text, encoding="utf-8")
         listed = [folder / name for name in files if name.endswith(".c")]

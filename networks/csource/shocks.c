@@ -7,11 +7,7 @@
 void core_see(Core *c, double seen[]) {
     (void)c, (void)seen;
 #if NJ > 0
-    const double *arg[ROOM(MODEL_ARGS)] = {0};
-    double *res[ROOM(MODEL_RESULTS)] = {seen};
-    core_arguments(c, c->t, c->y, arg);
-    arg[4] = &c->t;
-    model_seen(arg, res, c->iw, c->w, 0);
+    core_evaluate(c, model_seen, c->t, c->y, &(Call){.res = {seen}});
 #endif
 }
 
@@ -25,15 +21,10 @@ static int last_of_signal(int k) {
 /* By how much signals and their derivatives have jumped since they were seen, zero where that is rounding. */
 static int since(Core *c, const double seen[], double jump[]) {
     double now[ROOM(NREAD)], size[ROOM(NJ)], raw[ROOM(NJ)];
-    const double *arg[ROOM(MODEL_ARGS)] = {0};
-    double *res[ROOM(MODEL_RESULTS)] = {raw, size};
+    Call call = {{seen, now, c->q, &c->t}, {raw, size}};
     int any = 0;
     core_see(c, now);
-    arg[0] = seen;
-    arg[1] = now;
-    arg[2] = c->q;
-    arg[3] = &c->t;
-    model_jump(arg, res, c->iw, c->w, 0);
+    model_jump(call.arg, call.res, c->iw, c->w, 0);
     for (int k = 0; k < NJ; k++) {
         int last = last_of_signal(k);
         double late = last ? 0 : JUMP_LATE * fmax(1, fabs(c->t)) * fabs(raw[k + 1]);
@@ -45,29 +36,16 @@ static int since(Core *c, const double seen[], double jump[]) {
 
 /* Rates of states and forces while signals are off by a course. */
 int core_rates_off(Core *c, const double x[], const double course[], double rates[]) {
-    const double *arg[ROOM(MODEL_ARGS)] = {0};
-    double y[ROOM(NY)], signed_[ROOM(NJ)], moved[ROOM(NPATH + NZ)], *res[ROOM(MODEL_RESULTS)] = {moved},
-                                                                    sum = 0;
+    double y[ROOM(NY)], signed_[ROOM(NJ)], moved[ROOM(NPATH + NZ)], sum = 0;
     for (int k = 0; k < NJ; k++) signed_[k] = model_jump_sign[k] * course[k];
     memcpy(y, x, NX * sizeof *x);
     memcpy(y + NX, c->y + NX, NZ * sizeof *y);
-    for (int round = 0; round < NEWTON_ROUNDS; round++) {
-        double largest = 0, size = 0;
-        core_arguments(c, c->t, y, arg);
-        arg[4] = &c->t;
-        arg[5] = signed_;
-        model_moving(arg, res, c->iw, c->w, 0);
+    for (int round = 0, found = 0; round < NEWTON_ROUNDS && !found; round++) {
+        core_evaluate(c, model_moving, c->t, y, &(Call){.arg = {[5] = signed_}, .res = {moved}});
         if (NZ == 0) break;
-        if (!core_algebra_factor(c, c->t, y)) return 0;
-        for (int i = 0; i < NX; i++) c->value[i] = 0;
-        for (int i = 0; i < NZ; i++) c->value[NX + i] = moved[NPATH + i];
-        core_factor_solve(&c->algebra, c->value, c->full);
-        for (int i = NX; i < NY; i++) {
-            y[i] -= c->value[i];
-            largest = fmax(largest, fabs(c->value[i]));
-            size = fmax(size, fabs(y[i]));
-        }
-        if (!(largest > NEWTON_CLOSE * (1 + size))) break;
+        memcpy(c->value + NX, moved + NPATH, NZ * sizeof *moved);
+        found = core_newton(c, c->t, y);
+        if (found < 0) return 0;
     }
     for (int i = 0; i < NPATH; i++) sum += fabs(rates[i] = moved[i]);
     return isfinite(sum);
@@ -105,10 +83,10 @@ static int moved(Core *c, const double jump[], const double path[], double s, do
 /* How states and impulses move with s; `jump` ends with how far states are off. 0 if they move the faster,
  * the shorter the ramp. */
 static int path_rates(Core *c, const double jump[], const double path[], double s, double rates[]) {
-    double shorter[ROOM(NPATH)], most = 0;
+    double shorter[ROOM(NPATH)];
     if (!moved(c, jump, path, s, RAMP, rates) || !moved(c, jump, path, s, RAMP * RAMP_SHORTER, shorter))
         return 0;
-    for (int i = 0; i < NPATH; i++) most = fmax(most, fabs(rates[i]));
+    double most = core_largest(rates, NPATH);
     for (int i = 0; i < NPATH; i++)
         if (!(fabs(rates[i] - shorter[i]) <= JUMP_UNBOUNDED * (most + least_size(i)))) return 0;
     return 1;
@@ -129,18 +107,19 @@ static int runge_kutta(Core *c, const double jump[], const double path[], double
 /* The mode through which a jump acts otherwise than through its others, of which none is known to hold; else
  * -1. */
 static int uncertain(Core *c, const double jump[], const double path[], double rates[]) {
-    double other[ROOM(NPATH)], *modes = core_modes(c), kept[ROOM(NM + NI + NK)];
+    double other[ROOM(NPATH)], *modes = core_modes(c);
+    Kept kept;
     int found = -1;
-    memcpy(kept, modes, (NM + NI + NK) * sizeof *kept);
+    memcpy(kept.modes, modes, (NM + NI + NK) * sizeof *modes);
     for (int m = 0; m < NM && found < 0; m++)
         for (int value = 0; value < model_in_shock_start[m + 1] - model_in_shock_start[m] && found < 0;
              value++) {
-            if (model_jump_mode[m] || value == (int)kept[m] || core_stands_in(m, value) >= 0) continue;
+            if (model_jump_mode[m] || value == (int)kept.modes[m] || core_stands_in(m, value) >= 0) continue;
             modes[m] = value;
             if (core_complete(c) != CORE_OK || !path_rates(c, jump, path, 0, other)) found = m;
             for (int i = 0; i < NPATH && found < 0; i++)
                 if (!(fabs(other[i] - rates[i]) <= JUMP_ALIKE * (1 + fabs(rates[i])))) found = m;
-            memcpy(modes, kept, (NM + NI + NK) * sizeof *kept);
+            core_go_back(c, &kept);
         }
     return found;
 }
@@ -169,17 +148,11 @@ static int follow(Core *c, const double jump[], double path[]) {
 
 static CoreStatus unbounded(Core *c, const double jump[]) {
     int any = 0;
-    core_say_when(c);
-    core_say_more(c, "what prescribes a motion jumps: ");
+    core_fail(c, CORE_ERROR, "at t = %g s what prescribes a motion jumps: ", c->t);
     for (int s = 0; s < NSIGNAL; s++) {
-        double size = 0;
-        for (int k = model_jump_start[s]; k < model_jump_start[s + 1]; k++) size = fmax(size, fabs(jump[k]));
-        if (size == 0) continue;
-        if (any++) core_say_more(c, ", ");
-        core_say_more(c, model_jump_name[s]);
-        core_say_more(c, " (by ");
-        core_say_number(c, size);
-        core_say_more(c, ")");
+        int start = model_jump_start[s];
+        double size = core_largest(jump + start, model_jump_start[s + 1] - start);
+        if (size > 0) core_say_more(c, "%s%s (by %g)", any++ ? ", " : "", model_jump_name[s], size);
     }
     core_say_more(
         c,
@@ -194,13 +167,10 @@ static CoreStatus pass_through(Core *c, double jump[], double path[]) {
     if (!thrown(c, jump, path, jump + NJ) || !path_rates(c, jump, path, 0, rates)) return unbounded(c, jump);
     int mode = uncertain(c, jump, path, rates);
     if (mode < 0) return follow(c, jump, path) ? CORE_OK : unbounded(c, jump);
-    core_say_when(c);
-    core_say_more(c, model_mode_name[mode]);
-    core_say_more(
-        c,
-        ": a jump of a prescribed motion acts through this mode, and which one holds is not known: give a ramp "
-        "instead of the jump");
-    return CORE_ERROR;
+    return core_fail(c, CORE_ERROR,
+                     "at t = %g s %s: a jump of a prescribed motion acts through this mode, and which one "
+                     "holds is not known: give a ramp instead of the jump",
+                     c->t, model_mode_name[mode]);
 }
 
 static int is_still(const Core *c, const double path[]) {
@@ -214,18 +184,16 @@ static int is_still(const Core *c, const double path[]) {
 CoreStatus core_jump(Core *c, const double seen[], const Observer *told, int *changed) {
     (void)c, (void)seen, (void)told, (void)changed;
 #if NJ > 0
-    double jump[NJ + ROOM(NX)], path[ROOM(NPATH)] = {0}, kept[ROOM(NM + NI + NK)], before[ROOM(NE)];
-    double *modes = core_modes(c);
+    double jump[NJ + ROOM(NX)], path[ROOM(NPATH)] = {0}, before[ROOM(NE)];
+    Kept kept;
     CoreStatus status = core_rates(c, 0);
     if (status != CORE_OK || !since(c, seen, jump)) return status;
     core_switching(c);
     memcpy(before, c->expressions, NE * sizeof *before);
     memcpy(path, c->y, NX * sizeof *path);
-    memcpy(kept, modes, (NM + NI + NK) * sizeof *kept);
-    core_stand_in(c);
-    status = core_complete(c);
+    status = core_stand_in(c, &kept);
     if (status == CORE_OK) status = pass_through(c, jump, path);
-    memcpy(modes, kept, (NM + NI + NK) * sizeof *kept);
+    core_go_back(c, &kept);
     if (status != CORE_OK || is_still(c, path)) return status;
     memcpy(c->y, path, NX * sizeof *path);
     *changed = 1;

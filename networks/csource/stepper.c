@@ -25,23 +25,14 @@ typedef struct {
     CoreStop reached;
 } Travel;
 
-static void fail_because(Core *c, const char *reason) {
-    core_say(c, "integration failed at t = ");
-    core_say_number(c, c->t);
-    core_say_more(c, " s: ");
-    core_say_more(c, reason);
-}
-
 static void name_worst(Core *c) {
     if (NY == 0) return;
-    core_say_more(c, "; the state that limited the step is ");
-    core_say_more(c, model_unknown_name[c->worst]);
-    core_say_more(c, " = ");
-    core_say_number(c, c->y[c->worst]);
+    core_say_more(c, "; the state that limited the step is %s = %g", model_unknown_name[c->worst],
+                  c->y[c->worst]);
 }
 
 static CoreStatus failed(Core *c, const char *reason) {
-    fail_because(c, reason);
+    core_fail(c, CORE_DISCARD, "integration failed at t = %g s: %s", c->t, reason);
     name_worst(c);
     return CORE_DISCARD;
 }
@@ -221,13 +212,10 @@ static CoreStatus enter_next_leg(Core *c, Travel *travel) {
 static CoreStatus check_pace(Core *c, double begin, double stop, long long before) {
     double work = (double)(c->work - before), done = c->t - begin, whole = stop - begin;
     if (work <= PATIENCE / (1 + NY / 10.0) + MOST_WORK * done / whole) return CORE_OK;
-    fail_because(c, "a step of ");
-    core_say_number(c, whole);
-    core_say_more(c, " s is given up, as so far the model was evaluated ");
-    core_say_number(c, work);
-    core_say_more(c, " times for ");
-    core_say_number(c, done);
-    core_say_more(c, " s of it");
+    core_fail(c, CORE_ERROR,
+              "integration failed at t = %g s: a step of %g s is given up, as so far the model was evaluated "
+              "%g times for %g s of it",
+              c->t, whole, work, done);
     name_worst(c);
     core_say_more(c, ". Is a parameter out of all proportion, or the communication step too long?");
     return CORE_ERROR;
@@ -245,17 +233,10 @@ static void rebase(Core *c) {
 }
 
 static CoreStatus check_wish(Core *c, double stop, double rtol, double atol) {
-    if (!isfinite(stop) || stop < c->t) {
-        core_say(c, "time can only advance, from ");
-        core_say_number(c, c->t);
-        core_say_more(c, " s; got ");
-        core_say_number(c, stop);
-        return CORE_ERROR;
-    }
+    if (!isfinite(stop) || stop < c->t)
+        return core_fail(c, CORE_ERROR, "time can only advance, from %g s; got %g", c->t, stop);
     if (!core_knows_inputs(c, stop)) return CORE_ERROR;
-    if (rtol > 0 && atol > 0) return CORE_OK;
-    core_say(c, "tolerances must be above 0");
-    return CORE_ERROR;
+    return rtol > 0 && atol > 0 ? CORE_OK : core_fail(c, CORE_ERROR, "tolerances must be above 0");
 }
 
 CoreStatus core_travel(Core *c, double stop, double rtol, double atol, double fixed_step, int return_early,
