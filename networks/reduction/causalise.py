@@ -13,14 +13,11 @@ from typing import Any
 
 import casadi as ca
 import numpy as np
-from numpy.typing import NDArray
 
-from ...base import Ints
+from ...base import Flags, Ints
 from ..flattening.vectors import column, pick, stacked
 from .pantelides import System, counted
-from .tearing import Block, Torn, tear
-
-SMALL = 8
+from .tearing import Torn, tear
 
 
 @dataclass(eq=False)
@@ -73,10 +70,10 @@ def causalise(system: System, states: list[int], symbols: Any, values: Any, also
     solved = _Solved()
     done = _solve_single(system, equations, unknowns, cuts, values, solved)
     torn: list[Torn] = []
+    every = system.equations()
     for block in np.flatnonzero(~done):
         span = slice(cuts[block], cuts[block + 1])
-        concerned = [system.equation(int(e)) for e in equations[span]]
-        result = tear(system, Block(concerned, unknowns[span].tolist()), values, SMALL)
+        result = tear(system, [every[e] for e in equations[span]], unknowns[span].tolist(), values)
         torn.append(result)
         if result.expressions:
             variables, found = zip(*result.expressions, strict=True)
@@ -92,24 +89,21 @@ def _triangular(system: System, states: list[int]) -> tuple[Ints, Ints, Ints]:
     is_unknown[[upper for upper, _ in system.derivative.values()]] = True
     is_unknown[states] = False
     is_unknown[list(system.known)] = False
-    rows, columns = system.incidence(counted(is_unknown))
-    count, size = system.equation_count(), int(is_unknown.sum())
-    pattern = ca.Sparsity.triplet(count, size, rows.tolist(), columns.tolist())
-    _, row_order, column_order, cuts, *_ = pattern.btf()
+    _, row_order, column_order, cuts, *_ = system.incidence(counted(is_unknown)).btf()
     unknowns = np.flatnonzero(is_unknown)[np.array(column_order, dtype=np.int64)]
     return np.array(row_order, dtype=np.int64), unknowns, np.array(cuts, dtype=np.int64)
 
 
 def _solve_single(
     system: System, equations: Ints, unknowns: Ints, cuts: Ints, values: Any, solved: _Solved
-) -> NDArray[np.bool_]:
+) -> Flags:
     """Solve the single linear equations, all of one form at once; tell which blocks are solved."""
     done = np.zeros(len(cuts) - 1, dtype=bool)
     single = np.flatnonzero(np.diff(cuts) == 1)
     chosen, targets = equations[cuts[single]], unknowns[cuts[single]]
     starts = system.family_starts()
     family_of = np.searchsorted(starts, chosen, side="right") - 1
-    for number in sorted(set(family_of.tolist())):
+    for number in np.unique(family_of).tolist():
         family = system.families[number]
         members = np.flatnonzero(family_of == number)
         members = members[np.argsort(chosen[members])]
@@ -141,17 +135,13 @@ def _substituted(
     place = {variable: i for i, variable in enumerate(order)} if system.held else {}
     for variable in system.held.keys() & place.keys():
         for condition in system.held[variable]:
-            held = ca.if_else(condition, 0, definitions[place[variable]])
-            definitions[place[variable]] = held
+            definitions[place[variable]] = ca.if_else(condition, 0, definitions[place[variable]])
     residuals = [residual for block in torn for residual in block.residuals]
     matrices = [block.matrix for block in torn]
-    targets = [pick(symbols, order)] if order else []
-    defined = [definitions] if order else []
-    replaced: Any = ca.substitute_inplace(targets, defined, [*residuals, *matrices, also])
-    solved_values, others = replaced
-    values = symbols[:]
+    values, others = symbols[:], [*residuals, *matrices, also]
     if order:
-        values.nz[order] = solved_values[0]
+        replaced: Any = ca.substitute_inplace([pick(symbols, order)], [definitions], others)
+        [values.nz[order]], others = replaced
     count = len(residuals)
     for block, matrix in zip(torn, others[count:-1], strict=True):
         block.matrix = matrix

@@ -14,18 +14,16 @@ from dataclasses import dataclass
 
 import casadi as ca
 import numpy as np
-from numpy.typing import NDArray
 
-from ...base import Ints
+from ...base import Flags, Ints
 from ..flattening.duplicates import without_duplicates
 from ..flattening.families import Family
 from ..flattening.forms import Form
 from ..flattening.union import SignedUnion
 from ..flattening.vectors import column
-from .pantelides import System
+from .pantelides import Equation, System
 
 GROUND = -1
-Equation = tuple[int, int]
 
 
 @dataclass(frozen=True)
@@ -55,9 +53,7 @@ class _Reached:
 
 def close_loops(system: System) -> None:
     """Replace the equations that close loops."""
-    highest = system.is_root()
-    highest[list(system.derivative)] = False
-    highest[list(system.known)] = False
+    highest = system.highest()
     edges = _edges(system, highest)
     sums = _loop_sums(system, edges)
     for equation, weights in sums.items():
@@ -67,10 +63,10 @@ def close_loops(system: System) -> None:
         family, gone = system.families[number], [row for n, row in sums if n == number]
         system.families[number] = family.chosen(np.delete(np.arange(len(family)), gone))
     system.next_level += [{} for _ in sums]
-    system.level += [0 for _ in sums]
+    system.level += [0] * len(sums)
 
 
-def _edges(system: System, highest: NDArray[np.bool_]) -> list[_Edge]:
+def _edges(system: System, highest: Flags) -> list[_Edge]:
     """Return the equations that hold one or two unknowns, with slopes of one, and may close loops."""
     numbers, rows, ends = (np.concatenate(part) for part in zip(*_ends(system, highest), strict=True))
     edges = []
@@ -84,7 +80,7 @@ def _edges(system: System, highest: NDArray[np.bool_]) -> list[_Edge]:
     return [edges[i] for i in _in_loops(np.array([(e.a, e.b) for e in edges], dtype=np.int64).reshape(-1, 2))]
 
 
-def _ends(system: System, highest: NDArray[np.bool_]) -> Iterator[tuple[Ints, Ints, Ints]]:
+def _ends(system: System, highest: Flags) -> Iterator[tuple[Ints, Ints, Ints]]:
     """Yield, of the equations that hold one or two unknowns, family, row and unknowns, ground for none."""
     yield np.zeros(0, np.int64), np.zeros(0, np.int64), np.zeros((0, 2), np.int64)
     for number, family in enumerate(system.families):
@@ -181,7 +177,7 @@ def _loop_sums(system: System, edges: list[_Edge]) -> dict[Equation, dict[Equati
     return sums
 
 
-def _summed(system: System, weights: dict[Equation, int], highest: NDArray[np.bool_]) -> Family:
+def _summed(system: System, weights: dict[Equation, int], highest: Flags) -> Family:
     """Return the weighted sum of equations as one equation; its unknowns cancel and are left out."""
     time = ca.SX.sym("time")
     residual = ca.SX(0)

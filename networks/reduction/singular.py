@@ -11,10 +11,9 @@ from ...components.language import Parameter, Port, RealOutput, Variable
 from ...components.rotational import Fixed as RotationalFixed
 from ..flattening.flat import Instance
 from ..flattening.union import SignedUnion
-from .pantelides import System
+from .pantelides import Equation, System
 
 _T = TypeVar("_T")
-Equation = tuple[int, int]
 _GIVES_WAY = {"translational": "a Spring", "rotational": "a rotational.Spring"}
 _HAS_INERTIA = {"translational": "a Mass or a Fixed", "rotational": "an Inertia or a rotational.Fixed"}
 
@@ -33,13 +32,13 @@ def tell_singular(system: System, over: list[Equation], under: list[int]) -> lis
     place = _Place(system)
     problems: list[str] = []
     concerned: set[int] = set()
-    for equations in _grouped(over, place.unknowns_of):
+    for equations in grouped(over, place.unknowns_of):
         instances = place.instances_of(equations)
         if not instances and under:
             continue
         concerned |= place.through(instances)
         problems.append(_conflict(place, instances))
-    open_ = [unknowns for unknowns in _grouped(under, place.equations_with) if not concerned & set(unknowns)]
+    open_ = [unknowns for unknowns in grouped(under, place.equations_with) if not concerned & set(unknowns)]
     return problems + [_undetermined(place, unknowns) for unknowns in open_]
 
 
@@ -96,7 +95,7 @@ class _Place:
         return next((p.domain for i, p in every if self.number(i, p, "across") == unknown), "")
 
 
-def _grouped(members: list[_T], keys: Callable[[_T], Iterable[Hashable]]) -> list[list[_T]]:
+def grouped(members: list[_T], keys: Callable[[_T], Iterable[Hashable]]) -> list[list[_T]]:
     """Put members that share a key into one group."""
     joined = SignedUnion(len(members))
     first: dict[Hashable, int] = {}

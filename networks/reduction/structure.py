@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import casadi as ca
 import numpy as np
 
 from ...base import ModelError
@@ -20,9 +19,7 @@ def check_structure(system: System) -> None:
     chain = (bases == np.arange(system.size)) & system.is_root()
     chain[bases[list(system.known)]] = False
     chains = np.flatnonzero(chain).tolist()
-    rows, columns = system.incidence(counted(chain)[bases])
-    owners = system.equations()
-    pattern = ca.Sparsity.triplet(len(owners), len(chains), rows.tolist(), columns.tolist())
+    owners, pattern = system.equations(), system.incidence(counted(chain)[bases])
     _, order, permuted, _, _, coarse_rows, coarse_columns = pattern.btf()
     over = [owners[i] for i in order[: coarse_rows[2]]] if coarse_rows[1] else []
     under = [chains[i] for i in permuted[coarse_columns[2] :]] if coarse_columns[3] < len(chains) else []
