@@ -77,12 +77,17 @@ def _changes(count: int, modes: int, first: int) -> Iterator[Change]:
             yield Change(f"{NAME}[{k + 1}]", modes + k, source, 1 - source, first + row)
 
 
+def _instructions(known: Any) -> Iterator[tuple[int, int, list[int], list[int]]]:
+    """Yield number, operation, places of results and places of operands of what a function does."""
+    for k in range(known.n_instructions()):
+        yield k, known.instruction_id(k), known.instruction_output(k), known.instruction_input(k)
+
+
 def _without_limits(known: Any) -> set[int]:
     """Return the places of max and min whose values go into nothing that ends at a corner."""
     behind: dict[int, frozenset[int]] = {}
     found: set[int] = set()
-    for k in range(known.n_instructions()):
-        operation, into, of = known.instruction_id(k), known.instruction_output(k), known.instruction_input(k)
+    for k, operation, into, of in _instructions(known):
         if operation in (ca.OP_INPUT, ca.OP_CONST, ca.OP_PARAMETER):
             behind[into[0]] = frozenset()
         elif operation != ca.OP_OUTPUT:
@@ -109,12 +114,7 @@ class _Corners:
         self.results = [ca.SX.zeros(known.sparsity_out(k)) for k in range(known.n_out())]
         free = iter(known.free_sx())
         work: dict[int, Any] = {}
-        for k in range(known.n_instructions()):
-            operation, into, of = (
-                known.instruction_id(k),
-                known.instruction_output(k),
-                known.instruction_input(k),
-            )
+        for k, operation, into, of in _instructions(known):
             if operation == ca.OP_OUTPUT:
                 self.results[into[0]].nz[into[1]] = work[of[0]]
             elif operation == ca.OP_INPUT:

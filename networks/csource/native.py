@@ -5,18 +5,7 @@ from __future__ import annotations
 import ctypes
 import os
 import time as clock
-from ctypes import (
-    POINTER,
-    Structure,
-    byref,
-    c_char_p,
-    c_double,
-    c_int,
-    c_longlong,
-    c_size_t,
-    c_void_p,
-    pointer,
-)
+from ctypes import POINTER, Structure, byref, c_char_p, c_double, c_int, c_longlong, c_void_p, pointer
 from numbers import Real
 from pathlib import Path
 from shutil import rmtree
@@ -40,7 +29,7 @@ from ..simulation.integrator import IntegratorError
 from ..simulation.point import Point
 from ..simulation.polynomial import Polynomial
 from ..simulation.splines import piecewise
-from .model import Model
+from .model import CModel
 from .program import SOURCES, sources
 from .toolchain import ToolchainError, compile_shared
 
@@ -265,7 +254,7 @@ def _library(dae: DAE, functions: dict[str, Any]) -> Any:
     if key not in known:
         folder = Path(mkdtemp(prefix="inertance-"))
         finalize(dae.flat, rmtree, folder, ignore_errors=True)
-        model = Model(dae, functions, (), (), products=False)
+        model = CModel(dae, functions, (), (), products=False)
         files = model.texts() | sources((*SOURCES, "native.c"))
         for name, text in files.items():
             (folder / name).write_text(text, encoding="utf-8")
@@ -278,7 +267,7 @@ def _library(dae: DAE, functions: dict[str, Any]) -> Any:
 
 def _loaded(path: Path) -> Any:
     library = ctypes.CDLL(str(path))
-    library.native_size.restype, library.native_size.argtypes = c_size_t, [c_int]
+    library.native_size.restype, library.native_size.argtypes = ctypes.c_size_t, [c_int]
     for kind, mirror in enumerate((_Run, _Record, _Legs), 1):
         size = library.native_size(kind)
         if size != ctypes.sizeof(mirror):

@@ -20,13 +20,11 @@ from ..simulation.legs import Leg, endless_legs
 from ..simulation.polynomial import Polynomial
 from ..simulation.starting import Start
 from ..simulation.time_signals import TimeSignals
-from .model import Model
+from .model import CModel
 from .tables import macros
 
-HORIZON = 1e5
-HERE = Path(__file__).parent
+HORIZON = 1e5  # s: until when instants at which signals switch are sought
 HEADERS = ("core.h", "core_state.h")
-PRODUCTS = ("products.c",)
 STARTS = ("start.h", "start.c")
 SOURCES = (
     "algebra.c", "chattering.c", "contacts.c", "core.c", "events.c", "impacts.c", "legs.c", "linear.c",
@@ -49,48 +47,19 @@ class CProgram:
     """
 
     dae: DAE
-    model: Model
     files: dict[str, str]
+    states: list[str]
+    inputs: list[Input]
+    parameters: dict[str, float]
+    modes: list[str]
+    mode_values: list[tuple[str, ...]]
+    variables: list[str]
+    indicators: int
 
     @property
     def sources(self) -> list[str]:
         """Names of the C files to compile."""
         return [name for name in self.files if name.endswith(".c")]
-
-    @property
-    def states(self) -> list[str]:
-        """Full names of the states."""
-        return self.dae.state_names
-
-    @property
-    def inputs(self) -> list[Input]:
-        """Free inputs and their derivatives."""
-        return self.model.free
-
-    @property
-    def parameters(self) -> dict[str, float]:
-        """Defaults of the parameters."""
-        return self.dae.parameter_values
-
-    @property
-    def modes(self) -> list[str]:
-        """Full names of the modes."""
-        return self.dae.switching.mode_names
-
-    @property
-    def mode_values(self) -> list[tuple[str, ...]]:
-        """The names of the values of each mode."""
-        return self.dae.switching.mode_values
-
-    @property
-    def variables(self) -> list[str]:
-        """Names of the other variables."""
-        return list(self.model.variables)
-
-    @property
-    def indicators(self) -> int:
-        """Number of event indicators."""
-        return len(self.dae.switching.changes)
 
     @cached_property
     def dependencies(self) -> tuple[list[list[int]], list[list[int]]]:
@@ -118,7 +87,7 @@ def _reach(residuals: Any, unknowns: Any, known: Any) -> list[set[int]]:
     reach: list[set[int]] = [set() for _ in range(count)]
     rows_of = _by_row(among.T, count)
     for begin, end in pairwise(starts):
-        members = [order[k] for k in range(begin, end)]
+        members = order[begin:end]
         shared: set[int] = set().union(*(direct[row] for member in members for row in rows_of[member]))
         for member in members:
             reach[member] = shared
@@ -159,9 +128,18 @@ def c_program(
         UnknownNameError: for unknown variables, with the nearest name.
     """
     signals = chosen_signals(dae, dict(inputs or {}), free=True)
-    model = Model(dae, signals, list(variables), _built_in_legs(dae, signals), start=start)
-    more = STARTS if start else ()
-    return CProgram(dae, model, model.texts() | sources((*SOURCES, *PRODUCTS, *more)))
+    model = CModel(dae, signals, list(variables), _built_in_legs(dae, signals), start=start)
+    return CProgram(
+        dae,
+        files=model.texts() | sources((*SOURCES, "products.c", *(STARTS if start else ()))),
+        states=dae.state_names,
+        inputs=model.free,
+        parameters=dae.parameter_values,
+        modes=dae.switching.mode_names,
+        mode_values=dae.switching.mode_values,
+        variables=[*variables],
+        indicators=len(dae.switching.changes),
+    )
 
 
 def _built_in_legs(dae: DAE, signals: Mapping[str, Any]) -> list[Leg]:
@@ -173,5 +151,5 @@ def _built_in_legs(dae: DAE, signals: Mapping[str, Any]) -> list[Leg]:
 
 def sources(names: Sequence[str]) -> dict[str, str]:
     """Return headers and some sources of the core by name, with the constants of events."""
-    texts = {name: (HERE / name).read_text(encoding="utf-8") for name in (*HEADERS, *names)}
+    texts = {name: Path(__file__).with_name(name).read_text(encoding="utf-8") for name in (*HEADERS, *names)}
     return texts | {"constants.h": macros(vars(constants))}

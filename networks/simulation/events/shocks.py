@@ -9,6 +9,8 @@ d/e being the slope of a ramp of e seconds, so short that finite forces count fo
 
 from __future__ import annotations
 
+from collections.abc import Callable
+from functools import partial
 from itertools import pairwise
 from typing import TYPE_CHECKING
 
@@ -76,11 +78,12 @@ class Shocks:
             before[self._place[variable]] = resets[variable]
         q = point.q[: self._constants]
         jump, size = self._jump(before, self.seen(point), q, point.t)
+        last = [part.stop - 1 for part in self._parts]
         steeper = np.append(np.abs(jump[1:]), 0.0)
-        steeper[[part.stop - 1 for part in self._parts]] = 0.0
+        steeper[last] = 0.0
         late = JUMP_LATE * max(1.0, abs(point.t)) * steeper
         jump[np.abs(jump) <= JUMP_ROUNDING * size + late] = 0.0
-        jump[[part.stop - 1 for part in self._parts]] = 0.0
+        jump[last] = 0.0
         signed: Array = jump * self._signs
         return signed
 
@@ -96,13 +99,19 @@ class Shocks:
             SimulationError: if that takes forces beyond all bounds.
         """
         self.begins(point, jump)
+        rates = partial(self._rates, point, jump)
         path = np.append(point.x, np.zeros(len(self.jumps.motions)))
         s, h = 0.0, 1.0
         while s < 1.0:
             h = min(h, 1.0 - s)
-            path, h, done = self._stride(point, jump, path, s, h)
-            s += done
-        self._rates(point, jump, path, 1.0)
+            whole, half = _runge_kutta(rates, path, s, h), _runge_kutta(rates, path, s, h / 2)
+            half = _runge_kutta(rates, half, s + h / 2, h / 2)
+            scale = np.maximum(self._sizes, np.abs(half))
+            if h > JUMP_STEP and not (np.abs(whole - half) <= JUMP_ACCURACY * scale).all():
+                h /= 2
+            else:
+                path, s, h = half, s + h, 2 * h
+        rates(path, 1.0)
         point.x = path[: self._nx]
         return path[self._nx :]
 
@@ -112,27 +121,6 @@ class Shocks:
         struck.q[self._first_impulse + np.array([*impulses])] = [*impulses.values()]
         still = np.zeros(self.jumps.courses.numel())
         return (self._at(struck, point.x, still) - self._at(point, point.x, still))[self._nx :]
-
-    def _stride(
-        self, point: Point, jump: Array, path: Array, s: float, h: float
-    ) -> tuple[Array, float, float]:
-        """Take one step along the jump, halved until it is accurate; return where to, the next, and this."""
-        while True:
-            whole = self._runge_kutta(point, jump, path, s, h)
-            half = self._runge_kutta(point, jump, path, s, h / 2)
-            half = self._runge_kutta(point, jump, half, s + h / 2, h / 2)
-            scale = np.maximum(self._sizes, np.abs(half))
-            if (np.abs(whole - half) <= JUMP_ACCURACY * scale).all() or h <= JUMP_STEP:
-                return half, 2 * h, h
-            h /= 2
-
-    def _runge_kutta(self, point: Point, jump: Array, path: Array, s: float, h: float) -> Array:
-        first = self._rates(point, jump, path, s)
-        second = self._rates(point, jump, path + h / 2 * first, s + h / 2)
-        third = self._rates(point, jump, path + h / 2 * second, s + h / 2)
-        last = self._rates(point, jump, path + h * third, s + h)
-        result: Array = path + h / 6 * (first + 2 * second + 2 * third + last)
-        return result
 
     def _rates(self, point: Point, jump: Array, path: Array, s: float) -> Array:
         """Return how states and impulses move with s.
@@ -186,16 +174,23 @@ class Shocks:
         return thrown[: self._nx]
 
     def _told(self, t: float, jump: Array, what: str) -> str:
-        sizes = [
-            (signal.name, float(np.abs(jump[part]).max()))
+        told = ", ".join(
+            f"{signal.name} (by {np.abs(jump[part]).max():.6g})"
             for signal, part in zip(self.jumps.signals, self._parts, strict=True)
             if jump[part].any()
-        ]
-        told = ", ".join(f"{name} (by {size:.6g})" for name, size in sizes)
+        )
         return (
             f"at t = {t:.9g} s what prescribes a motion jumps: {told}, which takes {what}; give a ramp "
             "instead of the jump, a Speed instead of a Position, or exact=False, which filters it"
         )
+
+
+def _runge_kutta(rates: Callable[[Array, float], Array], path: Array, s: float, h: float) -> Array:
+    first = rates(path, s)
+    second = rates(path + h / 2 * first, s + h / 2)
+    third = rates(path + h / 2 * second, s + h / 2)
+    last = rates(path + h * third, s + h)
+    return path + h / 6 * (first + 2 * second + 2 * third + last)
 
 
 def _motion(closed: BoundDAE, jumps: Jumps) -> Compiled:

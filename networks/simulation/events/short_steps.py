@@ -48,5 +48,4 @@ def _move(indicators: Indicators, point: Point, duration: float) -> None:
 
 
 def _motion(indicators: Indicators, point: Point) -> Array:
-    motion: Array = indicators.functions.motion(point.x, point.z, point.q, point.t)[0]
-    return motion
+    return indicators.functions.motion(point.x, point.z, point.q, point.t)[0]

@@ -102,21 +102,16 @@ class Switcher:
         indicators = self.indicators
         (g, rate), near = indicators.watch(point), indicators.tolerance()
         ready = indicators.active(point.q) & ((g > near) | ((g > -near) & indicators.rising(rate)))
-        leaving = (g <= LEAVING * near) & indicators.falling(rate)
-        ready &= ~leaving
+        ready &= ~((g <= LEAVING * near) & indicators.falling(rate))
         if forced is not None:
             same_mode = self.functions.mode_of == self.functions.mode_of[forced]
             twins = same_mode & (g == g[forced]) & (rate == rate[forced])
             ready |= indicators.active(point.q) & twins
-        candidates = np.flatnonzero(ready)
-        if not len(candidates):
+        if not ready.any():
             return []
-        everything = self._everything(point)
-        changes = self.switching.changes
-        allowed = [i for i in candidates if _allowed(changes[i], everything)]
-        strongest: dict[int, int] = {}
-        for i in sorted(allowed, key=lambda i: float(g[i] / near[i])):
-            strongest[changes[i].mode] = int(i)
+        everything, changes = self._everything(point), self.switching.changes
+        allowed = [i for i in np.flatnonzero(ready).tolist() if _allowed(changes[i], everything)]
+        strongest = {changes[i].mode: i for i in sorted(allowed, key=lambda i: float(g[i] / near[i]))}
         return sorted(strongest.values())
 
     def _apply(self, point: Point, fired: list[int], begins: bool) -> list[Event]:
@@ -214,12 +209,11 @@ class Switcher:
         values = self.indicators.watch(point)[0]
         for i in np.flatnonzero(self.indicators.leavable(point.q) & (values > INSIDE)):
             change = self.switching.changes[i]
-            note = (
-                f"{change.component} begins {values[i]:.4g} beyond where it strikes, and holds or rebounds "
-                "there; give it another start"
-            )
-            if change.impulse is not None and note not in self.notes:
-                self.notes.append(note)
+            if change.impulse is not None:
+                self.completion.note(
+                    f"{change.component} begins {values[i]:.4g} beyond where it strikes, and holds or "
+                    "rebounds there; give it another start"
+                )
 
     def _check_modes(self, during: Point, size: Array) -> None:
         """Raise if a jump acts through what depends on modes, of which none is known to hold in a jump."""
