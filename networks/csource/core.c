@@ -246,13 +246,10 @@ CoreStatus core_due(Core *c, int *due) {
 
 CoreStatus core_advance(Core *c, double stop, double rtol, double atol, double fixed_step, int return_early,
                         CoreStop *reached) {
-    int happened, changed,
-        due = core_any_due(c); /* inputs and parameters may have jumped since the last step */
+    int happened, changed, due = core_any_due(c); /* what is given may have jumped since the last step */
     if (due < 0) return impossible(c, "indicators are not finite");
-    if (due && return_early) {
-        *reached = CORE_EVENT;
-        return CORE_OK;
-    }
+    *reached = CORE_EVENT;
+    if (due && return_early) return CORE_OK;
     CoreStatus status = due ? core_fire(c, c->pending - 1, 0, 0, &happened, &changed) : CORE_OK;
     if (status != CORE_OK) return status;
     c->interval = stop - c->t;

@@ -82,23 +82,20 @@ static uint64_t situation(Core *c, const int fired[], int count) {
 /* Apply changes: shocks first, then modes, then resets. */
 static CoreStatus apply(Core *c, const int fired[], int count, const Observer *told, int begins,
                         int *changed) {
-    int changes[ROOM(NG)], stays[ROOM(NG)] = {0}, kept = 0, shocks[ROOM(NG)], held[ROOM(NG)], shocked = 0;
-    double impulses[ROOM(NG)] = {0}, size[ROOM(NG)], seen[ROOM(NREAD)];
+    int changes[ROOM(NG)], stays[ROOM(NG)] = {0}, kept = 0, shocked = 0;
+    double impulses[ROOM(NG)] = {0}, seen[ROOM(NREAD)];
     CoreStatus status;
     core_see(c, seen);
     for (int k = 0; k < count; k++)
         if (model_change_impulse[fired[k]] < 0) changes[kept++] = fired[k];
-        else shocks[shocked++] = fired[k];
+    for (int k = 0; k < count; k++)
+        if (model_change_impulse[fired[k]] >= 0) changes[kept + shocked++] = fired[k];
     if (shocked) {
-        status = core_strike(c, shocks, held, size, &shocked);
+        status = core_strike(c, changes + kept, stays + kept, impulses + kept, &shocked);
         if (status != CORE_OK) return status;
         *changed = 1;
         core_switching(c);
-        for (int k = 0; k < shocked; k++, kept++) {
-            changes[kept] = shocks[k];
-            stays[kept] = held[k];
-            impulses[kept] = size[k];
-        }
+        kept += shocked;
     }
     for (int k = 0; k < kept; k++) {
         int mode = model_change_mode[changes[k]];

@@ -4,69 +4,52 @@
 
 #include "core_state.h"
 
-/* Orthonormal columns for the weak directions that have none yet, by Gram-Schmidt on the unit vectors. */
-static void span_rest(double left[], const int weak[], int n) {
+/* The directions of which a matrix, stored by columns, makes next to nothing, orthonormal, one after the
+ * other. Returns how many there are. */
+static int null_space(double columns[], double basis[], int n) {
+    double strength[ROOM(BLOCK)], most = 1;
+    int count = 0;
+    core_jacobi(columns, basis, n, n);
     for (int k = 0; k < n; k++) {
-        double *column = left + k * n, best = 0;
-        if (!weak[k]) continue;
-        for (int unit = 0; unit < n && best < 0.5 / n; unit++) {
-            double trial = 1;
-            for (int j = 0; j < n; j++)
-                if (j < k || !weak[j]) trial -= left[j * n + unit] * left[j * n + unit];
-            if (trial < 0.5 / n) continue;
-            for (int i = 0; i < n; i++) column[i] = i == unit;
-            for (int again = 0; again < 2; again++)
-                for (int j = 0; j < n; j++) {
-                    if (!(j < k || !weak[j])) continue;
-                    double share = core_dot(left + j * n, column, n);
-                    for (int i = 0; i < n; i++) column[i] -= share * left[j * n + i];
-                }
-            best = core_dot(column, column, n);
-            for (int i = 0; i < n; i++) column[i] /= sqrt(best);
-        }
+        strength[k] = sqrt(core_dot(columns + k * n, columns + k * n, n));
+        most = fmax(most, strength[k]);
     }
+    for (int k = 0; k < n; k++)
+        if (strength[k] <= BLOCK_WEAK * most)
+            memmove(basis + count++ * n, basis + k * n, (size_t)n * sizeof *basis);
+    return count;
+}
+
+static int regular(double lu[], int n) {
+    int pivot[ROOM(BLOCK)];
+    double least = 1;
+    if (!core_dense_factor(lu, n, pivot)) return 0;
+    for (int i = 0; i < n; i++) least = fmin(least, fabs(lu[i * n + i]));
+    return least > BLOCK_REGULAR;
 }
 
 /* Fill in what makes a singular matrix regular such that solutions have least norm. Marks loose unknowns. */
 static int completion(Core *c, const double matrix[], int n, double result[], int loose[]) {
-    double *work = c->square[0], *left = c->square[1], *right = c->square[2], scale[ROOM(BLOCK)] = {0},
-           most = 1;
-    int pivot[ROOM(BLOCK)], weak[ROOM(BLOCK)], any = 0;
-    for (int i = 0; i < n * n; i++) result[i] = 0;
-    for (int i = 0; i < n; i++) {
-        scale[i] = 0;
-        for (int j = 0; j < n; j++) scale[i] = fmax(scale[i], fabs(matrix[j * n + i]));
+    double *work = c->square[0], *left = c->square[1], *right = c->square[2];
+    double scale[ROOM(BLOCK)] = {0}, freed[ROOM(BLOCK)] = {0};
+    for (int i = 0; i < n * n; i++) {
+        result[i] = 0;
+        scale[i % n] = fmax(scale[i % n], fabs(matrix[i]));
+    }
+    for (int i = 0; i < n; i++)
         if (scale[i] == 0) scale[i] = 1;
-    }
     for (int i = 0; i < n * n; i++) left[i] = work[i] = matrix[i] / scale[i % n];
-    if (core_dense_factor(work, n, pivot)) {
-        double least = 1;
-        for (int i = 0; i < n; i++) least = fmin(least, fabs(work[i * n + i]));
-        if (least > BLOCK_REGULAR) return 0;
-    }
-    core_jacobi(left, right, n, n);
-    for (int k = 0; k < n; k++) {
-        work[k] = sqrt(core_dot(left + k * n, left + k * n, n));
-        most = fmax(most, work[k]);
-    }
-    for (int k = 0; k < n; k++) {
-        weak[k] = work[k] <= BLOCK_WEAK * most;
-        any |= weak[k];
-        for (int i = 0; i < n && !weak[k]; i++) left[k * n + i] /= work[k];
-    }
-    if (!any) return 0;
-    span_rest(left, weak, n);
-    most = 0;
-    for (int j = 0; j < n; j++) {
-        work[j] = 0;
-        for (int k = 0; k < n; k++) {
-            if (!weak[k]) continue;
-            work[j] = fmax(work[j], fabs(right[k * n + j]));
+    if (regular(work, n)) return 0;
+    for (int i = 0; i < n * n; i++) work[i % n * n + i / n] = left[i];
+    int weak = null_space(left, right, n);
+    if (!weak) return 0;
+    int others = null_space(work, left, n);
+    for (int k = 0; k < weak && k < others; k++)
+        for (int j = 0; j < n; j++) {
+            freed[j] = fmax(freed[j], fabs(right[k * n + j]));
             for (int i = 0; i < n; i++) result[j * n + i] += scale[i] * left[k * n + i] * right[k * n + j];
         }
-        most = fmax(most, work[j]);
-    }
-    for (int j = 0; j < n; j++) loose[j] = work[j] > BLOCK_LOOSE * most;
+    for (int j = 0; j < n; j++) loose[j] = freed[j] > BLOCK_LOOSE * core_largest(freed, n);
     return 1;
 }
 

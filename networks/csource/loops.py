@@ -10,7 +10,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 
 READ = re.compile(r"(w|arg\[\d+\])\[(\d+)\]")
 STATEMENT = re.compile(r"  (w|res\[\d+\])\[(\d+)\]=(.*);\n")
@@ -51,13 +51,7 @@ class _Value:
         self.level = 1 + max((read.level for read in reads if isinstance(read, _Value)), default=0)
 
 
-@dataclass
-class _Loop:
-    """Expressions of one form that do not read each other's results."""
-
-    level: int
-    text: str
-    members: list[_Value] = field(default_factory=list)
+_Loop = list[_Value]  # of one form, which do not read each other's results
 
 
 def looped(statements: Sequence[str], name: str) -> tuple[str, str, int]:
@@ -104,26 +98,23 @@ def _loops(values: Sequence[_Value]) -> list[_Loop]:
     for value in values:
         arrays = [read[0] if isinstance(read, tuple) else "w" for read in value.reads]
         key = value.level, value.place and value.place[0], value.text, *arrays
-        loops.setdefault(key, _Loop(value.level, value.text)).members.append(value)
-    return sorted(loops.values(), key=lambda loop: loop.level)
+        loops.setdefault(key, []).append(value)
+    return sorted(loops.values(), key=lambda loop: loop[0].level)
 
 
 def _give_places(loops: Sequence[_Loop]) -> int:
     """Put what is no result side by side into `w`, and return how much that is."""
-    room = 0
-    for loop in loops:
-        for value in loop.members:
-            if value.place is None:
-                value.place = "w", room
-                room += 1
-    return room
+    homeless = [value for loop in loops for value in loop if value.place is None]
+    for room, value in enumerate(homeless):
+        value.place = "w", room
+    return len(homeless)
 
 
 def _written(loop: _Loop) -> Iterator[str]:
-    places = [[_place(value), *map(_place, value.reads)] for value in loop.members]
+    places = [[_place(value), *map(_place, value.reads)] for value in loop]
     if len(places) < FEWEST:
         for row in places:
-            yield f"  {_filled(loop.text, [f'{array}[{at}]' for array, at in row])}\n"
+            yield f"  {_filled(loop[0].text, [f'{array}[{at}]' for array, at in row])}\n"
         return
     tables, names = "", []
     for number, entries in enumerate(zip(*places, strict=True)):
@@ -133,7 +124,7 @@ def _written(loop: _Loop) -> Iterator[str]:
             told = ",".join(str(at) for _, at in entries)
             tables += f"static const int t{number}[] = {{{told}}};\n"
         names.append(f"{entries[0][0]}[{where}]")
-    yield f"  {{{tables}for (int k = 0; k < {len(places)}; k++) {_filled(loop.text, names)}}}\n"
+    yield f"  {{{tables}for (int k = 0; k < {len(places)}; k++) {_filled(loop[0].text, names)}}}\n"
 
 
 def _place(read: _Value | Place) -> Place:

@@ -240,11 +240,9 @@ def _table(signal: Any, order: int) -> tuple[NDArray[np.float64], NDArray[np.flo
     """Return the instants and the powers of a record's spline, or of its derivative."""
     if not isinstance(signal, Sampled):
         return None
-    course = piecewise(signal)
-    powers = course.c
-    for _ in range(order):
-        powers = np.vstack([np.zeros_like(powers[:1]), powers[:3] * [[3.0], [2.0], [1.0]]])
-    return course.x, np.ascontiguousarray(powers)
+    course = piecewise(signal).derivative(order)
+    missing = np.zeros((4 - len(course.c), len(course.x) - 1))
+    return course.x, np.vstack([missing, course.c])
 
 
 def _library(dae: DAE, functions: dict[str, Any]) -> Any:

@@ -12,7 +12,7 @@ from typing import Any
 import casadi as ca
 
 from ..dae import DAE, Input
-from ..flattening.vectors import column
+from ..flattening.vectors import column, pick
 from ..simulation.bound_dae import BoundDAE
 from ..simulation.events import constants
 from ..simulation.input_signals import chosen_signals
@@ -65,47 +65,33 @@ class CProgram:
     def dependencies(self) -> tuple[list[list[int]], list[list[int]]]:
         """What rates and other variables depend on: for each, places in (states, free inputs).
 
-        Algebraic unknowns pass dependencies on.
+        Algebraic unknowns pass dependencies on; those that share equations share what they depend on.
         """
         dae = self.dae
         place = {(i.path, i.order): k for k, i in enumerate(dae.inputs)}
-        free = [place[i.path, i.order] for i in self.inputs]
-        known = ca.vertcat(dae.x, ca.SX(0, 1) if not free else dae.u[free])
+        known = ca.vertcat(dae.x, pick(dae.u, [place[i.path, i.order] for i in self.inputs]))
         published = column([dae.expression(name) for name in self.variables])
-        algebra = _reach(dae.alg, dae.z, known)
-        return _rows(dae.ode, known, dae.z, algebra), _rows(published, known, dae.z, algebra)
+        among = _incidence(dae.alg, dae.z)
+        _, order, starts = (among.T @ among).sparsity().scc()
+        groups = [k for k, (begin, end) in enumerate(pairwise(starts)) for _ in range(begin, end)]
+        member = ca.DM(ca.Sparsity.triplet(len(starts), len(order), groups, order))
+        reach = member.T @ (member @ (among.T @ _incidence(dae.alg, known)))
+        rates, variables = (
+            _by_row(_incidence(values, known) + _incidence(values, dae.z) @ reach)
+            for values in (dae.ode, published)
+        )
+        return rates, variables
 
 
-def _reach(residuals: Any, unknowns: Any, known: Any) -> list[set[int]]:
-    """Return what each algebraic unknown depends on; unknowns that share equations share it."""
-    count = unknowns.numel()
-    if not count:
-        return []
-    among = ca.jacobian_sparsity(residuals, unknowns)
-    direct = _by_row(ca.jacobian_sparsity(residuals, known), residuals.numel())
-    _, order, starts = (among.T * among).scc()
-    reach: list[set[int]] = [set() for _ in range(count)]
-    rows_of = _by_row(among.T, count)
-    for begin, end in pairwise(starts):
-        members = order[begin:end]
-        shared: set[int] = set().union(*(direct[row] for member in members for row in rows_of[member]))
-        for member in members:
-            reach[member] = shared
-    return reach
+def _incidence(values: Any, symbols: Any) -> Any:
+    """Return which values depend on which symbols, as a matrix of ones."""
+    return ca.DM(ca.jacobian_sparsity(values, symbols))
 
 
-def _rows(values: Any, known: Any, unknowns: Any, algebra: list[set[int]]) -> list[list[int]]:
-    count = values.numel()
-    direct = _by_row(ca.jacobian_sparsity(values, known), count)
-    through = _by_row(ca.jacobian_sparsity(values, unknowns), count)
-    return [sorted(direct[i].union(*(algebra[k] for k in through[i]))) for i in range(count)]
-
-
-def _by_row(pattern: Any, count: int) -> list[set[int]]:
-    rows: list[set[int]] = [set() for _ in range(count)]
-    for row, place in zip(*pattern.get_triplet(), strict=True):
-        rows[row].add(place)
-    return rows
+def _by_row(matrix: Any) -> list[list[int]]:
+    """Return the columns of each row's nonzeros."""
+    starts, places = matrix.T.sparsity().get_ccs()
+    return [places[begin:end] for begin, end in pairwise(starts)]
 
 
 def c_program(

@@ -9,8 +9,8 @@
 #define SLOWER 0.2
 #define ORDER 5.0
 #define TINY 1e-15
-#define SHORTEST \
-    1e-9 /* share of an interval below which a step need not be shorter to see an indicator rise */
+/* Share of an interval below which a step need not be shorter to see an indicator rise. */
+#define SHORTEST 1e-9
 #define NOT_FINITE "indicators are not finite"
 #define MOST_STEPS 10000000
 #define MOST_WORK 5e7
@@ -91,16 +91,25 @@ static CoreStatus look_around(Core *c) {
     return core_watch(c, c->t, c->y, c->rates, &c->left) ? CORE_OK : failed(c, NOT_FINITE);
 }
 
+static void tell_landed(Core *c, const Travel *travel, int after, int switched) {
+    const Observer *told = travel->told;
+    if (told && told->landed) told->landed(told->context, c, after, switched);
+}
+
+static void stop_at_event(Travel *travel) {
+    travel->reached = CORE_EVENT;
+    travel->halt = 1;
+}
+
 /* Fire what fires where the core has landed. */
 static CoreStatus fire(Core *c, const Travel *travel, int forced) {
-    const Observer *told = travel->told;
     int happened, changed;
-    if (told && told->landed) told->landed(told->context, c, 0, 0);
-    CoreStatus status = core_fire(c, forced, told, 0, &happened, &changed);
-    if (status == CORE_OK && told && told->landed) told->landed(told->context, c, 1, happened);
+    tell_landed(c, travel, 0, 0);
+    CoreStatus status = core_fire(c, forced, travel->told, 0, &happened, &changed);
     if (happened) c->last_h = 0;
-    if (status == CORE_OK) status = core_watch_chatter(c);
-    return status;
+    if (status != CORE_OK) return status;
+    tell_landed(c, travel, 1, happened);
+    return core_watch_chatter(c);
 }
 
 /* Go on to an instant that only rounding tells from the present one. */
@@ -146,8 +155,7 @@ static CoreStatus land_and_fire(Core *c, Travel *travel, Crossing *crossing) {
         return status == CORE_OK ? look_around(c) : status;
     }
     c->pending = hit ? crossing->indicator + 1 : 0;
-    travel->reached = CORE_EVENT;
-    travel->halt = 1;
+    stop_at_event(travel);
     return core_watch_chatter(c);
 }
 
@@ -193,18 +201,17 @@ static CoreStatus stride(Core *c, Travel *travel, double stop) {
 
 /* Go on beyond the end of a leg; where something jumps there, fire what that fires, or leave it. */
 static CoreStatus enter_next_leg(Core *c, Travel *travel) {
-    const Observer *told = travel->told;
     int happened, changed, jumps = core_jumps_next(c);
-    CoreStatus status;
     if (jumps && travel->early) {
-        travel->reached = CORE_EVENT;
-        travel->halt = 1;
+        stop_at_event(travel);
         return CORE_OK;
     }
-    if (jumps && told && told->landed) told->landed(told->context, c, 0, 0);
-    status = core_next_leg(c, told, &changed);
-    if (status == CORE_OK && jumps) status = core_fire(c, -1, told, 0, &happened, &changed);
-    if (status == CORE_OK && jumps && told && told->landed) told->landed(told->context, c, 1, 1);
+    if (jumps) tell_landed(c, travel, 0, 0);
+    CoreStatus status = core_next_leg(c, travel->told, &changed);
+    if (status == CORE_OK && jumps) {
+        status = core_fire(c, -1, travel->told, 0, &happened, &changed);
+        if (status == CORE_OK) tell_landed(c, travel, 1, 1);
+    }
     return status == CORE_OK ? look_around(c) : status;
 }
 

@@ -11,6 +11,7 @@ from __future__ import annotations
 from collections import defaultdict
 from collections.abc import Iterator
 from dataclasses import dataclass
+from typing import Any
 
 import casadi as ca
 import numpy as np
@@ -123,15 +124,14 @@ def _spanning(system: System, edges: list[_Edge]) -> set[Equation]:
 def _order(system: System, edge: _Edge) -> float:
     """Return how often the least differentiated of an edge's other variables is differentiated."""
     number, row = edge.equation
-    least = np.inf
-    for variable in system.families[number].columns[row].tolist():
-        count = 0
-        if variable in (edge.a, edge.b) or variable in system.known:
-            continue
-        while variable in system.derivative:
-            variable, count = system.derivative[variable][0], count + 1
-        least = min(least, count)
-    return least
+    others = set(system.families[number].columns[row].tolist()) - {edge.a, edge.b} - system.known.keys()
+    return min((_times(system, variable) for variable in others), default=np.inf)
+
+
+def _times(system: System, variable: int) -> int:
+    """Return how often a variable is differentiated."""
+    upper = system.derivative.get(variable)
+    return 1 + _times(system, upper[0]) if upper else 0
 
 
 def _reach(edges: list[_Edge], tree: set[Equation]) -> dict[int, _Reached]:
@@ -179,31 +179,20 @@ def _loop_sums(system: System, edges: list[_Edge]) -> dict[Equation, dict[Equati
 
 def _summed(system: System, weights: dict[Equation, int], highest: Flags) -> Family:
     """Return the weighted sum of equations as one equation; its unknowns cancel and are left out."""
-    time = ca.SX.sym("time")
-    residual = ca.SX(0)
-    locals_, given, modes, arguments = [], [], [], []
-    columns: list[int] = []
-    signs: list[int] = []
+    time, residual = ca.SX.sym("time"), ca.SX(0)
+    parts: list[tuple[Any, ...]] = []
     for (number, row), weight in weights.items():
         family = system.families[number]
-        stays = ~highest[family.columns[row]]
-        form = family.form
-        own = ca.SX.zeros(form.locals.numel())
-        kept = ca.SX.sym("local", int(stays.sum()))
+        form, stays = family.form, ~highest[family.columns[row]]
+        own, kept = ca.SX.zeros(form.locals.numel()), ca.SX.sym("local", int(stays.sum()))
         own.nz[np.flatnonzero(stays).tolist()] = kept
-        own_given = ca.SX.sym("given", form.given.numel())
-        value, own_modes = form.function(form.residual, form.modes)(own, own_given, time)
+        given = ca.SX.sym("given", form.given.numel())
+        value, modes = form.function(form.residual, form.modes)(own, given, time)
         residual += weight * value
-        locals_.append(kept)
-        given.append(own_given)
-        modes.append(own_modes)
-        arguments.append(family.arguments[:, row])
-        columns += family.columns[row, stays].tolist()
-        signs += family.signs[row, stays].tolist()
-    labels = sorted({system.label(equation) for equation in weights})
-    form = Form(residual, column(locals_), column(given), column(modes), time)
-    return Family(form, _row(columns), _row(signs), column(arguments), lambda _: ", ".join(labels))
-
-
-def _row(numbers: list[int]) -> Ints:
-    return np.array(numbers, dtype=np.int64).reshape(1, -1)
+        stands_for = family.columns[row, stays], family.signs[row, stays]
+        parts.append((kept, given, modes, family.arguments[:, row], *stands_for))
+    *symbols, columns, signs = zip(*parts, strict=True)
+    locals_, given, modes, arguments = map(column, symbols)
+    told = ", ".join(sorted({system.label(equation) for equation in weights}))
+    form = Form(residual, locals_, given, modes, time)
+    return Family(form, np.hstack(columns)[None], np.hstack(signs)[None], arguments, lambda _: told)
