@@ -41,26 +41,30 @@ def corners_as_modes(dae: DAE) -> DAE:
         return dae
     corners = _Corners(dae, known, chosen)
     ode, alg, variables, indicators, *matrices = corners.results
-    expressions = ca.densify(ca.SX(dae.switching.expressions))
+    switching, expressions = dae.switching, ca.densify(ca.SX(dae.switching.expressions))
     if watched:
         expressions[watched] = indicators
-    first = expressions.numel()
-    count, modes = len(corners.modes), len(dae.switching.mode_names)
-    switching = replace(
-        dae.switching,
-        changes=[*dae.switching.changes, *_changes(count, modes, first)],
-        expressions=column([expressions, *corners.differences]),
-        mode_names=[*dae.switching.mode_names, *(f"{NAME}[{k + 1}]" for k in range(count))],
-        mode_values=[*dae.switching.mode_values, *[VALUES] * count],
-        in_shock=[*dae.switching.in_shock, *({} for _ in range(count))],
-    )
+    names = [f"{NAME}[{k + 1}]" for k in range(len(corners.modes))]
+    first, modes = expressions.numel(), len(switching.mode_names)
+    changes = [
+        Change(name, modes + k, source, 1 - source, first + 2 * k + source)
+        for k, name in enumerate(names)
+        for source in (0, 1)
+    ]
     return replace(
         dae,
         modes=ca.vertcat(dae.modes, *corners.modes),
         ode=ode,
         alg=alg,
         variables=variables,
-        switching=switching,
+        switching=replace(
+            switching,
+            changes=[*switching.changes, *changes],
+            expressions=column([expressions, *corners.differences]),
+            mode_names=[*switching.mode_names, *names],
+            mode_values=[*switching.mode_values, *[VALUES] * len(names)],
+            in_shock=[*switching.in_shock, *({} for _ in names)],
+        ),
         blocks=[replace(block, matrix=m) for block, m in zip(dae.blocks, matrices, strict=True)],
         bindings={},
     )
@@ -69,12 +73,6 @@ def corners_as_modes(dae: DAE) -> DAE:
 def is_corner(mode: str) -> bool:
     """Tell whether a mode is one that `corners_as_modes` made."""
     return mode.startswith(f"{NAME}[")
-
-
-def _changes(count: int, modes: int, first: int) -> Iterator[Change]:
-    for k in range(count):
-        for source, row in ((0, 2 * k), (1, 2 * k + 1)):
-            yield Change(f"{NAME}[{k + 1}]", modes + k, source, 1 - source, first + row)
 
 
 def _instructions(known: Any) -> Iterator[tuple[int, int, list[int], list[int]]]:

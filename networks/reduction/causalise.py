@@ -8,7 +8,7 @@ is linear and small. What is left over stays algebraic (`z`).
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from typing import Any
 
 import casadi as ca
@@ -19,27 +19,7 @@ from ..flattening.vectors import column, pick, stacked
 from .pantelides import System, counted
 from .tearing import Torn, tear
 
-
-@dataclass(eq=False)
-class _Solved:
-    """Solved unknowns, gathered block by block in any order."""
-
-    blocks: list[Ints] = field(default_factory=list)
-    variables: list[Ints] = field(default_factory=list)
-    values: list[Any] = field(default_factory=list)
-
-    def add(self, blocks: Ints, variables: Ints, values: Any) -> None:
-        self.blocks.append(blocks)
-        self.variables.append(variables)
-        self.values.append(values)
-
-    def in_order(self) -> tuple[list[int], Any]:
-        """Return variables and their expressions in the order of the blocks."""
-        if not self.blocks:
-            return [], ca.SX(0, 1)
-        order = np.argsort(np.concatenate(self.blocks), kind="stable").tolist()
-        variables = np.concatenate(self.variables)[order].tolist()
-        return variables, pick(stacked(*self.values), order)
+_Solved = list[tuple[Ints, Ints, Any]]  # blocks, their variables and what these are, in any order
 
 
 @dataclass(eq=False)
@@ -57,17 +37,13 @@ class Solution:
 
 
 def causalise(system: System, states: list[int], symbols: Any, values: Any, also: Any) -> Solution:
-    """Solve all equations for what is neither a state nor an input.
+    """Solve the index-1 equations for what is neither a state nor an input.
 
-    Args:
-        system: the index-1 equations.
-        states: the variables that are states.
-        symbols: SX vector of all variables.
-        values: the same, as `padded` returns them.
-        also: further expressions of them to be written in terms of the states.
+    `symbols` are all variables, `values` the same as `padded` returns them; `also` are further expressions
+    to be written in terms of the states.
     """
     equations, unknowns, cuts = _triangular(system, states)
-    solved = _Solved()
+    solved: _Solved = []
     done = _solve_single(system, equations, unknowns, cuts, values, solved)
     torn: list[Torn] = []
     every = system.equations()
@@ -77,7 +53,7 @@ def causalise(system: System, states: list[int], symbols: Any, values: Any, also
         torn.append(result)
         if result.expressions:
             variables, found = zip(*result.expressions, strict=True)
-            solved.add(np.full(len(variables), block), np.array(variables), ca.vertcat(*found))
+            solved.append((np.full(len(variables), block), np.array(variables), ca.vertcat(*found)))
     return _substituted(system, states, symbols, solved, torn, also)
 
 
@@ -112,7 +88,7 @@ def _solve_single(
         for pattern, alike in _patterns(marks):
             found = family.solved(pattern, rows[alike], values, system.flat.time)
             if found is not None:
-                solved.add(single[members[alike]], targets[members[alike]], found)
+                solved.append((single[members[alike]], targets[members[alike]], found))
                 done[single[members[alike]]] = True
     return done
 
@@ -127,11 +103,20 @@ def _patterns(marks: Ints) -> Iterator[tuple[tuple[int, ...], Any]]:
         yield tuple(pattern), kind.ravel() == k
 
 
+def _in_order(solved: _Solved) -> tuple[list[int], Any]:
+    """Return variables and their expressions in the order of the blocks."""
+    if not solved:
+        return [], ca.SX(0, 1)
+    blocks, variables, values = zip(*solved, strict=True)
+    order = np.argsort(np.concatenate(blocks), kind="stable").tolist()
+    return np.concatenate(variables)[order].tolist(), pick(stacked(*values), order)
+
+
 def _substituted(
     system: System, states: list[int], symbols: Any, solved: _Solved, torn: list[Torn], also: Any
 ) -> Solution:
     """Put the solved unknowns into each other, in one pass."""
-    order, definitions = solved.in_order()
+    order, definitions = _in_order(solved)
     place = {variable: i for i, variable in enumerate(order)} if system.held else {}
     for variable in system.held.keys() & place.keys():
         for condition in system.held[variable]:

@@ -153,13 +153,7 @@ def jumps_of(
 ) -> Jumps | None:
     """Return the equations while signals jump, None if no signal moves anything by its derivatives.
 
-    Args:
-        system: the network's equations.
-        signals: what may jump.
-        values: every variable, in terms of states, inputs and courses.
-        symbols: SX vector of all variables.
-        ode: rates of the states.
-        alg: residuals.
+    `values` is every variable in terms of states, inputs and courses, as are `ode` and `alg`.
     """
     if not signals:
         return None

@@ -16,12 +16,8 @@ MISSED_SHARE = 0.05  # of its range, by which a cubic misses a node that does no
 def first_crossing(times: Array, values: Array, rates: Array, active: Flags, near: Array) -> Crossing | None:
     """Return (interval, indicator, time) of the earliest crossing, or None.
 
-    Args:
-        times: instants of the nodes, equidistant, (nodes,).
-        values: indicators at the nodes, (indicators, nodes).
-        rates: their time derivatives.
-        active: which indicators count.
-        near: size below which an indicator counts as zero, (indicators,).
+    Values and rates are those of indicators at equidistant nodes, (indicators, nodes); only the `active` ones
+    count, and as zero below the size `near`.
     """
     rows = np.flatnonzero(active)
     limit = near[rows, None]

@@ -23,17 +23,7 @@ from ...flattening.vectors import pick
 from ...reduction.jumps import Jumps
 from ..integrator import nominal_sizes
 from ..point import Point
-from .constants import (
-    JUMP_ACCURACY,
-    JUMP_LATE,
-    JUMP_ROUNDING,
-    JUMP_STEP,
-    JUMP_UNBOUNDED,
-    NEWTON_CLOSE,
-    NEWTON_ROUNDS,
-    RAMP,
-    RAMP_SHORTER,
-)
+from . import constants
 
 if TYPE_CHECKING:
     from ..bound_dae import BoundDAE
@@ -62,16 +52,12 @@ class Shocks:
 
     def seen(self, point: Point) -> Array:
         """Return the variables that tell how far signals jump from here."""
-        seen: Array = self._seen(point.x, point.z, point.q, point.t)[0]
-        return seen
+        return self._seen(point.x, point.z, point.q, point.t)[0]
 
     def since(self, seen: Array, point: Point, resets: dict[int, float]) -> Array:
-        """Return by how much signals and their derivatives have jumped, zero where that is rounding.
+        """Return by how much signals have jumped since they were seen, zero where that is rounding.
 
-        Args:
-            seen: what was seen before.
-            point: after the jump.
-            resets: variables that were given new values.
+        `point` is after the jump; `resets` are variables that were given new values.
         """
         before = seen.copy()
         for variable in resets.keys() & self._place.keys():
@@ -81,11 +67,10 @@ class Shocks:
         last = [part.stop - 1 for part in self._parts]
         steeper = np.append(np.abs(jump[1:]), 0.0)
         steeper[last] = 0.0
-        late = JUMP_LATE * max(1.0, abs(point.t)) * steeper
-        jump[np.abs(jump) <= JUMP_ROUNDING * size + late] = 0.0
+        late = constants.JUMP_LATE * max(1.0, abs(point.t)) * steeper
+        jump[np.abs(jump) <= constants.JUMP_ROUNDING * size + late] = 0.0
         jump[last] = 0.0
-        signed: Array = jump * self._signs
-        return signed
+        return jump * self._signs
 
     def begins(self, point: Point, jump: Array) -> Array:
         """Return how states and impulses begin to move where signals have jumped."""
@@ -107,7 +92,10 @@ class Shocks:
             whole, half = _runge_kutta(rates, path, s, h), _runge_kutta(rates, path, s, h / 2)
             half = _runge_kutta(rates, half, s + h / 2, h / 2)
             scale = np.maximum(self._sizes, np.abs(half))
-            if h > JUMP_STEP and not (np.abs(whole - half) <= JUMP_ACCURACY * scale).all():
+            if (
+                h > constants.JUMP_STEP
+                and not (np.abs(whole - half) <= constants.JUMP_ACCURACY * scale).all()
+            ):
                 h /= 2
             else:
                 path, s, h = half, s + h, 2 * h
@@ -128,8 +116,11 @@ class Shocks:
         Raises:
             SimulationError: if they move the faster, the shorter the ramp.
         """
-        rates, shorter = (self._moved(point, jump, path, s, e) for e in (RAMP, RAMP * RAMP_SHORTER))
-        bound = JUMP_UNBOUNDED * (np.abs(rates).max(initial=0.0) + self._sizes)
+        rates, shorter = (
+            self._moved(point, jump, path, s, e)
+            for e in (constants.RAMP, constants.RAMP * constants.RAMP_SHORTER)
+        )
+        bound = constants.JUMP_UNBOUNDED * (np.abs(rates).max(initial=0.0) + self._sizes)
         if not (np.abs(rates - shorter) <= bound).all():
             raise SimulationError(self._told(point.t, jump, "a force that grows faster than speed"))
         return rates
@@ -139,22 +130,21 @@ class Shocks:
         for part in self._parts:
             moving[part][1:] += jump[part][:-1] / e
         x = path[: self._nx]
-        far = x + RAMP / e * self._far
-        moved: Array = self._at(point, far, moving * self._signs) - self._at(point, x, still * self._signs)
-        return e * moved
+        far = x + constants.RAMP / e * self._far
+        return e * (self._at(point, far, moving * self._signs) - self._at(point, x, still * self._signs))
 
     def _at(self, point: Point, x: Array, course: Array) -> Array:
         """Return rates of states and forces while signals are off by a course."""
         z = point.z
         moved, missed, slope = self._motion(x, z, point.q, point.t, course)
-        for _ in range(NEWTON_ROUNDS if self._nz else 0):
+        for _ in range(constants.NEWTON_ROUNDS if self._nz else 0):
             slope = slope.reshape(self._nz, self._nz).T
             if not (np.isfinite(missed).all() and np.isfinite(slope).all()):
                 break
             change = np.linalg.lstsq(slope, -missed, rcond=1e-12)[0]
             z = z + change
             moved, missed, slope = self._motion(x, z, point.q, point.t, course)
-            if np.abs(change).max() <= NEWTON_CLOSE * (1 + np.abs(z).max()):
+            if np.abs(change).max() <= constants.NEWTON_CLOSE * (1 + np.abs(z).max()):
                 break
         return moved
 
@@ -166,10 +156,10 @@ class Shocks:
         """
         course = np.zeros(len(jump))
         for part in self._parts:
-            course[part][2:] = jump[part][:-2] / RAMP
+            course[part][2:] = jump[part][:-2] / constants.RAMP
         thrown = self._at(point, point.x, course * self._signs) - self._at(point, point.x, 0 * course)
         bound = thrown[self._nx :] if self.jumps.motions else thrown
-        if not (np.abs(bound) <= JUMP_UNBOUNDED).all():
+        if not (np.abs(bound) <= constants.JUMP_UNBOUNDED).all():
             raise SimulationError(self._told(point.t, jump, "an infinite acceleration of what has inertia"))
         return thrown[: self._nx]
 

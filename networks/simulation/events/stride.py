@@ -36,13 +36,9 @@ class Pace:
         return float(self.outputs[1] - self.outputs[0])
 
     def stretch(self, t: float, delay: float, end: float, longest: float) -> tuple[float, int]:
-        """Return where the next stretch ends, and how many outputs it reaches.
+        """Return where the next stretch from t ends, within the leg, and how many outputs it reaches.
 
-        Args:
-            t: where it begins.
-            delay: how soon an event is expected; going far beyond it would be in vain.
-            end: where the leg ends.
-            longest: how long it may be.
+        An event is expected after a `delay`, beyond which to go far would be in vain.
         """
         self._stay_within_limit(t)
         on_grid = t == self.outputs[self.next - 1]
