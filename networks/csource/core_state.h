@@ -192,6 +192,7 @@ int core_leavable(const Core *c, int i);
 int core_any_due(Core *c);
 void core_switching(Core *c);
 CoreStatus core_fire(Core *c, int forced, const Observer *told, int begins, int *happened, int *changed);
+CoreStatus core_watch_chatter(Core *c);
 
 /* impacts.c */
 CoreStatus core_complete(Core *c);
@@ -205,21 +206,11 @@ void core_go_back(Core *c, const Kept *kept);
 /* shocks.c */
 void core_see(Core *c, double seen[]);
 CoreStatus core_jump(Core *c, const double seen[], const Observer *told, int *changed);
-int core_rates_off(Core *c, const double x[], const double course[], double rates[]);
-
-/* contacts.c */
-CoreStatus core_check_reach(Core *c, const double before[]);
-CoreStatus core_pass_on(Core *c, double pushes[], const Observer *told);
 
 /* rosenbrock.c */
 int core_step_begin(Core *c);
 int core_step_try(Core *c, double h, double rtol, double atol, double *error);
 void core_step_dense(Core *c, double t, double y[], double rates[]);
-
-/* chattering.c */
-void core_note(Core *c, int change);
-void core_say_latest(Core *c, int count);
-CoreStatus core_watch_chatter(Core *c);
 
 /* locate.c */
 int core_locate(Core *c, Crossing *crossing);

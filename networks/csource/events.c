@@ -1,4 +1,4 @@
-/* Transitions: which fire at an instant, again until none is left. */
+/* Transitions: which fire at an instant, again until none is left, and whether they do so without end. */
 #include <math.h>
 #include <string.h>
 
@@ -79,6 +79,46 @@ static uint64_t situation(Core *c, const int fired[], int count) {
     return mixed(hash, fired, (size_t)count * sizeof *fired);
 }
 
+/* Remember that a transition has fired. */
+static void note(Core *c, int change) { c->noted[change] = ++c->notes; }
+
+/* Say which components fired last, by name, each once. */
+static void say_latest(Core *c, int count) {
+    const char *last = "", *next;
+    long long since = c->notes > count ? c->notes - count : 0;
+    for (;; last = next) {
+        next = 0;
+        for (int i = 0; i < NG; i++) {
+            const char *name = model_component[i];
+            if (c->noted[i] > since && strcmp(name, last) > 0 && (!next || strcmp(name, next) < 0))
+                next = name;
+        }
+        if (!next) return;
+        core_say_more(c, "%s%s", *last ? ", " : "", next);
+    }
+}
+
+static CoreStatus chatters(Core *c, int count, double since) {
+    core_fail(c, CORE_ERROR, "chattering: %g events within %g s at t = %g s, from ", (double)count,
+              c->t - since, c->t);
+    say_latest(c, count);
+    core_say_more(c, "; give it a resting speed, hysteresis or some compliance");
+    return CORE_ERROR;
+}
+
+/* Tell if there are very many events in next to no time, or more in an interval than can be meant. */
+CoreStatus core_watch_chatter(Core *c) {
+    c->recent[c->landings++ % CHATTER_COUNT] = c->t;
+    double oldest = c->recent[c->landings % CHATTER_COUNT];
+    if (c->landings >= CHATTER_COUNT && oldest <= c->t && c->t - oldest < CHATTER_WINDOW * c->interval)
+        return chatters(c, CHATTER_COUNT, oldest);
+    if (c->t - c->mark > c->interval) {
+        c->mark = c->t;
+        c->mark_count = 0;
+    }
+    return ++c->mark_count > c->crowd ? chatters(c, c->mark_count, c->mark) : CORE_OK;
+}
+
 /* Apply changes: shocks first, then modes, then resets. */
 static CoreStatus apply(Core *c, const int fired[], int count, const Observer *told, int begins,
                         int *changed) {
@@ -99,7 +139,7 @@ static CoreStatus apply(Core *c, const int fired[], int count, const Observer *t
     }
     for (int k = 0; k < kept; k++) {
         int mode = model_change_mode[changes[k]];
-        core_note(c, changes[k]);
+        note(c, changes[k]);
         core_modes(c)[mode] = model_change_target[changes[k]];
         for (int i = 0; i < NG; i++)
             if (model_change_mode[i] == mode) c->muted[i] = 0;
@@ -124,7 +164,7 @@ static CoreStatus check_adrift(Core *c) {
 
 static CoreStatus forever(Core *c) {
     core_fail(c, CORE_ERROR, "no consistent set of modes at t = %g s; these switch for ever: ", c->t);
-    core_say_latest(c, FIRING_TOLD);
+    say_latest(c, FIRING_TOLD);
     return CORE_ERROR;
 }
 

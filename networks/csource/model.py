@@ -8,7 +8,6 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence, Sized
 from dataclasses import dataclass
-from functools import cached_property
 from typing import Any
 
 import casadi as ca
@@ -16,10 +15,9 @@ import numpy as np
 
 from ...base import Ints
 from ...components.language import Sampled
-from ..dae import DAE, Input
+from ..dae import DAE
 from ..evaluation.compiled import dense
 from ..flattening.vectors import column, pick
-from ..reduction.transitions import Change
 from ..simulation.input_signals import input_value
 from ..simulation.integrator import nominal_sizes
 from ..simulation.legs import Leg
@@ -33,12 +31,12 @@ from .text import generated
 DENSE_SIZE = 32  # unknowns up to which the matrix of a step is factored as a full one
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(eq=False)
 class CModel:
     """The functions of a network, ready to be written as C.
 
     Attributes:
-        signals: signal of every bound input by name; the others are free.
+        signals: signal of every bound input by name; the others are `free`, set from outside.
         variables: names of what is published besides the states.
         legs: parts of a run between instants at which signals switch; none if a run brings its own.
         products: whether derivative products are wanted, which are long.
@@ -52,10 +50,17 @@ class CModel:
     products: bool = True
     start: Start | None = None
 
-    @property
-    def free(self) -> list[Input]:
-        """Inputs and derivatives of inputs that are set from outside."""
-        return [declared for declared in self.dae.inputs if declared.path not in self.signals]
+    def __post_init__(self) -> None:
+        dae, switching = self.dae, self.dae.switching
+        self.free = [declared for declared in dae.inputs if declared.path not in self.signals]
+        self._motion, self._moving = ca.vertcat(dae.ode, dae.alg), (dae.x, dae.z, dae.u)
+        self._reduction = Reduction(dae)
+        self._indicators = pick(switching.expressions, [c.indicator for c in switching.changes])
+        self._shocks = [c for c in switching.changes if c.impulse is not None]
+        self._velocities = pick(switching.expressions, [c.velocity for c in self._shocks])
+        self._resets = [r for c in switching.changes for r in c.resets]
+        self._reset_variables = sorted({r[0] for r in self._resets} - set(dae.states))
+        self._others = pick(dae.variables, self._reset_variables)
 
     def texts(self) -> dict[str, str]:
         """Return model.h and model.c."""
@@ -97,41 +102,6 @@ class CModel:
             *(self._products(published) if self.products else []),
             *(start_functions(self.start, dae.arguments()) if self.start else []),
         ]
-
-    @cached_property
-    def _motion(self) -> Any:
-        return ca.vertcat(self.dae.ode, self.dae.alg)
-
-    @cached_property
-    def _moving(self) -> tuple[Any, Any, Any]:
-        return self.dae.x, self.dae.z, self.dae.u
-
-    @cached_property
-    def _reduction(self) -> Reduction:
-        return Reduction(self.dae)
-
-    @cached_property
-    def _shocks(self) -> list[Change]:
-        return [c for c in self.dae.switching.changes if c.impulse is not None]
-
-    @cached_property
-    def _indicators(self) -> Any:
-        switching = self.dae.switching
-        return pick(switching.expressions, [c.indicator for c in switching.changes])
-
-    @cached_property
-    def _velocities(self) -> Any:
-        return pick(self.dae.switching.expressions, [c.velocity for c in self._shocks])
-
-    @cached_property
-    def _reset_variables(self) -> list[int]:
-        """The variables that transitions reset and that are no states."""
-        resets = {r[0] for c in self.dae.switching.changes for r in c.resets}
-        return sorted(resets - set(self.dae.states))
-
-    @cached_property
-    def _others(self) -> Any:
-        return pick(self.dae.variables, self._reset_variables)
 
     def _products(self, published: Any) -> list[Any]:
         """Return forward and reverse derivatives of motion and variables in x, z, u and p.
@@ -247,7 +217,7 @@ class CModel:
         changes = self.dae.switching.changes
         states = {v: k for k, v in enumerate(self.dae.states)}
         others = {v: k for k, v in enumerate(self._reset_variables)}
-        resets = [r for c in changes for r in c.resets]
+        resets = self._resets
         tables.sizes(NO=len(others))
         tables.integers(
             reset_start=_starts(c.resets for c in changes),

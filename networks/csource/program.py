@@ -27,7 +27,7 @@ HORIZON = 1e5  # s: until when instants at which signals switch are sought
 HEADERS = ("core.h", "core_state.h")
 STARTS = ("start.h", "start.c")
 SOURCES = (
-    "algebra.c", "chattering.c", "contacts.c", "core.c", "events.c", "impacts.c", "legs.c", "linear.c",
+    "algebra.c", "core.c", "events.c", "impacts.c", "legs.c", "linear.c",
     "locate.c", "message.c", "rosenbrock.c", "shocks.c", "stepper.c",
 )  # fmt: skip
 

@@ -1,4 +1,5 @@
-/* Shocks: what a jump of a prescribed motion, or of its slope, does in no time at all; as in shocks.py. */
+/* Shocks: what a jump of a prescribed motion, or of its slope, does in no time at all, as in shocks.py; and
+ * what contacts do then: they are struck or left, or pass the shock on. */
 #include <math.h>
 #include <string.h>
 
@@ -35,7 +36,7 @@ static int since(Core *c, const double seen[], double jump[]) {
 }
 
 /* Rates of states and forces while signals are off by a course. */
-int core_rates_off(Core *c, const double x[], const double course[], double rates[]) {
+static int rates_off(Core *c, const double x[], const double course[], double rates[]) {
     double y[ROOM(NY)], signed_[ROOM(NJ)], moved[ROOM(NPATH + NZ)], sum = 0;
     for (int k = 0; k < NJ; k++) signed_[k] = model_jump_sign[k] * course[k];
     memcpy(y, x, NX * sizeof *x);
@@ -54,11 +55,11 @@ int core_rates_off(Core *c, const double x[], const double course[], double rate
 /* How far states are off while a position jumps that relative velocities follow; 0 if that takes forces. */
 static int thrown(Core *c, const double jump[], const double x[], double far[]) {
     double course[ROOM(NJ)] = {0}, at_rest[ROOM(NPATH)], away[ROOM(NPATH)];
-    if (!core_rates_off(c, x, course, at_rest)) return 0;
+    if (!rates_off(c, x, course, at_rest)) return 0;
     for (int s = 0; s < NSIGNAL; s++)
         for (int k = model_jump_start[s] + 2; k < model_jump_start[s + 1]; k++)
             course[k] = jump[k - 2] / RAMP;
-    if (!core_rates_off(c, x, course, away)) return 0;
+    if (!rates_off(c, x, course, away)) return 0;
     for (int i = 0; i < NX; i++) far[i] = away[i] - at_rest[i];
     for (int i = NPUSH > 0 ? NX : 0; i < NPATH; i++)
         if (!(fabs(away[i] - at_rest[i]) <= JUMP_UNBOUNDED)) return 0;
@@ -75,7 +76,7 @@ static int moved(Core *c, const double jump[], const double path[], double s, do
         still[k] = course[k] = (s - 1) * jump[k];
         if (k > 0 && !last_of_signal(k - 1)) course[k] += jump[k - 1] / instant;
     }
-    if (!core_rates_off(c, path, still, at_rest) || !core_rates_off(c, x, course, out)) return 0;
+    if (!rates_off(c, path, still, at_rest) || !rates_off(c, x, course, out)) return 0;
     for (int i = 0; i < NPATH; i++) out[i] = instant * (out[i] - at_rest[i]);
     return 1;
 }
@@ -178,6 +179,64 @@ static int is_still(const Core *c, const double path[]) {
     for (int i = 0; i < NPATH; i++) still &= path[i] == (i < NX ? c->y[i] : 0);
     return still;
 }
+
+/* Whether a position jumps onto a stop, or off it, from indicators before. */
+static CoreStatus check_reach(Core *c, const double before[]) {
+    for (int i = 0; i < NG; i++) {
+        int mode = model_change_mode[i], present = core_mode(c, mode), indicator = model_change_indicator[i];
+        double was = before[indicator], now = c->expressions[indicator];
+        int opens = model_change_source[i] != model_change_target[i] && core_holds(c, i);
+        int onto = present == model_change_source[i] && core_stands_in(mode, present) < 0 && was <= INSIDE &&
+                   now > INSIDE;
+        if (model_change_impulse[i] < 0) continue;
+        if (!onto && !(opens && fabs(now - was) > INSIDE)) continue;
+        return core_fail(c, CORE_ERROR,
+                         "at t = %g s %s is struck or left at infinite speed, where a prescribed position "
+                         "jumps; give a ramp instead of the jump",
+                         c->t, model_component[i]);
+    }
+    return CORE_OK;
+}
+
+static int any_pressed(const Core *c) {
+    const double *value = c->expressions;
+    int any = 0;
+    for (int i = 0; i < NG && !any; i++)
+        any = core_holds(c, i) && value[model_change_after[i]] > value[model_change_velocity[i]] + PRESSED;
+    return any;
+}
+
+/* Add what motions give when contacts pass a shock on, by the impulses of these. */
+static CoreStatus add_passed(Core *c, const int contacts[], const double impulses[], int count,
+                             double pushes[]) {
+    double still[ROOM(NJ)] = {0}, before[ROOM(NPATH)], after[ROOM(NPATH)];
+    Kept kept;
+    CoreStatus status = core_stand_in(c, &kept);
+    int finite = status == CORE_OK && rates_off(c, c->y, still, before);
+    for (int k = 0; k < count; k++) core_modes(c)[NM + model_change_impulse[contacts[k]]] = impulses[k];
+    finite = finite && rates_off(c, c->y, still, after);
+    for (int i = 0; i < NPUSH && finite; i++) pushes[i] += after[NX + i] - before[NX + i];
+    core_go_back(c, &kept);
+    return status;
+}
+
+/* Let the contacts that hold, where they are pressed together, pass a shock on, and tell of all impulses. */
+static CoreStatus pass_on(Core *c, double pushes[], const Observer *told) {
+    int contacts[ROOM(NG)], stays[ROOM(NG)], count = 0;
+    double impulses[ROOM(NG)];
+    CoreStatus status = CORE_OK;
+    if (any_pressed(c)) {
+        status = core_strike(c, contacts, stays, impulses, &count);
+        if (status == CORE_OK) status = add_passed(c, contacts, impulses, count, pushes);
+    }
+    if (status != CORE_OK || !told || !told->fired) return status;
+    double largest = core_largest(pushes, NPUSH);
+    for (int i = 0; i < NPUSH; i++)
+        if (fabs(pushes[i]) > JUMP_FELT * largest) told->fired(told->context, c, NG + i, 0, pushes[i]);
+    if (largest == 0) told->fired(told->context, c, NG + NPUSH, 0, 0);
+    for (int k = 0; k < count; k++) told->fired(told->context, c, contacts[k], 1, impulses[k]);
+    return status;
+}
 #endif
 
 /* Let what has jumped since it was seen act on states, and the contacts that pass it on. */
@@ -198,8 +257,8 @@ CoreStatus core_jump(Core *c, const double seen[], const Observer *told, int *ch
     memcpy(c->y, path, NX * sizeof *path);
     *changed = 1;
     core_switching(c);
-    status = core_check_reach(c, before);
-    if (status == CORE_OK) status = core_pass_on(c, path + NX, told);
+    status = check_reach(c, before);
+    if (status == CORE_OK) status = pass_on(c, path + NX, told);
     if (status == CORE_OK) status = core_complete(c);
     core_stale(c);
     if (status != CORE_OK) return status;

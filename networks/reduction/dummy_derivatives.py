@@ -21,6 +21,8 @@ from .singular import closed_loop, grouped
 
 INDEPENDENT = 1e-9  # share of an equation's greatest slope below which a derivative does not solve it
 DEPENDENT = 1e-6  # share of an equation in what makes it and others say the same
+_Cells = dict[Equation, list[int]]  # the derivatives in each equation that may be chosen
+_Wishes = dict[int, tuple[float, int]]
 
 
 def select_states(system: System) -> list[int]:
@@ -33,9 +35,9 @@ def select_states(system: System) -> list[int]:
         (n, row) for n, row in system.equations() if system.level[n] and row not in system.next_level[n]
     ]
     dummies: set[int] = set()
-    candidates: set[int] | None = None
+    candidates = lower.keys() - system.derivative.keys()
     while equations:
-        chosen = _choose(system, equations, candidates, lower)
+        chosen = _choose(system, equations, candidates - system.known.keys(), lower)
         dummies |= chosen
         candidates = {lower[v] for v in chosen if lower[v] in lower}
         equations = [e for e in (previous[e] for e in equations) if system.level[e[0]]]
@@ -47,18 +49,14 @@ def select_states(system: System) -> list[int]:
 
 
 def _choose(
-    system: System, equations: list[Equation], allowed: set[int] | None, lower: dict[int, int]
+    system: System, equations: list[Equation], candidates: set[int], lower: dict[int, int]
 ) -> set[int]:
     """Choose one derivative per equation, the least wanted as states first."""
-    eligible = lower.keys() - system.known.keys()
-    eligible = eligible - system.derivative.keys() if allowed is None else eligible & allowed
-    cells: dict[Equation, list[int]] = {}
+    columns = {(n, row): system.families[n].columns[row].tolist() for n, row in equations}
+    cells = {equation: [*candidates.intersection(held)] for equation, held in columns.items()}
     users: dict[int, set[Equation]] = defaultdict(set)
-    for equation in equations:
-        number, row = equation
-        found = eligible.intersection(system.families[number].columns[row].tolist())
-        cells[equation] = [*found]
-        for variable in cells[equation]:
+    for equation, variables in cells.items():
+        for variable in variables:
             users[variable].add(equation)
     wish = {variable: _wish(system, variable, lower) for variable in users}
     chosen = _peel(cells, users, wish)
@@ -69,34 +67,23 @@ def _choose(
 
 def _wish(system: System, variable: int, lower: dict[int, int]) -> tuple[float, int]:
     """Rank how much the variables below a derivative are wanted as states."""
-    below = lower[variable]
-    wanted = -1.0
-    while True:
+    below, wanted = variable, -1.0
+    while (below := lower.get(below, -1)) >= 0:
         if below < len(system.names.state):
             wanted = max(wanted, float(system.names.state[below]))
-        if below not in lower:
-            return wanted, variable
-        below = lower[below]
+    return wanted, variable
 
 
-def _peel(
-    cells: dict[Equation, list[int]],
-    users: dict[int, set[Equation]],
-    wish: dict[int, tuple[float, int]],
-) -> set[int]:
+def _peel(cells: _Cells, users: dict[int, set[Equation]], wish: _Wishes) -> set[int]:
     """Take the derivatives that are least wanted in their equation and stand in no other."""
     chosen = set()
     todo = list(cells)
     while todo:
         equation = todo.pop()
-        if equation not in cells:
-            continue
-        candidates = cells[equation]
+        candidates = cells.get(equation, [])
         lone = [v for v in candidates if len(users[v]) == 1]
-        if not lone:
-            continue
-        best = min(lone, key=wish.__getitem__)
-        if wish[best][0] > min(wish[v][0] for v in candidates):
+        best = min(lone, key=wish.__getitem__, default=None)
+        if best is None or wish[best][0] > min(wish[v][0] for v in candidates):
             continue
         chosen.add(best)
         del cells[equation]
@@ -106,12 +93,7 @@ def _peel(
     return chosen
 
 
-def _eliminate(
-    system: System,
-    equations: list[Equation],
-    cells: dict[Equation, list[int]],
-    wish: dict[int, tuple[float, int]],
-) -> set[int]:
+def _eliminate(system: System, equations: list[Equation], cells: _Cells, wish: _Wishes) -> set[int]:
     """Choose a nonsingular set of columns by elimination, least wanted first."""
     variables = sorted({v for e in equations for v in cells[e]}, key=wish.__getitem__)
     slopes = _slopes(system, equations, variables)

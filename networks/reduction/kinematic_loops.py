@@ -37,12 +37,6 @@ class _Edge:
     sign_a: int
     sign_b: int
 
-    def seen_from(self, here: int) -> tuple[int, int, int]:
-        """Return the other end, the sign of this end and the sign of the other."""
-        if here == self.a:
-            return self.b, self.sign_a, self.sign_b
-        return self.a, self.sign_b, self.sign_a
-
 
 @dataclass(frozen=True)
 class _Reached:
@@ -58,8 +52,7 @@ def close_loops(system: System) -> None:
     edges = _edges(system, highest)
     sums = _loop_sums(system, edges)
     for equation, weights in sums.items():
-        summed = _summed(system, {**weights, equation: 1}, highest)
-        system.families += without_duplicates(summed)
+        system.families += without_duplicates(_summed(system, {**weights, equation: 1}, highest))
     for number in {number for number, _ in sums}:
         family, gone = system.families[number], [row for n, row in sums if n == number]
         system.families[number] = family.chosen(np.delete(np.arange(len(family)), gone))
@@ -136,11 +129,11 @@ def _times(system: System, variable: int) -> int:
 
 def _reach(edges: list[_Edge], tree: set[Equation]) -> dict[int, _Reached]:
     """Write every unknown in terms of its tree's root."""
-    at: dict[int, list[_Edge]] = defaultdict(list)
+    at: dict[int, list[tuple[Equation, int, int, int]]] = defaultdict(list)
     for edge in edges:
         if edge.equation in tree:
-            at[edge.a].append(edge)
-            at[edge.b].append(edge)
+            at[edge.a].append((edge.equation, edge.b, edge.sign_a, edge.sign_b))
+            at[edge.b].append((edge.equation, edge.a, edge.sign_b, edge.sign_a))
     reached: dict[int, _Reached] = {}
     for start in sorted(at):
         if start in reached:
@@ -149,12 +142,11 @@ def _reach(edges: list[_Edge], tree: set[Equation]) -> dict[int, _Reached]:
         todo = [start]
         while todo:
             here = todo.pop()
-            for edge in at[here]:
-                there, sign_here, sign = edge.seen_from(here)
+            for equation, there, sign_here, sign in at[here]:
                 if there not in reached:
                     turned = -sign * sign_here
                     weights = {e: turned * w for e, w in reached[here].weights.items()}
-                    weights[edge.equation] = sign
+                    weights[equation] = sign
                     reached[there] = _Reached(turned * reached[here].share, weights)
                     todo.append(there)
     return reached

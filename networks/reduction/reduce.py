@@ -16,7 +16,7 @@ from .dummy_derivatives import select_states
 from .jumps import Signal, jumping_signals, jumps_of, without_courses
 from .kinematic_loops import close_loops
 from .pantelides import System, joined_system, reduce_index
-from .structure import check_structure
+from .singular import check_structure
 from .transitions import Switching, switching
 
 

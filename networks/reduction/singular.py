@@ -1,4 +1,7 @@
-"""Singular networks: who determines a motion twice, what nothing determines, and the remedy."""
+"""The structural check: is there one equation for every unknown? If not: who is concerned, and the remedy.
+
+The Dulmage-Mendelsohn decomposition parts what is determined twice from what nothing determines.
+"""
 
 from __future__ import annotations
 
@@ -6,26 +9,42 @@ from collections import defaultdict
 from collections.abc import Callable, Hashable, Iterable, Iterator
 from typing import TypeVar
 
+import numpy as np
+
+from ...base import ModelError
 from ...components import Fixed
 from ...components.language import Parameter, Port, RealOutput, Variable
 from ...components.rotational import Fixed as RotationalFixed
 from ..flattening.flat import Instance
 from ..flattening.union import SignedUnion
-from .pantelides import Equation, System
+from .pantelides import Equation, System, counted
 
 _T = TypeVar("_T")
 _GIVES_WAY = {"translational": "a Spring", "rotational": "a rotational.Spring"}
 _HAS_INERTIA = {"translational": "a Mass or a Fixed", "rotational": "an Inertia or a rotational.Fixed"}
 
 
-def tell_singular(system: System, over: list[Equation], under: list[int]) -> list[str]:
-    """Return what is wrong, a sentence for each place.
+def check_structure(system: System) -> None:
+    """Raise a ModelError that names the components of a singular network.
 
-    Args:
-        system: the equations.
-        over: equations that are too many for their unknowns.
-        under: unknowns (variables that are no derivatives) with too few equations.
+    Orders of differentiation are set aside: a variable and its derivatives count as one unknown, so
+    what fails here cannot be mended by any index reduction.
     """
+    bases = system.bases()
+    chain = (bases == np.arange(system.size)) & system.is_root()
+    chain[bases[list(system.known)]] = False
+    chains = np.flatnonzero(chain).tolist()
+    owners, pattern = system.equations(), system.incidence(counted(chain)[bases])
+    _, order, permuted, _, _, coarse_rows, coarse_columns = pattern.btf()
+    over = [owners[i] for i in order[: coarse_rows[2]]] if coarse_rows[1] else []
+    under = [chains[i] for i in permuted[coarse_columns[2] :]] if coarse_columns[3] < len(chains) else []
+    if over or under:
+        problems = _told(system, over, under)
+        raise ModelError(f"'{system.flat.name}' is structurally singular:", problems)
+
+
+def _told(system: System, over: list[Equation], under: list[int]) -> list[str]:
+    """Return what is wrong, a sentence for each place: too many equations, or unknowns with too few."""
     unbalanced = list(_unbalanced(system.flat.instances.values()))
     if unbalanced:
         return unbalanced

@@ -74,8 +74,8 @@ def tear(system: System, equations: list[Equation], variables: list[int], symbol
     matrix = ca.jacobian(residual, unknown)
     hybrid = any(cell.hybrid for e in rest for cell in cells[e].values())
     labels = sorted({system.label(e) for e in rest})
-    shape = (len(tears), len(tears)) if hybrid else (0, 0)
-    completion = ca.SX.sym("completion", *shape)
+    size = len(tears) if hybrid else 0
+    completion = ca.SX.sym("completion", size, size)
     completed = matrix + completion if hybrid else matrix
     if len(tears) <= EXPLICIT_SIZE and not ca.depends_on(matrix, unknown):
         offset = ca.substitute(residual, unknown, ca.DM.zeros(len(tears)))
@@ -139,10 +139,7 @@ def _order(
 
 
 def _next_tear(
-    system: System,
-    users: dict[int, set[Equation]],
-    open_cells: dict[Equation, set[int]],
-    cells: _Cells,
+    system: System, users: dict[int, set[Equation]], open_cells: dict[Equation, set[int]], cells: _Cells
 ) -> int:
     """Prefer what a hybrid equation leaves open (a friction force), then what occurs most often."""
 

@@ -9,13 +9,14 @@ import numpy as np
 
 from ....base import Array, SimulationError
 from ..integrator import IntegratorError, Stepper, Stretch
-from ..point import Point
+from ..point import Point, solve_algebraic
 from ..progress import Progress
 from ..run import Run, attempt, enter_next_leg, integrate, record_here
+from ..tolerance import Tolerance
 from .constants import CHATTER_COUNT, CHATTER_WINDOW, CROWD_COUNT, HOP, NARROWEST
 from .functions import NODES as NODES
+from .indicators import Indicators
 from .root_finding import Crossing, first_crossing, followed
-from .short_steps import hopped
 from .stride import FINE_EXPONENT, LEAST_EXPONENT, Pace
 from .switcher import Switcher
 
@@ -80,7 +81,7 @@ class _EventLoop:
         run, pace = self.run, self.pace
         if delay >= HOP * pace.interval:
             return False
-        later = hopped(self.switcher.indicators, run.point, delay, indicator, run.settings.tolerance)
+        later = _hopped(self.switcher.indicators, run.point, delay, indicator, run.settings.tolerance)
         if later is None or later.t >= min(pace.outputs[pace.next], run.leg.end):
             return False
         self._arrive(later, indicator)
@@ -167,7 +168,7 @@ class _EventLoop:
             newton = t - g / rate if rate > 0 and not beyond else np.inf
             close = abs(newton - t) < HOP * (end - start.t) and low <= newton <= high
             if close or (narrow and start.t < newton < end):
-                hit = hopped(indicators, landed, newton - t, indicator, run.settings.tolerance)
+                hit = _hopped(indicators, landed, newton - t, indicator, run.settings.tolerance)
                 if hit is not None:
                     return hit, True
             if narrow:
@@ -187,3 +188,44 @@ class _EventLoop:
                     f"{recent[-1]:.9g} s, from {', '.join(names)}; give it a resting speed, hysteresis or "
                     "some compliance"
                 )
+
+
+def _hopped(
+    indicators: Indicators, point: Point, duration: float, indicator: int, tolerance: Tolerance
+) -> Point | None:
+    """Return the crossing a very short time later (or earlier), or None if it is too far for one step.
+
+    One step of the trapezoidal rule, corrected twice; the second correction bounds its error.
+    """
+    later = Point(point.t, point.x, point.z, point.q)
+    _go_on(indicators, later, duration)
+    before, change = _motion(indicators, point), np.zeros(0)
+    for _ in range(2):
+        corrected = point.x + 0.5 * duration * (before + _motion(indicators, later))
+        change, later.x = np.abs(corrected - later.x), corrected
+        solve_algebraic(indicators.closed, later)
+    allowed = 0.1 * (tolerance.rtol * np.abs(point.x) + tolerance.atol)
+    if (change > allowed).any() or not _shift(indicators, later, indicator):
+        return None
+    return later if indicators.passed(point, later) is None else None
+
+
+def _shift(indicators: Indicators, point: Point, indicator: int) -> bool:
+    """Move a point that is very near a crossing onto it, along its velocity; tell whether it is there."""
+    for _ in range(2):
+        values, rates = indicators.watch(point)
+        if rates[indicator] <= 0:
+            return False
+        _go_on(indicators, point, -float(values[indicator] / rates[indicator]))
+    return bool(abs(indicators.watch(point)[0][indicator]) <= indicators.tolerance()[indicator])
+
+
+def _go_on(indicators: Indicators, point: Point, duration: float) -> None:
+    """Move a point by a very short time, along its velocity."""
+    point.x = point.x + duration * _motion(indicators, point)
+    point.t += duration
+    solve_algebraic(indicators.closed, point)
+
+
+def _motion(indicators: Indicators, point: Point) -> Array:
+    return indicators.functions.motion(point.x, point.z, point.q, point.t)[0]
