@@ -121,12 +121,9 @@ class _Corners:
                 work[into[0]] = ca.SX(known.instruction_constant(k))
             elif operation == ca.OP_PARAMETER:
                 work[into[0]] = next(free)
-            elif k in chosen:
-                work[into[0]] = self._chosen(operation, work[of[0]], work[of[1]])
-            elif len(of) == 1:
-                work[into[0]] = ca.SX.unary(operation, work[of[0]])
             else:
-                work[into[0]] = ca.SX.binary(operation, work[of[0]], work[of[1]])
+                apply = self._chosen if k in chosen else ca.SX.unary if len(of) == 1 else ca.SX.binary
+                work[into[0]] = apply(operation, *(work[place] for place in of))
 
     def _chosen(self, operation: int, a: Any, b: Any) -> Any:
         if not ca.depends_on(a - b, self._moving):

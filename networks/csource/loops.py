@@ -14,7 +14,7 @@ from dataclasses import dataclass
 
 READ = re.compile(r"(w|arg\[\d+\])\[(\d+)\]")
 STATEMENT = re.compile(r"  (w|res\[\d+\])\[(\d+)\]=(.*);\n")
-MOST_READS, FEWEST, PART = 24, 4, 200
+MOST_READS, FEWEST_MEMBERS, PART_LENGTH = 24, 4, 200
 HOLE = "@"
 Place = tuple[str, int]
 
@@ -61,9 +61,9 @@ def looped(statements: Sequence[str], name: str) -> tuple[str, str, int]:
     room = _give_places(loops)
     pieces = [piece for loop in loops for piece in _written(loop)]
     functions, calls = "", ""
-    for number in range(0, len(pieces), PART):
-        part = f"{name}_{number // PART}"
-        body = "".join(pieces[number : number + PART])
+    for number in range(0, len(pieces), PART_LENGTH):
+        part = f"{name}_{number // PART_LENGTH}"
+        body = "".join(pieces[number : number + PART_LENGTH])
         functions += f"PART void {part}(const double **arg, double **res, double *w) {{\n{body}}}\n\n"
         calls += f"  {part}(arg, res, w);\n"
     return functions, calls, room
@@ -112,7 +112,7 @@ def _give_places(loops: Sequence[_Loop]) -> int:
 
 def _written(loop: _Loop) -> Iterator[str]:
     places = [[_place(value), *map(_place, value.reads)] for value in loop]
-    if len(places) < FEWEST:
+    if len(places) < FEWEST_MEMBERS:
         for row in places:
             yield f"  {_filled(loop[0].text, [f'{array}[{at}]' for array, at in row])}\n"
         return

@@ -98,8 +98,10 @@ class Native:
         self.nx, self.nz, self.nq = dae.x.numel(), dae.z.numel(), dae.constants.numel()
         self._core = ctypes.create_string_buffer(self._library.native_size(0))
         free = [declared for declared in dae.inputs if declared.path not in functions]
-        self._tables = [_table(closed.signals[declared.path], declared.order) for declared in free]
-        self._free = np.array([_constant(closed.signals[i.path], i.order) for i in free] or [0.0])
+        given = [(closed.signals[declared.path], declared.order) for declared in free]
+        self._tables = [_table(signal, order) for signal, order in given]
+        constants = [float(s) if isinstance(s, Real) and not order else 0.0 for s, order in given]
+        self._free = np.array(constants or [0.0])
 
     def _records(self) -> Any:
         """Return pointers to fresh records; an input without one stays constant."""
@@ -214,10 +216,6 @@ class _Store:
 
 def _pointer(array: NDArray[Any]) -> Any:
     return array.ctypes.data_as(INTEGERS if array.dtype == np.int64 else DOUBLES)
-
-
-def _constant(signal: Any, order: int) -> float:
-    return float(signal) if isinstance(signal, Real) and not order else 0.0
 
 
 def _table(signal: Any, order: int) -> tuple[Array, Array] | None:

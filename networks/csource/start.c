@@ -45,7 +45,7 @@ static void lead(Core *c, const Given *given, StartRoom *room) {
     double before[ROOM(NX)];
     memcpy(before, c->y, NX * sizeof *before);
     for (int round = 0; round < LEAD_ROUNDS; round++) {
-        double *soft = room->slope + NFIXED * NLEAD, largest = 0, further[ROOM(NLEAD)];
+        double *soft = room->slope + NFIXED * NLEAD, further[ROOM(NLEAD)];
         if (!missed(c, given, model_lead, NAIM, NAIM, room)) break;
         memcpy(room->kept, room->slope, sizeof room->kept);
         for (int i = 0; i < NFIXED; i++) room->missing[i] = -room->value[i];
@@ -60,14 +60,12 @@ static void lead(Core *c, const Given *given, StartRoom *room) {
         }
         core_least_norm(soft, room->turn, NLEAD, NAIM - NFIXED, 1, room->missing, further);
         for (int i = 0; i < NLEAD; i++) {
-            double step = room->step[i] + further[i];
-            c->y[model_lead_state[i]] += step;
-            largest = fmax(largest, fabs(step));
+            room->step[i] += further[i];
+            c->y[model_lead_state[i]] += room->step[i];
         }
-        double size = core_largest(c->y, NX);
+        double largest = core_largest(room->step, NLEAD), size = core_largest(c->y, NX);
         if (!isfinite(largest) || !isfinite(size)) break;
-        if (largest <= START_CLOSE * (1 + size)) return;
-        if (round == LEAD_ROUNDS - 1) return;
+        if (largest <= START_CLOSE * (1 + size) || round == LEAD_ROUNDS - 1) return;
     }
     memcpy(c->y, before, NX * sizeof *before);
 }
@@ -129,9 +127,7 @@ static void forget(Core *c) {
 }
 
 static void note_shock(void *context, const Core *c, int change, int stays, double impulse) {
-    (void)c;
-    (void)stays;
-    (void)impulse;
+    (void)c, (void)stays, (void)impulse;
     if (change >= NG || model_change_impulse[change] >= 0) *(int *)context = 1;
 }
 

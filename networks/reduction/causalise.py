@@ -35,6 +35,17 @@ class Solution:
     completion: Any
     also: Any
 
+    def without(self, symbols: list[Any]) -> None:
+        """Put zero for symbols in all expressions."""
+        if symbols:
+            left_out, count = ca.vertcat(*symbols), len(self.residuals)
+            given = [self.values, self.also, *self.residuals, *(block.matrix for block in self.blocks)]
+            zeros = ca.SX.zeros(left_out.numel())
+            self.values, self.also, *others = ca.substitute(given, [left_out], [zeros])
+            self.residuals = others[:count]
+            for block, matrix in zip(self.blocks, others[count:], strict=True):
+                block.matrix = matrix
+
 
 def causalise(system: System, states: list[int], symbols: Any, values: Any, also: Any) -> Solution:
     """Solve the index-1 equations for what is neither a state nor an input.

@@ -138,16 +138,6 @@ def _with_courses(family: Family, courses: dict[int, Any]) -> Family:
     return replace(family, form=moved, arguments=ca.vertcat(family.arguments, rows))
 
 
-def without_courses(signals: list[Signal], expressions: list[Any]) -> list[Any]:
-    """Return expressions as they are between jumps."""
-    courses = [signal.course for signal in signals if signal.missed is not None]
-    if not courses:
-        return expressions
-    course = ca.vertcat(*courses)
-    plain: list[Any] = ca.substitute(expressions, [course], [ca.SX.zeros(course.numel())])
-    return plain
-
-
 def jumps_of(
     system: System, signals: list[Signal], values: Any, symbols: Any, ode: Any, alg: Any
 ) -> Jumps | None:

@@ -57,7 +57,11 @@ def _told(system: System, over: list[Equation], under: list[int]) -> list[str]:
             continue
         concerned |= place.through(instances)
         problems.append(_conflict(place, instances))
-    open_ = [unknowns for unknowns in grouped(under, place.equations_with) if not concerned & set(unknowns)]
+    open_ = [
+        unknowns
+        for unknowns in grouped(under, place.equations_with.__getitem__)
+        if not concerned & set(unknowns)
+    ]
     return problems + [_undetermined(place, unknowns) for unknowns in open_]
 
 
@@ -67,19 +71,18 @@ class _Place:
     def __init__(self, system: System) -> None:
         self.system, self.bases = system, system.bases()
         self.by_label = {str(i): i for i in system.flat.instances.values()}
-        self._with: dict[int, set[Equation]] = defaultdict(set)
+        self.equations_with: dict[int, set[Equation]] = defaultdict(set)
         for equation in system.equations():
             for unknown in self.unknowns_of(equation):
-                self._with[unknown].add(equation)
+                self.equations_with[unknown].add(equation)
+        self.ports_at: dict[int, list[tuple[Instance, Port]]] = defaultdict(list)
+        for instance, port in self.ports(system.flat.instances.values()):
+            self.ports_at[self.number(instance, port, "across")].append((instance, port))
 
     def unknowns_of(self, equation: Equation) -> set[int]:
         """Return the unknowns in an equation."""
         number, row = equation
         return set(self.bases[self.system.families[number].columns[row]].tolist())
-
-    def equations_with(self, unknown: int) -> set[Equation]:
-        """Return the equations that hold an unknown."""
-        return self._with[unknown]
 
     def instances_of(self, equations: Iterable[Equation]) -> list[Instance]:
         """Return the components that state some equations, in order of their names."""
@@ -104,14 +107,11 @@ class _Place:
 
     def node(self, unknown: int) -> list[str]:
         """Return the names of the ports whose across variable is an unknown."""
-        every = self.ports(self.system.flat.instances.values())
-        at = [(i, p) for i, p in every if self.number(i, p, "across") == unknown]
-        return [f"{i.path}.{p.name}".lstrip(".") for i, p in at]
+        return [f"{i.path}.{p.name}".lstrip(".") for i, p in self.ports_at[unknown]]
 
     def domain(self, unknown: int) -> str:
         """Return the domain of the ports whose across variable is an unknown, empty if it is none."""
-        every = self.ports(self.system.flat.instances.values())
-        return next((p.domain for i, p in every if self.number(i, p, "across") == unknown), "")
+        return next((p.domain for _, p in self.ports_at[unknown]), "")
 
 
 def grouped(members: list[_T], keys: Callable[[_T], Iterable[Hashable]]) -> list[list[_T]]:
