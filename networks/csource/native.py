@@ -255,8 +255,8 @@ def _loaded(path: Path) -> Any:
                 f"the compiled network takes {size} bytes for {mirror.__name__[1:]}, this Python "
                 f"{ctypes.sizeof(mirror)}; CC and CFLAGS must build for the machine that runs it"
             )
-    begin = [c_void_p, c_double, DOUBLES, DOUBLES, DOUBLES, c_void_p, c_void_p]
-    library.native_begin.restype, library.native_begin.argtypes = None, begin
+    library.native_begin.restype = None
+    library.native_begin.argtypes = [c_void_p, c_double, *[DOUBLES] * 3, c_void_p, c_void_p]
     library.native_tell.restype, library.native_tell.argtypes = None, [c_void_p, INTEGERS, INTEGERS]
     library.native_run.restype, library.native_run.argtypes = c_int, [c_void_p, POINTER(_Run)]
     library.native_message.restype, library.native_message.argtypes = c_char_p, [c_void_p]

@@ -70,7 +70,8 @@ class Shocks:
         late = constants.JUMP_LATE * max(1.0, abs(point.t)) * steeper
         jump[np.abs(jump) <= constants.JUMP_ROUNDING * size + late] = 0.0
         jump[last] = 0.0
-        return jump * self._signs
+        signed: Array = jump * self._signs
+        return signed
 
     def begins(self, point: Point, jump: Array) -> Array:
         """Return how states and impulses begin to move where signals have jumped."""
