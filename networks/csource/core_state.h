@@ -174,8 +174,8 @@ int core_newton(Core *c, double t, double y[]);
 int core_algebra_rates(Core *c, double t, const double y[], double rates[]);
 
 /* linear.c */
-double core_dot(const double a[], const double b[], int n);
-double core_largest(const double a[], int n);
+double core_dot(const double *a, const double *b, int n);
+double core_largest(const double *a, int n);
 int core_factor(Factor *f, const double entries[], double full[]);
 void core_factor_solve(const Factor *f, double b[], double full[]);
 void core_factor_solve_transposed(const Factor *f, double b[], double full[]);

@@ -9,13 +9,13 @@
 
 #define SWEEPS 60
 
-double core_dot(const double a[], const double b[], int n) {
+double core_dot(const double *a, const double *b, int n) {
     double sum = 0;
     for (int i = 0; i < n; i++) sum += a[i] * b[i];
     return sum;
 }
 
-double core_largest(const double a[], int n) {
+double core_largest(const double *a, int n) {
     double largest = 0;
     for (int i = 0; i < n; i++) largest = fmax(largest, fabs(a[i]));
     return largest;

@@ -116,13 +116,12 @@ int core_locate(Core *c, Crossing *crossing) {
         for (int k = 0; k < checks && b - a > shortest;) {
             double middle = a + SHARES[k] * (b - a);
             if (!watch_inside(c, middle, &c->middle)) return -1;
-            if (resolved(c, b - a, SHARES[k])) {
-                k++;
-                continue;
+            if (resolved(c, b - a, SHARES[k])) k++;
+            else {
+                k = 0;
+                b = middle;
+                c->right = c->middle;
             }
-            k = 0;
-            b = middle;
-            c->right = c->middle;
         }
         int indicator = first(c, b - a, &share);
         if (indicator >= 0) {

@@ -15,7 +15,7 @@ from dataclasses import dataclass
 READ = re.compile(r"(w|arg\[\d+\])\[(\d+)\]")
 STATEMENT = re.compile(r"  (w|res\[\d+\])\[(\d+)\]=(.*);\n")
 MOST_READS, FEWEST_MEMBERS, PART_LENGTH = 24, 4, 200
-HOLE = "@"
+HOLE = "{}"
 Place = tuple[str, int]
 
 
@@ -36,18 +36,17 @@ class _Value:
 
     def absorb(self) -> None:
         """Take in what is read by this alone."""
-        pieces = self.text.split(HOLE)
-        text, reads, room = pieces[0], list[_Value | Place](), MOST_READS - len(self.reads)
-        for read, piece in zip(self.reads, pieces[1:], strict=True):
+        pieces, reads, room = list[str](), list[_Value | Place](), MOST_READS - len(self.reads)
+        for read in self.reads:
             if isinstance(read, _Value) and (read.is_leaf or (read.uses == 1 and len(read.reads) <= room)):
                 room -= len(read.reads)
-                text += _bracketed(read.text) + piece
+                pieces.append(_bracketed(read.text))
                 reads += read.reads
                 read.uses -= 1
             else:
-                text += HOLE + piece
+                pieces.append(HOLE)
                 reads.append(read)
-        self.text, self.reads = text, reads
+        self.text, self.reads = self.text.format(*pieces), reads
         self.level = 1 + max((read.level for read in reads if isinstance(read, _Value)), default=0)
 
 
@@ -114,7 +113,8 @@ def _written(loop: _Loop) -> Iterator[str]:
     places = [[_place(value), *map(_place, value.reads)] for value in loop]
     if len(places) < FEWEST_MEMBERS:
         for row in places:
-            yield f"  {_filled(loop[0].text, [f'{array}[{at}]' for array, at in row])}\n"
+            target, *read = (f"{array}[{at}]" for array, at in row)
+            yield f"  {target}={loop[0].text.format(*read)};\n"
         return
     tables, names = "", []
     for number, entries in enumerate(zip(*places, strict=True)):
@@ -124,7 +124,8 @@ def _written(loop: _Loop) -> Iterator[str]:
             told = ",".join(str(at) for _, at in entries)
             tables += f"static const int t{number}[] = {{{told}}};\n"
         names.append(f"{entries[0][0]}[{where}]")
-    yield f"  {{{tables}for (int k = 0; k < {len(places)}; k++) {_filled(loop[0].text, names)}}}\n"
+    filled = f"{names[0]}={loop[0].text.format(*names[1:])};"
+    yield f"  {{{tables}for (int k = 0; k < {len(places)}; k++) {filled}}}\n"
 
 
 def _place(read: _Value | Place) -> Place:
@@ -140,12 +141,6 @@ def _line(places: list[int]) -> str | None:
     if any(place != begin + k * step for k, place in enumerate(places)):
         return None
     return f"{begin}+{step}*k" if step else f"{begin}"
-
-
-def _filled(text: str, names: Sequence[str]) -> str:
-    target, *others = names
-    pieces = text.split(HOLE)
-    return f"{target}={pieces[0]}{''.join(n + p for n, p in zip(others, pieces[1:], strict=True))};"
 
 
 def _bracketed(text: str) -> str:

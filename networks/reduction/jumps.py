@@ -123,7 +123,6 @@ def _moved_from_outside(form: Form) -> bool:
 
 
 def _chain(system: System, number: int, row: int) -> list[Equation]:
-    """Return an equation and its derivatives."""
     chain = [(number, row)]
     while (later := system.next_level[chain[-1][0]].get(chain[-1][1])) is not None:
         chain.append(later)

@@ -122,7 +122,6 @@ def _order(system: System, edge: _Edge) -> float:
 
 
 def _times(system: System, variable: int) -> int:
-    """Return how often a variable is differentiated."""
     upper = system.derivative.get(variable)
     return 1 + _times(system, upper[0]) if upper else 0
 

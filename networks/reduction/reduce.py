@@ -90,7 +90,6 @@ def _dae(system: System, solution: Solution, switch: Switching, signals: list[Si
 
 
 def _rates(system: System, solution: Solution) -> Any:
-    """Return the rates of the states."""
     rates = [system.derivative[s] for s in solution.states]
     ode = pick(solution.values, [d for d, _ in rates])
     return ode * ca.DM([sign for _, sign in rates]) if any(sign < 0 for _, sign in rates) else ode

@@ -20,8 +20,8 @@ from .root_finding import Crossing, first_crossing, followed
 from .stride import FINE_EXPONENT, LEAST_EXPONENT, Pace
 from .switcher import Switcher
 
-RESOLUTION = 1e-12
-RESOLVING = NODES / 4
+SHORTEST_SPAN = 1e-12  # share of t: shorter stretches are not tried
+STRETCH_STEPS = NODES / 4  # of the longest allowed, in a stretch at most
 MOST_STEPS = 500
 
 
@@ -55,7 +55,7 @@ class _EventLoop:
             pace.limit = np.inf
             self._watch_chatter()
             return False
-        end, intervals = pace.stretch(point.t, delay, run.leg.end, RESOLVING * run.max_step)
+        end, intervals = pace.stretch(point.t, delay, run.leg.end, STRETCH_STEPS * run.max_step)
         span = end - point.t
         stretch = self._tried(span)
         if stretch is None:
@@ -92,7 +92,7 @@ class _EventLoop:
         try:
             return attempt(self.run, self.stepper, self.run.point, span)
         except IntegratorError:
-            if self.pace.exponent > LEAST_EXPONENT and span > RESOLUTION * abs(self.run.point.t):
+            if self.pace.exponent > LEAST_EXPONENT and span > SHORTEST_SPAN * abs(self.run.point.t):
                 return None
             record_here(self.run)
             raise
