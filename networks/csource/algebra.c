@@ -16,20 +16,24 @@ int core_algebra_factor(Core *c, double t, const double y[]) {
     return core_factor(&c->algebra, entries, c->full);
 }
 
+/* Newton's step for the residuals in `value`. Returns 1 if it was so short that unknowns are found, 0 if not,
+ * -1 if there is none. */
+int core_newton(Core *c, double t, double y[]) {
+    if (!core_algebra_factor(c, t, y)) return -1;
+    for (int i = 0; i < NX; i++) c->value[i] = 0;
+    core_factor_solve(&c->algebra, c->value, c->full);
+    for (int i = NX; i < NY; i++) y[i] -= c->value[i];
+    double change = core_largest(c->value + NX, NZ), size = core_largest(y + NX, NZ);
+    if (!isfinite(size) || !isfinite(change)) return -1;
+    return change <= NEWTON_CLOSE * (1 + size);
+}
+
 int core_solve_algebra(Core *c, double t, double y[]) {
     if (NZ == 0) return 1;
     for (int round = 0; round < NEWTON_ROUNDS; round++) {
-        double largest = 0, size = 0;
-        if (!core_motion_at(c, t, y, c->value) || !core_algebra_factor(c, t, y)) return 0;
-        for (int i = 0; i < NX; i++) c->value[i] = 0;
-        core_factor_solve(&c->algebra, c->value, c->full);
-        for (int i = NX; i < NY; i++) {
-            y[i] -= c->value[i];
-            largest = fmax(largest, fabs(c->value[i]));
-            size = fmax(size, fabs(y[i]));
-        }
-        if (!isfinite(size) || !isfinite(largest)) return 0;
-        if (largest <= NEWTON_CLOSE * (1 + size)) return 1;
+        if (!core_motion_at(c, t, y, c->value)) return 0;
+        int found = core_newton(c, t, y);
+        if (found) return found > 0;
     }
     return 0;
 }

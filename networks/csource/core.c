@@ -28,50 +28,43 @@ double core_input(const Core *c, int i) { return c->free[i]; }
 double core_parameter(const Core *c, int i) { return c->q[i]; }
 int core_mode(const Core *c, int i) { return (int)c->q[NP + i]; }
 
-static CoreStatus refuse(Core *c, const char *name, const char *what, double value) {
-    core_say(c, name);
-    core_say_more(c, what);
-    core_say_more(c, ", got ");
-    core_say_number(c, value);
-    return CORE_ERROR;
+static CoreStatus not_finite(Core *c, const char *name, double value) {
+    return core_fail(c, CORE_ERROR, "%s must be a finite number, got %g", name, value);
+}
+
+static CoreStatus set(Core *c, const char *name, double *number, double value) {
+    if (!isfinite(value)) return not_finite(c, name, value);
+    if (value != *number) core_stale(c);
+    *number = value;
+    return CORE_OK;
 }
 
 CoreStatus core_set_time(Core *c, double t) {
-    if (!isfinite(t)) return refuse(c, "time", " must be a finite number", t);
-    if (t == c->t) return CORE_OK;
-    c->t = c->free_since = t;
-    core_stale(c);
-    return CORE_OK;
+    if (t != c->t && isfinite(t)) c->free_since = t;
+    return set(c, "time", &c->t, t);
 }
 
 CoreStatus core_set_state(Core *c, int i, double value) {
-    if (!isfinite(value)) return refuse(c, model_unknown_name[i], " must be a finite number", value);
-    if (value == c->y[i]) return CORE_OK;
-    c->y[i] = value;
-    core_stale(c);
-    return CORE_OK;
+    return set(c, model_unknown_name[i], c->y + i, value);
 }
 
 CoreStatus core_set_states(Core *c, const double x[]) {
     for (int i = 0; i < NX; i++)
-        if (!isfinite(x[i])) return refuse(c, model_unknown_name[i], " must be a finite number", x[i]);
+        if (!isfinite(x[i])) return not_finite(c, model_unknown_name[i], x[i]);
     for (int i = 0; i < NX; i++) core_set_state(c, i, x[i]);
     return CORE_OK;
 }
 
 CoreStatus core_set_input(Core *c, int i, double value) {
-    if (!isfinite(value)) return refuse(c, model_input_name[i], " must be a finite number", value);
-    if (value == c->free[i]) return CORE_OK;
-    c->free[i] = value;
-    c->u_time = NAN;
-    core_stale(c);
-    return CORE_OK;
+    if (value != c->free[i]) c->u_time = NAN;
+    return set(c, model_input_name[i], c->free + i, value);
 }
 
 CoreStatus core_set_slope(Core *c, int i, double value) {
     if (model_input_rate[i] >= 0) return core_set_input(c, model_input_rate[i], value);
     if (!isfinite(value))
-        return refuse(c, model_input_name[i], ": its derivative must be a finite number", value);
+        return core_fail(c, CORE_ERROR, "%s: its derivative must be a finite number, got %g",
+                         model_input_name[i], value);
     c->drift[i] = value;
     c->u_time = NAN;
     core_stale(c);
@@ -79,25 +72,16 @@ CoreStatus core_set_slope(Core *c, int i, double value) {
 }
 
 CoreStatus core_set_parameter(Core *c, int i, double value) {
-    const char *name = model_parameter_name[i];
-    if (!isfinite(value)) return refuse(c, name, " must be a finite number", value);
-    if (model_open[i] ? value <= model_least[i] : value < model_least[i]) {
-        refuse(c, name, " is too small", value);
-        core_say_more(c, model_open[i] ? "; it must be above " : "; it must be at least ");
-        core_say_number(c, model_least[i]);
-    } else if (value > model_most[i]) {
-        refuse(c, name, " is too great", value);
-        core_say_more(c, "; it must be at most ");
-        core_say_number(c, model_most[i]);
-    } else {
-        if (value != c->q[i]) core_stale(c);
-        c->q[i] = value;
-        return CORE_OK;
-    }
-    if (strcmp(model_parameter_unit[i], "1") != 0) {
-        core_say_more(c, " ");
-        core_say_more(c, model_parameter_unit[i]);
-    }
+    const char *name = model_parameter_name[i], *unit = model_parameter_unit[i];
+    double least = model_least[i], most = model_most[i];
+    if (!isfinite(value)) return not_finite(c, name, value);
+    if (model_open[i] ? value <= least : value < least)
+        core_fail(c, CORE_ERROR, "%s is too small, got %g; it must be %s %g", name, value,
+                  model_open[i] ? "above" : "at least", least);
+    else if (value > most)
+        core_fail(c, CORE_ERROR, "%s is too great, got %g; it must be at most %g", name, value, most);
+    else return set(c, name, c->q + i, value);
+    if (strcmp(unit, "1") != 0) core_say_more(c, " %s", unit);
     return CORE_ERROR;
 }
 
@@ -114,14 +98,11 @@ double core_free_at(const Core *c, int i, double t) {
     return value;
 }
 
-void core_inputs_at(Core *c, double t) {
+static void inputs_at(Core *c, double t) {
     if (NA == 0 || c->u_time == t) return;
-    const double *arg[ROOM(MODEL_ARGS)] = {&t};
-    double *res[ROOM(MODEL_RESULTS)] = {c->u, c->u_rate};
+    Call call = {{&t}, {c->u, c->u_rate}};
     c->u_time = t;
-    if (NU < NA) {
-        model_inputs(arg, res, c->iw, c->w, 0);
-    }
+    if (NU < NA) model_inputs(call.arg, call.res, c->iw, c->w, 0);
     for (int i = 0; i < NU; i++) {
         int at = model_input_at[i], sign = model_input_sign[i], next = model_input_rate[i];
 #ifdef CORE_RECORDS
@@ -138,32 +119,26 @@ void core_inputs_at(Core *c, double t) {
     }
 }
 
-void core_arguments(Core *c, double t, const double y[], const double *arg[]) {
-    core_inputs_at(c, t);
+void core_evaluate(Core *c, ModelFunction function, double t, const double y[], Call *call) {
+    inputs_at(c, t);
     c->work++;
-    arg[0] = y;
-    arg[1] = y + NX;
-    arg[2] = c->u;
-    arg[3] = c->q;
+    call->arg[0] = y;
+    call->arg[1] = y + NX;
+    call->arg[2] = c->u;
+    call->arg[3] = c->q;
+    call->arg[4] = &t;
+    function(call->arg, call->res, c->iw, c->w, 0);
 }
 
 int core_motion_at(Core *c, double t, const double y[], double rates[]) {
-    const double *arg[ROOM(MODEL_ARGS)] = {0};
-    double *res[ROOM(MODEL_RESULTS)] = {rates}, sum = 0;
-    core_arguments(c, t, y, arg);
-    arg[4] = &t;
-    model_motion(arg, res, c->iw, c->w, 0);
+    double sum = 0;
+    core_evaluate(c, model_motion, t, y, &(Call){.res = {rates}});
     for (int i = 0; i < NY; i++) sum += fabs(rates[i]);
     return isfinite(sum);
 }
 
 void core_slope_at(Core *c, double t, const double y[]) {
-    const double *arg[ROOM(MODEL_ARGS)] = {0};
-    double *res[ROOM(MODEL_RESULTS)] = {c->slope, c->by_time};
-    core_arguments(c, t, y, arg);
-    arg[4] = &t;
-    arg[5] = c->u_rate;
-    model_slope(arg, res, c->iw, c->w, 0);
+    core_evaluate(c, model_slope, t, y, &(Call){.arg = {[5] = c->u_rate}, .res = {c->slope, c->by_time}});
     for (int k = 0; k < NSLOPE; k++) /* at a corner there may be no slope: the error control sees to that */
         if (!isfinite(c->slope[k])) c->slope[k] = 0;
     for (int i = 0; i < NY; i++)
@@ -172,11 +147,7 @@ void core_slope_at(Core *c, double t, const double y[]) {
 }
 
 static CoreStatus impossible(Core *c, const char *what) {
-    core_say(c, what);
-    core_say_more(c, " at t = ");
-    core_say_number(c, c->t);
-    core_say_more(c, " s");
-    return CORE_DISCARD;
+    return core_fail(c, CORE_DISCARD, "%s at t = %g s", what, c->t);
 }
 
 static CoreStatus fresh_algebra(Core *c) {
@@ -202,11 +173,8 @@ CoreStatus core_variables(Core *c, const double **w) {
     CoreStatus status = fresh_algebra(c);
     if (status != CORE_OK) return status;
     if (!(c->fresh & FRESH_VARIABLES)) {
-        const double *arg[ROOM(MODEL_ARGS)] = {0};
-        double *res[ROOM(MODEL_RESULTS)] = {c->variables}, sum = 0;
-        core_arguments(c, c->t, c->y, arg);
-        arg[4] = &c->t;
-        model_variables(arg, res, c->iw, c->w, 0);
+        double sum = 0;
+        core_evaluate(c, model_variables, c->t, c->y, &(Call){.res = {c->variables}});
         for (int i = 0; i < NW; i++) sum += fabs(c->variables[i]);
         if (!isfinite(sum)) return impossible(c, "variables are not finite");
         c->fresh |= FRESH_VARIABLES;
@@ -235,13 +203,9 @@ CoreStatus core_indicators(Core *c, const double **g) {
 int core_knows_inputs(Core *c, double t) {
     const double slack = 1e-9 * (fabs(t) + 1);
     if (model_data_span[0] - slack <= t && t <= model_data_span[1] + slack) return 1;
-    core_say(c, "the data of its inputs are from ");
-    core_say_number(c, model_data_span[0]);
-    core_say_more(c, " to ");
-    core_say_number(c, model_data_span[1]);
-    core_say_more(c, " s, and nothing is known of them at ");
-    core_say_number(c, t);
-    core_say_more(c, " s");
+    core_fail(c, CORE_ERROR,
+              "the data of its inputs are from %g to %g s, and nothing is known of them at %g s",
+              model_data_span[0], model_data_span[1], t);
     return 0;
 }
 
@@ -282,13 +246,10 @@ CoreStatus core_due(Core *c, int *due) {
 
 CoreStatus core_advance(Core *c, double stop, double rtol, double atol, double fixed_step, int return_early,
                         CoreStop *reached) {
-    int happened, changed,
-        due = core_any_due(c); /* inputs and parameters may have jumped since the last step */
+    int happened, changed, due = core_any_due(c); /* what is given may have jumped since the last step */
     if (due < 0) return impossible(c, "indicators are not finite");
-    if (due && return_early) {
-        *reached = CORE_EVENT;
-        return CORE_OK;
-    }
+    *reached = CORE_EVENT;
+    if (due && return_early) return CORE_OK;
     CoreStatus status = due ? core_fire(c, c->pending - 1, 0, 0, &happened, &changed) : CORE_OK;
     if (status != CORE_OK) return status;
     c->interval = stop - c->t;

@@ -13,6 +13,12 @@
 #define STAGES 8
 #define MESSAGE 1024
 
+#ifdef __GNUC__
+#define SAYS(place) __attribute__((format(printf, place, place + 1)))
+#else
+#define SAYS(place)
+#endif
+
 /* Factors of a matrix of the unknowns that are kept: LU with pivoting, or sparse QR. */
 typedef struct {
 #if MODEL_SPARSE
@@ -41,6 +47,18 @@ typedef struct {
     double t, begin, end;
     int indicator;
 } Crossing;
+
+/* A function of (x, z, u, q, t), of further arguments from place 5 on; and where its results go. */
+typedef int (*ModelFunction)(const double **arg, double **res, int *iw, double *w, int mem);
+typedef struct {
+    const double *arg[ROOM(MODEL_ARGS)];
+    double *res[ROOM(MODEL_RESULTS)];
+} Call;
+
+/* Modes, impulses and completion, kept while others hold. */
+typedef struct {
+    double modes[ROOM(NM + NI + NK)];
+} Kept;
 
 struct Core {
     double t;
@@ -125,7 +143,7 @@ typedef struct Record {
     long long count, found;
 } Record;
 
-/* records.c */
+/* native.c */
 void core_record_at(Record *r, double t, double *value, double *rate);
 #endif
 
@@ -143,19 +161,21 @@ int core_next_time(Core *c, double *time);
 enum { FRESH_ALGEBRA = 1, FRESH_RATES = 2, FRESH_VARIABLES = 4, FRESH_INDICATORS = 8 };
 void core_stale(Core *c);
 int core_knows_inputs(Core *c, double t);
-void core_inputs_at(Core *c, double t);
 double core_free_at(const Core *c, int i, double t);
 int core_motion_at(Core *c, double t, const double y[], double rates[]);
 void core_slope_at(Core *c, double t, const double y[]);
-void core_arguments(Core *c, double t, const double y[], const double *arg[]);
+void core_evaluate(Core *c, ModelFunction function, double t, const double y[], Call *call);
 double *core_modes(Core *c);
 
 /* algebra.c */
 int core_solve_algebra(Core *c, double t, double y[]);
 int core_algebra_factor(Core *c, double t, const double y[]);
+int core_newton(Core *c, double t, double y[]);
 int core_algebra_rates(Core *c, double t, const double y[], double rates[]);
 
 /* linear.c */
+double core_dot(const double *a, const double *b, int n);
+double core_largest(const double *a, int n);
 int core_factor(Factor *f, const double entries[], double full[]);
 void core_factor_solve(const Factor *f, double b[], double full[]);
 void core_factor_solve_transposed(const Factor *f, double b[], double full[]);
@@ -172,32 +192,25 @@ int core_leavable(const Core *c, int i);
 int core_any_due(Core *c);
 void core_switching(Core *c);
 CoreStatus core_fire(Core *c, int forced, const Observer *told, int begins, int *happened, int *changed);
+CoreStatus core_watch_chatter(Core *c);
 
 /* impacts.c */
 CoreStatus core_complete(Core *c);
 CoreStatus core_strike(Core *c, int shocks[], int stays[], double impulses[], int *count);
 void core_reset_variables(Core *c, const int changes[], int count, double seen[]);
 int core_stands_in(int mode, int value);
-void core_stand_in(Core *c);
+int core_holds(const Core *c, int i);
+CoreStatus core_stand_in(Core *c, Kept *kept);
+void core_go_back(Core *c, const Kept *kept);
 
 /* shocks.c */
 void core_see(Core *c, double seen[]);
 CoreStatus core_jump(Core *c, const double seen[], const Observer *told, int *changed);
-int core_rates_off(Core *c, const double x[], const double course[], double rates[]);
-
-/* contacts.c */
-CoreStatus core_check_reach(Core *c, const double before[]);
-CoreStatus core_pass_on(Core *c, double pushes[], const Observer *told);
 
 /* rosenbrock.c */
 int core_step_begin(Core *c);
 int core_step_try(Core *c, double h, double rtol, double atol, double *error);
 void core_step_dense(Core *c, double t, double y[], double rates[]);
-
-/* chattering.c */
-void core_note(Core *c, int change);
-void core_say_latest(Core *c, int count);
-CoreStatus core_watch_chatter(Core *c);
 
 /* locate.c */
 int core_locate(Core *c, Crossing *crossing);
@@ -208,9 +221,7 @@ CoreStatus core_travel(Core *c, double stop, double rtol, double atol, double fi
                        const Observer *told, CoreStop *reached);
 
 /* message.c */
-void core_say(Core *c, const char *text);
-void core_say_more(Core *c, const char *text);
-void core_say_number(Core *c, double value);
-void core_say_when(Core *c);
+CoreStatus core_fail(Core *c, CoreStatus status, const char *format, ...) SAYS(3);
+void core_say_more(Core *c, const char *format, ...) SAYS(2);
 
 #endif

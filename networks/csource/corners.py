@@ -41,26 +41,30 @@ def corners_as_modes(dae: DAE) -> DAE:
         return dae
     corners = _Corners(dae, known, chosen)
     ode, alg, variables, indicators, *matrices = corners.results
-    expressions = ca.densify(ca.SX(dae.switching.expressions))
+    switching, expressions = dae.switching, ca.densify(ca.SX(dae.switching.expressions))
     if watched:
         expressions[watched] = indicators
-    first = expressions.numel()
-    count, modes = len(corners.modes), len(dae.switching.mode_names)
-    switching = replace(
-        dae.switching,
-        changes=[*dae.switching.changes, *_changes(count, modes, first)],
-        expressions=column([expressions, *corners.differences]),
-        mode_names=[*dae.switching.mode_names, *(f"{NAME}[{k + 1}]" for k in range(count))],
-        mode_values=[*dae.switching.mode_values, *[VALUES] * count],
-        in_shock=[*dae.switching.in_shock, *({} for _ in range(count))],
-    )
+    names = [f"{NAME}[{k + 1}]" for k in range(len(corners.modes))]
+    first, modes = expressions.numel(), len(switching.mode_names)
+    changes = [
+        Change(name, modes + k, source, 1 - source, first + 2 * k + source)
+        for k, name in enumerate(names)
+        for source in (0, 1)
+    ]
     return replace(
         dae,
         modes=ca.vertcat(dae.modes, *corners.modes),
         ode=ode,
         alg=alg,
         variables=variables,
-        switching=switching,
+        switching=replace(
+            switching,
+            changes=[*switching.changes, *changes],
+            expressions=column([expressions, *corners.differences]),
+            mode_names=[*switching.mode_names, *names],
+            mode_values=[*switching.mode_values, *[VALUES] * len(names)],
+            in_shock=[*switching.in_shock, *({} for _ in names)],
+        ),
         blocks=[replace(block, matrix=m) for block, m in zip(dae.blocks, matrices, strict=True)],
         bindings={},
     )
@@ -71,18 +75,17 @@ def is_corner(mode: str) -> bool:
     return mode.startswith(f"{NAME}[")
 
 
-def _changes(count: int, modes: int, first: int) -> Iterator[Change]:
-    for k in range(count):
-        for source, row in ((0, 2 * k), (1, 2 * k + 1)):
-            yield Change(f"{NAME}[{k + 1}]", modes + k, source, 1 - source, first + row)
+def _instructions(known: Any) -> Iterator[tuple[int, int, list[int], list[int]]]:
+    """Yield number, operation, places of results and places of operands of what a function does."""
+    for k in range(known.n_instructions()):
+        yield k, known.instruction_id(k), known.instruction_output(k), known.instruction_input(k)
 
 
 def _without_limits(known: Any) -> set[int]:
     """Return the places of max and min whose values go into nothing that ends at a corner."""
     behind: dict[int, frozenset[int]] = {}
     found: set[int] = set()
-    for k in range(known.n_instructions()):
-        operation, into, of = known.instruction_id(k), known.instruction_output(k), known.instruction_input(k)
+    for k, operation, into, of in _instructions(known):
         if operation in (ca.OP_INPUT, ca.OP_CONST, ca.OP_PARAMETER):
             behind[into[0]] = frozenset()
         elif operation != ca.OP_OUTPUT:
@@ -109,12 +112,7 @@ class _Corners:
         self.results = [ca.SX.zeros(known.sparsity_out(k)) for k in range(known.n_out())]
         free = iter(known.free_sx())
         work: dict[int, Any] = {}
-        for k in range(known.n_instructions()):
-            operation, into, of = (
-                known.instruction_id(k),
-                known.instruction_output(k),
-                known.instruction_input(k),
-            )
+        for k, operation, into, of in _instructions(known):
             if operation == ca.OP_OUTPUT:
                 self.results[into[0]].nz[into[1]] = work[of[0]]
             elif operation == ca.OP_INPUT:
@@ -123,12 +121,9 @@ class _Corners:
                 work[into[0]] = ca.SX(known.instruction_constant(k))
             elif operation == ca.OP_PARAMETER:
                 work[into[0]] = next(free)
-            elif k in chosen:
-                work[into[0]] = self._chosen(operation, work[of[0]], work[of[1]])
-            elif len(of) == 1:
-                work[into[0]] = ca.SX.unary(operation, work[of[0]])
             else:
-                work[into[0]] = ca.SX.binary(operation, work[of[0]], work[of[1]])
+                apply = self._chosen if k in chosen else ca.SX.unary if len(of) == 1 else ca.SX.binary
+                work[into[0]] = apply(operation, *(work[place] for place in of))
 
     def _chosen(self, operation: int, a: Any, b: Any) -> Any:
         if not ca.depends_on(a - b, self._moving):

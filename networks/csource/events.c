@@ -1,4 +1,4 @@
-/* Transitions: which fire at an instant, again until none is left. */
+/* Transitions: which fire at an instant, again until none is left, and whether they do so without end. */
 #include <math.h>
 #include <string.h>
 
@@ -14,17 +14,12 @@ double core_near_zero(const Core *c, int i) { return fmax(INDICATOR_FLOOR, INDIC
 
 /* Evaluate indicators and their rates where states have `rates`; remember their size. */
 int core_watch(Core *c, double t, const double y[], const double rates[], Watched *w) {
-    const double *arg[ROOM(MODEL_ARGS)] = {0};
-    double *res[ROOM(MODEL_RESULTS)] = {w->value, w->rate}, sum = 0;
+    double sum = 0;
     if (NG == 0) return 1;
     memcpy(c->trial, rates, NY * sizeof *rates);
     if (!core_algebra_rates(c, t, y, c->trial)) return 0;
-    core_arguments(c, t, y, arg);
-    arg[4] = &t;
-    arg[5] = c->trial;
-    arg[6] = c->trial + NX;
-    arg[7] = c->u_rate;
-    model_watch(arg, res, c->iw, c->w, 0);
+    Call call = {.arg = {[5] = c->trial, c->trial + NX, c->u_rate}, .res = {w->value, w->rate}};
+    core_evaluate(c, model_watch, t, y, &call);
     for (int i = 0; i < NG; i++) {
         sum += fabs(w->value[i]) + fabs(w->rate[i]);
         c->seen[i] = fmax(c->seen[i], fabs(w->value[i]));
@@ -33,13 +28,7 @@ int core_watch(Core *c, double t, const double y[], const double rates[], Watche
     return isfinite(sum);
 }
 
-void core_switching(Core *c) {
-    const double *arg[ROOM(MODEL_ARGS)] = {0};
-    double *res[ROOM(MODEL_RESULTS)] = {c->expressions};
-    core_arguments(c, c->t, c->y, arg);
-    arg[4] = &c->t;
-    model_switch(arg, res, c->iw, c->w, 0);
-}
+void core_switching(Core *c) { core_evaluate(c, model_switch, c->t, c->y, &(Call){.res = {c->expressions}}); }
 
 static int is_ready(const Core *c, int i, int forced) {
     const double *g = c->left.value, *rate = c->left.rate, near = core_near_zero(c, i);
@@ -90,30 +79,67 @@ static uint64_t situation(Core *c, const int fired[], int count) {
     return mixed(hash, fired, (size_t)count * sizeof *fired);
 }
 
+/* Remember that a transition has fired. */
+static void note(Core *c, int change) { c->noted[change] = ++c->notes; }
+
+/* Say which components fired last, by name, each once. */
+static void say_latest(Core *c, int count) {
+    const char *last = "", *next;
+    long long since = c->notes > count ? c->notes - count : 0;
+    for (;; last = next) {
+        next = 0;
+        for (int i = 0; i < NG; i++) {
+            const char *name = model_component[i];
+            if (c->noted[i] > since && strcmp(name, last) > 0 && (!next || strcmp(name, next) < 0))
+                next = name;
+        }
+        if (!next) return;
+        core_say_more(c, "%s%s", *last ? ", " : "", next);
+    }
+}
+
+static CoreStatus chatters(Core *c, int count, double since) {
+    core_fail(c, CORE_ERROR, "chattering: %g events within %g s at t = %g s, from ", (double)count,
+              c->t - since, c->t);
+    say_latest(c, count);
+    core_say_more(c, "; give it a resting speed, hysteresis or some compliance");
+    return CORE_ERROR;
+}
+
+/* Tell if there are very many events in next to no time, or more in an interval than can be meant. */
+CoreStatus core_watch_chatter(Core *c) {
+    c->recent[c->landings++ % CHATTER_COUNT] = c->t;
+    double oldest = c->recent[c->landings % CHATTER_COUNT];
+    if (c->landings >= CHATTER_COUNT && oldest <= c->t && c->t - oldest < CHATTER_WINDOW * c->interval)
+        return chatters(c, CHATTER_COUNT, oldest);
+    if (c->t - c->mark > c->interval) {
+        c->mark = c->t;
+        c->mark_count = 0;
+    }
+    return ++c->mark_count > c->crowd ? chatters(c, c->mark_count, c->mark) : CORE_OK;
+}
+
 /* Apply changes: shocks first, then modes, then resets. */
 static CoreStatus apply(Core *c, const int fired[], int count, const Observer *told, int begins,
                         int *changed) {
-    int changes[ROOM(NG)], stays[ROOM(NG)] = {0}, kept = 0, shocks[ROOM(NG)], held[ROOM(NG)], shocked = 0;
-    double impulses[ROOM(NG)] = {0}, size[ROOM(NG)], seen[ROOM(NREAD)];
+    int changes[ROOM(NG)], stays[ROOM(NG)] = {0}, kept = 0, shocked = 0;
+    double impulses[ROOM(NG)] = {0}, seen[ROOM(NREAD)];
     CoreStatus status;
     core_see(c, seen);
     for (int k = 0; k < count; k++)
         if (model_change_impulse[fired[k]] < 0) changes[kept++] = fired[k];
-        else shocks[shocked++] = fired[k];
+    for (int k = 0; k < count; k++)
+        if (model_change_impulse[fired[k]] >= 0) changes[kept + shocked++] = fired[k];
     if (shocked) {
-        status = core_strike(c, shocks, held, size, &shocked);
+        status = core_strike(c, changes + kept, stays + kept, impulses + kept, &shocked);
         if (status != CORE_OK) return status;
         *changed = 1;
         core_switching(c);
-        for (int k = 0; k < shocked; k++, kept++) {
-            changes[kept] = shocks[k];
-            stays[kept] = held[k];
-            impulses[kept] = size[k];
-        }
+        kept += shocked;
     }
     for (int k = 0; k < kept; k++) {
         int mode = model_change_mode[changes[k]];
-        core_note(c, changes[k]);
+        note(c, changes[k]);
         core_modes(c)[mode] = model_change_target[changes[k]];
         for (int i = 0; i < NG; i++)
             if (model_change_mode[i] == mode) c->muted[i] = 0;
@@ -130,18 +156,15 @@ static CoreStatus apply(Core *c, const int fired[], int count, const Observer *t
 
 static CoreStatus check_adrift(Core *c) {
     if (!c->adrift) return CORE_OK;
-    core_say_when(c);
-    core_say_more(c, "nothing with inertia moves with ");
-    core_say_more(c, model_block_label[c->adrift - 1]);
-    core_say_more(c, ", which no longer holds; join a Mass (or an Inertia) where it slides");
-    return CORE_ERROR;
+    return core_fail(c, CORE_ERROR,
+                     "at t = %g s nothing with inertia moves with %s, which no longer holds; join a Mass "
+                     "(or an Inertia) where it slides",
+                     c->t, model_block_label[c->adrift - 1]);
 }
 
 static CoreStatus forever(Core *c) {
-    core_say(c, "no consistent set of modes at t = ");
-    core_say_number(c, c->t);
-    core_say_more(c, " s; these switch for ever: ");
-    core_say_latest(c, FIRING_TOLD);
+    core_fail(c, CORE_ERROR, "no consistent set of modes at t = %g s; these switch for ever: ", c->t);
+    say_latest(c, FIRING_TOLD);
     return CORE_ERROR;
 }
 
@@ -157,8 +180,8 @@ CoreStatus core_fire(Core *c, int forced, const Observer *told, int begins, int 
         count = firing(c, forced, fired);
         forced = -1;
         if (count < 0) {
-            if (core_rates(c, 0) == CORE_OK) core_say(c, "indicators are not finite");
-            return CORE_DISCARD;
+            if (core_rates(c, 0) != CORE_OK) return CORE_DISCARD;
+            return core_fail(c, CORE_DISCARD, "indicators are not finite");
         }
         if (count == 0) {
             if (!*happened && waited >= 0) c->muted[waited] = 1;

@@ -4,93 +4,66 @@
 
 #include "core_state.h"
 
-/* Orthonormal columns for the weak directions that have none yet, by Gram-Schmidt on the unit vectors. */
-static void span_rest(double left[], const int weak[], int n) {
+/* The directions of which a matrix, stored by columns, makes next to nothing, orthonormal, one after the
+ * other. Returns how many there are. */
+static int null_space(double columns[], double basis[], int n) {
+    double strength[ROOM(BLOCK)], most = 1;
+    int count = 0;
+    core_jacobi(columns, basis, n, n);
     for (int k = 0; k < n; k++) {
-        double *column = left + k * n, best = 0;
-        if (!weak[k]) continue;
-        for (int unit = 0; unit < n && best < 0.5 / n; unit++) {
-            double trial = 1;
-            for (int j = 0; j < n; j++)
-                if (j < k || !weak[j]) trial -= left[j * n + unit] * left[j * n + unit];
-            if (trial < 0.5 / n) continue;
-            for (int i = 0; i < n; i++) column[i] = i == unit;
-            for (int again = 0; again < 2; again++)
-                for (int j = 0; j < n; j++) {
-                    double share = 0;
-                    if (!(j < k || !weak[j])) continue;
-                    for (int i = 0; i < n; i++) share += left[j * n + i] * column[i];
-                    for (int i = 0; i < n; i++) column[i] -= share * left[j * n + i];
-                }
-            best = 0;
-            for (int i = 0; i < n; i++) best += column[i] * column[i];
-            for (int i = 0; i < n; i++) column[i] /= sqrt(best);
-        }
+        strength[k] = sqrt(core_dot(columns + k * n, columns + k * n, n));
+        most = fmax(most, strength[k]);
     }
+    for (int k = 0; k < n; k++)
+        if (strength[k] <= BLOCK_WEAK * most)
+            memmove(basis + count++ * n, basis + k * n, (size_t)n * sizeof *basis);
+    return count;
+}
+
+static int regular(double lu[], int n) {
+    int pivot[ROOM(BLOCK)];
+    double least = 1;
+    if (!core_dense_factor(lu, n, pivot)) return 0;
+    for (int i = 0; i < n; i++) least = fmin(least, fabs(lu[i * n + i]));
+    return least > BLOCK_REGULAR;
 }
 
 /* Fill in what makes a singular matrix regular such that solutions have least norm. Marks loose unknowns. */
 static int completion(Core *c, const double matrix[], int n, double result[], int loose[]) {
-    double *work = c->square[0], *left = c->square[1], *right = c->square[2], scale[ROOM(BLOCK)] = {0},
-           most = 1;
-    int pivot[ROOM(BLOCK)], weak[ROOM(BLOCK)], any = 0;
-    for (int i = 0; i < n * n; i++) result[i] = 0;
-    for (int i = 0; i < n; i++) {
-        scale[i] = 0;
-        for (int j = 0; j < n; j++) scale[i] = fmax(scale[i], fabs(matrix[j * n + i]));
+    double *work = c->square[0], *left = c->square[1], *right = c->square[2];
+    double scale[ROOM(BLOCK)] = {0}, freed[ROOM(BLOCK)] = {0};
+    for (int i = 0; i < n * n; i++) {
+        result[i] = 0;
+        scale[i % n] = fmax(scale[i % n], fabs(matrix[i]));
+    }
+    for (int i = 0; i < n; i++)
         if (scale[i] == 0) scale[i] = 1;
-    }
     for (int i = 0; i < n * n; i++) left[i] = work[i] = matrix[i] / scale[i % n];
-    if (core_dense_factor(work, n, pivot)) {
-        double least = 1;
-        for (int i = 0; i < n; i++) least = fmin(least, fabs(work[i * n + i]));
-        if (least > BLOCK_REGULAR) return 0;
-    }
-    core_jacobi(left, right, n, n);
-    for (int k = 0; k < n; k++) {
-        double size = 0;
-        for (int i = 0; i < n; i++) size += left[k * n + i] * left[k * n + i];
-        work[k] = sqrt(size);
-        most = fmax(most, work[k]);
-    }
-    for (int k = 0; k < n; k++) {
-        weak[k] = work[k] <= BLOCK_WEAK * most;
-        any |= weak[k];
-        for (int i = 0; i < n && !weak[k]; i++) left[k * n + i] /= work[k];
-    }
-    if (!any) return 0;
-    span_rest(left, weak, n);
-    most = 0;
-    for (int j = 0; j < n; j++) {
-        work[j] = 0;
-        for (int k = 0; k < n; k++) {
-            if (!weak[k]) continue;
-            work[j] = fmax(work[j], fabs(right[k * n + j]));
+    if (regular(work, n)) return 0;
+    for (int i = 0; i < n * n; i++) work[i % n * n + i / n] = left[i];
+    int weak = null_space(left, right, n);
+    if (!weak) return 0;
+    int others = null_space(work, left, n);
+    for (int k = 0; k < weak && k < others; k++)
+        for (int j = 0; j < n; j++) {
+            freed[j] = fmax(freed[j], fabs(right[k * n + j]));
             for (int i = 0; i < n; i++) result[j * n + i] += scale[i] * left[k * n + i] * right[k * n + j];
         }
-        most = fmax(most, work[j]);
-    }
-    for (int j = 0; j < n; j++) loose[j] = work[j] > BLOCK_LOOSE * most;
+    for (int j = 0; j < n; j++) loose[j] = freed[j] > BLOCK_LOOSE * core_largest(freed, n);
     return 1;
 }
 
 CoreStatus core_complete(Core *c) {
-    const double *arg[ROOM(MODEL_ARGS)] = {0};
-    double *res[ROOM(MODEL_RESULTS)] = {c->blocks}, *q = c->q + NP + NM + NI;
+    double *q = c->q + NP + NM + NI;
     int loose[ROOM(BLOCK)], at = 0, first = 0;
     c->adrift = 0;
     if (NB == 0) return CORE_OK;
-    core_arguments(c, c->t, c->y, arg);
-    arg[4] = &c->t;
-    model_blocks(arg, res, c->iw, c->w, 0);
+    core_evaluate(c, model_blocks, c->t, c->y, &(Call){.res = {c->blocks}});
     for (int block = 0; block < NB; block++) {
         int n = model_block_size[block];
         for (int i = 0; i < n * n; i++)
-            if (!isfinite(c->blocks[at + i])) {
-                core_say(c, model_block_label[block]);
-                core_say_more(c, ": slopes are not finite");
-                return CORE_DISCARD;
-            }
+            if (!isfinite(c->blocks[at + i]))
+                return core_fail(c, CORE_DISCARD, "%s: slopes are not finite", model_block_label[block]);
         if (completion(c, c->blocks + at, n, q + at, loose)) {
             int drifts = 0;
             for (int i = 0; i < n; i++) drifts |= loose[i] && model_block_rate[first + i];
@@ -106,6 +79,12 @@ CoreStatus core_complete(Core *c) {
 /* What stands in for a mode while an impulse acts, -1 if it is itself. */
 int core_stands_in(int mode, int value) { return model_in_shock[model_in_shock_start[mode] + value]; }
 
+/* Whether a transition is that of a contact which holds, in an impulse too. */
+int core_holds(const Core *c, int i) {
+    int mode = model_change_mode[i], target = model_change_target[i];
+    return model_change_impulse[i] >= 0 && core_mode(c, mode) == target && core_stands_in(mode, target) >= 0;
+}
+
 /* Contacts that already hold and pass a shock on; none if a blow rebounds, which strikes one by one. */
 static int partners(Core *c, int shocks[], int stays[], int count) {
     int struck[ROOM(NM)] = {0}, total = count;
@@ -116,9 +95,7 @@ static int partners(Core *c, int shocks[], int stays[], int count) {
     for (int k = 0; k < count; k++)
         if (core_stands_in(model_change_mode[shocks[k]], model_change_target[shocks[k]]) < 0) return count;
     for (int i = 0; i < NG; i++) {
-        int mode = model_change_mode[i], target = model_change_target[i];
-        if (model_change_impulse[i] < 0 || struck[mode] || target != core_mode(c, mode)) continue;
-        if (core_stands_in(mode, target) < 0) continue;
+        if (struck[model_change_mode[i]] || !core_holds(c, i)) continue;
         shocks[total] = i;
         stays[total++] = 1;
     }
@@ -145,9 +122,8 @@ static CoreStatus immovable(Core *c, const int shocks[], const double effect[], 
         int moves = 0;
         for (int j = 0; j < count; j++) moves |= effect[j * count + i] != 0;
         if (moves) continue;
-        if (any++) core_say_more(c, ", ");
-        else core_say(c, "");
-        core_say_more(c, model_component[shocks[i]]);
+        if (any++) core_say_more(c, ", %s", model_component[shocks[i]]);
+        else core_fail(c, CORE_ERROR, "%s", model_component[shocks[i]]);
     }
     if (!any) return CORE_OK;
     core_say_more(
@@ -189,30 +165,30 @@ static CoreStatus collide(Core *c, int shocks[], int stays[], double size[], int
     return CORE_OK;
 }
 
-void core_stand_in(Core *c) {
+/* Let those modes hold that stand in for others while an impulse acts. */
+CoreStatus core_stand_in(Core *c, Kept *kept) {
     double *modes = core_modes(c);
+    memcpy(kept->modes, modes, (NM + NI + NK) * sizeof *modes);
     for (int m = 0; m < NM; m++)
         if (core_stands_in(m, (int)modes[m]) >= 0) modes[m] = core_stands_in(m, (int)modes[m]);
+    return core_complete(c);
+}
+
+void core_go_back(Core *c, const Kept *kept) {
+    memcpy(core_modes(c), kept->modes, (NM + NI + NK) * sizeof *kept->modes);
 }
 
 /* Let shocks act, and the contacts that pass them on, which are added to the list. */
 CoreStatus core_strike(Core *c, int shocks[], int stays[], double impulses[], int *count) {
-    double kept[ROOM(NM + NI + NK)], *modes = core_modes(c);
-    const double *arg[ROOM(MODEL_ARGS)] = {0};
-    double *res[ROOM(MODEL_RESULTS)] = {c->response, c->velocity};
+    Kept kept;
     *count = partners(c, shocks, stays, *count);
-    memcpy(kept, modes, (NM + NI + NK) * sizeof *kept);
-    core_stand_in(c);
-    CoreStatus status = core_complete(c);
-    core_arguments(c, c->t, c->y, arg);
-    arg[4] = &c->t;
-    if (status == CORE_OK) model_shock(arg, res, c->iw, c->w, 0);
-    if (status == CORE_OK && NZ > 0 && !core_algebra_factor(c, c->t, c->y)) {
-        core_say(c, "a shock leaves the algebraic equations without a solution");
-        status = CORE_DISCARD;
-    }
+    CoreStatus status = core_stand_in(c, &kept);
+    if (status == CORE_OK)
+        core_evaluate(c, model_shock, c->t, c->y, &(Call){.res = {c->response, c->velocity}});
+    if (status == CORE_OK && NZ > 0 && !core_algebra_factor(c, c->t, c->y))
+        status = core_fail(c, CORE_DISCARD, "a shock leaves the algebraic equations without a solution");
     if (status == CORE_OK) status = collide(c, shocks, stays, impulses, count);
-    memcpy(modes, kept, (NM + NI + NK) * sizeof *kept);
+    core_go_back(c, &kept);
     return status;
 }
 
@@ -233,11 +209,8 @@ void core_reset_variables(Core *c, const int changes[], int count, double seen[]
             }
         }
     if (!rows) return;
-    const double *arg[ROOM(MODEL_ARGS)] = {0};
-    double *res[ROOM(MODEL_RESULTS)] = {c->others, c->other}, *right = c->moved + ROOM(NO) * ROOM(NX);
-    core_arguments(c, c->t, c->y, arg);
-    arg[4] = &c->t;
-    model_reset(arg, res, c->iw, c->w, 0);
+    double *right = c->moved + ROOM(NO) * ROOM(NX);
+    core_evaluate(c, model_reset, c->t, c->y, &(Call){.res = {c->others, c->other}});
     for (int i = 0; i < NO; i++)
         if (row[i] >= 0) wanted[row[i]] = given[i] - c->others[i];
     for (int i = 0; i < rows * NX; i++) c->moved[i] = 0;

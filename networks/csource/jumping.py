@@ -9,6 +9,7 @@ import casadi as ca
 import numpy as np
 
 from ..dae import DAE
+from ..evaluation.compiled import dense
 from ..flattening.vectors import pick
 from .tables import Tables
 
@@ -21,9 +22,9 @@ def jump_functions(dae: DAE, function: Callable[[str, list[Any], list[Any]], Any
     told = [jumps.before, jumps.after, dae.constants, dae.time]
     moving = ca.vertcat(jumps.ode, jumps.forces, jumps.alg)
     return [
-        function("model_seen", [], [ca.densify(pick(dae.variables, jumps.reads))]),
-        ca.Function("model_jump", told, [ca.densify(jumps.jump), ca.densify(jumps.size)], {"cse": True}),
-        function("model_moving", [jumps.courses], [ca.densify(moving)]),
+        function("model_seen", [], [pick(dae.variables, jumps.reads)]),
+        ca.Function("model_jump", told, dense(jumps.jump, jumps.size), {"cse": True}),
+        function("model_moving", [jumps.courses], [moving]),
     ]
 
 
@@ -31,15 +32,16 @@ def jump_tables(dae: DAE, tables: Tables) -> None:
     """Add sizes and names of what jumps; all zero and empty where nothing does."""
     jumps = dae.jumps
     signals, reads = (jumps.signals, jumps.reads) if jumps else ([], [])
-    tables.size("NREAD", len(reads))
-    tables.size("NSIGNAL", len(signals))
-    tables.size("NJ", sum(len(s.signs) for s in signals))
-    tables.size("NPUSH", len(jumps.motions) if jumps else 0)
-    tables.integers("model_jump_start", np.cumsum([0, *(len(s.signs) for s in signals)]))
-    tables.integers("model_jump_sign", [sign for s in signals for sign in s.signs])
-    tables.strings("model_jump_name", [s.name for s in signals])
+    counts = [len(s.signs) for s in signals]
+    tables.sizes(NREAD=len(reads), NSIGNAL=len(signals), NJ=sum(counts))
+    tables.sizes(NPUSH=len(jumps.motions) if jumps else 0)
     own = set(ca.jacobian_sparsity(jumps.jump, dae.modes).get_col()) if jumps else set()
-    tables.integers("model_jump_mode", [mode in own for mode in range(dae.modes.numel())])
     place = {variable: k for k, variable in enumerate(reads)}
     resets = [r for change in dae.switching.changes for r in change.resets]
-    tables.integers("model_reset_read", [place.get(r[0], -1) for r in resets])
+    tables.integers(
+        jump_start=np.cumsum([0, *counts]),
+        jump_sign=[sign for s in signals for sign in s.signs],
+        jump_mode=[mode in own for mode in range(dae.modes.numel())],
+        reset_read=[place.get(r[0], -1) for r in resets],
+    )
+    tables.strings(jump_name=[s.name for s in signals])

@@ -9,6 +9,24 @@
 
 #define SWEEPS 60
 
+double core_dot(const double *a, const double *b, int n) {
+    double sum = 0;
+    for (int i = 0; i < n; i++) sum += a[i] * b[i];
+    return sum;
+}
+
+double core_largest(const double *a, int n) {
+    double largest = 0;
+    for (int i = 0; i < n; i++) largest = fmax(largest, fabs(a[i]));
+    return largest;
+}
+
+static void exchange(double b[], int i, int j) {
+    double kept = b[i];
+    b[i] = b[j];
+    b[j] = kept;
+}
+
 /* Factor a matrix stored by columns in place. Returns 0 if it is singular or not finite. */
 int core_dense_factor(double lu[], int n, int pivot[]) {
     for (int k = 0; k < n; k++) {
@@ -19,11 +37,7 @@ int core_dense_factor(double lu[], int n, int pivot[]) {
         pivot[k] = best;
         if (!(fabs(column[best]) > 0) || !(fabs(column[best]) <= DBL_MAX)) return 0;
         if (best != k)
-            for (int j = 0; j < n; j++) {
-                double kept = lu[j * n + k];
-                lu[j * n + k] = lu[j * n + best];
-                lu[j * n + best] = kept;
-            }
+            for (int j = 0; j < n; j++) exchange(lu + j * n, k, best);
         for (int i = k + 1; i < n; i++) column[i] /= column[k];
         for (int j = k + 1; j < n; j++) {
             double factor_ = lu[j * n + k];
@@ -109,12 +123,6 @@ int core_factor(Factor *f, const double entries[], double full[]) {
     return core_dense_factor(f->lu, NF, f->pivot);
 }
 
-static void exchange(double b[], int i, int j) {
-    double kept = b[i];
-    b[i] = b[j];
-    b[j] = kept;
-}
-
 void core_factor_solve(const Factor *f, double b[], double x[]) {
     for (int i = 0; i < NF; i++) x[i] = b[model_kept[i]];
     for (int k = 0; k < NF; k++) exchange(x, k, f->pivot[k]);
@@ -141,12 +149,6 @@ void core_factor_solve_transposed(const Factor *f, double b[], double x[]) {
 
 #endif
 
-static double dot(const double a[], const double b[], int n) {
-    double sum = 0;
-    for (int i = 0; i < n; i++) sum += a[i] * b[i];
-    return sum;
-}
-
 static void rotate(double a[], double b[], int n, double cosine, double sine) {
     for (int i = 0; i < n; i++) {
         double kept = a[i];
@@ -163,7 +165,7 @@ void core_jacobi(double columns[], double right[], int length, int count) {
         for (int i = 0; i < count; i++)
             for (int j = i + 1; j < count; j++) {
                 double *a = columns + i * length, *b = columns + j * length;
-                double aa = dot(a, a, length), bb = dot(b, b, length), ab = dot(a, b, length);
+                double aa = core_dot(a, a, length), bb = core_dot(b, b, length), ab = core_dot(a, b, length);
                 if (!(fabs(ab) > 1e-15 * sqrt(aa * bb)) || fabs(ab) < DBL_MIN) continue;
                 double lean = (bb - aa) / (2 * ab);
                 double tangent = (lean >= 0 ? 1 : -1) / (fabs(lean) + sqrt(1 + lean * lean));
@@ -179,20 +181,16 @@ void core_jacobi(double columns[], double right[], int length, int count) {
 void core_least_norm(double columns[], double right[], int length, int count, int transposed,
                      const double b[], double x[]) {
     double strongest = 0;
+    int size = transposed ? length : count;
     core_jacobi(columns, right, length, count);
     for (int k = 0; k < count; k++)
-        strongest = fmax(strongest, dot(columns + k * length, columns + k * length, length));
-    for (int i = 0; i < (transposed ? length : count); i++) x[i] = 0;
+        strongest = fmax(strongest, core_dot(columns + k * length, columns + k * length, length));
+    for (int i = 0; i < size; i++) x[i] = 0;
     for (int k = 0; k < count; k++) {
         const double *left = columns + k * length, *turn = right + k * count;
-        double strength = dot(left, left, length);
+        double strength = core_dot(left, left, length);
         if (!(strength > IMPACT_RANK * IMPACT_RANK * strongest)) continue;
-        if (transposed) {
-            double share = dot(turn, b, count) / strength;
-            for (int i = 0; i < length; i++) x[i] += share * left[i];
-        } else {
-            double share = dot(left, b, length) / strength;
-            for (int i = 0; i < count; i++) x[i] += share * turn[i];
-        }
+        double share = (transposed ? core_dot(turn, b, count) : core_dot(left, b, length)) / strength;
+        for (int i = 0; i < size; i++) x[i] += share * (transposed ? left : turn)[i];
     }
 }

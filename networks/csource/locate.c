@@ -6,8 +6,8 @@
 
 #define GOLDEN 0.3819660112501051
 #define CHECKS 3
-#define PIECES 100000
-#define LEAST 1e-9
+#define MOST_PIECES 100000
+#define SHORTEST_PIECE 1e-9 /* share of a step */
 #define PER_INTERVAL 4
 
 static const double SHARES[CHECKS] = {GOLDEN, 0.5, 1 - GOLDEN};
@@ -39,13 +39,14 @@ static int rises(const Cubic *p, double near) {
     return p->b > near || peak(p) > near;
 }
 
+/* Where the cubic turns: up (side 1) or down (side -1). */
+static double turn(const Cubic *p, int side) {
+    return -p->da / (p->c2 + side * sqrt(fmax(p->c2 * p->c2 - 3 * p->c3 * p->da, 0)));
+}
+
 static double root(const Cubic *p, double near) {
-    double turns = sqrt(fmax(p->c2 * p->c2 - 3 * p->c3 * p->da, 0)), low = 0, high = 1;
-    if (p->a >= 0) {
-        if (p->da >= 0) return 0;
-        low = -p->da / (p->c2 + turns);
-    }
-    if (p->b <= near) high = -p->da / (p->c2 - turns);
+    if (p->a >= 0 && p->da >= 0) return 0;
+    double low = p->a >= 0 ? turn(p, 1) : 0, high = p->b <= near ? turn(p, -1) : 1;
     for (int k = 0; k < CUBIC_BISECTIONS; k++) {
         double middle = 0.5 * (low + high);
         if (cubic_at(p, middle) < 0) low = middle;
@@ -102,11 +103,11 @@ static int first(const Core *c, double span, double *share) {
  * is one, 0 if not, -1 if indicators are not finite. */
 int core_locate(Core *c, Crossing *crossing) {
     double stop = c->step.t + c->step.h, a = c->step.t;
-    double shortest = fmax(LEAST * c->step.h, 1e-15 * fmax(1, fabs(stop)));
+    double shortest = fmax(SHORTEST_PIECE * c->step.h, 1e-15 * fmax(1, fabs(stop)));
     int checks = timed(c) ? CHECKS : 1; /* what time does, no step follows; one check may pass by chance */
     double longest = checks > 1 ? c->interval / PER_INTERVAL : INFINITY;
     if (NG == 0) return 0;
-    for (int piece = 0; piece < PIECES && a < stop; piece++) {
+    for (int piece = 0; piece < MOST_PIECES && a < stop; piece++) {
         double b = fmin(stop, a + longest), share = 0;
         if (b >= stop) {
             b = stop;
@@ -115,13 +116,12 @@ int core_locate(Core *c, Crossing *crossing) {
         for (int k = 0; k < checks && b - a > shortest;) {
             double middle = a + SHARES[k] * (b - a);
             if (!watch_inside(c, middle, &c->middle)) return -1;
-            if (resolved(c, b - a, SHARES[k])) {
-                k++;
-                continue;
+            if (resolved(c, b - a, SHARES[k])) k++;
+            else {
+                k = 0;
+                b = middle;
+                c->right = c->middle;
             }
-            k = 0;
-            b = middle;
-            c->right = c->middle;
         }
         int indicator = first(c, b - a, &share);
         if (indicator >= 0) {
@@ -134,43 +134,39 @@ int core_locate(Core *c, Crossing *crossing) {
     return 0;
 }
 
+/* Evaluate indicators at the end of the step. */
+static int look(Core *c, double t) {
+    return core_motion_at(c, t, c->step.end, c->end_rates) &&
+           core_watch(c, t, c->step.end, c->end_rates, &c->right);
+}
+
 /* Move a point that is very near a crossing onto it, along its velocity; tell whether it is there. */
 static int shift(Core *c, int indicator, double *t) {
     double *y = c->step.end;
     for (int again = 0; again < 2; again++) {
-        if (!core_motion_at(c, *t, y, c->end_rates) || !core_watch(c, *t, y, c->end_rates, &c->right))
-            return 0;
-        if (!(c->right.rate[indicator] > 0)) return 0;
+        if (!look(c, *t) || !(c->right.rate[indicator] > 0)) return 0;
         double span = -c->right.value[indicator] / c->right.rate[indicator];
         for (int i = 0; i < NX; i++) y[i] += span * c->end_rates[i];
         *t += span;
         if (!core_solve_algebra(c, *t, y)) return 0;
     }
-    if (!core_motion_at(c, *t, y, c->end_rates) || !core_watch(c, *t, y, c->end_rates, &c->right)) return 0;
-    return fabs(c->right.value[indicator]) <= core_near_zero(c, indicator);
+    return look(c, *t) && fabs(c->right.value[indicator]) <= core_near_zero(c, indicator);
 }
 
 /* Whether an indicator is above zero where the piece begins, or falls from zero less than noise would hide:
  * what is sought then is where it begins to rise. */
 static int begins_beyond(const Core *c, int indicator, double span) {
     Cubic p = cubic(&c->left, &c->right, indicator, span);
-    double near = core_near_zero(c, indicator), turns = sqrt(fmax(p.c2 * p.c2 - 3 * p.c3 * p.da, 0));
+    double near = core_near_zero(c, indicator);
     if (p.a > near || p.a < 0 || p.da >= 0) return p.a > near;
-    return cubic_at(&p, -p.da / (p.c2 + turns)) > -near;
-}
-
-static int look(Core *c, double t) {
-    return core_motion_at(c, t, c->step.end, c->end_rates) &&
-           core_watch(c, t, c->step.end, c->end_rates, &c->right);
+    return cubic_at(&p, turn(&p, 1)) > -near;
 }
 
 static CoreStatus step_onto(Core *c, const Crossing *crossing) {
     double error;
     if (core_step_begin(c) && core_step_try(c, crossing->t - c->t, 1, 1, &error) && look(c, crossing->t))
         return CORE_OK;
-    core_say(c, "no way onto the event of ");
-    core_say_more(c, model_component[crossing->indicator]);
-    return CORE_DISCARD;
+    return core_fail(c, CORE_DISCARD, "no way onto the event of %s", model_component[crossing->indicator]);
 }
 
 /* Shift the end of the step onto a crossing, if that is possible, else leave it. Returns -1 if it is lost. */

@@ -10,12 +10,12 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 
 READ = re.compile(r"(w|arg\[\d+\])\[(\d+)\]")
 STATEMENT = re.compile(r"  (w|res\[\d+\])\[(\d+)\]=(.*);\n")
-MOST_READS, FEWEST, PART = 24, 4, 200
-HOLE = "@"
+MOST_READS, FEWEST_MEMBERS, PART_LENGTH = 24, 4, 200
+HOLE = "{}"
 Place = tuple[str, int]
 
 
@@ -36,28 +36,21 @@ class _Value:
 
     def absorb(self) -> None:
         """Take in what is read by this alone."""
-        pieces = self.text.split(HOLE)
-        text, reads, room = pieces[0], list[_Value | Place](), MOST_READS - len(self.reads)
-        for read, piece in zip(self.reads, pieces[1:], strict=True):
+        pieces, reads, room = list[str](), list[_Value | Place](), MOST_READS - len(self.reads)
+        for read in self.reads:
             if isinstance(read, _Value) and (read.is_leaf or (read.uses == 1 and len(read.reads) <= room)):
                 room -= len(read.reads)
-                text += _bracketed(read.text) + piece
+                pieces.append(_bracketed(read.text))
                 reads += read.reads
                 read.uses -= 1
             else:
-                text += HOLE + piece
+                pieces.append(HOLE)
                 reads.append(read)
-        self.text, self.reads = text, reads
+        self.text, self.reads = self.text.format(*pieces), reads
         self.level = 1 + max((read.level for read in reads if isinstance(read, _Value)), default=0)
 
 
-@dataclass
-class _Loop:
-    """Expressions of one form that do not read each other's results."""
-
-    level: int
-    text: str
-    members: list[_Value] = field(default_factory=list)
+_Loop = list[_Value]  # of one form, which do not read each other's results
 
 
 def looped(statements: Sequence[str], name: str) -> tuple[str, str, int]:
@@ -67,9 +60,9 @@ def looped(statements: Sequence[str], name: str) -> tuple[str, str, int]:
     room = _give_places(loops)
     pieces = [piece for loop in loops for piece in _written(loop)]
     functions, calls = "", ""
-    for number in range(0, len(pieces), PART):
-        part = f"{name}_{number // PART}"
-        body = "".join(pieces[number : number + PART])
+    for number in range(0, len(pieces), PART_LENGTH):
+        part = f"{name}_{number // PART_LENGTH}"
+        body = "".join(pieces[number : number + PART_LENGTH])
         functions += f"PART void {part}(const double **arg, double **res, double *w) {{\n{body}}}\n\n"
         calls += f"  {part}(arg, res, w);\n"
     return functions, calls, room
@@ -104,26 +97,24 @@ def _loops(values: Sequence[_Value]) -> list[_Loop]:
     for value in values:
         arrays = [read[0] if isinstance(read, tuple) else "w" for read in value.reads]
         key = value.level, value.place and value.place[0], value.text, *arrays
-        loops.setdefault(key, _Loop(value.level, value.text)).members.append(value)
-    return sorted(loops.values(), key=lambda loop: loop.level)
+        loops.setdefault(key, []).append(value)
+    return sorted(loops.values(), key=lambda loop: loop[0].level)
 
 
 def _give_places(loops: Sequence[_Loop]) -> int:
     """Put what is no result side by side into `w`, and return how much that is."""
-    room = 0
-    for loop in loops:
-        for value in loop.members:
-            if value.place is None:
-                value.place = "w", room
-                room += 1
-    return room
+    homeless = [value for loop in loops for value in loop if value.place is None]
+    for room, value in enumerate(homeless):
+        value.place = "w", room
+    return len(homeless)
 
 
 def _written(loop: _Loop) -> Iterator[str]:
-    places = [[_place(value), *map(_place, value.reads)] for value in loop.members]
-    if len(places) < FEWEST:
+    places = [[_place(value), *map(_place, value.reads)] for value in loop]
+    if len(places) < FEWEST_MEMBERS:
         for row in places:
-            yield f"  {_filled(loop.text, [f'{array}[{at}]' for array, at in row])}\n"
+            target, *read = (f"{array}[{at}]" for array, at in row)
+            yield f"  {target}={loop[0].text.format(*read)};\n"
         return
     tables, names = "", []
     for number, entries in enumerate(zip(*places, strict=True)):
@@ -133,7 +124,8 @@ def _written(loop: _Loop) -> Iterator[str]:
             told = ",".join(str(at) for _, at in entries)
             tables += f"static const int t{number}[] = {{{told}}};\n"
         names.append(f"{entries[0][0]}[{where}]")
-    yield f"  {{{tables}for (int k = 0; k < {len(places)}; k++) {_filled(loop.text, names)}}}\n"
+    filled = f"{names[0]}={loop[0].text.format(*names[1:])};"
+    yield f"  {{{tables}for (int k = 0; k < {len(places)}; k++) {filled}}}\n"
 
 
 def _place(read: _Value | Place) -> Place:
@@ -149,12 +141,6 @@ def _line(places: list[int]) -> str | None:
     if any(place != begin + k * step for k, place in enumerate(places)):
         return None
     return f"{begin}+{step}*k" if step else f"{begin}"
-
-
-def _filled(text: str, names: Sequence[str]) -> str:
-    target, *others = names
-    pieces = text.split(HOLE)
-    return f"{target}={pieces[0]}{''.join(n + p for n, p in zip(others, pieces[1:], strict=True))};"
 
 
 def _bracketed(text: str) -> str:

@@ -1,5 +1,6 @@
 /* Words, without stdio. */
 #include <math.h>
+#include <stdarg.h>
 #include <string.h>
 
 #include "core_state.h"
@@ -8,13 +9,8 @@
 
 const char *core_message(const Core *c) { return c->message; }
 
-void core_say(Core *c, const char *text) {
-    c->message[0] = '\0';
-    core_say_more(c, text);
-}
-
-void core_say_more(Core *c, const char *text) {
-    size_t used = strlen(c->message), count = strlen(text);
+static void say(Core *c, const char *text, size_t count) {
+    size_t used = strlen(c->message);
     if (count > MESSAGE - 1 - used) count = MESSAGE - 1 - used;
     memcpy(c->message + used, text, count);
     c->message[used + count] = '\0';
@@ -28,7 +24,7 @@ static void say_integer(Core *c, int value) {
     do text[--place] = (char)('0' + left % 10);
     while (left /= 10);
     if (value < 0) text[--place] = '-';
-    core_say_more(c, text + place);
+    say(c, text + place, (size_t)(15 - place));
 }
 
 /* The first nine digits of a number above zero. Returns the exponent of ten that belongs to the first. */
@@ -47,45 +43,66 @@ static int leading_digits(double value, char digits[]) {
 }
 
 static void say_with_exponent(Core *c, const char digits[], int last, int exponent) {
-    char text[DIGITS + 2] = {digits[0], last ? '.' : '\0'};
-    if (last) memcpy(text + 2, digits + 1, (size_t)last);
-    core_say_more(c, text);
-    core_say_more(c, "e");
+    say(c, digits, 1);
+    if (last) say(c, ".", 1);
+    say(c, digits + 1, (size_t)last);
+    say(c, "e", 1);
     say_integer(c, exponent);
 }
 
 static void say_with_point(Core *c, const char digits[], int last, int exponent) {
-    char text[DIGITS + 4];
-    int place = 0;
-    if (exponent < 0) core_say_more(c, "0.");
-    for (int i = -1; i > exponent; i--) core_say_more(c, "0");
+    if (exponent < 0) say(c, "0.", 2);
+    for (int i = -1; i > exponent; i--) say(c, "0", 1);
     for (int i = 0; i <= (last > exponent ? last : exponent); i++) {
-        text[place++] = i <= last ? digits[i] : '0';
-        if (i == exponent && last > i) text[place++] = '.';
+        say(c, i <= last ? digits + i : "0", 1);
+        if (i == exponent && last > i) say(c, ".", 1);
     }
-    text[place] = '\0';
-    core_say_more(c, text);
 }
 
 /* Nine digits, as %.9g would. */
-void core_say_number(Core *c, double value) {
+static void say_number(Core *c, double value) {
     char digits[DIGITS];
-    int exponent, last = DIGITS - 1;
+    int last = DIGITS - 1;
     const char *word = isnan(value) ? "nan" : isinf(value) ? "inf" : value == 0 ? "0" : 0;
-    if (value < 0) core_say_more(c, "-");
+    if (value < 0) say(c, "-", 1);
     if (word) {
-        core_say_more(c, word);
+        say(c, word, strlen(word));
         return;
     }
-    exponent = leading_digits(fabs(value), digits);
+    int exponent = leading_digits(fabs(value), digits);
     while (last > 0 && digits[last] == '0') last--;
     if (exponent < -4 || exponent >= DIGITS) say_with_exponent(c, digits, last, exponent);
     else say_with_point(c, digits, last, exponent);
 }
 
-/* The beginning of a message of what does not go on here. */
-void core_say_when(Core *c) {
-    core_say(c, "at t = ");
-    core_say_number(c, c->t);
-    core_say_more(c, " s ");
+/* A text in which %s and %g stand for what follows. */
+static void say_all(Core *c, const char *format, va_list more) {
+    for (;; format++) {
+        size_t plain = strcspn(format, "%");
+        say(c, format, plain);
+        format += plain;
+        if (!*format) return;
+        if (*++format == 'g') say_number(c, va_arg(more, double));
+        else {
+            const char *text = va_arg(more, const char *);
+            say(c, text, strlen(text));
+        }
+    }
+}
+
+void core_say_more(Core *c, const char *format, ...) {
+    va_list more;
+    va_start(more, format);
+    say_all(c, format, more);
+    va_end(more);
+}
+
+/* Say anew what went wrong; return the status. */
+CoreStatus core_fail(Core *c, CoreStatus status, const char *format, ...) {
+    va_list more;
+    c->message[0] = '\0';
+    va_start(more, format);
+    say_all(c, format, more);
+    va_end(more);
+    return status;
 }

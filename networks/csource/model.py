@@ -6,15 +6,17 @@ constant between events. Inputs bound to a signal come from a function of time a
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence, Sized
 from dataclasses import dataclass
 from typing import Any
 
 import casadi as ca
 import numpy as np
 
+from ...base import Ints
 from ...components.language import Sampled
-from ..dae import DAE, Input
+from ..dae import DAE
+from ..evaluation.compiled import dense
 from ..flattening.vectors import column, pick
 from ..simulation.input_signals import input_value
 from ..simulation.integrator import nominal_sizes
@@ -26,15 +28,15 @@ from .starts import start_functions, start_tables
 from .tables import Tables
 from .text import generated
 
-DENSE = 32
+DENSE_SIZE = 32  # unknowns up to which the matrix of a step is factored as a full one
 
 
-@dataclass(frozen=True, eq=False)
-class Model:
+@dataclass(eq=False)
+class CModel:
     """The functions of a network, ready to be written as C.
 
     Attributes:
-        signals: signal of every bound input by name; the others are free.
+        signals: signal of every bound input by name; the others are `free`, set from outside.
         variables: names of what is published besides the states.
         legs: parts of a run between instants at which signals switch; none if a run brings its own.
         products: whether derivative products are wanted, which are long.
@@ -48,262 +50,210 @@ class Model:
     products: bool = True
     start: Start | None = None
 
-    @property
-    def free(self) -> list[Input]:
-        """Inputs and derivatives of inputs that are set from outside."""
-        return [declared for declared in self.dae.inputs if declared.path not in self.signals]
+    def __post_init__(self) -> None:
+        dae, switching = self.dae, self.dae.switching
+        self.free = [declared for declared in dae.inputs if declared.path not in self.signals]
+        self._motion, self._moving = ca.vertcat(dae.ode, dae.alg), (dae.x, dae.z, dae.u)
+        self._reduction = Reduction(dae)
+        self._indicators = pick(switching.expressions, [c.indicator for c in switching.changes])
+        self._shocks = [c for c in switching.changes if c.impulse is not None]
+        self._velocities = pick(switching.expressions, [c.velocity for c in self._shocks])
+        self._resets = [r for c in switching.changes for r in c.resets]
+        self._reset_variables = sorted({r[0] for r in self._resets} - set(dae.states))
+        self._others = pick(dae.variables, self._reset_variables)
 
     def texts(self) -> dict[str, str]:
         """Return model.h and model.c."""
         functions = self.functions()
-        tables = self._tables()
         text, work = generated(functions)
-        tables.size("MODEL_ARGS", max(f.sz_arg() for f in functions))
-        tables.size("MODEL_RESULTS", max(f.sz_res() for f in functions))
-        tables.size("MODEL_INTEGERS", max(f.sz_iw() for f in functions))
-        tables.size("MODEL_WORK", work)
-        names = [f.name() for f in functions]
-        return {
-            "model.h": tables.header(self.dae.name, names),
-            "model.c": tables.source() + text,
-        }
+        tables = self._tables()
+        tables.sizes(
+            MODEL_ARGS=max(f.sz_arg() for f in functions),
+            MODEL_RESULTS=max(f.sz_res() for f in functions),
+            MODEL_INTEGERS=max(f.sz_iw() for f in functions),
+            MODEL_WORK=work,
+        )
+        header = tables.header(self.dae.name, [f.name() for f in functions])
+        return {"model.h": header, "model.c": tables.source() + text}
 
     def functions(self) -> list[Any]:
         """Return the CasADi functions, named as in C."""
-        dae = self.dae
-        changes, expressions = dae.switching.changes, dae.switching.expressions
-        indicators = pick(expressions, [c.indicator for c in changes])
-        motion = ca.vertcat(dae.ode, dae.alg)
-        x_rate, z_rate, u_rate = (
-            ca.SX.sym(f"{n}_rate", s.numel()) for n, s in zip("xzu", self._moving(), strict=True)
-        )
-        rates = [x_rate, z_rate, u_rate]
-        shocks = [c for c in changes if c.impulse is not None]
-        velocities = pick(expressions, [c.velocity for c in shocks])
-        others = pick(dae.variables, self._reset_variables())
+        dae, motion, indicators = self.dae, self._motion, self._indicators
+        rates = [ca.SX.sym("rate", s.numel()) for s in self._moving]
         published = column([dae.expression(name) for name in self.variables])
-        by_time = ca.jtimes(motion, dae.u, u_rate) + ca.jacobian(motion, dae.time)
-        slope = ca.project(ca.jacobian(motion, ca.vertcat(dae.x, dae.z)), Reduction(dae).slopes)
+        by_time = ca.jtimes(motion, dae.u, rates[2]) + ca.jacobian(motion, dae.time)
+        slope = ca.project(ca.jacobian(motion, ca.vertcat(dae.x, dae.z)), self._reduction.slopes)
         blocks = column([ca.vec(ca.densify(block.matrix)) for block in dae.blocks])
+        shock = ca.jacobian(motion, dae.impulses).nz[:], ca.jacobian(self._velocities, dae.x).nz[:]
+        moved = ca.jacobian(indicators, dae.time)
+        for symbol, rate in zip(self._moving, rates, strict=True):
+            moved = moved + ca.jtimes(indicators, symbol, rate)
         return [
             self._inputs(),
-            self._function("model_motion", [], [ca.densify(motion)]),
-            self._function("model_slope", [u_rate], [_sparse(slope), ca.densify(by_time)]),
-            self._function(
-                "model_watch", rates, [ca.densify(indicators), ca.densify(self._moved(indicators, rates))]
-            ),
-            self._function("model_switch", [], [ca.densify(expressions)]),
-            self._function("model_blocks", [], [ca.densify(blocks)]),
-            self._function(
-                "model_shock",
-                [],
-                [_sparse(ca.jacobian(motion, dae.impulses)), _sparse(ca.jacobian(velocities, dae.x))],
-            ),
-            self._function("model_reset", [], [ca.densify(others), _sparse(ca.jacobian(others, dae.x))]),
-            self._function("model_variables", [], [ca.densify(published)]),
+            self._function("model_motion", [], [motion]),
+            self._function("model_slope", rates[2:], [slope.nz[:], by_time]),
+            self._function("model_watch", rates, [indicators, moved]),
+            self._function("model_switch", [], [dae.switching.expressions]),
+            self._function("model_blocks", [], [blocks]),
+            self._function("model_shock", [], shock),
+            self._function("model_reset", [], [self._others, ca.jacobian(self._others, dae.x).nz[:]]),
+            self._function("model_variables", [], [published]),
             *jump_functions(dae, self._function),
-            *(self._products(motion, published) if self.products else []),
+            *(self._products(published) if self.products else []),
             *(start_functions(self.start, dae.arguments()) if self.start else []),
         ]
 
-    def _moving(self) -> tuple[Any, Any, Any]:
-        return self.dae.x, self.dae.z, self.dae.u
-
-    def _moved(self, expressions: Any, rates: list[Any]) -> Any:
-        """Return the time derivative of expressions for given rates."""
-        moved = ca.jacobian(expressions, self.dae.time)
-        for symbol, rate in zip(self._moving(), rates, strict=True):
-            moved = moved + ca.jtimes(expressions, symbol, rate)
-        return moved
-
-    def _products(self, motion: Any, published: Any) -> list[Any]:
+    def _products(self, published: Any) -> list[Any]:
         """Return forward and reverse derivatives of motion and variables in x, z, u and p.
 
         Where a law has no slope in a parameter, as a power of zero in its exponent, directions in which
         parameters stay have one all the same: the last argument says whether any parameter moves.
         """
-        dae = self.dae
-        results = ca.vertcat(motion, published)
-        of = [*self._moving(), dae.p]
+        results, of = ca.vertcat(self._motion, published), [*self._moving, self.dae.p]
         seeds = [ca.SX.sym(f"seed{k}", s.numel()) for k, s in enumerate(of)]
         *moved, by_parameters = (ca.densify(ca.jtimes(results, s, d)) for s, d in zip(of, seeds, strict=True))
         tuned = ca.SX.sym("tuned")
         forward = sum(moved, ca.if_else(tuned, by_parameters, 0))
         weights = ca.SX.sym("weights", results.numel())
-        reverse = [ca.densify(ca.jtimes(results, s, weights, True)) for s in of]
+        reverse = [ca.jtimes(results, s, weights, True) for s in of]
         return [
-            self._function("model_forward", [*seeds, tuned], [ca.densify(forward)]),
+            self._function("model_forward", [*seeds, tuned], [forward]),
             self._function("model_adjoint", [weights], reverse),
         ]
 
-    def _function(self, name: str, more: list[Any], results: list[Any]) -> Any:
-        return ca.Function(name, [*self.dae.arguments(), *more], results, {"cse": True})
+    def _function(self, name: str, more: Sequence[Any], results: Sequence[Any]) -> Any:
+        return ca.Function(name, [*self.dae.arguments(), *more], dense(*results), {"cse": True})
 
     def _inputs(self) -> Any:
         """Return bound inputs and their rates as a function of time; zero where inputs are free."""
         sampled = any(isinstance(signal, Sampled) for signal in self.signals.values())
         kind: Any = ca.MX if sampled else ca.SX
         t = kind.sym("t")
-        values = []
-        for declared in self.dae.inputs:
-            value = kind(0)
-            if declared.path in self.signals:
-                value = input_value(declared, self.signals[declared.path], t)
-            values.append(value)
+        values = [
+            input_value(declared, self.signals[declared.path], t)
+            if declared.path in self.signals
+            else kind(0)
+            for declared in self.dae.inputs
+        ]
         joined = ca.densify(ca.vertcat(kind(0, 1), *values))
         return ca.Function("model_inputs", [t], [joined, ca.densify(ca.jacobian(joined, t))], {"cse": True})
 
-    def _reset_variables(self) -> list[int]:
-        """Return the variables that transitions reset and that are no states."""
-        resets = {r[0] for c in self.dae.switching.changes for r in c.resets}
-        return sorted(resets - set(self.dae.states))
-
     def _tables(self) -> Tables:
-        dae = self.dae
-        tables = Tables()
-        for name, count in (
-            ("NX", dae.x),
-            ("NZ", dae.z),
-            ("NA", dae.u),
-            ("NP", dae.p),
-            ("NM", dae.modes),
-            ("NI", dae.impulses),
-            ("NK", dae.completion),
-        ):
-            tables.size(name, count.numel())
-        tables.size("NU", len(self.free))
-        tables.size("NW", len(self.variables))
-        self._numbers(tables)
-        self._inputs_tables(tables)
-        self._legs(tables)
-        self._changes(tables)
+        dae, tables = self.dae, Tables()
+        sized = zip(("NX", "NZ", "NA", "NP"), (*self._moving, dae.p), strict=True)
+        tables.sizes(**{name: symbols.numel() for name, symbols in sized})
+        tables.sizes(NM=dae.modes.numel(), NI=dae.impulses.numel(), NK=dae.completion.numel())
+        self._add_numbers(tables)
+        self._add_inputs(tables)
+        self._add_changes(tables)
+        self._add_resets(tables)
         jump_tables(dae, tables)
-        self._blocks(tables)
-        self._patterns(tables)
+        self._add_blocks(tables)
+        self._add_patterns(tables)
         if self.start:
             start_tables(tables, self.start, dae.modes.numel())
         return tables
 
-    def _numbers(self, tables: Tables) -> None:
-        dae, table = self.dae, self.dae.parameters
-        start = dae.declared.start
-        tables.doubles("model_parameter", table.defaults)
-        tables.doubles("model_least", [_least(f) for f in table.fields])
-        tables.doubles("model_most", [np.inf if f.max is None else f.max for f in table.fields])
-        tables.integers("model_open", [f.above is not None for f in table.fields])
-        tables.strings("model_parameter_name", list(table.index))
-        tables.strings("model_parameter_unit", [f.unit for f in table.fields])
+    def _add_numbers(self, tables: Tables) -> None:
+        dae, table, start = self.dae, self.dae.parameters, self.dae.declared.start
+        unknowns = [*dae.states, *dae.algebraic]
         tables.doubles(
-            "model_start", [float(start[v]) if v < len(start) else 0.0 for v in (*dae.states, *dae.algebraic)]
+            parameter=table.defaults,
+            least=[_least(f) for f in table.fields],
+            most=[np.inf if f.max is None else f.max for f in table.fields],
+            start=[float(start[v]) if v < len(start) else 0.0 for v in unknowns],
+            nominal=nominal_sizes(dae, unknowns),
         )
-        tables.doubles("model_nominal", nominal_sizes(dae, [*dae.states, *dae.algebraic]))
-        tables.strings("model_unknown_name", [dae.name_of(v) for v in (*dae.states, *dae.algebraic)])
+        tables.integers(open=[f.above is not None for f in table.fields])
+        tables.strings(
+            parameter_name=list(table.index),
+            parameter_unit=[f.unit for f in table.fields],
+            unknown_name=[dae.name_of(v) for v in unknowns],
+        )
 
-    def _data_span(self) -> tuple[float, float]:
-        """Return from when until when all data built in are known [s]."""
+    def _add_inputs(self, tables: Tables) -> None:
+        """Add free inputs, from when until when all data built in are known, and legs."""
         limited = [s for s in self.signals.values() if isinstance(s, Sampled) and s.extrapolation == "none"]
-        begin = max((float(s.time[0]) for s in limited), default=-np.inf)
-        return begin, min((float(s.time[-1]) for s in limited), default=np.inf)
-
-    def _inputs_tables(self, tables: Tables) -> None:
-        tables.doubles("model_data_span", self._data_span())
-        free, place = self.free, {(i.path, i.order): k for k, i in enumerate(self.dae.inputs)}
-        tables.integers("model_input_at", [place[i.path, i.order] for i in free])
-        tables.integers("model_input_sign", [i.sign for i in free])
+        free, legs = self.free, self.legs
+        place = {(i.path, i.order): k for k, i in enumerate(self.dae.inputs)}
         number = {(i.path, i.order): k for k, i in enumerate(free)}
-        tables.integers("model_input_rate", [number.get((i.path, i.order + 1), -1) for i in free])
-        tables.integers("model_input_order", [i.order for i in free])
-        tables.strings("model_input_name", [i.path for i in free])
+        tables.sizes(NU=len(free), NW=len(self.variables), MODEL_LEGS=len(legs))
+        tables.integers(
+            input_at=[place[i.path, i.order] for i in free],
+            input_sign=[i.sign for i in free],
+            input_rate=[number.get((i.path, i.order + 1), -1) for i in free],
+            input_order=[i.order for i in free],
+            leg_jumps=[leg.jumps for leg in legs],
+        )
+        tables.strings(input_name=[i.path for i in free])
+        tables.doubles(
+            data_span=(
+                max((float(s.time[0]) for s in limited), default=-np.inf),
+                min((float(s.time[-1]) for s in limited), default=np.inf),
+            ),
+            leg_begin=[leg.begin for leg in legs],
+            leg_end=[leg.end for leg in legs],
+            leg_longest=[leg.max_step for leg in legs],
+        )
 
-    def _legs(self, tables: Tables) -> None:
-        tables.size("MODEL_LEGS", len(self.legs))
-        tables.doubles("model_leg_begin", [leg.begin for leg in self.legs])
-        tables.doubles("model_leg_end", [leg.end for leg in self.legs])
-        tables.doubles("model_leg_longest", [leg.max_step for leg in self.legs])
-        tables.integers("model_leg_jumps", [leg.jumps for leg in self.legs])
-
-    def _changes(self, tables: Tables) -> None:
-        switching, states = self.dae.switching, {v: k for k, v in enumerate(self.dae.states)}
-        changes = switching.changes
-        others = {v: k for k, v in enumerate(self._reset_variables())}
-        tables.size("NG", len(changes))
-        tables.size("NE", switching.expressions.numel())
-        tables.size("NO", len(others))
+    def _add_changes(self, tables: Tables) -> None:
+        switching, changes = self.dae.switching, self.dae.switching.changes
+        tables.sizes(NG=len(changes), NE=switching.expressions.numel(), NS=len(self._shocks))
         for name in ("mode", "source", "target", "indicator", "velocity", "after"):
-            tables.integers(f"model_change_{name}", [getattr(c, name) for c in changes])
-        tables.integers("model_change_allowed", [-1 if c.allowed is None else c.allowed for c in changes])
-        tables.integers("model_change_impulse", [-1 if c.impulse is None else c.impulse for c in changes])
-        shocks = iter(range(len(changes)))
-        tables.integers("model_change_shock", [-1 if c.impulse is None else next(shocks) for c in changes])
-        tables.size("NS", sum(c.impulse is not None for c in changes))
-        starts = np.cumsum([0, *(len(c.resets) for c in changes)])
-        resets = [r for c in changes for r in c.resets]
-        tables.integers("model_reset_start", starts.tolist())
-        tables.integers("model_reset_state", [states.get(r[0], -1) for r in resets])
-        tables.integers("model_reset_other", [others.get(r[0], -1) for r in resets])
-        tables.integers("model_reset_sign", [r[1] for r in resets])
-        tables.integers("model_reset_value", [r[2] for r in resets])
-        tables.integers("model_change_timed", self._timed(changes))
+            tables.integers(**{f"change_{name}": [getattr(c, name) for c in changes]})
+        number = {id(c): k for k, c in enumerate(self._shocks)}
+        stands_in = zip(switching.in_shock, switching.mode_values, strict=True)
         tables.integers(
-            "model_in_shock_start", np.cumsum([0, *(len(v) for v in switching.mode_values)]).tolist()
+            change_allowed=[-1 if c.allowed is None else c.allowed for c in changes],
+            change_impulse=[-1 if c.impulse is None else c.impulse for c in changes],
+            change_shock=[number.get(id(c), -1) for c in changes],
+            change_timed=self._timed(),
+            in_shock_start=_starts(switching.mode_values),
+            in_shock=[table.get(k, -1) for table, values in stands_in for k in range(len(values))],
         )
-        tables.integers(
-            "model_in_shock",
-            [
-                t.get(k, -1)
-                for t, v in zip(switching.in_shock, switching.mode_values, strict=True)
-                for k in range(len(v))
-            ],
-        )
-        tables.strings("model_component", [c.component for c in changes])
-        tables.strings("model_mode_name", switching.mode_names)
+        tables.strings(component=[c.component for c in changes], mode_name=switching.mode_names)
 
-    def _timed(self, changes: Any) -> list[bool]:
+    def _add_resets(self, tables: Tables) -> None:
+        changes = self.dae.switching.changes
+        states = {v: k for k, v in enumerate(self.dae.states)}
+        others = {v: k for k, v in enumerate(self._reset_variables)}
+        resets = self._resets
+        tables.sizes(NO=len(others))
+        tables.integers(
+            reset_start=_starts(c.resets for c in changes),
+            reset_state=[states.get(r[0], -1) for r in resets],
+            reset_other=[others.get(r[0], -1) for r in resets],
+            reset_sign=[r[1] for r in resets],
+            reset_value=[r[2] for r in resets],
+        )
+
+    def _timed(self) -> list[bool]:
         """Tell of each change whether time and inputs reach its indicator, be it by algebraic unknowns."""
-        if not changes:
-            return []
-        dae = self.dae
-        indicators = pick(dae.switching.expressions, [c.indicator for c in changes])
-        given = [dae.time, dae.u]
-        if any(ca.depends_on(dae.alg, symbol) for symbol in given):
-            given.append(dae.z)
-        rows = set(ca.jacobian_sparsity(indicators, ca.vertcat(*given)).row())
-        return [k in rows for k in range(len(changes))]
+        dae, count = self.dae, len(self.dae.switching.changes)
+        given = ca.vertcat(dae.time, dae.u)
+        if ca.depends_on(dae.alg, given):
+            given = ca.vertcat(given, dae.z)
+        rows = set(ca.jacobian_sparsity(self._indicators, given).row())
+        return [k in rows for k in range(count)]
 
-    def _blocks(self, tables: Tables) -> None:
-        dae = self.dae
-        rates = {upper for upper, _ in dae.derivative.values()}
-        sizes = [len(block.torn) for block in dae.blocks]
-        tables.size("NB", len(sizes))
-        tables.size("BLOCK", max(sizes, default=0))
-        tables.integers("model_block_size", sizes)
-        tables.integers("model_block_rate", [v in rates for block in dae.blocks for v in block.torn])
-        tables.strings("model_block_label", [", ".join(block.labels) for block in dae.blocks])
+    def _add_blocks(self, tables: Tables) -> None:
+        blocks, rates = self.dae.blocks, {upper for upper, _ in self.dae.derivative.values()}
+        sizes = [len(block.torn) for block in blocks]
+        tables.sizes(NB=len(sizes), BLOCK=max(sizes, default=0))
+        tables.integers(block_size=sizes, block_rate=[v in rates for block in blocks for v in block.torn])
+        tables.strings(block_label=[", ".join(block.labels) for block in blocks])
 
-    def _patterns(self, tables: Tables) -> None:
-        dae = self.dae
-        reduction = Reduction(dae)
-        tables.sparsity("model_slope", "NSLOPE", reduction.slopes)
-        tables.size("NF", len(reduction.kept))
-        tables.sparsity("model_reduced", "NREDUCED", reduction.pattern)
-        tables.integers("model_kept", reduction.kept)
-        tables.integers("model_entry", reduction.places)
-        tables.size("NLED", len(reduction.led_by))
-        tables.integers("model_led", list(reduction.led_by))
-        tables.integers("model_leader", list(reduction.led_by.values()))
-        motion = ca.vertcat(dae.ode, dae.alg)
-        tables.sparsity("model_response", "NRESPONSE", ca.jacobian_sparsity(motion, dae.impulses))
-        shocks = [c.velocity for c in dae.switching.changes if c.impulse is not None]
-        tables.sparsity(
-            "model_velocity",
-            "NVELOCITY",
-            ca.jacobian_sparsity(pick(dae.switching.expressions, shocks), dae.x),
-        )
-        others = pick(dae.variables, self._reset_variables())
-        tables.sparsity("model_other", "NOTHER", ca.jacobian_sparsity(others, dae.x))
-        large = len(reduction.kept) > DENSE
-        tables.size("MODEL_SPARSE", int(large))
-        tables.factor(reduction.pattern if large else None)
+    def _add_patterns(self, tables: Tables) -> None:
+        reduction = self._reduction
+        size, led = len(reduction.kept), reduction.led_by
+        tables.sparsity("slope", reduction.slopes)
+        tables.sparsity("reduced", reduction.pattern)
+        tables.sparsity("response", ca.jacobian_sparsity(self._motion, self.dae.impulses))
+        tables.sparsity("velocity", ca.jacobian_sparsity(self._velocities, self.dae.x))
+        tables.sparsity("other", ca.jacobian_sparsity(self._others, self.dae.x))
+        tables.sizes(NF=size, NLED=len(led), MODEL_SPARSE=size > DENSE_SIZE)
+        tables.integers(kept=reduction.kept, entry=reduction.places, led=led, leader=led.values())
+        tables.factor(reduction.pattern if size > DENSE_SIZE else ca.Sparsity(0, 0))
 
 
 def _least(field: Any) -> float:
@@ -311,6 +261,6 @@ def _least(field: Any) -> float:
     return -np.inf if least is None else float(least)
 
 
-def _sparse(matrix: Any) -> Any:
-    """Return the nonzeros of a matrix as a full column."""
-    return ca.densify(matrix.nz[:]) if matrix.nnz() else ca.SX(0, 1)
+def _starts(parts: Iterable[Sized]) -> Ints:
+    """Return where each part begins if they stand one after the other, and where the last one ends."""
+    return np.cumsum([0, *map(len, parts)])

@@ -5,18 +5,8 @@ from __future__ import annotations
 import ctypes
 import os
 import time as clock
-from ctypes import (
-    POINTER,
-    Structure,
-    byref,
-    c_char_p,
-    c_double,
-    c_int,
-    c_longlong,
-    c_size_t,
-    c_void_p,
-    pointer,
-)
+from ctypes import POINTER, Structure, byref, c_char_p, c_double, c_int, c_longlong, c_void_p, pointer
+from itertools import pairwise
 from numbers import Real
 from pathlib import Path
 from shutil import rmtree
@@ -27,19 +17,19 @@ from weakref import WeakKeyDictionary, finalize
 import numpy as np
 from numpy.typing import NDArray
 
-from ...base import ModelError, SimulationError, heed
+from ...base import Array, ModelError, SimulationError, heed
 from ...components.language import Sampled
 from ..dae import DAE
 from ..flattening.flat import Flat
 from ..results.result import Segment
 from ..simulation.bound_dae import BoundDAE
 from ..simulation.events.constants import FIRING_ROUNDS
-from ..simulation.events.switcher import Event, jumped
+from ..simulation.events.switcher import Event, changed, jumped
 from ..simulation.input_signals import Polynomial, SignalKey
 from ..simulation.integrator import IntegratorError
 from ..simulation.point import Point
 from ..simulation.splines import piecewise
-from .model import Model
+from .model import CModel
 from .program import SOURCES, sources
 from .toolchain import ToolchainError, compile_shared
 
@@ -51,8 +41,10 @@ ARRIVED, PAUSED, STUCK, FAILED = range(4)
 ROOM = 512
 MOST_BETWEEN = 1_000_000  # steps from one output to the next
 UNEVEN = 20  # times its share of `max_steps` that an interval between outputs may take
-FIRST, PATIENCE = 256, 0.05  # steps and seconds [s] until the C program looks up from its work
+FIRST_STEPS, PATIENCE = 256, 0.05  # steps and seconds [s] until the C program looks up from its work
 DOUBLES, INTEGERS = POINTER(c_double), POINTER(c_longlong)
+DOUBLE_ARRAYS = ("outputs", "times", "points", "constants", "event_times", "impulses")
+INTEGER_ARRAYS = ("segment_rows", "changes", "stays")
 _LIBRARIES: WeakKeyDictionary[Flat, dict[SignalKey, Any]] = WeakKeyDictionary()
 
 
@@ -61,8 +53,8 @@ class _Run(Structure):
 
     _fields_ = (
         [(name, c_double) for name in ("stop", "interval", "rtol", "atol")]
-        + [(name, DOUBLES) for name in ("outputs", "times", "points", "constants", "event_times", "impulses")]
-        + [(name, INTEGERS) for name in ("segment_rows", "changes", "stays")]
+        + [(name, DOUBLES) for name in DOUBLE_ARRAYS]
+        + [(name, INTEGERS) for name in INTEGER_ARRAYS]
         + [(name, c_longlong) for name in ("output_count", "next", "row_count", "segment_count")]
         + [(name, c_longlong) for name in ("event_count", "room", "crowd", "budget", "steps", "rejected")]
         + [("last", c_double)]
@@ -80,19 +72,16 @@ class _Legs(Structure):
 
     _fields_ = [
         ("count", c_longlong),
-        ("begin", DOUBLES),
-        ("end", DOUBLES),
-        ("longest", DOUBLES),
+        *((name, DOUBLES) for name in ("begin", "end", "longest")),
         ("jumps", POINTER(c_int)),
     ]
 
     def __init__(self, run: Run) -> None:
-        legs = run.legs
-        self._kept = [np.array([getattr(leg, name) for leg in legs]) for name in ("begin", "end")]
-        self._kept.append(np.array([min(leg.max_step, run.settings.max_step) for leg in legs]))
-        self._jumps = np.array([leg.jumps for leg in legs], dtype=np.intc)
-        jumps = self._jumps.ctypes.data_as(POINTER(c_int))
-        super().__init__(len(legs), *map(_pointer, self._kept), jumps)
+        legs, most = run.legs, run.settings.max_step
+        told = [(leg.begin, leg.end, min(leg.max_step, most)) for leg in legs]
+        self._kept = np.array(told).T.copy(), np.array([leg.jumps for leg in legs], dtype=np.intc)
+        jumps = self._kept[1].ctypes.data_as(POINTER(c_int))
+        super().__init__(len(legs), *map(_pointer, self._kept[0]), jumps)
 
 
 class Native:
@@ -108,19 +97,20 @@ class Native:
         self.nx, self.nz, self.nq = dae.x.numel(), dae.z.numel(), dae.constants.numel()
         self._core = ctypes.create_string_buffer(self._library.native_size(0))
         free = [declared for declared in dae.inputs if declared.path not in functions]
-        self._tables = [_table(closed.signals[declared.path], declared.order) for declared in free]
-        self._free = np.array([_constant(closed.signals[i.path], i.order) for i in free] or [0.0])
+        given = [(closed.signals[declared.path], declared.order) for declared in free]
+        self._tables = [_table(signal, order) for signal, order in given]
+        constants = [float(s) if isinstance(s, Real) and not order else 0.0 for s, order in given]
+        self._free = np.array(constants or [0.0])
 
     def _records(self) -> Any:
         """Return pointers to fresh records; an input without one stays constant."""
         records = (POINTER(_Record) * max(1, len(self._tables)))()
         for k, table in enumerate(self._tables):
             if table is not None:
-                times, powers = table
-                records[k] = pointer(_Record(_pointer(times), _pointer(powers), len(times), 0))
+                records[k] = pointer(_Record(*map(_pointer, table), len(table[0]), 0))
         return records
 
-    def run(self, run: Run, outputs: NDArray[np.float64], progress: Progress) -> None:
+    def run(self, run: Run, outputs: Array, progress: Progress) -> None:
         """Run to the last output, and record what happens in `run`.
 
         Raises:
@@ -136,7 +126,7 @@ class Native:
         store = _Store(self, outputs, (settings.rtol, settings.atol))
         if settings.max_steps is not None:
             store.shared.crowd = UNEVEN * settings.max_steps // (len(outputs) - 1) + UNEVEN
-        budget, status = FIRST, PAUSED
+        budget, status = FIRST_STEPS, PAUSED
         output, steps = 0, 0
         while status == PAUSED:
             heed()
@@ -173,49 +163,39 @@ class Native:
 class _Store:
     """Arrays that the C program fills, and what becomes of them."""
 
-    def __init__(self, native: Native, outputs: NDArray[np.float64], tolerance: tuple[float, float]) -> None:
-        self.native, self.outputs = native, np.ascontiguousarray(outputs)
-        modes = len(native.dae.switching.mode_names) + (
-            len(native.dae.jumps.motions) if native.dae.jumps else 0
-        )
-        rows, events = len(outputs) + 2 * ROOM + 2, ROOM + FIRING_ROUNDS * modes + 1
+    def __init__(self, native: Native, outputs: Array, tolerance: tuple[float, float]) -> None:
+        self.native, jumps = native, native.dae.jumps
+        modes = len(native.dae.switching.mode_names) + (len(jumps.motions) if jumps else 0)
+        rows, events, segments = len(outputs) + 2 * ROOM + 2, ROOM + FIRING_ROUNDS * modes + 1, ROOM + 2
+        self.outputs = np.ascontiguousarray(outputs)
         self.times, self.points = np.empty(rows), np.empty((rows, native.nx + native.nz))
-        self.constants, self.starts = np.empty((ROOM + 2, native.nq)), np.empty(ROOM + 2, dtype=np.int64)
+        self.constants, self.segment_rows = np.empty((segments, native.nq)), np.empty(segments, np.int64)
         self.event_times, self.impulses = np.empty(events), np.empty(events)
-        self.changes, self.stays = np.empty(events, dtype=np.int64), np.empty(events, dtype=np.int64)
-        shared = self.shared = _Run()
-        shared.stop, shared.interval = outputs[-1], outputs[1] - outputs[0]
-        shared.rtol, shared.atol = tolerance
-        for name in (
-            "outputs",
-            "times",
-            "points",
-            "constants",
-            "event_times",
-            "impulses",
-            "changes",
-            "stays",
-        ):
-            setattr(shared, name, _pointer(getattr(self, name)))
-        shared.segment_rows = _pointer(self.starts)
-        shared.output_count, shared.next, shared.room = len(outputs), 1, ROOM // 2
-        shared.last = -np.inf
+        self.changes, self.stays = np.empty(events, np.int64), np.empty(events, np.int64)
+        self.shared = _Run(
+            stop=outputs[-1],
+            interval=outputs[1] - outputs[0],
+            rtol=tolerance[0],
+            atol=tolerance[1],
+            output_count=len(outputs),
+            next=1,
+            room=ROOM // 2,
+            last=-np.inf,
+            **{name: _pointer(getattr(self, name)) for name in (*DOUBLE_ARRAYS, *INTEGER_ARRAYS)},
+        )
 
     def drain(self, run: Run) -> None:
         """Move what was recorded into `run`."""
-        shared, native = self.shared, self.native
+        shared, nx = self.shared, self.native.nx
         rows = shared.row_count
-        starts = self.starts[: shared.segment_count].tolist()
+        starts = self.segment_rows[: shared.segment_count].tolist()
         times, points = self.times[:rows].copy(), self.points[:rows].copy()
-        states, algebraic = points[:, : native.nx], points[:, native.nx :]
-        first = starts[0] if starts else rows
-        if first:
-            run.segments[-1].extend(times[:first], states[:first], algebraic[:first])
-        for number, begin in enumerate(starts):
-            end = starts[number + 1] if number + 1 < len(starts) else rows
-            segment = Segment(self.constants[number].copy())
-            segment.extend(times[begin:end], states[begin:end], algebraic[begin:end])
-            run.segments.append(segment)
+        states, algebraic = points[:, :nx], points[:, nx:]
+        for number, (begin, end) in enumerate(pairwise([0, *starts, rows])):
+            if number:
+                run.segments.append(Segment(self.constants[number - 1].copy()))
+            if number or end:
+                run.segments[-1].extend(times[begin:end], states[begin:end], algebraic[begin:end])
         run.events += [self._event(k) for k in range(shared.event_count)]
         if rows:
             run.point = Point(float(times[-1]), states[-1], algebraic[-1], run.segments[-1].q)
@@ -224,37 +204,26 @@ class _Store:
 
     def _event(self, k: int) -> Event:
         switching, jumps = self.native.dae.switching, self.native.dae.jumps
-        if jumps is not None and self.changes[k] >= len(switching.changes):
-            number = int(self.changes[k]) - len(switching.changes)
-            impulse = float(self.impulses[k]) if number < len(jumps.motions) else None
-            return jumped(float(self.event_times[k]), jumps, number, impulse)
-        change = switching.changes[self.changes[k]]
-        values = switching.mode_values[change.mode]
+        t, number, impulse = float(self.event_times[k]), int(self.changes[k]), float(self.impulses[k])
+        motion = number - len(switching.changes)
+        if jumps is not None and motion >= 0:
+            return jumped(t, jumps, motion, impulse if motion < len(jumps.motions) else None)
+        change = switching.changes[number]
         source = change.target if self.stays[k] else change.source
-        impulse = float(self.impulses[k]) if change.impulse is not None else None
-        name = switching.mode_names[change.mode]
-        return Event(
-            float(self.event_times[k]), change.component, name, values[source], values[change.target], impulse
-        )
+        return changed(switching, t, change, source, None if change.impulse is None else impulse)
 
 
 def _pointer(array: NDArray[Any]) -> Any:
     return array.ctypes.data_as(INTEGERS if array.dtype == np.int64 else DOUBLES)
 
 
-def _constant(signal: Any, order: int) -> float:
-    return float(signal) if isinstance(signal, Real) and not order else 0.0
-
-
-def _table(signal: Any, order: int) -> tuple[NDArray[np.float64], NDArray[np.float64]] | None:
+def _table(signal: Any, order: int) -> tuple[Array, Array] | None:
     """Return the instants and the powers of a record's spline, or of its derivative."""
     if not isinstance(signal, Sampled):
         return None
-    course = piecewise(signal)
-    powers = course.c
-    for _ in range(order):
-        powers = np.vstack([np.zeros_like(powers[:1]), powers[:3] * [[3.0], [2.0], [1.0]]])
-    return course.x, np.ascontiguousarray(powers)
+    course = piecewise(signal).derivative(order)
+    missing = np.zeros((4 - len(course.c), len(course.x) - 1))
+    return course.x, np.vstack([missing, course.c])
 
 
 def _library(dae: DAE, functions: dict[str, Any]) -> Any:
@@ -264,8 +233,8 @@ def _library(dae: DAE, functions: dict[str, Any]) -> Any:
     if key not in known:
         folder = Path(mkdtemp(prefix="inertance-"))
         finalize(dae.flat, rmtree, folder, ignore_errors=True)
-        model = Model(dae, functions, (), (), products=False)
-        files = model.texts() | sources((*SOURCES, "records.c", "native.c"))
+        model = CModel(dae, functions, (), (), products=False)
+        files = model.texts() | sources((*SOURCES, "native.c"))
         for name, text in files.items():
             (folder / name).write_text(text, encoding="utf-8")
         listed = [folder / name for name in files if name.endswith(".c")]
@@ -277,7 +246,7 @@ def _library(dae: DAE, functions: dict[str, Any]) -> Any:
 
 def _loaded(path: Path) -> Any:
     library = ctypes.CDLL(str(path))
-    library.native_size.restype, library.native_size.argtypes = c_size_t, [c_int]
+    library.native_size.restype, library.native_size.argtypes = ctypes.c_size_t, [c_int]
     for kind, mirror in enumerate((_Run, _Record, _Legs), 1):
         size = library.native_size(kind)
         if size != ctypes.sizeof(mirror):
@@ -285,11 +254,9 @@ def _loaded(path: Path) -> Any:
                 f"the compiled network takes {size} bytes for {mirror.__name__[1:]}, this Python "
                 f"{ctypes.sizeof(mirror)}; CC and CFLAGS must build for the machine that runs it"
             )
+    library.native_begin.restype = None
+    library.native_begin.argtypes = [c_void_p, c_double, *[DOUBLES] * 3, c_void_p, c_void_p]
+    library.native_tell.restype, library.native_tell.argtypes = None, [c_void_p, INTEGERS, INTEGERS]
+    library.native_run.restype, library.native_run.argtypes = c_int, [c_void_p, POINTER(_Run)]
     library.native_message.restype, library.native_message.argtypes = c_char_p, [c_void_p]
-    library.native_begin.argtypes, library.native_begin.restype = (
-        [c_void_p, c_double, *[DOUBLES] * 3, c_void_p, c_void_p],
-        None,
-    )
-    library.native_tell.argtypes, library.native_tell.restype = [c_void_p, INTEGERS, INTEGERS], None
-    library.native_run.argtypes, library.native_run.restype = [c_void_p, POINTER(_Run)], c_int
     return library

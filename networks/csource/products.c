@@ -5,23 +5,13 @@ static CoreStatus prepared(Core *c) {
     CoreStatus status = core_rates(c, 0);
     if (status != CORE_OK || NZ == 0) return status;
     if (core_algebra_factor(c, c->t, c->y)) return CORE_OK;
-    core_say(c, "the algebraic equations have no unique solution here");
-    return CORE_DISCARD;
+    return core_fail(c, CORE_DISCARD, "the algebraic equations have no unique solution here");
 }
 
 static void forward(Core *c, const double x[], const double z[], const double p[]) {
-    const double *arg[ROOM(MODEL_ARGS)] = {0};
-    double *res[ROOM(MODEL_RESULTS)] = {c->results}, tuned = 0;
-    for (int i = 0; i < NP; i++)
-        if (p[i] != 0) tuned = 1;
-    core_arguments(c, c->t, c->y, arg);
-    arg[4] = &c->t;
-    arg[5] = x;
-    arg[6] = z;
-    arg[7] = c->of_u;
-    arg[8] = p;
-    arg[9] = &tuned;
-    model_forward(arg, res, c->iw, c->w, 0);
+    double tuned = core_largest(p, NP) > 0;
+    Call call = {.arg = {[5] = x, z, c->of_u, p, &tuned}, .res = {c->results}};
+    core_evaluate(c, model_forward, c->t, c->y, &call);
 }
 
 CoreStatus core_forward(Core *c, const double x[], const double u[], const double p[], double rates[],
@@ -44,12 +34,8 @@ CoreStatus core_forward(Core *c, const double x[], const double u[], const doubl
 }
 
 static void adjoint(Core *c) {
-    const double *arg[ROOM(MODEL_ARGS)] = {0};
-    double *res[ROOM(MODEL_RESULTS)] = {c->of_y, c->of_y + NX, c->of_u, c->of_p};
-    core_arguments(c, c->t, c->y, arg);
-    arg[4] = &c->t;
-    arg[5] = c->seeds;
-    model_adjoint(arg, res, c->iw, c->w, 0);
+    Call call = {.arg = {[5] = c->seeds}, .res = {c->of_y, c->of_y + NX, c->of_u, c->of_p}};
+    core_evaluate(c, model_adjoint, c->t, c->y, &call);
 }
 
 CoreStatus core_adjoint(Core *c, const double rates[], const double w[], double x[], double u[], double p[]) {

@@ -12,23 +12,21 @@ from typing import Any
 import casadi as ca
 
 from ..dae import DAE, Input
-from ..flattening.vectors import column
+from ..flattening.vectors import column, pick
 from ..simulation.bound_dae import BoundDAE
 from ..simulation.events import constants
 from ..simulation.input_signals import Polynomial, chosen_signals
 from ..simulation.legs import Leg, endless_legs
 from ..simulation.starting import Start
 from ..simulation.time_signals import TimeSignals
-from .model import Model
+from .model import CModel
 from .tables import macros
 
-HORIZON = 1e5
-HERE = Path(__file__).parent
+HORIZON = 1e5  # s: until when instants at which signals switch are sought
 HEADERS = ("core.h", "core_state.h")
-PRODUCTS = ("products.c",)
 STARTS = ("start.h", "start.c")
 SOURCES = (
-    "algebra.c", "chattering.c", "contacts.c", "core.c", "events.c", "impacts.c", "legs.c", "linear.c",
+    "algebra.c", "core.c", "events.c", "impacts.c", "legs.c", "linear.c",
     "locate.c", "message.c", "rosenbrock.c", "shocks.c", "stepper.c",
 )  # fmt: skip
 
@@ -48,94 +46,51 @@ class CProgram:
     """
 
     dae: DAE
-    model: Model
     files: dict[str, str]
+    states: list[str]
+    inputs: list[Input]
+    parameters: dict[str, float]
+    modes: list[str]
+    mode_values: list[tuple[str, ...]]
+    variables: list[str]
+    indicators: int
 
     @property
     def sources(self) -> list[str]:
         """Names of the C files to compile."""
         return [name for name in self.files if name.endswith(".c")]
 
-    @property
-    def states(self) -> list[str]:
-        """Full names of the states."""
-        return self.dae.state_names
-
-    @property
-    def inputs(self) -> list[Input]:
-        """Free inputs and their derivatives."""
-        return self.model.free
-
-    @property
-    def parameters(self) -> dict[str, float]:
-        """Defaults of the parameters."""
-        return self.dae.parameter_values
-
-    @property
-    def modes(self) -> list[str]:
-        """Full names of the modes."""
-        return self.dae.switching.mode_names
-
-    @property
-    def mode_values(self) -> list[tuple[str, ...]]:
-        """The names of the values of each mode."""
-        return self.dae.switching.mode_values
-
-    @property
-    def variables(self) -> list[str]:
-        """Names of the other variables."""
-        return list(self.model.variables)
-
-    @property
-    def indicators(self) -> int:
-        """Number of event indicators."""
-        return len(self.dae.switching.changes)
-
     @cached_property
     def dependencies(self) -> tuple[list[list[int]], list[list[int]]]:
         """What rates and other variables depend on: for each, places in (states, free inputs).
 
-        Algebraic unknowns pass dependencies on.
+        Algebraic unknowns pass dependencies on; those that share equations share what they depend on.
         """
         dae = self.dae
         place = {(i.path, i.order): k for k, i in enumerate(dae.inputs)}
-        free = [place[i.path, i.order] for i in self.inputs]
-        known = ca.vertcat(dae.x, ca.SX(0, 1) if not free else dae.u[free])
+        known = ca.vertcat(dae.x, pick(dae.u, [place[i.path, i.order] for i in self.inputs]))
         published = column([dae.expression(name) for name in self.variables])
-        algebra = _reach(dae.alg, dae.z, known)
-        return _rows(dae.ode, known, dae.z, algebra), _rows(published, known, dae.z, algebra)
+        among = _incidence(dae.alg, dae.z)
+        _, order, starts = (among.T @ among).sparsity().scc()
+        groups = [k for k, (begin, end) in enumerate(pairwise(starts)) for _ in range(begin, end)]
+        member = ca.DM(ca.Sparsity.triplet(len(starts), len(order), groups, order))
+        reach = member.T @ (member @ (among.T @ _incidence(dae.alg, known)))
+        rates, variables = (
+            _by_row(_incidence(values, known) + _incidence(values, dae.z) @ reach)
+            for values in (dae.ode, published)
+        )
+        return rates, variables
 
 
-def _reach(residuals: Any, unknowns: Any, known: Any) -> list[set[int]]:
-    """Return what each algebraic unknown depends on; unknowns that share equations share it."""
-    count = unknowns.numel()
-    if not count:
-        return []
-    among = ca.jacobian_sparsity(residuals, unknowns)
-    direct = _by_row(ca.jacobian_sparsity(residuals, known), residuals.numel())
-    _, order, starts = (among.T * among).scc()
-    reach: list[set[int]] = [set() for _ in range(count)]
-    rows_of = _by_row(among.T, count)
-    for begin, end in pairwise(starts):
-        members = [order[k] for k in range(begin, end)]
-        shared: set[int] = set().union(*(direct[row] for member in members for row in rows_of[member]))
-        for member in members:
-            reach[member] = shared
-    return reach
+def _incidence(values: Any, symbols: Any) -> Any:
+    """Return which values depend on which symbols, as a matrix of ones."""
+    return ca.DM(ca.jacobian_sparsity(values, symbols))
 
 
-def _rows(values: Any, known: Any, unknowns: Any, algebra: list[set[int]]) -> list[list[int]]:
-    count = values.numel()
-    direct = _by_row(ca.jacobian_sparsity(values, known), count)
-    through = _by_row(ca.jacobian_sparsity(values, unknowns), count)
-    return [sorted(direct[i].union(*(algebra[k] for k in through[i]))) for i in range(count)]
-
-
-def _by_row(pattern: Any, count: int) -> list[set[int]]:
-    rows: list[set[int]] = [set() for _ in range(count)]
-    for row, place in zip(*pattern.get_triplet(), strict=True):
-        rows[row].add(place)
-    return rows
+def _by_row(matrix: Any) -> list[list[int]]:
+    """Return the columns of each row's nonzeros."""
+    starts, places = matrix.T.sparsity().get_ccs()
+    return [places[begin:end] for begin, end in pairwise(starts)]
 
 
 def c_program(
@@ -158,9 +113,18 @@ def c_program(
         UnknownNameError: for unknown variables, with the nearest name.
     """
     signals = chosen_signals(dae, dict(inputs or {}), free=True)
-    model = Model(dae, signals, list(variables), _built_in_legs(dae, signals), start=start)
-    more = STARTS if start else ()
-    return CProgram(dae, model, model.texts() | sources((*SOURCES, *PRODUCTS, *more)))
+    model = CModel(dae, signals, list(variables), _built_in_legs(dae, signals), start=start)
+    return CProgram(
+        dae,
+        files=model.texts() | sources((*SOURCES, "products.c", *(STARTS if start else ()))),
+        states=dae.state_names,
+        inputs=model.free,
+        parameters=dae.parameter_values,
+        modes=dae.switching.mode_names,
+        mode_values=dae.switching.mode_values,
+        variables=[*variables],
+        indicators=len(dae.switching.changes),
+    )
 
 
 def _built_in_legs(dae: DAE, signals: Mapping[str, Any]) -> list[Leg]:
@@ -172,5 +136,5 @@ def _built_in_legs(dae: DAE, signals: Mapping[str, Any]) -> list[Leg]:
 
 def sources(names: Sequence[str]) -> dict[str, str]:
     """Return headers and some sources of the core by name, with the constants of events."""
-    texts = {name: (HERE / name).read_text(encoding="utf-8") for name in (*HEADERS, *names)}
+    texts = {name: Path(__file__).with_name(name).read_text(encoding="utf-8") for name in (*HEADERS, *names)}
     return texts | {"constants.h": macros(vars(constants))}

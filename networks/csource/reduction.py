@@ -33,10 +33,10 @@ class Reduction:
     @cached_property
     def led_by(self) -> dict[int, int]:
         """The state x_j by each x_i of x_i' = x_j that is left out."""
-        place = {symbol.element_hash(): k for k, symbol in enumerate(_elements(self.dae.x))}
+        place = {symbol.element_hash(): k for k, symbol in enumerate(self.dae.x.elements())}
         led: dict[int, int] = {}
         leaders: set[int] = set()
-        for i, rate in enumerate(_elements(self.dae.ode)):
+        for i, rate in enumerate(self.dae.ode.elements()):
             j = place.get(rate.element_hash()) if rate.is_symbolic() else None
             if j is not None and j != i and j not in led and i not in leaders:
                 led[i] = j
@@ -69,7 +69,3 @@ class Reduction:
         """Number of the nonzero of the smaller matrix to which each slope is added; -1 if to none."""
         number = {place: k for k, place in enumerate(zip(*self.pattern.get_triplet(), strict=True))}
         return [number[target] if target else -1 for target in self.targets]
-
-
-def _elements(vector: Any) -> list[Any]:
-    return [vector[k] for k in range(vector.numel())]

@@ -1,4 +1,5 @@
-/* Shocks: what a jump of a prescribed motion, or of its slope, does in no time at all; as in shocks.py. */
+/* Shocks: what a jump of a prescribed motion, or of its slope, does in no time at all, as in shocks.py; and
+ * what contacts do then: they are struck or left, or pass the shock on. */
 #include <math.h>
 #include <string.h>
 
@@ -7,11 +8,7 @@
 void core_see(Core *c, double seen[]) {
     (void)c, (void)seen;
 #if NJ > 0
-    const double *arg[ROOM(MODEL_ARGS)] = {0};
-    double *res[ROOM(MODEL_RESULTS)] = {seen};
-    core_arguments(c, c->t, c->y, arg);
-    arg[4] = &c->t;
-    model_seen(arg, res, c->iw, c->w, 0);
+    core_evaluate(c, model_seen, c->t, c->y, &(Call){.res = {seen}});
 #endif
 }
 
@@ -25,15 +22,10 @@ static int last_of_signal(int k) {
 /* By how much signals and their derivatives have jumped since they were seen, zero where that is rounding. */
 static int since(Core *c, const double seen[], double jump[]) {
     double now[ROOM(NREAD)], size[ROOM(NJ)], raw[ROOM(NJ)];
-    const double *arg[ROOM(MODEL_ARGS)] = {0};
-    double *res[ROOM(MODEL_RESULTS)] = {raw, size};
+    Call call = {{seen, now, c->q, &c->t}, {raw, size}};
     int any = 0;
     core_see(c, now);
-    arg[0] = seen;
-    arg[1] = now;
-    arg[2] = c->q;
-    arg[3] = &c->t;
-    model_jump(arg, res, c->iw, c->w, 0);
+    model_jump(call.arg, call.res, c->iw, c->w, 0);
     for (int k = 0; k < NJ; k++) {
         int last = last_of_signal(k);
         double late = last ? 0 : JUMP_LATE * fmax(1, fabs(c->t)) * fabs(raw[k + 1]);
@@ -44,30 +36,17 @@ static int since(Core *c, const double seen[], double jump[]) {
 }
 
 /* Rates of states and forces while signals are off by a course. */
-int core_rates_off(Core *c, const double x[], const double course[], double rates[]) {
-    const double *arg[ROOM(MODEL_ARGS)] = {0};
-    double y[ROOM(NY)], signed_[ROOM(NJ)], moved[ROOM(NPATH + NZ)], *res[ROOM(MODEL_RESULTS)] = {moved},
-                                                                    sum = 0;
+static int rates_off(Core *c, const double x[], const double course[], double rates[]) {
+    double y[ROOM(NY)], signed_[ROOM(NJ)], moved[ROOM(NPATH + NZ)], sum = 0;
     for (int k = 0; k < NJ; k++) signed_[k] = model_jump_sign[k] * course[k];
     memcpy(y, x, NX * sizeof *x);
     memcpy(y + NX, c->y + NX, NZ * sizeof *y);
-    for (int round = 0; round < NEWTON_ROUNDS; round++) {
-        double largest = 0, size = 0;
-        core_arguments(c, c->t, y, arg);
-        arg[4] = &c->t;
-        arg[5] = signed_;
-        model_moving(arg, res, c->iw, c->w, 0);
+    for (int round = 0, found = 0; round < NEWTON_ROUNDS && !found; round++) {
+        core_evaluate(c, model_moving, c->t, y, &(Call){.arg = {[5] = signed_}, .res = {moved}});
         if (NZ == 0) break;
-        if (!core_algebra_factor(c, c->t, y)) return 0;
-        for (int i = 0; i < NX; i++) c->value[i] = 0;
-        for (int i = 0; i < NZ; i++) c->value[NX + i] = moved[NPATH + i];
-        core_factor_solve(&c->algebra, c->value, c->full);
-        for (int i = NX; i < NY; i++) {
-            y[i] -= c->value[i];
-            largest = fmax(largest, fabs(c->value[i]));
-            size = fmax(size, fabs(y[i]));
-        }
-        if (!(largest > NEWTON_CLOSE * (1 + size))) break;
+        memcpy(c->value + NX, moved + NPATH, NZ * sizeof *moved);
+        found = core_newton(c, c->t, y);
+        if (found < 0) return 0;
     }
     for (int i = 0; i < NPATH; i++) sum += fabs(rates[i] = moved[i]);
     return isfinite(sum);
@@ -76,11 +55,11 @@ int core_rates_off(Core *c, const double x[], const double course[], double rate
 /* How far states are off while a position jumps that relative velocities follow; 0 if that takes forces. */
 static int thrown(Core *c, const double jump[], const double x[], double far[]) {
     double course[ROOM(NJ)] = {0}, at_rest[ROOM(NPATH)], away[ROOM(NPATH)];
-    if (!core_rates_off(c, x, course, at_rest)) return 0;
+    if (!rates_off(c, x, course, at_rest)) return 0;
     for (int s = 0; s < NSIGNAL; s++)
         for (int k = model_jump_start[s] + 2; k < model_jump_start[s + 1]; k++)
             course[k] = jump[k - 2] / RAMP;
-    if (!core_rates_off(c, x, course, away)) return 0;
+    if (!rates_off(c, x, course, away)) return 0;
     for (int i = 0; i < NX; i++) far[i] = away[i] - at_rest[i];
     for (int i = NPUSH > 0 ? NX : 0; i < NPATH; i++)
         if (!(fabs(away[i] - at_rest[i]) <= JUMP_UNBOUNDED)) return 0;
@@ -97,7 +76,7 @@ static int moved(Core *c, const double jump[], const double path[], double s, do
         still[k] = course[k] = (s - 1) * jump[k];
         if (k > 0 && !last_of_signal(k - 1)) course[k] += jump[k - 1] / instant;
     }
-    if (!core_rates_off(c, path, still, at_rest) || !core_rates_off(c, x, course, out)) return 0;
+    if (!rates_off(c, path, still, at_rest) || !rates_off(c, x, course, out)) return 0;
     for (int i = 0; i < NPATH; i++) out[i] = instant * (out[i] - at_rest[i]);
     return 1;
 }
@@ -105,10 +84,10 @@ static int moved(Core *c, const double jump[], const double path[], double s, do
 /* How states and impulses move with s; `jump` ends with how far states are off. 0 if they move the faster,
  * the shorter the ramp. */
 static int path_rates(Core *c, const double jump[], const double path[], double s, double rates[]) {
-    double shorter[ROOM(NPATH)], most = 0;
+    double shorter[ROOM(NPATH)];
     if (!moved(c, jump, path, s, RAMP, rates) || !moved(c, jump, path, s, RAMP * RAMP_SHORTER, shorter))
         return 0;
-    for (int i = 0; i < NPATH; i++) most = fmax(most, fabs(rates[i]));
+    double most = core_largest(rates, NPATH);
     for (int i = 0; i < NPATH; i++)
         if (!(fabs(rates[i] - shorter[i]) <= JUMP_UNBOUNDED * (most + least_size(i)))) return 0;
     return 1;
@@ -129,18 +108,19 @@ static int runge_kutta(Core *c, const double jump[], const double path[], double
 /* The mode through which a jump acts otherwise than through its others, of which none is known to hold; else
  * -1. */
 static int uncertain(Core *c, const double jump[], const double path[], double rates[]) {
-    double other[ROOM(NPATH)], *modes = core_modes(c), kept[ROOM(NM + NI + NK)];
+    double other[ROOM(NPATH)], *modes = core_modes(c);
+    Kept kept;
     int found = -1;
-    memcpy(kept, modes, (NM + NI + NK) * sizeof *kept);
+    memcpy(kept.modes, modes, (NM + NI + NK) * sizeof *modes);
     for (int m = 0; m < NM && found < 0; m++)
         for (int value = 0; value < model_in_shock_start[m + 1] - model_in_shock_start[m] && found < 0;
              value++) {
-            if (model_jump_mode[m] || value == (int)kept[m] || core_stands_in(m, value) >= 0) continue;
+            if (model_jump_mode[m] || value == (int)kept.modes[m] || core_stands_in(m, value) >= 0) continue;
             modes[m] = value;
             if (core_complete(c) != CORE_OK || !path_rates(c, jump, path, 0, other)) found = m;
             for (int i = 0; i < NPATH && found < 0; i++)
                 if (!(fabs(other[i] - rates[i]) <= JUMP_ALIKE * (1 + fabs(rates[i])))) found = m;
-            memcpy(modes, kept, (NM + NI + NK) * sizeof *kept);
+            core_go_back(c, &kept);
         }
     return found;
 }
@@ -169,17 +149,11 @@ static int follow(Core *c, const double jump[], double path[]) {
 
 static CoreStatus unbounded(Core *c, const double jump[]) {
     int any = 0;
-    core_say_when(c);
-    core_say_more(c, "what prescribes a motion jumps: ");
+    core_fail(c, CORE_ERROR, "at t = %g s what prescribes a motion jumps: ", c->t);
     for (int s = 0; s < NSIGNAL; s++) {
-        double size = 0;
-        for (int k = model_jump_start[s]; k < model_jump_start[s + 1]; k++) size = fmax(size, fabs(jump[k]));
-        if (size == 0) continue;
-        if (any++) core_say_more(c, ", ");
-        core_say_more(c, model_jump_name[s]);
-        core_say_more(c, " (by ");
-        core_say_number(c, size);
-        core_say_more(c, ")");
+        int start = model_jump_start[s];
+        double size = core_largest(jump + start, model_jump_start[s + 1] - start);
+        if (size > 0) core_say_more(c, "%s%s (by %g)", any++ ? ", " : "", model_jump_name[s], size);
     }
     core_say_more(
         c,
@@ -194,13 +168,10 @@ static CoreStatus pass_through(Core *c, double jump[], double path[]) {
     if (!thrown(c, jump, path, jump + NJ) || !path_rates(c, jump, path, 0, rates)) return unbounded(c, jump);
     int mode = uncertain(c, jump, path, rates);
     if (mode < 0) return follow(c, jump, path) ? CORE_OK : unbounded(c, jump);
-    core_say_when(c);
-    core_say_more(c, model_mode_name[mode]);
-    core_say_more(
-        c,
-        ": a jump of a prescribed motion acts through this mode, and which one holds is not known: give a ramp "
-        "instead of the jump");
-    return CORE_ERROR;
+    return core_fail(c, CORE_ERROR,
+                     "at t = %g s %s: a jump of a prescribed motion acts through this mode, and which one "
+                     "holds is not known: give a ramp instead of the jump",
+                     c->t, model_mode_name[mode]);
 }
 
 static int is_still(const Core *c, const double path[]) {
@@ -208,30 +179,86 @@ static int is_still(const Core *c, const double path[]) {
     for (int i = 0; i < NPATH; i++) still &= path[i] == (i < NX ? c->y[i] : 0);
     return still;
 }
+
+/* Whether a position jumps onto a stop, or off it, from indicators before. */
+static CoreStatus check_reach(Core *c, const double before[]) {
+    for (int i = 0; i < NG; i++) {
+        int mode = model_change_mode[i], present = core_mode(c, mode), indicator = model_change_indicator[i];
+        double was = before[indicator], now = c->expressions[indicator];
+        int opens = model_change_source[i] != model_change_target[i] && core_holds(c, i);
+        int onto = present == model_change_source[i] && core_stands_in(mode, present) < 0 && was <= INSIDE &&
+                   now > INSIDE;
+        if (model_change_impulse[i] < 0) continue;
+        if (!onto && !(opens && fabs(now - was) > INSIDE)) continue;
+        return core_fail(c, CORE_ERROR,
+                         "at t = %g s %s is struck or left at infinite speed, where a prescribed position "
+                         "jumps; give a ramp instead of the jump",
+                         c->t, model_component[i]);
+    }
+    return CORE_OK;
+}
+
+static int any_pressed(const Core *c) {
+    const double *value = c->expressions;
+    int any = 0;
+    for (int i = 0; i < NG && !any; i++)
+        any = core_holds(c, i) && value[model_change_after[i]] > value[model_change_velocity[i]] + PRESSED;
+    return any;
+}
+
+/* Add what motions give when contacts pass a shock on, by the impulses of these. */
+static CoreStatus add_passed(Core *c, const int contacts[], const double impulses[], int count,
+                             double pushes[]) {
+    double still[ROOM(NJ)] = {0}, before[ROOM(NPATH)], after[ROOM(NPATH)];
+    Kept kept;
+    CoreStatus status = core_stand_in(c, &kept);
+    int finite = status == CORE_OK && rates_off(c, c->y, still, before);
+    for (int k = 0; k < count; k++) core_modes(c)[NM + model_change_impulse[contacts[k]]] = impulses[k];
+    finite = finite && rates_off(c, c->y, still, after);
+    for (int i = 0; i < NPUSH && finite; i++) pushes[i] += after[NX + i] - before[NX + i];
+    core_go_back(c, &kept);
+    return status;
+}
+
+/* Let the contacts that hold, where they are pressed together, pass a shock on, and tell of all impulses. */
+static CoreStatus pass_on(Core *c, double pushes[], const Observer *told) {
+    int contacts[ROOM(NG)], stays[ROOM(NG)], count = 0;
+    double impulses[ROOM(NG)];
+    CoreStatus status = CORE_OK;
+    if (any_pressed(c)) {
+        status = core_strike(c, contacts, stays, impulses, &count);
+        if (status == CORE_OK) status = add_passed(c, contacts, impulses, count, pushes);
+    }
+    if (status != CORE_OK || !told || !told->fired) return status;
+    double largest = core_largest(pushes, NPUSH);
+    for (int i = 0; i < NPUSH; i++)
+        if (fabs(pushes[i]) > JUMP_FELT * largest) told->fired(told->context, c, NG + i, 0, pushes[i]);
+    if (largest == 0) told->fired(told->context, c, NG + NPUSH, 0, 0);
+    for (int k = 0; k < count; k++) told->fired(told->context, c, contacts[k], 1, impulses[k]);
+    return status;
+}
 #endif
 
 /* Let what has jumped since it was seen act on states, and the contacts that pass it on. */
 CoreStatus core_jump(Core *c, const double seen[], const Observer *told, int *changed) {
     (void)c, (void)seen, (void)told, (void)changed;
 #if NJ > 0
-    double jump[NJ + ROOM(NX)], path[ROOM(NPATH)] = {0}, kept[ROOM(NM + NI + NK)], before[ROOM(NE)];
-    double *modes = core_modes(c);
+    double jump[NJ + ROOM(NX)], path[ROOM(NPATH)] = {0}, before[ROOM(NE)];
+    Kept kept;
     CoreStatus status = core_rates(c, 0);
     if (status != CORE_OK || !since(c, seen, jump)) return status;
     core_switching(c);
     memcpy(before, c->expressions, NE * sizeof *before);
     memcpy(path, c->y, NX * sizeof *path);
-    memcpy(kept, modes, (NM + NI + NK) * sizeof *kept);
-    core_stand_in(c);
-    status = core_complete(c);
+    status = core_stand_in(c, &kept);
     if (status == CORE_OK) status = pass_through(c, jump, path);
-    memcpy(modes, kept, (NM + NI + NK) * sizeof *kept);
+    core_go_back(c, &kept);
     if (status != CORE_OK || is_still(c, path)) return status;
     memcpy(c->y, path, NX * sizeof *path);
     *changed = 1;
     core_switching(c);
-    status = core_check_reach(c, before);
-    if (status == CORE_OK) status = core_pass_on(c, path + NX, told);
+    status = check_reach(c, before);
+    if (status == CORE_OK) status = pass_on(c, path + NX, told);
     if (status == CORE_OK) status = core_complete(c);
     core_stale(c);
     if (status != CORE_OK) return status;

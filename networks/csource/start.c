@@ -10,42 +10,25 @@ void core_given(Given *given) {
     for (int i = 0; i < NAIM; i++) given->aim[i] = model_aim[i];
 }
 
-typedef int (*Law)(const double **arg, double **res, int *iw, double *w, int mem);
-
 /* By how much aims (and then algebraic equations) are missed, and the slopes of that, one column for each. */
-static int missed(Core *c, const Given *given, Law law, int aims, int rows, StartRoom *room) {
-    const double *arg[ROOM(MODEL_ARGS)] = {0};
-    double *res[ROOM(MODEL_RESULTS)] = {room->value, room->slope}, sum = 0;
-    core_arguments(c, c->t, c->y, arg);
-    arg[4] = &c->t;
-    law(arg, res, c->iw, c->w, 0);
+static int missed(Core *c, const Given *given, ModelFunction law, int aims, int rows, StartRoom *room) {
+    double sum = 0;
+    core_evaluate(c, law, c->t, c->y, &(Call){.res = {room->value, room->slope}});
     for (int i = 0; i < aims; i++) room->value[i] -= given->aim[i];
     for (int i = 0; i < rows; i++) sum += fabs(room->value[i]);
     return isfinite(sum);
-}
-
-static double inner(const double a[], const double b[], int n) {
-    double sum = 0;
-    for (int i = 0; i < n; i++) sum += a[i] * b[i];
-    return sum;
-}
-
-/* The step of least norm that does what some columns ask for; the columns become orthogonal. */
-static void least_step(StartRoom *room, double columns[], int length, int count, const double wanted[],
-                       double step[]) {
-    core_least_norm(columns, room->turn, length, count, 1, wanted, step);
 }
 
 /* Take out of a column what lies along others, which are orthogonal. */
 static void take_out(double column[], const double others[], int length, int count) {
     double strongest = 0;
     for (int k = 0; k < count; k++)
-        strongest = fmax(strongest, inner(others + k * length, others + k * length, length));
+        strongest = fmax(strongest, core_dot(others + k * length, others + k * length, length));
     for (int k = 0; k < count; k++) {
         const double *other = others + k * length;
-        double strength = inner(other, other, length);
+        double strength = core_dot(other, other, length);
         if (!(strength > START_WEAK * START_WEAK * strongest)) continue;
-        double share = inner(column, other, length) / strength;
+        double share = core_dot(column, other, length) / strength;
         for (int i = 0; i < length; i++) column[i] -= share * other[i];
     }
 }
@@ -55,29 +38,27 @@ static void lead(Core *c, const Given *given, StartRoom *room) {
     double before[ROOM(NX)];
     memcpy(before, c->y, NX * sizeof *before);
     for (int round = 0; round < LEAD_ROUNDS; round++) {
-        double *soft = room->slope + NFIXED * NLEAD, largest = 0, size = 0, further[ROOM(NLEAD)];
+        double *soft = room->slope + NFIXED * NLEAD, further[ROOM(NLEAD)];
         if (!missed(c, given, model_lead, NAIM, NAIM, room)) break;
         memcpy(room->kept, room->slope, sizeof room->kept);
         for (int i = 0; i < NFIXED; i++) room->missing[i] = -room->value[i];
-        least_step(room, room->slope, NLEAD, NFIXED, room->missing, room->step);
+        core_least_norm(room->slope, room->turn, NLEAD, NFIXED, 1, room->missing, room->step);
         for (int i = 0; i < NAIM - NFIXED; i++) {
             const double *column = room->kept + (NFIXED + i) * NLEAD;
-            room->missing[i] = -room->value[NFIXED + i] - inner(column, room->step, NLEAD);
+            room->missing[i] = -room->value[NFIXED + i] - core_dot(column, room->step, NLEAD);
             take_out(soft + i * NLEAD, room->slope, NLEAD, NFIXED);
-            if (inner(soft + i * NLEAD, soft + i * NLEAD, NLEAD) <=
-                START_WEAK * START_WEAK * inner(column, column, NLEAD))
+            if (core_dot(soft + i * NLEAD, soft + i * NLEAD, NLEAD) <=
+                START_WEAK * START_WEAK * core_dot(column, column, NLEAD))
                 memset(soft + i * NLEAD, 0, NLEAD * sizeof *soft);
         }
-        least_step(room, soft, NLEAD, NAIM - NFIXED, room->missing, further);
+        core_least_norm(soft, room->turn, NLEAD, NAIM - NFIXED, 1, room->missing, further);
         for (int i = 0; i < NLEAD; i++) {
-            double step = room->step[i] + further[i];
-            c->y[model_lead_state[i]] += step;
-            largest = fmax(largest, fabs(step));
+            room->step[i] += further[i];
+            c->y[model_lead_state[i]] += room->step[i];
         }
-        for (int i = 0; i < NX; i++) size = fmax(size, fabs(c->y[i]));
+        double largest = core_largest(room->step, NLEAD), size = core_largest(c->y, NX);
         if (!isfinite(largest) || !isfinite(size)) break;
-        if (largest <= START_CLOSE * (1 + size)) return;
-        if (round == LEAD_ROUNDS - 1) return;
+        if (largest <= START_CLOSE * (1 + size) || round == LEAD_ROUNDS - 1) return;
     }
     memcpy(c->y, before, NX * sizeof *before);
 }
@@ -86,43 +67,31 @@ static CoreStatus contradiction(Core *c, const Given *given, const StartRoom *ro
     int any = 0;
     for (int i = 0; i < NFIXED; i++) {
         if (fabs(room->value[i]) <= START_MISSED * (1 + size)) continue;
-        if (any++) core_say_more(c, ", ");
-        else core_say(c, "start values: ");
-        core_say_more(c, model_aim_name[i]);
-        core_say_more(c, " = ");
-        core_say_number(c, given->aim[i]);
-        core_say_more(c, " ");
-        core_say_more(c, model_aim_unit[i]);
+        if (!any) core_fail(c, CORE_ERROR, "start values: ");
+        core_say_more(c, "%s%s = %g %s", any++ ? ", " : "", model_aim_name[i], given->aim[i],
+                      model_aim_unit[i]);
     }
-    if (!any) core_say(c, "no start values satisfy the equations");
-    else core_say_more(c, " cannot be reached by any choice of the states that are not fixed");
+    if (!any) return core_fail(c, CORE_ERROR, "no start values satisfy the equations");
+    core_say_more(c, " cannot be reached by any choice of the states that are not fixed");
     return CORE_ERROR;
 }
 
 /* Gauss and Newton, with steps of least norm in the states that are not fixed and the algebraic unknowns. */
 static CoreStatus meet(Core *c, const Given *given, StartRoom *room) {
-    double size = 0;
     for (int round = 0; round < MEET_ROUNDS; round++) {
-        double largest = 0;
         if (!missed(c, given, model_meet, NFIXED, NMET, room)) break;
         for (int i = 0; i < NMET; i++) room->missing[i] = -room->value[i];
-        least_step(room, room->slope, NFREE + NZ, NMET, room->missing, room->step);
-        for (int i = 0; i < NFREE + NZ; i++) {
+        core_least_norm(room->slope, room->turn, NFREE + NZ, NMET, 1, room->missing, room->step);
+        for (int i = 0; i < NFREE + NZ; i++)
             c->y[i < NFREE ? model_free_state[i] : NX + i - NFREE] += room->step[i];
-            largest = fmax(largest, fabs(room->step[i]));
-        }
-        size = 0;
-        for (int i = 0; i < NY; i++) size = fmax(size, fabs(c->y[i]));
-        if (largest <= START_CLOSE * (1 + size)) break;
+        if (core_largest(room->step, NFREE + NZ) <= START_CLOSE * (1 + core_largest(c->y, NY))) break;
     }
-    size = 0;
-    for (int i = 0; i < NX; i++) size = fmax(size, fabs(c->y[i]));
+    double size = core_largest(c->y, NX);
     int finite = missed(c, given, model_meet, NFIXED, NMET, room), met = finite;
     for (int i = 0; i < NMET && met; i++) met = fabs(room->value[i]) <= START_MISSED * (1 + size);
     if (met) return CORE_OK;
     if (finite) return contradiction(c, given, room, size);
-    core_say(c, "the equations have no value at the start");
-    return CORE_ERROR;
+    return core_fail(c, CORE_ERROR, "the equations have no value at the start");
 }
 
 /* Seek start values in the present modes. */
@@ -151,9 +120,7 @@ static void forget(Core *c) {
 }
 
 static void note_shock(void *context, const Core *c, int change, int stays, double impulse) {
-    (void)c;
-    (void)stays;
-    (void)impulse;
+    (void)c, (void)stays, (void)impulse;
     if (change >= NG || model_change_impulse[change] >= 0) *(int *)context = 1;
 }
 
@@ -219,8 +186,7 @@ CoreStatus core_begin(Core *c, const Given *given, StartRoom *room) {
         core_stale(c);
         return CORE_OK;
     }
-    core_say(
-        c,
-        "start values and modes do not agree with each other; fix states instead of accelerations or forces");
-    return CORE_ERROR;
+    return core_fail(c, CORE_ERROR,
+                     "start values and modes do not agree with each other; fix states instead of "
+                     "accelerations or forces");
 }

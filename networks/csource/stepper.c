@@ -9,8 +9,8 @@
 #define SLOWER 0.2
 #define ORDER 5.0
 #define TINY 1e-15
-#define SHORTEST \
-    1e-9 /* share of an interval below which a step need not be shorter to see an indicator rise */
+/* Share of an interval below which a step need not be shorter to see an indicator rise. */
+#define SHORTEST 1e-9
 #define NOT_FINITE "indicators are not finite"
 #define MOST_STEPS 10000000
 #define MOST_WORK 5e7
@@ -25,23 +25,14 @@ typedef struct {
     CoreStop reached;
 } Travel;
 
-static void fail_because(Core *c, const char *reason) {
-    core_say(c, "integration failed at t = ");
-    core_say_number(c, c->t);
-    core_say_more(c, " s: ");
-    core_say_more(c, reason);
-}
-
 static void name_worst(Core *c) {
     if (NY == 0) return;
-    core_say_more(c, "; the state that limited the step is ");
-    core_say_more(c, model_unknown_name[c->worst]);
-    core_say_more(c, " = ");
-    core_say_number(c, c->y[c->worst]);
+    core_say_more(c, "; the state that limited the step is %s = %g", model_unknown_name[c->worst],
+                  c->y[c->worst]);
 }
 
 static CoreStatus failed(Core *c, const char *reason) {
-    fail_because(c, reason);
+    core_fail(c, CORE_DISCARD, "integration failed at t = %g s: %s", c->t, reason);
     name_worst(c);
     return CORE_DISCARD;
 }
@@ -100,16 +91,25 @@ static CoreStatus look_around(Core *c) {
     return core_watch(c, c->t, c->y, c->rates, &c->left) ? CORE_OK : failed(c, NOT_FINITE);
 }
 
+static void tell_landed(Core *c, const Travel *travel, int after, int switched) {
+    const Observer *told = travel->told;
+    if (told && told->landed) told->landed(told->context, c, after, switched);
+}
+
+static void stop_at_event(Travel *travel) {
+    travel->reached = CORE_EVENT;
+    travel->halt = 1;
+}
+
 /* Fire what fires where the core has landed. */
 static CoreStatus fire(Core *c, const Travel *travel, int forced) {
-    const Observer *told = travel->told;
     int happened, changed;
-    if (told && told->landed) told->landed(told->context, c, 0, 0);
-    CoreStatus status = core_fire(c, forced, told, 0, &happened, &changed);
-    if (status == CORE_OK && told && told->landed) told->landed(told->context, c, 1, happened);
+    tell_landed(c, travel, 0, 0);
+    CoreStatus status = core_fire(c, forced, travel->told, 0, &happened, &changed);
     if (happened) c->last_h = 0;
-    if (status == CORE_OK) status = core_watch_chatter(c);
-    return status;
+    if (status != CORE_OK) return status;
+    tell_landed(c, travel, 1, happened);
+    return core_watch_chatter(c);
 }
 
 /* Go on to an instant that only rounding tells from the present one. */
@@ -155,8 +155,7 @@ static CoreStatus land_and_fire(Core *c, Travel *travel, Crossing *crossing) {
         return status == CORE_OK ? look_around(c) : status;
     }
     c->pending = hit ? crossing->indicator + 1 : 0;
-    travel->reached = CORE_EVENT;
-    travel->halt = 1;
+    stop_at_event(travel);
     return core_watch_chatter(c);
 }
 
@@ -202,18 +201,17 @@ static CoreStatus stride(Core *c, Travel *travel, double stop) {
 
 /* Go on beyond the end of a leg; where something jumps there, fire what that fires, or leave it. */
 static CoreStatus enter_next_leg(Core *c, Travel *travel) {
-    const Observer *told = travel->told;
     int happened, changed, jumps = core_jumps_next(c);
-    CoreStatus status;
     if (jumps && travel->early) {
-        travel->reached = CORE_EVENT;
-        travel->halt = 1;
+        stop_at_event(travel);
         return CORE_OK;
     }
-    if (jumps && told && told->landed) told->landed(told->context, c, 0, 0);
-    status = core_next_leg(c, told, &changed);
-    if (status == CORE_OK && jumps) status = core_fire(c, -1, told, 0, &happened, &changed);
-    if (status == CORE_OK && jumps && told && told->landed) told->landed(told->context, c, 1, 1);
+    if (jumps) tell_landed(c, travel, 0, 0);
+    CoreStatus status = core_next_leg(c, travel->told, &changed);
+    if (status == CORE_OK && jumps) {
+        status = core_fire(c, -1, travel->told, 0, &happened, &changed);
+        if (status == CORE_OK) tell_landed(c, travel, 1, 1);
+    }
     return status == CORE_OK ? look_around(c) : status;
 }
 
@@ -221,13 +219,10 @@ static CoreStatus enter_next_leg(Core *c, Travel *travel) {
 static CoreStatus check_pace(Core *c, double begin, double stop, long long before) {
     double work = (double)(c->work - before), done = c->t - begin, whole = stop - begin;
     if (work <= PATIENCE / (1 + NY / 10.0) + MOST_WORK * done / whole) return CORE_OK;
-    fail_because(c, "a step of ");
-    core_say_number(c, whole);
-    core_say_more(c, " s is given up, as so far the model was evaluated ");
-    core_say_number(c, work);
-    core_say_more(c, " times for ");
-    core_say_number(c, done);
-    core_say_more(c, " s of it");
+    core_fail(c, CORE_ERROR,
+              "integration failed at t = %g s: a step of %g s is given up, as so far the model was evaluated "
+              "%g times for %g s of it",
+              c->t, whole, work, done);
     name_worst(c);
     core_say_more(c, ". Is a parameter out of all proportion, or the communication step too long?");
     return CORE_ERROR;
@@ -245,17 +240,10 @@ static void rebase(Core *c) {
 }
 
 static CoreStatus check_wish(Core *c, double stop, double rtol, double atol) {
-    if (!isfinite(stop) || stop < c->t) {
-        core_say(c, "time can only advance, from ");
-        core_say_number(c, c->t);
-        core_say_more(c, " s; got ");
-        core_say_number(c, stop);
-        return CORE_ERROR;
-    }
+    if (!isfinite(stop) || stop < c->t)
+        return core_fail(c, CORE_ERROR, "time can only advance, from %g s; got %g", c->t, stop);
     if (!core_knows_inputs(c, stop)) return CORE_ERROR;
-    if (rtol > 0 && atol > 0) return CORE_OK;
-    core_say(c, "tolerances must be above 0");
-    return CORE_ERROR;
+    return rtol > 0 && atol > 0 ? CORE_OK : core_fail(c, CORE_ERROR, "tolerances must be above 0");
 }
 
 CoreStatus core_travel(Core *c, double stop, double rtol, double atol, double fixed_step, int return_early,

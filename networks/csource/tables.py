@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from typing import Any
 
 import numpy as np
@@ -13,50 +13,41 @@ ARGUMENTS = "(const double **arg, double **res, int *iw, double *w, int mem)"
 
 
 class Tables:
-    """Gathers sizes (macros) and constant arrays; none has length zero, which C does not know."""
+    """Gathers sizes (macros) and constant arrays `model_...`; none has length zero, which C does not know."""
 
     def __init__(self) -> None:
         self._sizes: list[tuple[str, int]] = []
         self._declared: list[str] = []
         self._defined: list[str] = []
 
-    def size(self, name: str, value: int) -> None:
-        """Add a macro."""
-        self._sizes.append((name, int(value)))
+    def sizes(self, **sizes: int) -> None:
+        """Add macros."""
+        self._sizes += [(name, int(value)) for name, value in sizes.items()]
 
-    def doubles(self, name: str, values: Iterable[float]) -> None:
-        """Add an array of numbers, exact to the last bit."""
-        self._array("double", name, [_number(float(v)) for v in values] or ["0"])
+    def doubles(self, **arrays: Iterable[float]) -> None:
+        """Add arrays of numbers, exact to the last bit."""
+        self._arrays("double", arrays, lambda value: _number(float(value)), "0")
 
-    def integers(self, name: str, values: Iterable[Any]) -> None:
-        """Add an array of integers."""
-        self._array("int", name, [str(int(v)) for v in values] or ["0"])
+    def integers(self, **arrays: Iterable[Any]) -> None:
+        """Add arrays of integers."""
+        self._arrays("int", arrays, lambda value: str(int(value)), "0")
 
-    def strings(self, name: str, values: Sequence[str]) -> None:
-        """Add an array of texts."""
-        self._array("char *const", name, [_quoted(v) for v in values] or ['""'])
+    def strings(self, **arrays: Iterable[str]) -> None:
+        """Add arrays of texts."""
+        self._arrays("char *const", arrays, _quoted, '""')
 
-    def sparsity(self, name: str, count: str, pattern: Any) -> None:
-        """Add a pattern by columns: where columns start, and rows."""
-        self.size(count, pattern.nnz())
-        self.integers(f"{name}_column", pattern.colind())
-        self.integers(f"{name}_row", pattern.row())
+    def sparsity(self, name: str, pattern: Any) -> None:
+        """Add a pattern by columns: how many entries, where columns start, and rows."""
+        self.sizes(**{f"N{name.upper()}": pattern.nnz()})
+        self.integers(**{f"{name}_column": pattern.colind(), f"{name}_row": pattern.row()})
 
     def factor(self, pattern: Any) -> None:
-        """Add patterns and orders of a QR factorisation; empty ones if it is not wanted."""
-        if pattern is None:
-            v = r = None
-            order, rows = [], []
-        else:
-            v, r, rows, order = pattern.qr_sparse()
-        self.size("NV", 0 if v is None else v.nnz())
-        self.size("NR", 0 if r is None else r.nnz())
-        self.size("NROWS", 0 if v is None else v.size1())
-        for name, part in (("v", v), ("r", r)):
-            self.integers(f"model_{name}_column", [] if part is None else part.colind())
-            self.integers(f"model_{name}_row", [] if part is None else part.row())
-        self.integers("model_order", order)
-        self.integers("model_place", rows)
+        """Add patterns and orders of a QR factorisation."""
+        v, r, rows, order = pattern.qr_sparse()
+        self.sparsity("v", v)
+        self.sparsity("r", r)
+        self.sizes(NROWS=v.size1())
+        self.integers(order=order, place=rows)
 
     def header(self, model: str, functions: Sequence[str]) -> str:
         """Return model.h."""
@@ -72,9 +63,14 @@ class Tables:
         """Return the definitions of the tables."""
         return "\n".join(['#include "model.h"', "", "#include <math.h>", "", *self._defined, "", ""])
 
-    def _array(self, kind: str, name: str, entries: list[str]) -> None:
-        self._declared.append(f"extern const {kind} {name}[{len(entries)}];")
-        self._defined.append(f"const {kind} {name}[{len(entries)}] = {{{', '.join(entries)}}};")
+    def _arrays(
+        self, kind: str, arrays: Mapping[str, Iterable[Any]], told: Callable[[Any], str], empty: str
+    ) -> None:
+        for name, values in arrays.items():
+            entries = [told(value) for value in values] or [empty]
+            declared = f"const {kind} model_{name}[{len(entries)}]"
+            self._declared.append(f"extern {declared};")
+            self._defined.append(f"{declared} = {{{', '.join(entries)}}};")
 
 
 def macros(constants: Mapping[str, Any]) -> str:

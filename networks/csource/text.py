@@ -36,7 +36,7 @@ BODY = re.compile(
     re.MULTILINE,
 )
 PLACE = re.compile(r"\bw\[(\d+)\]")
-LARGE = 3000
+LARGE_FUNCTION = 3000  # instructions, from which on loops are looked for
 
 
 def generated(functions: Sequence[Any]) -> tuple[str, int]:
@@ -45,7 +45,7 @@ def generated(functions: Sequence[Any]) -> tuple[str, int]:
     No argument or result is ever left out, so none is asked for. Where functions are large, values stand in
     the work array, and long rows of statements become loops.
     """
-    large = is_large(functions)
+    large = any(f.is_a("SXFunction") and f.n_instructions() > LARGE_FUNCTION for f in functions)
     with TemporaryDirectory() as folder:
         options: dict[str, Any] = {"casadi_int": "int", "casadi_real": "double", "avoid_stack": large}
         generator = ca.CodeGenerator("model.c", options)
@@ -56,11 +56,6 @@ def generated(functions: Sequence[Any]) -> tuple[str, int]:
     text = WRITE.sub("res", READ.sub(r"arg[\1][\2];", BESIDE.sub("", text)))
     room = max((f.sz_w() for f in functions if not f.is_a("SXFunction")), default=0)
     return _with_loops(PRELUDE + text, room) if large else (PRELUDE + text, room)
-
-
-def is_large(functions: Sequence[Any]) -> bool:
-    """Tell whether functions keep their values in the work array."""
-    return any(f.is_a("SXFunction") and f.n_instructions() > LARGE for f in functions)
 
 
 def _with_loops(text: str, room: int) -> tuple[str, int]:

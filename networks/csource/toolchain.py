@@ -51,12 +51,9 @@ def compile_shared(
         ToolchainError: if there is no compiler, with the remedies, or if it fails, with what it says.
     """
     command = [*compiler(platform), *FLAGS, *flags, *shlex.split(os.environ.get("CFLAGS", ""))]
+    command += [*(f"-I{folder}" for folder in include), "-x", "c", "-", "-o", str(out)]
     if not (platform or sys.platform).endswith(("windows", "win32")):
-        command.append("-fPIC")
-    command += [f"-I{folder}" for folder in include]
-    command += ["-x", "c", "-", "-o", str(out)]
-    if not (platform or sys.platform).endswith(("windows", "win32")):
-        command.append("-lm")
+        command += ["-fPIC", "-lm"]
     unit = "".join(f'#include "{Path(source).resolve().as_posix()}"\n' for source in sources)
     done = subprocess.run(
         command, input=unit, capture_output=True, check=False, encoding="utf-8", errors="surrogateescape"
@@ -83,11 +80,8 @@ def compiler(platform: str | None = None) -> list[str]:
     given = shlex.split(os.environ.get("CC", ""))
     if given and shutil.which(given[0]):
         return given
-    for name in ("cc", "gcc", "clang"):
-        found = shutil.which(name)
-        if found:
-            return [found]
-    return _zig("")
+    found = next(filter(None, map(shutil.which, ("cc", "gcc", "clang"))), None)
+    return [found] if found else _zig("")
 
 
 def _zig(purpose: str) -> list[str]:

@@ -8,41 +8,18 @@ is linear and small. What is left over stays algebraic (`z`).
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from typing import Any
 
 import casadi as ca
 import numpy as np
-from numpy.typing import NDArray
 
-from ...base import Ints
+from ...base import Flags, Ints
 from ..flattening.vectors import column, pick, stacked
 from .pantelides import System, counted
-from .tearing import Block, Torn, tear
+from .tearing import Torn, tear
 
-SMALL = 8
-
-
-@dataclass(eq=False)
-class _Solved:
-    """Solved unknowns, gathered block by block in any order."""
-
-    blocks: list[Ints] = field(default_factory=list)
-    variables: list[Ints] = field(default_factory=list)
-    values: list[Any] = field(default_factory=list)
-
-    def add(self, blocks: Ints, variables: Ints, values: Any) -> None:
-        self.blocks.append(blocks)
-        self.variables.append(variables)
-        self.values.append(values)
-
-    def in_order(self) -> tuple[list[int], Any]:
-        """Return variables and their expressions in the order of the blocks."""
-        if not self.blocks:
-            return [], ca.SX(0, 1)
-        order = np.argsort(np.concatenate(self.blocks), kind="stable").tolist()
-        variables = np.concatenate(self.variables)[order].tolist()
-        return variables, pick(stacked(*self.values), order)
+_Solved = list[tuple[Ints, Ints, Any]]  # blocks, their variables and what these are, in any order
 
 
 @dataclass(eq=False)
@@ -58,29 +35,36 @@ class Solution:
     completion: Any
     also: Any
 
+    def without(self, symbols: list[Any]) -> None:
+        """Put zero for symbols in all expressions."""
+        if symbols:
+            left_out, count = ca.vertcat(*symbols), len(self.residuals)
+            given = [self.values, self.also, *self.residuals, *(block.matrix for block in self.blocks)]
+            zeros = ca.SX.zeros(left_out.numel())
+            self.values, self.also, *others = ca.substitute(given, [left_out], [zeros])
+            self.residuals = others[:count]
+            for block, matrix in zip(self.blocks, others[count:], strict=True):
+                block.matrix = matrix
+
 
 def causalise(system: System, states: list[int], symbols: Any, values: Any, also: Any) -> Solution:
-    """Solve all equations for what is neither a state nor an input.
+    """Solve the index-1 equations for what is neither a state nor an input.
 
-    Args:
-        system: the index-1 equations.
-        states: the variables that are states.
-        symbols: SX vector of all variables.
-        values: the same, as `padded` returns them.
-        also: further expressions of them to be written in terms of the states.
+    `symbols` are all variables, `values` the same as `padded` returns them; `also` are further expressions
+    to be written in terms of the states.
     """
     equations, unknowns, cuts = _triangular(system, states)
-    solved = _Solved()
+    solved: _Solved = []
     done = _solve_single(system, equations, unknowns, cuts, values, solved)
     torn: list[Torn] = []
+    every = system.equations()
     for block in np.flatnonzero(~done):
         span = slice(cuts[block], cuts[block + 1])
-        concerned = [system.equation(int(e)) for e in equations[span]]
-        result = tear(system, Block(concerned, unknowns[span].tolist()), values, SMALL)
+        result = tear(system, [every[e] for e in equations[span]], unknowns[span].tolist(), values)
         torn.append(result)
         if result.expressions:
             variables, found = zip(*result.expressions, strict=True)
-            solved.add(np.full(len(variables), block), np.array(variables), ca.vertcat(*found))
+            solved.append((np.full(len(variables), block), np.array(variables), ca.vertcat(*found)))
     return _substituted(system, states, symbols, solved, torn, also)
 
 
@@ -92,24 +76,21 @@ def _triangular(system: System, states: list[int]) -> tuple[Ints, Ints, Ints]:
     is_unknown[[upper for upper, _ in system.derivative.values()]] = True
     is_unknown[states] = False
     is_unknown[list(system.known)] = False
-    rows, columns = system.incidence(counted(is_unknown))
-    count, size = system.equation_count(), int(is_unknown.sum())
-    pattern = ca.Sparsity.triplet(count, size, rows.tolist(), columns.tolist())
-    _, row_order, column_order, cuts, *_ = pattern.btf()
+    _, row_order, column_order, cuts, *_ = system.incidence(counted(is_unknown)).btf()
     unknowns = np.flatnonzero(is_unknown)[np.array(column_order, dtype=np.int64)]
     return np.array(row_order, dtype=np.int64), unknowns, np.array(cuts, dtype=np.int64)
 
 
 def _solve_single(
     system: System, equations: Ints, unknowns: Ints, cuts: Ints, values: Any, solved: _Solved
-) -> NDArray[np.bool_]:
+) -> Flags:
     """Solve the single linear equations, all of one form at once; tell which blocks are solved."""
     done = np.zeros(len(cuts) - 1, dtype=bool)
     single = np.flatnonzero(np.diff(cuts) == 1)
     chosen, targets = equations[cuts[single]], unknowns[cuts[single]]
     starts = system.family_starts()
     family_of = np.searchsorted(starts, chosen, side="right") - 1
-    for number in sorted(set(family_of.tolist())):
+    for number in np.unique(family_of).tolist():
         family = system.families[number]
         members = np.flatnonzero(family_of == number)
         members = members[np.argsort(chosen[members])]
@@ -118,7 +99,7 @@ def _solve_single(
         for pattern, alike in _patterns(marks):
             found = family.solved(pattern, rows[alike], values, system.flat.time)
             if found is not None:
-                solved.add(single[members[alike]], targets[members[alike]], found)
+                solved.append((single[members[alike]], targets[members[alike]], found))
                 done[single[members[alike]]] = True
     return done
 
@@ -133,25 +114,30 @@ def _patterns(marks: Ints) -> Iterator[tuple[tuple[int, ...], Any]]:
         yield tuple(pattern), kind.ravel() == k
 
 
+def _in_order(solved: _Solved) -> tuple[list[int], Any]:
+    """Return variables and their expressions in the order of the blocks."""
+    if not solved:
+        return [], ca.SX(0, 1)
+    blocks, variables, values = zip(*solved, strict=True)
+    order = np.argsort(np.concatenate(blocks), kind="stable").tolist()
+    return np.concatenate(variables)[order].tolist(), pick(stacked(*values), order)
+
+
 def _substituted(
     system: System, states: list[int], symbols: Any, solved: _Solved, torn: list[Torn], also: Any
 ) -> Solution:
     """Put the solved unknowns into each other, in one pass."""
-    order, definitions = solved.in_order()
+    order, definitions = _in_order(solved)
     place = {variable: i for i, variable in enumerate(order)} if system.held else {}
     for variable in system.held.keys() & place.keys():
         for condition in system.held[variable]:
-            held = ca.if_else(condition, 0, definitions[place[variable]])
-            definitions[place[variable]] = held
+            definitions[place[variable]] = ca.if_else(condition, 0, definitions[place[variable]])
     residuals = [residual for block in torn for residual in block.residuals]
     matrices = [block.matrix for block in torn]
-    targets = [pick(symbols, order)] if order else []
-    defined = [definitions] if order else []
-    replaced: Any = ca.substitute_inplace(targets, defined, [*residuals, *matrices, also])
-    solved_values, others = replaced
-    values = symbols[:]
+    values, others = symbols[:], [*residuals, *matrices, also]
     if order:
-        values.nz[order] = solved_values[0]
+        replaced: Any = ca.substitute_inplace([pick(symbols, order)], [definitions], others)
+        [values.nz[order]], others = replaced
     count = len(residuals)
     for block, matrix in zip(torn, others[count:-1], strict=True):
         block.matrix = matrix

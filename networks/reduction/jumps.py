@@ -7,19 +7,18 @@ its derivatives while it jumps.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import reduce
 from typing import Any
 
 import casadi as ca
-import numpy as np
 
 from ...components.language import RealInput
 from ..flattening.families import Family
 from ..flattening.flat import Flat, Instance
 from ..flattening.forms import Form
 from ..flattening.vectors import column, pick, stacked
-from .pantelides import System
+from .pantelides import Equation, System
 
 MOTIONS = {"m", "m/s", "m/s2", "rad", "rad/s", "rad/s2"}
 THROUGH = ("flange.f", "flange.tau")
@@ -45,7 +44,7 @@ class Signal:
 
 
 @dataclass(frozen=True, eq=False)
-class Motion:
+class PrescribedMotion:
     """A component that a signal moves, and the signal it takes."""
 
     component: str
@@ -77,7 +76,7 @@ class Jumps:
     ode: Any
     alg: Any
     forces: Any
-    motions: list[Motion]
+    motions: list[PrescribedMotion]
 
 
 def jumping_signals(system: System, values: Any) -> list[Signal]:
@@ -110,9 +109,8 @@ def _equations(system: System, values: Any) -> list[Signal]:
             course = ca.SX.sym("jump", len(chain))
             missed, reads = [], []
             for k, (n, r) in enumerate(chain):
-                member = system.families[n]
-                missed.append(member.evaluate(member.form.residual, np.array([r]), values, system.flat.time))
-                reads.append(sorted(set(member.columns[r].tolist())))
+                missed.append(system.residual((n, r), values))
+                reads.append(sorted(set(system.families[n].columns[r].tolist())))
                 added.setdefault(n, {})[r] = course[k]
             signals.append(Signal(family.label(row), course, reads, [1] * len(chain), column(missed)))
     for number, courses in added.items():
@@ -124,8 +122,7 @@ def _moved_from_outside(form: Form) -> bool:
     return form.is_hybrid(form.residual) or bool(ca.depends_on(form.residual, form.time))
 
 
-def _chain(system: System, number: int, row: int) -> list[tuple[int, int]]:
-    """Return an equation and its derivatives, as (family, row)."""
+def _chain(system: System, number: int, row: int) -> list[Equation]:
     chain = [(number, row)]
     while (later := system.next_level[chain[-1][0]].get(chain[-1][1])) is not None:
         chain.append(later)
@@ -136,25 +133,8 @@ def _with_courses(family: Family, courses: dict[int, Any]) -> Family:
     """Return a family to whose residuals courses are added."""
     form, course = family.form, ca.SX.sym("course")
     rows = ca.horzcat(*[courses.get(k, ca.SX(0)) for k in range(len(family))])
-    moved = Form(
-        form.residual + course,
-        form.locals,
-        ca.vertcat(form.given, course),
-        form.modes,
-        form.time,
-        form.slopes,
-    )
-    return Family(moved, family.columns, family.signs, ca.vertcat(family.arguments, rows), family.label)
-
-
-def without_courses(signals: list[Signal], expressions: list[Any]) -> list[Any]:
-    """Return expressions as they are between jumps."""
-    courses = [signal.course for signal in signals if signal.missed is not None]
-    if not courses:
-        return expressions
-    course = ca.vertcat(*courses)
-    plain: list[Any] = ca.substitute(expressions, [course], [ca.SX.zeros(course.numel())])
-    return plain
+    moved = replace(form, residual=form.residual + course, given=ca.vertcat(form.given, course))
+    return replace(family, form=moved, arguments=ca.vertcat(family.arguments, rows))
 
 
 def jumps_of(
@@ -162,13 +142,7 @@ def jumps_of(
 ) -> Jumps | None:
     """Return the equations while signals jump, None if no signal moves anything by its derivatives.
 
-    Args:
-        system: the network's equations.
-        signals: what may jump.
-        values: every variable, in terms of states, inputs and courses.
-        symbols: SX vector of all variables.
-        ode: rates of the states.
-        alg: residuals.
+    `values` is every variable in terms of states, inputs and courses, as are `ode` and `alg`.
     """
     if not signals:
         return None
@@ -207,14 +181,14 @@ def _measured(signals: list[Signal], symbols: Any) -> tuple[list[int], Any, Any,
     return reads, before, after, jump, column(sizes), stacked(pick(symbols, given), missed)
 
 
-def _motions(flat: Flat) -> tuple[list[Motion], list[tuple[int, int]]]:
+def _motions(flat: Flat) -> tuple[list[PrescribedMotion], list[tuple[int, int]]]:
     """Return the components that take a motion as a signal and drive one flange, and the force there."""
     motions, through = [], []
     for instance in flat.instances.values():
         reference = _reference(instance)
         name = next((name for name in THROUGH if name in instance.template.place), None)
         if reference and name:
-            motions.append(Motion(str(instance), f"{instance.path}.{reference}"))
+            motions.append(PrescribedMotion(str(instance), f"{instance.path}.{reference}"))
             through.append(flat.joined.find(instance.index(name)))
     return motions, through
 

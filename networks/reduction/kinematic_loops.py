@@ -11,20 +11,19 @@ from __future__ import annotations
 from collections import defaultdict
 from collections.abc import Iterator
 from dataclasses import dataclass
+from typing import Any
 
 import casadi as ca
 import numpy as np
-from numpy.typing import NDArray
 
-from ...base import Ints
+from ...base import Flags, Ints
 from ..flattening.families import Family, without_duplicates
 from ..flattening.forms import Form
 from ..flattening.union import SignedUnion
 from ..flattening.vectors import column
-from .pantelides import System
+from .pantelides import Equation, System
 
 GROUND = -1
-Equation = tuple[int, int]
 
 
 @dataclass(frozen=True)
@@ -37,12 +36,6 @@ class _Edge:
     sign_a: int
     sign_b: int
 
-    def seen_from(self, here: int) -> tuple[int, int, int]:
-        """Return the other end, the sign of this end and the sign of the other."""
-        if here == self.a:
-            return self.b, self.sign_a, self.sign_b
-        return self.a, self.sign_b, self.sign_a
-
 
 @dataclass(frozen=True)
 class _Reached:
@@ -54,22 +47,19 @@ class _Reached:
 
 def close_loops(system: System) -> None:
     """Replace the equations that close loops."""
-    highest = system.is_root()
-    highest[list(system.derivative)] = False
-    highest[list(system.known)] = False
+    highest = system.highest()
     edges = _edges(system, highest)
     sums = _loop_sums(system, edges)
     for equation, weights in sums.items():
-        summed = _summed(system, {**weights, equation: 1}, highest)
-        system.families += without_duplicates(summed)
+        system.families += without_duplicates(_summed(system, {**weights, equation: 1}, highest))
     for number in {number for number, _ in sums}:
         family, gone = system.families[number], [row for n, row in sums if n == number]
         system.families[number] = family.chosen(np.delete(np.arange(len(family)), gone))
     system.next_level += [{} for _ in sums]
-    system.level += [0 for _ in sums]
+    system.level += [0] * len(sums)
 
 
-def _edges(system: System, highest: NDArray[np.bool_]) -> list[_Edge]:
+def _edges(system: System, highest: Flags) -> list[_Edge]:
     """Return the equations that hold one or two unknowns, with slopes of one, and may close loops."""
     numbers, rows, ends = (np.concatenate(part) for part in zip(*_ends(system, highest), strict=True))
     edges = []
@@ -83,7 +73,7 @@ def _edges(system: System, highest: NDArray[np.bool_]) -> list[_Edge]:
     return [edges[i] for i in _in_loops(np.array([(e.a, e.b) for e in edges], dtype=np.int64).reshape(-1, 2))]
 
 
-def _ends(system: System, highest: NDArray[np.bool_]) -> Iterator[tuple[Ints, Ints, Ints]]:
+def _ends(system: System, highest: Flags) -> Iterator[tuple[Ints, Ints, Ints]]:
     """Yield, of the equations that hold one or two unknowns, family, row and unknowns, ground for none."""
     yield np.zeros(0, np.int64), np.zeros(0, np.int64), np.zeros((0, 2), np.int64)
     for number, family in enumerate(system.families):
@@ -126,24 +116,22 @@ def _spanning(system: System, edges: list[_Edge]) -> set[Equation]:
 def _order(system: System, edge: _Edge) -> float:
     """Return how often the least differentiated of an edge's other variables is differentiated."""
     number, row = edge.equation
-    least = np.inf
-    for variable in system.families[number].columns[row].tolist():
-        count = 0
-        if variable in (edge.a, edge.b) or variable in system.known:
-            continue
-        while variable in system.derivative:
-            variable, count = system.derivative[variable][0], count + 1
-        least = min(least, count)
-    return least
+    others = set(system.families[number].columns[row].tolist()) - {edge.a, edge.b} - system.known.keys()
+    return min((_times(system, variable) for variable in others), default=np.inf)
+
+
+def _times(system: System, variable: int) -> int:
+    upper = system.derivative.get(variable)
+    return 1 + _times(system, upper[0]) if upper else 0
 
 
 def _reach(edges: list[_Edge], tree: set[Equation]) -> dict[int, _Reached]:
     """Write every unknown in terms of its tree's root."""
-    at: dict[int, list[_Edge]] = defaultdict(list)
+    at: dict[int, list[tuple[Equation, int, int, int]]] = defaultdict(list)
     for edge in edges:
         if edge.equation in tree:
-            at[edge.a].append(edge)
-            at[edge.b].append(edge)
+            at[edge.a].append((edge.equation, edge.b, edge.sign_a, edge.sign_b))
+            at[edge.b].append((edge.equation, edge.a, edge.sign_b, edge.sign_a))
     reached: dict[int, _Reached] = {}
     for start in sorted(at):
         if start in reached:
@@ -152,12 +140,11 @@ def _reach(edges: list[_Edge], tree: set[Equation]) -> dict[int, _Reached]:
         todo = [start]
         while todo:
             here = todo.pop()
-            for edge in at[here]:
-                there, sign_here, sign = edge.seen_from(here)
+            for equation, there, sign_here, sign in at[here]:
                 if there not in reached:
                     turned = -sign * sign_here
                     weights = {e: turned * w for e, w in reached[here].weights.items()}
-                    weights[edge.equation] = sign
+                    weights[equation] = sign
                     reached[there] = _Reached(turned * reached[here].share, weights)
                     todo.append(there)
     return reached
@@ -180,33 +167,22 @@ def _loop_sums(system: System, edges: list[_Edge]) -> dict[Equation, dict[Equati
     return sums
 
 
-def _summed(system: System, weights: dict[Equation, int], highest: NDArray[np.bool_]) -> Family:
+def _summed(system: System, weights: dict[Equation, int], highest: Flags) -> Family:
     """Return the weighted sum of equations as one equation; its unknowns cancel and are left out."""
-    time = ca.SX.sym("time")
-    residual = ca.SX(0)
-    locals_, given, modes, arguments = [], [], [], []
-    columns: list[int] = []
-    signs: list[int] = []
+    time, residual = ca.SX.sym("time"), ca.SX(0)
+    parts: list[tuple[Any, ...]] = []
     for (number, row), weight in weights.items():
         family = system.families[number]
-        stays = ~highest[family.columns[row]]
-        form = family.form
-        own = ca.SX.zeros(form.locals.numel())
-        kept = ca.SX.sym("local", int(stays.sum()))
+        form, stays = family.form, ~highest[family.columns[row]]
+        own, kept = ca.SX.zeros(form.locals.numel()), ca.SX.sym("local", int(stays.sum()))
         own.nz[np.flatnonzero(stays).tolist()] = kept
-        own_given = ca.SX.sym("given", form.given.numel())
-        value, own_modes = form.function(form.residual, form.modes)(own, own_given, time)
+        given = ca.SX.sym("given", form.given.numel())
+        value, modes = form.function(form.residual, form.modes)(own, given, time)
         residual += weight * value
-        locals_.append(kept)
-        given.append(own_given)
-        modes.append(own_modes)
-        arguments.append(family.arguments[:, row])
-        columns += family.columns[row, stays].tolist()
-        signs += family.signs[row, stays].tolist()
-    labels = sorted({system.label(equation) for equation in weights})
-    form = Form(residual, column(locals_), column(given), column(modes), time)
-    return Family(form, _row(columns), _row(signs), column(arguments), lambda _: ", ".join(labels))
-
-
-def _row(numbers: list[int]) -> Ints:
-    return np.array(numbers, dtype=np.int64).reshape(1, -1)
+        stands_for = family.columns[row, stays], family.signs[row, stays]
+        parts.append((kept, given, modes, family.arguments[:, row], *stands_for))
+    *symbols, columns, signs = zip(*parts, strict=True)
+    locals_, given, modes, arguments = map(column, symbols)
+    told = ", ".join(sorted({system.label(equation) for equation in weights}))
+    form = Form(residual, locals_, given, modes, time)
+    return Family(form, np.hstack(columns)[None], np.hstack(signs)[None], arguments, lambda _: told)

@@ -12,12 +12,13 @@ from typing import Any
 
 import casadi as ca
 import numpy as np
-from numpy.typing import NDArray
 
-from ...base import Ints, ModelError
+from ...base import Flags, Ints, ModelError
 from ..flattening.families import Family, sum_family, without_duplicates
 from ..flattening.flat import Flat
 from ..flattening.naming import Names
+
+Equation = tuple[int, int]  # family and row
 
 
 @dataclass(eq=False)
@@ -31,7 +32,7 @@ class System:
     known: dict[int, tuple[str, int, int]]
     size: int
     held: dict[int, list[Any]] = field(default_factory=dict)
-    next_level: list[dict[int, tuple[int, int]]] = field(default_factory=list)
+    next_level: list[dict[int, Equation]] = field(default_factory=list)
     level: list[int] = field(default_factory=list)
 
     def derivative_of(self, variable: int) -> tuple[int, int]:
@@ -44,12 +45,18 @@ class System:
             self.size += 1
         return self.derivative[variable]
 
-    def is_root(self) -> NDArray[np.bool_]:
+    def is_root(self) -> Flags:
         """Tell which numbers stand for variables; the others are joined to one of these."""
         root = np.ones(self.size, dtype=bool)
         own = self.names.roots
         root[: len(own)] = own == np.arange(len(own))
         return root
+
+    def highest(self) -> Flags:
+        """Tell which variables are unknown and have no derivative."""
+        highest = self.is_root()
+        highest[[*self.derivative, *self.known]] = False
+        return highest
 
     def bases(self) -> Ints:
         """Return, for every variable, the one it is a derivative of."""
@@ -60,45 +67,45 @@ class System:
             lower = lower[lower]
         return lower
 
-    def equations(self) -> list[tuple[int, int]]:
-        """Return (family, row) of every equation."""
+    def equations(self) -> list[Equation]:
+        """Return every equation, in the order of their numbers."""
         return [(n, row) for n, family in enumerate(self.families) for row in range(len(family))]
 
-    def equation_count(self) -> int:
-        """Return the number of equations."""
-        return sum(len(family) for family in self.families)
-
     def family_starts(self) -> Ints:
-        """Return the number of each family's first equation."""
-        sizes = [0, *(len(family) for family in self.families[:-1])]
-        return np.cumsum(sizes, dtype=np.int64)
+        """Return the number of each family's first equation, and how many there are in all."""
+        return np.cumsum([0, *map(len, self.families)], dtype=np.int64)
 
-    def equation(self, number: int) -> tuple[int, int]:
-        """Return (family, row) of an equation."""
-        starts = self.family_starts()
-        family = int(np.searchsorted(starts, number, side="right")) - 1
-        return family, number - int(starts[family])
-
-    def incidence(self, number: Ints) -> tuple[Ints, Ints]:
-        """Return which equations (in the order of `equations`) hold which variables.
+    def incidence(self, number: Ints, chosen: Flags | None = None) -> Any:
+        """Return which equations hold which variables, as a sparsity (equations, variables).
 
         Args:
             number: what each variable is counted as, negative if it is left out.
+            chosen: which equations count; all if not given.
         """
-        rows, columns, start = [np.zeros(0, np.int64)], [np.zeros(0, np.int64)], 0
-        for family in self.families:
-            counted = number[family.columns]
-            r, c = np.nonzero(counted >= 0)
-            rows.append(r + start)
-            columns.append(counted[r, c])
-            start += len(family)
-        return np.concatenate(rows), np.concatenate(columns)
+        starts = self.family_starts()
+        row_of = np.arange(starts[-1]) if chosen is None else counted(chosen)
+        rows, columns = list[int](), list[int]()
+        for family, start in zip(self.families, starts.tolist(), strict=False):
+            held = number[family.columns]
+            row = row_of[start : start + len(family), None]
+            r, c = np.nonzero((held >= 0) & (row >= 0))
+            rows += row[r, 0].tolist()
+            columns += held[r, c].tolist()
+        return ca.Sparsity.triplet(
+            int(row_of.max(initial=-1)) + 1, int(number.max(initial=-1)) + 1, rows, columns
+        )
+
+    def residual(self, equation: Equation, values: Any) -> Any:
+        """Return the residual of an equation; `values` are all variables, as `padded` returns them."""
+        number, row = equation
+        family = self.families[number]
+        return family.evaluate(family.form.residual, np.array([row]), values, self.flat.time)
 
     def name(self, variable: int) -> str:
         """Return the full name of a variable."""
         return self.names.name(variable, self.derivative)
 
-    def label(self, equation: tuple[int, int]) -> str:
+    def label(self, equation: Equation) -> str:
         """Name the component an equation comes from."""
         return self.families[equation[0]].label(equation[1])
 
@@ -169,18 +176,10 @@ def reduce_index(system: System) -> None:
     """Differentiate equations until the highest derivatives can be solved for."""
     while True:
         starts = system.family_starts()
-        top = np.ones(system.equation_count(), dtype=bool)
-        for start, later in zip(starts.tolist(), system.next_level, strict=True):
+        top = np.ones(starts[-1], dtype=bool)
+        for start, later in zip(starts.tolist(), system.next_level, strict=False):
             top[[start + row for row in later]] = False
-        highest = np.ones(system.size, dtype=bool)
-        highest[list(system.derivative)] = False
-        highest[list(system.known)] = False
-        rows, columns = system.incidence(counted(highest))
-        row_number, kept = counted(top)[rows], top[rows]
-        pattern = ca.Sparsity.triplet(
-            int(top.sum()), int(highest.sum()), row_number[kept].tolist(), columns[kept].tolist()
-        )
-        _, order, _, _, _, coarse, _ = pattern.btf()
+        _, order, _, _, _, coarse, _ = system.incidence(counted(system.highest()), top).btf()
         over = np.sort(np.flatnonzero(top)[list(order[: coarse[2]])])
         if not len(over):
             return
@@ -189,7 +188,7 @@ def reduce_index(system: System) -> None:
             _differentiate(system, number, over[family_of == number] - starts[number])
 
 
-def counted(chosen: NDArray[np.bool_]) -> Ints:
+def counted(chosen: Flags) -> Ints:
     """Number the chosen ones from zero; -1 for the others."""
     return np.where(chosen, np.cumsum(chosen) - 1, -1)
 
@@ -200,5 +199,4 @@ def _differentiate(system: System, number: int, rows: Ints) -> None:
     system.families.append(family)
     system.next_level.append({})
     system.level.append(system.level[number] + 1)
-    for place, row in enumerate(rows):
-        system.next_level[number][int(row)] = (later, place)
+    system.next_level[number] |= {row: (later, place) for place, row in enumerate(rows.tolist())}

@@ -13,10 +13,10 @@ from ..flattening.flat import Flat
 from ..flattening.vectors import column, pick
 from .causalise import Solution, causalise
 from .dummy_derivatives import select_states
-from .jumps import Signal, jumping_signals, jumps_of, without_courses
+from .jumps import Signal, jumping_signals, jumps_of
 from .kinematic_loops import close_loops
 from .pantelides import System, joined_system, reduce_index
-from .structure import check_structure
+from .singular import check_structure
 from .transitions import Switching, switching
 
 
@@ -35,7 +35,6 @@ def reduce(flat: Flat) -> DAE:
     states = select_states(system)
     signals = jumping_signals(system, values)
     solution = causalise(system, states, symbols, values, switch.expressions)
-    switch.expressions = solution.also
     return _dae(system, solution, switch, signals)
 
 
@@ -58,9 +57,10 @@ def _checked(flat: Flat) -> System:
 def _dae(system: System, solution: Solution, switch: Switching, signals: list[Signal]) -> DAE:
     flat = system.flat
     symbols = solution.symbols
-    ode = _rates(system, solution)
-    jumps = jumps_of(system, signals, solution.values, symbols, ode, column(solution.residuals))
-    ode, values = _between_jumps(signals, ode, solution, switch)
+    moving = _rates(system, solution), column(solution.residuals)
+    jumps = jumps_of(system, signals, solution.values, symbols, *moving)
+    solution.without([signal.course for signal in signals if signal.missed is not None])
+    switch.expressions = solution.also
     known = sorted(system.known.items(), key=lambda item: (item[1], item[0]))
     inputs = [_input(flat, number, *fact) for number, fact in known]
     return DAE(
@@ -73,14 +73,14 @@ def _dae(system: System, solution: Solution, switch: Switching, signals: list[Si
         impulses=flat.impulse_symbols,
         completion=solution.completion,
         time=flat.time,
-        ode=ode,
+        ode=_rates(system, solution),
         alg=column(solution.residuals),
         inputs=inputs,
         states=solution.states,
         algebraic=solution.algebraic,
         blocks=[block for block in solution.blocks if block.hybrid],
         switching=switch,
-        variables=values,
+        variables=solution.values,
         flat=flat,
         parameters=flat.table,
         declared=system.names,
@@ -90,22 +90,9 @@ def _dae(system: System, solution: Solution, switch: Switching, signals: list[Si
 
 
 def _rates(system: System, solution: Solution) -> Any:
-    """Return the rates of the states."""
     rates = [system.derivative[s] for s in solution.states]
     ode = pick(solution.values, [d for d, _ in rates])
     return ode * ca.DM([sign for _, sign in rates]) if any(sign < 0 for _, sign in rates) else ode
-
-
-def _between_jumps(signals: list[Signal], ode: Any, solution: Solution, switch: Switching) -> tuple[Any, Any]:
-    """Return rates and variables without what is added to signals in a jump, and leave it out elsewhere."""
-    matrices = [block.matrix for block in solution.blocks]
-    given = [ode, solution.values, switch.expressions, *solution.residuals, *matrices]
-    ode, values, switch.expressions, *others = without_courses(signals, given)
-    count = len(solution.residuals)
-    solution.residuals = others[:count]
-    for block, matrix in zip(solution.blocks, others[count:], strict=True):
-        block.matrix = matrix
-    return ode, values
 
 
 def _input(flat: Flat, number: int, path: str, order: int, sign: int) -> Input:

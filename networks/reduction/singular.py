@@ -1,4 +1,7 @@
-"""Singular networks: who determines a motion twice, what nothing determines, and the remedy."""
+"""The structural check: is there one equation for every unknown? If not: who is concerned, and the remedy.
+
+The Dulmage-Mendelsohn decomposition parts what is determined twice from what nothing determines.
+"""
 
 from __future__ import annotations
 
@@ -6,40 +9,59 @@ from collections import defaultdict
 from collections.abc import Callable, Hashable, Iterable, Iterator
 from typing import TypeVar
 
+import numpy as np
+
+from ...base import ModelError
 from ...components import Fixed
 from ...components.language import Parameter, Port, RealOutput, Variable
 from ...components.rotational import Fixed as RotationalFixed
 from ..flattening.flat import Instance
 from ..flattening.union import SignedUnion
-from .pantelides import System
+from .pantelides import Equation, System, counted
 
 _T = TypeVar("_T")
-Equation = tuple[int, int]
 _GIVES_WAY = {"translational": "a Spring", "rotational": "a rotational.Spring"}
 _HAS_INERTIA = {"translational": "a Mass or a Fixed", "rotational": "an Inertia or a rotational.Fixed"}
 
 
-def tell_singular(system: System, over: list[Equation], under: list[int]) -> list[str]:
-    """Return what is wrong, a sentence for each place.
+def check_structure(system: System) -> None:
+    """Raise a ModelError that names the components of a singular network.
 
-    Args:
-        system: the equations.
-        over: equations that are too many for their unknowns.
-        under: unknowns (variables that are no derivatives) with too few equations.
+    Orders of differentiation are set aside: a variable and its derivatives count as one unknown, so
+    what fails here cannot be mended by any index reduction.
     """
+    bases = system.bases()
+    chain = (bases == np.arange(system.size)) & system.is_root()
+    chain[bases[list(system.known)]] = False
+    chains = np.flatnonzero(chain).tolist()
+    owners, pattern = system.equations(), system.incidence(counted(chain)[bases])
+    _, order, permuted, _, _, coarse_rows, coarse_columns = pattern.btf()
+    over = [owners[i] for i in order[: coarse_rows[2]]] if coarse_rows[1] else []
+    under = [chains[i] for i in permuted[coarse_columns[2] :]] if coarse_columns[3] < len(chains) else []
+    if over or under:
+        problems = _told(system, over, under)
+        raise ModelError(f"'{system.flat.name}' is structurally singular:", problems)
+
+
+def _told(system: System, over: list[Equation], under: list[int]) -> list[str]:
+    """Return what is wrong, a sentence for each place: too many equations, or unknowns with too few."""
     unbalanced = list(_unbalanced(system.flat.instances.values()))
     if unbalanced:
         return unbalanced
     place = _Place(system)
     problems: list[str] = []
     concerned: set[int] = set()
-    for equations in _grouped(over, place.unknowns_of):
+    for equations in grouped(over, place.unknowns_of):
         instances = place.instances_of(equations)
         if not instances and under:
             continue
         concerned |= place.through(instances)
         problems.append(_conflict(place, instances))
-    open_ = [unknowns for unknowns in _grouped(under, place.equations_with) if not concerned & set(unknowns)]
+    open_ = [
+        unknowns
+        for unknowns in grouped(under, place.equations_with.__getitem__)
+        if not concerned & set(unknowns)
+    ]
     return problems + [_undetermined(place, unknowns) for unknowns in open_]
 
 
@@ -49,19 +71,18 @@ class _Place:
     def __init__(self, system: System) -> None:
         self.system, self.bases = system, system.bases()
         self.by_label = {str(i): i for i in system.flat.instances.values()}
-        self._with: dict[int, set[Equation]] = defaultdict(set)
+        self.equations_with: dict[int, set[Equation]] = defaultdict(set)
         for equation in system.equations():
             for unknown in self.unknowns_of(equation):
-                self._with[unknown].add(equation)
+                self.equations_with[unknown].add(equation)
+        self.ports_at: dict[int, list[tuple[Instance, Port]]] = defaultdict(list)
+        for instance, port in self.ports(system.flat.instances.values()):
+            self.ports_at[self.number(instance, port, "across")].append((instance, port))
 
     def unknowns_of(self, equation: Equation) -> set[int]:
         """Return the unknowns in an equation."""
         number, row = equation
         return set(self.bases[self.system.families[number].columns[row]].tolist())
-
-    def equations_with(self, unknown: int) -> set[Equation]:
-        """Return the equations that hold an unknown."""
-        return self._with[unknown]
 
     def instances_of(self, equations: Iterable[Equation]) -> list[Instance]:
         """Return the components that state some equations, in order of their names."""
@@ -86,17 +107,14 @@ class _Place:
 
     def node(self, unknown: int) -> list[str]:
         """Return the names of the ports whose across variable is an unknown."""
-        every = self.ports(self.system.flat.instances.values())
-        at = [(i, p) for i, p in every if self.number(i, p, "across") == unknown]
-        return [f"{i.path}.{p.name}".lstrip(".") for i, p in at]
+        return [f"{i.path}.{p.name}".lstrip(".") for i, p in self.ports_at[unknown]]
 
     def domain(self, unknown: int) -> str:
         """Return the domain of the ports whose across variable is an unknown, empty if it is none."""
-        every = self.ports(self.system.flat.instances.values())
-        return next((p.domain for i, p in every if self.number(i, p, "across") == unknown), "")
+        return next((p.domain for _, p in self.ports_at[unknown]), "")
 
 
-def _grouped(members: list[_T], keys: Callable[[_T], Iterable[Hashable]]) -> list[list[_T]]:
+def grouped(members: list[_T], keys: Callable[[_T], Iterable[Hashable]]) -> list[list[_T]]:
     """Put members that share a key into one group."""
     joined = SignedUnion(len(members))
     first: dict[Hashable, int] = {}

@@ -14,18 +14,9 @@ from typing import Any
 import casadi as ca
 import numpy as np
 
-from .pantelides import System
+from .pantelides import Equation, System
 
-Equation = tuple[int, int]
-_Cells = dict[tuple[int, int], dict[int, "_Cell | None"]]
-
-
-@dataclass(eq=False)
-class Block:
-    """Equations that must be solved together for as many variables."""
-
-    equations: list[Equation]
-    variables: list[int]
+EXPLICIT_SIZE = 8  # torn variables up to which a linear block is solved symbolically
 
 
 @dataclass(eq=False)
@@ -55,20 +46,25 @@ class Torn:
 
 @dataclass(eq=False)
 class _Cell:
+    """A variable in an equation: its local symbols, whether its slope varies, or depends on modes."""
+
     pattern: tuple[int, ...]
-    plain: bool
+    curved: bool
     hybrid: bool
 
 
-def tear(system: System, block: Block, symbols: Any, small: int) -> Torn:
-    """Solve a block, explicitly if its torn part is linear and no larger than `small`.
+_Cells = dict[Equation, dict[int, _Cell]]
+
+
+def tear(system: System, equations: list[Equation], variables: list[int], symbols: Any) -> Torn:
+    """Solve equations for as many variables, explicitly if what is torn is linear and small.
 
     `symbols` are all variables, as `padded` returns them.
     """
-    cells = {e: _cells(system, e, set(block.variables)) for e in block.equations}
-    follow, tears, rest = _order(system, block, cells)
+    cells = {e: _cells(system, e, set(variables)) for e in equations}
+    follow, tears, rest = _order(system, variables, cells)
     assigned = _explicit(system, follow, cells, symbols)
-    residuals = [_residual(system, e, symbols) for e in rest]
+    residuals = [system.residual(e, symbols) for e in rest]
     if assigned:
         targets = symbols[[v for v, _ in assigned]]
         definitions = ca.vertcat(*[x for _, x in assigned])
@@ -76,13 +72,12 @@ def tear(system: System, block: Block, symbols: Any, small: int) -> Torn:
     unknown = symbols[tears]
     residual = ca.vertcat(*residuals)
     matrix = ca.jacobian(residual, unknown)
-    hybrid = any(cell is not None and cell.hybrid for e in rest for cell in cells[e].values())
+    hybrid = any(cell.hybrid for e in rest for cell in cells[e].values())
     labels = sorted({system.label(e) for e in rest})
-    shape = (len(tears), len(tears)) if hybrid else (0, 0)
-    completion = ca.SX.sym("completion", *shape)
+    size = len(tears) if hybrid else 0
+    completion = ca.SX.sym("completion", size, size)
     completed = matrix + completion if hybrid else matrix
-    explicit = not ca.depends_on(matrix, unknown) and len(tears) <= small
-    if explicit:
+    if len(tears) <= EXPLICIT_SIZE and not ca.depends_on(matrix, unknown):
         offset = ca.substitute(residual, unknown, ca.DM.zeros(len(tears)))
         solved = -ca.solve(ca.densify(completed), offset) if len(tears) > 1 else -offset / completed
         expressions = [*zip(tears, ca.vertsplit(solved), strict=True), *assigned]
@@ -91,37 +86,32 @@ def tear(system: System, block: Block, symbols: Any, small: int) -> Torn:
     return Torn(assigned, tears, left, matrix, completion, tears, hybrid, labels)
 
 
-def _cells(system: System, equation: Equation, variables: set[int]) -> dict[int, _Cell | None]:
+def _cells(system: System, equation: Equation, variables: set[int]) -> dict[int, _Cell]:
     """Return, for each variable of the block in an equation, how it can be solved for."""
     number, row = equation
     family = system.families[number]
     form = family.form
-    found: dict[int, _Cell | None] = {}
-    for variable in {int(v) for v in family.columns[row]} & variables:
-        marks = (family.columns[row] == variable) * family.signs[row]
-        pattern = tuple(marks.tolist())
+    found: dict[int, _Cell] = {}
+    for variable in variables.intersection(family.columns[row].tolist()):
+        pattern = tuple(((family.columns[row] == variable) * family.signs[row]).tolist())
         slope = form.slope(pattern)
-        if slope is None:
-            found[variable] = None
-            continue
-        plain = isinstance(slope, float) or not ca.depends_on(slope, form.locals)
-        found[variable] = _Cell(pattern, plain, form.is_hybrid(slope))
+        curved = slope is None or (not isinstance(slope, float) and ca.depends_on(slope, form.locals))
+        found[variable] = _Cell(pattern, curved, slope is not None and form.is_hybrid(slope))
     return found
 
 
 def _order(
-    system: System, block: Block, cells: _Cells
+    system: System, variables: list[int], cells: _Cells
 ) -> tuple[list[tuple[Equation, int]], list[int], list[Equation]]:
     """Choose torn variables until the others follow; return what follows, tears and residuals."""
-    open_cells = {e: set(cells[e]) for e in block.equations}
-    users: dict[int, set[Equation]] = {v: set() for v in block.variables}
-    for e, variables in open_cells.items():
-        for v in variables:
+    open_cells = {e: set(cells[e]) for e in cells}
+    users: dict[int, set[Equation]] = {v: set() for v in variables}
+    for e, held in open_cells.items():
+        for v in held:
             users[v].add(e)
     follow: list[tuple[Equation, int]] = []
     tears: list[int] = []
-    rest: list[Equation] = []
-    ready = [e for e in block.equations if len(open_cells[e]) <= 1]
+    ready = [e for e in cells if len(open_cells[e]) <= 1]
 
     def know(variable: int) -> None:
         for e in users[variable]:
@@ -137,8 +127,7 @@ def _order(
             if e not in open_cells or len(open_cells[e]) != 1:
                 continue
             variable = next(iter(open_cells[e]))
-            cell = cells[e][variable]
-            if cell is None or cell.hybrid or not cell.plain:
+            if cells[e][variable].hybrid or cells[e][variable].curved:
                 continue
             del open_cells[e]
             follow.append((e, variable))
@@ -146,24 +135,19 @@ def _order(
             variable = _next_tear(system, users, open_cells, cells)
             tears.append(variable)
         know(variable)
-    rest = list(open_cells)
-    return follow, tears, rest
+    return follow, tears, list(open_cells)
 
 
 def _next_tear(
-    system: System,
-    users: dict[int, set[Equation]],
-    open_cells: dict[Equation, set[int]],
-    cells: _Cells,
+    system: System, users: dict[int, set[Equation]], open_cells: dict[Equation, set[int]], cells: _Cells
 ) -> int:
     """Prefer what a hybrid equation leaves open (a friction force), then what occurs most often."""
 
     def merit(variable: int) -> tuple[bool, bool, int, int]:
         places = [cells[e][variable] for e in users[variable] if e in open_cells]
-        hybrid = any(c is not None and c.hybrid for c in places)
-        curved = any(c is None or not c.plain for c in places)
-        held = variable in system.held
-        return hybrid and not held, curved and not held, len(places), -variable
+        free = variable not in system.held
+        hybrid, curved = any(c.hybrid for c in places), any(c.curved for c in places)
+        return free and hybrid, free and curved, len(places), -variable
 
     return max(users, key=merit)
 
@@ -174,9 +158,7 @@ def _explicit(
     """Solve each equation for its variable, those of one form at once; keep their order."""
     alike: dict[tuple[int, tuple[int, ...]], list[tuple[int, int]]] = defaultdict(list)
     for place, ((number, row), variable) in enumerate(follow):
-        cell = cells[number, row][variable]
-        assert cell is not None
-        alike[number, cell.pattern].append((row, place))
+        alike[number, cells[number, row][variable].pattern].append((row, place))
     values: list[Any] = [None] * len(follow)
     for (number, pattern), members in alike.items():
         rows, places = zip(*sorted(members), strict=True)
@@ -185,8 +167,3 @@ def _explicit(
         for place, value in zip(places, ca.horzsplit(found), strict=True):
             values[place] = value
     return [(variable, value) for (_, variable), value in zip(follow, values, strict=True)]
-
-
-def _residual(system: System, equation: Equation, symbols: Any) -> Any:
-    family, row = system.families[equation[0]], np.array(equation[1:])
-    return family.evaluate(family.form.residual, row, symbols, system.flat.time)

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import dataclass, field
+from itertools import count
 from typing import Any
 
 import casadi as ca
@@ -61,7 +63,7 @@ def switching(system: System, values: Any) -> Switching:
     impulse_of = {(id(i), name): k for k, (i, name) in enumerate(flat.impulses)}
     changes: list[Change] = []
     expressions: list[Any] = []
-    count = 0
+    start = 0
     for group in flat.groups:
         template = group[0].template
         if not template.transitions:
@@ -70,8 +72,8 @@ def switching(system: System, values: Any) -> Switching:
         rows = _evaluate(system, group, ca.vertcat(*listed), values)
         for instance, listing in zip(group, ca.horzsplit(rows), strict=True):
             expressions.append(listing)
-            changes += _changes(system, instance, count, mode_of, impulse_of)
-            count += len(listed)
+            changes += _changes(system, instance, start, mode_of, impulse_of)
+            start += len(listed)
     return Switching(
         changes,
         column(expressions),
@@ -86,12 +88,9 @@ def _listed(template: Template) -> list[Any]:
     """Return the expressions of a template's transitions, in the order `_changes` counts them."""
     listed: list[Any] = []
     for transition in template.transitions:
-        listed.append(transition.indicator)
-        if transition.allowed is not None:
-            listed.append(transition.allowed)
-        listed += transition.reset.values()
-        if transition.shock is not None:
-            listed += [transition.shock.velocity, transition.shock.after]
+        shock, allowed = transition.shock, transition.allowed
+        listed += [transition.indicator, *([] if allowed is None else [allowed]), *transition.reset.values()]
+        listed += [shock.velocity, shock.after] if shock is not None else []
     return [ca.SX(expression) for expression in listed]
 
 
@@ -101,27 +100,21 @@ def _changes(
     start: int,
     mode_of: dict[tuple[int, str], int],
     impulse_of: dict[tuple[int, str], int],
-) -> list[Change]:
-    changes = []
-    place = start
+) -> Iterator[Change]:
+    place = count(start)
     template = instance.template
     shock_names = {id(symbol): name for name, symbol in template.impulses.items()}
     for transition in template.transitions:
         mode = mode_of[id(instance), transition.mode]
-        change = Change(str(instance), mode, transition.source, transition.target, place)
-        place += 1
+        change = Change(str(instance), mode, transition.source, transition.target, next(place))
         if transition.allowed is not None:
-            change.allowed, place = place, place + 1
+            change.allowed = next(place)
         for name in transition.reset:
-            root, sign = system.flat.joined.find(instance.index(name))
-            change.resets.append((root, sign, place))
-            place += 1
+            change.resets.append((*system.flat.joined.find(instance.index(name)), next(place)))
         if transition.shock is not None:
-            name = shock_names[id(transition.shock.impulse)]
-            change.impulse = impulse_of[id(instance), name]
-            change.velocity, change.after, place = place, place + 1, place + 2
-        changes.append(change)
-    return changes
+            change.impulse = impulse_of[id(instance), shock_names[id(transition.shock.impulse)]]
+            change.velocity, change.after = next(place), next(place)
+        yield change
 
 
 def _evaluate(system: System, group: list[Instance], expression: Any, values: Any) -> Any:

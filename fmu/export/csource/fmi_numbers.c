@@ -76,11 +76,11 @@ static int follower(uint32_t ref) {
 
 static Status refuse_follower(Instance *c, int state) {
     Core *core = &c->now.core;
-    core_say(core, model_unknown_name[state]);
-    core_say_more(core, " follows from other start values; set those of ");
+    const char *name = model_unknown_name[state];
+    core_fail(core, CORE_ERROR, "%s follows from other start values; set those of ", name);
     for (int i = 0; i < NAIM && i < 6; i++) {
-        if (i) core_say_more(core, i < 5 ? ", " : ", ...");
-        if (i < 5) core_say_more(core, model_aim_name[i]);
+        if (i) core_say_more(core, "%s", i < 5 ? ", " : ", ...");
+        if (i < 5) core_say_more(core, "%s", model_aim_name[i]);
     }
     return face_accepted(c, CORE_ERROR);
 }

@@ -33,13 +33,10 @@ def partners(switching: Switching, modes: Array, shocks: list[Change]) -> list[C
 def solve_impact(
     changes: list[Change], response: Array, slopes: Array, everything: Array
 ) -> tuple[dict[int, float], Array]:
-    """Return the impulses that give the wanted velocities, none of them pulling, and the new states' step.
+    """Return the impulses that give the wanted velocities, none of them pulling, and the states' step.
 
-    Args:
-        changes: the shocks, and the contacts that pass them on.
-        response: what a unit of each impulse does to the states, (states, impulses).
-        slopes: slopes of the switching expressions in the states, (expressions, states).
-        everything: the switching expressions.
+    `response` is what a unit of each impulse does to the states, (states, impulses); `slopes` are those of
+    the switching expressions in the states, (expressions, states).
 
     Raises:
         SimulationError: if a velocity does not yield to its impulse, because the motion is prescribed.

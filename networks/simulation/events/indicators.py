@@ -6,18 +6,11 @@ from copy import copy
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
-from ....base import Array
+from ....base import Array, Flags
 from ..bound_dae import BoundDAE
 from ..point import Point
-from .constants import (
-    CUBIC_MISSES,
-    INDICATOR_FLOOR,
-    INDICATOR_ROUNDING,
-    RATE_NOISE,
-    SAME_INSTANT,
-)
+from .constants import CUBIC_MISSES, INDICATOR_FLOOR, INDICATOR_ROUNDING, RATE_NOISE, SAME_INSTANT
 from .root_finding import Crossing
 
 
@@ -34,9 +27,8 @@ class Indicators:
     def __post_init__(self) -> None:
         dae = self.closed.dae
         self.functions = self.closed.switch_functions
-        self.muted = np.zeros(len(dae.switching.changes), dtype=bool)
-        self._seen = np.zeros(len(dae.switching.changes))
-        self._fastest = np.ones(len(dae.switching.changes))
+        count = len(dae.switching.changes)
+        self.muted, self._seen, self._fastest = np.zeros(count, dtype=bool), np.zeros(count), np.ones(count)
         begin = dae.p.numel()
         self._modes = slice(begin, begin + dae.modes.numel())
 
@@ -50,13 +42,13 @@ class Indicators:
         """Return the view of the modes in q."""
         return q[self._modes]
 
-    def active(self, q: Array) -> NDArray[np.bool_]:
+    def active(self, q: Array) -> Flags:
         """Tell which transitions can fire in the present modes."""
         return self.leavable(q) & ~self.muted
 
-    def leavable(self, q: Array) -> NDArray[np.bool_]:
+    def leavable(self, q: Array) -> Flags:
         """Tell which transitions leave a present mode."""
-        present: NDArray[np.bool_] = self.modes(q)[self.functions.mode_of] == self.functions.sources
+        present: Flags = self.modes(q)[self.functions.mode_of] == self.functions.sources
         return present
 
     def watch(self, point: Point) -> tuple[Array, Array]:
@@ -107,9 +99,8 @@ class Indicators:
         if not watched.any():
             return True
         halfway = times + 0.5 * (times[1] - times[0])
-        at, between = (
-            self.functions.watch_nodes(point.x, point.z, point.q, t[:, None])[0] for t in (times, halfway)
-        )
+        here = point.x, point.z, point.q
+        at, between = (self.functions.watch_nodes(*here, t[:, None])[0] for t in (times, halfway))
         cubic = (9 * (at[1:-2] + at[2:-1]) - at[:-3] - at[3:]) / 16
         error = np.abs(between[1:-2] - cubic).max(axis=0)
         allowed = CUBIC_MISSES * np.ptp(at, axis=0) + self.tolerance()
@@ -120,10 +111,10 @@ class Indicators:
         _, indicator, t = crossing
         return t <= point.t and self.watch(point)[1][indicator] <= RATE_NOISE * self._fastest[indicator]
 
-    def falling(self, rates: Array) -> NDArray[np.bool_]:
+    def falling(self, rates: Array) -> Flags:
         """Tell which indicators fall, by more than noise."""
         return rates < -RATE_NOISE * self._fastest
 
-    def rising(self, rates: Array) -> NDArray[np.bool_]:
+    def rising(self, rates: Array) -> Flags:
         """Tell which indicators rise, by more than noise."""
         return rates > RATE_NOISE * self._fastest

@@ -1,28 +1,23 @@
-"""Crossings: where an indicator rises above zero between nodes, by cubic interpolation."""
+"""Event location: where an indicator rises above zero between nodes, by cubic Hermite interpolation."""
 
 from __future__ import annotations
 
-import numpy as np
-from numpy.typing import NDArray
+from typing import Any
 
-from ....base import Array
+import numpy as np
+
+from ....base import Array, Flags
 from .constants import CUBIC_BISECTIONS, CUBIC_CREST
 
 Crossing = tuple[int, int, float]
-LOST = 0.05
+MISSED_SHARE = 0.05  # of its range, by which a cubic misses a node that does not follow
 
 
-def first_crossing(
-    times: Array, values: Array, rates: Array, active: NDArray[np.bool_], near: Array
-) -> Crossing | None:
+def first_crossing(times: Array, values: Array, rates: Array, active: Flags, near: Array) -> Crossing | None:
     """Return (interval, indicator, time) of the earliest crossing, or None.
 
-    Args:
-        times: instants of the nodes, equidistant, (nodes,).
-        values: indicators at the nodes, (indicators, nodes).
-        rates: their time derivatives.
-        active: which indicators count.
-        near: size below which an indicator counts as zero, (indicators,).
+    Values and rates are those of indicators at equidistant nodes, (indicators, nodes); only the `active` ones
+    count, and as zero below the size `near`.
     """
     rows = np.flatnonzero(active)
     limit = near[rows, None]
@@ -40,27 +35,26 @@ def first_crossing(
     if not len(intervals):
         return None
     k = int(intervals[0])
-    found = []
-    for i in np.flatnonzero(crosses[:, k]):
-        theta = _root(before[i, k], after[i, k], slope_a[i, k], slope_b[i, k], limit[i, 0])
-        found.append((theta, int(rows[i])))
-    theta, indicator = min(found)
+    theta, indicator = min(
+        (_root(before[i, k], after[i, k], slope_a[i, k], slope_b[i, k], limit[i, 0]), int(rows[i]))
+        for i in np.flatnonzero(crosses[:, k])
+    )
     first = int(near_by[k])
     return first, indicator, float(times[first] + theta * (times[first + 1] - times[first]))
 
 
-def followed(times: Array, values: Array, rates: Array, active: NDArray[np.bool_], near: Array) -> bool:
+def followed(times: Array, values: Array, rates: Array, active: Flags, near: Array) -> bool:
     """Tell whether nodes follow the indicators: a cubic over two intervals meets the node between.
 
     A jump and what dies out soon are missed by few nodes, a fast oscillation by most. Same arguments.
     """
     v, r = values[active], rates[active] * (times[1] - times[0])
     cubic = 0.5 * (v[:, :-2] + v[:, 2:]) + 0.25 * (r[:, :-2] - r[:, 2:])
-    lost = np.abs(cubic - v[:, 1:-1]) > (LOST * np.ptp(v, axis=1) + near[active])[:, None]
+    lost = np.abs(cubic - v[:, 1:-1]) > (MISSED_SHARE * np.ptp(v, axis=1) + near[active])[:, None]
     return bool((np.count_nonzero(lost, axis=1) <= len(times) // 8).all())
 
 
-def _coefficients(a: Array, b: Array, da: Array, db: Array) -> tuple[Array, Array]:
+def _coefficients(a: Any, b: Any, da: Any, db: Any) -> tuple[Any, Any]:
     """Return the cubic and the square coefficient of the Hermite cubic a + da x + c2 x^2 + c3 x^3."""
     return 2 * a - 2 * b + da + db, -3 * a + 3 * b - 2 * da - db
 
@@ -80,7 +74,7 @@ def _interior_maximum(a: Array, b: Array, da: Array, db: Array) -> Array:
 
 def _root(a: float, b: float, da: float, db: float, near: float) -> float:
     """Return where the cubic rises through zero, as a share of the interval."""
-    c3, c2 = 2 * a - 2 * b + da + db, -3 * a + 3 * b - 2 * da - db
+    c3, c2 = _coefficients(a, b, da, db)
     turns = max(c2 * c2 - 3 * c3 * da, 0.0) ** 0.5
     low, high = 0.0, 1.0
     if a >= 0:

@@ -9,6 +9,8 @@ d/e being the slope of a ramp of e seconds, so short that finite forces count fo
 
 from __future__ import annotations
 
+from collections.abc import Callable
+from functools import partial
 from itertools import pairwise
 from typing import TYPE_CHECKING
 
@@ -21,17 +23,7 @@ from ...flattening.vectors import pick
 from ...reduction.jumps import Jumps
 from ..integrator import nominal_sizes
 from ..point import Point
-from .constants import (
-    JUMP_ACCURACY,
-    JUMP_LATE,
-    JUMP_ROUNDING,
-    JUMP_STEP,
-    JUMP_UNBOUNDED,
-    NEWTON_CLOSE,
-    NEWTON_ROUNDS,
-    RAMP,
-    RAMP_SHORTER,
-)
+from . import constants
 
 if TYPE_CHECKING:
     from ..bound_dae import BoundDAE
@@ -60,27 +52,24 @@ class Shocks:
 
     def seen(self, point: Point) -> Array:
         """Return the variables that tell how far signals jump from here."""
-        seen: Array = self._seen(point.x, point.z, point.q, point.t)[0]
-        return seen
+        return self._seen(point.x, point.z, point.q, point.t)[0]
 
     def since(self, seen: Array, point: Point, resets: dict[int, float]) -> Array:
-        """Return by how much signals and their derivatives have jumped, zero where that is rounding.
+        """Return by how much signals have jumped since they were seen, zero where that is rounding.
 
-        Args:
-            seen: what was seen before.
-            point: after the jump.
-            resets: variables that were given new values.
+        `point` is after the jump; `resets` are variables that were given new values.
         """
         before = seen.copy()
         for variable in resets.keys() & self._place.keys():
             before[self._place[variable]] = resets[variable]
         q = point.q[: self._constants]
         jump, size = self._jump(before, self.seen(point), q, point.t)
+        last = [part.stop - 1 for part in self._parts]
         steeper = np.append(np.abs(jump[1:]), 0.0)
-        steeper[[part.stop - 1 for part in self._parts]] = 0.0
-        late = JUMP_LATE * max(1.0, abs(point.t)) * steeper
-        jump[np.abs(jump) <= JUMP_ROUNDING * size + late] = 0.0
-        jump[[part.stop - 1 for part in self._parts]] = 0.0
+        steeper[last] = 0.0
+        late = constants.JUMP_LATE * max(1.0, abs(point.t)) * steeper
+        jump[np.abs(jump) <= constants.JUMP_ROUNDING * size + late] = 0.0
+        jump[last] = 0.0
         signed: Array = jump * self._signs
         return signed
 
@@ -96,13 +85,22 @@ class Shocks:
             SimulationError: if that takes forces beyond all bounds.
         """
         self.begins(point, jump)
+        rates = partial(self._rates, point, jump)
         path = np.append(point.x, np.zeros(len(self.jumps.motions)))
         s, h = 0.0, 1.0
         while s < 1.0:
             h = min(h, 1.0 - s)
-            path, h, done = self._stride(point, jump, path, s, h)
-            s += done
-        self._rates(point, jump, path, 1.0)
+            whole, half = _runge_kutta(rates, path, s, h), _runge_kutta(rates, path, s, h / 2)
+            half = _runge_kutta(rates, half, s + h / 2, h / 2)
+            scale = np.maximum(self._sizes, np.abs(half))
+            if (
+                h > constants.JUMP_STEP
+                and not (np.abs(whole - half) <= constants.JUMP_ACCURACY * scale).all()
+            ):
+                h /= 2
+            else:
+                path, s, h = half, s + h, 2 * h
+        rates(path, 1.0)
         point.x = path[: self._nx]
         return path[self._nx :]
 
@@ -113,35 +111,17 @@ class Shocks:
         still = np.zeros(self.jumps.courses.numel())
         return (self._at(struck, point.x, still) - self._at(point, point.x, still))[self._nx :]
 
-    def _stride(
-        self, point: Point, jump: Array, path: Array, s: float, h: float
-    ) -> tuple[Array, float, float]:
-        """Take one step along the jump, halved until it is accurate; return where to, the next, and this."""
-        while True:
-            whole = self._runge_kutta(point, jump, path, s, h)
-            half = self._runge_kutta(point, jump, path, s, h / 2)
-            half = self._runge_kutta(point, jump, half, s + h / 2, h / 2)
-            scale = np.maximum(self._sizes, np.abs(half))
-            if (np.abs(whole - half) <= JUMP_ACCURACY * scale).all() or h <= JUMP_STEP:
-                return half, 2 * h, h
-            h /= 2
-
-    def _runge_kutta(self, point: Point, jump: Array, path: Array, s: float, h: float) -> Array:
-        first = self._rates(point, jump, path, s)
-        second = self._rates(point, jump, path + h / 2 * first, s + h / 2)
-        third = self._rates(point, jump, path + h / 2 * second, s + h / 2)
-        last = self._rates(point, jump, path + h * third, s + h)
-        result: Array = path + h / 6 * (first + 2 * second + 2 * third + last)
-        return result
-
     def _rates(self, point: Point, jump: Array, path: Array, s: float) -> Array:
         """Return how states and impulses move with s.
 
         Raises:
             SimulationError: if they move the faster, the shorter the ramp.
         """
-        rates, shorter = (self._moved(point, jump, path, s, e) for e in (RAMP, RAMP * RAMP_SHORTER))
-        bound = JUMP_UNBOUNDED * (np.abs(rates).max(initial=0.0) + self._sizes)
+        rates, shorter = (
+            self._moved(point, jump, path, s, e)
+            for e in (constants.RAMP, constants.RAMP * constants.RAMP_SHORTER)
+        )
+        bound = constants.JUMP_UNBOUNDED * (np.abs(rates).max(initial=0.0) + self._sizes)
         if not (np.abs(rates - shorter) <= bound).all():
             raise SimulationError(self._told(point.t, jump, "a force that grows faster than speed"))
         return rates
@@ -151,22 +131,21 @@ class Shocks:
         for part in self._parts:
             moving[part][1:] += jump[part][:-1] / e
         x = path[: self._nx]
-        far = x + RAMP / e * self._far
-        moved: Array = self._at(point, far, moving * self._signs) - self._at(point, x, still * self._signs)
-        return e * moved
+        far = x + constants.RAMP / e * self._far
+        return e * (self._at(point, far, moving * self._signs) - self._at(point, x, still * self._signs))
 
     def _at(self, point: Point, x: Array, course: Array) -> Array:
         """Return rates of states and forces while signals are off by a course."""
         z = point.z
         moved, missed, slope = self._motion(x, z, point.q, point.t, course)
-        for _ in range(NEWTON_ROUNDS if self._nz else 0):
+        for _ in range(constants.NEWTON_ROUNDS if self._nz else 0):
             slope = slope.reshape(self._nz, self._nz).T
             if not (np.isfinite(missed).all() and np.isfinite(slope).all()):
                 break
             change = np.linalg.lstsq(slope, -missed, rcond=1e-12)[0]
             z = z + change
             moved, missed, slope = self._motion(x, z, point.q, point.t, course)
-            if np.abs(change).max() <= NEWTON_CLOSE * (1 + np.abs(z).max()):
+            if np.abs(change).max() <= constants.NEWTON_CLOSE * (1 + np.abs(z).max()):
                 break
         return moved
 
@@ -178,24 +157,31 @@ class Shocks:
         """
         course = np.zeros(len(jump))
         for part in self._parts:
-            course[part][2:] = jump[part][:-2] / RAMP
+            course[part][2:] = jump[part][:-2] / constants.RAMP
         thrown = self._at(point, point.x, course * self._signs) - self._at(point, point.x, 0 * course)
         bound = thrown[self._nx :] if self.jumps.motions else thrown
-        if not (np.abs(bound) <= JUMP_UNBOUNDED).all():
+        if not (np.abs(bound) <= constants.JUMP_UNBOUNDED).all():
             raise SimulationError(self._told(point.t, jump, "an infinite acceleration of what has inertia"))
         return thrown[: self._nx]
 
     def _told(self, t: float, jump: Array, what: str) -> str:
-        sizes = [
-            (signal.name, float(np.abs(jump[part]).max()))
+        told = ", ".join(
+            f"{signal.name} (by {np.abs(jump[part]).max():.6g})"
             for signal, part in zip(self.jumps.signals, self._parts, strict=True)
             if jump[part].any()
-        ]
-        told = ", ".join(f"{name} (by {size:.6g})" for name, size in sizes)
+        )
         return (
             f"at t = {t:.9g} s what prescribes a motion jumps: {told}, which takes {what}; give a ramp "
             "instead of the jump, a Speed instead of a Position, or exact=False, which filters it"
         )
+
+
+def _runge_kutta(rates: Callable[[Array, float], Array], path: Array, s: float, h: float) -> Array:
+    first = rates(path, s)
+    second = rates(path + h / 2 * first, s + h / 2)
+    third = rates(path + h / 2 * second, s + h / 2)
+    last = rates(path + h * third, s + h)
+    return path + h / 6 * (first + 2 * second + 2 * third + last)
 
 
 def _motion(closed: BoundDAE, jumps: Jumps) -> Compiled:

@@ -68,10 +68,13 @@ class Completion:
 
     def tell_shared(self, labels: list[str]) -> None:
         """Note that components share a load in a way no equation tells."""
-        note = (
+        self.note(
             f"{', '.join(labels)}: in some mode these hold a motion that is already held; their forces "
             "are then not unique and the ones of least norm are taken"
         )
+
+    def note(self, note: str) -> None:
+        """Keep a note on a run's modes, once."""
         if note not in self.notes:
             self.notes.append(note)
 

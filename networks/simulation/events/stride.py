@@ -9,9 +9,9 @@ import numpy as np
 from ....base import Array
 from ..run import Run, record_here
 
-LEAST, FINE, FIRST, MOST = -30, -3, 4, 6
-AHEAD = 2
-SLACK = 1 + 1e-9
+LEAST_EXPONENT, FINE_EXPONENT, FIRST_EXPONENT, MOST_EXPONENT = -30, -3, 4, 6
+DELAYS_AHEAD = 2  # how far beyond an expected event a stretch may go
+LIMIT_SLACK = 1 + 1e-9
 
 
 @dataclass(eq=False)
@@ -27,7 +27,7 @@ class Pace:
     outputs: Array
     next: int = 1
     since: int = 0
-    exponent: int = FIRST
+    exponent: int = FIRST_EXPONENT
     limit: float = np.inf
 
     @property
@@ -36,19 +36,15 @@ class Pace:
         return float(self.outputs[1] - self.outputs[0])
 
     def stretch(self, t: float, delay: float, end: float, longest: float) -> tuple[float, int]:
-        """Return where the next stretch ends, and how many outputs it reaches.
+        """Return where the next stretch from t ends, within the leg, and how many outputs it reaches.
 
-        Args:
-            t: where it begins.
-            delay: how soon an event is expected; going far beyond it would be in vain.
-            end: where the leg ends.
-            longest: how long it may be.
+        An event is expected after a `delay`, beyond which to go far would be in vain.
         """
         self._stay_within_limit(t)
         on_grid = t == self.outputs[self.next - 1]
         intervals = 2**self.exponent if on_grid and self.exponent >= 0 else 1
         remaining = int(np.searchsorted(self.outputs, end, "right")) - self.next
-        most = min(AHEAD * delay, longest)
+        most = min(DELAYS_AHEAD * delay, longest)
         while intervals > remaining or (intervals > 1 and self.interval * intervals > most):
             intervals //= 2
         stop = float(self.outputs[self.next + intervals - 1]) if intervals else end
@@ -67,7 +63,7 @@ class Pace:
         if left <= 0:
             self.limit = np.inf
             return
-        while self.exponent > LEAST and self.interval * 2.0**self.exponent > SLACK * left:
+        while self.exponent > LEAST_EXPONENT and self.interval * 2.0**self.exponent > LIMIT_SLACK * left:
             self.exponent -= 1
 
     def failed(self, end: float, intervals: int) -> None:
@@ -81,10 +77,10 @@ class Pace:
 
     def passed(self) -> None:
         """Make the next stretch longer than one in which nothing happened."""
-        self.exponent = min(self.exponent + 1, MOST)
+        self.exponent = min(self.exponent + 1, MOST_EXPONENT)
 
     def crossed(self) -> None:
         """Make stretches fit the time between events."""
-        self.exponent = max(self.exponent - 1, min((self.next - self.since).bit_length(), MOST))
+        self.exponent = max(self.exponent - 1, min((self.next - self.since).bit_length(), MOST_EXPONENT))
         self.since = self.next
         self.limit = np.inf

@@ -9,20 +9,11 @@ import numpy as np
 
 from ....base import Array, SimulationError
 from ...reduction.jumps import Jumps
-from ...reduction.transitions import Change
+from ...reduction.transitions import Change, Switching
 from ..bound_dae import BoundDAE
 from ..point import Point as Point
 from ..point import solve_algebraic
-from .constants import (
-    FIRING_ROUNDS,
-    FIRING_TOLD,
-    IMPACT_RANK,
-    INSIDE,
-    JUMP_ALIKE,
-    JUMP_FELT,
-    LEAVING,
-    PRESSED,
-)
+from . import constants
 from .impacts import partners, solve_impact
 from .indicators import Indicators
 from .singular_modes import Completion
@@ -67,17 +58,12 @@ class Switcher:
     def settle(self, point: Point, forced: int | None = None, begins: bool = False) -> list[Event]:
         """Fire transitions at an instant until none is left, changing `point` in place.
 
-        Args:
-            point: where the run stands.
-            forced: an indicator that has crossed here.
-            begins: whether a run begins here: what is prescribed begins then, and does not jump.
+        The indicator `forced` has crossed here. Where a run `begins`, what is prescribed does not jump.
         """
-        happened: list[Event] = []
-        visited: set[tuple[float, ...]] = set()
-        adrift: list[str] = []
-        one_by_one = False
+        happened, adrift = list[Event](), list[str]()
+        visited, one_by_one = set[tuple[float, ...]](), False
         self.completion.update(point)
-        for _ in range(FIRING_ROUNDS):
+        for _ in range(constants.FIRING_ROUNDS):
             fired = self._fired(point, forced)
             forced = None
             if not fired:
@@ -93,7 +79,7 @@ class Switcher:
             adrift = self.completion.adrift or adrift
         self.completion.adrift = adrift
         self.completion.check_adrift(point.t)
-        names = sorted({event.component for event in happened[-FIRING_TOLD:]})
+        names = sorted({event.component for event in happened[-constants.FIRING_TOLD :]})
         raise SimulationError(
             f"no consistent set of modes at t = {point.t:.9g} s; these switch for ever: {', '.join(names)}"
         )
@@ -102,21 +88,16 @@ class Switcher:
         indicators = self.indicators
         (g, rate), near = indicators.watch(point), indicators.tolerance()
         ready = indicators.active(point.q) & ((g > near) | ((g > -near) & indicators.rising(rate)))
-        leaving = (g <= LEAVING * near) & indicators.falling(rate)
-        ready &= ~leaving
+        ready &= ~((g <= constants.LEAVING * near) & indicators.falling(rate))
         if forced is not None:
             same_mode = self.functions.mode_of == self.functions.mode_of[forced]
             twins = same_mode & (g == g[forced]) & (rate == rate[forced])
             ready |= indicators.active(point.q) & twins
-        candidates = np.flatnonzero(ready)
-        if not len(candidates):
+        if not ready.any():
             return []
-        everything = self._everything(point)
-        changes = self.switching.changes
-        allowed = [i for i in candidates if _allowed(changes[i], everything)]
-        strongest: dict[int, int] = {}
-        for i in sorted(allowed, key=lambda i: float(g[i] / near[i])):
-            strongest[changes[i].mode] = int(i)
+        everything, changes = self._everything(point), self.switching.changes
+        allowed = [i for i in np.flatnonzero(ready).tolist() if _allowed(changes[i], everything)]
+        strongest = {changes[i].mode: i for i in sorted(allowed, key=lambda i: float(g[i] / near[i]))}
         return sorted(strongest.values())
 
     def _apply(self, point: Point, fired: list[int], begins: bool) -> list[Event]:
@@ -127,8 +108,8 @@ class Switcher:
         if shocks:
             shocks += partners(self.switching, self.indicators.modes(point.q), shocks)
             impulses = self._strike(point, shocks)
-            others = [c for c in changes if c.impulse is None]
-            changes = [*others, *(c for c in shocks if c.impulse in impulses)]
+            changes = [c for c in changes if c.impulse is None]
+            changes += [c for c in shocks if c.impulse in impulses]
         everything = self._everything(point)
         for change in changes:
             self.indicators.modes(point.q)[change.mode] = change.target
@@ -145,29 +126,25 @@ class Switcher:
         return self.functions.everything(point.x, point.z, point.q, point.t)[0]
 
     def _event(self, t: float, change: Change, impulses: dict[int, float]) -> Event:
-        values = self.switching.mode_values[change.mode]
         impulse = impulses.get(change.impulse) if change.impulse is not None else None
-        name = self.switching.mode_names[change.mode]
-        return Event(t, change.component, name, values[change.source], values[change.target], impulse)
+        return changed(self.switching, t, change, change.source, impulse)
 
     def _strike(self, point: Point, shocks: list[Change]) -> dict[int, float]:
         """Find the impulses that give the velocities wanted, and let them act."""
         everything, during = self._everything(point), self._during(point)
         assert self.functions.shock is not None
-        shock = self.functions.shock(point.x, point.z, during.q, point.t)
-        response = shock[0].reshape(len(self.switching.impulse_names), len(point.x)).T
-        slopes = shock[1].reshape(len(point.x), len(everything)).T
+        response, slopes = self.functions.shock(point.x, point.z, during.q, point.t)
+        response = response.reshape(len(self.switching.impulse_names), -1).T
+        slopes = slopes.reshape(-1, len(everything)).T
         impulses, step = solve_impact(shocks, response, slopes, everything)
         point.x = point.x + step
         return impulses
 
     def _during(self, point: Point) -> Point:
         """Return a point with the modes that hold while an impulse acts."""
-        q = point.q.copy()
-        modes = self.indicators.modes(q)
-        for number, table in enumerate(self.switching.in_shock):
-            modes[number] = table.get(int(modes[number]), modes[number])
-        during = Point(point.t, point.x, point.z, q)
+        during = Point(point.t, point.x, point.z, point.q.copy())
+        modes = self.indicators.modes(during.q)
+        modes[:] = [table.get(int(m), m) for table, m in zip(self.switching.in_shock, modes, strict=True)]
         self.completion.update(during)
         return during
 
@@ -186,7 +163,7 @@ class Switcher:
         point.x = during.x
         contacts = partners(self.switching, self.indicators.modes(point.q), [])
         everything = self._everything(during)
-        pressed = any(everything[c.after] > everything[c.velocity] + PRESSED for c in contacts)
+        pressed = any(everything[c.after] > everything[c.velocity] + constants.PRESSED for c in contacts)
         passed = self._strike(point, contacts) if pressed else {}
         if passed:
             pushes = pushes + self.shocks.passed(during, passed)
@@ -206,20 +183,19 @@ class Switcher:
             rows = [self.functions.reset_of[v] for v in others]
             missing = np.array([resets[v] for v in others]) - value[rows]
             slope = slope.reshape(len(point.x), len(value)).T[rows]
-            point.x = point.x + np.linalg.lstsq(slope, missing, rcond=IMPACT_RANK)[0]
+            point.x = point.x + np.linalg.lstsq(slope, missing, rcond=constants.IMPACT_RANK)[0]
 
     def tell_inside(self, point: Point) -> None:
         """Note what begins beyond the point at which it strikes."""
         self.completion.update(point)
         values = self.indicators.watch(point)[0]
-        for i in np.flatnonzero(self.indicators.leavable(point.q) & (values > INSIDE)):
+        for i in np.flatnonzero(self.indicators.leavable(point.q) & (values > constants.INSIDE)):
             change = self.switching.changes[i]
-            note = (
-                f"{change.component} begins {values[i]:.4g} beyond where it strikes, and holds or rebounds "
-                "there; give it another start"
-            )
-            if change.impulse is not None and note not in self.notes:
-                self.notes.append(note)
+            if change.impulse is not None:
+                self.completion.note(
+                    f"{change.component} begins {values[i]:.4g} beyond where it strikes, and holds or "
+                    "rebounds there; give it another start"
+                )
 
     def _check_modes(self, during: Point, size: Array) -> None:
         """Raise if a jump acts through what depends on modes, of which none is known to hold in a jump."""
@@ -233,7 +209,12 @@ class Switcher:
                 other = Point(during.t, during.x, during.z, during.q.copy())
                 self.indicators.modes(other.q)[k] = value
                 self.completion.update(other)
-                if not np.allclose(self.shocks.begins(other, size), known, rtol=JUMP_ALIKE, atol=JUMP_ALIKE):
+                if not np.allclose(
+                    self.shocks.begins(other, size),
+                    known,
+                    rtol=constants.JUMP_ALIKE,
+                    atol=constants.JUMP_ALIKE,
+                ):
                     name = self.switching.mode_names[k].rpartition(".")[0]
                     raise SimulationError(
                         f"at t = {during.t:.9g} s '{name}' passes a jump of a prescribed motion on, in its "
@@ -249,8 +230,8 @@ class Switcher:
             was, now = before[change.indicator], after[change.indicator]
             present = int(modes[change.mode])
             holds = present in self.switching.in_shock[change.mode]
-            onto = not holds and present == change.source and was <= INSIDE < now
-            off = holds and present == change.target != change.source and abs(now - was) > INSIDE
+            onto = not holds and present == change.source and was <= constants.INSIDE < now
+            off = holds and present == change.target != change.source and abs(now - was) > constants.INSIDE
             if change.impulse is not None and (onto or off):
                 raise SimulationError(
                     f"at t = {point.t:.9g} s {change.component} is struck or left at infinite speed, where a "
@@ -258,9 +239,17 @@ class Switcher:
                 )
 
 
+def changed(
+    switching: Switching, t: float, change: Change, source: int, impulse: float | None = None
+) -> Event:
+    """Return the event that a transition fires, from a mode's value `source`."""
+    name, values = switching.mode_names[change.mode], switching.mode_values[change.mode]
+    return Event(t, change.component, name, values[source], values[change.target], impulse)
+
+
 def pushed(t: float, jumps: Jumps, impulses: Array) -> list[Event]:
     """Return what jumps as events, with the impulses of the motions that feel it."""
-    felt = np.flatnonzero(np.abs(impulses) > JUMP_FELT * np.abs(impulses).max(initial=0.0))
+    felt = np.flatnonzero(np.abs(impulses) > constants.JUMP_FELT * np.abs(impulses).max(initial=0.0))
     if not len(felt):
         return [jumped(t, jumps, len(jumps.motions))]
     return [jumped(t, jumps, int(k), float(impulses[k])) for k in felt]
@@ -268,11 +257,10 @@ def pushed(t: float, jumps: Jumps, impulses: Array) -> list[Event]:
 
 def jumped(t: float, jumps: Jumps, number: int, impulse: float | None = None) -> Event:
     """Return the event that a motion jumps, or, by the number after them, what no motion feels."""
+    name, mode = ", ".join(signal.name for signal in jumps.signals), JUMP
     if number < len(jumps.motions):
-        motion = jumps.motions[number]
-        return Event(t, motion.component, motion.reference, "before", "after", impulse)
-    name = ", ".join(signal.name for signal in jumps.signals)
-    return Event(t, name, JUMP, "before", "after")
+        name, mode = jumps.motions[number].component, jumps.motions[number].reference
+    return Event(t, name, mode, "before", "after", impulse)
 
 
 def _allowed(change: Change, everything: Array) -> bool:

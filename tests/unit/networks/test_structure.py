@@ -1,6 +1,7 @@
 """Networks whose equations constrain or hide each other: reduced to the right states and forces."""
 
 from collections.abc import Callable
+from typing import Any
 
 import inertance as ia
 import numpy as np
@@ -159,3 +160,16 @@ def test_assembling_leaves_garbage_collection_as_it_is(monkeypatch: pytest.Monke
     net = ia.Network("oscillator", wall=ia.Fixed(), spring=ia.Spring(k=1.0), mass=ia.Mass(m=1.0))
     net.connect(net.wall.flange, net.spring.flange_a).connect(net.spring.flange_b, net.mass.flange)
     assert net.dae().state_names
+
+
+def test_signals_that_are_only_passed_on_need_no_equation() -> None:
+    class Wire(ia.Component):
+        u = ia.RealInput("1")
+        y = ia.RealOutput("1")
+
+        def equations(self) -> Any:
+            yield self.y == self.u
+
+    run = ia.Network("wire", wire=Wire(u=lambda t: 2 * t)).simulate(1.0)
+    assert run.dae.state_names == []
+    assert run["wire.y"] == pytest.approx(2 * run.time)

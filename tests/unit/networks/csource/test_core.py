@@ -226,3 +226,19 @@ def test_free_inputs_go_on_by_their_derivatives(tmp_path: Path) -> None:
     assert c_program(dae, inputs={"table.s_ref": lambda t: 0.01 * ca.sin(t)}).inputs == []
     with pytest.raises(ia.ModelError, match=r"did you mean 'table\.s_ref'"):
         c_program(dae, inputs={"table.s_rf": 0.0})
+
+
+def test_dependencies_pass_from_block_to_block() -> None:
+    class Chain(ia.Component):
+        u = ia.RealInput("1")
+        w = ia.RealInput("1")
+        first = ia.variable("1", "what u determines")
+        then = ia.variable("1", "what w and the first determine")
+
+        def equations(self) -> Any:
+            yield ca.sin(self.first) + 2 * self.first == self.u
+            yield ca.sin(self.then) + 2 * self.then == self.first + self.w
+
+    program = c_program(ia.Network("chain", chain=Chain()).dae(), variables=["chain.then"])
+    assert program.dae.z.numel() == 2
+    assert program.dependencies == ([], [[0, 1]])
