@@ -12,7 +12,7 @@ from ..integrator import IntegratorError, Stepper, Stretch
 from ..point import Point, solve_algebraic
 from ..progress import Progress
 from ..run import Run, attempt, enter_next_leg, integrate, record_here
-from ..tolerance import Tolerance
+from ..settings import Tolerance
 from .constants import CHATTER_COUNT, CHATTER_WINDOW, CROWD_COUNT, HOP, NARROWEST
 from .functions import NODES as NODES
 from .indicators import Indicators
