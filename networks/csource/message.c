@@ -9,7 +9,7 @@
 
 const char *core_message(const Core *c) { return c->message; }
 
-static void say(Core *c, const char *text, size_t count) {
+static void put_text(Core *c, const char *text, size_t count) {
     size_t used = strlen(c->message);
     if (count > MESSAGE - 1 - used) count = MESSAGE - 1 - used;
     memcpy(c->message + used, text, count);
@@ -24,7 +24,7 @@ static void say_integer(Core *c, int value) {
     do text[--place] = (char)('0' + left % 10);
     while (left /= 10);
     if (value < 0) text[--place] = '-';
-    say(c, text + place, (size_t)(15 - place));
+    put_text(c, text + place, (size_t)(15 - place));
 }
 
 /* The first nine digits of a number above zero. Returns the exponent of ten that belongs to the first. */
@@ -43,19 +43,19 @@ static int leading_digits(double value, char digits[]) {
 }
 
 static void say_with_exponent(Core *c, const char digits[], int last, int exponent) {
-    say(c, digits, 1);
-    if (last) say(c, ".", 1);
-    say(c, digits + 1, (size_t)last);
-    say(c, "e", 1);
+    put_text(c, digits, 1);
+    if (last) put_text(c, ".", 1);
+    put_text(c, digits + 1, (size_t)last);
+    put_text(c, "e", 1);
     say_integer(c, exponent);
 }
 
 static void say_with_point(Core *c, const char digits[], int last, int exponent) {
-    if (exponent < 0) say(c, "0.", 2);
-    for (int i = -1; i > exponent; i--) say(c, "0", 1);
+    if (exponent < 0) put_text(c, "0.", 2);
+    for (int i = -1; i > exponent; i--) put_text(c, "0", 1);
     for (int i = 0; i <= (last > exponent ? last : exponent); i++) {
-        say(c, i <= last ? digits + i : "0", 1);
-        if (i == exponent && last > i) say(c, ".", 1);
+        put_text(c, i <= last ? digits + i : "0", 1);
+        if (i == exponent && last > i) put_text(c, ".", 1);
     }
 }
 
@@ -64,9 +64,9 @@ static void say_number(Core *c, double value) {
     char digits[DIGITS];
     int last = DIGITS - 1;
     const char *word = isnan(value) ? "nan" : isinf(value) ? "inf" : value == 0 ? "0" : 0;
-    if (value < 0) say(c, "-", 1);
+    if (value < 0) put_text(c, "-", 1);
     if (word) {
-        say(c, word, strlen(word));
+        put_text(c, word, strlen(word));
         return;
     }
     int exponent = leading_digits(fabs(value), digits);
@@ -79,13 +79,13 @@ static void say_number(Core *c, double value) {
 static void say_all(Core *c, const char *format, va_list more) {
     for (;; format++) {
         size_t plain = strcspn(format, "%");
-        say(c, format, plain);
+        put_text(c, format, plain);
         format += plain;
         if (!*format) return;
         if (*++format == 'g') say_number(c, va_arg(more, double));
         else {
             const char *text = va_arg(more, const char *);
-            say(c, text, strlen(text));
+            put_text(c, text, strlen(text));
         }
     }
 }
