@@ -12,7 +12,8 @@ from dataclasses import dataclass
 from xml.etree import ElementTree as ET
 
 from ...base import UnknownNameError, nearest
-from ...base.checks import by_name, demand, instance, one_of
+from ...base.checks import by_name, demand, instance
+from ...base.checks import text as is_text
 from ...components import FAMILIES, Component, Domain, ModelError
 from ...components.language import Port, PortRef
 from ...networks import Network
@@ -60,17 +61,16 @@ def publish(network: Network, flanges: Mapping[str, str]) -> tuple[Network, list
         >>> terminals[0].members["f"]
         'mass_flange.force.f'
     """
-    demand(
-        "publish()",
-        network=(network, instance(Network)),
-        flanges=(flanges, by_name(one_of(CAUSALITIES))),
-    )
+    demand("publish()", network=(network, instance(Network)), flanges=(flanges, by_name(is_text)))
     edited, terminals, problems = network.clone(), [], []
     for path, causality in flanges.items():
         try:
             port, domain = _flange(edited, path)
         except KeyError as error:
             problems.append(str(error.args[0]))
+            continue
+        if causality not in CAUSALITIES:
+            problems.append(f"terminal '{path}' must be one of {', '.join(CAUSALITIES)}, got {causality!r}")
             continue
         name = path.replace(".", "_")
         part, inner, members = _part(domain, causality)
