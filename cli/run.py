@@ -8,7 +8,7 @@ from typing import Annotated, Any
 import typer
 
 from ..components import ModelError, RunInterruptedError, SimulationError
-from ..networks import DAE, Result, check_table_path, chosen_signals, simulate
+from ..networks import DAE, Result, check_table_path, matching_signals, simulate
 from .arguments import Model, StartValues, load_network, pairs
 from .data import read_inputs, unbound_inputs
 from .failure import FAILED, INTERRUPTED, WRONG_USE, fail, failing
@@ -95,7 +95,7 @@ def _simulated(dae: DAE, arguments: dict[str, Any]) -> tuple[Result, str, int]:
 
 def _signals(dae: DAE, names: str | None) -> list[str]:
     with failing(WRONG_USE, KeyError):
-        return chosen_signals(dae, (name.strip() for name in (names or "").split(",") if name.strip()))
+        return matching_signals(dae, (name.strip() for name in (names or "").split(",") if name.strip()))
 
 
 def _span_and_inputs(dae: DAE, data: Path | None, stop: float | None) -> dict[str, Any]:

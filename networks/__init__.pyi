@@ -19,7 +19,7 @@ from .results.pieces import Pieces as Pieces
 from .results.plotting import pretty_unit as pretty_unit
 from .results.recorded import Recorded as Recorded
 from .results.result import Result as Result
-from .results.result import chosen_signals as chosen_signals
+from .results.result import matching_signals as matching_signals
 from .results.storage import check_table_path as check_table_path
 from .results.storage import load_table as load_table
 from .simulation.coverage import between_samples as between_samples

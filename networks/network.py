@@ -6,7 +6,7 @@ from collections.abc import Iterable, Mapping
 from typing import TYPE_CHECKING, Any, Self
 
 from ..base import ModelError, check_keywords, nearest, text
-from ..components.language import Component, PortRef
+from ..components.language import Component, PortRef, parts_of
 
 if TYPE_CHECKING:
     from .dae import DAE
@@ -186,5 +186,5 @@ _MARKS = {*".()"}
 
 def _pairs(original: Component, copy: Component) -> Iterable[tuple[Component, Component]]:
     yield original, copy
-    for name, part in original._parts.items():
+    for name, part in parts_of(original).items():
         yield from _pairs(part, copy._parts[name])

@@ -5,6 +5,8 @@ from .component import Expression as Expression
 from .component import PortRef as PortRef
 from .component import Stated as Stated
 from .component import fields_of as fields_of
+from .component import parts_of as parts_of
+from .component import values_of as values_of
 from .domain import Domain as Domain
 from .fields import MISSING as MISSING
 from .fields import Field as Field

@@ -229,3 +229,13 @@ def fields_of(component: Component, kind: type[F]) -> tuple[F, ...]:
     if kind not in known:
         known[kind] = tuple(f for f in component.fields.values() if isinstance(f, kind))
     return known[kind]
+
+
+def parts_of(component: Component) -> dict[str, Component]:
+    """Return the components inside a component, by name."""
+    return component._parts
+
+
+def values_of(component: Component) -> dict[str, Any]:
+    """Return what was given to the fields of a component, by name."""
+    return component._values

@@ -12,7 +12,7 @@ import numpy as np
 from ...base import Array
 from ...components import signals
 from .. import criteria
-from .edits import Add, Connect, Edit, Insert, between
+from .edits import AddPart, Connect, Edit, Insert, between
 from .effect import Effect, Extent, Motion, Quantity, Values, both, register
 from .sites import Site
 
@@ -173,7 +173,7 @@ def _drifting(site: Site, name: str, values: Values) -> list[Edit]:
     friction = site.family.DriftingFriction(regularised=criteria.REVERSAL_SPEED_RATIO * site.speed, **values)
     return [
         *between(name, friction, site.fixed, site.moving),
-        Add(f"{name}_clock", signals.Clock()),
+        AddPart(f"{name}_clock", signals.Clock()),
         Connect((f"{name}_clock.y", f"{name}.u")),
     ]
 

@@ -8,13 +8,13 @@ from dataclasses import dataclass
 
 from ...base.checks import demand, instance, text
 from ...components import FAMILIES, Component, rotational, signals
-from ...components.language import PortRef
+from ...components.language import PortRef, parts_of
 from ...networks import Network
 from .sites import GROUND
 
 
 @dataclass(frozen=True)
-class Add:
+class AddPart:
     """Add a component by name."""
 
     name: str
@@ -55,7 +55,7 @@ class Insert:
         return f"net.insert(net.{self.port}, {self.name}={_code(self.component)})"
 
 
-Edit = Add | Connect | Insert
+Edit = AddPart | Connect | Insert
 
 
 def edited(network: Network, edits: Iterable[Edit]) -> Network:
@@ -75,9 +75,9 @@ def between(name: str, component: Component, fixed: str, moving: str) -> list[Ed
         fixed=(fixed, text),
         moving=(moving, text),
     )
-    edits: list[Edit] = [Add(name, component)]
+    edits: list[Edit] = [AddPart(name, component)]
     if fixed == GROUND:
-        edits.append(Add(f"{name}_ground", FAMILIES[PortRef(component, "flange_a").domain or ""].Fixed()))
+        edits.append(AddPart(f"{name}_ground", FAMILIES[PortRef(component, "flange_a").domain or ""].Fixed()))
         fixed = f"{name}_ground.flange"
     return [*edits, Connect((fixed, f"{name}.flange_a")), Connect((f"{name}.flange_b", moving))]
 
@@ -86,7 +86,7 @@ def part_at(network: Network, path: str) -> Component:
     """Return a component of a network by its path."""
     component: Component = network
     for name in path.split("."):
-        component = component._parts[name]
+        component = parts_of(component)[name]
     return component
 
 
@@ -100,7 +100,7 @@ def _code(component: Component) -> str:
     """Return the call that makes a component; those of families go by their prefix, joined ones as well."""
     families = {"rotational.": rotational.__name__, "signals.": signals.__name__}
     told = repr(component)
-    for part in (component, *component._parts.values()):
+    for part in (component, *parts_of(component).values()):
         kind = type(part)
         prefix = "".join(p for p, family in families.items() if kind.__module__.startswith(family))
         told = re.sub(rf"(?<![\w.]){kind.__name__}\(", f"{prefix}{kind.__name__}(", told)

@@ -8,7 +8,7 @@ from ...base import Array
 from ...components import Backlash, Component, Domain, rotational
 from ...networks import parallel
 from .. import criteria
-from .edits import Add, Connect, Edit, Insert
+from .edits import AddPart, Connect, Edit, Insert
 from .effect import Effect, Motion, Values, both, register
 from .sites import Site
 
@@ -47,7 +47,7 @@ def _ballast(site: Site, name: str, stiffness: float) -> list[Edit]:
 
 def _body(site: Site, name: str, port: str, inertia: float) -> list[Edit]:
     body = site.family.Mass(**{site.mechanics.inertia: inertia})
-    return [Add(name, body), Connect((f"{name}.flange", port))]
+    return [AddPart(name, body), Connect((f"{name}.flange", port))]
 
 
 def _spring(site: Site, values: Values) -> dict[str, float]:

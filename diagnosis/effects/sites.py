@@ -7,7 +7,7 @@ from dataclasses import dataclass, replace
 from typing import Any
 
 from ...components import FAMILIES, Component, Domain, Fixed, Friction, rotational
-from ...components.language import Port
+from ...components.language import Port, parts_of
 from ...networks import Network
 
 # Pairs of ports that face each other: the one that reacts and the one that moves.
@@ -119,7 +119,7 @@ def _site(path: str, component: Component, node_of: dict[str, int]) -> Site | No
 
 def walk(component: Component, path: str) -> Iterator[tuple[str, Component]]:
     """Yield path and component of all parts, outer ones first."""
-    for name, part in component._parts.items():
+    for name, part in parts_of(component).items():
         inner = f"{path}.{name}" if path else name
         yield inner, part
         yield from walk(part, inner)

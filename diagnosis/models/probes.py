@@ -48,7 +48,7 @@ class Twist(rotational.CompliantWithSpeed):
         yield self.a_rel == der(self.w_rel)
 
 
-class Stretch(TwoFlanges):
+class StretchProbe(TwoFlanges):
     """A distance between two flanges from a signal: s_rel = u; the force goes through."""
 
     u = RealInput("m", "distance")
@@ -75,7 +75,7 @@ class Turn(rotational.TwoFlanges):
 
 
 PROBES: dict[str, tuple[type[Component], type[Component]]] = {
-    Domain.TRANSLATIONAL: (Push, Stretch),
+    Domain.TRANSLATIONAL: (Push, StretchProbe),
     Domain.ROTATIONAL: (Twist, Turn),
 }
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from html import escape
 
+from ...components.language import parts_of
 from ...networks import svg_sketch
 from ..criteria import SITE_SHARE_TOLD, WINDOWS_TOLD
 from ..effects.edits import part_at
@@ -29,7 +30,7 @@ def drawings(verdict: Verdict) -> Iterator[str]:
         here = _within(marks, owner)
         title = f"Inside {owner}" if owner else network.name
         marked = "; ".join(f"{escape(name)}: {escape(told)}" for name, told in here.items())
-        listed = f"<p>{len(composite._parts)} components, too many to draw. {marked}</p>"
+        listed = f"<p>{len(parts_of(composite))} components, too many to draw. {marked}</p>"
         drawn = svg_sketch(composite, here) or listed
         yield f'<figure class="wide"><figcaption class="faint">{escape(title)}</figcaption>{drawn}</figure>'
 

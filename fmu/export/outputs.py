@@ -6,7 +6,7 @@ from collections.abc import Iterable, Sequence
 
 from ...base import ModelError
 from ...components.language import Port, RealInput, RealOutput
-from ...networks import DAE, chosen_signals
+from ...networks import DAE, matching_signals
 
 
 def state_names(dae: DAE, given: Iterable[str] = ()) -> list[str]:
@@ -35,7 +35,7 @@ def chosen_outputs(dae: DAE, outputs: Iterable[str] | None, states: Sequence[str
     if outputs is None:
         return _signals(dae) or list(states)
     try:
-        chosen = chosen_signals(dae, outputs)
+        chosen = matching_signals(dae, outputs)
     except KeyError as error:
         raise ModelError(f"outputs of the FMU: {error.args[0]}") from None
     numbers = [name for name in chosen if dae.parameters.at(name) is not None or name == "time"]

@@ -15,7 +15,7 @@ from ...base import UnknownNameError, nearest
 from ...base.checks import by_name, demand, instance
 from ...base.checks import text as is_text
 from ...components import FAMILIES, Component, Domain, ModelError
-from ...components.language import Port, PortRef
+from ...components.language import Port, PortRef, parts_of
 from ...networks import Network
 from .model_description import text
 
@@ -87,7 +87,7 @@ def _flange(network: Network, path: str) -> tuple[PortRef, Domain]:
     owner: Component = network
     *parts, last = path.split(".")
     for part in parts:
-        known = owner._parts
+        known = parts_of(owner)
         if part not in known:
             raise UnknownNameError(
                 f"there is no flange '{path}': no component '{part}'{nearest(part, known)}"

@@ -9,7 +9,7 @@ from typing import Any
 
 from ...base import listed, nearest, shown
 from ...components import Component, ModelError
-from ...components.language import PortRef
+from ...components.language import PortRef, parts_of
 from ...networks import Network, network_of
 from ..export.export import export_fmu
 from ..export.terminals import members, publish
@@ -56,7 +56,7 @@ class Split:
         for side, network in self.sides.items():
             published[side] = {t.flange: t for t in publish(network, self.terminals[side])[1]}
             own = {
-                key: {n: v for n, v in names.items() if n.partition(".")[0] in network._parts}
+                key: {n: v for n, v in names.items() if n.partition(".")[0] in parts_of(network)}
                 for key, names in shared.items()
             }
             path = Path(folder) / f"{side}.fmu"
@@ -76,7 +76,7 @@ class Split:
         return system
 
     def _check(self, names: Iterable[str]) -> None:
-        parts = [part for network in self.sides.values() for part in network._parts]
+        parts = [part for network in self.sides.values() for part in parts_of(network)]
         problems = [
             f"'{name}': there is no component '{part}'{nearest(part, parts)}"
             for name in names
@@ -132,7 +132,7 @@ class _Cut:
 
     def __init__(self, network: Network, first: set[str], through: set[str]) -> None:
         self.network, self.problems = network, list[str]()
-        parts = network._parts
+        parts = parts_of(network)
         unknown, twice = sorted((first | through) - set(parts)), sorted(first & through)
         self.problems += [f"there is no component '{n}'{nearest(n, parts)}" for n in unknown]
         self.problems += [f"'{n}' is in `first` and in `through`; give it once" for n in twice]
@@ -199,7 +199,7 @@ class _Cut:
     def _half(self, side: int, nodes: list[list[PortRef]]) -> Network:
         """Return the network of one side, with copies of the coupling elements."""
         inserted = {id(a.component): port for port, a, _ in self.network.insertions()}
-        parts = {n: c for n, c in self.network._parts.items() if self.side[n] in (side, 2)}
+        parts = {n: c for n, c in parts_of(self.network).items() if self.side[n] in (side, 2)}
         half = Network(self.network.name, **{n: c for n, c in parts.items() if id(c) not in inserted})
         for node in nodes:
             own = [p for p in node if self._of(p) in (side, 2)]
@@ -217,5 +217,5 @@ class _Cut:
 
 def _inside(component: Component, path: str) -> Iterable[tuple[Component, str]]:
     yield component, path
-    for name, part in component._parts.items():
+    for name, part in parts_of(component).items():
         yield from _inside(part, f"{path}.{name}")

@@ -7,7 +7,7 @@ from typing import Any
 
 from ...base import ModelError, nearest, shown
 from ...components import FAMILIES, Component, Domain
-from ...components.language import Port, PortRef, RealInput
+from ...components.language import Port, PortRef, RealInput, parts_of
 from ..given import element_of
 from ..network import Network
 from .linearise import linearise
@@ -94,9 +94,9 @@ def port(net: Network, path: str) -> PortRef:
     part: Any = net
     *parts, name = path.split(".")
     for step in parts:
-        if step not in part._parts:
-            raise ModelError(f"'{net.name}' has no part '{step}' in '{path}'{nearest(step, part._parts)}")
-        part = part._parts[step]
+        if step not in parts_of(part):
+            raise ModelError(f"'{net.name}' has no part '{step}' in '{path}'{nearest(step, parts_of(part))}")
+        part = parts_of(part)[step]
     ports = [n for n, field in type(part).fields.items() if isinstance(field, Port | RealInput)]
     if name not in ports:
         raise ModelError(f"'{path}': there is no such flange{nearest(name, ports)}")

@@ -23,7 +23,7 @@ from ...base import (
     whole,
 )
 from ...components import FAMILIES, Component, Domain, signals
-from ...components.language import PortRef
+from ...components.language import PortRef, values_of
 from ..given import element_of, network_of
 from ..network import Network
 from ..results.result import Result
@@ -170,7 +170,7 @@ def describing_function(
 def _with_drive(network: Network, driven: str, amplitude: float) -> Network:
     net = network.clone()
     into = port(net, driven)
-    into.component._values.pop(into.name, None)
+    values_of(into.component).pop(into.name, None)
     net.add(**{DRIVE: signals.Sine(f=1.0, amplitude=amplitude)})
     try:
         return net.connect(getattr(net, DRIVE).y, into)

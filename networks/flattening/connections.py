@@ -6,7 +6,7 @@ from collections import defaultdict
 from dataclasses import dataclass, field
 from typing import Any
 
-from ...components.language import Domain, Port, PortRef, RealInput, RealOutput, fields_of
+from ...components.language import Domain, Port, PortRef, RealInput, RealOutput, fields_of, values_of
 from .flat import FatalProblem, Flat, Instance
 
 _Member = tuple[Instance, str, int]
@@ -127,7 +127,7 @@ def _check_node(node: Node, problems: list[str]) -> None:
     elif "signal" in kinds and len(drivers) > 1:
         problems.append(FatalProblem(f"one signal has several sources: {', '.join(drivers)}; keep one"))
     for instance, name, sign in node.ports if drivers else ():
-        if sign > 0 and instance.component._values.get(name) is not None:
+        if sign > 0 and values_of(instance.component).get(name) is not None:
             wrong = f"{instance}: {name} has a signal of its own and that of {drivers[0]}; keep one"
             problems.append(FatalProblem(wrong))
 

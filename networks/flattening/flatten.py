@@ -14,7 +14,7 @@ from pathlib import Path
 import casadi as ca
 
 from ...base import ModelError
-from ...components.language import Component, Template, declared_template, template_of
+from ...components.language import Component, Template, declared_template, parts_of, template_of
 from .connections import connect_ports, find_inputs
 from .equations import component_families, node_families, zero_family
 from .flat import FatalProblem, Flat, Instance
@@ -62,7 +62,7 @@ def _walk(
     instance = Instance(path, component, parent, _template(component, path, problems))
     problems += [f"{instance}: {problem}" for problem in component.problems()]
     yield instance
-    for name, part in component._parts.items():
+    for name, part in parts_of(component).items():
         yield from _walk(part, instance.full(name), instance, problems, seen)
 
 
@@ -123,7 +123,7 @@ def _join_aliases(flat: Flat) -> None:
                 flat.joined.set_derivative(base + x, base + dx)
             for a, b, sign in aliases:
                 flat.joined.join(base + a, base + b, sign)
-            if instance.component._parts:
+            if parts_of(instance.component):
                 _join_used_parts(flat, instance)
 
 
@@ -131,6 +131,6 @@ def _join_used_parts(flat: Flat, instance: Instance) -> None:
     """Tie the symbols by which equations use variables of parts to the parts' own."""
     for local in instance.template.variables:
         head = local.split(".")[0]
-        if head in instance.component._parts and not local.startswith("der("):
+        if head in parts_of(instance.component) and not local.startswith("der("):
             owner, rest = next(flat.owners(instance.full(local)))
             flat.joined.join(instance.index(local), owner.index(rest))

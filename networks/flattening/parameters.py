@@ -10,7 +10,7 @@ import casadi as ca
 import numpy as np
 
 from ...base import ModelError, nearest, number, numpy_on_symbols, shown, text
-from ...components.language import MISSING, Component, Option, Parameter, fields_of
+from ...components.language import MISSING, Component, Option, Parameter, fields_of, parts_of, values_of
 from .flat import FatalProblem, Instance
 from .vectors import column, pick_matrix
 
@@ -34,7 +34,7 @@ class ParameterTable:
 
     def _enter(self, instance: Instance, field: Parameter) -> int:
         """Note a parameter and return its number, negative if it follows from others."""
-        given = instance.component._values.get(field.name, MISSING)
+        given = values_of(instance.component).get(field.name, MISSING)
         value = field.default if given is MISSING else given
         path = instance.full(field.name)
         if isinstance(value, Parameter) or callable(value):
@@ -154,7 +154,7 @@ class _View:
             return self._table.expression(self._instance, name)
         if isinstance(field, Option):
             return component._get(field)
-        if name in component._parts:
+        if name in parts_of(component):
             return _View(self._table, self._table.instances[self._instance.full(name)])
         value = getattr(type(component), name, None)
         if isinstance(value, property) and value.fget:

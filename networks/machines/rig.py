@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 
 from ...base import Array, ModelError, above, at_least, demand, finite, function, instance, shown, whole
 from ...components import Backlash, Component, Fixed, Planet, Position
+from ...components.language import parts_of
 from ..network import Network
 from ..results.result import Result
 
@@ -120,7 +121,7 @@ def run_on_rig(inerter: Component, displacement: Callable[[Any], Any], stop: flo
 def _contacts(component: Component, path: str) -> Iterator[str]:
     if isinstance(component, Backlash | Planet):
         yield path
-    for name, part in component._parts.items():
+    for name, part in parts_of(component).items():
         yield from _contacts(part, f"{path}.{name}")
 
 

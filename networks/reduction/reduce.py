@@ -7,6 +7,7 @@ from typing import Any
 import casadi as ca
 
 from ...base import ModelError
+from ...components.language import values_of
 from ..dae import DAE, Input
 from ..flattening.families import padded
 from ..flattening.flat import Flat
@@ -98,5 +99,5 @@ def _rates(system: System, solution: Solution) -> Any:
 def _input(flat: Flat, number: int, path: str, order: int, sign: int) -> Input:
     owner, _, name = path.rpartition(".")
     component = flat.instances[owner].component
-    unit, signal = type(component).fields[name].unit, component._values.get(name)
+    unit, signal = type(component).fields[name].unit, values_of(component).get(name)
     return Input(path, order, sign, unit, signal, number)

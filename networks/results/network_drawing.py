@@ -6,7 +6,7 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
 from html import escape
 
-from ...components.language import Component, Port, PortRef
+from ...components.language import Component, Port, PortRef, parts_of
 
 MOST_BOXES = 60
 ROW, GAP, BOX = 52, 46, 36
@@ -60,7 +60,7 @@ def svg_sketch(component: Component, marks: Mapping[str, str] | None = None) -> 
 def _graph(component: Component, marks: Mapping[str, str]) -> tuple[list[_Box], list[_Wire]]:
     parts = {
         name: _Box(name, type(part).__name__, _colour(part), marks.get(name, ""))
-        for name, part in component._parts.items()
+        for name, part in parts_of(component).items()
     }
     paths = {id(part): path for path, part in _inner(component, "")}
     outer: dict[str, _Box] = {}
@@ -88,7 +88,7 @@ def _graph(component: Component, marks: Mapping[str, str]) -> tuple[list[_Box], 
 
 def _inner(component: Component, path: str) -> Iterator[tuple[str, Component]]:
     """Yield parts at any depth with their paths: a node may reach into a part."""
-    for name, part in component._parts.items():
+    for name, part in parts_of(component).items():
         yield f"{path}{name}", part
         yield from _inner(part, f"{path}{name}.")
 

@@ -6,7 +6,17 @@ from collections.abc import Iterable, Iterator, Sequence
 from html import escape
 from typing import TYPE_CHECKING, Any
 
-from ...components.language import MISSING, Component, Field, Option, Parameter, RealInput, Variable
+from ...components.language import (
+    MISSING,
+    Component,
+    Field,
+    Option,
+    Parameter,
+    RealInput,
+    Variable,
+    parts_of,
+    values_of,
+)
 from .chart import line_chart
 from .network_drawing import svg_sketch
 from .plotting import pretty_unit
@@ -43,7 +53,7 @@ def result_html(result: Result) -> str:
 
 def network_html(network: Network) -> str:
     """Return a network as HTML: a sketch of what is joined, and its components with their values."""
-    parts = network._parts
+    parts = parts_of(network)
     too_many = f'<span style="{MUTED}">(no sketch of so many)</span>' if parts else ""
     return _page(
         network.name,
@@ -89,7 +99,7 @@ def _table(headers: Sequence[str], rows: Iterable[Sequence[str]]) -> str:
 
 def _components(*owners: Component) -> str:
     """Return the parts of the last owner as a table; the others enclose it."""
-    parts = list(owners[-1]._parts.items())
+    parts = list(parts_of(owners[-1]).items())
     rows = [_component_row(name, part, owners) for name, part in parts[:MOST_ROWS]]
     table = _table(("name", "component", "values"), rows)
     return table + _more(len(parts) - len(rows))
@@ -98,18 +108,18 @@ def _components(*owners: Component) -> str:
 def _component_row(name: str, part: Component, owners: tuple[Component, ...]) -> tuple[str, str, str]:
     values = "; ".join(_values(part, owners))
     problems = "".join(f'<div style="color:#cc3311">{escape(problem)}</div>' for problem in part.problems())
-    inside = _folded(f"{len(part._parts)} parts", _components(*owners, part)) if part._parts else ""
+    inside = _folded(f"{len(parts_of(part))} parts", _components(*owners, part)) if parts_of(part) else ""
     return f"<b>{escape(name)}</b>", escape(type(part).__name__), values + problems + inside
 
 
 def _values(part: Component, owners: tuple[Component, ...]) -> Iterator[str]:
     for name, field in type(part).fields.items():
-        own = part._values.get(name, getattr(field, "default", None))
+        own = values_of(part).get(name, getattr(field, "default", None))
         value = _followed(own, owners)
-        if value is MISSING or not (name in part._values or isinstance(field, Parameter)):
+        if value is MISSING or not (name in values_of(part) or isinstance(field, Parameter)):
             continue
         shown = f"{escape(name)} = {escape(_told(field, value))}"
-        plain = name in part._values and value is own
+        plain = name in values_of(part) and value is own
         yield shown if plain else f'<span style="{MUTED}">{shown}</span>'
 
 
@@ -117,7 +127,7 @@ def _followed(value: Any, owners: tuple[Component, ...]) -> Any:
     """Return the value of a parameter that is bound to one of an enclosing component."""
     for owner in reversed(owners):
         if isinstance(value, Parameter) and type(owner).fields.get(value.name) is value:
-            value = owner._values.get(value.name, value.default)
+            value = values_of(owner).get(value.name, value.default)
     return value
 
 

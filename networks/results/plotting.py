@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any, cast
 import numpy as np
 
 from ...base import ModelError
-from .result import Result, chosen_signals
+from .result import Result, matching_signals
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -21,7 +21,7 @@ MOST_LEGEND_LINES = 12
 
 def plot_result(result: Result, names: Sequence[str], axes: Any = None) -> Figure:
     """Plot signals over time and return the figure; see `Result.plot`."""
-    panels = _panels(result, chosen_signals(result.dae, names))
+    panels = _panels(result, matching_signals(result.dae, names))
     if not panels:
         raise ModelError(f"name the signals of '{result.name}' to plot; it has no states")
     own = axes is None

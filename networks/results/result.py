@@ -198,7 +198,7 @@ class Result(OverTime):
         """
         import pandas as pd
 
-        chosen = chosen_signals(self.dae, names or self.dae.state_names)
+        chosen = matching_signals(self.dae, names or self.dae.state_names)
         table = pd.DataFrame({name: self[name] for name in chosen}, index=pd.Index(self.time, name="time"))
         table.attrs["units"] = {name: self.unit(name) for name in chosen}
         return table
@@ -250,7 +250,7 @@ class Result(OverTime):
         return result_html(self)
 
 
-def chosen_signals(dae: DAE, names: Iterable[str]) -> list[str]:
+def matching_signals(dae: DAE, names: Iterable[str]) -> list[str]:
     """Return the full names behind names and patterns, in which `*` stands for anything, each once, in order.
 
     Raises:

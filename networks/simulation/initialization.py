@@ -15,7 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ...base import Array, InitialConditionError, ModelError, is_number
-from ...components.language import Variable
+from ...components.language import Variable, values_of
 from ..dae import DAE
 from .blame import GUARD, told_without_value
 from .bound_dae import BoundDAE
@@ -106,7 +106,7 @@ def _given(dae: DAE) -> Iterator[tuple[str, float]]:
     """Yield the start values that components were given."""
     for instance in dae.flat.instances.values():
         fields = type(instance.component).fields
-        for name, value in instance.component._values.items():
+        for name, value in values_of(instance.component).items():
             if isinstance(fields.get(name), Variable):
                 yield f"{instance.path}.{name}".lstrip("."), float(value)
 
