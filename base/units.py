@@ -27,7 +27,7 @@ PREFIXED: dict[str, Size] = {
     "Nm": (1.0, TORQUE), "J": (1.0, TORQUE), "Pa": (1.0, PRESSURE), "W": (1.0, {"kg": 1, "m": 2, "s": -3}),
     "V": (1.0, {"kg": 1, "m": 2, "s": -3, "A": -1}), "Hz": (1.0, {"s": -1}),
 }  # fmt: skip
-PLAIN: dict[str, Size] = {
+PLAIN_UNITS: dict[str, Size] = {
     "1": (1.0, {}), "%": (1e-2, {}), "min": (60.0, {"s": 1}), "h": (3600.0, {"s": 1}),
     "deg": (pi / 180, {"rad": 1}), "rev": (2 * pi, {"rad": 1}), "rpm": (pi / 30, {"rad": 1, "s": -1}),
     "in": (INCH, {"m": 1}), "mil": (1e-3 * INCH, {"m": 1}), "ft": (0.3048, {"m": 1}),
@@ -35,13 +35,13 @@ PLAIN: dict[str, Size] = {
     "g_n": (G, {"m": 1, "s": -2}), "degC": (1.0, {"K": 1}), "kg": (1.0, {"kg": 1}),
 }  # fmt: skip
 OFFSETS = {"degC": 273.15}
-GRAVITY = {"g": PLAIN["g_n"]}
-SPELT = str.maketrans(
+GRAVITY = {"g": PLAIN_UNITS["g_n"]}
+UNIT_SPELLINGS = str.maketrans(
     {"µ": "u", "μ": "u", "·": ".", "⋅": ".", "*": ".", "°": "deg", '"': "in"}
     | dict(zip("⁰¹²³⁴⁵⁶⁷⁸⁹⁻", "0123456789-", strict=True))
 )
 # What laboratories write, by the SI unit of each quantity; of like dimensions the first names a quantity.
-USUAL = {
+USUAL_UNITS = {
     "m": "mm cm um nm in mil ft", "m/s": "mm/s cm/s in/s km/h", "m/s2": "mm/s2 g in/s2",
     "rad": "mrad deg rev", "rad/s": "deg/s rpm", "rad/s2": "deg/s2",
     "N": "kN MN mN lbf kgf", "N.m": "kN.m mN.m N.mm N.cm lbf.in lbf.ft", "N.s": "", "N.m.s": "",
@@ -79,9 +79,9 @@ class Unit:
     @property
     def si_name(self) -> str:
         """The SI unit of the same dimension by its usual name: `N` for kN; in base units if it has none."""
-        alike = [si for si in USUAL if unit_of(si).exponents == self.exponents]
+        alike = [si for si in USUAL_UNITS if unit_of(si).exponents == self.exponents]
         if alike:
-            return min(alike, key=lambda si: self.name not in (si, *USUAL[si].split()))
+            return min(alike, key=lambda si: self.name not in (si, *USUAL_UNITS[si].split()))
         powers = {base: power for base, power in zip(BASES, self.exponents, strict=True) if power}
         return _written(powers)
 
@@ -118,7 +118,7 @@ def unit_for(text: str, wanted: str) -> Unit:
 def units_like(unit: Unit) -> dict[str, float]:
     """Return the usual units that measure the same as a unit, each with its size in SI."""
     si = unit.si_name
-    return {name: unit_of(name, unit).factor for name in (si, *USUAL.get(si, "").split())}
+    return {name: unit_of(name, unit).factor for name in (si, *USUAL_UNITS.get(si, "").split())}
 
 
 def rate_unit(unit: str, order: int = 1) -> str:
@@ -137,7 +137,7 @@ def rate_unit(unit: str, order: int = 1) -> str:
 def _readings(text: str) -> tuple[Unit, ...]:
     """Return what a text may mean: two units if there is a g in it, the one with grams first."""
     powers = _powers(text)
-    grams = any(symbol not in PLAIN and symbol[-1] == "g" for symbol in powers)
+    grams = any(symbol not in PLAIN_UNITS and symbol[-1] == "g" for symbol in powers)
     return tuple(_product(text, powers, known) for known in (PREFIXED, PREFIXED | GRAVITY)[: 1 + grams])
 
 
@@ -153,8 +153,8 @@ def _product(text: str, powers: dict[str, int], known: dict[str, Size]) -> Unit:
 
 
 def _size(text: str, symbol: str, known: dict[str, Size]) -> Size:
-    if symbol in PLAIN:
-        return PLAIN[symbol]
+    if symbol in PLAIN_UNITS:
+        return PLAIN_UNITS[symbol]
     for prefix, size in PREFIXES.items():
         if symbol.startswith(prefix) and symbol[len(prefix) :] in known:
             factor, dimensions = known[symbol[len(prefix) :]]
@@ -164,7 +164,7 @@ def _size(text: str, symbol: str, known: dict[str, Size]) -> Size:
 
 def _powers(text: str) -> dict[str, int]:
     """Return the symbols in a unit with their powers."""
-    spelt = re.sub(r"\s*([./()])\s*", r"\1", text.strip().replace("**", "^").translate(SPELT)) or "1"
+    spelt = re.sub(r"\s*([./()])\s*", r"\1", text.strip().replace("**", "^").translate(UNIT_SPELLINGS)) or "1"
     powers: dict[str, int] = {}
     sign, outer = 1, [1]
     for piece in filter(None, re.split(r"([./()]|\s+)", spelt)):
@@ -198,6 +198,6 @@ def _raised(powers: dict[str, int], sign: int) -> list[str]:
 
 
 def _unknown(text: str, piece: str) -> ModelError:
-    known = [name for si, others in USUAL.items() for name in (si, *others.split())]
+    known = [name for si, others in USUAL_UNITS.items() for name in (si, *others.split())]
     told = nearest(text, known) or f"; '{piece}' is not understood, write it by units such as kN, mm, N.s/m"
     return ModelError(f"there is no unit '{text}'{told}")

@@ -17,7 +17,7 @@ from .outputs import draw
 if TYPE_CHECKING:
     from .demo import Cycle, Responses
 
-LOOKS: dict[str, dict[str, Any]] = {
+LINE_STYLES: dict[str, dict[str, Any]] = {
     "planetary": {"color": "tab:blue", "linewidth": 1.6},
     "disk": {"color": "tab:orange", "linewidth": 1.2, "linestyle": "--"},
 }
@@ -29,7 +29,7 @@ def draw_cycles(path: Path, tests: Sequence[Sinusoid], cycles: Mapping[str, Sequ
     axes = figure.subplots(2, len(tests))
     for column, test in enumerate(tests):
         over_time, over_travel = axes[:, column]
-        for name, look in LOOKS.items():
+        for name, look in LINE_STYLES.items():
             cycle = cycles[name][column]
             over_time.plot(cycle.t, cycle.F, label=name, **look)
             over_travel.plot(1e3 * cycle.x, cycle.F, label=name, **look)
@@ -53,8 +53,8 @@ def draw_responses(path: Path, responses: Responses) -> Path:
     ideal = (ge_wang.B + ge_wang.SCREW["m_r"]) * (2 * np.pi * f) ** 2
     gain.loglog(f, ideal, color="0.5", linewidth=1, linestyle=":", label="ideal, $(b + m_r)\\,\\omega^2$")
     for name, H in (("planetary", responses.planetary), ("disk", responses.disk)):
-        gain.loglog(f, np.abs(H), label=name, **LOOKS[name])
-        phase.semilogx(f, np.degrees(np.angle(H)) % 360, **LOOKS[name])
+        gain.loglog(f, np.abs(H), label=name, **LINE_STYLES[name])
+        phase.semilogx(f, np.degrees(np.angle(H)) % 360, **LINE_STYLES[name])
     ratio.semilogx(f, responses.ratio, color="tab:blue")
     ratio.axhline(1, color="0.5", linewidth=1)
     gain.set_ylabel("gain |H| [N/m]")

@@ -18,7 +18,7 @@ Arguments = ParamSpec("Arguments")
 FAILED = 1
 WRONG_USE = 2
 INTERRUPTED = 130
-UNREAD = 141
+BROKEN_PIPE_EXIT = 141
 
 
 def fail(message: str, code: int) -> NoReturn:
@@ -62,7 +62,7 @@ def _unwritable(error: OSError) -> NoReturn:
     """End the command with what the system refused, silently if nobody reads any more."""
     if isinstance(error, BrokenPipeError):
         forget()
-        raise typer.Exit(UNREAD)
+        raise typer.Exit(BROKEN_PIPE_EXIT)
     if error.filename is not None or error.errno is None:
         fail(str(error), WRONG_USE)
     forget()

@@ -9,7 +9,7 @@ from .model_description import ExportedModel
 
 CSOURCE = Path(__file__).with_name("csource")
 COMMON = ("fmi_common.h", "fmi_common.c", "fmi_numbers.c", "model_exchange.c", "derivatives.c", "saved.c")
-OWN = {
+OWN_SOURCES = {
     "2.0": (*COMMON, "fmi2_face.h", "fmi2.c"),
     "3.0": (*COMMON, "fmi3_face.h", "fmi3.c", "fmi3_absent.c"),
 }
@@ -24,7 +24,7 @@ def face_sources(fmi_version: str) -> dict[str, str]:
     import fmpy
 
     standard = Path(fmpy.__file__).parent / "c-code"
-    paths = [CSOURCE / name for name in OWN[fmi_version]]
+    paths = [CSOURCE / name for name in OWN_SOURCES[fmi_version]]
     paths += [standard / name for name in HEADERS[fmi_version]]
     return {path.name: path.read_text(encoding="utf-8") for path in paths}
 

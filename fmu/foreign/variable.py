@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Any
 
-REAL = ("Real", "Float64", "Float32")
+REAL_TYPES = ("Real", "Float64", "Float32")
 
 
 @dataclass(frozen=True)
@@ -34,7 +34,7 @@ class ForeignVariable:
     @property
     def real(self) -> bool:
         """Whether it is a floating-point number."""
-        return self.type in REAL
+        return self.type in REAL_TYPES
 
     @property
     def is_signal(self) -> bool:

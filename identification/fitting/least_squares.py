@@ -22,7 +22,7 @@ Residuals = Callable[[Array, bool], tuple[Array, Array | None]]
 
 GOOD_RATIO = 0.5  # share of what was promised that a step must keep for its slopes to be believed
 LEAST_RATIO = 0.05  # share below which a step is not taken
-SHRUNK = 0.25  # of a step that was not taken, the radius after it
+SHRINK_RATIO = 0.25  # of a step that was not taken, the radius after it
 RIDGE = 1e-3  # over the norm of a column of slopes: keeps steps short where slopes say nothing
 LEAST_WIDTH = 1e-12  # of the box of a step, which must not be empty
 
@@ -99,7 +99,7 @@ def descent(
             slopes = _learnt(slopes, rest, found, step) if learnt else known
             x, rest, exact = np.clip(x + step, *bounds), found, not learnt
         elif exact:
-            radius = SHRUNK * length
+            radius = SHRINK_RATIO * length
             if radius < ending.radius:
                 yield replace(here, ended="no further descent")
                 return

@@ -17,7 +17,7 @@ Bounds = Mapping[str, tuple[float, float]]
 LOGARITHMIC_RATIO = 100.0  # of the bounds, above which a parameter is searched in logarithms
 PEAKS_FOLLOWED, PEAK_ROUNDS = 4, 8
 DIFFERENCE, AGREEMENT = 1e-6, 1e-2  # a derivative is held against a difference this wide, this closely
-INSIDE, EDGE, ROUNDING = 2.0**-33, 1e-6, 1e-9
+BOUND_MARGIN, EDGE_SHARE, ROUNDING = 2.0**-33, 1e-6, 1e-9
 
 
 def check_names(dae: DAE, names: Mapping[str, Any]) -> None:
@@ -181,13 +181,13 @@ class TuningProblem:
         from scipy.optimize import minimize
 
         n = len(self.names)
-        bounds: Any = [(INSIDE, 1 - INSIDE)] * n + [(None, None)] * (len(y) - n)
+        bounds: Any = [(BOUND_MARGIN, 1 - BOUND_MARGIN)] * n + [(None, None)] * (len(y) - n)
         differences = {"maxiter": 60, "ftol": 1e-11, "eps": 1e-7}
         options: Any = {"maxiter": 100, "ftol": 1e-12} if self.exact else differences
         found: Any = minimize(
             function, y, jac=slope, method="SLSQP", bounds=bounds, constraints=constraints, options=options
         )
-        return np.append(np.clip(found.x[:n], INSIDE, 1 - INSIDE), found.x[n:])
+        return np.append(np.clip(found.x[:n], BOUND_MARGIN, 1 - BOUND_MARGIN), found.x[n:])
 
     def gradient(self, measure: Measure, x: Array) -> Array:
         """Return the exact derivatives of a measure in the cube."""
@@ -210,9 +210,9 @@ class TuningProblem:
 
     def on_bounds(self, x: Array) -> tuple[float, Array]:
         """Return a point with what lies next to a bound on it, unless it is worse there."""
-        for k in np.flatnonzero(np.abs(x - np.round(x)) < EDGE):
+        for k in np.flatnonzero(np.abs(x - np.round(x)) < EDGE_SHARE):
             bound = np.round(x[k])
-            for place in (bound, abs(bound - INSIDE)):
+            for place in (bound, abs(bound - BOUND_MARGIN)):
                 moved, value = x.copy(), self.value(x)
                 moved[k] = place
                 if self.value(moved) <= value + ROUNDING * abs(value) and self.allowed(moved):

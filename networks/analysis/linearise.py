@@ -18,7 +18,7 @@ from ..network import Network
 from ..results.result import Result
 from .operating import OperatingPoint, operating_point
 from .realise import Drive, drop_held, realised
-from .resting import HOLDING
+from .resting import HOLDING_MODES
 from .statespace import StateSpace
 
 Place = tuple[Any, ...]
@@ -240,7 +240,7 @@ class Linearisation:
         """Return how what holds depends on the states, one row a motion, if anything does."""
         rows = [np.zeros((0, len(point.x)))]
         for mode, value in point.modes.items():
-            if value in HOLDING:
+            if value in HOLDING_MODES:
                 found = self._motions[mode](point.x, point.z, point.u, point.q, point.t)
                 of_x, of_u = (m.full() for m in found)
                 rows.append(of_x[~of_u.any(axis=1)])

@@ -19,7 +19,7 @@ from ..simulation.consistent_start import begun
 from ..simulation.coverage import check_covered
 from ..simulation.initialization import start_values
 from ..simulation.point import Point
-from .resting import HOLDING, mode_values, settle
+from .resting import HOLDING_MODES, mode_values, settle
 
 
 @dataclass(eq=False)
@@ -153,7 +153,7 @@ def _of_run(run: Result, time: float) -> OperatingPoint:
 
 def _point(closed: BoundDAE, point: Point, notes: list[str]) -> OperatingPoint:
     found = OperatingPoint(closed.dae, point.t, point.x, point.z, _inputs(closed, point.t), point.q, notes)
-    holding = [f"{name} is '{value}'" for name, value in found.modes.items() if value in HOLDING]
+    holding = [f"{name} is '{value}'" for name, value in found.modes.items() if value in HOLDING_MODES]
     notes += [f"{told}: linear only while it holds" for told in holding]
     return found
 

@@ -20,7 +20,7 @@ from ..simulation.point import Point, solve_algebraic
 REST_ACCURACY = 1e-9
 STANDING_SPEED = 1e-12
 SHARES_OF_THE_WAY = (0.25, 0.5, 0.75, 0.999)
-HOLDING = ("stuck", "contact")
+HOLDING_MODES = ("stuck", "contact")
 _REST_FUNCTIONS: WeakKeyDictionary[BoundDAE, Any] = WeakKeyDictionary()
 
 
@@ -151,7 +151,9 @@ def _check_rest(dae: DAE, value: Array, slope: Array, y: Array) -> None:
 
 def _held_states(dae: DAE, q: Array) -> list[int]:
     """Return the states of what holds: they stay where they are."""
-    holding = {name.rpartition(".")[0] for name, value in mode_values(dae, q).items() if value in HOLDING}
+    holding = {
+        name.rpartition(".")[0] for name, value in mode_values(dae, q).items() if value in HOLDING_MODES
+    }
     return [k for k, name in enumerate(dae.state_names) if name.rpartition(".")[0] in holding]
 
 

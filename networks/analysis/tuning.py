@@ -13,7 +13,7 @@ from ...base.checks import check_keywords
 from ..dae import DAE
 from ..given import dae_of
 from ..network import Network
-from .descent import INSIDE, Bounds, TuningProblem, check_names
+from .descent import BOUND_MARGIN, Bounds, TuningProblem, check_names
 from .measures import NO_VALUE, Measure, measured
 
 
@@ -88,7 +88,7 @@ def tune(
     if not (limits or problem.exact):
         value, x = problem.refine(x)
     value, x = problem.on_bounds(x)
-    at_bound = tuple(n for n, c in zip(bounds, x, strict=True) if abs(c - round(c)) <= INSIDE)
+    at_bound = tuple(n for n, c in zip(bounds, x, strict=True) if abs(c - round(c)) <= BOUND_MARGIN)
     return Tuned(problem.parameters(x), value, problem.count, at_bound, problem.exact)
 
 

@@ -34,7 +34,7 @@ static int is_ready(const Core *c, int i, int forced) {
     const double *g = c->left.value, *rate = c->left.rate, near = core_near_zero(c, i);
     int rising = rate[i] > RATE_NOISE * c->fastest[i];
     int ready = g[i] > near || (g[i] > -near && rising);
-    if (g[i] <= LEAVING * near && rate[i] < -RATE_NOISE * c->fastest[i]) ready = 0;
+    if (g[i] <= LEAVING_RATIO * near && rate[i] < -RATE_NOISE * c->fastest[i]) ready = 0;
     if (forced >= 0 && model_change_mode[i] == model_change_mode[forced])
         ready = ready || (g[i] == g[forced] && rate[i] == rate[forced]);
     return ready && core_can_fire(c, i);

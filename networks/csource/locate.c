@@ -195,7 +195,7 @@ static CoreStatus approach(Core *c, Crossing *crossing, int *reached) {
         if (status != CORE_OK) return status;
         double t = crossing->t, g = c->right.value[i], rate = c->right.rate[i];
         double newton = rate > 0 && !beyond ? t - g / rate : INFINITY;
-        int near = low <= newton && newton <= high && fabs(newton - t) < SHIFT * whole;
+        int near = low <= newton && newton <= high && fabs(newton - t) < SHIFT_SHARE * whole;
         if (near || (narrow && c->t < newton && newton < crossing->end)) {
             int there = shifted(c, crossing);
             if (there) return there > 0 ? CORE_OK : CORE_DISCARD;

@@ -15,7 +15,7 @@ from dataclasses import dataclass
 READ = re.compile(r"(w|arg\[\d+\])\[(\d+)\]")
 STATEMENT = re.compile(r"  (w|res\[\d+\])\[(\d+)\]=(.*);\n")
 MOST_READS, FEWEST_MEMBERS, PART_LENGTH = 24, 4, 200
-HOLE = "{}"
+PLACEHOLDER = "{}"
 Place = tuple[str, int]
 
 
@@ -32,7 +32,7 @@ class _Value:
     @property
     def is_leaf(self) -> bool:
         """Whether it is a number or a copy."""
-        return self.text == HOLE or not self.reads
+        return self.text == PLACEHOLDER or not self.reads
 
     def absorb(self) -> None:
         """Take in what is read by this alone."""
@@ -44,7 +44,7 @@ class _Value:
                 reads += read.reads
                 read.uses -= 1
             else:
-                pieces.append(HOLE)
+                pieces.append(PLACEHOLDER)
                 reads.append(read)
         self.text, self.reads = self.text.format(*pieces), reads
         self.level = 1 + max((read.level for read in reads if isinstance(read, _Value)), default=0)
@@ -81,7 +81,7 @@ def _values(statements: Sequence[str]) -> list[_Value]:
         for read in reads:
             if isinstance(read, _Value):
                 read.uses += 1
-        value = _Value(READ.sub(HOLE, text), reads)
+        value = _Value(READ.sub(PLACEHOLDER, text), reads)
         values.append(value)
         if target == "w":
             held[place] = value
@@ -144,4 +144,4 @@ def _line(places: list[int]) -> str | None:
 
 
 def _bracketed(text: str) -> str:
-    return text if text == HOLE or text[0] == "(" else f"({text})"
+    return text if text == PLACEHOLDER or text[0] == "(" else f"({text})"

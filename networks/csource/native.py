@@ -38,9 +38,9 @@ if TYPE_CHECKING:
     from ..simulation.run import Run
 
 ARRIVED, PAUSED, STUCK, FAILED = range(4)
-ROOM = 512
+EVENT_CAPACITY = 512
 MOST_BETWEEN = 1_000_000  # steps from one output to the next
-UNEVEN = 20  # times its share of `max_steps` that an interval between outputs may take
+UNEVEN_RATIO = 20  # times its share of `max_steps` that an interval between outputs may take
 FIRST_STEPS, PATIENCE = 256, 0.05  # steps and seconds [s] until the C program looks up from its work
 DOUBLES, INTEGERS = POINTER(c_double), POINTER(c_longlong)
 DOUBLE_ARRAYS = ("outputs", "times", "points", "constants", "event_times", "impulses")
@@ -125,7 +125,7 @@ class Native:
         self._library.native_begin(self._core, *begin)
         store = _Store(self, outputs, (settings.rtol, settings.atol))
         if settings.max_steps is not None:
-            store.shared.crowd = UNEVEN * settings.max_steps // (len(outputs) - 1) + UNEVEN
+            store.shared.crowd = UNEVEN_RATIO * settings.max_steps // (len(outputs) - 1) + UNEVEN_RATIO
         budget, status = FIRST_STEPS, PAUSED
         output, steps = 0, 0
         while status == PAUSED:
@@ -166,7 +166,11 @@ class _Store:
     def __init__(self, native: Native, outputs: Array, tolerance: tuple[float, float]) -> None:
         self.native, jumps = native, native.dae.jumps
         modes = len(native.dae.switching.mode_names) + (len(jumps.motions) if jumps else 0)
-        rows, events, segments = len(outputs) + 2 * ROOM + 2, ROOM + FIRING_ROUNDS * modes + 1, ROOM + 2
+        rows, events, segments = (
+            len(outputs) + 2 * EVENT_CAPACITY + 2,
+            EVENT_CAPACITY + FIRING_ROUNDS * modes + 1,
+            EVENT_CAPACITY + 2,
+        )
         self.outputs = np.ascontiguousarray(outputs)
         self.times, self.points = np.empty(rows), np.empty((rows, native.nx + native.nz))
         self.constants, self.segment_rows = np.empty((segments, native.nq)), np.empty(segments, np.int64)
@@ -179,7 +183,7 @@ class _Store:
             atol=tolerance[1],
             output_count=len(outputs),
             next=1,
-            room=ROOM // 2,
+            room=EVENT_CAPACITY // 2,
             last=-np.inf,
             **{name: _pointer(getattr(self, name)) for name in (*DOUBLE_ARRAYS, *INTEGER_ARRAYS)},
         )

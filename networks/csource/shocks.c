@@ -186,10 +186,10 @@ static CoreStatus check_reach(Core *c, const double before[]) {
         int mode = model_change_mode[i], present = core_mode(c, mode), indicator = model_change_indicator[i];
         double was = before[indicator], now = c->expressions[indicator];
         int opens = model_change_source[i] != model_change_target[i] && core_holds(c, i);
-        int onto = present == model_change_source[i] && core_stands_in(mode, present) < 0 && was <= INSIDE &&
-                   now > INSIDE;
+        int onto = present == model_change_source[i] && core_stands_in(mode, present) < 0 &&
+                   was <= STOP_DEPTH && now > STOP_DEPTH;
         if (model_change_impulse[i] < 0) continue;
-        if (!onto && !(opens && fabs(now - was) > INSIDE)) continue;
+        if (!onto && !(opens && fabs(now - was) > STOP_DEPTH)) continue;
         return core_fail(c, CORE_ERROR,
                          "at t = %g s %s is struck or left at infinite speed, where a prescribed position "
                          "jumps; give a ramp instead of the jump",
@@ -202,7 +202,8 @@ static int any_pressed(const Core *c) {
     const double *value = c->expressions;
     int any = 0;
     for (int i = 0; i < NG && !any; i++)
-        any = core_holds(c, i) && value[model_change_after[i]] > value[model_change_velocity[i]] + PRESSED;
+        any = core_holds(c, i) &&
+              value[model_change_after[i]] > value[model_change_velocity[i]] + PRESSING_SPEED;
     return any;
 }
 
@@ -232,7 +233,7 @@ static CoreStatus pass_on(Core *c, double pushes[], const Observer *told) {
     if (status != CORE_OK || !told || !told->fired) return status;
     double largest = core_largest(pushes, NPUSH);
     for (int i = 0; i < NPUSH; i++)
-        if (fabs(pushes[i]) > JUMP_FELT * largest) told->fired(told->context, c, NG + i, 0, pushes[i]);
+        if (fabs(pushes[i]) > JUMP_FELT_SHARE * largest) told->fired(told->context, c, NG + i, 0, pushes[i]);
     if (largest == 0) told->fired(told->context, c, NG + NPUSH, 0, 0);
     for (int k = 0; k < count; k++) told->fired(told->context, c, contacts[k], 1, impulses[k]);
     return status;

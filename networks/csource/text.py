@@ -24,7 +24,7 @@ PRELUDE = """\
 #endif
 
 """
-BESIDE = re.compile(
+AUXILIARY_FUNCTIONS = re.compile(
     r"^CASADI_SYMBOL_EXPORT [^\n]*?_(?:alloc_mem|init_mem|free_mem|checkout|release|incref|decref|n_in|n_out"
     r"|default_in|name_in|name_out|sparsity_in|sparsity_out|work|work_bytes)\([^\n]*\) ?\{.*?^\}\n+",
     re.MULTILINE | re.DOTALL,
@@ -53,7 +53,7 @@ def generated(functions: Sequence[Any]) -> tuple[str, int]:
             generator.add(function)
         path = generator.generate(f"{folder}/")
         text = Path(path).read_text(encoding="utf-8")
-    text = WRITE.sub("res", READ.sub(r"arg[\1][\2];", BESIDE.sub("", text)))
+    text = WRITE.sub("res", READ.sub(r"arg[\1][\2];", AUXILIARY_FUNCTIONS.sub("", text)))
     room = max((f.sz_w() for f in functions if not f.is_a("SXFunction")), default=0)
     return _with_loops(PRELUDE + text, room) if large else (PRELUDE + text, room)
 

@@ -21,7 +21,7 @@ from ..flattening.vectors import column, pick, stacked
 from .pantelides import Equation, System
 
 MOTIONS = {"m", "m/s", "m/s2", "rad", "rad/s", "rad/s2"}
-THROUGH = ("flange.f", "flange.tau")
+THROUGH_VARIABLES = ("flange.f", "flange.tau")
 
 
 @dataclass(frozen=True, eq=False)
@@ -186,7 +186,7 @@ def _motions(flat: Flat) -> tuple[list[PrescribedMotion], list[tuple[int, int]]]
     motions, through = [], []
     for instance in flat.instances.values():
         reference = _reference(instance)
-        name = next((name for name in THROUGH if name in instance.template.place), None)
+        name = next((name for name in THROUGH_VARIABLES if name in instance.template.place), None)
         if reference and name:
             motions.append(PrescribedMotion(str(instance), f"{instance.path}.{reference}"))
             through.append(flat.joined.find(instance.index(name)))

@@ -30,7 +30,7 @@ MOST_STATES = 12
 MOST_CHARTS = 4
 MOST_ROWS = 40
 CELL = 'style="text-align:left;vertical-align:top;padding:1px 8px"'
-MUTED = "opacity:0.65"
+MUTED_STYLE = "opacity:0.65"
 
 
 def result_html(result: Result) -> str:
@@ -54,7 +54,7 @@ def result_html(result: Result) -> str:
 def network_html(network: Network) -> str:
     """Return a network as HTML: a sketch of what is joined, and its components with their values."""
     parts = parts_of(network)
-    too_many = f'<span style="{MUTED}">(no sketch of so many)</span>' if parts else ""
+    too_many = f'<span style="{MUTED_STYLE}">(no sketch of so many)</span>' if parts else ""
     return _page(
         network.name,
         f"{len(parts)} components",
@@ -64,7 +64,7 @@ def network_html(network: Network) -> str:
 
 
 def _page(name: str, title: str, *blocks: str) -> str:
-    heading = f'<b>{escape(name)}</b> <span style="{MUTED}">{escape(title)}</span>'
+    heading = f'<b>{escape(name)}</b> <span style="{MUTED_STYLE}">{escape(title)}</span>'
     return f'<div style="font:13px sans-serif">{heading}{"".join(blocks)}</div>'
 
 
@@ -88,7 +88,7 @@ def _rows(what: str, headers: Sequence[str], rows: Sequence[Sequence[str]], coun
 
 
 def _more(count: int) -> str:
-    return f'<span style="{MUTED}">and {count} more</span>' if count > 0 else ""
+    return f'<span style="{MUTED_STYLE}">and {count} more</span>' if count > 0 else ""
 
 
 def _table(headers: Sequence[str], rows: Iterable[Sequence[str]]) -> str:
@@ -120,7 +120,7 @@ def _values(part: Component, owners: tuple[Component, ...]) -> Iterator[str]:
             continue
         shown = f"{escape(name)} = {escape(_told(field, value))}"
         plain = name in values_of(part) and value is own
-        yield shown if plain else f'<span style="{MUTED}">{shown}</span>'
+        yield shown if plain else f'<span style="{MUTED_STYLE}">{shown}</span>'
 
 
 def _followed(value: Any, owners: tuple[Component, ...]) -> Any:

@@ -8,7 +8,7 @@ written with each program. What only one loop knows stands beside it.
 INDICATOR_FLOOR = 1e-12  # indicators, and rates of them, below this are zero: rounding of numbers near 1
 INDICATOR_ROUNDING = 1e-12  # likewise this share of the greatest value an indicator has had
 RATE_NOISE = 1e-10  # share of its fastest rate below which an indicator neither rises nor falls
-LEAVING = 10.0  # what falls does not fire until it is so many times the size of zero
+LEAVING_RATIO = 10.0  # what falls does not fire until it is so many times the size of zero
 
 # Crossings
 CUBIC_CREST = 4 / 27  # share of its slopes at 0 and 1 by which a cubic may rise above its ends
@@ -21,7 +21,7 @@ NARROWEST = 1e-13  # likewise: a bracket that narrow holds its crossing
 # knows its error and is refused where that is too great: a long one saves calls and costs nothing. In C along
 # the velocity, whose error nobody knows: 1e-3 puts events of loose runs off by 1e-6 s, 1e-6 by 1e-9 s.
 HOP = 1e-3  # share of an output interval, or of the stretch between two nodes
-SHIFT = 1e-6  # share of a step
+SHIFT_SHARE = 1e-6  # share of a step
 
 # Firing
 FIRING_ROUNDS = 1000  # at one instant, after which modes are taken to switch for ever
@@ -29,8 +29,8 @@ FIRING_TOLD = 20  # of the last events of these, whose components are told
 CHATTER_COUNT, CHATTER_WINDOW = 200, 1e-6  # events in that share of an output interval are chattering, ...
 CROWD_COUNT = 20_000  # ... and so are as many in a whole one
 IMPACT_RANK = 1e-10  # share of the greatest singular value below which an impulse or a reset has no effect
-PRESSED = 1e-12  # m/s, rad/s: contacts that approach faster pass a shock on
-INSIDE = 1e-9  # m, rad: what is farther beyond a stop is not at rest on it
+PRESSING_SPEED = 1e-12  # m/s, rad/s: contacts that approach faster pass a shock on
+STOP_DEPTH = 1e-9  # m, rad: what is farther beyond a stop is not at rest on it
 JUST_BEFORE = 1e-9  # s before it begins, a run asks what its signals were
 
 # Start values
@@ -57,5 +57,5 @@ JUMP_LATE = 1e-10  # ... and how late an instant may be located, as SAME_INSTANT
 JUMP_UNBOUNDED = 1e-6  # share by which a shorter ramp may move what has a bounded force
 JUMP_ACCURACY = 1e-10  # of one step along a jump
 JUMP_STEP = 2.0**-40  # share of a jump; steps are no shorter
-JUMP_FELT = 1e-12  # share of the greatest impulse below which none is felt
+JUMP_FELT_SHARE = 1e-12  # share of the greatest impulse below which none is felt
 JUMP_ALIKE = 1e-9  # relative and absolute difference below which modes pass a jump on alike

@@ -88,7 +88,7 @@ class Switcher:
         indicators = self.indicators
         (g, rate), near = indicators.watch(point), indicators.tolerance()
         ready = indicators.active(point.q) & ((g > near) | ((g > -near) & indicators.rising(rate)))
-        ready &= ~((g <= constants.LEAVING * near) & indicators.falling(rate))
+        ready &= ~((g <= constants.LEAVING_RATIO * near) & indicators.falling(rate))
         if forced is not None:
             same_mode = self.functions.mode_of == self.functions.mode_of[forced]
             twins = same_mode & (g == g[forced]) & (rate == rate[forced])
@@ -163,7 +163,9 @@ class Switcher:
         point.x = during.x
         contacts = partners(self.switching, self.indicators.modes(point.q), [])
         everything = self._everything(during)
-        pressed = any(everything[c.after] > everything[c.velocity] + constants.PRESSED for c in contacts)
+        pressed = any(
+            everything[c.after] > everything[c.velocity] + constants.PRESSING_SPEED for c in contacts
+        )
         passed = self._strike(point, contacts) if pressed else {}
         if passed:
             pushes = pushes + self.shocks.passed(during, passed)
@@ -189,7 +191,7 @@ class Switcher:
         """Note what begins beyond the point at which it strikes."""
         self.completion.update(point)
         values = self.indicators.watch(point)[0]
-        for i in np.flatnonzero(self.indicators.leavable(point.q) & (values > constants.INSIDE)):
+        for i in np.flatnonzero(self.indicators.leavable(point.q) & (values > constants.STOP_DEPTH)):
             change = self.switching.changes[i]
             if change.impulse is not None:
                 self.completion.note(
@@ -230,8 +232,10 @@ class Switcher:
             was, now = before[change.indicator], after[change.indicator]
             present = int(modes[change.mode])
             holds = present in self.switching.in_shock[change.mode]
-            onto = not holds and present == change.source and was <= constants.INSIDE < now
-            off = holds and present == change.target != change.source and abs(now - was) > constants.INSIDE
+            onto = not holds and present == change.source and was <= constants.STOP_DEPTH < now
+            off = (
+                holds and present == change.target != change.source and abs(now - was) > constants.STOP_DEPTH
+            )
             if change.impulse is not None and (onto or off):
                 raise SimulationError(
                     f"at t = {point.t:.9g} s {change.component} is struck or left at infinite speed, where a "
@@ -249,7 +253,7 @@ def changed(
 
 def pushed(t: float, jumps: Jumps, impulses: Array) -> list[Event]:
     """Return what jumps as events, with the impulses of the motions that feel it."""
-    felt = np.flatnonzero(np.abs(impulses) > constants.JUMP_FELT * np.abs(impulses).max(initial=0.0))
+    felt = np.flatnonzero(np.abs(impulses) > constants.JUMP_FELT_SHARE * np.abs(impulses).max(initial=0.0))
     if not len(felt):
         return [jumped(t, jumps, len(jumps.motions))]
     return [jumped(t, jumps, int(k), float(impulses[k])) for k in felt]
