@@ -164,6 +164,7 @@ def _same(one: Any, other: Any) -> bool:
     both = [ca.densify(one), ca.densify(other)]
     symbols = ca.symvar(ca.vertcat(*both))
     values = ca.Function("values", symbols, both)
-    at = np.array([[0.1, 1.7, 23.0]])
-    first, second = (m.full() for m in values.call([ca.DM(at + k) for k in range(len(symbols))]))
+    instants = np.array([[0.1, 1.7, 23.0]])
+    points = [ca.DM(np.repeat(instants + k, symbol.numel(), axis=0)) for k, symbol in enumerate(symbols)]
+    first, second = (m.full() for m in values.call(points))
     return np.array_equal(first, second, equal_nan=True)
