@@ -128,15 +128,16 @@ def _port(part: Foreign) -> dict[str, str]:
     (given,) = part.given
     if isinstance(part, FMUMotion | FMURotation):
         signed, turned = (by_order[0].input, by_order[0].sign), given.sign
-        names = dict(zip(("position", "velocity"), given.variables, strict=True))
+        position, velocity = given.variables
     else:
         if 0 not in by_order or 1 not in by_order:
             raise ModelError("an FMU that is moved must take position and velocity; " + REMEDY)
         signed, turned = (given.variables[0], given.sign), min(by_order[0].sign, by_order[1].sign)
-        names = {"position": by_order[0].input, "velocity": by_order[1].input}
+        position, velocity = by_order[0].input, by_order[1].input
     if turned < 0:
         raise ModelError("an FMU whose position counts the other way cannot be diagnosed; turn its flanges")
-    return {"force": signed[0] if signed[1] > 0 else f"-{signed[0]}", **names}
+    force = signed[0] if signed[1] > 0 else f"-{signed[0]}"
+    return {"force": force, "position": position, "velocity": velocity}
 
 
 def _recognised(network: Network) -> FMUNetworkModel | None:

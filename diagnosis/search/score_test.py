@@ -160,7 +160,7 @@ def _scored(sums: _Sums, parameters: Mapping[str, float]) -> Iterator[Candidate]
     count = len(prior)
     for tally in sums.tallies.values():
         crossed, seen, own = np.split(tally.products, [count, count + 1], axis=1)
-        matrix = own - crossed @ prior @ crossed.T
+        matrix = np.asarray(own - crossed @ prior @ crossed.T, dtype=float)
         seen = seen[:, 0] - crossed @ prior @ sums.residual
         sizes = tally.effect.sizes(tally.site.domain)
         values, gain = _least(matrix, seen, np.array([q.low for q in sizes]))

@@ -94,7 +94,8 @@ def _continuous(
 ) -> Callable[[float], float]:
     """Return a signal as a function of time; note it in `smooth` if it is sampled."""
     if callable(signal):
-        return lambda t: float(signal(t))
+        function: Any = signal
+        return lambda t: float(function(t))
     if isinstance(signal, Real):
         number = float(checked(inputs.fmu, v, signal)[0])
         return lambda t: number

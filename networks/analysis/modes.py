@@ -85,7 +85,8 @@ def transmission_zeros(system: StateSpace) -> Complex:
         )
     pencil = np.block([[system.A, system.B], [system.C, system.D]])
     weight = scipy.linalg.block_diag(np.eye(n), np.zeros((m, m)))
-    alpha, beta = scipy.linalg.eigvals(pencil, weight, homogeneous_eigvals=True).astype(np.complex128)
+    found = scipy.linalg.eigvals(pencil, weight, homogeneous_eigvals=True)
+    alpha, beta = np.asarray(found, dtype=np.complex128)
     finite = np.abs(beta) > 1e-10 * np.abs(alpha)
     zeros: Complex = alpha[finite] / beta[finite]
     zeros = zeros[np.abs(zeros) < 1e6 * np.abs(system.poles).max(initial=1.0)]

@@ -79,7 +79,8 @@ class DenseOutput:
         """Return a signal between the points that enclose a window; `values` are those at all points."""
         known, ranges = _extremes(values), self._ranges
         gaps, done, budget = Gaps.of(self.points, self._pieces(begin, end)), list[Pieces](), MOST_PIECES
-        for level in range(MOST_LEVELS + 1):
+        level = 0
+        while True:
             course = self._cubics(name, gaps)
             known, ranges = _extremes(known, course.ends), _extremes(ranges, gaps.last.x)
             doubtful = course.bend > BEND_SHARE * self._size(known)
@@ -90,7 +91,7 @@ class DenseOutput:
             if level == MOST_LEVELS or budget < 0 or not wanted.any():
                 break
             done.append(course[~wanted])
-            gaps = self._again(gaps.only(wanted))
+            gaps, level = self._again(gaps.only(wanted)), level + 1
         whole = course.straight(doubtful).merged(*done)
         self._tell(name, course[doubtful], float(self._size(known) * whole.length.sum()))
         return whole

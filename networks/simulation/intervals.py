@@ -54,7 +54,7 @@ class Enclosure:
                 elif operation == ca.OP_INPUT:
                     work[into[0]] = columns[of[0]][of[1]]
                 elif operation == ca.OP_CONST:
-                    work[into[0]] = (np.full(count, constant),) * 2
+                    work[into[0]] = np.full(count, constant), np.full(count, constant)
                 else:
                     low, high, unsure = _RULES.get(operation, _UNKNOWN)(*(work[place] for place in of))
                     unknown = ~((low < np.inf) & (high > -np.inf))  # NaN, too
@@ -89,7 +89,12 @@ def _stepped(function: Callable[[Any], Any]) -> Rule:
 
 def _even(function: Callable[[Any], Any]) -> Rule:
     """Return bounds of an even function that rises with the size of its argument."""
-    return lambda a: (*map(function, _size(a)), False)
+
+    def bounds(a: Bounds) -> tuple[Array, Array, bool]:
+        low, high = _size(a)
+        return function(low), function(high), False
+
+    return bounds
 
 
 def _size(a: Bounds) -> Bounds:
@@ -238,7 +243,7 @@ _RULES: dict[int, Rule] = {
     ca.OP_LT: _compared(lambda a, b: (a[1] < b[0], a[0] >= b[1])),
     ca.OP_LE: _compared(lambda a, b: (a[1] <= b[0], a[0] > b[1])),
     ca.OP_EQ: _compared(_same),
-    ca.OP_NE: _compared(lambda a, b: _same(a, b)[::-1]),
+    ca.OP_NE: _compared(lambda a, b: (_same(a, b)[1], _same(a, b)[0])),
     ca.OP_NOT: _connected(lambda a: a[::-1]),
     ca.OP_AND: _connected(lambda a, b: (a[0] & b[0], a[1] | b[1])),
     ca.OP_OR: _connected(lambda a, b: (a[0] | b[0], a[1] & b[1])),

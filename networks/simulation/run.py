@@ -90,10 +90,11 @@ def enter_next_leg(run: Run) -> bool:
     if leg.jumps:
         record_here(run)
         seen = seen_of_jumps(run, last)
-    run.point = run.point.copy(leg.begin)
-    if leg.jumps:
+        run.point = run.point.copy(leg.begin)
         solve_algebraic(run.closed, run.point)
         shock(run, seen)
+    else:
+        run.point = run.point.copy(leg.begin)
     settle(run, leg.jumps)
     return True
 
