@@ -12,6 +12,6 @@ def past_clearance(force: Expression, half: Expression) -> Expression:
 
     `force` [N] is that of the contact without clearance, `half` [N] stiffness times half the clearance.
 
-    Source: Ge & Wang on the planetary flywheel inerter (see `ge_wang`), eqs. (20), (24).
+    Source: Ge & Wang on the planetary flywheel inerter (see `machines.ge_wang`), eqs. (20), (24).
     """
     return ca.fmax(force - half, 0) + ca.fmin(force + half, 0)

@@ -90,7 +90,7 @@ def draw(rooms: dict[str, dict[str, int]], path: Path) -> None:
             told = "    ".join(box for box, level in room.items() if level == floor)
             axes.text(57, top - height + floor - 0.5, told, ha="center", va="center", fontsize=8.5)
         top -= height + 0.35
-    axes.set(xlim=(0, 100), ylim=(top, 0.2))
+    axes.set(xlim=(-0.2, 100.2), ylim=(top, 0.2))
     axes.axis("off")
     figure.savefig(path, bbox_inches="tight", dpi=100)
     plt.close(figure)

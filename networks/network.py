@@ -56,7 +56,7 @@ class Network(Component):
     def connect(self, *ports: PortRef) -> Self:
         """Join ports at one node and return the network; one port alone is left free on purpose.
 
-        Nothing acts on a free end. A body (`Mass`, `Inertia`, `Rod` ...) may also be left unconnected.
+        Nothing acts on a free end. A body (`Mass`, `rotational.Inertia`, ...) may also be left unconnected.
 
         Raises:
             ModelError: if nothing, or something that is no port, is given.

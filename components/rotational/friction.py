@@ -40,7 +40,7 @@ class StribeckFriction(Friction):
     tau = [tau_c + (tau_s - tau_c) exp(-|w_rel|/w_s)] sgn(w_rel) + d w_rel while sliding;
     |tau| <= peak tau_s while stuck.
 
-    Source: Ge & Wang on the planetary flywheel inerter (see `ge_wang`), eq. (26).
+    Source: Ge & Wang on the planetary flywheel inerter (see `machines.ge_wang`), eq. (26).
     """
 
     tau_c = parameter("N.m", "Coulomb friction torque", min=0)

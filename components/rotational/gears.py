@@ -56,7 +56,7 @@ class GearMesh(Component):
     f = p - k g when p >= k g, zero when |p| < k g, p + k g when p <= -k g.
     flange_a.tau = r_a f, flange_b.tau = r_b f (-r_b for a ring); the support takes the rest.
 
-    Source: Ge & Wang on the planetary flywheel inerter (see `ge_wang`), eqs. (16)-(20).
+    Source: Ge & Wang on the planetary flywheel inerter (see `machines.ge_wang`), eqs. (16)-(20).
     """
 
     flange_a = RotationalFlange("gear a")

@@ -39,7 +39,7 @@ class StribeckFriction(Friction):
     f = [f_c + (f_s - f_c) exp(-|v_rel|/v_s)] sgn(v_rel) + d v_rel while sliding;
     |f| <= peak f_s while stuck.
 
-    Source: Ge & Wang on the planetary flywheel inerter (see `ge_wang`), eq. (26), written for translation.
+    Source: Ge & Wang on the planetary flywheel inerter (see `machines.ge_wang`), eq. (26) for translation.
     """
 
     f_c = parameter("N", "Coulomb friction force", min=0)

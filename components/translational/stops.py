@@ -122,7 +122,7 @@ class Backlash(CompliantWithSpeed):
     Limits: the damper counts inside the clearance too. Where d |v_rel| > k (eps - |s_rel - s_rel0|),
     f acts before contact, and on fast separation it may pull; `ElastoGap` limits the damping instead.
 
-    Source: Ge & Wang on the planetary flywheel inerter (see `ge_wang`), eqs. (20) and (24).
+    Source: Ge & Wang on the planetary flywheel inerter (see `machines.ge_wang`), eqs. (20) and (24).
     """
 
     k = parameter("N/m", "stiffness", min=0)

@@ -29,7 +29,7 @@ class NutScrew(Transmission):
 
     `flange_t` is the nut if the nut slides and the screw turns in the housing's bearing.
 
-    Source: Ge & Wang on the planetary flywheel inerter (see `ge_wang`), eqs. (2), (27).
+    Source: Ge & Wang on the planetary flywheel inerter (see `machines.ge_wang`), eqs. (2), (27).
     """
 
     lead = parameter("m", "travel of the nut for one turn of the screw", above=0)
@@ -74,7 +74,7 @@ class CompliantNutScrew(Component):
 
     `friction` is any rotational friction element; without one the screw turns freely.
 
-    Source: Ge & Wang on the planetary flywheel inerter (see `ge_wang`), eqs. (22)-(27).
+    Source: Ge & Wang on the planetary flywheel inerter (see `machines.ge_wang`), eqs. (22)-(27).
     """
 
     flange_r = RotationalFlange("the screw")

@@ -27,7 +27,7 @@ class Flywheel(Component):
 class DiskFlywheel(Flywheel):
     """A homogeneous disk: (m R^2/2 + J_s) a = tau; its housing feels nothing.
 
-    Source: Ge & Wang on the planetary flywheel inerter (see `ge_wang`), eq. (14).
+    Source: Ge & Wang on the planetary flywheel inerter (see `machines.ge_wang`), eq. (14).
     """
 
     m = parameter("kg", "mass", above=0)
@@ -47,7 +47,7 @@ class IdealPlanetaryFlywheel(Flywheel):
 
     Limits: the housing may move but must not accelerate in turning.
 
-    Source: Ge & Wang on the planetary flywheel inerter (see `ge_wang`), eqs. (5), (7).
+    Source: Ge & Wang on the planetary flywheel inerter (see `machines.ge_wang`), eqs. (5), (7).
     """
 
     N = option("number of planets", default=4, check=counting)
@@ -92,7 +92,7 @@ class Planet(PlanetGear, StickSlip):
     theta_s is the bracket's angle and theta_p the planet's spin, both against the ring and counted
     in opposite senses. At rest T_pm truly sticks; see `StickSlip` for `regularised` [rad/s].
 
-    Source: Ge & Wang on the planetary flywheel inerter (see `ge_wang`), eqs. (16)-(21).
+    Source: Ge & Wang on the planetary flywheel inerter (see `machines.ge_wang`), eqs. (16)-(21).
     """
 
     bracket = RotationalFlange("bracket that carries the pin")
@@ -144,7 +144,7 @@ class PlanetaryFlywheel(PlanetGear):
     own mesh and coordinate, is named `planet_1` to `planet_N`, and may be replaced by one with other
     parameters.
 
-    Source: Ge & Wang on the planetary flywheel inerter (see `ge_wang`), eqs. (16)-(21).
+    Source: Ge & Wang on the planetary flywheel inerter (see `machines.ge_wang`), eqs. (16)-(21).
     """
 
     flange = RotationalFlange("where the screw is joined", free=True)

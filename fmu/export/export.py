@@ -67,7 +67,8 @@ def export_fmu(
         outputs: names of the outputs, `*` for any part of one; else signals that go nowhere and what
             sensors measure, else the states.
         inputs: inputs of the network that have a signal and become inputs of the FMU nevertheless.
-        terminals: flanges to turn into signals, `{"body.flange": "force-in"}`, or "motion-in"; see `publish`.
+        terminals: flanges to turn into signals, `{"body.flange": "force-in"}`, or "motion-in"; see
+            `fmu.publish`.
         start: fixed start values by name, as for `simulate`.
         platforms: "native" or of x86_64-linux, aarch64-linux, x86_64-windows, x86_64-darwin, aarch64-darwin.
         sources: whether the C sources go into the FMU.

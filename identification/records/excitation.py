@@ -32,7 +32,8 @@ def sampled(signal: Callable[[Any], Any], stop: float, rate: float = 1000.0, fad
     """Return samples of an excitation, faded in from rest and out again, so that it can drive a position.
 
     Args:
-        signal: a function of time: `SineDwells`, `Chirp`, `Multisine`, `Sinusoid`, `RandomDisplacement` ...
+        signal: a function of time: `SineDwells`, `Chirp`, `Multisine`, `machines.Sinusoid`,
+            `machines.RandomDisplacement` ...
         stop: its length [s].
         rate: samples a second [Hz].
         fade: how long it takes to fade in, and out [s].

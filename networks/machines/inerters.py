@@ -30,7 +30,7 @@ class BallScrewInerter(FlywheelInerter):
         screw: `NutScrew`, or `CompliantNutScrew` for a real one.
         flywheel: `DiskFlywheel` or any other.
 
-    Source: Ge & Wang on the planetary flywheel inerter (see `ge_wang`), eqs. (1), (2).
+    Source: Ge & Wang on the planetary flywheel inerter (see `machines.ge_wang`), eqs. (1), (2).
 
     Example:
         >>> from inertance import DiskFlywheel, NutScrew
@@ -54,7 +54,7 @@ class PlanetaryFlywheelInerter(BallScrewInerter):
 
     The prototype of the source is `ge_wang.planetary_inerter()`.
 
-    Source: Ge & Wang on the planetary flywheel inerter (see `ge_wang`), eqs. (16)-(27).
+    Source: Ge & Wang on the planetary flywheel inerter (see `machines.ge_wang`), eqs. (16)-(27).
     """
 
     screw: Component = CompliantNutScrew()

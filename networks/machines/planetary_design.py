@@ -1,7 +1,7 @@
 """How heavy a planetary flywheel must be for its inertance, against a disk.
 
-Source of all formulas: Ge & Wang on the planetary flywheel inerter (see `ge_wang`), eqs. (2) and (7)-(15).
-They take numbers, arrays or symbols.
+Source of all formulas: Ge & Wang on the planetary flywheel inerter (see `machines.ge_wang`), eqs. (2) and
+(7)-(15). They take numbers, arrays or symbols.
 """
 
 from dataclasses import dataclass, fields

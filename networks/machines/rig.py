@@ -53,7 +53,7 @@ class RandomDisplacement:
         low, high: the band [Hz].
         level: [m2.Hz].
 
-    Source: Ge & Wang on the planetary flywheel inerter (see `ge_wang`), eq. (31).
+    Source: Ge & Wang on the planetary flywheel inerter (see `machines.ge_wang`), eq. (31).
     """
 
     seed: int
@@ -135,7 +135,7 @@ def rig_response(
         displacements: realisations over which the spectra are averaged.
         settle: time left out before the period that is evaluated [s].
 
-    Source: Ge & Wang on the planetary flywheel inerter (see `ge_wang`), eq. (32).
+    Source: Ge & Wang on the planetary flywheel inerter (see `machines.ge_wang`), eq. (32).
     """
     demand("rig_response()", inerter=(inerter, instance(Component)), settle=(settle, at_least(0, "s")))
     given: Any = displacements

@@ -82,8 +82,8 @@ class RationalFunction:
         """Return what is given as a rational function.
 
         Args:
-            given: a `RationalFunction`, a pair (num, den), a `StateSpace` of one input and output, or a
-                system of python-control or `scipy.signal`.
+            given: a `RationalFunction`, a pair (num, den), an `analysis.StateSpace` of one input and output,
+                or a system of python-control or `scipy.signal`.
 
         Raises:
             ModelError: for anything else.
