@@ -141,7 +141,7 @@ class Native:
             store.drain(run)
             progress.at(run.point.t)
             share = PATIENCE / max(clock.perf_counter() - began, 1e-9)
-            budget = max(1, int(budget * min(share, 2.0)))
+            budget = min(max(1, int(budget * min(share, 2.0))), MOST_BETWEEN)
         self._tell(run)
         if status == ARRIVED:
             return

@@ -8,7 +8,7 @@ from typing import Any
 
 import numpy as np
 
-from ...base import Array
+from ...base import Array, SimulationError
 from ..evaluation.jacobians import Points, Slopes
 
 MOST_PARTS = 32
@@ -41,7 +41,8 @@ class Steps:
         n, length = self.map.shape[1], max(1, isqrt(len(self.map)))
         whole = len(self.map) - len(self.map) % length
         maps, more = (
-            np.swapaxes(m[:whole].reshape(-1, length, *m.shape[1:]), 0, 1) for m in (self.map, added)
+            np.swapaxes(m[:whole].reshape(whole // length, length, *m.shape[1:]), 0, 1)
+            for m in (self.map, added)
         )
         product = np.broadcast_to(np.eye(n), maps.shape[1:])
         gathered = np.zeros((len(product), *moved.shape))
@@ -138,7 +139,12 @@ def _single(lengths: Array, A: Array, B: Array, scale: Array) -> Array:
     Z3 = Z2 @ Z
     left = one - 0.6 * Z + 0.15 * Z2 - Z3 / 60
     right = np.concatenate([one + 0.4 * Z + 0.05 * Z2, (one - 0.1 * Z + Z2 / 60) @ b], axis=2)
-    found = np.asarray(np.linalg.solve(left, right), dtype=float) * scale
+    try:
+        found = np.asarray(np.linalg.solve(left, right), dtype=float) * scale
+    except np.linalg.LinAlgError:
+        raise SimulationError(
+            "slopes along the run are beyond what can be followed between its points"
+        ) from None
     found[:, :, : len(scale)] /= scale.T
     return found
 
