@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 from contextlib import nullcontext
+from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
@@ -34,6 +35,7 @@ def diagnose(
     report: Annotated[Path | None, typer.Option("--report", help="Write a report as one HTML file.")] = None,
     jobs: Annotated[int, typer.Option(help="Processes that fit candidates; 0 for all cores.")] = 0,
     solver: Annotated[str, typer.Option(help="Solver, as for `inertance run`.")] = "auto",
+    budget: Annotated[float | None, typer.Option(help="Seconds after which nothing new is begun.")] = None,
     validate: Annotated[
         bool, typer.Option(help="Whether to refuse an FMU whose description its schema does not allow.")
     ] = True,
@@ -52,9 +54,10 @@ def diagnose(
     count = jobs or os.cpu_count() or 1
     console = CommandConsole(stderr=True)
     with failing(FAILED, InertanceError), console.status("reading") as status:
+        tell = status.update if console.is_terminal else partial(console.print, highlight=False, markup=False)
         try:
             with Processes(count, "spawn") if count > 1 else nullcontext() as pool:
-                verdict = run_diagnosis(loaded, executor=pool, solver=solver, report=status.update)
+                verdict = run_diagnosis(loaded, executor=pool, solver=solver, budget=budget, report=tell)
         except DiagnosisInterruptedError as interrupt:
             verdict = interrupt.verdict
     wrote = []

@@ -42,6 +42,9 @@ FOUND_EFFECT_DEVIATIONS = 10.0  # [own size] by which an effect that was found m
 SAME_MOTION_GAIN_TOLERANCE = 1e-6  # [1] of gains within which two sites are of one motion; data
 DEPENDENT_EIGENVALUE_RATIO = 1e-9  # [1] of the largest below which sizes are not told apart; data
 START_SINGULAR_VALUE_RATIO = 1e-8  # [1] of the largest below which start values are not told apart; data
+LEAST_INERTIA = 1e-12  # [kg, kg.m2] of a body that is added, as none has none; data
+START_DROP_RATIO = 0.01  # [1] of the squared residual that a new start must promise to be worth a run; effort
+START_STEPS, START_HALVINGS = 8, 4  # [1] runs of a record to find where it begins, and shorter steps; effort
 
 # Shapes that are screened, and how they follow in a fit
 STRIBECK_SPEED_RATIOS = 0.05, 0.3, 1.0  # [rms speed] of the site; effort
@@ -77,6 +80,7 @@ FMU_STEPS_PER_SAMPLE = 2, 8  # [1] fewest and most communication steps between c
 FMU_STEP_ERROR_OVER_NOISE = 0.1  # [noise] by which half the communication step may change a run; data
 FMU_RELATIVE_TOLERANCE = 1e-6  # [1] of runs of an FMU; data
 COMPARISON_RATE_HZ = 250.0  # [Hz] at which outputs are compared; data: machines move below a tenth of it
+FAST_NOISE_RATIO = 1.5  # [noise floor] of what is fast in an input, above which it is signal; data
 NOISE_PEAK_STANDARD_DEVIATIONS = 6.0  # [sd] that noise does not exceed, as steps do; theory: 2e-9 of it
 
 # Laws made smooth enough to be run, at scales that no record shows

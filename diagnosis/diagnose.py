@@ -4,12 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from concurrent.futures import Executor
+from math import inf
 from pathlib import Path
+from time import monotonic
 
 import numpy as np
 
-from ..base import between, demand, function, instance, one_of, optional
-from ..components import InertanceError
+from ..base import above, between, demand, function, instance, one_of, optional
+from ..components import InertanceError, ModelError
 from ..identification import Accuracy, Campaign
 from ..networks import COARSEST, FINEST, SOLVERS, chosen_solver
 from . import criteria
@@ -18,7 +20,7 @@ from .models.fmu_network import read_model
 from .models.study import Report, Study, study_of, thinned
 from .search.joint_fit import JointFit
 from .search.model_comparison import Refit, are_alike, clearness, unexplained
-from .search.round import Round, run_round
+from .search.round import LATE, Round, run_round
 from .verdict.decide import decided
 from .verdict.verdict import DiagnosisInterruptedError, Verdict
 
@@ -29,6 +31,7 @@ def diagnose(
     executor: Executor | None = None,
     solver: str = "auto",
     rtol: float | None = None,
+    budget: float | None = None,
     report: Report | None = None,
 ) -> Verdict:
     """Say what parts measured data and model: where, why, and how much of it goes away.
@@ -43,6 +46,7 @@ def diagnose(
         solver: as for `simulate`; "auto" compiles models where there is a C compiler and 200 runs of the
             training records come to 40 000 samples, as of 200 and more in all.
         rtol: relative tolerance of the runs; small beside the noise if not given.
+        budget: seconds after which nothing new is begun, and the verdict tells what it left out [s].
         report: called with a line of progress.
 
     Raises:
@@ -53,14 +57,16 @@ def diagnose(
         "diagnose()",
         solver=(solver, one_of(SOLVERS)),
         rtol=(rtol, optional(between(FINEST, COARSEST))),
+        budget=(budget, optional(above(0, "s"))),
         report=(report, optional(function)),
         executor=(executor, optional(instance(Executor))),
     )
     campaign = thinned(Campaign.of(campaign, read_model))
+    _check_keys(campaign)
     samples = sum(len(experiment.record.time) for experiment in campaign.training)
     run_by, steps = chosen_solver(solver, samples, criteria.RUNS_PER_MODEL), criteria.SOLVER_STEPS_PER_SAMPLE
     accuracy = Accuracy(run_by, rtol or relative_tolerance(campaign), steps=steps)
-    study = study_of(campaign, accuracy, executor, report)
+    study = study_of(campaign, accuracy, executor, report, inf if budget is None else monotonic() + budget)
     study.tell("refitting the parameters")
     nominal = JointFit(study, campaign.start)
     start, base = nominal.seen(nominal.start), nominal.fitted()
@@ -68,7 +74,7 @@ def diagnose(
     notes = study.limits()
     best = base
     try:
-        while len(best.effects) < criteria.MOST_EFFECTS and _misses_much(best, base):
+        while len(best.effects) < criteria.MOST_EFFECTS and _misses_much(best, base) and not study.late:
             chosen = _chosen(run_round(study, best, rounds), base)
             if chosen is None:
                 break
@@ -79,11 +85,34 @@ def diagnose(
                 rounds.pop()
                 continue
             best = _pruned(chosen, study)
-        return decided(study, start, base, best, rounds, notes)
+        return decided(study, start, base, best, rounds, [*notes, *_left_out(study, budget, rounds)])
     except KeyboardInterrupt:
         verdict = decided(study, start, base, best, rounds, notes, interrupted=True)
         told = "interrupted; what is known so far is the error's `verdict`"
         raise DiagnosisInterruptedError(told, verdict) from None
+
+
+def _left_out(study: Study, budget: float | None, rounds: Sequence[Round]) -> list[str]:
+    """Say what the time that was granted did not suffice for."""
+    if budget is None or not study.late:
+        return []
+    count = sum(why == LATE for done in rounds for why in done.failed.values())
+    fits = f"{count} effects were not fitted" if count else "no further effect was looked for"
+    return [f"the budget of {budget:g} s ended: {fits}; give more time for the full verdict"]
+
+
+def _check_keys(campaign: Campaign) -> None:
+    """Raise for what a fit understands and a diagnosis would leave out."""
+    problems = [
+        f"{experiment.name}: shooting is for fits; a diagnosis runs records in one piece: shorten the window"
+        for experiment in campaign.experiments
+        if experiment.shooting is not None
+    ]
+    if campaign.stage:
+        told = "is for fits; a diagnosis takes everything at once, unfiltered: fit first, and leave it out"
+        problems.append(f"[[stage]] {told}")
+    if problems:
+        raise ModelError(f"{campaign.source}: this cannot be diagnosed:", problems)
 
 
 def relative_tolerance(campaign: Campaign) -> float:

@@ -108,7 +108,7 @@ def table(cases: Sequence[Scored]) -> list[tuple[str, str, str]]:
     sizes = [len(c.members) for c in shown]
     rows.append(("mean size of a class", f"{mean(sizes):.2f}" if sizes else "-", "<= 2"))
     strange = [c for c in cases if c.label["group"] == "unknown"]
-    rows.append(_share("unknown recognised", strange, lambda c: c.said == "unknown", ">= 80 %"))
+    rows.append(_share("unknown recognised", strange, lambda c: c.said in ("partial", "unknown"), ">= 80 %"))
     rows.append(_closed(shown))
     rows += _times(cases)
     rows.append(_share("no verdict", cases, lambda c: c.said == "failed", "0 %"))
@@ -168,7 +168,7 @@ def _clean(cases: Sequence[Scored]) -> list[Scored]:
 
 
 def _alarm(case: Scored) -> bool:
-    return case.said in ("effect", "ambiguous", "unknown")
+    return case.said in ("effect", "ambiguous", "partial", "unknown")
 
 
 def _answer(effect: dict[str, Any]) -> Answer:

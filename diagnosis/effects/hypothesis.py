@@ -71,7 +71,7 @@ class Hypothesis(SitedEffect):
     @property
     def scales(self) -> Array:
         """What each quantity may be expected to be: its value, at least a tenth of its like."""
-        values = {q: abs(self.values[q.name]) for q in self.quantities}
+        values = {q: abs(v) if (v := self.values[q.name]) > q.low else 0.0 for q in self.quantities}
         largest = {q.unit: max(v for p, v in values.items() if p.unit == q.unit) for q in values}
         return np.array([max(v, LEAST_SIZE_RATIO * largest[q.unit]) or 1.0 for q, v in values.items()])
 

@@ -91,7 +91,7 @@ register(
     Effect(
         "added_inertia",
         "node",
-        both(m=(("m", "kg"), ("J", "kg.m2"))),
+        both(m=(("m", "kg"), ("J", "kg.m2"), criteria.LEAST_INERTIA)),
         lambda at, name, p: _body(at, name, at.moving, *p.values()),
         lambda motion, _: [motion.a],
     )

@@ -6,14 +6,21 @@ from collections.abc import Callable, Sequence
 from concurrent.futures import Executor
 from copy import copy
 from dataclasses import dataclass, replace
+from math import inf
+from time import monotonic
 from typing import Any
 
 import numpy as np
 
 from ...base import Array
-from ...identification import Accuracy, Campaign, Experiment, Filter, Prediction, RecordModel
+from ...identification import Accuracy, Campaign, Experiment, Filter, Prediction, RecordModel, spectral_floor
 from ...networks import Variations
-from ..criteria import ACTIVE_POWER_SHARE, COMPARISON_RATE_HZ, NOISE_PEAK_STANDARD_DEVIATIONS
+from ..criteria import (
+    ACTIVE_POWER_SHARE,
+    COMPARISON_RATE_HZ,
+    FAST_NOISE_RATIO,
+    NOISE_PEAK_STANDARD_DEVIATIONS,
+)
 from ..effects.effect import Motion
 from ..effects.hypothesis import Hypothesis, with_effects
 from ..effects.sites import Site, sites_of
@@ -63,13 +70,19 @@ Predicted = Prediction | FMUPrediction  # outputs in a run, with their slopes in
 class Study:
     """What is diagnosed and how: a campaign, how runs are computed, who fits, and who hears of progress.
 
-    Its model is a network, of an `FMUStudy` an FMU.
+    Its model is a network, of an `FMUStudy` an FMU. Nothing is begun after `deadline` [s, monotonic].
     """
 
     campaign: Campaign
     accuracy: Accuracy
     executor: Executor | None = None
     report: Report | None = None
+    deadline: float = inf
+
+    @property
+    def late(self) -> bool:
+        """Whether the time that was granted has passed."""
+        return monotonic() > self.deadline
 
     def tell(self, line: str) -> None:
         """Report a line of progress."""
@@ -151,11 +164,15 @@ class FMUStudy(Study):
 
 
 def study_of(
-    campaign: Campaign, accuracy: Accuracy, executor: Executor | None = None, report: Report | None = None
+    campaign: Campaign,
+    accuracy: Accuracy,
+    executor: Executor | None = None,
+    report: Report | None = None,
+    deadline: float = inf,
 ) -> Study:
     """Return the study of a campaign by the kind of its model."""
     kind = FMUStudy if isinstance(campaign.machine, FMUModel) else Study
-    return kind(campaign, accuracy, executor, report)
+    return kind(campaign, accuracy, executor, report, deadline)
 
 
 def thinned(campaign: Campaign) -> Campaign:
@@ -182,7 +199,13 @@ def _slowed(experiment: Experiment, driven: Sequence[str]) -> Experiment:
 
 
 def _quiet(values: Array, smooth: Filter, rate: float) -> Array:
-    """Return a signal without its fast noise; as it is, if it has steps."""
+    """Return a signal without its fast noise; as it is, if what is fast has steps or is more than noise.
+
+    The filter's transients at both ends do not count.
+    """
     slow = smooth.apply(values, rate)
-    fast = values - slow
-    return slow if float(np.abs(fast).max()) < NOISE_PEAK_STANDARD_DEVIATIONS * float(fast.std()) else values
+    settling = min(round(3 * rate / float(np.min(smooth.cutoff))), len(values) // 4)
+    fast = (values - slow)[settling : len(values) - settling]
+    size, noise = float(fast.std()), spectral_floor(values).sigma
+    steps = float(np.abs(fast).max()) >= NOISE_PEAK_STANDARD_DEVIATIONS * size
+    return values if steps or size > FAST_NOISE_RATIO * noise else slow

@@ -76,20 +76,25 @@ def _reason(gain: float, p: float, best: float | None) -> str:
 
 
 def screened_out(verdict: Verdict) -> Iterator[tuple[str, str, str, str]]:
-    """Yield kind, best site, predicted gain and the reason of each kind that was not worth a fit."""
-    fitted, screened = {ranked.kind for ranked in verdict.ranking}, verdict.evidence.screened
+    """Yield kind, site, predicted gain and the reason of each fit that failed and each kind not worth one."""
+    screened, failed = verdict.evidence.screened, verdict.evidence.failed
+    fitted = {ranked.kind for ranked in verdict.ranking} | {
+        c.effect.kind for c in screened if c.label in failed
+    }
     places = {(ranked.kind, ranked.site) for ranked in verdict.ranking}
     gains = [candidate.gain for candidate in screened if candidate.key in places]
     least = min(gains, default=float("inf"))
     total = sum(float(r @ r) for record in verdict.evidence.refit.train for r in record.values())
     best: dict[str, Candidate] = {}
     for c in screened:
+        if c.label in failed:
+            yield *c.key, f"{max(c.gain / total, 0.0):.2%}", failed[c.label]
         known = best.setdefault(c.effect.kind, c)
         best[c.effect.kind] = max(c, known, key=lambda candidate: candidate.gain)
     for kind, c in sorted(best.items(), key=lambda entry: -entry[1].gain):
         if kind in fitted:
             continue
-        why = "explains less than those fitted" if c.gain < least else "not fitted, or its fit failed"
+        why = "explains less than those fitted" if c.gain < least else "not among those fitted"
         if c.share < criteria.OWN_SIGNATURE_SHARE:
             why = f"the parameters mimic it: {c.share:.1%} of its signature is its own"
         elif c.gain / total < criteria.NEGLIGIBLE_GAIN_SHARE:
@@ -117,7 +122,7 @@ def advice(verdict: Verdict) -> str:
         return "Nothing yet: the diagnosis was stopped before its end; run it to its end."
     if verdict.next_experiment:
         return verdict.next_experiment
-    if verdict.verdict == "unknown":
+    if verdict.verdict in ("partial", "unknown"):
         place = f" at {next(iter(verdict.where))}" if verdict.where else ""
         span = verdict.windows.get("band")
         band = " from {:.3g} to {:.3g} Hz".format(*span) if span else ""

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from math import inf
 
@@ -16,6 +16,7 @@ from ..effects.hypothesis import Hypothesis, driven, inserted, sensed
 from ..effects.shaping import Bounds, Shapes
 from ..models.study import Predicted, Standing, Study
 from .model_comparison import Refit, stretches
+from .record_start import nuisance_slopes, projected, settled
 
 FitStart = tuple[Mapping[str, float], Mapping[str, float]]
 DESCENT = Ending(
@@ -58,13 +59,18 @@ class JointFit:
         self.pull = np.isfinite([prior.sd for prior in priors]).astype(float)
         self.sizes = [placed.scales for placed in self.effects]
         low, high = ((limit - self.center) / self.scale for limit in self.limits)
-        least = [quantity.low for placed in self.effects for quantity in placed.quantities]
+        least = [
+            quantity.low / size
+            for placed, sizes in zip(self.effects, self.sizes, strict=True)
+            for quantity, size in zip(placed.quantities, sizes, strict=True)
+        ]
         bounds = np.array([*low, *least]), np.array([*high, *[inf] * len(least)])
         self.shapes = Shapes(bounds, self.effects, self.sizes)
         self.start = self.vector(parameters, [placed.values for placed in self.effects])
         paths = [path for placed in self.effects for path in placed.network_parameters]
         self.predictor = study.predictor(effects, [*self.names, *paths])
         self.stands = {id(e): self.predictor.stand(e) for e in self.campaign.experiments}
+        self.begins: dict[int, Array] = {}  # by record, how far it begins from where it seems to
 
     def vector(self, parameters: Mapping[str, float], values: Sequence[Mapping[str, float]]) -> Array:
         """Return parameters and values of the effects as a vector."""
@@ -93,16 +99,18 @@ class JointFit:
         vector, *others = begins or [self.start]
         bounds = self.shapes.bounds(vector)
         if others:
-            _, vector, bounds = min(map(self._begun, begins), key=lambda begun: begun[0])
+            _, vector, bounds = min(map(self._stepped, begins), key=lambda begun: begun[0])
         for _ in range(1 + criteria.SHAPED_DESCENTS):
-            *_, end = descent(self.stacked, vector, bounds, DESCENT, learnt=True)
-            vector = end.vector
-            if not self.shapes.are_held(vector, bounds):
+            for end in descent(self.stacked, vector, bounds, DESCENT, learnt=True):
+                vector = end.vector
+                if self.study.late:
+                    break
+            if self.study.late or not self.shapes.are_held(vector, bounds):
                 break
             bounds = self.shapes.bounds(vector)
         return self.seen(vector)
 
-    def _begun(self, start: Array) -> tuple[float, Array, Bounds]:
+    def _stepped(self, start: Array) -> tuple[float, Array, Bounds]:
         """Return the sum of squares after a step from a start, where that leads, and the bounds."""
         bounds = self.shapes.bounds(start)
         try:
@@ -140,18 +148,43 @@ class JointFit:
         parameters, effects = self.unpacked(vector)
         given = parameters | inserted(effects)
         stand = self._driven(experiment, effects)
-        free = experiment.initial == "fit"
-        start = stand.rest(given, self.accuracy) if free else None
-        found = stand.run(given, start, self.accuracy, slopes or free)
-        run = _Run(experiment, effects, given, start, found)
-        measured, seen = experiment.compared.values, run.seen
-        residuals = {n: (measured[n] - seen[n]) / self.sigma[n] for n in seen}
-        count = sum(map(len, residuals.values()))
-        columns = self._slopes(run) if slopes else np.zeros((count, 0))
-        if not free:
-            return residuals, columns
-        to_start = np.concatenate([found.start_slopes[n] / self.sigma[n] for n in seen])
-        return _freed(residuals, columns, to_start)
+        slopes_too = slopes or experiment.initial == "fit" or bool(experiment.offset)
+
+        def run_from(start: Array | None) -> _Run:
+            return _Run(experiment, effects, given, start, stand.run(given, start, self.accuracy, slopes_too))
+
+        run = self._begun(stand, run_from, experiment, given, slopes)
+        residual, nuisances = self._weighed(run)
+        columns = self._slopes(run) if slopes else np.zeros((len(residual), 0))
+        left = projected(np.column_stack([residual, columns]), nuisances)
+        names, lengths = list(run.found.values), [len(v) for v in run.found.values.values()]
+        parts = np.split(left[:, 0], np.cumsum(lengths)[:-1])
+        return dict(zip(names, parts, strict=True)), left[:, 1:]
+
+    def _begun(
+        self,
+        stand: Standing,
+        run_from: Callable[[Array | None], _Run],
+        experiment: Experiment,
+        given: Mapping[str, float],
+        again: bool,
+    ) -> _Run:
+        """Return the run of a record from where it begins, which is looked for at first and `again`."""
+        if experiment.initial == "rest":
+            return run_from(None)
+        seeming, known = stand.rest(given, self.accuracy), self.begins.get(id(experiment))
+        begin = seeming if known is None else seeming + known
+        if known is not None and not again:
+            return run_from(begin)
+        begin, run = settled(begin, run_from, self._weighed)
+        self.begins[id(experiment)] = begin - seeming
+        return run
+
+    def _weighed(self, run: _Run) -> tuple[Array, Array]:
+        """Return the weighted residual of a run, and the slopes of its prediction in what nobody measured."""
+        measured, seen = run.experiment.compared.values, run.seen
+        residual = np.concatenate([(measured[n] - seen[n]) / self.sigma[n] for n in seen])
+        return residual, nuisance_slopes(run.experiment, run.found, self.sigma)
 
     def _driven(self, experiment: Experiment, effects: Sequence[Hypothesis]) -> Standing:
         """Return the stand of a record, its inputs as the actuators pass them on."""
@@ -200,11 +233,3 @@ def _sensed_slopes(found: Predicted, name: str, effects: Sequence[Hypothesis]) -
         return slopes
     nothing = sensed(found.time, name, np.zeros(len(found.time)), effects)
     return np.column_stack([sensed(found.time, name, column, effects) - nothing for column in slopes.T])
-
-
-def _freed(residuals: dict[str, Array], columns: Array, to_start: Array) -> tuple[dict[str, Array], Array]:
-    """Take off what start values can explain (variable projection)."""
-    both = np.column_stack([np.concatenate(list(residuals.values())), columns])
-    left = both - to_start @ np.linalg.lstsq(to_start, both, rcond=criteria.START_SINGULAR_VALUE_RATIO)[0]
-    parts = np.split(left[:, 0], np.cumsum([len(r) for r in residuals.values()])[:-1])
-    return dict(zip(residuals, parts, strict=True)), left[:, 1:]

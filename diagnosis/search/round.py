@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pickle
 from collections.abc import Collection, Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from functools import lru_cache
 
 from ...components import InertanceError
@@ -16,14 +16,21 @@ from .joint_fit import FitStart, JointFit
 from .model_comparison import Refit, unexplained
 from .score_test import Candidate, screen
 
+LATE = "the time that was granted had passed"
+
 
 @dataclass(frozen=True, eq=False)
 class Round:
-    """One round of the search: the model so far, the candidates and what fitting them gave."""
+    """One round of the search: the model so far, the candidates, what fits of them gave, why some gave none.
+
+    Attributes:
+        failed: by label of a candidate, why its fit came to nothing.
+    """
 
     base: Refit
     candidates: list[Candidate]
     fitted: list[Refit]
+    failed: dict[str, str] = field(default_factory=dict)
 
 
 def run_round(study: Study, base: Refit, rounds: list[Round]) -> Round:
@@ -36,20 +43,23 @@ def run_round(study: Study, base: Refit, rounds: list[Round]) -> Round:
     payload = study.campaign.pickled() if study.executor is not None else b""
     rounds.append(Round(base, list(candidates), fitted))
     early: list[Candidate] | None = [] if base.effects else None
-    while waiting:
+    while waiting and not study.late:
         batch, waiting = _next(waiting)
         tried += batch
         results = _fits(study, payload, base, batch, fitted)
         for left, candidate, found in zip(reversed(range(len(batch))), batch, results, strict=True):
             study.tell(f"fitted {candidate.label}, at most {left + len(waiting)} to go")
-            if found is not None:
-                fitted.append(found)
-                kept = max(kept, min(candidate.gain, base.cost - found.cost))
+            if isinstance(found, str):
+                rounds[-1].failed[candidate.label] = found
+                continue
+            fitted.append(found)
+            kept = max(kept, min(candidate.gain, base.cost - found.cost))
         waiting = _promising(waiting, kept)
-        if not waiting and early is None and _much_is_left((base, *fitted), base):
+        if not waiting and early is None and not study.late and _much_is_left((base, *fitted), base):
             study.tell("much is left: screening where the parameters were given")
             early = screen(study, study.campaign.start)
             waiting = _reserve(candidates, early, tried)
+    rounds[-1].failed.update((c.label, LATE) for c in waiting)
     screened = {c.label for c in candidates}
     rounds[-1].candidates.extend(c for c in early or () if c.label not in screened)
     return rounds[-1]
@@ -81,8 +91,8 @@ def _next(waiting: list[Candidate]) -> tuple[list[Candidate], list[Candidate]]:
 
 def _fits(
     study: Study, payload: bytes, base: Refit, batch: Sequence[Candidate], fitted: list[Refit]
-) -> Iterator[Refit | None]:
-    """Return the fits of candidates, made here or by the executor."""
+) -> Iterator[Refit | str]:
+    """Return the fits of candidates, made here or by the executor, or why there is none."""
     if study.executor is None:
         return (_fit(study, base, candidate, fitted) for candidate in batch)
     submit = study.executor.submit
@@ -92,7 +102,7 @@ def _fits(
 
 def _job(
     payload: bytes, accuracy: Accuracy, base: Refit, candidate: Candidate, fitted: Sequence[Refit]
-) -> Refit | None:
+) -> Refit | str:
     return _fit(study_of(_received(payload), accuracy), base, candidate, fitted)
 
 
@@ -102,14 +112,17 @@ def _received(payload: bytes) -> Campaign:
     return thinned(pickle.loads(payload))
 
 
-def _fit(study: Study, base: Refit, candidate: Candidate, fitted: Sequence[Refit]) -> Refit | None:
+def _fit(study: Study, base: Refit, candidate: Candidate, fitted: Sequence[Refit]) -> Refit | str:
     name = f"{candidate.effect.kind}_{len(base.effects) + 1}"
     placed = Hypothesis(candidate.effect, candidate.site, name, candidate.values)
     try:
         found = JointFit(study, base.parameters, [*base.effects, placed]).fitted(_starts(candidate, fitted))
-    except InertanceError:
-        return None
-    return found if candidate.effect.credible(found.effects[-1].values) else None
+    except InertanceError as error:
+        return f"its fit ended early: {str(error).partition(chr(10))[0]}"
+    values = found.effects[-1].values
+    if candidate.effect.credible(values):
+        return found
+    return f"no such machine: {', '.join(f'{name} = {value:.3g}' for name, value in values.items())}"
 
 
 def _starts(candidate: Candidate, fitted: Sequence[Refit]) -> list[FitStart]:

@@ -186,4 +186,4 @@ def _least(matrix: Array, seen: Array, low: Array) -> tuple[Array, float]:
     if not kept.any():
         return np.zeros(len(low)), 0.0
     found = lsq_linear(root, wanted, (np.where(np.isfinite(low), 0.0, -np.inf), np.inf))
-    return found.x / scale, float(wanted @ wanted - 2 * found.cost)
+    return np.maximum(found.x / scale, low), float(wanted @ wanted - 2 * found.cost)

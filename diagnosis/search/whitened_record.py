@@ -13,7 +13,8 @@ from ..criteria import START_SINGULAR_VALUE_RATIO
 from ..effects.effect import Motion
 from ..effects.hypothesis import Hypothesis, driven, sensed
 from ..effects.sites import Site
-from ..models.study import Predictor, Study
+from ..models.study import Predicted, Predictor, Study
+from .record_start import nuisance_slopes, settled
 
 
 class WhitenedRecord:
@@ -35,14 +36,25 @@ class WhitenedRecord:
         self._predictor = predictor
         self._stand: Any = predictor.stand(driven(experiment, effects))
         self.measured = experiment.compared
-        start = None if experiment.initial == "rest" else self._stand.rest(parameters, study.accuracy)
-        self._found = found = self._stand.run(parameters, start, study.accuracy)
+
+        def run_from(start: Array | None) -> Predicted:
+            return self._stand.run(parameters, start, study.accuracy)
+
+        def weighed(found: Predicted) -> tuple[Array, Array]:
+            seen = {n: sensed(found.time, n, v, effects) for n, v in found.values.items()}
+            missed = [(self.measured.values[n] - seen[n]) / sigma[n] for n in self.outputs]
+            return np.concatenate(missed), nuisance_slopes(experiment, found, sigma)
+
+        if experiment.initial == "rest":
+            found = run_from(None)
+        else:
+            _, found = settled(self._stand.rest(parameters, study.accuracy), run_from, weighed)
+        self._found = found
         self.time = predictor.instants(found)  # at which changes of inputs are to be given [s]
         self.predicted = {n: sensed(found.time, n, v, effects) for n, v in found.values.items()}
-        free = np.concatenate([found.start_slopes[n] / sigma[n] for n in self.outputs])
-        self._basis = _orthonormal(free if experiment.initial == "fit" else free[:, :0])
-        missed = [(self.measured.values[n] - self.predicted[n]) / sigma[n] for n in self.outputs]
-        self.residual = self.off(np.concatenate(missed))
+        missed, free = weighed(found)
+        self._basis = _orthonormal(free)
+        self.residual = self.off(missed)
         self.slopes = self.off(np.concatenate([found.slopes[n] / sigma[n] for n in self.outputs]))
 
     def motion(self, number: int, site: Site) -> Motion:

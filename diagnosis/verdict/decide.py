@@ -35,7 +35,7 @@ def decided(
     """Return the verdict on the model: nominal as `start`, refitted as `base`, with effects as `best`."""
     first = rounds[0] if rounds else Round(base, [], [])
     alone = replace(study, executor=None, report=None)
-    evidence = Evidence(alone, start, base, best, tuple(first.candidates))
+    evidence = Evidence(alone, start, base, best, tuple(first.candidates), first.failed)
     closed = float(np.clip((base.misfit - best.misfit) / max(base.misfit - 1.0, 1e-9), 0.0, 1.0))
     word = "interrupted" if interrupted else _word(evidence, closed)
     own = _fit_of(first, best.effects[0]) if best.effects else None
@@ -44,7 +44,8 @@ def decided(
     further = None
     if word == "effect" and own is not None and others:
         word, further = "ambiguous", separating(study, own, alike[0]) or NOT_BY_SINES
-    suspected = suspicions(study, best) if word == "unknown" else ()
+    open_end = word in ("partial", "unknown")
+    suspected = suspicions(study, best) if open_end else ()
     ranking = [_ranked(f, first.base) for f in first.fitted]
     return Verdict(
         verdict=word,
@@ -53,7 +54,7 @@ def decided(
         equivalent=_class(first, own, alike) if own is not None else (),
         next_experiment=further,
         where=shares(first.candidates),
-        windows=located(study, base, first.candidates) if word == "unknown" else {},
+        windows=located(study, best, (rounds[-1] if rounds else first).candidates) if open_end else {},
         ranking=tuple(sorted(ranking, key=lambda r: -r.test_gain)),
         gap=_gaps(evidence),
         closed=closed,
@@ -68,7 +69,7 @@ def _word(evidence: Evidence, closed: float) -> str:
     refitted, best = evidence.refit.misfit, evidence.after
     if best.effects:
         explained = closed >= EXPLAINED_GAP_SHARE or best.misfit < COLOURED_MISFIT
-        return "effect" if explained else "unknown"
+        return "effect" if explained else "partial"
     if refitted > COLOURED_MISFIT:
         return "unknown"
     moved = moved_parameters(evidence.campaign, best.parameters)

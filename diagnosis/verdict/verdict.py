@@ -24,7 +24,7 @@ WORDS = {
     "interrupted": "The diagnosis was stopped before its end; no effect had been accepted by then.",
 }
 PARTLY = {
-    "unknown": "Part of what is missing is {}; the rest is none of the known effects.",
+    "partial": "Part of what is missing is {}; what is left is explained by none of the known effects.",
     "interrupted": "The diagnosis was stopped before its end; what had been accepted by then is {}.",
 }
 
@@ -61,6 +61,7 @@ class Evidence:
         refit: its parameters fitted.
         after: with the effects as well; the same as `refit` if none was accepted.
         screened: every effect at every site, with what it would explain.
+        failed: by kind and site in words, why a fit came to nothing.
     """
 
     study: Study
@@ -68,6 +69,7 @@ class Evidence:
     refit: Refit
     after: Refit
     screened: tuple[Candidate, ...] = ()
+    failed: Mapping[str, str] = field(default_factory=dict)
 
     @property
     def campaign(self) -> Campaign:
@@ -93,13 +95,13 @@ class Verdict:
     """What a diagnosis found.
 
     Attributes:
-        verdict: "effect", "parameters", "none", "ambiguous", "unknown" or "interrupted".
-        effects: what is missing, with its parameters; for "unknown", what explains a part of the gap.
+        verdict: "effect", "parameters", "none", "ambiguous", "partial", "unknown" or "interrupted".
+        effects: what is missing, with its parameters; for "partial", what certainly explains a part of it.
         confidence: of each effect.
         equivalent: (kind, site) of what these data cannot tell from it.
         next_experiment: the excitation that would tell them apart, in words.
         where: shares of the gap by site.
-        windows: for "unknown": when, in which band, in which motion.
+        windows: for "partial" and "unknown": when, in which band, in which motion the gap is that is left.
         ranking: all candidates that were fitted.
         gap: misfit by channel.
         closed: (refit - after)/(refit - floor) over all channels of the test runs.
@@ -169,6 +171,7 @@ class Verdict:
             "ranking": [
                 {"kind": r.kind, "site": r.site, "test_gain": r.test_gain, "p": r.p} for r in self.ranking
             ],
+            "remainder": {"share": 1 - self.closed, **self.windows} if self.verdict == "partial" else None,
             "gap": {name: vars(gap) for name, gap in self.gap.items()},
             "closed": self.closed,
             "parameters": dict(self.parameters),

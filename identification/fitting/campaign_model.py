@@ -17,6 +17,7 @@ from ...networks import ATOL, DAE, RTOL, Network, Result, Variations, dae_of, si
 from ..campaign.experiment import Experiment
 from ..records.record import Channel
 
+START_SAMPLES = 20  # through which a parabola tells how a record begins
 Values = Mapping[str, float]  # of parameters, or standard deviations of channels, by name
 
 
@@ -80,13 +81,14 @@ class RecordModel:
         return run.initial.values.copy()
 
     def _measured_start(self, begin: float) -> dict[str, float]:
-        first = int(np.searchsorted(self.record.time, begin - 0.5 / self.record.rate))
-        nearby = slice(first, first + 20)
-        t = self.record.time[nearby] - begin
+        record = self.experiment.record
+        first = int(np.searchsorted(record.time, begin - 0.5 / record.rate))
+        nearby = slice(first, first + START_SAMPLES)
+        t = record.time[nearby] - begin
         guess = {}
         for name, path in self.outputs.items():
             if self.dae.unit(path) in ("m", "rad") and len(t) > 3:
-                slope, value = np.polyfit(t, self.record.values[name][nearby], 1)
+                _, slope, value = np.polyfit(t, record.values[name][nearby], 2)
                 guess[path] = float(value)
                 with suppress(KeyError):
                     self.dae.root(f"der({path})")

@@ -1,0 +1,176 @@
+"""Records that begin in motion, sensors with offsets, models without states, effects at their least size."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import replace
+from typing import Any
+
+import inertance as ia
+import numpy as np
+import pytest
+from inertance.diagnosis import Verdict
+from inertance.diagnosis.effects.effect import effect_of
+from inertance.diagnosis.effects.hypothesis import Hypothesis, with_effects
+from inertance.diagnosis.effects.sites import sites_of
+from inertance.identification import Campaign, Record
+
+CHANNELS = {
+    "F": {"input": "push.f", "unit": "N"},
+    "x": {"output": "carriage.s", "unit": "m"},
+}
+PRIORS = {"spring.k": {"rel": 0.1}, "guide.d": {"rel": 0.3}}
+RATE, NOISE = 1000.0, 1e-5
+
+
+@pytest.fixture(scope="module")
+def cart(carriage: Callable[..., Any]) -> Any:
+    return carriage(rate=RATE, duration=6.0, noise=NOISE)
+
+
+def cut(record: Record, begin: float, end: float) -> Record:
+    """Return a record from the middle of one, on a clock of its own."""
+    inside = (record.time >= begin) & (record.time <= end)
+    time = record.time[inside] - record.time[inside][0]
+    return Record(record.name, time, {name: values[inside] for name, values in record.values.items()})
+
+
+def shaken(truth: ia.Network, frequency: float, seed: int, force: float = 30.0) -> Record:
+    """Return a sine of force and its answer, begun in mid-motion."""
+    time = np.arange(0.0, 4.0, 1 / RATE)
+    drive = ia.Sampled(time, force * np.sin(2 * np.pi * frequency * time))
+    run = truth.simulate(float(time[-1]), inputs={"push.f": drive}, step=1 / RATE, rtol=1e-8, atol=1e-11)
+    x = run["carriage.s"][np.searchsorted(run.time, time + 1e-6, side="right") - 1]
+    noise = NOISE * np.random.default_rng(seed).standard_normal(len(x))
+    return cut(Record(f"sine {frequency:g} Hz", time, {"F": drive.values, "x": x + noise}), 1.03, 3.5)
+
+
+def hardening(k: float) -> ia.Network:
+    net = ia.Network("hardening", wall=ia.Fixed(), spring=ia.CubicSpring(k=k, k3=4e8), guide=ia.Damper(d=6.0))
+    net.add(carriage=ia.Mass(m=2.0), push=ia.Force())
+    net.connect(net.wall.flange, net.spring.flange_a, net.guide.flange_a)
+    return net.connect(net.carriage.flange, net.spring.flange_b, net.guide.flange_b, net.push.flange)
+
+
+def verdict_on(cart: Any, records: list[Record], **entries: Any) -> Verdict:
+    *train, test = [{"record": record, **entries} for record in records]
+    return ia.diagnose(Campaign(cart.rig(), CHANNELS, PRIORS, train, [test], noise={"x": NOISE}))
+
+
+def test_sines_of_a_hardening_spring_begin_in_motion() -> None:
+    """A linear answer to the start left 0.2 of the signal, for which no effect was found."""
+    *train, test = [
+        {"record": shaken(hardening(4100.0), f, n, force=60.0)} for n, f in enumerate((7.0, 10.0, 13.0, 9.0))
+    ]
+    campaign = Campaign(hardening(4000.0), CHANNELS, PRIORS, train, [test], noise={"x": NOISE})
+    found = ia.diagnose(campaign)
+    assert found.verdict in ("none", "parameters")
+    assert found.parameters["spring.k"] == pytest.approx(4100.0, rel=2e-3)
+
+
+@pytest.mark.parametrize("begin", [0.83, 1.57, 2.21])
+def test_a_record_that_begins_in_motion_is_no_cause(cart: Any, begin: float) -> None:
+    records = [cut(cart.measured(cart.rig(k=820.0), seed), begin, 5.0) for seed in (1, 2, 3)]
+    found = verdict_on(cart, records)
+    assert found.verdict in ("none", "parameters")
+    assert found.parameters["spring.k"] == pytest.approx(820.0, rel=2e-3)
+
+
+def test_friction_is_found_in_sines_that_begin_in_motion(cart: Any) -> None:
+    found = verdict_on(cart, [shaken(cart.rubbing(), f, n) for n, f in enumerate((2.0, 3.5, 2.7))])
+    assert [(p.effect.kind, p.site.path) for p in found.effects] == [("coulomb_friction", "guide")]
+    assert found.effects[0].values["f_c"] == pytest.approx(0.8, rel=0.05)
+
+
+def test_an_offset_that_is_given_is_no_cause(cart: Any) -> None:
+    def lifted(seed: int) -> Record:
+        record = cart.measured(cart.rig(k=820.0), seed)
+        return replace(record, values={**record.values, "x": record.values["x"] + seed * 1e-3})
+
+    found = verdict_on(cart, [lifted(seed) for seed in (1, 2, 3)], offset=["x"])
+    assert found.verdict in ("none", "parameters")
+
+
+@pytest.mark.parametrize(
+    ("entries", "stage", "told"),
+    [({"shooting": 1.0}, (), "shooting is for fits"), ({}, ({"channels": ["x"]},), "[[stage]] is for fits")],
+)
+def test_what_a_diagnosis_would_leave_out_is_refused(
+    cart: Any, entries: dict[str, Any], stage: tuple[dict[str, Any], ...], told: str
+) -> None:
+    train = [{"record": cart.measured(cart.rig(), 1), **entries}]
+    campaign = Campaign(cart.rig(), CHANNELS, PRIORS, train, noise={"x": NOISE}, stage=stage)
+    with pytest.raises(ia.ModelError) as caught:
+        ia.diagnose(campaign)
+    assert told in str(caught.value)
+
+
+def strut(friction: float = 0.0) -> ia.Network:
+    """Return a strut on a test rig: its motion is prescribed, its force is measured."""
+    net = ia.Network("strut", frame=ia.Fixed(), cell=ia.ForceSensor(), drive=ia.Position())
+    net.add(spring=ia.Spring(k=2e3), damper=ia.Damper(d=50.0))
+    net.connect(net.frame.flange, net.cell.flange_a)
+    net.connect(net.cell.flange_b, net.spring.flange_a, net.damper.flange_a)
+    net.connect(net.spring.flange_b, net.damper.flange_b, net.drive.flange)
+    if friction:
+        net.add(seal=ia.CoulombFriction(f_c=friction))
+        net.connect(net.cell.flange_b, net.seal.flange_a)
+        net.connect(net.seal.flange_b, net.drive.flange)
+    return net
+
+
+def stroke(truth: ia.Network, frequency: float, seed: int) -> Record:
+    time = np.arange(0.0, 4.0, 1 / RATE)
+    motion = ia.Sampled(time, 0.02 * np.sin(2 * np.pi * frequency * time))
+    run = truth.simulate(float(time[-1]), inputs={"drive.s_ref": motion}, step=1 / RATE)
+    force = run["cell.f"][np.searchsorted(run.time, time + 1e-6, side="right") - 1]
+    noise = 0.05 * np.random.default_rng(seed).standard_normal(len(force))
+    return Record(f"stroke {frequency:g} Hz", time, {"s": motion.values, "F": force + noise})
+
+
+@pytest.fixture
+def bench() -> Callable[[float], Campaign]:
+    def campaign(friction: float) -> Campaign:
+        records = [{"record": stroke(strut(friction), f, n)} for n, f in enumerate((0.7, 1.9, 1.1))]
+        channels = {"s": {"input": "drive.s_ref", "unit": "m"}, "F": {"output": "cell.f", "unit": "N"}}
+        priors = {"spring.k": {"rel": 0.1}, "damper.d": {"rel": 0.3}}
+        return Campaign(strut(), channels, priors, records[:2], records[2:], noise={"F": 0.05})
+
+    return campaign
+
+
+def test_a_model_without_states_is_fitted_and_diagnosed(bench: Callable[[float], Campaign]) -> None:
+    assert not strut().dae().state_names
+    assert ia.fit(bench(0.0)).values["spring.k"] == pytest.approx(2e3, rel=1e-3)
+    assert ia.diagnose(bench(0.0)).verdict == "none"
+    found = ia.diagnose(bench(3.0))
+    assert found.verdict == "effect"
+    assert found.effects[0].effect.kind == "coulomb_friction"
+    assert found.effects[0].values["f_c"] == pytest.approx(3.0, rel=0.02)
+
+
+def test_a_budget_ends_a_diagnosis_and_says_what_it_left_out(cart: Any) -> None:
+    records = [{"record": cart.measured(cart.rubbing(), seed)} for seed in (1, 2)]
+    campaign = Campaign(cart.rig(), CHANNELS, PRIORS, records[:1], records[1:], noise={"x": NOISE})
+    found = ia.diagnose(campaign, budget=1e-3)
+    assert not found.effects
+    assert any("budget of 0.001 s ended" in note for note in found.notes)
+    assert not any("budget" in note for note in ia.diagnose(campaign, budget=600.0).notes)
+
+
+def test_an_added_mass_may_be_as_small_as_it_likes(cart: Any) -> None:
+    effect = effect_of("added_inertia")
+    site = next(s for s in sites_of(cart.rig()) if effect.place in s.places)
+    least = {q.name: q.low for q in effect.quantities[site.domain]}
+    with_effects(cart.rig(), [Hypothesis(effect, site, "more", least)]).dae()
+
+
+def test_slopes_that_cannot_be_followed_are_told(cart: Any, monkeypatch: pytest.MonkeyPatch) -> None:
+    def singular(*_: Any) -> None:
+        raise np.linalg.LinAlgError("Singular matrix")
+
+    dae = cart.rig().dae()
+    run = ia.simulate(dae, 1.0, inputs={"push.f": 1.0})
+    monkeypatch.setattr(np.linalg, "solve", singular)
+    with pytest.raises(ia.SimulationError, match="beyond what can be followed"):
+        ia.Variations(dae, ["carriage.s"], ["spring.k"]).along(run)
