@@ -74,15 +74,15 @@ class Component:
         self._parts: dict[str, Component] = {p.name: p.default.clone() for p in fields_of(self, Part)}
         self._problems: dict[str, str] = {}
         self._owner: Component | None = None
+        parts = {name: value for name, value in values.items() if isinstance(value, Component)}
         for name, value in values.items():
-            if not isinstance(value, Component):
+            if name not in parts:
                 self._set(name, value)
         if type(self).parts is not Component.parts and not self._shapeless:
             self._parts.update(self.parts())
         self._own_parts()
-        for name, value in values.items():
-            if isinstance(value, Component):
-                self._replace(name, value)
+        for name, part in parts.items():
+            self._replace(name, part)
 
     @property
     def _shapeless(self) -> bool:

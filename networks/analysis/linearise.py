@@ -206,13 +206,14 @@ class Linearisation:
             told.append(f"held, and therefore no states: {', '.join(np.delete(names, keep))}")
             A, C = A[keep] @ restore, C @ restore
             names, rows = [names[k] for k in keep], np.r_[keep, outputs].astype(int)
-        frame = StateSpace(
-            A, np.zeros((len(A), 0)), C, np.zeros((len(C), 0)), name=self.dae.name, notes=tuple(told),
-            states=tuple(names), state_units=tuple(map(self.dae.unit, names)),
-            outputs=tuple(self.outputs), output_units=tuple(map(self.dae.unit, self.outputs)),
-        )  # fmt: skip
         of_u, of_p = of_u[rows], of_p[rows]
-        return realised(frame, [(drive, self._columns(drive, of_u, of_p)) for drive in self.inputs])
+        driven = [(drive, self._columns(drive, of_u, of_p)) for drive in self.inputs]
+        units = {name: self.dae.unit(name) for name in names}
+        outputs = tuple(self.outputs)
+        made = realised((A, C), units, driven, told)
+        return StateSpace(
+            **made, name=self.dae.name, outputs=outputs, output_units=tuple(map(self.dae.unit, outputs))
+        )
 
     def _check_followed(self, of_z: Any, of_others: Any, follow: Any) -> None:
         """Raise where an algebraic unknown would have to move at an infinite rate."""

@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 
 from ...base import Array, rate_unit
-from .statespace import StateSpace
 
 
 @dataclass(frozen=True)
@@ -48,24 +49,34 @@ def drop_held(A: Array, B: Array, rows: Array) -> tuple[list[int], Array]:
     return keep, restore
 
 
-def realised(frame: StateSpace, drives: list[tuple[Drive, dict[int, Array]]]) -> StateSpace:
+def realised(
+    free: tuple[Array, Array],
+    states: Mapping[str, str],
+    drives: list[tuple[Drive, dict[int, Array]]],
+    told: Iterable[str] = (),
+) -> dict[str, Any]:
     """Return x' = A x + sum B_k u^(k), y = C x + sum D_k u^(k) without derivatives in the first equation.
+
+    That is what a `StateSpace` is made of, but for its name and its outputs.
 
     Where a drive is a derivative u^(n), the lower ones become states. Where derivatives are left,
     x = w + E u + F u' + ... with E, F such that they leave w' = A w + (B_0 + A B_1 + A^2 B_2 + ...) u.
 
     Args:
-        frame: the system without its inputs.
+        free: A and C.
+        states: their units by name.
         drives: its inputs, each with the columns of x' and y, one below the other, by order of derivative.
+        told: notes on the system.
     """
-    n = at = len(frame.A)
-    size, dtype = n + sum(drive.order for drive, _ in drives), frame.A.dtype
+    A, C = free
+    n = at = len(A)
+    size, dtype = n + sum(drive.order for drive, _ in drives), A.dtype
     highest = max((order - drive.order for drive, columns in drives for order in columns), default=0)
-    rows = np.r_[:n, size : size + len(frame.C)]
-    slopes = np.zeros((size + len(frame.C), size), dtype)
-    slopes[rows, :n] = np.vstack([frame.A, frame.C])
-    forced = np.zeros((max(highest, 0) + 1, size + len(frame.C), len(drives)), dtype)
-    names, units, notes = list(frame.states), list(frame.state_units), list(frame.notes)
+    rows = np.r_[:n, size : size + len(C)]
+    slopes = np.zeros((size + len(C), size), dtype)
+    slopes[rows, :n] = np.vstack([A, C])
+    forced = np.zeros((max(highest, 0) + 1, size + len(C), len(drives)), dtype)
+    names, units, notes = list(states), list(states.values()), list(told)
     for k, (drive, columns) in enumerate(drives):
         for order, column in columns.items():
             if order < drive.order:
@@ -91,8 +102,8 @@ def realised(frame: StateSpace, drives: list[tuple[Drive, dict[int, Array]]]) ->
     if left:
         notes.append(f"improper: outputs contain derivatives of inputs up to order {left}")
     input_units = tuple(rate_unit(drive.base_unit, drive.order) for drive, _ in drives)
-    return replace(
-        frame, A=A, B=B[0], C=C, D=D[0], D_s=tuple(D[1 : left + 1]), notes=tuple(notes),
-        states=tuple(names), state_units=tuple(units),
-        inputs=tuple(drive.name for drive, _ in drives), input_units=input_units,
-    )  # fmt: skip
+    return {
+        "A": A, "B": B[0], "C": C, "D": D[0], "D_s": tuple(D[1 : left + 1]), "notes": tuple(notes),
+        "states": tuple(names), "state_units": tuple(units),
+        "inputs": tuple(drive.name for drive, _ in drives), "input_units": input_units,
+    }  # fmt: skip
