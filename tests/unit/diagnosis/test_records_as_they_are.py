@@ -84,7 +84,7 @@ def test_friction_is_found_in_sines_that_begin_in_motion(cart: Any) -> None:
 
 def test_an_offset_that_is_given_is_no_cause(cart: Any) -> None:
     def lifted(seed: int) -> Record:
-        record = cart.measured(cart.rig(k=820.0), seed)
+        record: Record = cart.measured(cart.rig(k=820.0), seed)
         return replace(record, values={**record.values, "x": record.values["x"] + seed * 1e-3})
 
     found = verdict_on(cart, [lifted(seed) for seed in (1, 2, 3)], offset=["x"])
