@@ -74,7 +74,7 @@ def diagnose(
     notes = study.limits()
     best = base
     try:
-        while len(best.effects) < criteria.MOST_EFFECTS and _misses_much(best, base) and not study.late:
+        while len(best.effects) < criteria.MOST_EFFECTS and _misses_much(best, base) and not study.late():
             chosen = _chosen(run_round(study, best, rounds), base)
             if chosen is None:
                 break
@@ -94,7 +94,7 @@ def diagnose(
 
 def _left_out(study: Study, budget: float | None, rounds: Sequence[Round]) -> list[str]:
     """Say what the time that was granted did not suffice for."""
-    if budget is None or not study.late:
+    if budget is None or not study.late():
         return []
     count = sum(why == LATE for done in rounds for why in done.failed.values())
     fits = f"{count} effects were not fitted" if count else "no further effect was looked for"

@@ -79,7 +79,6 @@ class Study:
     report: Report | None = None
     deadline: float = inf
 
-    @property
     def late(self) -> bool:
         """Whether the time that was granted has passed."""
         return monotonic() > self.deadline

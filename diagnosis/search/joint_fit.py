@@ -103,9 +103,9 @@ class JointFit:
         for _ in range(1 + criteria.SHAPED_DESCENTS):
             for end in descent(self.stacked, vector, bounds, DESCENT, learnt=True):
                 vector = end.vector
-                if self.study.late:
+                if self.study.late():
                     break
-            if self.study.late or not self.shapes.are_held(vector, bounds):
+            if self.study.late() or not self.shapes.are_held(vector, bounds):
                 break
             bounds = self.shapes.bounds(vector)
         return self.seen(vector)

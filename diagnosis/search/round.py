@@ -43,7 +43,7 @@ def run_round(study: Study, base: Refit, rounds: list[Round]) -> Round:
     payload = study.campaign.pickled() if study.executor is not None else b""
     rounds.append(Round(base, list(candidates), fitted))
     early: list[Candidate] | None = [] if base.effects else None
-    while waiting and not study.late:
+    while waiting and not study.late():
         batch, waiting = _next(waiting)
         tried += batch
         results = _fits(study, payload, base, batch, fitted)
@@ -55,7 +55,7 @@ def run_round(study: Study, base: Refit, rounds: list[Round]) -> Round:
             fitted.append(found)
             kept = max(kept, min(candidate.gain, base.cost - found.cost))
         waiting = _promising(waiting, kept)
-        if not waiting and early is None and not study.late and _much_is_left((base, *fitted), base):
+        if not waiting and early is None and not study.late() and _much_is_left((base, *fitted), base):
             study.tell("much is left: screening where the parameters were given")
             early = screen(study, study.campaign.start)
             waiting = _reserve(candidates, early, tried)

@@ -38,7 +38,8 @@ class WhitenedRecord:
         self.measured = experiment.compared
 
         def run_from(start: Array | None) -> Predicted:
-            return self._stand.run(parameters, start, study.accuracy)
+            found: Predicted = self._stand.run(parameters, start, study.accuracy)
+            return found
 
         def weighed(found: Predicted) -> tuple[Array, Array]:
             seen = {n: sensed(found.time, n, v, effects) for n, v in found.values.items()}

@@ -209,10 +209,10 @@ class Linearisation:
         of_u, of_p = of_u[rows], of_p[rows]
         driven = [(drive, self._columns(drive, of_u, of_p)) for drive in self.inputs]
         units = {name: self.dae.unit(name) for name in names}
-        outputs = tuple(self.outputs)
+        seen = tuple(self.outputs)
         made = realised((A, C), units, driven, told)
         return StateSpace(
-            **made, name=self.dae.name, outputs=outputs, output_units=tuple(map(self.dae.unit, outputs))
+            **made, name=self.dae.name, outputs=seen, output_units=tuple(map(self.dae.unit, seen))
         )
 
     def _check_followed(self, of_z: Any, of_others: Any, follow: Any) -> None:
