@@ -58,8 +58,9 @@ def diagnose(
         try:
             with Processes(count, "spawn") if count > 1 else nullcontext() as pool:
                 verdict = run_diagnosis(loaded, executor=pool, solver=solver, budget=budget, report=tell)
+                stopped = False
         except DiagnosisInterruptedError as interrupt:
-            verdict = interrupt.verdict
+            verdict, stopped = interrupt.verdict, True
     wrote = []
     if json is not None:
         wrote.append(verdict.save(json))
@@ -68,7 +69,7 @@ def diagnose(
     show(verdict)
     for path in wrote:
         typer.echo(f"wrote {path}")
-    if verdict.verdict == "interrupted":
+    if stopped:
         fail("interrupted before the end", INTERRUPTED)
 
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from concurrent.futures import Executor
+from dataclasses import replace
 from math import inf
 from pathlib import Path
 from time import monotonic
@@ -87,7 +88,7 @@ def diagnose(
             best = _pruned(chosen, study)
         return decided(study, start, base, best, rounds, [*notes, *_left_out(study, budget, rounds)])
     except KeyboardInterrupt:
-        verdict = decided(study, start, base, best, rounds, notes, interrupted=True)
+        verdict = decided(replace(study, deadline=-inf), start, base, best, rounds, notes)
         told = "interrupted; what is known so far is the error's `verdict`"
         raise DiagnosisInterruptedError(told, verdict) from None
 

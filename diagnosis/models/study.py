@@ -192,12 +192,12 @@ def _slowed(experiment: Experiment, driven: Sequence[str]) -> Experiment:
     every = max(1, int(record.rate / COMPARISON_RATE_HZ))
     if every > 1:
         smooth = Filter(cutoff=0.5 * record.rate / every)
-        quiet = {name: _quiet(record.values[name], smooth, record.rate) for name in driven}
-        record = replace(record, values=record.values | quiet)
+        calm = {name: quiet(record.values[name], smooth, record.rate) for name in driven}
+        record = replace(record, values=record.values | calm)
     return replace(experiment, record=record, every=every)
 
 
-def _quiet(values: Array, smooth: Filter, rate: float) -> Array:
+def quiet(values: Array, smooth: Filter, rate: float) -> Array:
     """Return a signal without its fast noise; as it is, if what is fast has steps or is more than noise.
 
     The filter's transients at both ends do not count.

@@ -112,7 +112,7 @@ def _residual(verdict: Verdict, stages: Stages, figures: dict[str, Figure]) -> I
     place = next((c.site for c in evidence.screened if c.site.path in leading[:1]), None)
     motions, units = [], ("", "", "")
     if place is not None:
-        motions = moved(evidence.study, evidence.refit.parameters, place, evidence.study.judged)
+        motions = moved(evidence.study, evidence.refit, place, evidence.study.judged)
         if place.domain == "channel":
             si = campaign.measured[place.path].si
             units = si, rate_unit(si), rate_unit(si, 2)

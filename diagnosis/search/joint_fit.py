@@ -16,7 +16,7 @@ from ..effects.hypothesis import Hypothesis, driven, inserted, sensed
 from ..effects.shaping import Bounds, Shapes
 from ..models.study import Predicted, Standing, Study
 from .model_comparison import Refit, stretches
-from .record_start import nuisance_slopes, projected, settled
+from .record_start import begun, nuisance_slopes, projected
 
 FitStart = tuple[Mapping[str, float], Mapping[str, float]]
 DESCENT = Ending(
@@ -148,7 +148,7 @@ class JointFit:
         parameters, effects = self.unpacked(vector)
         given = parameters | inserted(effects)
         stand = self._driven(experiment, effects)
-        slopes_too = slopes or experiment.initial == "fit" or bool(experiment.offset)
+        slopes_too = slopes or experiment.initial == "fit"
 
         def run_from(start: Array | None) -> _Run:
             return _Run(experiment, effects, given, start, stand.run(given, start, self.accuracy, slopes_too))
@@ -170,14 +170,16 @@ class JointFit:
         again: bool,
     ) -> _Run:
         """Return the run of a record from where it begins, which is looked for at first and `again`."""
-        if experiment.initial == "rest":
-            return run_from(None)
-        seeming, known = stand.rest(given, self.accuracy), self.begins.get(id(experiment))
-        begin = seeming if known is None else seeming + known
+        known = self.begins.get(id(experiment))
+
+        def rest() -> Array:
+            return stand.rest(given, self.accuracy)
+
         if known is not None and not again:
-            return run_from(begin)
-        begin, run = settled(begin, run_from, self._weighed)
-        self.begins[id(experiment)] = begin - seeming
+            return run_from(rest() + known)
+        run, moved = begun(experiment, rest, run_from, self._weighed, known)
+        if moved is not None:
+            self.begins[id(experiment)] = moved
         return run
 
     def _weighed(self, run: _Run) -> tuple[Array, Array]:

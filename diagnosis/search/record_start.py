@@ -36,6 +36,29 @@ def projected(columns: Array, nuisances: Array) -> Array:
     return np.asarray(columns - nuisances @ _solved(nuisances, columns))
 
 
+def begun(
+    experiment: Experiment,
+    rest: Callable[[], Array],
+    run_from: Callable[[Array | None], Run],
+    weighed: Callable[[Run], tuple[Array, Array]],
+    known: Array | None = None,
+) -> tuple[Run, Array | None]:
+    """Return the run of a record from where it begins, and how far that is from where it seems to.
+
+    Args:
+        experiment: the record, and whether it begins at rest.
+        rest: returns the states at the start, as they seem to be.
+        run_from: makes a run from states at the start, of a record at rest from None.
+        weighed: as of `settled`.
+        known: how far a record of the same model was found to begin from where it seemed to.
+    """
+    if experiment.initial == "rest":
+        return run_from(None), None
+    seeming = rest()
+    begin, run = settled(seeming if known is None else seeming + known, run_from, weighed)
+    return run, begin - seeming
+
+
 def settled(
     begin: Array, run_from: Callable[[Array], Run], weighed: Callable[[Run], tuple[Array, Array]]
 ) -> tuple[Array, Run]:
@@ -71,5 +94,7 @@ def settled(
 
 
 def _solved(slopes: Array, residual: Array) -> Array:
+    if not (np.isfinite(slopes).all() and np.isfinite(residual).all()):
+        raise SimulationError("where the record begins leaves no trace in a run that grows beyond bounds")
     found = np.linalg.lstsq(slopes, residual, rcond=START_SINGULAR_VALUE_RATIO)[0]
     return np.asarray(found, dtype=float)

@@ -14,7 +14,7 @@ from ..effects.effect import Motion
 from ..effects.hypothesis import Hypothesis, driven, sensed
 from ..effects.sites import Site
 from ..models.study import Predicted, Predictor, Study
-from .record_start import nuisance_slopes, settled
+from .record_start import begun, nuisance_slopes
 
 
 class WhitenedRecord:
@@ -46,10 +46,11 @@ class WhitenedRecord:
             missed = [(self.measured.values[n] - seen[n]) / sigma[n] for n in self.outputs]
             return np.concatenate(missed), nuisance_slopes(experiment, found, sigma)
 
-        if experiment.initial == "rest":
-            found = run_from(None)
-        else:
-            _, found = settled(self._stand.rest(parameters, study.accuracy), run_from, weighed)
+        def rest() -> Array:
+            start: Array = self._stand.rest(parameters, study.accuracy)
+            return start
+
+        found, _ = begun(experiment, rest, run_from, weighed)
         self._found = found
         self.time = predictor.instants(found)  # at which changes of inputs are to be given [s]
         self.predicted = {n: sensed(found.time, n, v, effects) for n, v in found.values.items()}

@@ -7,7 +7,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from ..criteria import COLOURED_MISFIT, EXPLAINED_GAP_SHARE
+from ..criteria import COLOURED_MISFIT, EXPLAINED_GAP_SHARE, NOISE_MISFIT
 from ..effects.hypothesis import Hypothesis
 from ..models.study import Study
 from ..search.model_comparison import Refit, are_alike, clearness, rms
@@ -30,14 +30,18 @@ def decided(
     best: Refit,
     rounds: Sequence[Round],
     notes: Sequence[str],
-    interrupted: bool = False,
 ) -> Verdict:
-    """Return the verdict on the model: nominal as `start`, refitted as `base`, with effects as `best`."""
+    """Return the verdict on the model: nominal as `start`, refitted as `base`, with effects as `best`.
+
+    Where the time of the study is over, nothing is said of what was not looked for.
+    """
     first = rounds[0] if rounds else Round(base, [], [])
     alone = replace(study, executor=None, report=None)
     evidence = Evidence(alone, start, base, best, tuple(first.candidates), first.failed)
     closed = float(np.clip((base.misfit - best.misfit) / max(base.misfit - 1.0, 1e-9), 0.0, 1.0))
-    word = "interrupted" if interrupted else _word(evidence, closed)
+    word = _word(evidence, closed)
+    if study.late() and (best.effects or best.misfit > NOISE_MISFIT):
+        word = "interrupted"
     own = _fit_of(first, best.effects[0]) if best.effects else None
     alike = _alike(first, own, best.effects) if own is not None else []
     others = {f.effects[-1].effect.kind for f in alike} - {p.effect.kind for p in best.effects}

@@ -12,10 +12,12 @@ from ...base import Array
 from ...identification import Experiment, Record
 from .. import criteria
 from ..effects.effect import Motion
+from ..effects.hypothesis import inserted
 from ..effects.sites import Site
 from ..models.study import Study
 from ..search.model_comparison import Refit
 from ..search.score_test import Candidate
+from ..search.whitened_record import WhitenedRecord
 
 
 def shares(candidates: Sequence[Candidate]) -> dict[str, float]:
@@ -36,7 +38,7 @@ def located(study: Study, fitted: Refit, candidates: Sequence[Candidate]) -> dic
     found: dict[str, Any] = {"windows": spans, "band": band(records, missed)}
     found["unit"] = "windows in s, band in Hz"
     if candidates:
-        motions = moved(study, fitted.parameters, candidates[0].site, records)
+        motions = moved(study, fitted, candidates[0].site, records)
         ratios = regimes(motions, missed)
         regime = max(ratios, key=lambda name: ratios[name])
         lasting = sum(float(w["to"]) - float(w["from"]) for w in spans)
@@ -128,21 +130,15 @@ def regimes(motions: Sequence[Motion], missed: Sequence[Mapping[str, Array]]) ->
     }
 
 
-def moved(
-    study: Study, parameters: Mapping[str, float], site: Site, experiments: Sequence[Experiment]
-) -> list[Motion]:
-    """Return how a site moves in the nominal model with these parameters, at the instants of records.
-
-    Of a channel, its value and its rates.
-    """
+def moved(study: Study, fitted: Refit, site: Site, experiments: Sequence[Experiment]) -> list[Motion]:
+    """Return how a site moves in a fitted model at the instants of records; of a channel, value and rates."""
     if site.domain == "channel":
         return [_signal(e.compared, site.path) for e in experiments]
-    model, motions = study.predictor(sites=[site]), []
+    given, motions = fitted.parameters | inserted(fitted.effects), []
+    model = study.predictor(fitted.effects, sites=[site])
     for experiment in experiments:
-        stand = model.stand(experiment)
-        start = None if experiment.initial == "rest" else stand.rest(parameters, study.accuracy)
-        motion = model.motion(stand.run(parameters, start, study.accuracy, False), 0, site)
-        t = experiment.compared.time
+        record = WhitenedRecord(study, model, experiment, study.campaign.sigma, given, fitted.effects)
+        motion, t = record.motion(0, site), experiment.compared.time
         signals = (np.interp(t, motion.t, x) for x in (motion.s, motion.v, motion.f, motion.a))
         motions.append(Motion(t, *signals))
     return motions

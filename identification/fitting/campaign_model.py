@@ -15,9 +15,12 @@ from ...base import Array
 from ...components import ModelError
 from ...networks import ATOL, DAE, RTOL, Network, Result, Variations, dae_of, simulate
 from ..campaign.experiment import Experiment
+from ..records.noise import spectral_floor
 from ..records.record import Channel
 
-START_SAMPLES = 20  # through which a parabola tells how a record begins
+START_SAMPLES = 20  # through which, at first, a parabola tells how a record begins
+FEWEST_START_SAMPLES = 5
+PARABOLA_MISFIT = 1.5  # [noise] up to which a record follows a parabola
 Values = Mapping[str, float]  # of parameters, or standard deviations of channels, by name
 
 
@@ -83,16 +86,14 @@ class RecordModel:
     def _measured_start(self, begin: float) -> dict[str, float]:
         record = self.experiment.record
         first = int(np.searchsorted(record.time, begin - 0.5 / record.rate))
-        nearby = slice(first, first + START_SAMPLES)
-        t = record.time[nearby] - begin
+        t = record.time[first:] - begin
         guess = {}
         for name, path in self.outputs.items():
             if self.dae.unit(path) in ("m", "rad") and len(t) > 3:
-                _, slope, value = np.polyfit(t, record.values[name][nearby], 2)
-                guess[path] = float(value)
+                speed, guess[path] = start_of(t, record.values[name][first:])
                 with suppress(KeyError):
                     self.dae.root(f"der({path})")
-                    guess[f"der({path})"] = float(slope)
+                    guess[f"der({path})"] = speed
         return guess
 
     def run(
@@ -145,6 +146,27 @@ class RecordModel:
             changes: columns of changes by input, at the points of the run.
         """
         return self.variations.pushed(found.run, changes)[found.at]
+
+
+def start_of(t: Array, signal: Array) -> tuple[float, float]:
+    """Return rate and value of a signal at t = 0, by a parabola through as much of it as follows one."""
+    allowed = PARABOLA_MISFIT * spectral_floor(signal).sigma
+
+    def parabola(count: int) -> tuple[Array, bool]:
+        found = np.polyfit(t[:count], signal[:count], 2)
+        missed = np.polyval(found, t[:count]) - signal[:count]
+        return found, float(np.sqrt(np.mean(missed**2))) <= allowed
+
+    count = START_SAMPLES
+    found, follows = parabola(count)
+    while not follows and count >= 2 * FEWEST_START_SAMPLES:
+        count //= 2
+        found, follows = parabola(count)
+    while follows and count < len(t):
+        count *= 2
+        wider, follows = parabola(count)
+        found = wider if follows else found
+    return float(found[1]), float(found[2])
 
 
 class CampaignModel:

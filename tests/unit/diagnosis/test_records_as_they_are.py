@@ -13,7 +13,10 @@ from inertance.diagnosis import Verdict
 from inertance.diagnosis.effects.effect import effect_of
 from inertance.diagnosis.effects.hypothesis import Hypothesis, with_effects
 from inertance.diagnosis.effects.sites import sites_of
-from inertance.identification import Campaign, Record
+from inertance.diagnosis.models.study import quiet
+from inertance.diagnosis.search.record_start import projected
+from inertance.identification import Campaign, Filter, Record
+from inertance.identification.fitting.campaign_model import start_of
 
 CHANNELS = {
     "F": {"input": "push.f", "unit": "N"},
@@ -153,6 +156,7 @@ def test_a_budget_ends_a_diagnosis_and_says_what_it_left_out(cart: Any) -> None:
     records = [{"record": cart.measured(cart.rubbing(), seed)} for seed in (1, 2)]
     campaign = Campaign(cart.rig(), CHANNELS, PRIORS, records[:1], records[1:], noise={"x": NOISE})
     found = ia.diagnose(campaign, budget=1e-3)
+    assert found.verdict == "interrupted"
     assert not found.effects
     assert any("budget of 0.001 s ended" in note for note in found.notes)
     assert not any("budget" in note for note in ia.diagnose(campaign, budget=600.0).notes)
@@ -174,3 +178,34 @@ def test_slopes_that_cannot_be_followed_are_told(cart: Any, monkeypatch: pytest.
     monkeypatch.setattr(np.linalg, "solve", singular)
     with pytest.raises(ia.SimulationError, match="beyond what can be followed"):
         ia.Variations(dae, ["carriage.s"], ["spring.k"]).along(run)
+
+
+@pytest.mark.parametrize(("rate", "noise"), [(50.0, 1e-5), (250.0, 1e-4), (20e3, 1e-4), (20e3, 1e-3)])
+def test_how_fast_a_record_begins_is_seen_at_any_rate(rate: float, noise: float) -> None:
+    """Twenty samples are a period of the motion at 50 Hz, and nothing but noise at 20 kHz."""
+    rng, missed = np.random.default_rng(4), []
+    for _ in range(20):
+        time, omega, phase = np.arange(0.0, 4.0, 1 / rate), rng.uniform(12, 30), rng.uniform(0, 2 * np.pi)
+        signal = 0.01 * np.sin(omega * time + phase) + noise * rng.standard_normal(len(time))
+        speed, value = start_of(time, signal)
+        assert value == pytest.approx(0.01 * np.sin(phase), abs=4e-3)
+        missed.append((speed - 0.01 * omega * np.cos(phase)) / (0.01 * omega))
+    assert np.std(missed) < 1.0  # of the peak speed
+
+
+def test_a_record_that_grows_beyond_bounds_is_told(cart: Any) -> None:
+    with pytest.raises(ia.SimulationError, match="grows beyond bounds"):
+        projected(np.ones((4, 1)), np.array([[1.0], [np.inf], [0.0], [1.0]]))
+
+
+def test_only_fast_noise_is_taken_off_an_input() -> None:
+    rng, time = np.random.default_rng(5), np.arange(0.0, 8.0, 1e-3)
+    slow, smooth = np.sin(2 * np.pi * 3 * time), Filter(cutoff=125.0)
+    noisy = slow + 0.01 * rng.standard_normal(len(time))
+    assert np.std(quiet(noisy, smooth, 1e3) - slow) < 0.6 * 0.01
+    chirping = slow + 0.05 * np.sin(2 * np.pi * 200 * time)
+    assert np.array_equal(quiet(chirping, smooth, 1e3), chirping)
+    square = np.sign(slow)
+    assert np.array_equal(quiet(square, smooth, 1e3), square)
+    coarse = np.round(slow[83:], 3)  # begins in motion, where a filter's end swings
+    assert np.std((quiet(coarse, smooth, 1e3) - slow[83:])[100:-100]) < 0.6 * np.std(coarse - slow[83:])
