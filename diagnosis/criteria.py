@@ -30,7 +30,7 @@ LEAST_STRETCHES = 40  # [1] wanted in all test records; theory: errors of a stan
 
 # Which effects are fitted
 RUNS_PER_MODEL = 200  # [1] of each, fitted from several starts and probed, for the choice of solver; effort
-MOST_EFFECTS = 2  # [1] in a verdict; blind
+MOST_EFFECTS = 3  # [1] in a verdict; blind
 LEAST_CHI_SQUARED_GAIN = 40.0  # [chi squared] below which no effect is worth a fit; nulls
 CONTENDERS_PER_ROUND = 8  # [1] fitted in each round; effort
 RESERVES_PER_ROUND = 3  # [1] of either kind that are fitted besides if much is left; effort

@@ -38,7 +38,7 @@ def run_round(study: Study, base: Refit, rounds: list[Round]) -> Round:
     told = " on top of what was found" if base.effects else ""
     study.tell(f"screening effects{told}")
     candidates = screen(study, base.parameters, base.effects)
-    waiting = _leading(candidates, {placed.effect.kind for placed in base.effects})
+    waiting = _leading(candidates, {placed.label for placed in base.effects})
     tried, fitted, kept = list[Candidate](), list[Refit](), 0.0
     payload = study.campaign.pickled() if study.executor is not None else b""
     rounds.append(Round(base, list(candidates), fitted))
@@ -52,17 +52,33 @@ def run_round(study: Study, base: Refit, rounds: list[Round]) -> Round:
             if isinstance(found, str):
                 rounds[-1].failed[candidate.label] = found
                 continue
-            fitted.append(found)
+            _keep(fitted, found)
             kept = max(kept, min(candidate.gain, base.cost - found.cost))
         waiting = _promising(waiting, kept)
         if not waiting and early is None and not study.late() and _much_is_left((base, *fitted), base):
             study.tell("much is left: screening where the parameters were given")
             early = screen(study, study.campaign.start)
-            waiting = _reserve(candidates, early, tried)
+            waiting = _reserve(candidates, early, tried, _ran_away(study.campaign, base))
     rounds[-1].failed.update((c.label, LATE) for c in waiting)
     screened = {c.label for c in candidates}
     rounds[-1].candidates.extend(c for c in early or () if c.label not in screened)
     return rounds[-1]
+
+
+def _keep(fitted: list[Refit], found: Refit) -> None:
+    """Add a fit; of two that end elsewhere from other starts, the better one stays."""
+    label = found.effects[-1].label
+    before = next((n for n, other in enumerate(fitted) if other.effects[-1].label == label), None)
+    if before is None:
+        fitted.append(found)
+    elif found.cost < fitted[before].cost:
+        fitted[before] = found
+
+
+def _ran_away(campaign: Campaign, base: Refit) -> bool:
+    """Tell whether parameters are so far from what was assumed that other starts than there must be tried."""
+    moved = (campaign.priors[name].moved(value) for name, value in base.parameters.items())
+    return max(moved, default=0.0) > criteria.MOVED_STANDARD_DEVIATIONS
 
 
 def _much_is_left(models: Sequence[Refit], base: Refit) -> bool:
@@ -147,21 +163,20 @@ def _starts(candidate: Candidate, fitted: Sequence[Refit]) -> list[FitStart]:
 def _leading(candidates: Sequence[Candidate], found: Collection[str]) -> list[Candidate]:
     """Return the candidates worth a fit, one for each motion and kind, whose site is the same for all kinds.
 
-    A kind that was found is not looked for again: it would but mend the shape of the first. Special cases go
-    before what generalises them.
+    What was found, by its label, is not looked for again; special cases go before what generalises them.
     """
     chosen: list[Candidate] = []
     for candidate in candidates:
         if candidate.gain < criteria.LEAST_CHI_SQUARED_GAIN or len(chosen) >= criteria.CONTENDERS_PER_ROUND:
             break
-        if candidate.effect.kind in found:
+        if candidate.label in found:
             continue
         alike = next((n for n, other in enumerate(chosen) if same_motion(candidate, other)), None)
         if alike is None:
             chosen.append(candidate)
         else:
             chosen[alike] = _named(chosen[alike], candidate)
-    special = [c for c in candidates if c.effect.kind not in found]
+    special = [c for c in candidates if c.label not in found]
     ordered = [one for c in chosen for one in (*(p for p in special if c.generalises(p)), c)]
     return list(dict.fromkeys(ordered))
 
@@ -174,16 +189,16 @@ def _named(one: Candidate, other: Candidate) -> Candidate:
 
 
 def _reserve(
-    candidates: Sequence[Candidate], early: Sequence[Candidate], tried: Sequence[Candidate]
+    candidates: Sequence[Candidate], early: Sequence[Candidate], tried: Sequence[Candidate], away: bool
 ) -> list[Candidate]:
     """Return what may have been overlooked: effects in series, and those that a large one hid.
 
     Parameters that were fitted without a large effect go far off, and there it looks like another: what was
-    screened `early`, where they were given, is fitted from there.
+    screened `early`, where they were given, is fitted from there, if they went far `away` once more.
     """
     worth = (c for c in candidates if c.effect.place == "series" and c.gain > criteria.LEAST_CHI_SQUARED_GAIN)
     series = [c for c in worth if not any(c is other or same_motion(c, other) for other in tried)]
-    labels = {c.label for c in tried}
+    labels = set[str]() if away else {c.label for c in tried}
     hidden = [c for c in _leading(early, ()) if c.label not in labels]
     return [*series[: criteria.RESERVES_PER_ROUND], *hidden[: criteria.RESERVES_PER_ROUND]]
 
