@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from concurrent.futures import Executor
 from dataclasses import replace
 from math import inf
@@ -20,7 +20,7 @@ from .effects.hypothesis import Hypothesis
 from .models.fmu_network import read_model
 from .models.study import Report, Study, study_of, thinned
 from .search.joint_fit import JointFit
-from .search.model_comparison import Refit, are_alike, clearness, unexplained
+from .search.model_comparison import Refit, are_alike, clearness, unexplained, with_residual_floors
 from .search.round import LATE, Round, run_round
 from .verdict.decide import decided
 from .verdict.verdict import DiagnosisInterruptedError, Verdict
@@ -69,13 +69,16 @@ def diagnose(
     accuracy = Accuracy(run_by, rtol or relative_tolerance(campaign), steps=steps)
     study = study_of(campaign, accuracy, executor, report, inf if budget is None else monotonic() + budget)
     study.tell("refitting the parameters")
-    nominal = JointFit(study, campaign.start)
-    start, base = nominal.seen(nominal.start), nominal.fitted()
+    start, base = _refitted(study, campaign.start)
+    if any(floor.band < inf for experiment in campaign.experiments for floor in experiment.floors.values()):
+        study.tell("refitting with the noise that a filter has left")
+        study = replace(study, campaign=with_residual_floors(campaign, base))
+        start, base = _refitted(study, base.parameters)
     rounds: list[Round] = []
     notes = study.limits()
     best = base
     try:
-        while len(best.effects) < criteria.MOST_EFFECTS and _misses_much(best, base) and not study.late():
+        while _may_go_on(best, base, study):
             chosen = _chosen(run_round(study, best, rounds), base)
             if chosen is None:
                 break
@@ -91,6 +94,13 @@ def diagnose(
         verdict = decided(replace(study, deadline=-inf), start, base, best, rounds, notes)
         told = "interrupted; what is known so far is the error's `verdict`"
         raise DiagnosisInterruptedError(told, verdict) from None
+
+
+def _refitted(study: Study, parameters: Mapping[str, float]) -> tuple[Refit, Refit]:
+    """Return the model as it was given, and with its parameters fitted from a start."""
+    joint = JointFit(study, parameters)
+    given = joint.vector(study.campaign.start, [])
+    return joint.seen(given), joint.fitted()
 
 
 def _left_out(study: Study, budget: float | None, rounds: Sequence[Round]) -> list[str]:
@@ -123,10 +133,12 @@ def relative_tolerance(campaign: Campaign) -> float:
     return float(np.clip(criteria.TOLERANCE_OVER_NOISE * share, *criteria.RELATIVE_TOLERANCES))
 
 
-def _misses_much(best: Refit, base: Refit) -> bool:
-    """Tell whether another effect could take away enough to be believed."""
+def _may_go_on(best: Refit, base: Refit, study: Study) -> bool:
+    """Tell whether there is time for another effect, and one could take away enough to be believed."""
+    if study.late() or len(best.effects) >= criteria.MOST_EFFECTS:
+        return False
     if not best.effects:
-        return best.misfit > criteria.NOISE_MISFIT
+        return best.misfit > criteria.NOISE_MISFIT or not study.noise_is_sure
     return best.misfit > criteria.COLOURED_MISFIT and unexplained(best, base) > criteria.FURTHER_EFFECT_SHARE
 
 

@@ -48,7 +48,7 @@ class FMUPredictor:
     def __init__(
         self, box: FMUModel, campaign: Campaign, effects: Sequence[Hypothesis], parameters: Sequence[str]
     ) -> None:
-        self.box, self.channels, self.sigma = box, campaign.measured, campaign.sigma
+        self.box, self.channels = box, campaign.measured
         self.effects = [placed for placed in effects if placed.effect.basis is not None]
         scales = {name: prior.scale for name, prior in campaign.priors.items()}
         for placed in self.effects:
@@ -113,7 +113,7 @@ def _refined(model: FMUPredictor, campaign: Campaign) -> int:
     while count < FMU_STEPS_PER_SAMPLE[1]:
         fine = ReplayedStand(model, first, 2 * count).predicted(start)
         errors = {name: float((fine[name] - coarse[name]).std()) for name in fine}
-        if all(error < FMU_STEP_ERROR_OVER_NOISE * model.sigma[name] for name, error in errors.items()):
+        if all(error < FMU_STEP_ERROR_OVER_NOISE * first.sigma[name] for name, error in errors.items()):
             break
         count, coarse = 2 * count, fine
     if not model.effects:

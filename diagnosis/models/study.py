@@ -93,6 +93,11 @@ class Study:
         """The records that models are judged by: those of the test, or without any those that are fitted."""
         return self.campaign.testing or self.campaign.training
 
+    @property
+    def noise_is_sure(self) -> bool:
+        """Whether noise is known apart from what a model leaves."""
+        return all(floor.is_sure for e in self.campaign.experiments for floor in e.floors.values())
+
     def predictor(
         self, effects: Sequence[Hypothesis] = (), parameters: Sequence[str] = (), sites: Sequence[Site] = ()
     ) -> Predictor:
@@ -104,9 +109,9 @@ class Study:
         """Where in the model effects may hide."""
         return sites_of(self.campaign.network)
 
-    def screened(self) -> tuple[list[Experiment], dict[str, float]]:
-        """Return the records by which effects are screened, and the noise that makes them count for all."""
-        return self.campaign.training, self.campaign.sigma
+    def screened(self) -> tuple[list[Experiment], float]:
+        """Return the records by which effects are screened, and how many a sample of theirs stands for."""
+        return self.campaign.training, 1.0
 
     def part(self, path: str) -> str:
         """Return the component of the network that a variable or parameter belongs to."""
@@ -137,10 +142,9 @@ class FMUStudy(Study):
         """Its port."""
         return self.box.sites
 
-    def screened(self) -> tuple[list[Experiment], dict[str, float]]:
+    def screened(self) -> tuple[list[Experiment], float]:
         """Return the first record, which has to do."""
-        campaign, weight = self.campaign, len(self.campaign.training) ** -0.5
-        return campaign.training[:1], {name: weight * sigma for name, sigma in campaign.sigma.items()}
+        return self.campaign.training[:1], float(len(self.campaign.training))
 
     def part(self, path: str) -> str:
         """Return the FMU's component, or the one beside it."""

@@ -72,7 +72,10 @@ def _record(verdict: Verdict, stages: Stages, number: int, most: int) -> Figure:
         sigma, unit = _noise(verdict, name)
         signal, left = f"y{2 * row + 1}" if row else "y", f"y{2 * row + 2}"
         measured = record.values[name]
-        missed = [(stage, colour, f.judged[number][name] * sigma) for stage, f, colour in _coloured(stages)]
+        missed = [
+            (stage, colour, verdict.evidence.missed(f, name)[number])
+            for stage, f, colour in _coloured(stages)
+        ]
         curves = [("measured", MEASURED_COLOUR, measured, signal)]
         curves += [(stage, colour, measured - gone, signal) for stage, colour, gone in missed]
         curves += [(*shown, left) for shown in missed[-2:]]
@@ -120,11 +123,11 @@ def clouds(
 
 
 def _cloud(verdict: Verdict, stages: Stages, channel: str, against: Array, title: str) -> Figure:
-    sigma, unit = _noise(verdict, channel)
+    _, unit = _noise(verdict, channel)
     every = max(1, len(against) * 3 * len(verdict.evidence.campaign.outputs) // CLOUD_POINTS)
     data = []
     for stage, fitted, colour in _coloured(stages)[-2:]:
-        missed = sigma * np.concatenate([record[channel] for record in fitted.judged])
+        missed = np.concatenate(verdict.evidence.missed(fitted, channel))
         marker = {"color": colour, "size": 3, "opacity": 0.3}
         points = _points(against[::every], missed[::every])
         data.append(_curve(stage, mode="markers", marker=marker, **points))
@@ -146,8 +149,8 @@ def spectra(verdict: Verdict, stages: Stages, channel: str) -> Figure:
     data = []
     for stage, fitted, colour in _coloured(stages)[-2:]:
         found = [
-            spectrum(sigma * missed[channel], record.rate, segment)
-            for missed, record in zip(fitted.judged, records, strict=True)
+            spectrum(missed, record.rate, segment)
+            for missed, record in zip(verdict.evidence.missed(fitted, channel), records, strict=True)
         ]
         common = found[0][0]
         density = np.mean([np.interp(common, f, d) for f, d in found], axis=0)

@@ -84,9 +84,8 @@ def _gap(verdict: Verdict, stages: Stages, figures: dict[str, Figure]) -> Iterat
     rows = []
     for name, gap in verdict.gap.items():
         values = [gap.nominal, gap.refit, gap.after][: len(stages)]
-        size = campaign.sigma[name] / gap.floor
         unit = pretty_unit(campaign.measured[name].si)
-        cells = [f"{value:.3%}<br>{number(value * size)} {unit}" for value in (*values, gap.floor)]
+        cells = [f"{value:.3%}<br>{number(value * gap.size)} {unit}" for value in (*values, gap.floor)]
         rows.append([escape(name), *cells])
     yield _table(["channel", *stages, "noise"], rows, numbers=range(1, len(stages) + 2))
     yield '<p class="faint">First line: share of the root mean square of the measured signal (NRMSE). '

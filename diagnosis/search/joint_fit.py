@@ -51,7 +51,7 @@ class JointFit:
         self, study: Study, parameters: Mapping[str, float], effects: Sequence[Hypothesis] = ()
     ) -> None:
         self.study, self.campaign, self.accuracy = study, study.campaign, study.accuracy
-        self.effects, self.names, self.sigma = tuple(effects), list(parameters), study.campaign.sigma
+        self.effects, self.names = tuple(effects), list(parameters)
         priors = [self.campaign.priors[name] for name in self.names]
         self.center = np.array([prior.center for prior in priors])
         self.scale = np.array([prior.scale for prior in priors])
@@ -128,7 +128,9 @@ class JointFit:
         )
         cost = sum(float(r @ r) for record in train for r in record.values())
         prior = self.pull * vector[: len(self.names)]
-        return Refit(fitted, placed, train, test, cost + float(prior @ prior), stretches(self.study.judged))
+        judged = self.study.judged
+        independent = sum(experiment.independent for experiment in judged)
+        return Refit(fitted, placed, train, test, cost + float(prior @ prior), stretches(judged), independent)
 
     def stacked(self, vector: Array, slopes: bool) -> tuple[Array, Array | None]:
         """Return residuals of all training records and of the priors, and their slopes if wanted."""
@@ -184,9 +186,9 @@ class JointFit:
 
     def _weighed(self, run: _Run) -> tuple[Array, Array]:
         """Return the weighted residual of a run, and the slopes of its prediction in what nobody measured."""
-        measured, seen = run.experiment.compared.values, run.seen
-        residual = np.concatenate([(measured[n] - seen[n]) / self.sigma[n] for n in seen])
-        return residual, nuisance_slopes(run.experiment, run.found, self.sigma)
+        measured, seen, sigma = run.experiment.compared.values, run.seen, run.experiment.sigma
+        residual = np.concatenate([(measured[n] - seen[n]) / sigma[n] for n in seen])
+        return residual, nuisance_slopes(run.experiment, run.found, sigma)
 
     def _driven(self, experiment: Experiment, effects: Sequence[Hypothesis]) -> Standing:
         """Return the stand of a record, its inputs as the actuators pass them on."""
@@ -209,7 +211,7 @@ class JointFit:
             for name, columns in moved.items():
                 parts[name].append(columns)
             at += paths
-        return np.concatenate([np.hstack(parts[name]) / self.sigma[name] for name in rows])
+        return np.concatenate([np.hstack(parts[name]) / run.experiment.sigma[name] for name in rows])
 
     def _differences(self, run: _Run, placed: Hypothesis, size: Array) -> dict[str, Array]:
         """Return how each channel changes with an effect, per unit of its sizes, by differences."""

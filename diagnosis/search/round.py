@@ -40,7 +40,7 @@ def run_round(study: Study, base: Refit, rounds: list[Round]) -> Round:
     candidates = screen(study, base.parameters, base.effects)
     waiting = _leading(candidates, {placed.label for placed in base.effects})
     tried, fitted, kept = list[Candidate](), list[Refit](), 0.0
-    payload = study.campaign.pickled() if study.executor is not None else b""
+    payload = _sent(study.campaign) if study.executor is not None else b""
     rounds.append(Round(base, list(candidates), fitted))
     early: list[Candidate] | None = [] if base.effects else None
     while waiting and not study.late():
@@ -122,10 +122,16 @@ def _job(
     return _fit(study_of(_received(payload), accuracy), base, candidate, fitted)
 
 
+def _sent(campaign: Campaign) -> bytes:
+    """Return a campaign for other processes, with the noise that was found here."""
+    return pickle.dumps((campaign.pickled(), [experiment.floors for experiment in campaign.experiments]))
+
+
 @lru_cache(maxsize=1)
 def _received(payload: bytes) -> Campaign:
     """Return a campaign in the process that it was sent to, with what is compared there again."""
-    return thinned(pickle.loads(payload))
+    campaign, floors = pickle.loads(payload)
+    return thinned(pickle.loads(campaign).with_floors(floors))
 
 
 def _fit(study: Study, base: Refit, candidate: Candidate, fitted: Sequence[Refit]) -> Refit | str:

@@ -66,9 +66,9 @@ def screen(
     """Return candidates beside refitted parameters and effects found already, the most explaining first."""
     sites, found = study.sites, inserted(effects)
     given = {**parameters, **found}
-    experiments, sigma = study.screened()
+    experiments, count = study.screened()
     predictor = study.predictor(effects, [*given], sites)
-    records = [WhitenedRecord(study, predictor, e, sigma, given, effects) for e in experiments]
+    records = [WhitenedRecord(study, predictor, e, given, effects, count) for e in experiments]
     motions = [[record.motion(number, site) for record in records] for number, site in enumerate(sites)]
     sites = [scaled(site, moved) for site, moved in zip(sites, motions, strict=True)]
     deviations = [study.campaign.priors[name].scale for name in parameters]

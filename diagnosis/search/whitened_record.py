@@ -18,21 +18,24 @@ from .record_start import begun, nuisance_slopes
 
 
 class WhitenedRecord:
-    """One record beside a prediction, whitened (in units of noise), less what its start can explain."""
+    """One record beside a prediction, whitened (in units of noise), less what its start can explain.
+
+    It may stand for a `count` of records like it.
+    """
 
     def __init__(
         self,
         study: Study,
         predictor: Predictor,
         experiment: Experiment,
-        sigma: Mapping[str, float],
         parameters: Mapping[str, float],
         effects: Sequence[Hypothesis],
+        count: float = 1.0,
     ) -> None:
         channels = study.campaign.measured.items()
         self.outputs = {name: c.path for name, c in channels if not c.driven}
         self.inputs = {name: c.path for name, c in channels if c.driven}
-        self.sigma = sigma
+        self.sigma = sigma = {name: size / count**0.5 for name, size in experiment.sigma.items()}
         self._predictor = predictor
         self._stand: Any = predictor.stand(driven(experiment, effects))
         self.measured = experiment.compared

@@ -32,7 +32,7 @@ def suspicions(study: Study, best: Refit) -> Iterator[str]:
     """Yield what channels would explain what no effect does, if they were in another unit or exchanged."""
     campaign = study.campaign
     shares = (
-        campaign.sigma[name] * rms([residual]) / float(np.std(experiment.record.values[name]))
+        experiment.sigma[name] * rms([residual]) / float(np.std(experiment.record.values[name]))
         for experiment, residuals in zip(campaign.training, best.train, strict=True)
         for name, residual in residuals.items()
     )

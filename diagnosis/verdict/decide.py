@@ -2,15 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 
 import numpy as np
 
-from ..criteria import COLOURED_MISFIT, EXPLAINED_GAP_SHARE, NOISE_MISFIT
+from ..criteria import CERTAIN_RESIDUAL_SHARE, COLOURED_MISFIT, EXPLAINED_GAP_SHARE, NOISE_MISFIT
 from ..effects.hypothesis import Hypothesis
 from ..models.study import Study
-from ..search.model_comparison import Refit, are_alike, clearness, rms
+from ..search.model_comparison import Refit, are_alike, clearness, is_noise, rms
 from ..search.round import Round, same_motion
 from .cautions import cautions, suspicions
 from .localisation import located, shares
@@ -35,11 +35,12 @@ def decided(
 
     Where the time of the study is over, nothing is said of what was not looked for.
     """
+    best = best if _is_certain(best, base) else base
     first = rounds[0] if rounds else Round(base, [], [])
     alone = replace(study, executor=None, report=None)
     evidence = Evidence(alone, start, base, best, tuple(first.candidates), first.failed)
-    closed = float(np.clip((base.misfit - best.misfit) / max(base.misfit - 1.0, 1e-9), 0.0, 1.0))
-    word = _word(evidence, closed)
+    closed = _closed(best, base)
+    word = _word(evidence)
     if study.late() and (best.effects or best.misfit > NOISE_MISFIT):
         word = "interrupted"
     own = _fit_of(first, best.effects[0]) if best.effects else None
@@ -51,6 +52,7 @@ def decided(
     open_end = word in ("partial", "unknown")
     suspected = suspicions(study, best) if open_end else ()
     ranking = [_ranked(f, first.base) for f in first.fitted]
+    gaps = _gaps(evidence)
     return Verdict(
         verdict=word,
         effects=best.effects,
@@ -60,37 +62,66 @@ def decided(
         where=shares(first.candidates),
         windows=located(study, best, (rounds[-1] if rounds else first).candidates) if open_end else {},
         ranking=tuple(sorted(ranking, key=lambda r: -r.test_gain)),
-        gap=_gaps(evidence),
+        gap=gaps,
         closed=closed,
         parameters=best.parameters,
         network=study.campaign.network,
         evidence=evidence,
-        notes=(*notes, *suspected, *cautions(study.campaign, best)),
+        notes=(*notes, *suspected, *_noises(evidence, gaps, word), *cautions(study.campaign, best)),
     )
 
 
-def _word(evidence: Evidence, closed: float) -> str:
+def _closed(best: Refit, base: Refit) -> float:
+    """Return the share that a model closes of what lies between another one and noise."""
+    return float(np.clip((base.misfit - best.misfit) / max(base.misfit - 1.0, 1e-9), 0.0, 1.0))
+
+
+def _explains(best: Refit, base: Refit) -> bool:
+    """Tell whether nothing but noise is left, or what no law is so right that it would not leave it."""
+    return _closed(best, base) >= EXPLAINED_GAP_SHARE or best.misfit < COLOURED_MISFIT
+
+
+def _is_certain(best: Refit, base: Refit) -> bool:
+    """Tell whether effects take away so much that they are no mere likeness of what is missing."""
+    taken = 1 - best.blocks.sum() / base.blocks.sum()
+    return _explains(best, base) or bool(taken >= CERTAIN_RESIDUAL_SHARE)
+
+
+def _word(evidence: Evidence) -> str:
     refitted, best = evidence.refit.misfit, evidence.after
     if best.effects:
-        explained = closed >= EXPLAINED_GAP_SHARE or best.misfit < COLOURED_MISFIT
-        return "effect" if explained else "partial"
-    if refitted > COLOURED_MISFIT:
+        return "effect" if _explains(best, evidence.refit) else "partial"
+    if refitted > COLOURED_MISFIT and not is_noise(evidence.refit, evidence.study.judged):
         return "unknown"
     moved = moved_parameters(evidence.campaign, best.parameters)
     return "parameters" if moved or evidence.nominal.misfit > COLOURED_MISFIT * refitted else "none"
 
 
 def _gaps(evidence: Evidence) -> dict[str, Gap]:
-    campaign, gaps = evidence.campaign, {}
-    for name, sigma in campaign.sigma.items():
-        size = rms([e.record.values[name] for e in evidence.study.judged]) or 1.0
-        nominal, refitted, after = (
-            sigma * rms([record[name] for record in f.judged]) / size
-            for f in (evidence.nominal, evidence.refit, evidence.after)
-        )
+    campaign, judged, gaps = evidence.campaign, evidence.study.judged, {}
+    for name in campaign.outputs:
+        size = rms([e.record.values[name] for e in judged])
+        noise = rms([np.array([e.floors[name].sigma for e in judged])])
+        models = evidence.nominal, evidence.refit, evidence.after
+        misfits = [rms(evidence.missed(model, name)) for model in models]
         unit = f"{campaign.measured[name].si}, NRMSE of the {evidence.judged}"
-        gaps[name] = Gap(nominal, refitted, after, sigma / size, unit)
+        shares = (misfit / (size or 1.0) for misfit in (*misfits, noise))
+        gaps[name] = Gap(*shares, unit, size)
     return gaps
+
+
+def _noises(evidence: Evidence, gaps: Mapping[str, Gap], word: str) -> Iterator[str]:
+    """Say which noise is larger than it was thought to be, and which rests on what a model leaves."""
+    for name, gap in gaps.items():
+        floor, left = evidence.campaign.floors[name], gap.after / gap.floor
+        if word in ("none", "parameters") and left > COLOURED_MISFIT:
+            told = f"what is left is white noise, but {left:.3g} times that assumed ({floor.source})"
+            yield f"{name}: {told}; correct [noise]"
+        if not floor.is_sure:
+            yield (
+                f"{name}: passed up to {floor.band:.3g} Hz only, where its noise is what a fit leaves, so "
+                "that a small effect may pass for noise; state [noise], or measure a run twice (repeat_of)"
+            )
 
 
 def _fit_of(done: Round, placed: Hypothesis) -> Refit | None:

@@ -137,7 +137,7 @@ def moved(study: Study, fitted: Refit, site: Site, experiments: Sequence[Experim
     given, motions = fitted.parameters | inserted(fitted.effects), []
     model = study.predictor(fitted.effects, sites=[site])
     for experiment in experiments:
-        record = WhitenedRecord(study, model, experiment, study.campaign.sigma, given, fitted.effects)
+        record = WhitenedRecord(study, model, experiment, given, fitted.effects)
         motion, t = record.motion(0, site), experiment.compared.time
         signals = (np.interp(t, motion.t, x) for x in (motion.s, motion.v, motion.f, motion.a))
         motions.append(Motion(t, *signals))

@@ -96,4 +96,6 @@ def _experiment(campaign: Campaign, sine: _Sine) -> Experiment:
     }
     values[sine.channel] += sine.amplitude * fade * np.sin(2 * np.pi * sine.frequency * time)
     every = round(criteria.TRIAL_RATE_HZ / criteria.COMPARISON_RATE_HZ)
-    return Experiment(Record("trial", time, values), "trial", initial="rest", every=every)
+    return Experiment(
+        Record("trial", time, values), "trial", initial="rest", every=every, floors=campaign.floors
+    )

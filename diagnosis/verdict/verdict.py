@@ -8,7 +8,7 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
-from ...base import check_output, write_text
+from ...base import Array, check_output, write_text
 from ...identification import Campaign
 from ...networks import Network
 from ..criteria import MOVED_STANDARD_DEVIATIONS
@@ -42,13 +42,17 @@ class Ranked:
 
 @dataclass(frozen=True)
 class Gap:
-    """Misfit of a channel on the test runs, as NRMSE: nominal, refitted, with the effect, and of noise."""
+    """Misfit of a channel on the test runs, as NRMSE: nominal, refitted, with the effect, and of noise.
+
+    `size` is the root mean square of what was measured, in SI units.
+    """
 
     nominal: float
     refit: float
     after: float
     floor: float
     unit: str
+    size: float
 
 
 @dataclass(frozen=True, eq=False)
@@ -80,6 +84,11 @@ class Evidence:
     def judged(self) -> str:
         """Which runs the figures are of: without test runs, those that were fitted."""
         return "test runs" if self.campaign.testing else "training runs"
+
+    def missed(self, model: Refit, channel: str) -> list[Array]:
+        """Return what a model misses of a channel in each of these runs, in SI units."""
+        pairs = zip(self.study.judged, model.judged, strict=True)
+        return [experiment.sigma[channel] * residuals[channel] for experiment, residuals in pairs]
 
 
 class DiagnosisInterruptedError(KeyboardInterrupt):

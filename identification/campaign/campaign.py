@@ -5,7 +5,8 @@ from __future__ import annotations
 import pickle
 import tomllib
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass, field, fields
+from copy import copy
+from dataclasses import dataclass, field, fields, replace
 from itertools import combinations
 from pathlib import Path
 from typing import Any, Self
@@ -134,10 +135,17 @@ class Campaign:
         self.notes = [f"{e.name}: {note}" for e in self.experiments for note in e.record.notes]
         self.notes += self._rates_that_differ()
         self.notes += [note for e in self.experiments for note in strange(e, channels, self.machine.inputs)]
-        self.floors = {name: self._floor(name, stated) for name in self.outputs}
+        noise = [{name: self._floor(name, stated, e) for name in self.outputs} for e in self.experiments]
+        vars(self).update(vars(self.with_floors(noise)))
 
     def __reduce__(self) -> tuple[Any, ...]:
         return Campaign, tuple(getattr(self, entry.name) for entry in fields(self) if entry.init)
+
+    def __copy__(self) -> Campaign:
+        """Return one that shares what was read."""
+        other = object.__new__(type(self))
+        vars(other).update(vars(self))
+        return other
 
     def pickled(self) -> bytes:
         """Return what other processes make the same campaign of.
@@ -185,6 +193,14 @@ class Campaign:
         if isinstance(given, str | Path):
             return cls.load(given, reader=reader)
         raise ModelError(f"a Campaign or the path of its TOML file is needed, got {shown(given)}")
+
+    def with_floors(self, floors: Sequence[Mapping[str, NoiseFloor]]) -> Campaign:
+        """Return the campaign with other noise, given for each of its experiments."""
+        other, count = copy(self), len(self.training)
+        given = [replace(e, floors=floor) for e, floor in zip(self.experiments, floors, strict=True)]
+        other.training, other.testing = given[:count], given[count:]
+        other.floors = {name: _median([e.floors[name] for e in other.training]) for name in self.outputs}
+        return other
 
     @property
     def dae(self) -> DAE:
@@ -271,11 +287,17 @@ class Campaign:
             told = ", ".join(f"{name} {rate:g} Hz" for name, rate in rates.items())
             yield f"sampling rates differ ({told}); each record is simulated at its own"
 
-    def _floor(self, channel: str, stated: Mapping[str, float]) -> NoiseFloor:
+    def _floor(self, channel: str, stated: Mapping[str, float], experiment: Experiment) -> NoiseFloor:
+        spectral = spectral_floor(experiment.record.values[channel], experiment.record.rate)
         if channel in stated:
-            return NoiseFloor(stated[channel], "stated")
+            return NoiseFloor(stated[channel], "stated", spectral.band)
         by_source = {str(e.source): e.record for e in self.experiments}
         pairs = [(e.record, by_source[e.repeat_of]) for e in self.experiments if e.repeat_of in by_source]
-        floors = [repeated_floor(*pair, channel) for pair in pairs]
-        floors = floors or [spectral_floor(e.record.values[channel]) for e in self.training]
-        return sorted(floors, key=lambda floor: floor.sigma)[len(floors) // 2]
+        if not pairs:
+            return spectral
+        repeated = _median([repeated_floor(*pair, channel) for pair in pairs])
+        return replace(repeated, band=spectral.band)
+
+
+def _median(floors: Sequence[NoiseFloor]) -> NoiseFloor:
+    return sorted(floors, key=lambda floor: floor.sigma)[len(floors) // 2]

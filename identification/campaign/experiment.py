@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
@@ -12,6 +12,7 @@ import numpy as np
 from ...components import ModelError, nearest
 from ...networks import Input, between_samples, jump_remedy
 from ..records.columns import stuck
+from ..records.noise import NoiseFloor
 from ..records.record import Channel, Record, outputs_of, read_record
 from .problems import FILE, INTERVAL, NUMBER, TEXT, TEXTS, Kind, Problems
 
@@ -43,6 +44,7 @@ class Experiment:
         offset: outputs whose zero is unknown.
         shooting: length of the pieces of multiple shooting [s]; None for one run.
         every: outputs are compared at every so many samples; inputs keep all of theirs.
+        floors: noise of its outputs.
     """
 
     record: Record
@@ -53,6 +55,7 @@ class Experiment:
     offset: tuple[str, ...] = ()
     shooting: float | None = None
     every: int = 1
+    floors: Mapping[str, NoiseFloor] = field(default_factory=dict)
 
     @property
     def name(self) -> str:
@@ -63,6 +66,22 @@ class Experiment:
     def compared(self) -> Record:
         """The record at the instants at which outputs are compared."""
         return self.record.thinned(self.every)
+
+    @property
+    def rate(self) -> float:
+        """At which outputs are compared [Hz]."""
+        return self.record.rate / self.every
+
+    @property
+    def sigma(self) -> dict[str, float]:
+        """What a sample of each output weighs: the noise that it has, as white noise, in SI units."""
+        return {name: floor.white(self.rate) for name, floor in self.floors.items()}
+
+    @property
+    def independent(self) -> float:
+        """The number of independent samples that are compared."""
+        count = len(self.compared.time)
+        return sum(count * floor.share(self.rate) for floor in self.floors.values())
 
     def overlaps(self, other: Experiment) -> bool:
         """Return whether both hold the same measurement, or parts of it that overlap."""

@@ -1,8 +1,9 @@
-"""The noise floor of a channel: stated, from repeats, or from the top of its spectrum."""
+"""The noise floor of a channel: stated, from repeats, from its spectrum, or from what a fit leaves."""
 
 from __future__ import annotations
 
 from dataclasses import dataclass
+from math import inf
 
 import numpy as np
 
@@ -13,28 +14,90 @@ NOISE_BAND = (0.6, 0.95)  # of the spectrum
 LEAST_RANGE_SHARE = 1e-6
 
 
+LEFT_BY_FIT = "what a fit leaves"
+QUIET_RANGE_SHARE = 1e-5  # below which no sensor's noise lies: the top of the spectrum was filtered away
+FILTERED_DENSITY_RATIO = 100.0  # of the density at the top, above which a channel passes what it measures
+
+
 @dataclass(frozen=True)
 class NoiseFloor:
-    """Standard deviation of what is noise in a channel, as white noise, in SI units, and how it is known."""
+    """Noise of a channel: its standard deviation in SI units, how it is known, and its band.
+
+    Attributes:
+        sigma: standard deviation of a sample.
+        source: how it is known, in words.
+        band: up to which a channel whose spectrum is empty above passes what it measures [Hz].
+    """
 
     sigma: float
     source: str
+    band: float = inf
+
+    @property
+    def is_sure(self) -> bool:
+        """Whether it does not rest on what a filter, and a model, have left."""
+        return self.source != LEFT_BY_FIT
+
+    def share(self, rate: float) -> float:
+        """Return the number of independent samples over that of samples taken at a rate [Hz]."""
+        return min(1.0, 2 * self.band / rate)
+
+    def white(self, rate: float) -> float:
+        """Return the standard deviation of white noise of the density that this noise has in its band."""
+        return self.sigma / float(np.sqrt(self.share(rate)))
 
 
-def spectral_floor(values: Array) -> NoiseFloor:
+def spectral_floor(values: Array, rate: float | None = None) -> NoiseFloor:
     """Estimate white noise from the spectrum between 60 and 95 % of its top, where machines hardly move.
 
-    Not below what the steps of a digital sensor make.
+    Not below what the steps of a digital sensor make. What lies far below any sensor's noise was left by a
+    filter: at a rate [Hz] that is given, the band is told that the filter has left.
     """
+    density = _density(values)
+    sigma = _level(density, NOISE_BAND)
+    quantum = _quantum(values) / np.sqrt(12)
+    span = float(np.ptp(values))
+    source = "steps of the sensor" if quantum > sigma else "spectrum"
+    floor = max(sigma, quantum, LEAST_RANGE_SHARE * span)
+    passed = np.flatnonzero(density > FILTERED_DENSITY_RATIO * 2 * sigma**2)
+    if rate is None or floor > QUIET_RANGE_SHARE * span or not len(passed):
+        return NoiseFloor(floor, source)
+    return NoiseFloor(floor, source, 0.5 * rate * float(passed[-1] + 1) / (len(density) - 1))
+
+
+def residual_floor(residual: Array, rate: float, floor: NoiseFloor) -> NoiseFloor:
+    """Estimate the noise of a filtered channel from what a fit leaves in the upper part of its band."""
+    density, share = _density(residual), 1.0
+    if floor.band < inf:
+        share = _passed(density, round(floor.share(rate) * (len(density) - 1))) / (len(density) - 1)
+    begin, end = NOISE_BAND
+    sigma = _level(density, (begin * share, end * share)) * float(np.sqrt(share))
+    return NoiseFloor(max(sigma, floor.sigma), LEFT_BY_FIT, min(floor.band, 0.5 * rate * share))
+
+
+def _passed(density: Array, last: int) -> int:
+    """Return the last place, up to one that is given, above which a filter takes off more and more."""
+    from scipy.ndimage import median_filter
+
+    smooth = median_filter(density, 5)
+    level = (
+        place for place in range(last, 4, -1) if 2 * smooth[place] >= np.median(smooth[place // 2 : place])
+    )
+    return next(level, last)
+
+
+def _density(values: Array) -> Array:
     from scipy.signal import welch
 
     length = min(1024, max(16, len(values) // 8))
     density: Array = np.asarray(welch(np.asarray(values, dtype=np.float64), nperseg=length)[1], dtype=float)
-    begin, end = (int(share * len(density)) for share in NOISE_BAND)
-    sigma = float(np.sqrt(0.5 * np.median(density[begin:end])))
-    quantum = _quantum(values) / np.sqrt(12)
-    least = LEAST_RANGE_SHARE * float(np.ptp(values))
-    return NoiseFloor(max(sigma, quantum, least), "steps of the sensor" if quantum > sigma else "spectrum")
+    return density
+
+
+def _level(density: Array, band: tuple[float, float]) -> float:
+    """Return the standard deviation of white noise of the density in a band, in shares of the spectrum."""
+    begin, end = (int(share * len(density)) for share in band)
+    return float(np.sqrt(0.5 * np.median(density[begin : max(end, begin + 1)])))
 
 
 def repeated_floor(record: Record, other: Record, channel: str) -> NoiseFloor:

@@ -67,7 +67,9 @@ def test_what_generalises_must_take_away_a_good_part_of_what_is_left(
 
     def fitted(misfit: float) -> Refit:
         residual = misfit * noise + 0.01 * rng.standard_normal(len(noise))
-        return Refit({}, (hysteresis(TRAVEL),), [], [{"s": residual}], 0.0, stretches(made.testing))
+        return Refit(
+            {}, (hysteresis(TRAVEL),), [], [{"s": residual}], 0.0, stretches(made.testing), len(residual)
+        )
 
     assert _worth_it(fitted(plain), fitted(richer)) is worth
 
@@ -80,7 +82,9 @@ def test_what_generalises_is_worth_it_if_nothing_is_left_but_noise(left: float, 
     burst = np.where(np.arange(1001) < 50, 3.0, 0.0)
 
     def fitted(residual: Array) -> Refit:
-        return Refit({}, (hysteresis(TRAVEL),), [], [{"s": residual}], 0.0, stretches(made.testing))
+        return Refit(
+            {}, (hysteresis(TRAVEL),), [], [{"s": residual}], 0.0, stretches(made.testing), len(residual)
+        )
 
     plain, richer = fitted(noise + burst), fitted(noise + left / 3 * burst)
     assert clearness(plain, richer) < 3

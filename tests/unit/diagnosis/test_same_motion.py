@@ -38,7 +38,8 @@ def test_each_channel_is_fitted() -> None:
 def test_what_leads_where_parameters_were_given_is_tried_if_much_is_left() -> None:
     tried = [across("screw", 1, 900.0)]
     early = [across("rail", 1, 5000.0), across("screw", 1, 4000.0), across("thread", 1, 10.0)]
-    assert [c.site.path for c in _reserve(tried, early, tried)] == ["rail"]
+    assert [c.site.path for c in _reserve(tried, early, tried, False)] == ["rail"]
+    assert [c.site.path for c in _reserve(tried, early, tried, True)] == ["rail", "screw"]
 
 
 def test_a_part_gives_way_to_the_whole_that_moves_alike() -> None:

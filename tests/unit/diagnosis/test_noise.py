@@ -1,0 +1,87 @@
+"""Noise that a filter has left little of, that differs by record, that is larger than was thought."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import replace
+from typing import Any
+
+import inertance as ia
+import numpy as np
+import pytest
+from inertance.identification import Campaign, Filter, Record, residual_floor, spectral_floor
+
+CHANNELS = {
+    "F": {"input": "push.f", "unit": "N"},
+    "x": {"output": "carriage.s", "unit": "m"},
+}
+PRIORS = {"spring.k": {"rel": 0.1}, "guide.d": {"rel": 0.3}}
+RATE, NOISE = 1000.0, 1e-5
+
+
+@pytest.fixture(scope="module")
+def cart(carriage: Callable[..., Any]) -> Any:
+    return carriage(rate=RATE, duration=6.0, noise=NOISE)
+
+
+def filtered(record: Record, cutoff: float) -> Record:
+    """Return a record all of whose channels went through one low-pass, written with seven digits."""
+    low = Filter(cutoff=cutoff, order=4)
+    values = {name: low.apply(v, record.rate) for name, v in record.values.items()}
+    return replace(record, values={n: np.array([float(f"{x:.7g}") for x in v]) for n, v in values.items()})
+
+
+def noisier(record: Record, times: float, seed: int) -> Record:
+    rng = np.random.default_rng(seed)
+    more = NOISE * np.sqrt(times**2 - 1) * rng.standard_normal(len(record.time))
+    return replace(record, values=record.values | {"x": record.values["x"] + more})
+
+
+def verdict_on(cart: Any, records: list[Record], **more: Any) -> ia.diagnosis.Verdict:
+    train, test = [{"record": r} for r in records[:-1]], [{"record": records[-1]}]
+    return ia.diagnose(Campaign(cart.rig(), CHANNELS, PRIORS, train, test, **more))
+
+
+def test_the_band_of_a_low_passed_channel_is_told(cart: Any) -> None:
+    record = cart.measured(cart.rig(k=820.0), 1)
+    assert spectral_floor(record.values["x"], RATE).band == np.inf
+    floor = spectral_floor(filtered(record, 60.0).values["x"], RATE)
+    assert 60 < floor.band < 200
+    assert floor.sigma < 0.1 * NOISE
+    rng = np.random.default_rng(3)
+    noise = Filter(cutoff=60.0).apply(NOISE * rng.standard_normal(8000), RATE)
+    left = residual_floor(noise, RATE, floor)
+    assert left.band == pytest.approx(60.0, rel=0.15)
+    assert left.share(250.0) == pytest.approx(2 * left.band / 250)
+    assert left.white(RATE) == pytest.approx(NOISE, rel=0.1)
+
+
+def test_low_passed_records_of_a_sound_machine_miss_nothing(cart: Any) -> None:
+    """The top of such a spectrum is empty: beside that, all that was measured was a gap."""
+    found = verdict_on(cart, [filtered(cart.measured(cart.rig(k=820.0), n), 60.0) for n in (1, 2, 3)])
+    assert found.verdict in ("none", "parameters")
+    assert found.parameters["spring.k"] == pytest.approx(820.0, rel=2e-3)
+    floor = found.evidence.campaign.floors["x"]
+    assert not floor.is_sure
+    assert floor.sigma == pytest.approx(NOISE * np.sqrt(2 * 60.0 / RATE), rel=0.3)
+
+
+def test_friction_is_found_in_low_passed_records(cart: Any) -> None:
+    found = verdict_on(cart, [filtered(cart.measured(cart.rubbing(), n), 60.0) for n in (1, 2, 3)])
+    assert [placed.label for placed in found.effects] == ["coulomb_friction at guide"]
+    assert found.effects[0].values["f_c"] == pytest.approx(0.8, rel=0.05)
+
+
+def test_noise_may_differ_by_record(cart: Any) -> None:
+    """By one figure for all, the noisiest record is missed by six times its noise."""
+    records = [noisier(cart.measured(cart.rig(k=820.0), n), times, n) for n, times in enumerate((1, 2, 6))]
+    found = verdict_on(cart, records)
+    assert found.verdict in ("none", "parameters")
+    assert found.gap["x"].after == pytest.approx(found.gap["x"].floor, rel=0.05)
+
+
+def test_white_noise_is_no_effect_however_little_was_stated(cart: Any) -> None:
+    records = [noisier(cart.measured(cart.rig(k=820.0), n), 3.0, n) for n in (1, 2, 3)]
+    found = verdict_on(cart, records, noise={"x": NOISE})
+    assert found.verdict in ("none", "parameters")
+    assert any("3 times" in note and "correct [noise]" in note for note in found.notes)
