@@ -139,7 +139,9 @@ def _may_go_on(best: Refit, base: Refit, study: Study) -> bool:
         return False
     if not best.effects:
         return best.misfit > criteria.NOISE_MISFIT or not study.noise_is_sure
-    return best.misfit > criteria.COLOURED_MISFIT and unexplained(best, base) > criteria.FURTHER_EFFECT_SHARE
+    if best.misfit <= criteria.COLOURED_MISFIT or best.is_noise(study.judged):
+        return False
+    return unexplained(best, base) > criteria.FURTHER_EFFECT_SHARE
 
 
 def _chosen(done: Round, base: Refit) -> Refit | None:

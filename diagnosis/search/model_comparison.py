@@ -3,18 +3,17 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from functools import cached_property
 from math import inf
 
 import numpy as np
 
 from ...base import Array
-from ...identification import Campaign, Experiment, residual_floor
+from ...identification import Campaign, Experiment, is_noise, residual_floor
 from ..criteria import (
     ALIKE_RESIDUAL_SHARE,
     ALIKE_STANDARD_ERRORS,
-    COLOURED_MISFIT,
     LEAST_STRETCHES,
     STRETCH_SECONDS,
 )
@@ -55,6 +54,14 @@ class Refit:
             squares = np.sum([r**2 for r in residuals.values()], axis=0)
             sums += [float(part.sum()) for part in np.array_split(squares, count)]
         return np.array(sums)
+
+    def is_noise(self, experiments: Sequence[Experiment]) -> bool:
+        """Tell whether what it misses of the records that it is judged by looks like noise."""
+        return all(
+            is_noise(missed, experiment.compared.values[name], experiment.rate, count)
+            for experiment, record, count in zip(experiments, self.judged, self.stretches, strict=True)
+            for name, missed in record.items()
+        )
 
     @cached_property
     def misfit(self) -> float:
@@ -106,16 +113,6 @@ def with_residual_floors(campaign: Campaign, base: Refit) -> Campaign:
             }
         )
     return campaign.with_floors(floors)
-
-
-def is_noise(fitted: Refit, experiments: Sequence[Experiment]) -> bool:
-    """Tell whether what a model misses is as strong at all frequencies of each channel, as noise is."""
-    pairs = [
-        (missed, experiment.rate, replace(experiment.floors[name], sigma=0.0))
-        for experiment, record in zip(experiments, fitted.judged, strict=True)
-        for name, missed in record.items()
-    ]
-    return all(rms([r]) <= COLOURED_MISFIT * residual_floor(r, rate, none).sigma for r, rate, none in pairs)
 
 
 def are_alike(one: Refit, other: Refit) -> bool:

@@ -10,7 +10,7 @@ import numpy as np
 from ..criteria import CERTAIN_RESIDUAL_SHARE, COLOURED_MISFIT, EXPLAINED_GAP_SHARE, NOISE_MISFIT
 from ..effects.hypothesis import Hypothesis
 from ..models.study import Study
-from ..search.model_comparison import Refit, are_alike, clearness, is_noise, rms
+from ..search.model_comparison import Refit, are_alike, clearness, rms
 from ..search.round import Round, same_motion
 from .cautions import cautions, suspicions
 from .localisation import located, shares
@@ -35,11 +35,11 @@ def decided(
 
     Where the time of the study is over, nothing is said of what was not looked for.
     """
-    best = best if _is_certain(best, base) else base
+    best = best if _is_certain(best, base, study) else base
     first = rounds[0] if rounds else Round(base, [], [])
     alone = replace(study, executor=None, report=None)
     evidence = Evidence(alone, start, base, best, tuple(first.candidates), first.failed)
-    closed = _closed(best, base)
+    closed = _closed(best, base, study)
     word = _word(evidence)
     if study.late() and (best.effects or best.misfit > NOISE_MISFIT):
         word = "interrupted"
@@ -67,34 +67,40 @@ def decided(
         parameters=best.parameters,
         network=study.campaign.network,
         evidence=evidence,
-        notes=(*notes, *suspected, *_noises(evidence, gaps, word), *cautions(study.campaign, best)),
+        notes=(*notes, *suspected, *_noises(evidence, gaps), *cautions(study.campaign, best)),
     )
 
 
-def _closed(best: Refit, base: Refit) -> float:
+def _closed(best: Refit, base: Refit, study: Study) -> float:
     """Return the share that a model closes of what lies between another one and noise."""
-    return float(np.clip((base.misfit - best.misfit) / max(base.misfit - 1.0, 1e-9), 0.0, 1.0))
+    noise = best.misfit if _leaves_noise(best, study) else 1.0
+    return float(np.clip((base.misfit - best.misfit) / max(base.misfit - noise, 1e-9), 0.0, 1.0))
 
 
-def _explains(best: Refit, base: Refit) -> bool:
+def _leaves_noise(model: Refit, study: Study) -> bool:
+    """Tell whether what a model misses is not clearly more than noise, or looks like noise itself."""
+    return model.misfit <= COLOURED_MISFIT or model.is_noise(study.judged)
+
+
+def _explains(best: Refit, base: Refit, study: Study) -> bool:
     """Tell whether nothing but noise is left, or what no law is so right that it would not leave it."""
-    return _closed(best, base) >= EXPLAINED_GAP_SHARE or best.misfit < COLOURED_MISFIT
+    return _leaves_noise(best, study) or _closed(best, base, study) >= EXPLAINED_GAP_SHARE
 
 
-def _is_certain(best: Refit, base: Refit) -> bool:
+def _is_certain(best: Refit, base: Refit, study: Study) -> bool:
     """Tell whether effects take away so much that they are no mere likeness of what is missing."""
     taken = 1 - best.blocks.sum() / base.blocks.sum()
-    return _explains(best, base) or bool(taken >= CERTAIN_RESIDUAL_SHARE)
+    return _explains(best, base, study) or bool(taken >= CERTAIN_RESIDUAL_SHARE)
 
 
 def _word(evidence: Evidence) -> str:
-    refitted, best = evidence.refit.misfit, evidence.after
+    refitted, best, study = evidence.refit, evidence.after, evidence.study
     if best.effects:
-        return "effect" if _explains(best, evidence.refit) else "partial"
-    if refitted > COLOURED_MISFIT and not is_noise(evidence.refit, evidence.study.judged):
+        return "effect" if _explains(best, refitted, study) else "partial"
+    if not _leaves_noise(refitted, study):
         return "unknown"
     moved = moved_parameters(evidence.campaign, best.parameters)
-    return "parameters" if moved or evidence.nominal.misfit > COLOURED_MISFIT * refitted else "none"
+    return "parameters" if moved or evidence.nominal.misfit > COLOURED_MISFIT * refitted.misfit else "none"
 
 
 def _gaps(evidence: Evidence) -> dict[str, Gap]:
@@ -110,11 +116,11 @@ def _gaps(evidence: Evidence) -> dict[str, Gap]:
     return gaps
 
 
-def _noises(evidence: Evidence, gaps: Mapping[str, Gap], word: str) -> Iterator[str]:
+def _noises(evidence: Evidence, gaps: Mapping[str, Gap]) -> Iterator[str]:
     """Say which noise is larger than it was thought to be, and which rests on what a model leaves."""
     for name, gap in gaps.items():
         floor, left = evidence.campaign.floors[name], gap.after / gap.floor
-        if word in ("none", "parameters") and left > COLOURED_MISFIT:
+        if left > COLOURED_MISFIT and _leaves_noise(evidence.after, evidence.study):
             told = f"what is left is white noise, but {left:.3g} times that assumed ({floor.source})"
             yield f"{name}: {told}; correct [noise]"
         if not floor.is_sure:

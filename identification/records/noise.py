@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from math import inf
 
@@ -15,6 +16,12 @@ LEAST_RANGE_SHARE = 1e-6
 
 
 LEFT_BY_FIT = "what a fit leaves"
+LEVEL_RATIO = 0.6  # of the density in the octave below, at which a spectrum does not fall
+FEWEST_DENSITIES = 8  # of a spectrum that are looked at
+PASSED_BAND = (0.3, 0.7)  # of what a filter has left
+FLAT_RATIO = 1.2  # of the density in that band, up to which there is no more elsewhere
+WEAK_POWER_SHARE = 0.02  # of a signal's power that may lie in the upper half of what a filter has left
+EVEN_DEVIATIONS = 2.0  # of the scatter that the power of noise has from stretch to stretch
 QUIET_RANGE_SHARE = 1e-5  # below which no sensor's noise lies: the top of the spectrum was filtered away
 FILTERED_DENSITY_RATIO = 100.0  # of the density at the top, above which a channel passes what it measures
 
@@ -67,12 +74,33 @@ def spectral_floor(values: Array, rate: float | None = None) -> NoiseFloor:
 
 def residual_floor(residual: Array, rate: float, floor: NoiseFloor) -> NoiseFloor:
     """Estimate the noise of a filtered channel from what a fit leaves in the upper part of its band."""
-    density, share = _density(residual), 1.0
-    if floor.band < inf:
-        share = _passed(density, round(floor.share(rate) * (len(density) - 1))) / (len(density) - 1)
-    begin, end = NOISE_BAND
-    sigma = _level(density, (begin * share, end * share)) * float(np.sqrt(share))
+    density = _density(residual)
+    top = len(density) - 1
+    share = _passed(density, round(floor.share(rate) * top)) / top
+    sigma = _level(density, [edge * share for edge in PASSED_BAND]) * float(np.sqrt(share))
     return NoiseFloor(max(sigma, floor.sigma), LEFT_BY_FIT, min(floor.band, 0.5 * rate * share))
+
+
+def is_noise(residual: Array, signal: Array, rate: float, stretches: int) -> bool:
+    """Tell whether something is as strong at all frequencies that a filter may have left, and at all times.
+
+    If it is weak above a frequency, it must be strong where the signal is weak, too.
+
+    Args:
+        residual: what a model misses.
+        signal: what was measured.
+        rate: samples a second [Hz].
+        stretches: of time, that are compared with each other.
+    """
+    noise, density = residual_floor(residual, rate, NoiseFloor(0.0, "")), _density(residual)
+    end = round(noise.share(rate) * len(density))
+    upper = float(_density(signal)[end // 2 :].sum() / _density(signal).sum())
+    follows = end < len(density) and upper > WEAK_POWER_SHARE
+    if follows or 0.5 * float(np.mean(density[1:end])) > FLAT_RATIO * noise.white(rate) ** 2:
+        return False
+    power = np.array([float(np.mean(part**2)) for part in np.array_split(residual, stretches)])
+    samples = noise.share(rate) * len(residual) / stretches
+    return float(power.std()) <= EVEN_DEVIATIONS * np.sqrt(2 / samples) * float(power.mean())
 
 
 def _passed(density: Array, last: int) -> int:
@@ -81,7 +109,9 @@ def _passed(density: Array, last: int) -> int:
 
     smooth = median_filter(density, 5)
     level = (
-        place for place in range(last, 4, -1) if 2 * smooth[place] >= np.median(smooth[place // 2 : place])
+        place
+        for place in range(last, FEWEST_DENSITIES, -1)
+        if smooth[place] >= LEVEL_RATIO * np.median(smooth[place // 2 : place])
     )
     return next(level, last)
 
@@ -94,7 +124,7 @@ def _density(values: Array) -> Array:
     return density
 
 
-def _level(density: Array, band: tuple[float, float]) -> float:
+def _level(density: Array, band: Sequence[float]) -> float:
     """Return the standard deviation of white noise of the density in a band, in shares of the spectrum."""
     begin, end = (int(share * len(density)) for share in band)
     return float(np.sqrt(0.5 * np.median(density[begin : max(end, begin + 1)])))

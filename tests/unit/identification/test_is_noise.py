@@ -1,0 +1,58 @@
+"""What looks like noise: as strong everywhere in what a filter has left, and at all times."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+import numpy as np
+import pytest
+from inertance.identification import is_noise
+from numpy.typing import NDArray
+from scipy.signal import butter, lfilter
+
+Array = NDArray[np.float64]
+RATE, COUNT = 250.0, 4000
+Made = Callable[[np.random.Generator], Array]
+
+
+def low_passed(rng: np.random.Generator, order: int, cutoff: float) -> Array:
+    b, a = butter(order, cutoff, fs=RATE)
+    noise: Array = np.asarray(lfilter(b, a, rng.standard_normal(COUNT + 500))[500:])
+    return noise / noise.std()
+
+
+def share(made: Made) -> float:
+    """Return how often something that is made is taken for noise, beside a motion up to 8 Hz."""
+    rng = np.random.default_rng(7)
+    found = [is_noise(made(rng), 50 * low_passed(rng, 6, 8.0), RATE, 16) for _ in range(60)]
+    return float(np.mean(found))
+
+
+@pytest.mark.parametrize(
+    "made",
+    [
+        lambda rng: rng.standard_normal(COUNT),
+        lambda rng: np.round(rng.standard_normal(COUNT)),
+        lambda rng: low_passed(rng, 1, 40.0),
+        lambda rng: low_passed(rng, 2, 40.0),
+        lambda rng: low_passed(rng, 4, 60.0),
+    ],
+    ids=["white", "coarse", "first order", "second order", "fourth order"],
+)
+def test_noise_is_noise_filtered_or_not(made: Made) -> None:
+    assert share(made) > 0.9
+
+
+@pytest.mark.parametrize(
+    "made",
+    [
+        lambda rng: rng.standard_normal(COUNT) + low_passed(rng, 2, 8.0),
+        lambda rng: rng.standard_normal(COUNT) + 1.4 * np.sin(2 * np.pi * 5.3 * np.arange(COUNT) / RATE),
+        lambda rng: rng.standard_normal(COUNT) * (1 + 2 * (np.arange(COUNT) % 1000 < 200)),
+        lambda rng: low_passed(rng, 2, 8.0),
+        lambda rng: np.sin(2 * np.pi * 5.3 * np.arange(COUNT) / RATE),
+    ],
+    ids=["error in noise", "sine in noise", "bursts", "an error alone, where the machine moves", "a sine"],
+)
+def test_what_follows_the_motion_is_no_noise(made: Made) -> None:
+    assert share(made) < 0.1
