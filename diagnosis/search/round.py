@@ -6,6 +6,7 @@ import pickle
 from collections.abc import Collection, Iterator, Sequence
 from dataclasses import dataclass, field
 from functools import lru_cache
+from math import inf
 
 from ...components import InertanceError
 from ...identification import Accuracy, Campaign
@@ -112,14 +113,21 @@ def _fits(
     if study.executor is None:
         return (_fit(study, base, candidate, fitted) for candidate in batch)
     submit = study.executor.submit
-    jobs = [submit(_job, payload, study.accuracy, base, candidate, fitted) for candidate in batch]
+    given = payload, study.accuracy, study.deadline, base
+    jobs = [submit(_job, *given, candidate, fitted) for candidate in batch]
     return (job.result() for job in jobs)
 
 
 def _job(
-    payload: bytes, accuracy: Accuracy, base: Refit, candidate: Candidate, fitted: Sequence[Refit]
+    payload: bytes,
+    accuracy: Accuracy,
+    deadline: float,
+    base: Refit,
+    candidate: Candidate,
+    fitted: Sequence[Refit],
 ) -> Refit | str:
-    return _fit(study_of(_received(payload), accuracy), base, candidate, fitted)
+    study = study_of(_received(payload), accuracy, deadline=deadline)
+    return _fit(study, base, candidate, fitted)
 
 
 def _sent(campaign: Campaign) -> bytes:
@@ -138,7 +146,9 @@ def _fit(study: Study, base: Refit, candidate: Candidate, fitted: Sequence[Refit
     name = f"{candidate.effect.kind}_{len(base.effects) + 1}"
     placed = Hypothesis(candidate.effect, candidate.site, name, candidate.values)
     try:
-        found = JointFit(study, base.parameters, [*base.effects, placed]).fitted(_starts(candidate, fitted))
+        model = JointFit(study, base.parameters, [*base.effects, placed])
+        best = min((other.cost for other in fitted), default=inf)
+        found = model.fitted(_starts(candidate, fitted), (best, base.cost))
     except InertanceError as error:
         return f"its fit ended early: {str(error).partition(chr(10))[0]}"
     values = found.effects[-1].values
