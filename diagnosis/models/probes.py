@@ -106,4 +106,6 @@ def scaled(site: Site, motions: Sequence[Motion]) -> Site:
     speed = float(np.sqrt(sum(m.squared for m in motions) / lasting))
     force = float(np.abs(np.concatenate([m.f for m in motions])).max())
     travel = max(m.travel for m in motions)
-    return replace(site, rest=float(motions[0].s[0]), speed=speed, force=force, travel=travel)
+    ends = min(float(m.s.min()) for m in motions), max(float(m.s.max()) for m in motions)
+    rest, middle = float(motions[0].s[0]), sum(ends) / 2
+    return replace(site, rest=rest, middle=middle, speed=speed, force=force, travel=travel)
