@@ -35,6 +35,12 @@ class Motion:
         return float(np.ptp(self.s)) / 2
 
     @property
+    def distance(self) -> float:
+        """Mean of the distance over time."""
+        begin, end = float(self.t[0]), float(self.t[-1])
+        return Pieces.lines(self.t, self.s).integral(np.positive, begin, end) / (end - begin)
+
+    @property
     def speed(self) -> float:
         """Root mean square of the speed over time."""
         return float(np.sqrt(self.squared / (self.t[-1] - self.t[0])))

@@ -35,7 +35,7 @@ class Site:
         rank: 2 if the component dissipates, 1 if it lies between two flanges; such a name says most.
         same: paths of other components between the same two nodes.
         sticks: whether it is dry friction, beside which something must have inertia.
-        rest: distance at the start of the nominal model's run.
+        rest: distance at the start of a run of the nominal model that begins at rest; without one, the mean.
         middle: middle of the range of the distance, in all its runs.
         speed, travel: usual relative speed, and half the range of the distance, in it; of a channel the
             largest size of its signal.

@@ -70,7 +70,8 @@ def screen(
     predictor = study.predictor(effects, [*given], sites)
     records = [WhitenedRecord(study, predictor, e, sigma, given, effects) for e in experiments]
     motions = [[record.motion(number, site) for record in records] for number, site in enumerate(sites)]
-    sites = [scaled(site, moved) for site, moved in zip(sites, motions, strict=True)]
+    resting = next((n for n, experiment in enumerate(experiments) if experiment.initial == "rest"), None)
+    sites = [scaled(site, moved, resting) for site, moved in zip(sites, motions, strict=True)]
     deviations = [study.campaign.priors[name].scale for name in parameters]
     deviations += [FOUND_EFFECT_DEVIATIONS * (abs(value) or 1.0) for value in found.values()]
     sums = _Sums(len(given))
