@@ -18,9 +18,12 @@ from .components import CompliantWithSpeed as CompliantWithSpeed
 from .components import Component as Component
 from .components import ConstantForce as ConstantForce
 from .components import CoulombFriction as CoulombFriction
+from .components import CubicDamper as CubicDamper
 from .components import CubicSpring as CubicSpring
+from .components import DahlFriction as DahlFriction
 from .components import Damper as Damper
 from .components import DiskFlywheel as DiskFlywheel
+from .components import DriftingDamper as DriftingDamper
 from .components import DriftingFriction as DriftingFriction
 from .components import ElastoGap as ElastoGap
 from .components import Fixed as Fixed
@@ -29,6 +32,7 @@ from .components import Force as Force
 from .components import ForceSensor as ForceSensor
 from .components import Friction as Friction
 from .components import HardStop as HardStop
+from .components import HarmonicRipple as HarmonicRipple
 from .components import IdealPlanetaryFlywheel as IdealPlanetaryFlywheel
 from .components import InertanceError as InertanceError
 from .components import Inerter as Inerter
@@ -46,6 +50,7 @@ from .components import OutputError as OutputError
 from .components import Planet as Planet
 from .components import PlanetaryFlywheel as PlanetaryFlywheel
 from .components import Position as Position
+from .components import PositionDependentFriction as PositionDependentFriction
 from .components import PositionSensor as PositionSensor
 from .components import QuadraticDamper as QuadraticDamper
 from .components import RackPinion as RackPinion

@@ -10,6 +10,7 @@ FAMILIES: dict[str, Any] = {
     Domain.TRANSLATIONAL: SimpleNamespace(**vars(translational)),
     Domain.ROTATIONAL: SimpleNamespace(
         **vars(rotational),
+        ConstantForce=rotational.ConstantTorque,
         Force=rotational.Torque,
         ForceSensor=rotational.TorqueSensor,
         Mass=rotational.Inertia,

@@ -2,8 +2,11 @@
 
 from .diagnose import diagnose as diagnose
 from .effects import across as across
+from .effects import dry_friction as dry_friction
 from .effects import in_series as in_series
 from .effects import on_channels as on_channels
+from .effects import ripples as ripples
+from .effects import with_memory as with_memory
 from .effects.edits import between as between
 from .effects.effect import Effect as Effect
 from .effects.effect import Quantity as Quantity
@@ -25,9 +28,12 @@ __all__ = [
     "across",
     "between",
     "diagnose",
+    "dry_friction",
     "in_series",
     "on_channels",
     "read_model",
     "register",
+    "ripples",
+    "with_memory",
     "write_report",
 ]

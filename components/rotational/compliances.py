@@ -4,7 +4,7 @@ from math import pi
 
 import casadi as ca
 
-from ..language import Component, Expression, RotationalFlange, Stated, der, parameter, variable
+from ..language import Component, Expression, RealInput, RotationalFlange, Stated, der, parameter, variable
 
 LEAST_HYSTERESIS = 1e-300  # [rad]
 
@@ -140,6 +140,69 @@ class BoucWen(CompliantWithSpeed):
         yield der(z) == (
             self.A * w - self.beta * ca.fabs(w) * size ** (self.n - 1) * z - self.gamma * w * size**self.n
         )
+
+
+class HarmonicRipple(Compliant):
+    """Torque that comes back with every period, as a sum of three harmonics.
+
+    tau = sum over h = 1, 2, 3 of tau_sin_h sin(h x) + tau_cos_h cos(h x), x = 2 pi phi_rel/period; `tau_sin`
+    and `tau_cos` are those of h = 1.
+
+    Source: E. Favre, L. Cardoletti, M. Jufer, IEEE Trans. Ind. Appl. 29 (1993) 1141, on motors.
+    """
+
+    tau_sin = parameter("N.m", "amplitude of the sine")
+    tau_cos = parameter("N.m", "amplitude of the cosine", default=0.0)
+    tau_sin_2 = parameter("N.m", "amplitude of the sine of half the period", default=0.0)
+    tau_cos_2 = parameter("N.m", "amplitude of the cosine of half the period", default=0.0)
+    tau_sin_3 = parameter("N.m", "amplitude of the sine of a third of the period", default=0.0)
+    tau_cos_3 = parameter("N.m", "amplitude of the cosine of a third of the period", default=0.0)
+    period = parameter("rad", "angle after which the torque comes back", above=0)
+
+    def equations(self) -> Stated:
+        x = 2 * pi * self.phi_rel / self.period
+        first = self.tau_sin * ca.sin(x) + self.tau_cos * ca.cos(x)
+        second = self.tau_sin_2 * ca.sin(2 * x) + self.tau_cos_2 * ca.cos(2 * x)
+        third = self.tau_sin_3 * ca.sin(3 * x) + self.tau_cos_3 * ca.cos(3 * x)
+        yield self.tau == first + second + third
+
+
+class ArmGravity(Compliant):
+    """Gravity on an arm that turns against the ground: tau = tau_sin sin(phi_rel) + tau_cos cos(phi_rel).
+
+    An arm of mass m whose centre is at the distance r from its axis, phi_rel counted from where it hangs, has
+    tau_sin = m g r; counted from the horizontal, tau_cos = m g r.
+    """
+
+    tau_sin = parameter("N.m", "torque a quarter of a turn from phi_rel = 0", default=0.0)
+    tau_cos = parameter("N.m", "torque at phi_rel = 0", default=0.0)
+
+    def equations(self) -> Stated:
+        yield self.tau == self.tau_sin * ca.sin(self.phi_rel) + self.tau_cos * ca.cos(self.phi_rel)
+
+
+class CubicDamper(CompliantWithSpeed):
+    """Damper with torque growing with the cube of speed: tau = d3 w_rel^3."""
+
+    d3 = parameter("N.m.s3/rad3", "cubic damping constant", min=0)
+
+    def equations(self) -> Stated:
+        yield self.tau == self.d3 * self.w_rel**3
+
+
+class DriftingDamper(CompliantWithSpeed):
+    """Damper whose constant follows a signal: tau = (d + d_u u) w_rel.
+
+    u is what it depends on: time, or a measured temperature. Its constant may be negative, so that it stands
+    for what a drift adds to, or takes from, damping that is there.
+    """
+
+    u = RealInput("1", "what the constant follows")
+    d = parameter("N.m.s/rad", "damping constant at u = 0", default=0.0)
+    d_u = parameter("N.m.s/rad", "change of the damping constant with u")
+
+    def equations(self) -> Stated:
+        yield self.tau == (self.d + self.d_u * self.u) * self.w_rel
 
 
 class QuadraticDamper(CompliantWithSpeed):

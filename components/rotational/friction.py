@@ -5,7 +5,7 @@ import casadi as ca
 from ..language import Component, Expression, RealInput, RotationalFlange, Stated, der, parameter, variable
 from ..stickslip import StickSlip
 from ..tables import interpolated, over_speed
-from .compliances import Compliant
+from .compliances import Compliant, CompliantWithSpeed
 
 
 class Friction(Compliant, StickSlip):
@@ -136,3 +136,40 @@ class DriftingFriction(Friction):
 
     def sliding(self, speed: Expression) -> Expression:
         return self.tau_c + self.tau_u * self.u + 0 * speed
+
+
+class PositionDependentFriction(Friction):
+    """Dry friction whose level depends on where it slides: tau = (tau_c + tau_1 e + tau_2 e^2) sgn(w_rel).
+
+    e = phi_rel - phi_rel0. With `regularised` the level may be negative, so that it stands for what is added
+    to, or taken from, friction that is there.
+
+    Source: B. Armstrong-Helouvry, Control of Machines with Friction (1991).
+    """
+
+    tau_c = parameter("N.m", "friction torque at phi_rel0", default=0.0)
+    tau_1 = parameter("N.m/rad", "slope of the friction torque at phi_rel0", default=0.0)
+    tau_2 = parameter("N.m/rad2", "half of its curvature", default=0.0)
+    phi_rel0 = parameter("rad", "angle at which the level is tau_c", default=0.0)
+
+    def sliding(self, speed: Expression) -> Expression:
+        e = self.phi_rel - self.phi_rel0
+        return self.tau_c + self.tau_1 * e + self.tau_2 * e**2 + 0 * speed
+
+
+class DahlFriction(CompliantWithSpeed):
+    """Dry friction that builds up elastically before it slips: tau = tau_c z.
+
+    phi_p z' = w_rel - |w_rel| z: the share z of tau_c grows by angle/phi_p at first, and comes within
+    1/e of its end over phi_p. It knows no events, and creeps under a load that changes.
+
+    Source: P. R. Dahl, AIAA Journal 14 (1976) 1675-1682, with the exponent 1.
+    """
+
+    tau_c = parameter("N.m", "friction torque once it slips", min=0)
+    phi_p = parameter("rad", "presliding angle", above=0)
+    z = variable("1", "share of the friction torque that has built up")
+
+    def equations(self) -> Stated:
+        yield self.tau == self.tau_c * self.z
+        yield self.phi_p * der(self.z) == self.w_rel - ca.fabs(self.w_rel) * self.z

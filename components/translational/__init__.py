@@ -4,8 +4,11 @@ from .compliances import BilinearSpring as BilinearSpring
 from .compliances import BoucWen as BoucWen
 from .compliances import Compliant as Compliant
 from .compliances import CompliantWithSpeed as CompliantWithSpeed
+from .compliances import CubicDamper as CubicDamper
 from .compliances import CubicSpring as CubicSpring
 from .compliances import Damper as Damper
+from .compliances import DriftingDamper as DriftingDamper
+from .compliances import HarmonicRipple as HarmonicRipple
 from .compliances import Inerter as Inerter
 from .compliances import QuadraticDamper as QuadraticDamper
 from .compliances import Ripple as Ripple
@@ -15,9 +18,11 @@ from .compliances import TwoFlanges as TwoFlanges
 from .friction import AsymmetricFriction as AsymmetricFriction
 from .friction import Brake as Brake
 from .friction import CoulombFriction as CoulombFriction
+from .friction import DahlFriction as DahlFriction
 from .friction import DriftingFriction as DriftingFriction
 from .friction import Friction as Friction
 from .friction import LoadedFriction as LoadedFriction
+from .friction import PositionDependentFriction as PositionDependentFriction
 from .friction import StribeckFriction as StribeckFriction
 from .friction import SupportFriction as SupportFriction
 from .friction import TabulatedFriction as TabulatedFriction

@@ -4,7 +4,7 @@ from math import pi
 
 import casadi as ca
 
-from ..language import Component, Stated, TranslationalFlange, der, parameter, variable
+from ..language import Component, RealInput, Stated, TranslationalFlange, der, parameter, variable
 
 LEAST_HYSTERESIS = 1e-300  # [m]
 
@@ -135,6 +135,58 @@ class Ripple(Compliant):
     def equations(self) -> Stated:
         angle = 2 * pi * self.s_rel / self.period
         yield self.f == self.f_sin * ca.sin(angle) + self.f_cos * ca.cos(angle)
+
+
+class HarmonicRipple(Compliant):
+    """Force that comes back with every period, as a sum of three harmonics.
+
+    f = sum over h = 1, 2, 3 of f_sin_h sin(h x) + f_cos_h cos(h x), x = 2 pi s_rel/period; `f_sin` and
+    `f_cos` are those of h = 1.
+
+    Source: E. Favre, L. Cardoletti, M. Jufer, IEEE Trans. Ind. Appl. 29 (1993) 1141, on motors.
+    """
+
+    f_sin = parameter("N", "amplitude of the sine")
+    f_cos = parameter("N", "amplitude of the cosine", default=0.0)
+    f_sin_2 = parameter("N", "amplitude of the sine of half the period", default=0.0)
+    f_cos_2 = parameter("N", "amplitude of the cosine of half the period", default=0.0)
+    f_sin_3 = parameter("N", "amplitude of the sine of a third of the period", default=0.0)
+    f_cos_3 = parameter("N", "amplitude of the cosine of a third of the period", default=0.0)
+    period = parameter("m", "travel after which the force comes back", above=0)
+
+    def equations(self) -> Stated:
+        x = 2 * pi * self.s_rel / self.period
+        first = self.f_sin * ca.sin(x) + self.f_cos * ca.cos(x)
+        second = self.f_sin_2 * ca.sin(2 * x) + self.f_cos_2 * ca.cos(2 * x)
+        third = self.f_sin_3 * ca.sin(3 * x) + self.f_cos_3 * ca.cos(3 * x)
+        yield self.f == first + second + third
+
+
+class CubicDamper(CompliantWithSpeed):
+    """Damper with force growing with the cube of speed: f = d3 v_rel^3.
+
+    Source: A. H. Nayfeh, D. T. Mook, Nonlinear Oscillations (1979).
+    """
+
+    d3 = parameter("N.s3/m3", "cubic damping constant", min=0)
+
+    def equations(self) -> Stated:
+        yield self.f == self.d3 * self.v_rel**3
+
+
+class DriftingDamper(CompliantWithSpeed):
+    """Damper whose constant follows a signal: f = (d + d_u u) v_rel.
+
+    u is what it depends on: time, or a measured temperature. Its constant may be negative, so that it stands
+    for what a drift adds to, or takes from, damping that is there.
+    """
+
+    u = RealInput("1", "what the constant follows")
+    d = parameter("N.s/m", "damping constant at u = 0", default=0.0)
+    d_u = parameter("N.s/m", "change of the damping constant with u")
+
+    def equations(self) -> Stated:
+        yield self.f == (self.d + self.d_u * self.u) * self.v_rel
 
 
 class QuadraticDamper(CompliantWithSpeed):

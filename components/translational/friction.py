@@ -6,7 +6,7 @@ from ..language import Component, Expression, RealInput, Stated, TranslationalFl
 from ..pressed import PressedStickSlip
 from ..stickslip import StickSlip
 from ..tables import interpolated, over_speed
-from .compliances import Compliant
+from .compliances import Compliant, CompliantWithSpeed
 
 
 class Friction(Compliant, StickSlip):
@@ -127,6 +127,43 @@ class DriftingFriction(Friction):
 
     def sliding(self, speed: Expression) -> Expression:
         return self.f_c + self.f_u * self.u + 0 * speed
+
+
+class PositionDependentFriction(Friction):
+    """Dry friction whose level depends on where it slides: f = (f_c + f_1 e + f_2 e^2) sgn(v_rel).
+
+    e = s_rel - s_rel0. With `regularised` the level may be negative, so that it stands for what is added
+    to, or taken from, friction that is there.
+
+    Source: B. Armstrong-Helouvry, Control of Machines with Friction (1991).
+    """
+
+    f_c = parameter("N", "friction force at s_rel0", default=0.0)
+    f_1 = parameter("N/m", "slope of the friction force at s_rel0", default=0.0)
+    f_2 = parameter("N/m2", "half of its curvature", default=0.0)
+    s_rel0 = parameter("m", "distance at which the level is f_c", default=0.0)
+
+    def sliding(self, speed: Expression) -> Expression:
+        e = self.s_rel - self.s_rel0
+        return self.f_c + self.f_1 * e + self.f_2 * e**2 + 0 * speed
+
+
+class DahlFriction(CompliantWithSpeed):
+    """Dry friction that builds up elastically before it slips: f = f_c z.
+
+    s_p z' = v_rel - |v_rel| z: the share z of f_c grows by displacement/s_p at first, and comes within
+    1/e of its end over s_p. It knows no events, and creeps under a load that changes.
+
+    Source: P. R. Dahl, AIAA Journal 14 (1976) 1675-1682, with the exponent 1.
+    """
+
+    f_c = parameter("N", "friction force once it slips", min=0)
+    s_p = parameter("m", "presliding displacement", above=0)
+    z = variable("1", "share of the friction force that has built up")
+
+    def equations(self) -> Stated:
+        yield self.f == self.f_c * self.z
+        yield self.s_p * der(self.z) == self.v_rel - ca.fabs(self.v_rel) * self.z
 
 
 class Brake(PressedStickSlip):

@@ -35,6 +35,12 @@ class Motion:
         return float(np.ptp(self.s)) / 2
 
     @property
+    def distance(self) -> float:
+        """Mean of the distance over time."""
+        begin, end = float(self.t[0]), float(self.t[-1])
+        return Pieces.lines(self.t, self.s).integral(np.positive, begin, end) / (end - begin)
+
+    @property
     def speed(self) -> float:
         """Root mean square of the speed over time."""
         return float(np.sqrt(self.squared / (self.t[-1] - self.t[0])))
@@ -59,7 +65,7 @@ class Quantity:
 
     Attributes:
         name: as in the component or, for channels, in the report.
-        low: least value; the effect is absent where all sizes are 0.
+        low: least value; an effect is absent where all its sizes are 0.
         shape: whether it shapes the effect rather than being its size; shapes have no meaning without a size.
     """
 
@@ -86,9 +92,10 @@ class Effect:
         step: share of a quantity over which its slopes are differences; 0 for slopes along the run, which
             channels do not have, and which say little of where impacts end up.
         memory: whether its force depends on how the site moved before.
-        absolute: whether its force depends on where the site is, not on how far it is from where it rests.
+        origin: from where on its site the distance counts, on which its force depends: where it rests.
+        grounded: whether it acts from the ground alone, as gravity does, not between two moving parts.
         credible: whether values are those of such an effect, and do not only bend its law into another.
-        plain: a special case of one size: its kind, and what each size is then, over that one.
+        plain: a special case: its kind, and what each size is then, over its one size, or over each of them.
     """
 
     kind: str
@@ -102,9 +109,10 @@ class Effect:
     parameters: Callable[[Site, str, Values], dict[str, float]] | None = None
     step: float = 0.0
     memory: bool = False
-    absolute: bool = False
+    origin: Callable[[Site], float] = field(default=lambda site: site.rest)
+    grounded: bool = False
     credible: Callable[[Values], bool] = field(default=lambda values: True)
-    plain: tuple[str, tuple[float, ...]] | None = None
+    plain: tuple[str, tuple[float, ...] | tuple[tuple[float, ...], ...]] | None = None
 
     def generalises(self, kind: str) -> bool:
         """Tell whether a kind is a special case of this one."""
@@ -118,6 +126,15 @@ class Effect:
     def sizes(self, domain: str) -> list[Quantity]:
         """Return the parameters that vanish with the effect."""
         return [q for q in self.quantities[domain] if not q.shape]
+
+    def widened(self, domain: str, extent: Extent, plain: Effect, values: Values) -> list[dict[str, float]]:
+        """Return values, by shape, at which it is its special case with the values given."""
+        assert self.plain is not None
+        own = np.array([values[q.name] for q in plain.sizes(domain)])
+        sizes = np.reshape(self.plain[1], (-1, len(own))) @ own
+        named = dict(zip([q.name for q in self.sizes(domain)], sizes.tolist(), strict=True))
+        kept = {q.name: values[q.name] for q in plain.quantities[domain] if q.shape}
+        return [named | kept] if kept else [named | shape for shape in self.shaped(domain, extent)]
 
     def network_parameters(self, site: Site, name: str, values: Values) -> dict[str, float]:
         """Return the parameters of the inserted component, by full name."""

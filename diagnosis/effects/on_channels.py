@@ -4,12 +4,34 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from math import inf
+from typing import Any
 
 import numpy as np
 
 from ...base import Array
-from ..criteria import CHANNEL_STEP_RATIO
+from .. import criteria
 from .effect import Effect, Quantity, Values, register
+
+_WIDTH = Quantity("width", "unit")
+
+
+def _late(t: Array, y: Array, delay: float, smooth: bool) -> Array:
+    """Return a signal that comes late, or early if the delay is negative.
+
+    Before its first and after its last sample it goes on as its reflection in that sample does.
+
+    Args:
+        t: its instants [s].
+        y: its values.
+        delay: by how much it is late [s].
+        smooth: whether it is curved between its samples, not straight.
+    """
+    from scipy.interpolate import CubicSpline
+
+    at = t - delay
+    inside = np.abs((at - t[0] + (span := t[-1] - t[0])) % (2 * span) - span) + t[0]
+    between = CubicSpline(t, y)(inside) if smooth else np.interp(inside, t, y)
+    return np.asarray(np.select([at < t[0], at > t[-1]], [2 * y[0] - between, 2 * y[-1] - between], between))
 
 
 def _lagging(t: Array, y: Array, p: Values) -> Array:
@@ -30,21 +52,47 @@ def _dead_zone(t: Array, y: Array, p: Values) -> Array:
     return middle + np.sign(y - middle) * np.maximum(np.abs(y - middle) - p["width"], 0)
 
 
+def _limited(t: Array, y: Array, p: Values) -> Array:
+    """Return a signal less a share of what is above a limit; all of it if the limit is hard."""
+    return y - p["share"] * (y - np.clip(y, -p["limit"], p["limit"]))
+
+
+def _played(t: Array, y: Array, p: Values) -> Array:
+    """Return what follows y with play, from the middle of it: it stands still until y has crossed the gap."""
+    width, at, followed = p["width"], float(y[0]), list[float]()
+    for value in y.tolist():
+        at = min(max(at, value - width), value + width)
+        followed.append(at)
+    return np.array(followed)
+
+
 def _on_channel(
-    kind: str,
-    name: str,
-    unit: str,
-    low: float,
-    change: Callable[[Array, Array, Values], Array],
-    drives: bool = False,
+    kind: str, change: Callable[[Array, Array, Values], Array], *quantities: Quantity, **more: Any
 ) -> None:
-    quantities = {"channel": (Quantity(name, unit, low),)}
-    register(Effect(kind, "channel", quantities, change=change, drives=drives, step=CHANNEL_STEP_RATIO))
+    step = criteria.CHANNEL_STEP_RATIO
+    register(Effect(kind, "channel", {"channel": quantities}, change=change, step=step, **more))
 
 
-_on_channel("sensor_delay", "delay", "s", 0.0, lambda t, y, p: np.interp(t - p["delay"], t, y))
-_on_channel("sensor_bias", "bias", "unit", -inf, lambda t, y, p: y + p["bias"])
-_on_channel("sensor_gain", "gain", "1", -inf, lambda t, y, p: y * (1 + p["gain"]))
-_on_channel("sensor_drift", "rate", "unit/s", -inf, lambda t, y, p: y + p["rate"] * (t - t[0]))
-_on_channel("actuator_lag", "T", "s", 0.0, _lagging, drives=True)
-_on_channel("actuator_dead_zone", "width", "unit", 0.0, _dead_zone, drives=True)
+_on_channel(
+    "sensor_delay", lambda t, y, p: _late(t, y, p["delay"], smooth=True), Quantity("delay", "s", -inf)
+)
+_on_channel("sensor_bias", lambda t, y, p: y + p["bias"], Quantity("bias", "unit", -inf))
+_on_channel("sensor_gain", lambda t, y, p: y * (1 + p["gain"]), Quantity("gain", "1", -inf))
+_on_channel("sensor_drift", lambda t, y, p: y + p["rate"] * (t - t[0]), Quantity("rate", "unit/s", -inf))
+_on_channel(
+    "actuator_delay",
+    lambda t, y, p: _late(t, y, p["delay"], smooth=False),
+    Quantity("delay", "s", -inf),
+    drives=True,
+)
+_on_channel("actuator_lag", _lagging, Quantity("T", "s"), drives=True)
+_on_channel("actuator_dead_zone", _dead_zone, _WIDTH, drives=True)
+_on_channel("actuator_backlash", _played, _WIDTH, drives=True)
+_on_channel(
+    "actuator_saturation",
+    _limited,
+    Quantity("share", "1"),
+    Quantity("limit", "unit", 0.0, True),
+    drives=True,
+    shapes=lambda site: [{"limit": r * site.travel} for r in criteria.LIMIT_RATIOS],
+)

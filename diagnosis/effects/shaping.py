@@ -47,6 +47,7 @@ class Shapes:
 
 
 def _range(placed: Hypothesis, name: str) -> tuple[float, float]:
-    """Return least and largest value of a shape that screening comes near."""
+    """Return least and largest value of a shape that screening comes near, and that it may have."""
     values = [shape[name] for shape in placed.effect.shaped(placed.site.domain, placed.site)]
-    return min(values) / SHAPE_FACTOR, max(values) * SHAPE_FACTOR
+    low = next(quantity.low for quantity in placed.quantities if quantity.name == name)
+    return max(low, min(values) / SHAPE_FACTOR), max(values) * SHAPE_FACTOR

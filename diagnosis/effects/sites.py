@@ -35,10 +35,13 @@ class Site:
         rank: 2 if the component dissipates, 1 if it lies between two flanges; such a name says most.
         same: paths of other components between the same two nodes.
         sticks: whether it is dry friction, beside which something must have inertia.
-        rest: distance at the start of the nominal model's run.
-        speed, travel: usual relative speed, and half the range of the distance, in it.
+        rest: distance at the start of a run of the nominal model that begins at rest; without one, the mean.
+        middle: middle of the range of the distance, in all its runs.
+        speed, travel: usual relative speed, and half the range of the distance, in it; of a channel the
+            largest size of its signal.
         force: largest force through the site in it.
         instant: whether only forces that depend on the present motion can act here.
+        grounded: whether one of its flanges is held by the ground.
     """
 
     path: str
@@ -50,10 +53,12 @@ class Site:
     same: tuple[str, ...] = ()
     sticks: bool = False
     rest: float = 0.0
+    middle: float = 0.0
     speed: float = 1.0
     force: float = 1.0
     travel: float = 1.0
     instant: bool = False
+    grounded: bool = False
 
     @property
     def mechanics(self) -> Domain:
@@ -79,8 +84,10 @@ def sites_of(network: Network) -> list[Site]:
     for path, part in parts.items():
         site = _site(path, part, node_of)
         if site is not None:
-            ends = (node_of.get(port, -1 if port == GROUND else port) for port in (site.fixed, site.moving))
-            found.setdefault(frozenset(ends), []).append(site)
+            ends = frozenset(
+                node_of.get(port, -1 if port == GROUND else port) for port in (site.fixed, site.moving)
+            )
+            found.setdefault(ends, []).append(replace(site, grounded=-1 in ends))
     return [site for ends, group in found.items() if len(ends) == 2 for site in _merged(group)]
 
 

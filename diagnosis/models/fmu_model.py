@@ -95,7 +95,7 @@ class FMUModel:
         if not self.port.takes_force:
             moving, fixed = f"{self.place}.flange_b", f"{self.place}.flange_a"
         places = frozenset({"across", "node"})
-        return [Site(self.place, self.port.domain, moving, fixed, places, instant=True)]
+        return [Site(self.place, self.port.domain, moving, fixed, places, instant=True, grounded=True)]
 
     def limits(self, driven: Iterable[str]) -> list[str]:
         """Return what a diagnosis of it cannot see, in words; `driven` are its inputs that are set."""

@@ -124,8 +124,8 @@ class Acting:
     def force(self, t: Any, s: Any, v: Any, f: Any, a: Any) -> Any:
         """Return the force at an instant, or at all of them."""
         total = 0.0
-        for basis, sizes, shape, rest, moving in self._terms:
-            moving.t, moving.s, moving.v, moving.f, moving.a = t, s - rest, v, f, a
+        for basis, sizes, shape, origin, moving in self._terms:
+            moving.t, moving.s, moving.v, moving.f, moving.a = t, s - origin, v, f, a
             for size, part in zip(sizes, basis(moving, shape), strict=True):
                 total = total + size * part
         return total
@@ -139,8 +139,8 @@ class Acting:
 def _term(placed: Hypothesis) -> tuple[Any, list[float], dict[str, float], float, _PortMotion]:
     shape = {q.name: placed.values[q.name] for q in placed.quantities if q.shape}
     sizes = [placed.values[q.name] for q in placed.effect.sizes(placed.site.domain)]
-    rest = 0.0 if placed.effect.absolute else placed.site.rest
-    return placed.effect.basis, sizes, shape, rest, _PortMotion(placed.site.speed)
+    origin = placed.effect.origin(placed.site)
+    return placed.effect.basis, sizes, shape, origin, _PortMotion(placed.site.speed)
 
 
 class Reaction:

@@ -169,10 +169,8 @@ def _starts(candidate: Candidate, fitted: Sequence[Refit]) -> list[FitStart]:
     for plain in fitted:
         last = plain.effects[-1]
         if effect.plain and candidate.generalises(last):
-            size = next(iter(last.values.values()))
-            shares = zip(effect.sizes(site.domain), effect.plain[1], strict=True)
-            sized = {quantity.name: share * size for quantity, share in shares}
-            starts += [(plain.parameters, sized | shape) for shape in effect.shaped(site.domain, site)]
+            widened = effect.widened(site.domain, site, last.effect, last.values)
+            starts += [(plain.parameters, values) for values in widened]
     return starts
 
 

@@ -70,13 +70,18 @@ def screen(
     predictor = study.predictor(effects, [*given], sites)
     records = [WhitenedRecord(study, predictor, e, given, effects, count) for e in experiments]
     motions = [[record.motion(number, site) for record in records] for number, site in enumerate(sites)]
-    sites = [scaled(site, moved) for site, moved in zip(sites, motions, strict=True)]
+    resting = next((n for n, experiment in enumerate(experiments) if experiment.initial == "rest"), None)
+    sites = [scaled(site, moved, resting) for site, moved in zip(sites, motions, strict=True)]
     deviations = [study.campaign.priors[name].scale for name in parameters]
     deviations += [FOUND_EFFECT_DEVIATIONS * (abs(value) or 1.0) for value in found.values()]
     sums = _Sums(len(given))
+    reach = {
+        name: max(float(np.abs(record.measured.values[name]).max()) for record in records)
+        for name in study.campaign.measured
+    }
     for index, record in enumerate(records):
         slopes = record.slopes * np.array(deviations)
-        _add(sums, record, slopes, sites, [moved[index] for moved in motions], motions)
+        _add(sums, record, slopes, sites, [moved[index] for moved in motions], motions, reach)
     return sorted(_scored(sums, parameters), key=lambda candidate: -candidate.gain)
 
 
@@ -87,6 +92,7 @@ def _add(
     sites: Sequence[Site],
     moved: Sequence[Motion],
     motions: Sequence[Sequence[Motion]],
+    reach: Mapping[str, float],
 ) -> None:
     """Add what one record says of every candidate."""
     sums.slopes += slopes.T @ slopes
@@ -108,8 +114,8 @@ def _add(
             if found:
                 columns = record.to_inputs({f"{probe}_{number}.u": np.hstack([c for _, _, c in found])})
                 count(site, [(effect, shape, c.shape[1]) for effect, shape, c in found], columns)
-    for effect, site, own in _channel_changes(record):
-        count(site, [(effect, {}, own.shape[1])], own)
+    for effect, site, shape, own in _channel_changes(record, reach):
+        count(site, [(effect, shape, own.shape[1])], own)
 
 
 def _forces(
@@ -117,7 +123,6 @@ def _forces(
 ) -> Iterator[tuple[Effect, dict[str, float], Array]]:
     """Yield, for each effect and shape, the force or stretch of a unit of each size at a site."""
     widest = max(motions, key=lambda m: m.travel)
-    at_rest = replace(motion, s=motion.s - site.rest)
     for effect in EFFECTS.values():
         stretched = effect.place == "series"
         if effect.basis is None or effect.place not in site.places or stretched != (probe == "stretch"):
@@ -126,13 +131,17 @@ def _forces(
             continue
         if not motion.travel or (stretched and not motion.f.any()):
             continue
-        about = motion if effect.absolute else at_rest
+        if effect.grounded and not site.grounded:
+            continue
+        about = replace(motion, s=motion.s - effect.origin(site))
         for shape in effect.shaped(site.domain, widest):
             yield effect, shape, np.column_stack(effect.basis(about, shape))
 
 
-def _channel_changes(record: WhitenedRecord) -> Iterator[tuple[Effect, Site, Array]]:
-    """Yield what a small effect on each channel changes, per unit of its size."""
+def _channel_changes(
+    record: WhitenedRecord, reach: Mapping[str, float]
+) -> Iterator[tuple[Effect, Site, dict[str, float], Array]]:
+    """Yield, for each shape, what a small effect on each channel changes, per unit of its size."""
     time = record.measured.time
     for effect in EFFECTS.values():
         if effect.change is None:
@@ -144,13 +153,14 @@ def _channel_changes(record: WhitenedRecord) -> Iterator[tuple[Effect, Site, Arr
                 continue
             part = CHANNEL_PROBE_SHARE * float(np.ptp(signal))
             small = {"s": 1 / record.measured.rate, "unit": part}.get(quantity.unit, 1.0)
-            change = (effect.change(time, signal, {quantity.name: small}) - signal) / small
-            site = Site(name, "channel", path, "", frozenset({"channel"}))
-            if effect.drives:
-                own = record.to_inputs({path: np.interp(record.time, time, change)[:, None]})
-            else:
-                own = record.to_output(name, change)
-            yield effect, site, own
+            site = Site(name, "channel", path, "", frozenset({"channel"}), travel=reach[name])
+            for shape in effect.shaped("channel", site):
+                change = (effect.change(time, signal, {quantity.name: small, **shape}) - signal) / small
+                if effect.drives:
+                    own = record.to_inputs({path: np.interp(record.time, time, change)[:, None]})
+                else:
+                    own = record.to_output(name, change)
+                yield effect, site, shape, own
 
 
 def _scored(sums: _Sums, parameters: Mapping[str, float]) -> Iterator[Candidate]:

@@ -152,9 +152,13 @@ def jumps_of(
     if inputs:
         known = pick(symbols, [level[0] for signal in inputs for level in signal.reads])
         moving = ca.substitute(moving, [known], [known + ca.vertcat(*[s.course for s in inputs])])
-    signals = [s for s in signals if ca.depends_on(ca.vertcat(*moving), s.course[1:])]
+    harmless = [s for s in signals if not ca.depends_on(ca.vertcat(*moving), s.course[1:])]
+    signals = [s for s in signals if s not in harmless]
     if not signals:
         return None
+    if harmless:
+        still = ca.vertcat(*[s.course for s in harmless])
+        moving = ca.substitute(moving, [still], [ca.SX.zeros(still.numel())])
     courses = ca.vertcat(*[signal.course for signal in signals])
     ode, alg, forces = moving
     pushed = sorted(set(ca.jacobian_sparsity(forces, courses).row()))

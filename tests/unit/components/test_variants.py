@@ -1,4 +1,4 @@
-"""Friction by direction, load and time; ripple, bilinear and turning hysteretic springs."""
+"""Friction by direction, load, time, place and displacement; ripples, cubic dampers, gravity, springs."""
 
 import re
 from typing import Any
@@ -9,6 +9,9 @@ import pytest
 from inertance import rotational
 from inertance.components import translational
 from inertance.components.language import Parameter
+from numpy.typing import NDArray
+
+Array = NDArray[np.float64]
 
 
 def driven(element: Any, turning: bool = False) -> ia.Network:
@@ -23,6 +26,9 @@ def driven(element: Any, turning: bool = False) -> ia.Network:
     return net.connect(net.element.flange_b, net.drive.flange)
 
 
+WAVES = {"sin": 1.0, "cos": 2.0, "sin_2": 3.0, "cos_2": 4.0, "sin_3": 5.0, "cos_3": 6.0}
+WAVES_OF_FORCE = {f"f_{wave}": size for wave, size in WAVES.items()}
+WAVES_OF_TORQUE = {f"tau_{wave}": size for wave, size in WAVES.items()}
 PAIRS = [
     (ia.AsymmetricFriction(f_forward=1.0, f_backward=2.0), lambda s, v: np.where(v > 0, 1.0, -2.0)),
     (
@@ -40,7 +46,28 @@ PAIRS = [
         lambda s, v: 2 * np.sin(4 * np.pi * s) + np.cos(4 * np.pi * s),
     ),
     (rotational.CubicSpring(c=2.0, c3=3.0), lambda s, v: 2 * s + 3 * s**3),
+    (ia.CubicDamper(d3=3.0), lambda s, v: 3 * v**3),
+    (rotational.CubicDamper(d3=3.0), lambda s, v: 3 * v**3),
+    (ia.HarmonicRipple(**WAVES_OF_FORCE, period=0.5), lambda s, v: harmonics(4 * np.pi * s)),
+    (
+        rotational.HarmonicRipple(**WAVES_OF_TORQUE, period=0.5),
+        lambda s, v: harmonics(4 * np.pi * s),
+    ),
+    (
+        ia.PositionDependentFriction(f_c=2.0, f_1=0.5, f_2=0.3, s_rel0=0.2),
+        lambda s, v: (2 + 0.5 * (s - 0.2) + 0.3 * (s - 0.2) ** 2) * np.sign(v),
+    ),
+    (
+        rotational.PositionDependentFriction(tau_c=2.0, tau_1=0.5, tau_2=0.3, phi_rel0=0.2),
+        lambda s, v: (2 + 0.5 * (s - 0.2) + 0.3 * (s - 0.2) ** 2) * np.sign(v),
+    ),
+    (rotational.ArmGravity(tau_sin=2.0, tau_cos=-1.0), lambda s, v: 2 * np.sin(s) - np.cos(s)),
 ]
+
+
+def harmonics(x: Array) -> Array:
+    """Return three harmonics of amplitudes 1 to 6, written as turning pointers."""
+    return np.asarray(sum(np.real((2 * h - (2 * h - 1) * 1j) * np.exp(1j * h * x)) for h in (1, 2, 3)))
 
 
 @pytest.mark.parametrize(("element", "law"), PAIRS, ids=lambda x: type(x).__name__)
@@ -81,6 +108,35 @@ def test_friction_that_follows_a_signal(turning: bool) -> None:
     moving = np.abs(v) > 0.01
     law = (1 - 0.3 * run.time) * np.sign(v)
     assert run["element.tau" if turning else "element.f"][moving] == pytest.approx(law[moving], abs=1e-6)
+
+
+@pytest.mark.parametrize("turning", [False, True])
+def test_damping_that_follows_a_signal(turning: bool) -> None:
+    family = rotational if turning else ia
+    net = driven(family.DriftingDamper(d=1.0, d_u=-0.3), turning)
+    net.add(clock=ia.signals.Clock()).connect(net.clock.y, net.element.u)
+    run = net.simulate(6.0, step=0.01)
+    law = (1 - 0.3 * run.time) * np.cos(run.time)
+    assert run["element.tau" if turning else "element.f"] == pytest.approx(law, abs=1e-9)
+
+
+@pytest.mark.parametrize("turning", [False, True])
+def test_friction_builds_up_before_it_slips(turning: bool) -> None:
+    """From 0 to 1 it comes within exp(-1/0.2) of its end; then it falls from there."""
+    element = rotational.DahlFriction(tau_c=3.0, phi_p=0.2) if turning else ia.DahlFriction(f_c=3.0, s_p=0.2)
+    run = driven(element, turning).simulate(4.5, step=0.01, rtol=1e-9, atol=1e-11)
+    s = np.sin(run.time)
+    top = 1 - np.exp(-1 / 0.2)
+    law = 3 * np.where(run.time < np.pi / 2, 1 - np.exp(-s / 0.2), (1 + top) * np.exp((s - 1) / 0.2) - 1)
+    assert run["element.tau" if turning else "element.f"] == pytest.approx(law, abs=1e-6)
+
+
+def test_stuck_friction_that_has_not_slipped_is_a_spring() -> None:
+    net = ia.Network("held", wall=ia.Fixed(), guide=ia.DahlFriction(f_c=3.0, s_p=1e-3), body=ia.Mass(m=2.0))
+    net.connect(net.wall.flange, net.guide.flange_a).connect(net.guide.flange_b, net.body.flange)
+    run = net.simulate(0.5, step=1e-3, start={"body.v": 1e-5}, rtol=1e-9, atol=1e-14)
+    w = np.sqrt(3.0 / 1e-3 / 2.0)
+    assert run["body.s"] == pytest.approx(1e-5 / w * np.sin(w * run.time), abs=1e-9)
 
 
 def test_turning_hysteresis_is_the_sliding_one_in_other_units() -> None:

@@ -76,10 +76,10 @@ def test_an_element_is_a_site_by_what_it_is_not_by_its_name() -> None:
 def test_every_effect_fits_every_site_and_runs(kind: str) -> None:
     effect, net = effect_of(kind), cart()
     for site in sites_of(net):
-        if effect.place not in site.places:
+        if effect.place not in site.places or site.domain not in effect.quantities:
             continue
         scaled = replace(site, force=20.0, travel=0.02, speed=0.4)
-        values = {q.name: 0.01 for q in effect.quantities[site.domain]}
+        values = {q.name: max(0.01, q.low) for q in effect.quantities[site.domain]}
         assert effect.edits is not None
         edits = effect.edits(scaled, "extra", values)
         run = edited(net, edits).simulate(0.05)
@@ -91,7 +91,11 @@ def test_every_effect_fits_every_site_and_runs(kind: str) -> None:
         assert again["one.s"] == pytest.approx(run["one.s"], abs=1e-12)
 
 
-ACROSS = [kind for kind, effect in EFFECTS.items() if effect.basis and effect.place in ("across", "loaded")]
+ACROSS = [
+    kind
+    for kind, effect in EFFECTS.items()
+    if effect.basis and effect.place in ("across", "loaded") and "translational" in effect.quantities
+]
 
 
 @pytest.mark.parametrize("kind", ACROSS)
@@ -110,7 +114,8 @@ def test_the_basis_is_the_force_of_the_component(kind: str) -> None:
     )
     t = np.linspace(0, 6, 2001)
     motion = Motion(t, np.sin(t), np.cos(t), np.zeros_like(t), -np.sin(t))
-    values = {q.name: 0.3 + 0.2 * i for i, q in enumerate(effect.quantities["translational"])}
+    quantities = effect.quantities["translational"]
+    values = {q.name: max(0.3 + 0.2 * i, q.low) for i, q in enumerate(quantities)}
     shape = {q.name: values[q.name] for q in effect.quantities["translational"] if q.shape}
     assert effect.basis is not None
     assert effect.edits is not None

@@ -18,20 +18,22 @@ SITE = Site("guide", "translational", "guide.flange_b", "guide.flange_a", BETWEE
 
 
 def hysteresis(s_y: float) -> Hypothesis:
-    return Hypothesis(effect_of("hysteresis"), SITE, "hysteresis_1", {"k": 100.0, "s_y": s_y})
+    return Hypothesis(effect_of("hysteresis"), SITE, "hysteresis_1", {"k": 100.0, "s_y": s_y, "n": 2.0})
 
 
 def test_a_shape_goes_on_from_where_it_is_held_within_what_is_screened() -> None:
     placed = hysteresis(2 * TRAVEL)
-    shapes = Shapes((np.array([-5.0, 0.0, 0.0]), np.array([5.0, np.inf, np.inf])), [placed], [placed.scales])
-    bounds = shapes.bounds(np.array([0.0, 1.0, 1.0]))
-    assert bounds[0] == pytest.approx([-5.0, 0.0, 0.5])
+    wide = np.array([-5.0, 0.0, 0.0, 0.0]), np.array([5.0, np.inf, np.inf, np.inf])
+    shapes = Shapes(wide, [placed], [placed.scales])
+    bounds = shapes.bounds(np.array([0.0, 1.0, 1.0, 1.0]))
+    assert bounds[0] == pytest.approx([-5.0, 0.0, 0.5, 0.5])  # yields less sharply, n = 1 at least
     assert bounds[1][:2] == pytest.approx([5.0, np.inf])
-    assert shapes.are_held(np.array([0.0, 3.0, 0.5]), bounds)
-    assert not shapes.are_held(np.array([5.0, 0.0, 0.8]), bounds)
-    least = shapes.bounds(np.array([0.0, 1.0, 1e-9]))[0][2]
+    assert shapes.are_held(np.array([0.0, 3.0, 0.5, 1.0]), bounds)
+    assert not shapes.are_held(np.array([5.0, 0.0, 0.8, 0.5]), bounds)
+    least = shapes.bounds(np.array([0.0, 1.0, 1e-9, 1.0]))[0][2]
     assert least == pytest.approx(0.5 * 0.04 / 2.0)
-    assert not shapes.are_held(np.array([0.0, 1.0, least]), shapes.bounds(np.array([0.0, 1.0, 1.5 * least])))
+    near = shapes.bounds(np.array([0.0, 1.0, 1.5 * least, 1.0]))
+    assert not shapes.are_held(np.array([0.0, 1.0, least, 1.0]), near)
 
 
 def test_friction_that_rises_from_rest_is_no_stribeck_effect() -> None:

@@ -325,6 +325,23 @@ def test_a_position_may_step_where_a_spring_yields() -> None:
 
 
 @pytest.mark.parametrize("solver", TWO)
+def test_a_motion_that_pushes_by_its_derivatives_leaves_another_that_is_only_watched_alone(
+    solver: str,
+) -> None:
+    """The acceleration across the spring is seen, and nothing answers to it; the far mass is moved."""
+    net = driven(Position(), None, Spring(k=100.0), Mass(m=1.0))
+    net.add(seen=ia.RelativeAccelerationSensor(), shaker=Position(), table=Mass(m=3.0))
+    net.connect(net.drive.flange, net.seen.flange_a).connect(net.seen.flange_b, net.mass.flange)
+    net.connect(net.shaker.flange, net.table.flange)
+    moved = {"drive.s_ref": np.sin, "shaker.s_ref": np.sin}
+    run = net.simulate(1.0, inputs=moved, solver=solver, rtol=1e-8, atol=1e-10)
+    t = run.time
+    assert run["table.a"] == pytest.approx(-np.sin(t), abs=1e-6)
+    rest = (100 * np.sin(t) - 10 * np.sin(10 * t)) / 99
+    assert run["mass.s"] == pytest.approx(rest, abs=1e-5)
+
+
+@pytest.mark.parametrize("solver", TWO)
 def test_what_jumps_in_the_first_instant_is_a_shock(solver: str) -> None:
     for drive, source in ((Speed(), signals.Step()), (Position(), signals.Ramp(duration=2.0, height=2.0))):
         net = driven(drive, source, Inerter(b=50.0), Mass(m=100.0))

@@ -1,0 +1,103 @@
+"""Effects of dry friction across a site."""
+
+from __future__ import annotations
+
+from math import inf
+
+import numpy as np
+
+from ...base import Array
+from .. import criteria
+from .across import across, clocked
+from .edits import Connect, Edit, Insert, between
+from .effect import Effect, Motion, Values, both, register
+from .sites import Site
+
+COULOMB = (("f_c", "N"), ("tau_c", "N.m"))
+
+
+def _stribeck(motion: Motion, shape: Values) -> list[Array]:
+    fading = np.exp(-np.abs(motion.v) / next(iter(shape.values())))
+    return [motion.direction * (1 - fading), motion.direction * fading]
+
+
+def _breaks_away(values: Values) -> bool:
+    """Tell whether friction falls with speed; what rises from rest is no Stribeck effect."""
+    sliding, static, _ = values.values()
+    return static >= sliding
+
+
+def _smooth(site: Site) -> dict[str, float]:
+    """Return what lets a level of friction be negative: it stands beside friction that is there."""
+    return {"regularised": criteria.REVERSAL_SPEED_RATIO * site.speed}
+
+
+def _loaded(site: Site, name: str, values: Values) -> list[Edit]:
+    """Return friction by the force that arrives at a site, not by what friction leaves of it."""
+    friction = site.family.LoadedFriction(**_smooth(site), **values)
+    return [
+        Insert(site.moving, f"{name}_load", site.family.ForceSensor()),
+        *between(name, friction, site.fixed, f"{name}_load.flange_a"),
+        Connect((f"{name}_load.{site.mechanics.through}", f"{name}.load")),
+    ]
+
+
+def _drifting(site: Site, name: str, values: Values) -> list[Edit]:
+    friction = site.family.DriftingFriction(**_smooth(site), **values)
+    return clocked(between(name, friction, site.fixed, site.moving), name)
+
+
+across("coulomb_friction", "CoulombFriction", both(f=COULOMB), lambda motion, _: [motion.direction])
+across(
+    "stribeck_friction",
+    "StribeckFriction",
+    both(
+        f_c=COULOMB, f_s=(("f_s", "N"), ("tau_s", "N.m")), v_s=(("v_s", "m/s"), ("w_s", "rad/s"), 0.0, True)
+    ),
+    _stribeck,
+    shapes=lambda motion: [{"v_s": r * motion.speed} for r in criteria.STRIBECK_SPEED_RATIOS],
+    credible=_breaks_away,
+    plain=("coulomb_friction", (1.0, 1.0)),
+)
+across(
+    "asymmetric_friction",
+    "AsymmetricFriction",
+    both(
+        forward=(("f_forward", "N"), ("tau_forward", "N.m")),
+        backward=(("f_backward", "N"), ("tau_backward", "N.m")),
+    ),
+    lambda motion, _: [np.maximum(motion.direction, 0), np.minimum(motion.direction, 0)],
+    plain=("coulomb_friction", (1.0, 1.0)),
+)
+across(
+    "position_dependent_friction",
+    "PositionDependentFriction",
+    both(
+        f_c=(*COULOMB, -inf),
+        f_1=(("f_1", "N/m"), ("tau_1", "N.m/rad"), -inf),
+        f_2=(("f_2", "N/m2"), ("tau_2", "N.m/rad2"), -inf),
+    ),
+    lambda motion, _: [motion.direction, motion.s * motion.direction, motion.s**2 * motion.direction],
+    lambda site, p: {f"{site.mechanics.across}_rel0": site.middle, **_smooth(site), **p},
+    origin=lambda site: site.middle,
+    plain=("coulomb_friction", (1.0, 0.0, 0.0)),
+)
+register(
+    Effect(
+        "load_dependent_friction",
+        "loaded",
+        both(mu=(("mu", "1"), ("mu", "1"))),
+        _loaded,
+        lambda motion, _: [np.abs(motion.f) * motion.direction],
+    )
+)
+register(
+    Effect(
+        "friction_drift",
+        "across",
+        both(f_c=(*COULOMB, -inf), f_u=(("f_u", "N/s"), ("tau_u", "N.m/s"), -inf)),
+        _drifting,
+        lambda motion, _: [motion.direction, motion.t * motion.direction],
+        plain=("coulomb_friction", (1.0, 0.0)),
+    )
+)

@@ -1,0 +1,97 @@
+"""Effects across a site that remember how it moved: hysteresis, and friction before it slips."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from functools import lru_cache
+from itertools import pairwise, product
+
+import numpy as np
+
+from ...base import Array
+from .. import criteria
+from .across import STIFFNESS, across
+from .dry_friction import COULOMB
+from .effect import Motion, Values, both
+from .sites import Site
+
+NEAREST_YIELD = 20.0  # ln of what a hysteretic force may miss of its limit, relative to it, as tabulated
+
+
+def _along(s: Array, law: Callable[[float, Array, float], Array]) -> Array:
+    """Return what a law makes of a motion, stroke by stroke.
+
+    Args:
+        s: distance, which turns between strokes.
+        law: (value at the turn, distance since then, direction) -> values along the stroke.
+    """
+    z = np.zeros(len(s))
+    turns = np.flatnonzero(np.diff(np.sign(np.diff(s))) != 0) + 1
+    for begin, end in pairwise([0, *turns.tolist(), len(s) - 1]):
+        stroke = s[begin + 1 : end + 1] - s[begin]
+        if len(stroke):
+            z[begin + 1 : end + 1] = law(z[begin], np.abs(stroke), float(np.sign(stroke[-1])))
+    return z
+
+
+@lru_cache
+def _loading(n: float) -> tuple[Array, Array]:
+    """Return x and u of the curve u' = 1 - u^n from rest, by which a Bouc-Wen element is loaded."""
+    w = np.linspace(0.0, NEAREST_YIELD, 801)
+    u = -np.expm1(-w)
+    rate = (1 - u) / (1 - u**n)
+    x = np.concatenate([[0.0], np.cumsum(np.diff(w) * (rate[1:] + rate[:-1]) / 2)])
+    return x, u
+
+
+def _hysteresis(motion: Motion, shape: Values) -> list[Array]:
+    """Return the hysteretic displacement of a Bouc-Wen element that yields at s_y.
+
+    Along a stroke z falls to zero as far as s moves, and rises from zero with z' = 1 - (z/s_y)^n.
+    """
+    s_y, n = shape.values()
+    x, u = _loading(n)
+
+    def stroke(start: float, moved: Array, way: float) -> Array:
+        first = way * start / s_y
+        at = moved / s_y + (np.interp(first, u, x) if first > 0 else first)
+        return np.asarray(way * s_y * np.where(at > 0, np.interp(at, x, u), at))
+
+    return [_along(motion.s, stroke)]
+
+
+def _dahl(motion: Motion, shape: Values) -> list[Array]:
+    """Return the share of friction that has built up: it nears its end as exp(-s/s_p)."""
+    (s_p,) = shape.values()
+    return [_along(motion.s, lambda start, moved, way: way - (way - start) * np.exp(-moved / s_p))]
+
+
+def _bouc_wen(site: Site, p: Values) -> dict[str, float]:
+    """Return what is fitted of a Bouc-Wen element, its reach told by beta and gamma."""
+    stiffness, n = site.mechanics.stiffness, p["n"]
+    loop = 0.5 / p[f"{site.mechanics.across}_y"] ** n
+    return {stiffness: p[stiffness], "beta": loop, "gamma": loop, "n": n}
+
+
+across(
+    "presliding_friction",
+    "DahlFriction",
+    both(f_c=COULOMB, s_p=(("s_p", "m"), ("phi_p", "rad"), 0.0, True)),
+    _dahl,
+    shapes=lambda motion: [{"s_p": r * motion.travel} for r in criteria.PRESLIDING_TRAVEL_RATIOS],
+    memory=True,
+    plain=("coulomb_friction", (1.0,)),
+)
+across(
+    "hysteresis",
+    "BoucWen",
+    both(k=STIFFNESS, s_y=(("s_y", "m"), ("phi_y", "rad"), 0.0, True), n=(("n", "1"), ("n", "1"), 1.0, True)),
+    _hysteresis,
+    lambda site, p: {**_bouc_wen(site, p), "alpha": 0.0},
+    shapes=lambda motion: [
+        {"s_y": r * motion.travel, "n": n}
+        for r, n in product(criteria.YIELD_TRAVEL_RATIOS, criteria.YIELD_EXPONENTS)
+    ],
+    parameters=lambda at, name, p: {f"{name}.{key}": v for key, v in _bouc_wen(at, p).items()},
+    memory=True,
+)
