@@ -147,7 +147,7 @@ def _channel_changes(record: WhitenedRecord) -> Iterator[tuple[Effect, Site, Arr
             change = (effect.change(time, signal, {quantity.name: small}) - signal) / small
             site = Site(name, "channel", path, "", frozenset({"channel"}))
             if effect.drives:
-                own = record.to_inputs({path: np.interp(record.time, time, change)[:, None]})
+                own = record.to_inputs({path: record.acting(name, change)[:, None]})
             else:
                 own = record.to_output(name, change)
             yield effect, site, own

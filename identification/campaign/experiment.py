@@ -118,6 +118,10 @@ def _experiment(entry: Mapping[str, Any], channels: Mapping[str, Channel], base:
             f"shooting: pieces of {shooting:g} s hold {max(0.0, shooting * record.rate):.3g} samples at "
             f"{record.rate:g} Hz; at least {SHORTEST_PIECE} are needed"
         )
+    length = float(record.time[-1] - record.time[0])
+    for name, channel in channels.items():
+        if abs(channel.delay) >= length:
+            raise ModelError(f"'{name}': delay = {channel.delay:g} s is longer than the record, {length:g} s")
     initial, offset = entry.get("initial", "fit"), tuple(entry.get("offset", ()))
     return Experiment(record, source, initial, window, repeat, offset, shooting)
 
@@ -144,7 +148,7 @@ def strange(
     for name, channel in channels.items():
         where, span = f"{experiment.name}: '{name}'", stuck(record.values[name])
         if channel.driven:
-            told = between_samples(record.sampled(name, channel.interpolation))
+            told = between_samples(record.sampled(name, channel.interpolation, channel.delay))
             if told:
                 yield f"{where}: {told}; {jump_remedy(inputs, channel.path)}"
         elif span is not None:

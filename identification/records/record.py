@@ -4,13 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
+from math import ceil
 from pathlib import Path
 from typing import Any, Self
 
 import numpy as np
 from numpy.typing import NDArray
 
-from ...base import Array, above, demand, finite, instance, one_of, path_of, shown, text, unit_for, whole
+from ...base import Array, above, between, demand, finite, instance, one_of, path_of, shown, text, unit_for, whole
 from ...base.tables import Table, read_table
 from ...components import ModelError, Sampled, UnknownNameError, nearest
 from ...components.language import INTERPOLATIONS
@@ -31,6 +32,7 @@ class Channel:
         unit: of the column.
         si: unit of the quantity in the network.
         interpolation: of an input between its samples, as of `Sampled`.
+        delay: by how much an input acts later than it was recorded [s]; earlier if negative.
     """
 
     path: str
@@ -38,6 +40,7 @@ class Channel:
     unit: str
     si: str
     interpolation: str = "cubic"
+    delay: float = 0.0
 
 
 def outputs_of(channels: Mapping[str, Channel]) -> list[str]:
@@ -66,7 +69,7 @@ class Record:
     values: dict[str, Array]
     notes: tuple[str, ...] = ()
     temperature: Array | None = field(default=None, repr=False)
-    _signals: dict[tuple[str, str], Sampled] = field(default_factory=dict, init=False, repr=False)
+    _signals: dict[tuple[str, str, float], Sampled] = field(default_factory=dict, init=False, repr=False)
 
     def __post_init__(self) -> None:
         demand("a Record", name=(self.name, text))
@@ -94,8 +97,16 @@ class Record:
         """Samples a second [Hz]."""
         return (len(self.time) - 1) / float(self.time[-1] - self.time[0])
 
-    def sampled(self, channel: str, interpolation: str = "cubic") -> Sampled:
-        """Return a channel as an input signal.
+    def sampled(self, channel: str, interpolation: str = "cubic", delay: float = 0.0) -> Sampled:
+        """Return a channel as an input signal for the time of the record: u(t) = channel(t - delay).
+
+        What lies before the first sample or after the last one is their value, of a cubic signal the course
+        beside it, turned about it, so that its slope goes on.
+
+        Args:
+            channel: its name.
+            interpolation: what it is between its samples, as of `Sampled`.
+            delay: by how much it acts later than it was recorded [s], shorter than the record.
 
         Raises:
             UnknownNameError: for an unknown channel, with the nearest one.
@@ -103,10 +114,20 @@ class Record:
         if text(channel) or channel not in self.values:
             told = nearest(channel, self.values)
             raise UnknownNameError(f"record '{self.name}' has no channel '{channel}'{told}")
-        demand("sampled()", interpolation=(interpolation, one_of(INTERPOLATIONS)))
-        key = channel, interpolation
+        length = float(self.time[-1] - self.time[0])
+        demand(
+            "sampled()",
+            interpolation=(interpolation, one_of(INTERPOLATIONS)),
+            delay=(delay, between(-length, length, "s")),
+        )
+        key = channel, interpolation, delay
         if key not in self._signals:
-            self._signals[key] = Sampled(self.time, self.values[channel], interpolation=interpolation)
+            missing = ceil(abs(delay) * self.rate)
+            ends = (missing, 0) if delay > 0 else (0, missing)
+            turned: Any = {"mode": "reflect", "reflect_type": "odd"}
+            time = np.pad(self.time, ends, **turned) + delay
+            values = np.pad(self.values[channel], ends, **turned if interpolation == "cubic" else {"mode": "edge"})
+            self._signals[key] = Sampled(time, values, interpolation=interpolation)
         return self._signals[key]
 
     def window(self, begin: float, end: float) -> Self:

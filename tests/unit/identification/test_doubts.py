@@ -237,7 +237,7 @@ def test_an_input_that_jumps_between_samples_is_told_and_may_be_taken_as_linear(
     assert not campaign.notes
     stand = CampaignModel(campaign.dae, campaign.measured, campaign.training).stands[0]
     assert stand.inputs["push.f"].interpolation == "linear"
-    with pytest.raises(ia.ModelError, match="interpolation is 'cubic' or 'linear', got 'spline'"):
+    with pytest.raises(ia.ModelError, match="interpolation is 'cubic' or 'linear' or 'hold', got 'spline'"):
         Campaign(
             model(), {**linear, "F": {**CHANNELS["F"], "interpolation": "spline"}}, PRIORS, [{"record": run}]
         )
