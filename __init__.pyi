@@ -33,6 +33,7 @@ from .components import IdealPlanetaryFlywheel as IdealPlanetaryFlywheel
 from .components import InertanceError as InertanceError
 from .components import Inerter as Inerter
 from .components import InitialConditionError as InitialConditionError
+from .components import Jenkins as Jenkins
 from .components import LargeAngleLever as LargeAngleLever
 from .components import Lever as Lever
 from .components import LoadedFriction as LoadedFriction
@@ -74,6 +75,7 @@ from .components import Transmission as Transmission
 from .components import TwoFlanges as TwoFlanges
 from .components import UnknownNameError as UnknownNameError
 from .components import UnknownPartError as UnknownPartError
+from .components import VariableDamper as VariableDamper
 from .components import der as der
 from .components import impulse as impulse
 from .components import mode as mode

@@ -37,7 +37,8 @@ class Sampled:
     Raises:
         ModelError: if time does not increase, lengths differ, or a value is no finite number.
 
-    Source: MSL Blocks.Types, Smoothness (LinearSegments, ConstantSegments) and Extrapolation (NoExtrapolation, HoldLastPoint).
+    Source: MSL Blocks.Types, Smoothness (LinearSegments, ConstantSegments) and Extrapolation
+    (NoExtrapolation, HoldLastPoint).
 
     Example:
         >>> import numpy as np

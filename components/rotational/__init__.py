@@ -16,11 +16,13 @@ from .compliances import Ripple as Ripple
 from .compliances import Spring as Spring
 from .compliances import SpringDamper as SpringDamper
 from .compliances import TwoFlanges as TwoFlanges
+from .compliances import VariableDamper as VariableDamper
 from .friction import AsymmetricFriction as AsymmetricFriction
 from .friction import BearingFriction as BearingFriction
 from .friction import CoulombFriction as CoulombFriction
 from .friction import DriftingFriction as DriftingFriction
 from .friction import Friction as Friction
+from .friction import Jenkins as Jenkins
 from .friction import LoadedFriction as LoadedFriction
 from .friction import StribeckFriction as StribeckFriction
 from .friction import TabulatedFriction as TabulatedFriction

@@ -4,7 +4,7 @@ from math import pi
 
 import casadi as ca
 
-from ..language import Component, Expression, RotationalFlange, Stated, der, parameter, variable
+from ..language import Component, Expression, RealInput, RotationalFlange, Stated, der, parameter, variable
 
 LEAST_HYSTERESIS = 1e-300  # [rad]
 
@@ -62,6 +62,17 @@ class Damper(CompliantWithSpeed):
 
     def equations(self) -> Stated:
         yield self.tau == self.d * self.w_rel
+
+
+class VariableDamper(CompliantWithSpeed):
+    """Damper whose constant follows a signal: tau = (d + d_u u) w_rel."""
+
+    u = RealInput("1", "what the damping follows")
+    d = parameter("N.m.s/rad", "damping constant at u = 0", default=0.0)
+    d_u = parameter("N.m.s/rad", "change of the damping constant with u")
+
+    def equations(self) -> Stated:
+        yield self.tau == (self.d + self.d_u * self.u) * self.w_rel
 
 
 class SpringDamper(CompliantWithSpeed):

@@ -4,7 +4,7 @@ from math import pi
 
 import casadi as ca
 
-from ..language import Component, Stated, TranslationalFlange, der, parameter, variable
+from ..language import Component, RealInput, Stated, TranslationalFlange, der, parameter, variable
 
 LEAST_HYSTERESIS = 1e-300  # [m]
 
@@ -62,6 +62,20 @@ class Damper(CompliantWithSpeed):
 
     def equations(self) -> Stated:
         yield self.f == self.d * self.v_rel
+
+
+class VariableDamper(CompliantWithSpeed):
+    """Damper whose constant follows a signal: f = (d + d_u u) v_rel.
+
+    u is what it depends on: the current of a valve or a coil, a temperature.
+    """
+
+    u = RealInput("1", "what the damping follows")
+    d = parameter("N.s/m", "damping constant at u = 0", default=0.0)
+    d_u = parameter("N.s/m", "change of the damping constant with u")
+
+    def equations(self) -> Stated:
+        yield self.f == (self.d + self.d_u * self.u) * self.v_rel
 
 
 class SpringDamper(CompliantWithSpeed):

@@ -70,7 +70,7 @@ class FMUPredictor:
         self.read = list(dict.fromkeys(read))
         self.measures = {n: box.fmu.measure(box.fmu.variables[n]) for n in {*self.taken, *self.read}}
         self.place = {name: column for column, name in enumerate(self.taken)}
-        held = [self.driven[c.path][0] for c in self.channels.values() if c.driven and c.interpolation == "hold"]
+        held = [self.driven[c.path][0] for c in self.channels.values() if c.driven and c.held]
         self.replay = Replay(box.fmu, box.kind, self.taken, self.read, held)
         weakref.finalize(self, self.replay.close)
         self.refined = _refined(self, campaign)
@@ -135,8 +135,8 @@ class ReplayedStand:
         self.given = np.zeros((len(self.fine), len(model.taken)))
         for name, channel in model.channels.items():
             if channel.driven:
-                late = ROUNDING_SHARE * (self.fine[1] - self.fine[0]) if channel.interpolation == "hold" else 0.0
                 signal = record.sampled(name, channel.interpolation, channel.delay)
+                late = channel.held * ROUNDING_SHARE * (self.fine[1] - self.fine[0])
                 smooth = sampled_at(signal, self.fine + late)
                 variable, sign = model.driven[channel.path]
                 self.given[:, model.place[variable]] = model.measures[variable].from_si(sign * smooth)

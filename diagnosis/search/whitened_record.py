@@ -75,10 +75,10 @@ class WhitenedRecord:
         return self.off(np.concatenate(weighted))
 
     def acting(self, channel: str, change: Array) -> Array:
-        """Return a change of an input channel, given at the instants of the record, at the instants `time`."""
+        """Return a change of an input channel, given at instants of the record, at the instants `time`."""
         driving = self._channels[channel]
         begin = self.measured.time + driving.delay
-        if driving.interpolation != "hold":
+        if not driving.held:
             return np.interp(self.time, begin, change)
         return change[np.maximum(np.searchsorted(begin, self.time, side="right") - 1, 0)]
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pickle
 import tomllib
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, fields
 from itertools import combinations
 from pathlib import Path
@@ -125,14 +125,16 @@ class Campaign:
         self.testing = read_experiments("test", self.test, channels, self.base, problems)
         problems.add(*self._tests_that_are_fitted(), *self._starts_of_an_fmu())
         problems.add(*repeat_problems(self.experiments, channels))
+        if len(self.training) == len(self.train):
+            problems.add(*self._dead_sensors())
         stated = read_noise(self.noise, channels, self.channels, problems)
         problems.add(*self._noise_above_signals(stated))
         if self.training and len(self.training) == len(self.train):
             self.stages = read_stages(self.stage, self.priors, self.outputs, self.training, problems)
             problems.add(*self._records_fitted_twice())
         problems.stop()
-        self.notes = [f"{e.name}: {note}" for e in self.experiments for note in e.record.notes]
-        self.notes += self._rates_that_differ()
+        self.notes = [*self._notes_of_records()]
+        self.notes += [*self._rates_that_differ(), *self._resting_inputs()]
         self.notes += [note for e in self.experiments for note in strange(e, channels, self.machine.inputs)]
         self.floors = {name: self._floor(name, stated) for name in self.outputs}
 
@@ -257,13 +259,37 @@ class Campaign:
     def _noise_above_signals(self, stated: Mapping[str, float]) -> Iterator[str]:
         for name, sigma in stated.items() if self.training else ():
             largest = max(float(np.std(e.record.values[name])) for e in self.training)
-            if sigma > largest:
+            if sigma > largest > 0:
                 channel = self.measured[name]
                 size = unit_for(channel.unit, channel.si).factor
                 yield (
                     f"noise.{name}: {sigma / size:g} {channel.unit} is more than all that was measured "
                     f"({largest / size:.3g} {channel.unit}, standard deviation); correct it or its unit"
                 )
+
+    def _notes_of_records(self) -> Iterator[str]:
+        names: dict[str, list[str]] = {}
+        for experiment in self.experiments:
+            for note in experiment.record.notes:
+                names.setdefault(note, []).append(experiment.name)
+        yield from (f"{', '.join(those)}: {note}" for note, those in names.items())
+
+    def _constant(self, names: Iterable[str]) -> Iterator[tuple[str, str]]:
+        """Yield channels that are one value in all training records, and which."""
+        for name in names:
+            seen = [e.record.values[name] for e in self.training]
+            if seen and np.ptp([(np.min(v), np.max(v)) for v in seen]) == 0:
+                channel = self.measured[name]
+                value = unit_for(channel.unit, channel.si).from_si(float(seen[0][0]))
+                yield name, f"{value:.6g} {channel.unit}"
+
+    def _dead_sensors(self) -> Iterator[str]:
+        for name, value in self._constant(self.outputs):
+            yield f"channels.{name}: it is {value} throughout all training records; is the sensor connected?"
+
+    def _resting_inputs(self) -> Iterator[str]:
+        for name, value in self._constant(self.inputs):
+            yield f"'{name}' is {value} throughout all training records; what it excites, they do not show"
 
     def _rates_that_differ(self) -> Iterator[str]:
         rates = {e.name: e.record.rate for e in self.experiments}
@@ -276,6 +302,7 @@ class Campaign:
             return NoiseFloor(stated[channel], "stated")
         by_source = {str(e.source): e.record for e in self.experiments}
         pairs = [(e.record, by_source[e.repeat_of]) for e in self.experiments if e.repeat_of in by_source]
+        moving = [v for e in self.training if np.ptp(v := e.record.values[channel])]
         floors = [repeated_floor(*pair, channel) for pair in pairs]
-        floors = floors or [spectral_floor(e.record.values[channel]) for e in self.training]
+        floors = floors or [spectral_floor(values) for values in moving]
         return sorted(floors, key=lambda floor: floor.sigma)[len(floors) // 2]

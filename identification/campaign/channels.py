@@ -58,7 +58,7 @@ def _channel_problems(channel: Channel, others: Mapping[str, Channel], machine: 
     if channel.interpolation not in INTERPOLATIONS:
         known_ones = " or ".join(f"'{one}'" for one in INTERPOLATIONS)
         yield f"interpolation is {known_ones}, got '{channel.interpolation}'"
-    if channel.interpolation == "hold" and any(i.path == path and i.order for i in machine.inputs):
+    if channel.held and any(i.path == path and i.order for i in machine.inputs):
         yield (
             "the model needs the derivative of what jumps here from sample to sample; let the command act "
             "as a signal in a law of force, or follow it by a Position with exact=False"

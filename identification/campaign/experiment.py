@@ -127,17 +127,12 @@ def _experiment(entry: Mapping[str, Any], channels: Mapping[str, Channel], base:
 
 
 def _given(record: Record, channels: Mapping[str, Channel], window: tuple[float, float] | None) -> Record:
-    """Return what counts of a record given in Python, once all its channels are seen to be alive."""
+    """Return what counts of a record given in Python, once all its channels are seen to be there."""
     missing = [name for name in channels if name not in record.values]
     if missing:
         told = nearest(missing[0], record.values)
         raise ModelError(f"record '{record.name}' has no channel '{missing[0]}'{told}")
-    record = record.window(*window) if window else record
-    for name in outputs_of(channels):
-        if not np.ptp(record.values[name]):
-            told = f"'{name}' is {record.values[name][0]:g} throughout; is the sensor connected?"
-            raise ModelError(f"record '{record.name}': {told}")
-    return record
+    return record.window(*window) if window else record
 
 
 def strange(
@@ -146,12 +141,13 @@ def strange(
     """Yield inputs of which splines make something else, and outputs that stand still as no sensor does."""
     record = experiment.record
     for name, channel in channels.items():
-        where, span = f"{experiment.name}: '{name}'", stuck(record.values[name])
+        where = f"{experiment.name}: '{name}'"
+        others = [record.values[other] for other in channels if other != name]
         if channel.driven:
             told = between_samples(record.sampled(name, channel.interpolation, channel.delay))
             if told:
                 yield f"{where}: {told}; {jump_remedy(inputs, channel.path)}"
-        elif span is not None:
+        elif (span := stuck(record.values[name], others)) is not None:
             yield (
                 f"{where} repeats one value from {record.time[span[0]]:g} to {record.time[span[1]]:g} s, and "
                 "hardly ever elsewhere; if the sensor was stuck, cut the record with window = [from, to]"

@@ -11,7 +11,20 @@ from typing import Any, Self
 import numpy as np
 from numpy.typing import NDArray
 
-from ...base import Array, above, between, demand, finite, instance, one_of, path_of, shown, text, unit_for, whole
+from ...base import (
+    Array,
+    above,
+    between,
+    demand,
+    finite,
+    instance,
+    one_of,
+    path_of,
+    shown,
+    text,
+    unit_for,
+    whole,
+)
 from ...base.tables import Table, read_table
 from ...components import ModelError, Sampled, UnknownNameError, nearest
 from ...components.language import INTERPOLATIONS
@@ -41,6 +54,11 @@ class Channel:
     si: str
     interpolation: str = "cubic"
     delay: float = 0.0
+
+    @property
+    def held(self) -> bool:
+        """Whether it keeps each sample until the next."""
+        return self.interpolation == "hold"
 
 
 def outputs_of(channels: Mapping[str, Channel]) -> list[str]:
@@ -126,7 +144,9 @@ class Record:
             ends = (missing, 0) if delay > 0 else (0, missing)
             turned: Any = {"mode": "reflect", "reflect_type": "odd"}
             time = np.pad(self.time, ends, **turned) + delay
-            values = np.pad(self.values[channel], ends, **turned if interpolation == "cubic" else {"mode": "edge"})
+            values = np.pad(
+                self.values[channel], ends, **turned if interpolation == "cubic" else {"mode": "edge"}
+            )
             self._signals[key] = Sampled(time, values, interpolation=interpolation)
         return self._signals[key]
 
@@ -218,7 +238,11 @@ def read_record(
     rows = _rows(str(path), time, window)
     part = replace(table, first_line=table.first_line and table.first_line + int(np.argmax(rows)))
     for name, channel in channels.items():
-        problems += value_problems(part, name, columns[name][rows], channel.driven)
+        others = [columns[other][rows] for other in channels if other != name]
+        if channel.driven and channel.held:
+            problems += number_problems(part, name, columns[name][rows])
+        else:
+            problems += value_problems(part, name, columns[name][rows], others)
     if temperature is not None:
         problems += number_problems(part, temperature, columns[temperature][rows])
     if window is not None:
@@ -226,7 +250,8 @@ def read_record(
     if problems:
         raise ModelError(f"record {path.name} cannot be used:", problems)
     values = {name: unit_for(c.unit, c.si).to_si(columns[name][rows]) for name, c in channels.items()}
-    return _even(path.name, time[rows], values, columns[temperature][rows] if temperature else None)
+    kinds = {name: channel.interpolation for name, channel in channels.items()}
+    return _even(path.name, time[rows], values, kinds, columns[temperature][rows] if temperature else None)
 
 
 def _time(table: Table, window: tuple[float, float] | None, problems: list[str]) -> Array:
@@ -278,18 +303,33 @@ def _clash(table: Table, name: str, written: str, channel: Channel) -> list[str]
     return [] if same else [f"{table.at(name)}: {told}"]
 
 
-def _even(name: str, time: Array, values: dict[str, Array], temperature: Array | None) -> Record:
-    """Return a record on evenly spaced instants; small jitter is evened out and told."""
+def _at(instants: Array, time: Array, values: Array, kind: str) -> Array:
+    """Return a column at other instants near its own: the nearest sample if it is held, or stands still."""
     from scipy.interpolate import make_interp_spline
 
+    nearest_one = np.searchsorted(0.5 * (time[1:] + time[:-1]), instants)
+    if kind == "hold":
+        return values[nearest_one]
+    if kind == "linear":
+        return np.interp(instants, time, values)
+    same = np.diff(values) == 0
+    still = np.append(True, same) & np.append(same, True)
+    course = make_interp_spline(time, values, k=3)(instants)
+    return np.where(still[nearest_one], values[nearest_one], course)
+
+
+def _even(
+    name: str, time: Array, values: dict[str, Array], kinds: Mapping[str, str], temperature: Array | None
+) -> Record:
+    """Return a record on evenly spaced instants; small jitter is evened out and told."""
     even = np.linspace(time[0], time[-1], len(time))
     step = even[1] - even[0]
     worst = float(np.abs(time - even).max())
     if worst <= ROUNDING_TOLERANCE * step:
-        told = () if worst <= EVEN_TOLERANCE * step else (f"instants rounded to steps of {step:g} s",)
+        told = () if worst <= EVEN_TOLERANCE * step else ("instants rounded to even steps",)
         return Record(name, even, values, told, temperature)
-    uneven = float(np.abs(np.diff(time) - step).max())
-    note = f"instants jitter by up to {uneven / step:.1%} of {step:g} s; values interpolated onto even steps"
-    values = {key: make_interp_spline(time, v, k=3)(even) for key, v in values.items()}
+    tenths = ceil(10 * worst / step) / 10
+    note = f"instants jitter by less than {tenths:g} of a step; values are interpolated onto even ones"
+    values = {key: _at(even, time, v, kinds[key]) for key, v in values.items()}
     temperature = None if temperature is None else np.interp(even, time, temperature)
     return Record(name, even, values, (note,), temperature)

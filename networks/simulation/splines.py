@@ -1,4 +1,4 @@
-"""Sampled signals between their instants, by splines, straight lines or steps, and beyond if they are held."""
+"""Sampled signals between their instants, as splines, lines or steps, and beyond if they are held there."""
 
 from __future__ import annotations
 

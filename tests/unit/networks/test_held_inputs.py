@@ -1,5 +1,6 @@
 """Inputs that keep each sample until the next, as commands of digital controllers do."""
 
+from itertools import pairwise
 from pathlib import Path
 from typing import Any
 
@@ -35,8 +36,8 @@ def exact(stop: float, begin: float = 2.0, k: float = K, force: Array = FORCE) -
     """Return where the mass ends, from the matrix exponential between the jumps."""
     rates = np.array([[0.0, 1.0], [-k, -D]])
     x = np.zeros(2)
-    edges = [begin, *TIME[(TIME > begin) & (TIME < stop)], stop]
-    for low, high in zip(edges, edges[1:], strict=False):
+    edges = [begin, *TIME[(begin < TIME) & (stop > TIME)], stop]
+    for low, high in pairwise(edges):
         rest = np.array([force[max(0, np.searchsorted(TIME, low, "right") - 1)] / k, 0.0])
         x = rest + expm(rates * (high - low)) @ (x - rest)
     return float(x[0])
