@@ -204,7 +204,13 @@ class ReplayedStand:
             load = Load(port.force, port.position, port.velocity, Reaction(acting, port, box.fmu))
         try:
             rows = model.replay.run(
-                self.fine, given, box.own(parameters), box.started, load, self.refined, FMU_RELATIVE_TOLERANCE
+                self.fine,
+                given,
+                box.own({**parameters, **self.experiment.values}),
+                box.started,
+                load,
+                self.refined,
+                FMU_RELATIVE_TOLERANCE,
             )
         except FMUError as error:
             raise SimulationError(str(error)) from error

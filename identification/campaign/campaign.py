@@ -23,6 +23,7 @@ from .machine import Machine, Reader, read_network
 from .priors import Prior, read_priors
 from .problems import TABLE, TEXT, Kind, Problems
 from .stages import Stage, read_stages
+from .ties import changes, limits_of, read_ties, shares, tied
 
 REQUIRED_KEYS = ("model", "channels", "parameters", "train")
 TABLES = ("port", "channels", "parameters", "noise")
@@ -43,10 +44,11 @@ class Campaign:
     Args:
         model: the network, "path/to/file.py:function" that returns it, or "path/to/file.fmu".
         channels: column of the data -> {"input" or "output": path, "unit": unit}.
-        parameters: path -> {"rel": relative standard deviation} or {"min": ..., "max": ...}.
+        parameters: path -> {"rel": relative standard deviation} or {"min": ..., "max": ...}; or
+            {"share": path of another one, "ratio": times that}.
         train: records to fit, each {"file": path} or {"record": `Record`}, with what may be added: "initial"
             ("fit", the default, or "rest"), "window" [s], "repeat_of", "temperature", "offset",
-            "shooting" [s].
+            "shooting" [s], "values" (parameters that were other than in the model).
         test: records never fitted.
         noise: standard deviation of an output channel, in its unit.
         stage: stages of the fit, each {"parameters", "channels", "train", "filter"}; one of everything if
@@ -120,9 +122,9 @@ class Campaign:
                 raise ModelError(f"the reader {shown(self.reader)} cannot read it ({told})") from error
         problems.stop()
         self.measured = channels = read_channels(self.channels, self.machine, problems)
-        self.priors = read_priors(self.parameters, self.machine, problems)
-        self.training = read_experiments("train", self.train, channels, self.base, problems)
-        self.testing = read_experiments("test", self.test, channels, self.base, problems)
+        notes = self._tie(problems)
+        self.training = self._read("train", self.train, problems)
+        self.testing = self._read("test", self.test, problems)
         problems.add(*self._tests_that_are_fitted(), *self._starts_of_an_fmu())
         problems.add(*repeat_problems(self.experiments, channels))
         if len(self.training) == len(self.train):
@@ -133,7 +135,7 @@ class Campaign:
             self.stages = read_stages(self.stage, self.priors, self.outputs, self.training, problems)
             problems.add(*self._records_fitted_twice())
         problems.stop()
-        self.notes = [*self._notes_of_records()]
+        self.notes = [*notes, *self._notes_of_records()]
         self.notes += [*self._rates_that_differ(), *self._resting_inputs()]
         self.notes += [note for e in self.experiments for note in strange(e, channels, self.machine.inputs)]
         self.floors = {name: self._floor(name, stated) for name in self.outputs}
@@ -227,6 +229,20 @@ class Campaign:
         """Values of the uncertain parameters before any fit."""
         values = self.machine.parameter_values
         return {name: values[name] for name in self.priors}
+
+    def _tie(self, problems: Problems) -> list[str]:
+        """Let parameters follow those that they share, and read what is known of the others; tell changes."""
+        plain, ties = self.machine, read_ties(self.parameters, self.machine, problems)
+        if ties:
+            self.network = tied(self.network, ties)
+            self.machine = self.network.dae()
+        free = {path: e for path, e in self.parameters.items() if not shares(e)}
+        self.priors = read_priors(free, self.machine, limits_of(ties, plain), problems)
+        return list(changes(ties, plain))
+
+    def _read(self, kind: str, entries: Sequence[Mapping[str, Any]], problems: Problems) -> list[Experiment]:
+        known = self.measured, self.machine, self.priors
+        return read_experiments(kind, entries, *known, self.base, problems)
 
     def _tests_that_are_fitted(self) -> Iterator[str]:
         for number, experiment in enumerate(self.testing, start=1):

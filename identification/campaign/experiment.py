@@ -3,17 +3,20 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 
+from ...base import is_number
 from ...components import ModelError, nearest
 from ...networks import Input, between_samples, jump_remedy
 from ..records.columns import stuck
 from ..records.record import Channel, Record, outputs_of, read_record
-from .problems import FILE, INTERVAL, NUMBER, TEXT, TEXTS, Kind, Problems
+from .machine import Machine
+from .priors import Prior
+from .problems import FILE, INTERVAL, NUMBER, TABLE, TEXT, TEXTS, Kind, Problems
 
 INITIALS = ("fit", "rest")
 SHORTEST_PIECE = 10  # samples
@@ -27,6 +30,7 @@ KINDS = {
     "temperature": TEXT,
     "offset": TEXTS,
     "shooting": NUMBER,
+    "values": TABLE,
 }
 
 
@@ -42,6 +46,7 @@ class Experiment:
         repeat_of: the file that this one repeats.
         offset: outputs whose zero is unknown.
         shooting: length of the pieces of multiple shooting [s]; None for one run.
+        values: parameters that were other than in the model, such as a mass that was added.
         every: outputs are compared at every so many samples; inputs keep all of theirs.
     """
 
@@ -52,6 +57,7 @@ class Experiment:
     repeat_of: str | None = None
     offset: tuple[str, ...] = ()
     shooting: float | None = None
+    values: Mapping[str, float] = field(default_factory=dict)
     every: int = 1
 
     @property
@@ -75,7 +81,13 @@ class Experiment:
 
 
 def read_experiments(
-    kind: str, entries: Sequence[Any], channels: Mapping[str, Channel], base: Path, problems: Problems
+    kind: str,
+    entries: Sequence[Any],
+    channels: Mapping[str, Channel],
+    machine: Machine,
+    priors: Mapping[str, Prior],
+    base: Path,
+    problems: Problems,
 ) -> list[Experiment]:
     """Return the records of [[train]] or [[test]], read and checked."""
     if kind == "train" and not entries:
@@ -84,7 +96,12 @@ def read_experiments(
     for number, entry in enumerate(entries, start=1):
         where = f"[[{kind}]] {number}"
         sound = problems.sound(where, entry, KINDS)
-        if sound and problems.none(where, _experiment_problems(entry, channels)):
+        told = (
+            [*_experiment_problems(entry, channels), *_value_problems(entry, machine, priors)]
+            if sound
+            else []
+        )
+        if sound and problems.none(where, told):
             with problems.of(where):
                 experiments.append(_experiment(entry, channels, base))
     return experiments
@@ -102,6 +119,20 @@ def _experiment_problems(entry: Mapping[str, Any], channels: Mapping[str, Channe
     for name in entry.get("offset", ()):
         if name not in outputs:
             yield f"offset: there is no output channel '{name}'{nearest(name, outputs)}"
+
+
+def _value_problems(entry: Mapping[str, Any], machine: Machine, priors: Mapping[str, Prior]) -> Iterator[str]:
+    known = machine.parameter_values
+    for path, value in entry.get("values", {}).items():
+        where = f'values."{path}"'
+        if path not in known:
+            yield f"{where}: the model has no parameter '{path}' that can be set{nearest(path, known)}"
+        elif path in priors:
+            yield f"{where}: it is in [parameters], and one for all records; leave it out of one of both"
+        elif not is_number(value):
+            yield f"{where} must be a number [{machine.unit(path)}], got {value!r}"
+        elif wrong := machine.field(path).problem(float(value)):
+            yield f"{where}: {wrong}"
 
 
 def _experiment(entry: Mapping[str, Any], channels: Mapping[str, Channel], base: Path) -> Experiment:
@@ -123,7 +154,8 @@ def _experiment(entry: Mapping[str, Any], channels: Mapping[str, Channel], base:
         if abs(channel.delay) >= length:
             raise ModelError(f"'{name}': delay = {channel.delay:g} s is longer than the record, {length:g} s")
     initial, offset = entry.get("initial", "fit"), tuple(entry.get("offset", ()))
-    return Experiment(record, source, initial, window, repeat, offset, shooting)
+    values = {path: float(value) for path, value in entry.get("values", {}).items()}
+    return Experiment(record, source, initial, window, repeat, offset, shooting, values)
 
 
 def _given(record: Record, channels: Mapping[str, Channel], window: tuple[float, float] | None) -> Record:
@@ -175,6 +207,9 @@ def _unlike(one: Experiment, other: Experiment, channels: Mapping[str, Channel])
     if abs(one.record.rate / other.record.rate - 1) > 1e-3:
         rates = f"{one.record.rate:g} and {other.record.rate:g} Hz"
         yield f"{one.name}: repeat_of: sampled otherwise than '{other.name}' ({rates}); resample one of them"
+        return
+    if one.values != other.values:
+        yield f"{one.name}: repeat_of: its values differ from those of '{other.name}'; repeats have the same"
         return
     count = min(len(one.record.time), len(other.record.time))
     for name in (name for name, channel in channels.items() if channel.driven):

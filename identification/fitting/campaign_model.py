@@ -77,7 +77,8 @@ class RecordModel:
         step = float(time[1] - time[0])
         guess = self._measured_start(begin) if self.experiment.initial == "fit" else {}
         given: dict[str, Any] = {"guess": guess, "rtol": accuracy.rtol, "atol": accuracy.atol}
-        run = self._simulate(begin + step, begin=begin, step=step, parameters=parameters, **given)
+        values = {**parameters, **self.experiment.values}
+        run = self._simulate(begin + step, begin=begin, step=step, parameters=values, **given)
         return run.initial.values.copy()
 
     def _measured_start(self, begin: float) -> dict[str, float]:
@@ -117,7 +118,8 @@ class RecordModel:
         step = float(time[-1] - time[0]) / (len(time) - 1)
         given = {} if start is None else dict(zip(self.dae.state_names, map(float, start), strict=True))
         run = self._simulate(
-            float(time[-1]), begin=float(time[0]), step=step, guess=given, parameters=parameters,
+            float(time[-1]), begin=float(time[0]), step=step, guess=given,
+            parameters={**parameters, **self.experiment.values},
             solver=accuracy.solver, rtol=accuracy.rtol, atol=accuracy.atol,
             max_steps=accuracy.steps and accuracy.steps * len(time),
         )  # fmt: skip
