@@ -23,7 +23,6 @@ from .components import CubicSpring as CubicSpring
 from .components import DahlFriction as DahlFriction
 from .components import Damper as Damper
 from .components import DiskFlywheel as DiskFlywheel
-from .components import DriftingDamper as DriftingDamper
 from .components import DriftingFriction as DriftingFriction
 from .components import ElastoGap as ElastoGap
 from .components import Fixed as Fixed
@@ -37,6 +36,7 @@ from .components import IdealPlanetaryFlywheel as IdealPlanetaryFlywheel
 from .components import InertanceError as InertanceError
 from .components import Inerter as Inerter
 from .components import InitialConditionError as InitialConditionError
+from .components import Jenkins as Jenkins
 from .components import LargeAngleLever as LargeAngleLever
 from .components import Lever as Lever
 from .components import LoadedFriction as LoadedFriction
@@ -79,6 +79,7 @@ from .components import Transmission as Transmission
 from .components import TwoFlanges as TwoFlanges
 from .components import UnknownNameError as UnknownNameError
 from .components import UnknownPartError as UnknownPartError
+from .components import VariableDamper as VariableDamper
 from .components import der as der
 from .components import impulse as impulse
 from .components import mode as mode

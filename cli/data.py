@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import fnmatch
+from collections.abc import Sequence
 from pathlib import Path
 
 from ..base import ModelError
@@ -10,8 +12,11 @@ from ..components import Sampled, nearest
 from ..networks import DAE
 
 
-def read_inputs(path: Path, dae: DAE) -> dict[str, Sampled]:
+def read_inputs(path: Path, dae: DAE, held: Sequence[str] = ()) -> dict[str, Sampled]:
     """Return the signals that a file holds for the inputs of a network, all columns checked, in SI units.
+
+    Those whose names match one of `held`, in which a * stands for any part, keep each sample until the next;
+    through the others goes a spline.
 
     Raises:
         ModelError: with file, line and column of what is wrong.
@@ -30,9 +35,15 @@ def read_inputs(path: Path, dae: DAE) -> dict[str, Sampled]:
     wrong = [table.number_problem(name, values) for name, values in columns.items()]
     for told in filter(None, (table.time_problem(table.time_name, time), *wrong)):
         raise ModelError(told)
-    if len(time) < 4:
+    strange = [pattern for pattern in held if not fnmatch.filter(names, pattern)]
+    if strange:
+        told = nearest(strange[0], names) or f"; the columns are {', '.join(names)}"
+        raise ModelError(f"{path}: no column '{strange[0]}' is there to be held{told}")
+    steps = {name for pattern in held for name in fnmatch.filter(names, pattern)}
+    if len(time) < 4 and set(names) - steps:
         raise ModelError(f"{path}: {len(time)} rows; at least 4 are needed for a smooth signal")
-    return {name: Sampled(time, values) for name, values in columns.items()}
+    kinds = {name: "hold" if name in steps else "cubic" for name in names}
+    return {name: Sampled(time, values, interpolation=kinds[name]) for name, values in columns.items()}
 
 
 def unbound_inputs(dae: DAE) -> set[str]:

@@ -25,7 +25,8 @@ Examples:
 NAMES are separated by commas; a * stands for any part of a name. Values are in SI units.
 
 A file for --input has a header such as "time,road.s_ref" (or "time [s],road.s_ref [m]") and lines of
-numbers; its time increases."""
+numbers; its time increases. Through them goes a smooth curve; what a digital controller
+sends and holds is named in --hold, '*' for all."""
 
 
 def run(
@@ -36,6 +37,10 @@ def run(
     data: Annotated[
         Path | None,
         typer.Option("--input", help="Table with a column 'time' and one named after each input."),
+    ] = None,
+    hold: Annotated[
+        str | None,
+        typer.Option(metavar="NAMES", help="Inputs of the table that keep each sample until the next."),
     ] = None,
     values: Annotated[
         list[str] | None, typer.Option("--set", metavar="NAME=VALUE", help="Change a parameter.")
@@ -66,7 +71,7 @@ def run(
         expect("--plot", picture, PICTURES)
     dae = load_network(model).dae()
     wanted, drawn = _signals(dae, signals), _signals(dae, plot)
-    arguments = _span_and_inputs(dae, data, stop) | {
+    arguments = _span_and_inputs(dae, data, stop, _parts(hold)) | {
         "step": step, "rtol": rtol, "parameters": parameters, "start": starts,
     }  # fmt: skip
     with failing(WRONG_USE, ModelError):
@@ -95,11 +100,18 @@ def _simulated(dae: DAE, arguments: dict[str, Any]) -> tuple[Result, str, int]:
 
 def _signals(dae: DAE, names: str | None) -> list[str]:
     with failing(WRONG_USE, KeyError):
-        return matching_signals(dae, (name.strip() for name in (names or "").split(",") if name.strip()))
+        return matching_signals(dae, _parts(names))
 
 
-def _span_and_inputs(dae: DAE, data: Path | None, stop: float | None) -> dict[str, Any]:
+def _parts(names: str | None) -> list[str]:
+    """Return names that are separated by commas."""
+    return [name.strip() for name in (names or "").split(",") if name.strip()]
+
+
+def _span_and_inputs(dae: DAE, data: Path | None, stop: float | None, held: list[str]) -> dict[str, Any]:
     if data is None:
+        if held:
+            fail("--hold says which inputs of a table are held; give --input FILE too", WRONG_USE)
         unbound = sorted(unbound_inputs(dae))
         if unbound:
             told = ", ".join(f"'{name}' [{dae.unit(name)}]" for name in unbound)
@@ -107,7 +119,7 @@ def _span_and_inputs(dae: DAE, data: Path | None, stop: float | None) -> dict[st
             fail(f"no signal for {told}; give --input FILE.csv with the header {header}", WRONG_USE)
         return {"stop": DEFAULT_STOP if stop is None else stop}
     with failing(WRONG_USE, ValueError, ImportError):
-        inputs = read_inputs(data, dae)
+        inputs = read_inputs(data, dae, held)
     time = next(iter(inputs.values())).time
     if stop is not None and stop > time[-1]:
         fail(f"--stop {stop:g} s is after the last sample of {data}, {time[-1]:g} s", WRONG_USE)

@@ -8,8 +8,8 @@ from numpy.typing import ArrayLike, NDArray
 
 from ...base.errors import ModelError
 
-INTERPOLATIONS = ("cubic", "linear")
-LEAST_SAMPLES = {"cubic": 4, "linear": 2}
+INTERPOLATIONS = ("cubic", "linear", "hold")
+LEAST_SAMPLES = {"cubic": 4, "linear": 2, "hold": 2}
 EXTRAPOLATIONS = ("none", "hold")
 OVERRUN_SHARE = 1e-9  # share of a run by which it may go beyond its data, for rounding
 REMEDIES = {
@@ -27,15 +27,18 @@ class Sampled:
     Args:
         time: instants [s], increasing, shape (n,).
         values: the signal at these instants, shape (n,), in the SI unit of what it drives.
-        interpolation: "cubic", a spline that is twice continuously differentiable (n >= 4), or "linear"
-            (n >= 2), which never goes beyond the samples but has no derivative: for data that jump.
+        interpolation: "cubic", a spline that is twice continuously differentiable (n >= 4), "linear"
+            (n >= 2), which never goes beyond the samples but has no derivative: for data that jump, or
+            "hold" (n >= 2), which keeps each sample until the next: for commands of digital controllers.
+            Each jump is an event; where it prescribes a motion, it acts as a shock.
         extrapolation: "none", with which a run that goes beyond the instants is refused, or "hold", with
             which the signal keeps its first value before them and its last one after.
 
     Raises:
         ModelError: if time does not increase, lengths differ, or a value is no finite number.
 
-    Source: MSL Blocks.Types, Smoothness (LinearSegments) and Extrapolation (NoExtrapolation, HoldLastPoint).
+    Source: MSL Blocks.Types, Smoothness (LinearSegments, ConstantSegments) and Extrapolation
+    (NoExtrapolation, HoldLastPoint).
 
     Example:
         >>> import numpy as np
@@ -77,8 +80,8 @@ class Sampled:
             return f"{len(self.time)} instants but {len(self.values)} values"
         least = LEAST_SAMPLES[self.interpolation]
         if len(self.time) < least:
-            smooth = "a smooth" if self.interpolation == "cubic" else "a linear"
-            return f"at least {least} samples are needed for {smooth} signal, got {len(self.time)}"
+            smooth = {"cubic": "smooth", "linear": "linear", "hold": "held"}[self.interpolation]
+            return f"at least {least} samples are needed for a {smooth} signal, got {len(self.time)}"
         for name, numbers in (("time", self.time), ("value", self.values)):
             bad = np.flatnonzero(~np.isfinite(numbers))
             if len(bad):

@@ -64,6 +64,17 @@ class Damper(CompliantWithSpeed):
         yield self.tau == self.d * self.w_rel
 
 
+class VariableDamper(CompliantWithSpeed):
+    """Damper whose constant follows a signal: tau = (d + d_u u) w_rel."""
+
+    u = RealInput("1", "what the damping follows")
+    d = parameter("N.m.s/rad", "damping constant at u = 0", default=0.0)
+    d_u = parameter("N.m.s/rad", "change of the damping constant with u")
+
+    def equations(self) -> Stated:
+        yield self.tau == (self.d + self.d_u * self.u) * self.w_rel
+
+
 class SpringDamper(CompliantWithSpeed):
     """Linear spring and damper in parallel: tau = c (phi_rel - phi_rel0) + d w_rel.
 
@@ -188,21 +199,6 @@ class CubicDamper(CompliantWithSpeed):
 
     def equations(self) -> Stated:
         yield self.tau == self.d3 * self.w_rel**3
-
-
-class DriftingDamper(CompliantWithSpeed):
-    """Damper whose constant follows a signal: tau = (d + d_u u) w_rel.
-
-    u is what it depends on: time, or a measured temperature. Its constant may be negative, so that it stands
-    for what a drift adds to, or takes from, damping that is there.
-    """
-
-    u = RealInput("1", "what the constant follows")
-    d = parameter("N.m.s/rad", "damping constant at u = 0", default=0.0)
-    d_u = parameter("N.m.s/rad", "change of the damping constant with u")
-
-    def equations(self) -> Stated:
-        yield self.tau == (self.d + self.d_u * self.u) * self.w_rel
 
 
 class QuadraticDamper(CompliantWithSpeed):

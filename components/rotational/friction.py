@@ -2,6 +2,7 @@
 
 import casadi as ca
 
+from ..elastoplastic import ElastoPlastic
 from ..language import Component, Expression, RealInput, RotationalFlange, Stated, der, parameter, variable
 from ..stickslip import StickSlip
 from ..tables import interpolated, over_speed
@@ -65,6 +66,26 @@ class TabulatedFriction(Friction):
 
     def sliding(self, speed: Expression) -> Expression:
         return interpolated(self.tau_pos, speed)
+
+
+class Jenkins(CompliantWithSpeed, ElastoPlastic):
+    """A spring in series with dry friction, without inertia between them: tau = c z, |tau| <= tau_c.
+
+    z' = w_rel while it sticks, z' = 0 while it slips at |tau| = tau_c.
+
+    Source: G. M. Jenkins, Analysis of the stress-strain relationships in reactor grade graphite, British
+    Journal of Applied Physics 13 (1962) 30-32, written for turning.
+    """
+
+    c = parameter("N.m/rad", "stiffness of the spring", above=0)
+    tau_c = parameter("N.m", "Coulomb friction torque", min=0)
+    z = variable("rad", "twist of the spring")
+
+    speed = property(lambda self: self.w_rel)
+    slip_stretch = property(lambda self: self.tau_c / self.c)
+
+    def equations(self) -> Stated:
+        yield self.tau == self.c * self.z
 
 
 class BearingFriction(Component):

@@ -7,7 +7,6 @@ from .compliances import CompliantWithSpeed as CompliantWithSpeed
 from .compliances import CubicDamper as CubicDamper
 from .compliances import CubicSpring as CubicSpring
 from .compliances import Damper as Damper
-from .compliances import DriftingDamper as DriftingDamper
 from .compliances import HarmonicRipple as HarmonicRipple
 from .compliances import Inerter as Inerter
 from .compliances import QuadraticDamper as QuadraticDamper
@@ -15,12 +14,14 @@ from .compliances import Ripple as Ripple
 from .compliances import Spring as Spring
 from .compliances import SpringDamper as SpringDamper
 from .compliances import TwoFlanges as TwoFlanges
+from .compliances import VariableDamper as VariableDamper
 from .friction import AsymmetricFriction as AsymmetricFriction
 from .friction import Brake as Brake
 from .friction import CoulombFriction as CoulombFriction
 from .friction import DahlFriction as DahlFriction
 from .friction import DriftingFriction as DriftingFriction
 from .friction import Friction as Friction
+from .friction import Jenkins as Jenkins
 from .friction import LoadedFriction as LoadedFriction
 from .friction import PositionDependentFriction as PositionDependentFriction
 from .friction import StribeckFriction as StribeckFriction

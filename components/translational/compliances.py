@@ -64,6 +64,21 @@ class Damper(CompliantWithSpeed):
         yield self.f == self.d * self.v_rel
 
 
+class VariableDamper(CompliantWithSpeed):
+    """Damper whose constant follows a signal: f = (d + d_u u) v_rel.
+
+    u is what it depends on: the current of a valve or a coil, a temperature, time. The constant may be negative,
+    so that it stands for what is taken from damping that is there.
+    """
+
+    u = RealInput("1", "what the damping follows")
+    d = parameter("N.s/m", "damping constant at u = 0", default=0.0)
+    d_u = parameter("N.s/m", "change of the damping constant with u")
+
+    def equations(self) -> Stated:
+        yield self.f == (self.d + self.d_u * self.u) * self.v_rel
+
+
 class SpringDamper(CompliantWithSpeed):
     """Linear spring and damper in parallel: f = k (s_rel - s_rel0) + d v_rel.
 
@@ -172,21 +187,6 @@ class CubicDamper(CompliantWithSpeed):
 
     def equations(self) -> Stated:
         yield self.f == self.d3 * self.v_rel**3
-
-
-class DriftingDamper(CompliantWithSpeed):
-    """Damper whose constant follows a signal: f = (d + d_u u) v_rel.
-
-    u is what it depends on: time, or a measured temperature. Its constant may be negative, so that it stands
-    for what a drift adds to, or takes from, damping that is there.
-    """
-
-    u = RealInput("1", "what the constant follows")
-    d = parameter("N.s/m", "damping constant at u = 0", default=0.0)
-    d_u = parameter("N.s/m", "change of the damping constant with u")
-
-    def equations(self) -> Stated:
-        yield self.f == (self.d + self.d_u * self.u) * self.v_rel
 
 
 class QuadraticDamper(CompliantWithSpeed):

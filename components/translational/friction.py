@@ -2,6 +2,7 @@
 
 import casadi as ca
 
+from ..elastoplastic import ElastoPlastic
 from ..language import Component, Expression, RealInput, Stated, TranslationalFlange, der, parameter, variable
 from ..pressed import PressedStickSlip
 from ..stickslip import StickSlip
@@ -59,6 +60,31 @@ class TabulatedFriction(Friction):
 
     def sliding(self, speed: Expression) -> Expression:
         return interpolated(self.table, speed)
+
+
+class Jenkins(CompliantWithSpeed, ElastoPlastic):
+    """A spring in series with dry friction, without mass between them: f = k z, |f| <= f_c.
+
+    z' = v_rel while it sticks, z' = 0 while it slips at |f| = f_c. Several side by side, which slip one
+    after the other, are friction with presliding (Maxwell-slip, Iwan).
+
+    Source: G. M. Jenkins, Analysis of the stress-strain relationships in reactor grade graphite, British
+    Journal of Applied Physics 13 (1962) 30-32.
+
+    Example:
+        >>> from inertance import Jenkins
+        >>> joint = Jenkins(k=1e6, f_c=200.0)
+    """
+
+    k = parameter("N/m", "stiffness of the spring", above=0)
+    f_c = parameter("N", "Coulomb friction force", min=0)
+    z = variable("m", "stretch of the spring")
+
+    speed = property(lambda self: self.v_rel)
+    slip_stretch = property(lambda self: self.f_c / self.k)
+
+    def equations(self) -> Stated:
+        yield self.f == self.k * self.z
 
 
 class SupportFriction(Component):

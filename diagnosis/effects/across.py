@@ -46,7 +46,7 @@ def clocked(edits: list[Edit], name: str) -> list[Edit]:
 
 
 def _drifting(site: Site, name: str, values: Values) -> list[Edit]:
-    return clocked(between(name, site.family.DriftingDamper(**values), site.fixed, site.moving), name)
+    return clocked(between(name, site.family.VariableDamper(**values), site.fixed, site.moving), name)
 
 
 def _pushed(site: Site, name: str, values: Values) -> list[Edit]:

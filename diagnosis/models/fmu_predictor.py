@@ -29,6 +29,8 @@ from ..effects.sites import Site
 from .fmu_model import FMUModel
 from .fmu_port import Acting, FMUPort, Reaction
 
+ROUNDING_SHARE = 1e-6  # of the time between samples, by which a held one is asked for late
+
 
 @dataclass(frozen=True, eq=False)
 class FMUPrediction:
@@ -68,7 +70,8 @@ class FMUPredictor:
         self.read = list(dict.fromkeys(read))
         self.measures = {n: box.fmu.measure(box.fmu.variables[n]) for n in {*self.taken, *self.read}}
         self.place = {name: column for column, name in enumerate(self.taken)}
-        self.replay = Replay(box.fmu, box.kind, self.taken, self.read)
+        held = [self.driven[c.path][0] for c in self.channels.values() if c.driven and c.held]
+        self.replay = Replay(box.fmu, box.kind, self.taken, self.read, held)
         weakref.finalize(self, self.replay.close)
         self.refined = _refined(self, campaign)
 
@@ -132,7 +135,9 @@ class ReplayedStand:
         self.given = np.zeros((len(self.fine), len(model.taken)))
         for name, channel in model.channels.items():
             if channel.driven:
-                smooth = sampled_at(record.sampled(name, channel.interpolation), self.fine)
+                signal = record.sampled(name, channel.interpolation, channel.delay)
+                late = channel.held * ROUNDING_SHARE * (self.fine[1] - self.fine[0])
+                smooth = sampled_at(signal, self.fine + late)
                 variable, sign = model.driven[channel.path]
                 self.given[:, model.place[variable]] = model.measures[variable].from_si(sign * smooth)
         self._follow(self.given)
@@ -199,7 +204,13 @@ class ReplayedStand:
             load = Load(port.force, port.position, port.velocity, Reaction(acting, port, box.fmu))
         try:
             rows = model.replay.run(
-                self.fine, given, box.own(parameters), box.started, load, self.refined, FMU_RELATIVE_TOLERANCE
+                self.fine,
+                given,
+                box.own({**parameters, **self.experiment.values}),
+                box.started,
+                load,
+                self.refined,
+                FMU_RELATIVE_TOLERANCE,
             )
         except FMUError as error:
             raise SimulationError(str(error)) from error

@@ -181,11 +181,13 @@ def study_of(
 def thinned(campaign: Campaign) -> Campaign:
     """Return a campaign whose outputs are compared as often as machines need, and no more often.
 
-    Inputs lose what is too fast to be compared where that is noise, which their second derivatives feel.
+    Inputs lose what is too fast to be compared where that is noise, which their second derivatives feel. Held
+    ones have none.
     """
+    smooth = [name for name in campaign.inputs if not campaign.measured[name].held]
     thin = copy(campaign)
     thin.training, thin.testing = (
-        [_slowed(experiment, campaign.inputs) for experiment in experiments]
+        [_slowed(experiment, smooth) for experiment in experiments]
         for experiments in (campaign.training, campaign.testing)
     )
     return thin

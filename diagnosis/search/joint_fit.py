@@ -236,7 +236,7 @@ class JointFit:
 def _falls_short(end: Iterate, best: float, plain: float) -> bool:
     """Tell whether a descent promises too little, bounds apart, to come near the best model so far.
 
-    Where it is worse than the model without the effect, as where the parameters were given, slopes tell little.
+    Where it is worse than the model without the effect, as where they were given, slopes tell little.
     """
     if not criteria.HOPELESS_COST_RATIO * best < end.cost < plain:
         return False

@@ -157,7 +157,7 @@ def _channel_changes(
             for shape in effect.shaped("channel", site):
                 change = (effect.change(time, signal, {quantity.name: small, **shape}) - signal) / small
                 if effect.drives:
-                    own = record.to_inputs({path: np.interp(record.time, time, change)[:, None]})
+                    own = record.to_inputs({path: record.acting(name, change)[:, None]})
                 else:
                     own = record.to_output(name, change)
                 yield effect, site, shape, own

@@ -35,6 +35,7 @@ class WhitenedRecord:
         channels = study.campaign.measured.items()
         self.outputs = {name: c.path for name, c in channels if not c.driven}
         self.inputs = {name: c.path for name, c in channels if c.driven}
+        self._channels = study.campaign.measured
         self.sigma = sigma = {name: size / count**0.5 for name, size in experiment.sigma.items()}
         self._predictor = predictor
         self._stand: Any = predictor.stand(driven(experiment, effects))
@@ -76,6 +77,14 @@ class WhitenedRecord:
         moved = self._stand.pushed(self._found, changes)
         weighted = [moved[:, n] / self.sigma[name] for n, name in enumerate(self.outputs)]
         return self.off(np.concatenate(weighted))
+
+    def acting(self, channel: str, change: Array) -> Array:
+        """Return a change of an input channel, given at instants of the record, at the instants `time`."""
+        driving = self._channels[channel]
+        begin = self.measured.time + driving.delay
+        if not driving.held:
+            return np.interp(self.time, begin, change)
+        return change[np.maximum(np.searchsorted(begin, self.time, side="right") - 1, 0)]
 
     def to_output(self, channel: str, change: Array) -> Array:
         """Return a change of one output channel, given at the instants of the record, as a column."""

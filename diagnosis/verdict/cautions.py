@@ -32,9 +32,10 @@ def suspicions(study: Study, best: Refit) -> Iterator[str]:
     """Yield what channels would explain what no effect does, if they were in another unit or exchanged."""
     campaign = study.campaign
     shares = (
-        experiment.sigma[name] * rms([residual]) / float(np.std(experiment.record.values[name]))
+        experiment.sigma[name] * rms([residual]) / size
         for experiment, residuals in zip(campaign.training, best.train, strict=True)
         for name, residual in residuals.items()
+        if (size := float(np.std(experiment.record.values[name])))
     )
     if not isinstance(campaign.machine, DAE) or max(shares) <= SUSPECT_SIGNAL_SHARE:
         return

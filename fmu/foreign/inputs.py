@@ -12,7 +12,7 @@ from typing import Any
 import numpy as np
 
 from ...components import Sampled
-from ...networks import check_covered, piecewise
+from ...networks import breaks, check_covered, piecewise
 from ..errors import FMUError
 from .description import FMUDescription
 from .initialization import checked
@@ -35,6 +35,7 @@ class Inputs:
     Attributes:
         continuous: real inputs, set with every evaluation; a function of time each.
         discrete: the others, constant between their `jumps`.
+        held: real inputs of those that are constant between their `jumps` too; `present` is what they are.
         longest_step: steps [s] that do not pass over what data do between their samples.
         bends: instants at which data bend again that had been straight.
     """
@@ -42,6 +43,8 @@ class Inputs:
     fmu: FMUDescription
     continuous: dict[str, Callable[[float], float]] = field(default_factory=dict)
     discrete: dict[str, Callable[[float], Any]] = field(default_factory=dict)
+    held: dict[str, Callable[[float], Any]] = field(default_factory=dict)
+    present: dict[str, float] = field(default_factory=dict)
     jumps: list[float] = field(default_factory=list)
     longest_step: float = np.inf
     bends: list[float] = field(default_factory=list)
@@ -59,7 +62,10 @@ class Inputs:
         return values
 
     def set_discrete(self, instance: Instance, t: float) -> None:
-        """Set the discrete inputs for the time after t."""
+        """Set what is constant between jumps for the time after t."""
+        if self.held:
+            self.present = {name: float(course(t)) for name, course in self.held.items()}
+            instance.drive(self.at(t))
         for name, signal in self.discrete.items():
             v = self.fmu.variables[name]
             instance.set((v.type, [v.reference], v.size), checked(self.fmu, v, signal(t)))
@@ -101,10 +107,18 @@ def _continuous(
         return lambda t: number
     sampled = signal if isinstance(signal, Sampled) else Sampled(*_pair(inputs.named(v.name), signal))
     smooth[v.name] = sampled
+    if sampled.interpolation == "hold":
+        return _held(inputs, v, sampled)
     inputs.longest_step = min(inputs.longest_step, SAMPLES_A_STEP * float(np.median(np.diff(sampled.time))))
     inputs.bends = sorted({*inputs.bends, *_bends(sampled)})
     course = piecewise(sampled)
     return lambda t: float(course(t))
+
+
+def _held(inputs: Inputs, v: ForeignVariable, sampled: Sampled) -> Callable[[float], float]:
+    inputs.held[v.name] = piecewise(sampled)
+    inputs.jumps = sorted({*inputs.jumps, *breaks(sampled).tolist()})
+    return lambda t: inputs.present[v.name]
 
 
 def _bends(data: Sampled) -> list[float]:

@@ -34,10 +34,19 @@ class Replay:
         kind: "ME" or "CS".
         inputs: names of what is driven.
         outputs: names of what is wanted.
+        held: inputs that keep each sample until the next.
     """
 
-    def __init__(self, fmu: FMUDescription, kind: str, inputs: Sequence[str], outputs: Sequence[str]) -> None:
+    def __init__(
+        self,
+        fmu: FMUDescription,
+        kind: str,
+        inputs: Sequence[str],
+        outputs: Sequence[str],
+        held: Sequence[str] = (),
+    ) -> None:
         self.fmu, self.kind, self.inputs, self.outputs = fmu, kind, list(inputs), list(outputs)
+        self._held = [self.inputs.index(name) for name in held]
         self._files = Unpacked(fmu.path)
 
     def __enter__(self) -> Self:
@@ -70,7 +79,7 @@ class Replay:
         """
         fmu, longest = self.fmu, float(time[every] - time[0])
         stepping = Stepping(float(time[0]), float(time[-1]), rtol, self.inputs, longest)
-        course = _spline(time, given) if self.kind == "ME" else lambda t: given[0].tolist()
+        course = _spline(time, given, self._held) if self.kind == "ME" else lambda t: given[0].tolist()
         wanted = groups(fmu.variables[name] for name in self.outputs)
         with LoadedInstance(fmu, self.kind, self._files, self.inputs, load) as instance:
             enter_initialization(instance, fmu, stepping, parameters, start or {})
@@ -79,7 +88,7 @@ class Replay:
             _switch(stepper)
             if isinstance(stepper, CoSimulation):
                 samples = list(zip(time.tolist(), given.tolist(), strict=True))
-                found = _communicated(stepper, instance, wanted, samples, every)
+                found = _communicated(stepper, instance, wanted, samples, every, self._held)
             else:
                 found = _integrated(stepper, wanted, time[::every].tolist())
         return _table(fmu.name, found, time[::every])
@@ -98,11 +107,14 @@ def _integrated(stepper: TimeStepper, wanted: list[Group], instants: list[float]
     return found
 
 
-def _spline(time: Array, given: Array) -> Callable[[float], Values]:
-    """Return the inputs as cubic splines through their samples, quick at single instants."""
+def _spline(time: Array, given: Array, held: list[int]) -> Callable[[float], Values]:
+    """Return the inputs as cubic splines through their samples, `held` as steps, quick at single instants."""
     from scipy.interpolate import CubicSpline
 
-    pieces = np.moveaxis(CubicSpline(time, given).c, 1, 0).tolist()
+    powers = CubicSpline(time, given).c
+    powers[:, :, held] = 0.0
+    powers[3, :, held] = given[:-1, held].T
+    pieces = np.moveaxis(powers, 1, 0).tolist()
     begin, rate, instants = float(time[0]), (len(time) - 1) / float(time[-1] - time[0]), time.tolist()
     last = len(pieces) - 1
 
@@ -115,11 +127,17 @@ def _spline(time: Array, given: Array) -> Callable[[float], Values]:
 
 
 def _communicated(
-    stepper: CoSimulation, instance: LoadedInstance, wanted: list[Group], samples: Samples, every: int
+    stepper: CoSimulation,
+    instance: LoadedInstance,
+    wanted: list[Group],
+    samples: Samples,
+    every: int,
+    held: list[int],
 ) -> list[Values]:
     found = []
     for k, (t, row) in enumerate(samples):
         end, after = samples[k + 1] if k + 1 < len(samples) else (2 * t - samples[k - 1][0], row)
+        after = [row[place] if place in held else value for place, value in enumerate(after)]
         force, following = instance.extrapolated(t, end - t)
         row, after = instance.loaded(row, force), instance.loaded(after, following)
         if k % every == 0:

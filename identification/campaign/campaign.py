@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pickle
 import tomllib
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from copy import copy
 from dataclasses import dataclass, field, fields, replace
 from itertools import combinations
@@ -24,6 +24,7 @@ from .machine import Machine, Reader, read_network
 from .priors import Prior, read_priors
 from .problems import TABLE, TEXT, Kind, Problems
 from .stages import Stage, read_stages
+from .ties import changes, limits_of, read_ties, shares, tied
 
 REQUIRED_KEYS = ("model", "channels", "parameters", "train")
 TABLES = ("port", "channels", "parameters", "noise")
@@ -44,10 +45,11 @@ class Campaign:
     Args:
         model: the network, "path/to/file.py:function" that returns it, or "path/to/file.fmu".
         channels: column of the data -> {"input" or "output": path, "unit": unit}.
-        parameters: path -> {"rel": relative standard deviation} or {"min": ..., "max": ...}.
+        parameters: path -> {"rel": relative standard deviation} or {"min": ..., "max": ...}; or
+            {"share": path of another one, "ratio": times that}.
         train: records to fit, each {"file": path} or {"record": `Record`}, with what may be added: "initial"
             ("fit", the default, or "rest"), "window" [s], "repeat_of", "temperature", "offset",
-            "shooting" [s].
+            "shooting" [s], "values" (parameters that were other than in the model).
         test: records never fitted.
         noise: standard deviation of an output channel, in its unit.
         stage: stages of the fit, each {"parameters", "channels", "train", "filter"}; one of everything if
@@ -121,19 +123,21 @@ class Campaign:
                 raise ModelError(f"the reader {shown(self.reader)} cannot read it ({told})") from error
         problems.stop()
         self.measured = channels = read_channels(self.channels, self.machine, problems)
-        self.priors = read_priors(self.parameters, self.machine, problems)
-        self.training = read_experiments("train", self.train, channels, self.base, problems)
-        self.testing = read_experiments("test", self.test, channels, self.base, problems)
+        notes = self._tie(problems)
+        self.training = self._read("train", self.train, problems)
+        self.testing = self._read("test", self.test, problems)
         problems.add(*self._tests_that_are_fitted(), *self._starts_of_an_fmu())
         problems.add(*repeat_problems(self.experiments, channels))
+        if len(self.training) == len(self.train):
+            problems.add(*self._dead_sensors())
         stated = read_noise(self.noise, channels, self.channels, problems)
         problems.add(*self._noise_above_signals(stated))
         if self.training and len(self.training) == len(self.train):
             self.stages = read_stages(self.stage, self.priors, self.outputs, self.training, problems)
             problems.add(*self._records_fitted_twice())
         problems.stop()
-        self.notes = [f"{e.name}: {note}" for e in self.experiments for note in e.record.notes]
-        self.notes += self._rates_that_differ()
+        self.notes = [*notes, *self._notes_of_records()]
+        self.notes += [*self._rates_that_differ(), *self._resting_inputs()]
         self.notes += [note for e in self.experiments for note in strange(e, channels, self.machine.inputs)]
         noise = [{name: self._floor(name, stated, e) for name in self.outputs} for e in self.experiments]
         vars(self).update(vars(self.with_floors(noise)))
@@ -242,6 +246,20 @@ class Campaign:
         values = self.machine.parameter_values
         return {name: values[name] for name in self.priors}
 
+    def _tie(self, problems: Problems) -> list[str]:
+        """Let parameters follow those that they share, and read what is known of the others; tell changes."""
+        plain, ties = self.machine, read_ties(self.parameters, self.machine, problems)
+        if ties:
+            self.network = tied(self.network, ties)
+            self.machine = self.network.dae()
+        free = {path: e for path, e in self.parameters.items() if not shares(e)}
+        self.priors = read_priors(free, self.machine, limits_of(ties, plain), problems)
+        return list(changes(ties, plain))
+
+    def _read(self, kind: str, entries: Sequence[Mapping[str, Any]], problems: Problems) -> list[Experiment]:
+        known = self.measured, self.machine, self.priors
+        return read_experiments(kind, entries, *known, self.base, problems)
+
     def _tests_that_are_fitted(self) -> Iterator[str]:
         for number, experiment in enumerate(self.testing, start=1):
             twins = [n for n, e in enumerate(self.training, start=1) if experiment.overlaps(e)]
@@ -273,13 +291,37 @@ class Campaign:
     def _noise_above_signals(self, stated: Mapping[str, float]) -> Iterator[str]:
         for name, sigma in stated.items() if self.training else ():
             largest = max(float(np.std(e.record.values[name])) for e in self.training)
-            if sigma > largest:
+            if sigma > largest > 0:
                 channel = self.measured[name]
                 size = unit_for(channel.unit, channel.si).factor
                 yield (
                     f"noise.{name}: {sigma / size:g} {channel.unit} is more than all that was measured "
                     f"({largest / size:.3g} {channel.unit}, standard deviation); correct it or its unit"
                 )
+
+    def _notes_of_records(self) -> Iterator[str]:
+        names: dict[str, list[str]] = {}
+        for experiment in self.experiments:
+            for note in experiment.record.notes:
+                names.setdefault(note, []).append(experiment.name)
+        yield from (f"{', '.join(those)}: {note}" for note, those in names.items())
+
+    def _constant(self, names: Iterable[str]) -> Iterator[tuple[str, str]]:
+        """Yield channels that are one value in all training records, and which."""
+        for name in names:
+            seen = [e.record.values[name] for e in self.training]
+            if seen and np.ptp([(np.min(v), np.max(v)) for v in seen]) == 0:
+                channel = self.measured[name]
+                value = unit_for(channel.unit, channel.si).from_si(float(seen[0][0]))
+                yield name, f"{value:.6g} {channel.unit}"
+
+    def _dead_sensors(self) -> Iterator[str]:
+        for name, value in self._constant(self.outputs):
+            yield f"channels.{name}: it is {value} throughout all training records; is the sensor connected?"
+
+    def _resting_inputs(self) -> Iterator[str]:
+        for name, value in self._constant(self.inputs):
+            yield f"'{name}' is {value} throughout all training records; what it excites, they do not show"
 
     def _rates_that_differ(self) -> Iterator[str]:
         rates = {e.name: e.record.rate for e in self.experiments}
@@ -293,10 +335,13 @@ class Campaign:
             return NoiseFloor(stated[channel], "stated", spectral.band)
         by_source = {str(e.source): e.record for e in self.experiments}
         pairs = [(e.record, by_source[e.repeat_of]) for e in self.experiments if e.repeat_of in by_source]
-        if not pairs:
+        if pairs:
+            repeated = _median([repeated_floor(*pair, channel) for pair in pairs])
+            return replace(repeated, band=spectral.band)
+        if np.ptp(experiment.record.values[channel]):
             return spectral
-        repeated = _median([repeated_floor(*pair, channel) for pair in pairs])
-        return replace(repeated, band=spectral.band)
+        moving = [e.record for e in self.training if np.ptp(e.record.values[channel])]
+        return _median([spectral_floor(record.values[channel], record.rate) for record in moving])
 
 
 def _median(floors: Sequence[NoiseFloor]) -> NoiseFloor:

@@ -10,9 +10,9 @@ from ...components import nearest
 from ...components.language import INTERPOLATIONS
 from ..records.record import Channel, outputs_of
 from .machine import Machine
-from .problems import TEXT, Problems
+from .problems import NUMBER, TEXT, Problems
 
-KINDS = {"input": TEXT, "output": TEXT, "unit": TEXT, "interpolation": TEXT}
+KINDS = {"input": TEXT, "output": TEXT, "unit": TEXT, "interpolation": TEXT, "delay": NUMBER}
 
 
 def read_channels(entries: Mapping[str, Any], machine: Machine, problems: Problems) -> dict[str, Channel]:
@@ -35,12 +35,13 @@ def read_channels(entries: Mapping[str, Any], machine: Machine, problems: Proble
     return channels
 
 
-def _channel(entry: Mapping[str, str], machine: Machine) -> Channel:
+def _channel(entry: Mapping[str, Any], machine: Machine) -> Channel:
     driven = "input" in entry
     path = entry["input"] if driven else entry["output"]
     known = machine.names() if not driven or path in machine.input_names else ()
     si = machine.unit(path) if path in known else ""
-    return Channel(path, driven, entry.get("unit", si), si, entry.get("interpolation", "cubic"))
+    interpolation, delay = entry.get("interpolation", "cubic"), float(entry.get("delay", 0.0))
+    return Channel(path, driven, entry.get("unit", si), si, interpolation, delay)
 
 
 def _channel_problems(channel: Channel, others: Mapping[str, Channel], machine: Machine) -> Iterator[str]:
@@ -57,6 +58,13 @@ def _channel_problems(channel: Channel, others: Mapping[str, Channel], machine: 
     if channel.interpolation not in INTERPOLATIONS:
         known_ones = " or ".join(f"'{one}'" for one in INTERPOLATIONS)
         yield f"interpolation is {known_ones}, got '{channel.interpolation}'"
+    if channel.held and any(i.path == path and i.order for i in machine.inputs):
+        yield (
+            "the model needs the derivative of what jumps here from sample to sample; let the command act "
+            "as a signal in a law of force, or follow it by a Position with exact=False"
+        )
+    if channel.delay and not channel.driven:
+        yield f"delay is of an input, got {channel.delay:g} s for an output; shift its column instead"
     for name, other in others.items():
         if other.path == path and channel.driven and other.driven:
             yield f"'{path}' is driven by channel '{name}' already; keep one of them"

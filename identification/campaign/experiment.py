@@ -9,12 +9,15 @@ from typing import Any
 
 import numpy as np
 
+from ...base import is_number
 from ...components import ModelError, nearest
 from ...networks import Input, between_samples, jump_remedy
 from ..records.columns import stuck
 from ..records.noise import NoiseFloor
 from ..records.record import Channel, Record, outputs_of, read_record
-from .problems import FILE, INTERVAL, NUMBER, TEXT, TEXTS, Kind, Problems
+from .machine import Machine
+from .priors import Prior
+from .problems import FILE, INTERVAL, NUMBER, TABLE, TEXT, TEXTS, Kind, Problems
 
 INITIALS = ("fit", "rest")
 SHORTEST_PIECE = 10  # samples
@@ -28,6 +31,7 @@ KINDS = {
     "temperature": TEXT,
     "offset": TEXTS,
     "shooting": NUMBER,
+    "values": TABLE,
 }
 
 
@@ -43,6 +47,7 @@ class Experiment:
         repeat_of: the file that this one repeats.
         offset: outputs whose zero is unknown.
         shooting: length of the pieces of multiple shooting [s]; None for one run.
+        values: parameters that were other than in the model, such as a mass that was added.
         every: outputs are compared at every so many samples; inputs keep all of theirs.
         floors: noise of its outputs.
     """
@@ -54,6 +59,7 @@ class Experiment:
     repeat_of: str | None = None
     offset: tuple[str, ...] = ()
     shooting: float | None = None
+    values: Mapping[str, float] = field(default_factory=dict)
     every: int = 1
     floors: Mapping[str, NoiseFloor] = field(default_factory=dict)
 
@@ -94,7 +100,13 @@ class Experiment:
 
 
 def read_experiments(
-    kind: str, entries: Sequence[Any], channels: Mapping[str, Channel], base: Path, problems: Problems
+    kind: str,
+    entries: Sequence[Any],
+    channels: Mapping[str, Channel],
+    machine: Machine,
+    priors: Mapping[str, Prior],
+    base: Path,
+    problems: Problems,
 ) -> list[Experiment]:
     """Return the records of [[train]] or [[test]], read and checked."""
     if kind == "train" and not entries:
@@ -103,7 +115,12 @@ def read_experiments(
     for number, entry in enumerate(entries, start=1):
         where = f"[[{kind}]] {number}"
         sound = problems.sound(where, entry, KINDS)
-        if sound and problems.none(where, _experiment_problems(entry, channels)):
+        told = (
+            [*_experiment_problems(entry, channels), *_value_problems(entry, machine, priors)]
+            if sound
+            else []
+        )
+        if sound and problems.none(where, told):
             with problems.of(where):
                 experiments.append(_experiment(entry, channels, base))
     return experiments
@@ -123,6 +140,20 @@ def _experiment_problems(entry: Mapping[str, Any], channels: Mapping[str, Channe
             yield f"offset: there is no output channel '{name}'{nearest(name, outputs)}"
 
 
+def _value_problems(entry: Mapping[str, Any], machine: Machine, priors: Mapping[str, Prior]) -> Iterator[str]:
+    known = machine.parameter_values
+    for path, value in entry.get("values", {}).items():
+        where = f'values."{path}"'
+        if path not in known:
+            yield f"{where}: the model has no parameter '{path}' that can be set{nearest(path, known)}"
+        elif path in priors:
+            yield f"{where}: it is in [parameters], and one for all records; leave it out of one of both"
+        elif not is_number(value):
+            yield f"{where} must be a number [{machine.unit(path)}], got {value!r}"
+        elif wrong := machine.field(path).problem(float(value)):
+            yield f"{where}: {wrong}"
+
+
 def _experiment(entry: Mapping[str, Any], channels: Mapping[str, Channel], base: Path) -> Experiment:
     window = (float(entry["window"][0]), float(entry["window"][1])) if "window" in entry else None
     repeat, shooting = entry.get("repeat_of"), entry.get("shooting")
@@ -137,22 +168,22 @@ def _experiment(entry: Mapping[str, Any], channels: Mapping[str, Channel], base:
             f"shooting: pieces of {shooting:g} s hold {max(0.0, shooting * record.rate):.3g} samples at "
             f"{record.rate:g} Hz; at least {SHORTEST_PIECE} are needed"
         )
+    length = float(record.time[-1] - record.time[0])
+    for name, channel in channels.items():
+        if abs(channel.delay) >= length:
+            raise ModelError(f"'{name}': delay = {channel.delay:g} s is longer than the record, {length:g} s")
     initial, offset = entry.get("initial", "fit"), tuple(entry.get("offset", ()))
-    return Experiment(record, source, initial, window, repeat, offset, shooting)
+    values = {path: float(value) for path, value in entry.get("values", {}).items()}
+    return Experiment(record, source, initial, window, repeat, offset, shooting, values)
 
 
 def _given(record: Record, channels: Mapping[str, Channel], window: tuple[float, float] | None) -> Record:
-    """Return what counts of a record given in Python, once all its channels are seen to be alive."""
+    """Return what counts of a record given in Python, once all its channels are seen to be there."""
     missing = [name for name in channels if name not in record.values]
     if missing:
         told = nearest(missing[0], record.values)
         raise ModelError(f"record '{record.name}' has no channel '{missing[0]}'{told}")
-    record = record.window(*window) if window else record
-    for name in outputs_of(channels):
-        if not np.ptp(record.values[name]):
-            told = f"'{name}' is {record.values[name][0]:g} throughout; is the sensor connected?"
-            raise ModelError(f"record '{record.name}': {told}")
-    return record
+    return record.window(*window) if window else record
 
 
 def strange(
@@ -161,12 +192,13 @@ def strange(
     """Yield inputs of which splines make something else, and outputs that stand still as no sensor does."""
     record = experiment.record
     for name, channel in channels.items():
-        where, span = f"{experiment.name}: '{name}'", stuck(record.values[name])
+        where = f"{experiment.name}: '{name}'"
+        others = [record.values[other] for other in channels if other != name]
         if channel.driven:
-            told = between_samples(record.sampled(name, channel.interpolation))
+            told = between_samples(record.sampled(name, channel.interpolation, channel.delay))
             if told:
                 yield f"{where}: {told}; {jump_remedy(inputs, channel.path)}"
-        elif span is not None:
+        elif (span := stuck(record.values[name], others)) is not None:
             yield (
                 f"{where} repeats one value from {record.time[span[0]]:g} to {record.time[span[1]]:g} s, and "
                 "hardly ever elsewhere; if the sensor was stuck, cut the record with window = [from, to]"
@@ -194,6 +226,9 @@ def _unlike(one: Experiment, other: Experiment, channels: Mapping[str, Channel])
     if abs(one.record.rate / other.record.rate - 1) > 1e-3:
         rates = f"{one.record.rate:g} and {other.record.rate:g} Hz"
         yield f"{one.name}: repeat_of: sampled otherwise than '{other.name}' ({rates}); resample one of them"
+        return
+    if one.values != other.values:
+        yield f"{one.name}: repeat_of: its values differ from those of '{other.name}'; repeats have the same"
         return
     count = min(len(one.record.time), len(other.record.time))
     for name in (name for name, channel in channels.items() if channel.driven):

@@ -51,8 +51,13 @@ class Prior:
         return float(max(away, by_ratio)) if abs(value) < abs(self.center) else away
 
 
-def read_priors(entries: Mapping[str, Any], machine: Machine, problems: Problems) -> dict[str, Prior]:
-    """Return what is known of the uncertain parameters."""
+def read_priors(
+    entries: Mapping[str, Any],
+    machine: Machine,
+    limits: Mapping[str, tuple[float, float]],
+    problems: Problems,
+) -> dict[str, Prior]:
+    """Return what is known of the uncertain parameters, within the limits that some have beside their own."""
     values = machine.parameter_values
     priors: dict[str, Prior] = {}
     for path, entry in entries.items():
@@ -62,17 +67,26 @@ def read_priors(entries: Mapping[str, Any], machine: Machine, problems: Problems
         elif not isinstance(entry, Mapping) or not set(entry) & set(KINDS):
             problems.add(f"{where}: give rel (relative standard deviation), or min and max")
         elif problems.sound(where, entry, KINDS):
-            priors[path] = _prior(machine.field(path), values[path], entry)
+            further = limits.get(path, (-np.inf, np.inf))
+            priors[path] = _prior(machine.field(path), values[path], entry, further)
             problems.none(where, _prior_problems(priors[path], entry))
     return priors
 
 
-def _prior(declared: Parameter, value: float, entry: Mapping[str, float]) -> Prior:
+def least(declared: Parameter, value: float = 0.0) -> float:
+    """Return the least that a parameter may be; where it must be above that, by a billionth of its value."""
+    if declared.above is not None:
+        return declared.above + 1e-9 * (abs(value) or 1.0)
+    return -np.inf if declared.min is None else declared.min
+
+
+def _prior(
+    declared: Parameter, value: float, entry: Mapping[str, float], limits: tuple[float, float]
+) -> Prior:
     sd = entry["rel"] * abs(value) if "rel" in entry else np.inf
-    above = None if declared.above is None else declared.above + 1e-9 * (abs(value) or 1.0)
-    lowest = [bound for bound in (entry.get("min"), declared.min, above) if bound is not None]
-    highest = [bound for bound in (entry.get("max"), declared.max) if bound is not None]
-    return Prior(value, sd, max(lowest, default=-np.inf), min(highest, default=np.inf))
+    lowest = max(entry.get("min", -np.inf), least(declared, value), limits[0])
+    highest = min(bound for bound in (entry.get("max"), declared.max, limits[1]) if bound is not None)
+    return Prior(value, sd, lowest, highest)
 
 
 def _prior_problems(prior: Prior, entry: Mapping[str, float]) -> Iterator[str]:

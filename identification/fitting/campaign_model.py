@@ -70,7 +70,7 @@ class RecordModel:
         self.experiment, self.record = experiment, experiment.compared
         self.outputs = {name: c.path for name, c in channels.items() if not c.driven}
         whole, driven = experiment.record, [(name, c) for name, c in channels.items() if c.driven]
-        self.inputs = {c.path: whole.sampled(name, c.interpolation) for name, c in driven}
+        self.inputs = {c.path: whole.sampled(name, c.interpolation, c.delay) for name, c in driven}
         self._simulate = partial(simulate, self.dae, inputs=self.inputs, progress=False)
 
     def rest(self, parameters: Values, accuracy: Accuracy, at: float | None = None) -> Array:
@@ -80,7 +80,8 @@ class RecordModel:
         step = float(time[1] - time[0])
         guess = self._measured_start(begin) if self.experiment.initial == "fit" else {}
         given: dict[str, Any] = {"guess": guess, "rtol": accuracy.rtol, "atol": accuracy.atol}
-        run = self._simulate(begin + step, begin=begin, step=step, parameters=parameters, **given)
+        values = {**parameters, **self.experiment.values}
+        run = self._simulate(begin + step, begin=begin, step=step, parameters=values, **given)
         return run.initial.values.copy()
 
     def _measured_start(self, begin: float) -> dict[str, float]:
@@ -118,7 +119,8 @@ class RecordModel:
         step = float(time[-1] - time[0]) / (len(time) - 1)
         given = {} if start is None else dict(zip(self.dae.state_names, map(float, start), strict=True))
         run = self._simulate(
-            float(time[-1]), begin=float(time[0]), step=step, guess=given, parameters=parameters,
+            float(time[-1]), begin=float(time[0]), step=step, guess=given,
+            parameters={**parameters, **self.experiment.values},
             solver=accuracy.solver, rtol=accuracy.rtol, atol=accuracy.atol,
             max_steps=accuracy.steps and accuracy.steps * len(time),
         )  # fmt: skip

@@ -113,7 +113,7 @@ def _misfit(fit: Fit, channel: str) -> Iterator[str]:
 
 
 def _incomplete(channel: str, train: dict[Comparison, float], test: dict[Comparison, float]) -> str:
-    share = _rms(c.rms(channel, c.after) / c.size(channel) for c in train)
+    share = _rms(c.rms(channel, c.after) for c in train) / _rms(c.size(channel) for c in train)
     tested = f", {_rms(test.values()):.3g} times on the test records" if test else ""
     worst = max(train, key=lambda c: train[c])
     others = [ratio for c, ratio in train.items() if c is not worst]

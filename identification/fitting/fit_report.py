@@ -38,7 +38,8 @@ def _records(fit: Fit) -> Iterator[str]:
     for c in fit.comparisons:
         for name, floor in fit.campaign.floors.items():
             before, after = (c.rms(name, predicted) for predicted in (c.before, c.after))
-            noise, share = f"{floor.sigma:.3g} ({floor.source})", f"{after / c.size(name):.3%}"
+            noise, size = f"{floor.sigma:.3g} ({floor.source})", c.size(name)
+            share = f"{after / size:.3%}" if size else "-"
             record = c.experiment.name, _kind(c), name
             rows.append((*record, f"{before:.4g}", f"{after:.4g}", noise, share, _unit(fit, name)))
     return aligned(rows, right={3, 4, 6})

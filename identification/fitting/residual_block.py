@@ -94,7 +94,11 @@ class ResidualBlock:
         """Return measured less predicted of a channel, not filtered, in SI units."""
         measured = self.record.values[name]
         rest: Array = measured - _joined([p.values[name] for p in predictions])
-        return rest - nuisances[self.offsets[name]] * np.ptp(measured) if name in self.offsets else rest
+        return rest - nuisances[self.offsets[name]] * self._range(name) if name in self.offsets else rest
+
+    def _range(self, name: str) -> float:
+        """Return how far a channel moves, 1 if it rests."""
+        return float(np.ptp(self.record.values[name])) or 1.0
 
     def _channel(
         self, name: str, predictions: list[Prediction], nuisances: Array, slopes: bool
@@ -109,7 +113,7 @@ class ResidualBlock:
                 own = (p.start_slopes[name][n > 0 :] * self.width for n, p in enumerate(predictions))
                 to_n[:, : self.center.size] = -block_diag(*own)
             if name in self.offsets:
-                to_n[:, self.offsets[name]] = -np.ptp(self.record.values[name])
+                to_n[:, self.offsets[name]] = -self._range(name)
         both = np.hstack([residual, to_p, to_n])
         if self.filter is not None:
             both = self.filter.apply(both, self.record.rate)

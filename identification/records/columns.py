@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 
 import numpy as np
 from numpy.typing import NDArray
@@ -16,6 +16,7 @@ GAP = 1.75  # in steps
 CLIPPED_SAMPLES = 5
 CLIPPED_STEEPNESS = 1.0  # of the step before a plateau, over the usual one
 LARGEST_VALUE = 1e12
+MOVED_SHARE = 0.01  # of its range, by which a channel moves that does not rest
 SWITCHED_SHARE = 0.5  # of samples at the two extremes, above which a signal switches between them
 REPEATED_SHARE = 0.01  # of samples that repeat the one before, above which a sensor is coarse or at rest
 
@@ -51,14 +52,11 @@ def number_problems(table: Table, name: str, values: Array) -> Iterator[str]:
         yield f"{table.at(name, row)}: {told}"
 
 
-def value_problems(table: Table, name: str, values: Array, driven: bool) -> Iterator[str]:
-    """Yield what keeps a column from being a channel; `driven` tells that it is an input."""
+def value_problems(table: Table, name: str, values: Array, others: Sequence[Array]) -> Iterator[str]:
+    """Yield what keeps a column from being a channel, beside the other columns of its record."""
     if unusable := list(number_problems(table, name, values)):
         yield from unusable
-    elif np.ptp(values) == 0:
-        remedy = "it excites nothing; give it in the model instead" if driven else "is the sensor connected?"
-        yield f"{table.path}, column '{name}': the value is {values[0]:g} throughout; {remedy}"
-    elif (row := clipped(values)) is not None:
+    elif (row := clipped(values, others)) is not None:
         told = (
             f"stays at {values[row]:g}, an extreme, as if the sensor were saturated; measure with a larger "
             "range, or cut with window = [from, to]"
@@ -66,24 +64,26 @@ def value_problems(table: Table, name: str, values: Array, driven: bool) -> Iter
         yield f"{table.at(name, row)}: {told}"
 
 
-def stuck(values: Array) -> tuple[int, int] | None:
+def stuck(values: Array, others: Sequence[Array]) -> tuple[int, int] | None:
     """Return the first and the last sample of the longest stretch of one value, None if that is not strange.
 
-    It is strange if it is long, and values hardly ever repeat outside of it, as those of a coarse sensor do.
+    It is strange if it is long, another channel moves in it, and values hardly ever repeat outside of it, as
+    those of a coarse sensor do.
     """
     stretches = _stretches(np.diff(values) == 0)
     first, last = max(stretches, key=lambda ends: ends[1] - ends[0], default=(0, 0))
     length = last - first
     outside = sum(end - begin for begin, end in stretches) - length
     strange = length >= LEAST_SAMPLES and outside <= REPEATED_SHARE * (len(values) - length)
-    return (first, last) if strange else None
+    return (first, last) if strange and _move(others, first, last) else None
 
 
-def clipped(values: Array) -> int | None:
+def clipped(values: Array, others: Sequence[Array] = ()) -> int | None:
     """Return where a signal runs against a limit and stays there, at least twice; None if it does not.
 
     A plateau that is reached gently is none: the step before it must be as steep as the signal mostly is. Nor
-    is a signal clipped that is mostly at its two extremes: it switches between two levels.
+    is one in which all other channels rest, or a signal clipped that is mostly at its two extremes, as it
+    switches between two levels, or that stays as long at others while something moves, as it is coarse.
     """
     low, high = float(values.min()), float(values.max())
     if np.mean((values == low) | (values == high)) > SWITCHED_SHARE:
@@ -93,13 +93,21 @@ def clipped(values: Array) -> int | None:
     if not len(moving):
         return None
     usual = float(np.median(moving))
+    long = [ends for ends in _stretches(change == 0) if ends[1] - ends[0] >= CLIPPED_SAMPLES - 1]
+    plateaus = [begin for begin, end in long if _move(others, begin, end)]
+    if any(low < values[begin] < high for begin in plateaus):
+        return None
     for limit in (high, low):
-        ends = _stretches(values == limit)
-        long = [begin for begin, end in ends if end - begin >= CLIPPED_SAMPLES and begin > 0]
-        runs = [n for n in long if change[n - 1] + change[max(n - 2, 0)] > CLIPPED_STEEPNESS * usual]
+        ends = [begin for begin in plateaus if values[begin] == limit and begin > 0]
+        runs = [n for n in ends if change[n - 1] + change[max(n - 2, 0)] > CLIPPED_STEEPNESS * usual]
         if len(runs) > 1:
             return runs[0]
     return None
+
+
+def _move(others: Sequence[Array], first: int, last: int) -> bool:
+    """Return whether one of other channels moves between two samples, or there is none."""
+    return not others or any(np.ptp(v[first : last + 1]) > MOVED_SHARE * np.ptp(v) for v in others)
 
 
 def _stretches(flags: NDArray[np.bool_]) -> list[tuple[int, int]]:

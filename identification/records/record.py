@@ -4,13 +4,27 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
+from math import ceil
 from pathlib import Path
 from typing import Any, Self
 
 import numpy as np
 from numpy.typing import NDArray
 
-from ...base import Array, above, demand, finite, instance, one_of, path_of, shown, text, unit_for, whole
+from ...base import (
+    Array,
+    above,
+    between,
+    demand,
+    finite,
+    instance,
+    one_of,
+    path_of,
+    shown,
+    text,
+    unit_for,
+    whole,
+)
 from ...base.tables import Table, read_table
 from ...components import ModelError, Sampled, UnknownNameError, nearest
 from ...components.language import INTERPOLATIONS
@@ -31,6 +45,7 @@ class Channel:
         unit: of the column.
         si: unit of the quantity in the network.
         interpolation: of an input between its samples, as of `Sampled`.
+        delay: by how much an input acts later than it was recorded [s]; earlier if negative.
     """
 
     path: str
@@ -38,6 +53,12 @@ class Channel:
     unit: str
     si: str
     interpolation: str = "cubic"
+    delay: float = 0.0
+
+    @property
+    def held(self) -> bool:
+        """Whether it keeps each sample until the next."""
+        return self.interpolation == "hold"
 
 
 def outputs_of(channels: Mapping[str, Channel]) -> list[str]:
@@ -66,7 +87,7 @@ class Record:
     values: dict[str, Array]
     notes: tuple[str, ...] = ()
     temperature: Array | None = field(default=None, repr=False)
-    _signals: dict[tuple[str, str], Sampled] = field(default_factory=dict, init=False, repr=False)
+    _signals: dict[tuple[str, str, float], Sampled] = field(default_factory=dict, init=False, repr=False)
 
     def __post_init__(self) -> None:
         demand("a Record", name=(self.name, text))
@@ -94,8 +115,16 @@ class Record:
         """Samples a second [Hz]."""
         return (len(self.time) - 1) / float(self.time[-1] - self.time[0])
 
-    def sampled(self, channel: str, interpolation: str = "cubic") -> Sampled:
-        """Return a channel as an input signal.
+    def sampled(self, channel: str, interpolation: str = "cubic", delay: float = 0.0) -> Sampled:
+        """Return a channel as an input signal for the time of the record: u(t) = channel(t - delay).
+
+        What lies before the first sample or after the last one is their value, of a cubic signal the course
+        beside it, turned about it, so that its slope goes on.
+
+        Args:
+            channel: its name.
+            interpolation: what it is between its samples, as of `Sampled`.
+            delay: by how much it acts later than it was recorded [s], shorter than the record.
 
         Raises:
             UnknownNameError: for an unknown channel, with the nearest one.
@@ -103,10 +132,22 @@ class Record:
         if text(channel) or channel not in self.values:
             told = nearest(channel, self.values)
             raise UnknownNameError(f"record '{self.name}' has no channel '{channel}'{told}")
-        demand("sampled()", interpolation=(interpolation, one_of(INTERPOLATIONS)))
-        key = channel, interpolation
+        length = float(self.time[-1] - self.time[0])
+        demand(
+            "sampled()",
+            interpolation=(interpolation, one_of(INTERPOLATIONS)),
+            delay=(delay, between(-length, length, "s")),
+        )
+        key = channel, interpolation, delay
         if key not in self._signals:
-            self._signals[key] = Sampled(self.time, self.values[channel], interpolation=interpolation)
+            missing = ceil(abs(delay) * self.rate)
+            ends = (missing, 0) if delay > 0 else (0, missing)
+            turned: Any = {"mode": "reflect", "reflect_type": "odd"}
+            time = np.pad(self.time, ends, **turned) + delay
+            values = np.pad(
+                self.values[channel], ends, **turned if interpolation == "cubic" else {"mode": "edge"}
+            )
+            self._signals[key] = Sampled(time, values, interpolation=interpolation)
         return self._signals[key]
 
     def window(self, begin: float, end: float) -> Self:
@@ -197,7 +238,11 @@ def read_record(
     rows = _rows(str(path), time, window)
     part = replace(table, first_line=table.first_line and table.first_line + int(np.argmax(rows)))
     for name, channel in channels.items():
-        problems += value_problems(part, name, columns[name][rows], channel.driven)
+        others = [columns[other][rows] for other in channels if other != name]
+        if channel.driven and channel.held:
+            problems += number_problems(part, name, columns[name][rows])
+        else:
+            problems += value_problems(part, name, columns[name][rows], others)
     if temperature is not None:
         problems += number_problems(part, temperature, columns[temperature][rows])
     if window is not None:
@@ -205,7 +250,8 @@ def read_record(
     if problems:
         raise ModelError(f"record {path.name} cannot be used:", problems)
     values = {name: unit_for(c.unit, c.si).to_si(columns[name][rows]) for name, c in channels.items()}
-    return _even(path.name, time[rows], values, columns[temperature][rows] if temperature else None)
+    kinds = {name: channel.interpolation for name, channel in channels.items()}
+    return _even(path.name, time[rows], values, kinds, columns[temperature][rows] if temperature else None)
 
 
 def _time(table: Table, window: tuple[float, float] | None, problems: list[str]) -> Array:
@@ -257,18 +303,33 @@ def _clash(table: Table, name: str, written: str, channel: Channel) -> list[str]
     return [] if same else [f"{table.at(name)}: {told}"]
 
 
-def _even(name: str, time: Array, values: dict[str, Array], temperature: Array | None) -> Record:
-    """Return a record on evenly spaced instants; small jitter is evened out and told."""
+def _at(instants: Array, time: Array, values: Array, kind: str) -> Array:
+    """Return a column at other instants near its own: the nearest sample if it is held, or stands still."""
     from scipy.interpolate import make_interp_spline
 
+    nearest_one = np.searchsorted(0.5 * (time[1:] + time[:-1]), instants)
+    if kind == "hold":
+        return values[nearest_one]
+    if kind == "linear":
+        return np.interp(instants, time, values)
+    same = np.diff(values) == 0
+    still = np.append(True, same) & np.append(same, True)
+    course = make_interp_spline(time, values, k=3)(instants)
+    return np.where(still[nearest_one], values[nearest_one], course)
+
+
+def _even(
+    name: str, time: Array, values: dict[str, Array], kinds: Mapping[str, str], temperature: Array | None
+) -> Record:
+    """Return a record on evenly spaced instants; small jitter is evened out and told."""
     even = np.linspace(time[0], time[-1], len(time))
     step = even[1] - even[0]
     worst = float(np.abs(time - even).max())
     if worst <= ROUNDING_TOLERANCE * step:
-        told = () if worst <= EVEN_TOLERANCE * step else (f"instants rounded to steps of {step:g} s",)
+        told = () if worst <= EVEN_TOLERANCE * step else ("instants rounded to even steps",)
         return Record(name, even, values, told, temperature)
-    uneven = float(np.abs(np.diff(time) - step).max())
-    note = f"instants jitter by up to {uneven / step:.1%} of {step:g} s; values interpolated onto even steps"
-    values = {key: make_interp_spline(time, v, k=3)(even) for key, v in values.items()}
+    tenths = ceil(10 * worst / step) / 10
+    note = f"instants jitter by less than {tenths:g} of a step; values are interpolated onto even ones"
+    values = {key: _at(even, time, v, kinds[key]) for key, v in values.items()}
     temperature = None if temperature is None else np.interp(even, time, temperature)
     return Record(name, even, values, (note,), temperature)

@@ -158,7 +158,8 @@ static CoreStatus check_adrift(Core *c) {
     if (!c->adrift) return CORE_OK;
     return core_fail(c, CORE_ERROR,
                      "at t = %g s nothing with inertia moves with %s, which no longer holds; join a Mass "
-                     "(or an Inertia) where it slides",
+                     "(or an Inertia) where it slides, or, if a spring is in series with it, take a Jenkins for "
+                     "both",
                      c->t, model_block_label[c->adrift - 1]);
 }
 

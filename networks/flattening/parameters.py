@@ -147,6 +147,12 @@ class _View:
     def __init__(self, table: ParameterTable, instance: Instance) -> None:
         self._table, self._instance = table, instance
 
+    @property
+    def _owner(self) -> _View:
+        """What encloses it."""
+        assert self._instance.parent is not None
+        return _View(self._table, self._instance.parent)
+
     def __getattr__(self, name: str) -> Any:
         component: Component = self._instance.component
         field = type(component).fields.get(name)

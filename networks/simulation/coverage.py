@@ -58,7 +58,7 @@ def jump_remedy(inputs: Sequence[Input], path: str) -> str:
     """Return what helps an input of which a cubic spline makes something else."""
     if any(declared.path == path and declared.order for declared in inputs):
         return "its derivative is needed, so sample it faster, or give it as smooth as it can have been"
-    return "interpolation='linear' stays within the samples"
+    return "interpolation='linear' stays within the samples, 'hold' keeps each until the next"
 
 
 @lru_cache(maxsize=CACHED_SIGNALS)

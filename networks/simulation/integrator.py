@@ -74,7 +74,7 @@ class Stepper:
         x, scale = closed.x, ca.DM(self.scale)
         ode, alg = closed.close(closed.dae.ode), closed.close(closed.dae.alg)
         plain = bool((self.scale == 1).all())
-        if not plain or ca.depends_on(ca.vertcat(ode, alg), closed.t):
+        if not plain or closed.sampled or ca.depends_on(ca.vertcat(ode, alg), closed.t):
             rates = closed.function("rates", ode, alg)
             ode, alg = rates(x if plain else x * scale, closed.z, closed.q, begin + span * tau)
         if not self.nx:

@@ -1,8 +1,9 @@
-"""Sampled signals between their instants, by cubic splines or straight lines, and beyond if they are held."""
+"""Sampled signals between their instants, as splines, lines or steps, and beyond if they are held there."""
 
 from __future__ import annotations
 
 from functools import lru_cache
+from math import inf
 from typing import Any
 
 import casadi as ca
@@ -12,8 +13,8 @@ from ...base import Array
 from ...components.language import Sampled
 
 CACHED_SIGNALS = 64
-SMOOTHNESS = {"cubic": 3, "linear": 0}
-"""The order of the last derivative that a signal has, by its interpolation."""
+SMOOTHNESS = {"cubic": 3, "linear": 0, "hold": inf}
+"""The order of the last derivative that a signal has between its jumps, by its interpolation."""
 
 
 @lru_cache(maxsize=CACHED_SIGNALS)
@@ -21,17 +22,27 @@ def piecewise(signal: Sampled) -> Any:
     """Return a signal as a `scipy.interpolate.PPoly`, of instants and order of derivative."""
     from scipy.interpolate import CubicSpline, PPoly
 
+    instants = signal.time
     if signal.interpolation == "cubic":
         powers = CubicSpline(signal.time, signal.values).c
+    elif signal.interpolation == "hold":
+        powers = np.vstack([np.zeros((3, len(signal.values))), signal.values])
+        instants = np.append(instants, 2 * instants[-1] - instants[-2])
     else:
         slopes = np.diff(signal.values) / np.diff(signal.time)
         powers = np.vstack([np.zeros((2, len(slopes))), slopes, signal.values[:-1]])
-    instants = signal.time
     if signal.extrapolation == "hold":
         powers = np.pad(powers, ((0, 0), (1, 1)))
         powers[3, [0, -1]] = signal.values[[0, -1]]
         instants = np.r_[instants[0] - 1.0, instants, instants[-1] + 1.0]
     return PPoly(powers, instants)
+
+
+def breaks(signal: Sampled) -> Array:
+    """Return the instants at which a signal jumps, or begins or ends to be held beyond its samples."""
+    if signal.interpolation == "hold":
+        return signal.time[1:][np.diff(signal.values) != 0]
+    return signal.time[[0, -1]] if signal.extrapolation == "hold" else signal.time[:0]
 
 
 def sampled_at(signal: Sampled, times: Array, order: int = 0) -> Array:
@@ -43,7 +54,7 @@ def sampled_at(signal: Sampled, times: Array, order: int = 0) -> Array:
 
 @lru_cache(maxsize=CACHED_SIGNALS)
 def traced(signal: Sampled, order: int = 0) -> Any:
-    """Return a signal, or the second derivative of a cubic one, as a CasADi function of time.
+    """Return a signal, or the second derivative of one that is not linear, as a CasADi function of time.
 
     A signal that is not held goes on smoothly for the length of a sample beyond its ends, and stays there,
     so that an integrator may look ahead. At an end it is continued from the right.
@@ -68,6 +79,8 @@ def _ends(signal: Sampled) -> tuple[float, float]:
 
 
 def _between(signal: Sampled) -> Any:
+    if signal.interpolation == "hold":
+        return _held(signal)
     if signal.interpolation == "linear":
         return ca.interpolant("linear", "linear", [signal.time], signal.values)
     from scipy.interpolate import make_interp_spline
@@ -79,8 +92,15 @@ def _between(signal: Sampled) -> Any:
     return ca.Function.bspline("cubic", [spline.t.tolist()], spline.c.tolist(), [3], 1)
 
 
-def _curvature(signal: Sampled) -> Any:
-    from scipy.interpolate import CubicSpline
+def _held(signal: Sampled) -> Any:
+    """Return the last sample at or before an instant, the first one before all."""
+    t = ca.MX.sym("t")
+    edges = np.append(signal.time, signal.time[-1] + 1.0)
+    number = ca.low(ca.MX(ca.DM(edges)), t, {"lookup_mode": "binary"})
+    sample = ca.interpolant("sample", "linear", [np.arange(len(signal.values))], signal.values)
+    return ca.Function("held", [t], [sample(number)])
 
-    values = CubicSpline(signal.time, signal.values)(signal.time, 2)
+
+def _curvature(signal: Sampled) -> Any:
+    values = piecewise(signal)(signal.time, 2)
     return ca.interpolant("curvature", "linear", [signal.time], values)

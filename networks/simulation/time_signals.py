@@ -16,7 +16,7 @@ from ..evaluation.compiled import Batch
 from ..flattening.vectors import column, pick, stacked
 from .input_signals import Polynomial, input_value
 from .intervals import Bounds, Enclosure, instructions
-from .splines import sampled_at
+from .splines import breaks, sampled_at
 
 if TYPE_CHECKING:
     from ..dae import DAE
@@ -77,11 +77,11 @@ class TimeSignals:
         return np.maximum(np.abs(below), np.abs(above))
 
     def ends(self, begin: float, stop: float) -> tuple[Array, Array]:
-        """Return the neighbouring instants between which data that are held begin or end."""
+        """Return the neighbouring instants between which data jump, or that are held begin or end."""
         signals = [self._closed.given[k][1] for k in self._drawn]
-        held = [s for s in signals if isinstance(s, Sampled) and s.extrapolation == "hold"]
-        instants = np.unique([s.time[end] for s in held for end in (0, -1)])
-        inside = instants[(begin < instants) & (instants < stop)]
+        found = [breaks(s) for s in signals if isinstance(s, Sampled)]
+        instants = np.unique(np.concatenate([np.zeros(0), *found]))
+        inside = instants[(begin < instants) & (instants <= stop)]
         return np.nextafter(inside, -np.inf), inside
 
     def within_data(self, low: Array, high: Array) -> Flags:

@@ -63,7 +63,8 @@ class Completion:
         if self.adrift:
             raise SimulationError(
                 f"at t = {t:.9g} s nothing with inertia moves with {', '.join(self.adrift)}, which no "
-                "longer holds; join a Mass (or an Inertia) where it slides"
+                "longer holds; join a Mass (or an Inertia) where it slides, or, if a spring is in series "
+                "with it, take a Jenkins for both"
             )
 
     def tell_shared(self, labels: list[str]) -> None:

@@ -278,6 +278,16 @@ def test_measured_input_as_fit_reads_it() -> None:
     assert table["push.f"].to_numpy() == pytest.approx(1e3 * (table.index - 1.0), abs=1e-9)
 
 
+def test_a_measured_input_may_be_held() -> None:
+    Path("steps.csv").write_text("time,push.f\n0,1\n0.5,-2\n1,0\n")
+    asked = "run", "model.py:driven", "--input", "steps.csv"
+    good(*asked, "--hold", "push*", "--out", "run.npz", "--signals", "push.f")
+    assert set(ia.load_table("run.npz")["push.f"]) == {1.0, -2.0, 0.0}
+    error = refused(2, *asked, "--hold", "pusch.f")
+    assert "no column 'pusch.f' is there to be held; did you mean 'push.f'?" in error
+    assert "give --input FILE too" in refused(2, "run", "model.py:driven", "--hold", "push.f")
+
+
 def test_a_saved_result_is_an_input() -> None:
     good(
         "run", "model.py:driven", "--input", data("push.csv"), "--out", "again.parquet", "--signals", "push.f"

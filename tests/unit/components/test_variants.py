@@ -111,16 +111,6 @@ def test_friction_that_follows_a_signal(turning: bool) -> None:
 
 
 @pytest.mark.parametrize("turning", [False, True])
-def test_damping_that_follows_a_signal(turning: bool) -> None:
-    family = rotational if turning else ia
-    net = driven(family.DriftingDamper(d=1.0, d_u=-0.3), turning)
-    net.add(clock=ia.signals.Clock()).connect(net.clock.y, net.element.u)
-    run = net.simulate(6.0, step=0.01)
-    law = (1 - 0.3 * run.time) * np.cos(run.time)
-    assert run["element.tau" if turning else "element.f"] == pytest.approx(law, abs=1e-9)
-
-
-@pytest.mark.parametrize("turning", [False, True])
 def test_friction_builds_up_before_it_slips(turning: bool) -> None:
     """From 0 to 1 it comes within exp(-1/0.2) of its end; then it falls from there."""
     element = rotational.DahlFriction(tau_c=3.0, phi_p=0.2) if turning else ia.DahlFriction(f_c=3.0, s_p=0.2)

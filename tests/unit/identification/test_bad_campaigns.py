@@ -175,8 +175,6 @@ RECORDS = {
     "an instant twice": (changed(0, 10, ROWS[9][0]), "line 12, column 'time': 0.045 stands there twice (1 such); keep one line of each instant"),
     "a gap": (csv(ROWS[:50] + ROWS[70:]), "line 52, column 'time': a gap of 0.105 s before 0.35 s, where samples are 0.005 s apart"),
     "two sampling rates": (csv([[t if t < 0.5 else 2 * t - 0.5, x, f] for t, x, f in ROWS]), "column 'time': samples are not evenly spaced (0.005 to 0.01 s); resample the record"),
-    "constant input": (csv([[t, 1.0, f] for t, _, f in ROWS]), "train.csv, column 'x': the value is 1 throughout; it excites nothing"),
-    "dead sensor": (csv([[t, x, 0.0] for t, x, _ in ROWS]), "train.csv, column 'F': the value is 0 throughout; is the sensor connected?"),
     "saturated sensor": (csv([[t, x, min(f, 1.0)] for t, x, f in ROWS]), "column 'F': stays at 1, an extreme, as if the sensor were saturated; measure with a larger range"),
     "unknown unit": (csv(header="time,x [furlong],F"), "train.csv, line 1, column 'x': there is no unit 'furlong'"),
     "time in millimetres": (csv(header="time [mm],x,F"), "train.csv, line 1, column 'time': 'mm' measures m, the quantity of the model is in s; give one of s, ms, us, min"),
@@ -188,6 +186,11 @@ RECORDS = {
 def test_what_is_wrong_in_a_record_is_told(folder: Path, content: str | bytes, told: str) -> None:
     (folder / "train.csv").write_bytes(content if isinstance(content, bytes) else content.encode())
     refused(folder, "[[train]] 1" if "copy" not in told else "", told)
+
+
+def test_a_dead_sensor_is_told(folder: Path) -> None:
+    (folder / "train.csv").write_text(csv([[t, x, 0.0] for t, x, _ in ROWS]))
+    refused(folder, "channels.F: it is 0 N throughout all training records; is the sensor connected?")
 
 
 @pytest.mark.parametrize("ending", [".mat", ".npz", ".parquet"])

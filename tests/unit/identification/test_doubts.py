@@ -221,7 +221,9 @@ def test_a_sensor_that_sticks_on_the_way_is_told_and_one_that_is_dead_refused() 
     coarse = Record("run", run.time, {**run.values, "x": np.round(run.values["x"], 2)})
     assert not Campaign(model(), CHANNELS, PRIORS, [{"record": coarse}]).notes
     dead = Record("run", run.time, {**run.values, "x": np.full(len(run.time), 0.2)})
-    with pytest.raises(ia.ModelError, match=r"'x' is 0\.2 throughout; is the sensor connected"):
+    with pytest.raises(
+        ia.ModelError, match=r"x: it is 0\.2 m throughout all training .*; is the sensor connected"
+    ):
         Campaign(model(), CHANNELS, PRIORS, [{"record": dead}])
 
 
@@ -237,7 +239,7 @@ def test_an_input_that_jumps_between_samples_is_told_and_may_be_taken_as_linear(
     assert not campaign.notes
     stand = CampaignModel(campaign.dae, campaign.measured, campaign.training).stands[0]
     assert stand.inputs["push.f"].interpolation == "linear"
-    with pytest.raises(ia.ModelError, match="interpolation is 'cubic' or 'linear', got 'spline'"):
+    with pytest.raises(ia.ModelError, match="interpolation is 'cubic' or 'linear' or 'hold', got 'spline'"):
         Campaign(
             model(), {**linear, "F": {**CHANNELS["F"], "interpolation": "spline"}}, PRIORS, [{"record": run}]
         )

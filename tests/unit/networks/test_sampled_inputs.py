@@ -219,5 +219,5 @@ def test_what_is_no_column_of_numbers_is_refused(time: Any, values: Any, told: s
 def test_words_that_are_no_choice_are_refused() -> None:
     with pytest.raises(ia.ModelError, match="extrapolation is 'none' or 'hold', got 'last'"):
         ia.Sampled(COUNT, COUNT, extrapolation="last")
-    with pytest.raises(ia.ModelError, match="interpolation is 'cubic' or 'linear', got 'spline'"):
+    with pytest.raises(ia.ModelError, match="interpolation is 'cubic' or 'linear' or 'hold', got 'spline'"):
         ia.Sampled(COUNT, COUNT, interpolation="spline")
