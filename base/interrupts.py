@@ -54,7 +54,10 @@ _HERE = local()
 
 @contextmanager
 def interruptible() -> Iterator[None]:
-    """Let Ctrl-C end what goes on within only at `heed` and in `foreign` calls.
+    """Let Ctrl-C end what goes on within only at `heed` and in `foreign` calls; also as a decorator.
+
+    CasADi calls Python back while it looks at arguments, and forgets what that raises: around what builds
+    equations, Ctrl-C waits.
 
     Does nothing in threads that signals do not reach, and where Ctrl-C is ignored.
     """

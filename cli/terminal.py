@@ -100,10 +100,12 @@ def insisting() -> Iterator[None]:
     Compiled libraries print what they drop before they drop it: of Ctrl-C, nothing is printed.
     """
     before, before_printed = sys.unraisablehook, sys.excepthook
+    again: list[Timer] = []
 
     def told(dropped: Any) -> None:
         if issubclass(dropped.exc_type, KeyboardInterrupt):
-            Timer(RESEND_SECONDS, _send).start()
+            again.append(Timer(RESEND_SECONDS, _send))
+            again[-1].start()
         else:
             before(dropped)
 
@@ -115,6 +117,8 @@ def insisting() -> Iterator[None]:
     try:
         yield
     finally:
+        for timer in again:
+            timer.cancel()
         sys.unraisablehook, sys.excepthook = before, before_printed
 
 

@@ -118,8 +118,10 @@ class Stepper:
 
     def reached(self) -> Stretch:
         """Return what a call that Ctrl-C ended had computed."""
-        stretch = self._stretched(self._compiled.results())
         done = round(self._compiled.filled() * self.nodes)
+        if not done:  # perhaps not even begun, when there are no statistics
+            return Stretch(np.zeros((0, self.nx)), np.zeros((0, self._closed.z.numel())), 0)
+        stretch = self._stretched(self._compiled.results())
         return Stretch(stretch.states[:done], stretch.algebraic[:done], stretch.steps)
 
     def now(self) -> float:

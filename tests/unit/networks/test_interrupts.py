@@ -6,6 +6,7 @@ import signal
 import subprocess
 import sys
 import time
+from contextlib import suppress
 from pathlib import Path
 from threading import Timer
 from typing import Any
@@ -161,3 +162,15 @@ def swing() -> ia.Network:
     net = ia.Network("swing", wall=ia.Fixed(), spring=ia.Spring(k=1e6), mass=ia.Mass(m=1.0, s=0.1))
     net.connect(net.wall.flange, net.spring.flange_a)
     return net.connect(net.spring.flange_b, net.mass.flange)
+
+
+def test_ctrl_c_while_equations_are_built_is_not_lost() -> None:
+    def forgotten(t: Any) -> Any:
+        with suppress(KeyboardInterrupt):  # as CasADi forgets what Python raises where it is called back
+            signal.raise_signal(signal.SIGINT)
+        return t
+
+    net = ia.Network("pressed", push=ia.Force(f=forgotten), mass=ia.Mass(m=1.0))
+    net.connect(net.push.flange, net.mass.flange)
+    with pytest.raises(KeyboardInterrupt):
+        net.simulate(0.01)
