@@ -8,7 +8,7 @@ from math import inf
 
 import numpy as np
 
-from ...base import Array
+from ...base import Array, computing
 from ...components import SimulationError
 from ...identification import Ending, Experiment, descent
 from .. import criteria
@@ -130,6 +130,7 @@ class JointFit:
         prior = self.pull * vector[: len(self.names)]
         return Refit(fitted, placed, train, test, cost + float(prior @ prior), stretches(self.study.judged))
 
+    @computing("a trial of the parameters")
     def stacked(self, vector: Array, slopes: bool) -> tuple[Array, Array | None]:
         """Return residuals of all training records and of the priors, and their slopes if wanted."""
         found = [self.linearise(vector, e, slopes) for e in self.campaign.training]

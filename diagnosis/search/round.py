@@ -7,6 +7,7 @@ from collections.abc import Collection, Iterator, Sequence
 from dataclasses import dataclass, field
 from functools import lru_cache
 
+from ...base import computing
 from ...components import InertanceError
 from ...identification import Accuracy, Campaign
 from .. import criteria
@@ -116,7 +117,9 @@ def _fit(study: Study, base: Refit, candidate: Candidate, fitted: Sequence[Refit
     name = f"{candidate.effect.kind}_{len(base.effects) + 1}"
     placed = Hypothesis(candidate.effect, candidate.site, name, candidate.values)
     try:
-        found = JointFit(study, base.parameters, [*base.effects, placed]).fitted(_starts(candidate, fitted))
+        with computing(candidate.label):
+            fit = JointFit(study, base.parameters, [*base.effects, placed])
+            found = fit.fitted(_starts(candidate, fitted))
     except InertanceError as error:
         return f"its fit ended early: {str(error).partition(chr(10))[0]}"
     values = found.effects[-1].values
