@@ -55,6 +55,7 @@ from .interrupts import RunInterruptedError as RunInterruptedError
 from .interrupts import foreign as foreign
 from .interrupts import heed as heed
 from .interrupts import interruptible as interruptible
+from .numerics import computing as computing
 from .private_imports import module_of as module_of
 from .processes import Processes as Processes
 from .quiet import numpy_on_symbols as numpy_on_symbols

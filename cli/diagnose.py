@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import os
 from contextlib import nullcontext
-from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
@@ -14,7 +13,7 @@ from ..base import Processes
 from ..components import InertanceError, ModelError
 from .failure import FAILED, INTERRUPTED, WRONG_USE, fail, failing
 from .outputs import JSON, PAGES, expect
-from .terminal import CommandConsole, table_of
+from .terminal import CommandConsole, progress, table_of
 
 if TYPE_CHECKING:
     from ..diagnosis import Verdict
@@ -52,9 +51,7 @@ def diagnose(
     with failing(WRONG_USE, ModelError):
         loaded = Campaign.load(campaign, validate=validate, reader=read_model)
     count = jobs or os.cpu_count() or 1
-    console = CommandConsole(stderr=True)
-    with failing(FAILED, InertanceError), console.status("reading") as status:
-        tell = status.update if console.is_terminal else partial(console.print, highlight=False, markup=False)
+    with failing(FAILED, InertanceError), progress("reading") as tell:
         try:
             with Processes(count, "spawn") if count > 1 else nullcontext() as pool:
                 verdict = run_diagnosis(loaded, executor=pool, solver=solver, budget=budget, report=tell)

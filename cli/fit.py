@@ -14,7 +14,7 @@ from ..identification import Campaign, Fit, FitInterruptedError
 from ..identification import fit as fitted
 from .failure import INTERRUPTED, WRONG_USE, fail, failing
 from .outputs import JSON, PICTURES, draw, expect
-from .terminal import CommandConsole
+from .terminal import progress
 
 EXAMPLES = """\b
 Examples:
@@ -59,13 +59,9 @@ def fit(
 
 
 def _fitted(campaign: Campaign, starts: int, workers: int, solver: str) -> Fit:
-    with CommandConsole(stderr=True).status("Fitting ...") as status:
-
-        def report(line: str) -> None:
-            status.update(f"Fitting: {line}")
-
+    with progress("fitting") as tell:
         try:
             with Processes(workers, "spawn") if min(workers, starts) > 1 else nullcontext() as executor:
-                return fitted(campaign, starts=starts, executor=executor, solver=solver, report=report)
+                return fitted(campaign, starts=starts, executor=executor, solver=solver, report=tell)
         except FitInterruptedError as interrupt:
             return interrupt.fit

@@ -14,6 +14,7 @@ from ..components import ModelError
 from .arguments import ConstantInputs, Model, StartValues, load_network, pairs
 from .failure import FAILED, WRONG_USE, clean, fail, failing
 from .outputs import JSON, expect
+from .terminal import progress
 
 EXAMPLES = """\b
 Examples:
@@ -142,9 +143,10 @@ def import_test(
 
     expect("--out", out, [".csv"])
     fmu = FMU(file, isolated=isolated, timeout=timeout, validate=validate)
-    run = fmu.simulate(
-        stop, step=step, kind=kind, inputs=pairs("--input", data), parameters=pairs("--set", values)
-    )
+    inputs, parameters = pairs("--input", data), pairs("--set", values)
+    with progress("reading") as tell:
+        tell(f"running {fmu!r}")
+        run = fmu.simulate(stop, step=step, kind=kind, inputs=inputs, parameters=parameters)
     if out is not None:
         with writing(out) as part:
             run.to_dataframe().to_csv(part, encoding="utf-8")

@@ -8,7 +8,7 @@ import os
 import signal
 import sys
 import unicodedata
-from collections.abc import Container, Iterable, Iterator
+from collections.abc import Callable, Container, Iterable, Iterator
 from contextlib import contextmanager, suppress
 from threading import Timer, main_thread
 from types import TracebackType
@@ -16,6 +16,7 @@ from typing import Any
 
 from rich.console import Console, JustifyMethod, OverflowMethod
 from rich.table import Table
+from rich.text import Text
 
 PLAIN_WORDS = {
     "\N{GREATER-THAN OR EQUAL TO}": ">=", "\N{LESS-THAN OR EQUAL TO}": "<=", "\N{EN DASH}": "-",
@@ -46,6 +47,22 @@ def table_of(
         justify: JustifyMethod = "left" if heading in words else "right"
         table.add_column(heading, justify=justify, overflow=overflow)
     return table
+
+
+@contextmanager
+def progress(first: str) -> Iterator[Callable[[str], None]]:
+    """Give a function that tells how far a command is: in one line of a terminal, else in lines on stderr."""
+    console = CommandConsole(stderr=True)
+
+    with console.status(first) as status:
+
+        def tell(line: str) -> None:
+            if console.is_terminal:
+                status.update(Text(line))
+            else:
+                console.print(line, highlight=False, markup=False, soft_wrap=True)
+
+        yield tell
 
 
 def prepare() -> None:
@@ -83,10 +100,12 @@ def insisting() -> Iterator[None]:
     Compiled libraries print what they drop before they drop it: of Ctrl-C, nothing is printed.
     """
     before, before_printed = sys.unraisablehook, sys.excepthook
+    again: list[Timer] = []
 
     def told(dropped: Any) -> None:
         if issubclass(dropped.exc_type, KeyboardInterrupt):
-            Timer(RESEND_SECONDS, _send).start()
+            again.append(Timer(RESEND_SECONDS, _send))
+            again[-1].start()
         else:
             before(dropped)
 
@@ -98,6 +117,8 @@ def insisting() -> Iterator[None]:
     try:
         yield
     finally:
+        for timer in again:
+            timer.cancel()
         sys.unraisablehook, sys.excepthook = before, before_printed
 
 

@@ -11,7 +11,7 @@ from time import monotonic
 
 import numpy as np
 
-from ..base import above, between, demand, function, instance, one_of, optional
+from ..base import above, between, computing, demand, function, instance, one_of, optional
 from ..components import InertanceError, ModelError
 from ..identification import Accuracy, Campaign
 from ..networks import COARSEST, FINEST, SOLVERS, chosen_solver
@@ -26,6 +26,7 @@ from .verdict.decide import decided
 from .verdict.verdict import DiagnosisInterruptedError, Verdict
 
 
+@computing("the diagnosis")
 def diagnose(
     campaign: Campaign | str | Path,
     *,

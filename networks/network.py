@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping
 from typing import TYPE_CHECKING, Any, Self
 
-from ..base import ModelError, check_keywords, nearest, text
+from ..base import ModelError, check_keywords, interruptible, nearest, text
 from ..components.language import Component, PortRef, parts_of
 
 if TYPE_CHECKING:
@@ -147,6 +147,7 @@ class Network(Component):
         self._joined = [tuple(twin(port) for port in ports) for ports in self._joined]
         self._inserted = [(twin(port), name) for port, name in self._inserted]
 
+    @interruptible()
     def dae(self) -> DAE:
         """Return the network's equations: flattened, reduced to index 1, states chosen."""
         from .flattening.flatten import flatten

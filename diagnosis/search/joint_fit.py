@@ -8,7 +8,7 @@ from math import inf
 
 import numpy as np
 
-from ...base import Array
+from ...base import Array, computing
 from ...components import SimulationError
 from ...identification import Ending, Experiment, Iterate, descent
 from .. import criteria
@@ -135,6 +135,7 @@ class JointFit:
         independent = sum(experiment.independent for experiment in judged)
         return Refit(fitted, placed, train, test, cost + float(prior @ prior), stretches(judged), independent)
 
+    @computing("a trial of the parameters")
     def stacked(self, vector: Array, slopes: bool) -> tuple[Array, Array | None]:
         """Return residuals of all training records and of the priors, and their slopes if wanted."""
         found = [self.linearise(vector, e, slopes) for e in self.campaign.training]

@@ -8,6 +8,7 @@ from dataclasses import dataclass, field
 from functools import lru_cache
 from math import inf
 
+from ...base import computing
 from ...components import InertanceError
 from ...identification import Accuracy, Campaign
 from .. import criteria
@@ -146,9 +147,10 @@ def _fit(study: Study, base: Refit, candidate: Candidate, fitted: Sequence[Refit
     name = f"{candidate.effect.kind}_{len(base.effects) + 1}"
     placed = Hypothesis(candidate.effect, candidate.site, name, candidate.values)
     try:
-        model = JointFit(study, base.parameters, [*base.effects, placed])
-        best = min((other.cost for other in fitted), default=inf)
-        found = model.fitted(_starts(candidate, fitted), (best, base.cost))
+        with computing(candidate.label):
+            model = JointFit(study, base.parameters, [*base.effects, placed])
+            best = min((other.cost for other in fitted), default=inf)
+            found = model.fitted(_starts(candidate, fitted), (best, base.cost))
     except InertanceError as error:
         return f"its fit ended early: {str(error).partition(chr(10))[0]}"
     values = found.effects[-1].values

@@ -16,7 +16,7 @@ from typing import Any
 
 import numpy as np
 
-from ...base import Array
+from ...base import Array, computing
 from ..criteria import CHANNEL_PROBE_SHARE, DEPENDENT_EIGENVALUE_RATIO, FOUND_EFFECT_DEVIATIONS
 from ..effects.effect import EFFECTS, Effect, Motion
 from ..effects.hypothesis import Hypothesis, SitedEffect, inserted
@@ -60,6 +60,7 @@ class _Sums:
         self.tallies: dict[tuple[str, str, tuple[float, ...]], _Tally] = {}
 
 
+@computing("the screening of effects")
 def screen(
     study: Study, parameters: Mapping[str, float], effects: Sequence[Hypothesis] = ()
 ) -> list[Candidate]:

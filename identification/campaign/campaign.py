@@ -27,6 +27,7 @@ from .stages import Stage, read_stages
 from .ties import changes, limits_of, read_ties, shares, tied
 
 REQUIRED_KEYS = ("model", "channels", "parameters", "train")
+LEAST_NOISE_SHARE = 1e-12  # of the largest value measured: numbers resolve it 4000 times
 TABLES = ("port", "channels", "parameters", "noise")
 LISTS = ("train", "test", "stage")
 KINDS = {
@@ -131,7 +132,7 @@ class Campaign:
         if len(self.training) == len(self.train):
             problems.add(*self._dead_sensors())
         stated = read_noise(self.noise, channels, self.channels, problems)
-        problems.add(*self._noise_above_signals(stated))
+        problems.add(*self._noise_beside_signals(stated))
         if self.training and len(self.training) == len(self.train):
             self.stages = read_stages(self.stage, self.priors, self.outputs, self.training, problems)
             problems.add(*self._records_fitted_twice())
@@ -288,12 +289,17 @@ class Campaign:
                     "values; give a record that begins at rest"
                 )
 
-    def _noise_above_signals(self, stated: Mapping[str, float]) -> Iterator[str]:
+    def _noise_beside_signals(self, stated: Mapping[str, float]) -> Iterator[str]:
         for name, sigma in stated.items() if self.training else ():
-            largest = max(float(np.std(e.record.values[name])) for e in self.training)
+            channel, values = self.measured[name], [e.record.values[name] for e in self.training]
+            largest, size = max(map(np.std, values)), unit_for(channel.unit, channel.si).factor
+            highest = max(float(np.abs(v).max()) for v in values)
+            if sigma < LEAST_NOISE_SHARE * highest:
+                yield (
+                    f"noise.{name}: {sigma / size:g} {channel.unit} is less than any sensor's beside the "
+                    f"{highest / size:.3g} {channel.unit} that were measured; give what scatters in repeats"
+                )
             if sigma > largest > 0:
-                channel = self.measured[name]
-                size = unit_for(channel.unit, channel.si).factor
                 yield (
                     f"noise.{name}: {sigma / size:g} {channel.unit} is more than all that was measured "
                     f"({largest / size:.3g} {channel.unit}, standard deviation); correct it or its unit"

@@ -74,7 +74,7 @@ def _channel_problems(channel: Channel, others: Mapping[str, Channel], machine: 
 
 def _missing(entries: Mapping[str, Any], channels: Mapping[str, Channel], machine: Machine) -> Iterator[str]:
     """Yield inputs that nothing drives, unless a faulty channel was meant to."""
-    meant = {entry.get("input") for entry in entries.values() if isinstance(entry, Mapping)}
+    meant = {str(entry.get("input")) for entry in entries.values() if isinstance(entry, Mapping)}
     given = {channel.path for channel in channels.values() if channel.driven} | meant
     for declared in machine.inputs:
         if declared.order == 0 and declared.signal is None and declared.path not in given:

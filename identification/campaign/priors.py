@@ -13,6 +13,8 @@ from ...components.language import Parameter
 from .machine import Machine
 from .problems import NUMBER, Problems
 
+LARGEST_NUMBER = 1e60  # of a parameter, in SI units, whose powers are numbers, too
+LEAST_REL = 1e-12  # that numbers resolve
 KINDS = {"rel": NUMBER, "min": NUMBER, "max": NUMBER}
 
 
@@ -90,10 +92,16 @@ def _prior(
 
 
 def _prior_problems(prior: Prior, entry: Mapping[str, float]) -> Iterator[str]:
-    if entry.get("rel", 1.0) <= 0:
-        yield f"rel must be above 0, got {entry['rel']:g}"
+    rel = entry.get("rel", 1.0)
+    if rel <= 0:
+        yield f"rel must be above 0, got {rel:g}"
+    elif rel < LEAST_REL:
+        yield f"rel {rel:g} leaves no freedom; leave out what is known, or give at least {LEAST_REL:g}"
     elif "rel" in entry and prior.center == 0:
         yield "rel of a value that is 0 leaves no freedom; give min and max"
+    for name, value in {"rel": prior.sd, "min": prior.min, "max": prior.max}.items():
+        if name in entry and abs(value) > LARGEST_NUMBER:
+            yield f"{name} {entry[name]:g} is beyond any machine; give what the parameter may be"
     if not prior.min < prior.max:
         yield f"min {prior.min:g} must be below max {prior.max:g}"
     elif not prior.min <= prior.center <= prior.max:

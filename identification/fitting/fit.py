@@ -7,7 +7,7 @@ from concurrent.futures import Executor
 from dataclasses import replace
 from pathlib import Path
 
-from ...base import Array, between, demand, function, instance, one_of, optional, whole
+from ...base import Array, between, computing, demand, function, instance, one_of, optional, whole
 from ...components import ModelError, SimulationError
 from ...networks import COARSEST, FINEST, SOLVERS, chosen_solver
 from ..campaign.campaign import Campaign
@@ -24,6 +24,7 @@ STEPS_TO_A_START = 4  # of the least squares that find start and offsets of a te
 Fitted = tuple[ResidualBlock, Array]  # a record in a stage, and its nuisances
 
 
+@computing("the fit")
 def fit(
     campaign: Campaign | str | Path,
     *,

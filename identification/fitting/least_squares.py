@@ -111,7 +111,9 @@ def descent(
 
 def _sloped(residuals: Residuals, x: Array) -> tuple[Array, Array]:
     rest, slopes = residuals(x, True)
-    if slopes is None or not (np.isfinite(rest).all() and np.isfinite(slopes).all()):
+    with np.errstate(over="ignore", invalid="ignore"):
+        sound = slopes is not None and np.isfinite(rest @ rest) and np.isfinite(np.square(slopes).sum())
+    if slopes is None or not sound:
         raise SimulationError("the slopes of a run are not finite")
     return rest, slopes
 

@@ -7,7 +7,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from ...base import Array
+from ...base import Array, computing
 from ..campaign.priors import Prior
 from .campaign_model import Accuracy, Values
 from .least_squares import Ending, Iterate, descent
@@ -92,6 +92,7 @@ class FitProblem:
         p = np.clip(self._center + self.scales * moved, self._lower, self._upper)
         return dict(zip(self.priors, p.tolist(), strict=True)), nuisances
 
+    @computing("a trial of the parameters")
     def _stacked(self, vector: Array, slopes: bool) -> tuple[Array, Array]:
         """Return residuals of all records, of priors and of nuisances, and their slopes."""
         values, nuisances = self._parts(vector)

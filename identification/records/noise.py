@@ -134,7 +134,8 @@ def repeated_floor(record: Record, other: Record, channel: str) -> NoiseFloor:
     """Estimate noise from two runs under one excitation: their difference over the root of two."""
     count = min(len(record.time), len(other.time))
     difference = record.values[channel][:count] - other.values[channel][:count]
-    return NoiseFloor(max(float(difference.std() / np.sqrt(2)), 1e-300), "repeats")
+    least = LEAST_RANGE_SHARE * float(np.ptp(record.values[channel]))
+    return NoiseFloor(max(float(difference.std() / np.sqrt(2)), least), "repeats")
 
 
 def _quantum(values: Array) -> float:

@@ -118,8 +118,10 @@ class Stepper:
 
     def reached(self) -> Stretch:
         """Return what a call that Ctrl-C ended had computed."""
-        stretch = self._stretched(self._compiled.results())
         done = round(self._compiled.filled() * self.nodes)
+        if not done:  # perhaps not even begun, when there are no statistics
+            return Stretch(np.zeros((0, self.nx)), np.zeros((0, self._closed.z.numel())), 0)
+        stretch = self._stretched(self._compiled.results())
         return Stretch(stretch.states[:done], stretch.algebraic[:done], stretch.steps)
 
     def now(self) -> float:
@@ -134,11 +136,14 @@ class Stepper:
         function = self._divided(_parts(span, max_step)).function
         forward = function.forward(count)
         given = {"x0": point.x / self.scale, "z0": point.z, "p": np.append(point.q, (point.t, span))}
-        with foreign():
-            given |= {f"out_{name}": value for name, value in function(**given).items()}
-            given["fwd_x0"] = of_x / self.scale[:, None]
-            given["fwd_p"] = np.vstack([of_q, np.zeros((2, count))])
-            result = forward(**{name: given[name] for name in forward.name_in() if name in given})
+        try:
+            with foreign():
+                given |= {f"out_{name}": value for name, value in function(**given).items()}
+                given["fwd_x0"] = of_x / self.scale[:, None]
+                given["fwd_p"] = np.vstack([of_q, np.zeros((2, count))])
+                result = forward(**{name: given[name] for name in forward.name_in() if name in given})
+        except RuntimeError as error:
+            raise IntegratorError(str(error)) from error
         by_seed = result["fwd_xf"].full()[: self.nx].reshape(self.nx, count, self.nodes)
         moved: Array = by_seed.transpose(0, 2, 1) * self.scale[:, None, None]
         return moved

@@ -11,7 +11,7 @@ from typing import Any, Never
 
 import numpy as np
 
-from ...base import ModelError, check_keywords, heed, listed, named
+from ...base import ModelError, check_keywords, heed, interruptible, listed, named
 from ...components.language import Component
 from ..dae import DAE
 from ..given import dae_of
@@ -30,6 +30,7 @@ from .settings import ATOL, RTOL, Settings
 from .smooth import run_smooth, smooth_stepper
 
 
+@interruptible()
 def simulate(
     network: Component | DAE,
     stop: float,

@@ -10,7 +10,19 @@ import casadi as ca
 import numpy as np
 from numpy.typing import NDArray
 
-from ...base import Array, ModelError, demand, finite, instance, listed, named, nearest, numbers, shown
+from ...base import (
+    Array,
+    ModelError,
+    demand,
+    finite,
+    instance,
+    interruptible,
+    listed,
+    named,
+    nearest,
+    numbers,
+    shown,
+)
 from ..dae import DAE
 from ..evaluation.compiled import Batch, dense
 from ..evaluation.jacobians import Slopes
@@ -61,6 +73,7 @@ class Variations:
         (501, 1, 3)
     """
 
+    @interruptible()
     def __init__(self, dae: DAE, signals: Sequence[str], parameters: Sequence[str]) -> None:
         demand("Variations", dae=(dae, instance(DAE)))
         signals, parameters = listed("signals", signals), listed("parameters", parameters)

@@ -6,13 +6,15 @@ import signal
 import subprocess
 import sys
 import time
+from contextlib import suppress
 from pathlib import Path
-from threading import Timer
+from threading import Thread, Timer
 from typing import Any
 
 import inertance as ia
 import numpy as np
 import pytest
+from inertance.base import interrupts
 
 LONGEST = 1.0  # seconds of processor time, which other load on the machine does not lengthen
 HANGING = 120.0
@@ -161,3 +163,39 @@ def swing() -> ia.Network:
     net = ia.Network("swing", wall=ia.Fixed(), spring=ia.Spring(k=1e6), mass=ia.Mass(m=1.0, s=0.1))
     net.connect(net.wall.flange, net.spring.flange_a)
     return net.connect(net.spring.flange_b, net.mass.flange)
+
+
+def test_what_a_handler_tells_within_a_run_is_told(capsys: pytest.CaptureFixture[str]) -> None:
+    ear = interrupts._Ear(lambda *_: print("noted", file=sys.stderr))
+    interrupts._HERE.ear = ear
+    try:
+        with interrupts.foreign():
+            print("IDAS tells of a step", file=sys.stderr)
+            ear(signal.SIGINT, None)
+            print("and of another one", file=sys.stderr)
+        print("after it", file=sys.stderr)
+    finally:
+        interrupts._HERE.ear = None
+    assert capsys.readouterr().err == "noted\nafter it\n"
+
+
+def test_what_another_thread_tells_meanwhile_is_told(capsys: pytest.CaptureFixture[str]) -> None:
+    with interrupts.foreign():
+        elsewhere = Thread(target=print, args=("progress",), kwargs={"file": sys.stderr})
+        elsewhere.start()
+        elsewhere.join()
+        kept = sys.stderr
+    print("after it", file=kept)  # as a progress bar does that began within
+    assert capsys.readouterr().err == "progress\nafter it\n"
+
+
+def test_ctrl_c_while_equations_are_built_is_not_lost() -> None:
+    def forgotten(t: Any) -> Any:
+        with suppress(KeyboardInterrupt):  # as CasADi forgets what Python raises where it is called back
+            signal.raise_signal(signal.SIGINT)
+        return t
+
+    net = ia.Network("pressed", push=ia.Force(f=forgotten), mass=ia.Mass(m=1.0))
+    net.connect(net.push.flange, net.mass.flange)
+    with pytest.raises(KeyboardInterrupt):
+        net.simulate(0.01)
