@@ -158,9 +158,10 @@ class CModel:
     def _add_numbers(self, tables: Tables) -> None:
         dae, table, start = self.dae, self.dae.parameters, self.dae.declared.start
         unknowns = [*dae.states, *dae.algebraic]
-        parameters, starts = table.defaults, [float(start[v]) if v < len(start) else 0.0 for v in unknowns]
+        parameters = table.defaults
+        starts = [float(start[v]) if v < len(start) else 0.0 for v in unknowns]
         if not self.standalone:
-            parameters, starts = np.zeros(len(parameters)), [0.0] * len(starts)
+            parameters, starts = [0.0] * len(parameters), [0.0] * len(starts)
         tables.doubles(
             parameter=parameters,
             start=starts,

@@ -101,8 +101,8 @@ def _in_parts(
     to_x, to_p, _ = slopes(finer)
     A, B = (m.reshape(len(intervals), count + 1, n, -1) for m in _rates(to_x, to_p))
     t = finer.t.reshape(len(intervals), count + 1)
-    middle = (0.5 * (m[:, 1:] + m[:, :-1]).reshape(-1, n, m.shape[3]) for m in (A, B))
-    steps = _single(np.diff(t).ravel(), *middle, scale).reshape(len(t), count, n, -1)
+    a, b = (0.5 * (m[:, 1:] + m[:, :-1]).reshape(-1, n, m.shape[3]) for m in (A, B))
+    steps = _single(np.diff(t).ravel(), a, b, scale).reshape(len(t), count, n, -1)
     total = steps[:, 0]
     for k in range(1, count):
         total = steps[:, k, :, :n] @ total
