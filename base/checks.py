@@ -100,6 +100,8 @@ def numbers(check: Check) -> Check:
             flat = np.asarray(value).ravel()
         except (TypeError, ValueError):
             flat = np.array([None])
+        if flat.size and flat.dtype == np.float64:
+            flat = np.array([flat.min(), flat.max()])  # checks of floats are of ranges; NaN is in both
         wrong = (told for item in flat.tolist() if (told := check(item)))
         return next(wrong, "" if flat.size else check(None))
 

@@ -39,7 +39,8 @@ class CModel:
         signals: signal of every bound input by name; the others are `free`, set from outside.
         variables: names of what is published besides the states.
         legs: parts of a run between instants at which signals switch; none if a run brings its own.
-        products: whether derivative products are wanted, which are long.
+        standalone: whether derivative products, which are long, and default values are written; a run in this
+            process needs no products, and brings its values along.
         start: where it starts from, if it is to find that by itself.
     """
 
@@ -47,7 +48,7 @@ class CModel:
     signals: dict[str, Any]
     variables: Sequence[str]
     legs: Sequence[Leg]
-    products: bool = True
+    standalone: bool = True
     start: Start | None = None
 
     def __post_init__(self) -> None:
@@ -99,7 +100,7 @@ class CModel:
             self._function("model_reset", [], [self._others, ca.jacobian(self._others, dae.x).nz[:]]),
             self._function("model_variables", [], [published]),
             *jump_functions(dae, self._function),
-            *(self._products(published) if self.products else []),
+            *(self._products(published) if self.standalone else []),
             *(start_functions(self.start, dae.arguments()) if self.start else []),
         ]
 
@@ -157,11 +158,15 @@ class CModel:
     def _add_numbers(self, tables: Tables) -> None:
         dae, table, start = self.dae, self.dae.parameters, self.dae.declared.start
         unknowns = [*dae.states, *dae.algebraic]
+        parameters = table.defaults
+        starts = [float(start[v]) if v < len(start) else 0.0 for v in unknowns]
+        if not self.standalone:
+            parameters, starts = [0.0] * len(parameters), [0.0] * len(starts)
         tables.doubles(
-            parameter=table.defaults,
+            parameter=parameters,
+            start=starts,
             least=[_least(f) for f in table.fields],
             most=[np.inf if f.max is None else f.max for f in table.fields],
-            start=[float(start[v]) if v < len(start) else 0.0 for v in unknowns],
             nominal=nominal_sizes(dae, unknowns),
         )
         tables.integers(open=[f.above is not None for f in table.fields])

@@ -3,16 +3,13 @@
 from __future__ import annotations
 
 import ctypes
-import os
 import time as clock
 from ctypes import POINTER, Structure, byref, c_char_p, c_double, c_int, c_longlong, c_void_p, pointer
 from itertools import pairwise
 from numbers import Real
 from pathlib import Path
-from shutil import rmtree
-from tempfile import mkdtemp
 from typing import TYPE_CHECKING, Any
-from weakref import WeakKeyDictionary, finalize
+from weakref import WeakKeyDictionary
 
 import numpy as np
 from numpy.typing import NDArray
@@ -29,9 +26,10 @@ from ..simulation.input_signals import Polynomial, SignalKey
 from ..simulation.integrator import IntegratorError
 from ..simulation.point import Point
 from ..simulation.splines import piecewise
+from .library_cache import library
 from .model import CModel
 from .program import SOURCES, sources
-from .toolchain import ToolchainError, compile_shared
+from .toolchain import ToolchainError
 
 if TYPE_CHECKING:
     from ..simulation.progress import Progress
@@ -235,16 +233,9 @@ def _library(dae: DAE, functions: dict[str, Any]) -> Any:
     known = _LIBRARIES.setdefault(dae.flat, {})
     key = SignalKey(functions)
     if key not in known:
-        folder = Path(mkdtemp(prefix="inertance-"))
-        finalize(dae.flat, rmtree, folder, ignore_errors=True)
-        model = CModel(dae, functions, (), (), products=False)
-        files = model.texts() | sources((*SOURCES, "native.c"))
-        for name, text in files.items():
-            (folder / name).write_text(text, encoding="utf-8")
-        listed = [folder / name for name in files if name.endswith(".c")]
-        known[key] = _loaded(compile_shared(listed, folder / "network.so", flags=["-DCORE_RECORDS", "-O1"]))
-        if os.name == "posix":  # a loaded library needs its file no more, and processes may end at any time
-            rmtree(folder, ignore_errors=True)
+        model = CModel(dae, functions, (), (), standalone=False)
+        texts = model.texts() | sources((*SOURCES, "native.c"))
+        known[key] = library(texts, ("-DCORE_RECORDS", "-O1"), _loaded)
     return known[key]
 
 

@@ -50,8 +50,15 @@ def compile_shared(
     Raises:
         ToolchainError: if there is no compiler, with the remedies, or if it fails, with what it says.
     """
-    command = [*compiler(platform), *FLAGS, *flags, *shlex.split(os.environ.get("CFLAGS", ""))]
-    command += [*(f"-I{folder}" for folder in include), "-x", "c", "-", "-o", str(out)]
+    command = [
+        *toolchain(flags, platform),
+        *(f"-I{folder}" for folder in include),
+        "-x",
+        "c",
+        "-",
+        "-o",
+        str(out),
+    ]
     if not (platform or sys.platform).endswith(("windows", "win32")):
         command += ["-fPIC", "-lm"]
     unit = "".join(f'#include "{Path(source).resolve().as_posix()}"\n' for source in sources)
@@ -62,6 +69,11 @@ def compile_shared(
         told = "\n".join(done.stderr.strip().splitlines()[:20])
         raise ToolchainError(f"'{command[0]}' could not compile the network:\n{told}")
     return Path(out)
+
+
+def toolchain(flags: Iterable[str] = (), platform: str | None = None) -> list[str]:
+    """Return a compiler with all of its flags; see `compile_shared`."""
+    return [*compiler(platform), *FLAGS, *flags, *shlex.split(os.environ.get("CFLAGS", ""))]
 
 
 def compiler(platform: str | None = None) -> list[str]:

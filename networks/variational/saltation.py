@@ -20,7 +20,6 @@ from ..results.result import Result
 if TYPE_CHECKING:
     from ..dae import DAE
     from ..simulation.bound_dae import BoundDAE
-    from ..simulation.events.switcher import Event
 
 GRAZING_RATE = 1e-9
 Instant = tuple[float, Array, Array, Array]
@@ -42,27 +41,31 @@ def passages(result: Result) -> Iterator[Passage]:
     """Yield the passages of a run in order."""
     dae, events = result.dae, deque(result.events)
     modes_at = slice(dae.p.numel(), dae.p.numel() + dae.modes.numel())
+    transitions = _transitions(dae)
     for last, following in pairwise(result.segments):
         before, after = last.point(-1), following.point(0)
         while events and events[0].time < after[0]:
             events.popleft()
-        modes, changes = last.q[modes_at].copy(), []
+        modes, reached, changes = last.q[modes_at].tolist(), following.q[modes_at].tolist(), []
         while events and events[0].time == after[0]:
-            alike = _alike(dae, events.popleft())
+            event = events.popleft()
+            alike = transitions[event.mode, event.source, event.target]
             changes.append(alike)
             modes[dae.switching.changes[alike[0]].mode] = dae.switching.changes[alike[0]].target
-            if np.array_equal(modes, following.q[modes_at]):
+            if modes == reached:
                 break
         yield Passage(before, after, changes)
 
 
-def _alike(dae: DAE, event: Event) -> list[int]:
-    """Return the transitions of the mode, from and to the values, that an event tells of."""
+def _transitions(dae: DAE) -> dict[tuple[str, str, str], list[int]]:
+    """Return the transitions by mode and by the values that they lead from and to."""
     switching = dae.switching
-    mode = switching.mode_names.index(event.mode)
-    values = switching.mode_values[mode]
-    wanted = (mode, values.index(event.source), values.index(event.target))
-    return [n for n, c in enumerate(switching.changes) if (c.mode, c.source, c.target) == wanted]
+    found: dict[tuple[str, str, str], list[int]] = {}
+    for number, change in enumerate(switching.changes):
+        values = switching.mode_values[change.mode]
+        key = switching.mode_names[change.mode], values[change.source], values[change.target]
+        found.setdefault(key, []).append(number)
+    return found
 
 
 class SaltationMatrices:

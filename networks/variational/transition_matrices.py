@@ -101,13 +101,12 @@ def _in_parts(
     to_x, to_p, _ = slopes(finer)
     A, B = (m.reshape(len(intervals), count + 1, n, -1) for m in _rates(to_x, to_p))
     t = finer.t.reshape(len(intervals), count + 1)
-    total = np.zeros((len(t), n, n + B.shape[3]))
-    total[:, :, :n] = np.eye(n)
-    for k in range(count):
-        h, ends = t[:, k + 1] - t[:, k], slice(k, k + 2)
-        step = _single(h, A[:, ends].mean(axis=1), B[:, ends].mean(axis=1), scale)
-        total = step[:, :, :n] @ total
-        total[:, :, n:] += step[:, :, n:]
+    a, b = (0.5 * (m[:, 1:] + m[:, :-1]).reshape(-1, n, m.shape[3]) for m in (A, B))
+    steps = _single(np.diff(t).ravel(), a, b, scale).reshape(len(t), count, n, -1)
+    total = steps[:, 0]
+    for k in range(1, count):
+        total = steps[:, k, :, :n] @ total
+        total[:, :, n:] += steps[:, k, :, n:]
     bent = _size(A[:, count // 2] - 0.5 * (A[:, 0] + A[:, -1]), scale) * (t[:, -1] - t[:, 0])
     return total, bent
 
