@@ -20,7 +20,7 @@ from ...base import Array
 from ..criteria import CHANNEL_PROBE_SHARE, DEPENDENT_EIGENVALUE_RATIO, FOUND_EFFECT_DEVIATIONS
 from ..effects.effect import EFFECTS, Effect, Motion
 from ..effects.hypothesis import Hypothesis, SitedEffect, inserted
-from ..effects.sites import Site
+from ..effects.sites import Site, surrounded
 from ..models.probes import scaled
 from ..models.study import Study
 from .whitened_record import WhitenedRecord
@@ -70,7 +70,7 @@ def screen(
     predictor = study.predictor(effects, [*given], sites)
     records = [WhitenedRecord(study, predictor, e, sigma, given, effects) for e in experiments]
     motions = [[record.motion(number, site) for record in records] for number, site in enumerate(sites)]
-    sites = [scaled(site, moved) for site, moved in zip(sites, motions, strict=True)]
+    sites = surrounded([scaled(site, moved) for site, moved in zip(sites, motions, strict=True)])
     deviations = [study.campaign.priors[name].scale for name in parameters]
     deviations += [FOUND_EFFECT_DEVIATIONS * (abs(value) or 1.0) for value in found.values()]
     sums = _Sums(len(given))

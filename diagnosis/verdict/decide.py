@@ -2,20 +2,23 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
 
 import numpy as np
 
-from ..criteria import COLOURED_MISFIT, EXPLAINED_GAP_SHARE
+from ..criteria import COLOURED_MISFIT, EXPLAINED_GAP_SHARE, NEGLIGIBLE_SIGNAL_SHARE
 from ..effects.hypothesis import Hypothesis
 from ..models.study import Study
-from ..search.model_comparison import Refit, are_alike, clearness, rms
+from ..search.model_comparison import Refit, are_alike, clearness
 from ..search.round import Round, same_motion
-from .cautions import cautions, suspicions
+from .cautions import cautions, led_astray, suspicions
+from .gap import Gap, gaps
 from .localisation import located, shares
 from .next_experiment import separating
-from .verdict import Evidence, Gap, Ranked, Verdict, moved_parameters
+from .ranked import Ranked, ranked
+from .resolution import unresolved
+from .verdict import Evidence, Verdict, moved_parameters
 
 NOT_BY_SINES = (
     "No sine within what was measured parts them by more than twice the noise; measure another quantity, or "
@@ -37,7 +40,8 @@ def decided(
     alone = replace(study, executor=None, report=None)
     evidence = Evidence(alone, start, base, best, tuple(first.candidates), first.failed)
     closed = float(np.clip((base.misfit - best.misfit) / max(base.misfit - 1.0, 1e-9), 0.0, 1.0))
-    word = "interrupted" if interrupted else _word(evidence, closed)
+    gap = gaps(study, start, base, best)
+    word = "interrupted" if interrupted else _word(evidence, closed, gap)
     own = _fit_of(first, best.effects[0]) if best.effects else None
     alike = _alike(first, own, best.effects) if own is not None else []
     others = {f.effects[-1].effect.kind for f in alike} - {p.effect.kind for p in best.effects}
@@ -45,8 +49,9 @@ def decided(
     if word == "effect" and own is not None and others:
         word, further = "ambiguous", separating(study, own, alike[0]) or NOT_BY_SINES
     open_end = word in ("partial", "unknown")
+    astray = led_astray(study.campaign, base) if best is not base else ()
+    doubts = () if interrupted or study.late() else unresolved(alone, best)
     suspected = suspicions(study, best) if open_end else ()
-    ranking = [_ranked(f, first.base) for f in first.fitted]
     return Verdict(
         verdict=word,
         effects=best.effects,
@@ -55,38 +60,38 @@ def decided(
         next_experiment=further,
         where=shares(first.candidates),
         windows=located(study, best, (rounds[-1] if rounds else first).candidates) if open_end else {},
-        ranking=tuple(sorted(ranking, key=lambda r: -r.test_gain)),
-        gap=_gaps(evidence),
+        ranking=_ranked(study, first),
+        gap=gap,
         closed=closed,
         parameters=best.parameters,
         network=study.campaign.network,
         evidence=evidence,
-        notes=(*notes, *suspected, *cautions(study.campaign, best)),
+        notes=(*notes, *suspected, *cautions(study.campaign, best), *astray, *doubts),
+        further=_ranked(study, rounds[-1]) if rounds and _led_no_further(rounds[-1], best) else (),
     )
 
 
-def _word(evidence: Evidence, closed: float) -> str:
+def _word(evidence: Evidence, closed: float, gap: Mapping[str, Gap]) -> str:
     refitted, best = evidence.refit.misfit, evidence.after
     if best.effects:
+        little = max(one.after for one in gap.values()) <= NEGLIGIBLE_SIGNAL_SHARE
         explained = closed >= EXPLAINED_GAP_SHARE or best.misfit < COLOURED_MISFIT
-        return "effect" if explained else "partial"
+        return "effect" if explained or little else "partial"
     if refitted > COLOURED_MISFIT:
         return "unknown"
     moved = moved_parameters(evidence.campaign, best.parameters)
     return "parameters" if moved or evidence.nominal.misfit > COLOURED_MISFIT * refitted else "none"
 
 
-def _gaps(evidence: Evidence) -> dict[str, Gap]:
-    campaign, gaps = evidence.campaign, {}
-    for name, sigma in campaign.sigma.items():
-        size = rms([e.record.values[name] for e in evidence.study.judged]) or 1.0
-        nominal, refitted, after = (
-            sigma * rms([record[name] for record in f.judged]) / size
-            for f in (evidence.nominal, evidence.refit, evidence.after)
-        )
-        unit = f"{campaign.measured[name].si}, NRMSE of the {evidence.judged}"
-        gaps[name] = Gap(nominal, refitted, after, sigma / size, unit)
-    return gaps
+def _led_no_further(last: Round, best: Refit) -> bool:
+    """Tell whether a round looked for more than the effects of a model, and found nothing."""
+    labels = [[placed.label for placed in model.effects] for model in (last.base, best)]
+    return bool(best.effects) and labels[0] == labels[1]
+
+
+def _ranked(study: Study, done: Round) -> tuple[Ranked, ...]:
+    units = [f.effects[-1].units(study.campaign) for f in done.fitted]
+    return ranked(done.fitted, done.base, units)
 
 
 def _fit_of(done: Round, placed: Hypothesis) -> Refit | None:
@@ -110,14 +115,6 @@ def _class(first: Round, own: Refit, alike: Sequence[Refit]) -> tuple[tuple[str,
     chosen = next(c for c in first.candidates if c.label == own.effects[-1].label)
     moved = [c.key for c in first.candidates if c is not chosen and same_motion(c, chosen)]
     return tuple(dict.fromkeys([*(f.effects[-1].key for f in alike), *moved]))
-
-
-def _ranked(fitted: Refit, base: Refit) -> Ranked:
-    from scipy.stats import norm
-
-    placed, before, after = fitted.effects[-1], base.blocks.sum(), fitted.blocks.sum()
-    gain, p = float((before - after) / before), float(norm.sf(clearness(base, fitted)))
-    return Ranked(*placed.key, gain, p, placed.values)
 
 
 def _confidence(done: Round, placed: Hypothesis) -> float:
