@@ -62,9 +62,12 @@ def gaps(study: Study, nominal: Refit, refit: Refit, after: Refit) -> dict[str, 
     judged = "test runs" if campaign.testing else "training runs"
     for name, sigma in campaign.sigma.items():
         size = rms([_moving(e, name) for e in study.judged]) or 1.0
-        shares = [sigma * rms([r[name] for r in model.judged]) / size for model in (nominal, refit, after)]
+        missed = [rms([r[name] for r in model.judged]) for model in (nominal, refit, after)]
+        shares = [sigma / size * much for much in missed]
         found[name] = Gap(
-            *shares,
+            shares[0],
+            shares[1],
+            shares[2],
             sigma / size,
             f"{campaign.measured[name].si}, NRMSE of the {judged}",
             dict(_by_record(study.judged, after, name, sigma)),
