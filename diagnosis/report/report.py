@@ -180,7 +180,7 @@ def _ruled_out(verdict: Verdict) -> Iterator[str]:
         yield _table(["effect", "site", "test gain", "p", "why"], fitted, (2, 3))
     screened = [[_kind(kind), escape(site), gain, why] for kind, site, gain, why in screened_out(verdict)]
     if screened:
-        yield "<h3>On screening, at the best of all sites</h3>"
+        yield "<h3>On screening, at the best of all sites, or by a fit that came to nothing</h3>"
         yield _table(["effect", "site", "gain", "why"], screened, (2,))
         yield '<p class="faint">Gain: the share of the squared residual of the training runs that it would '
         yield "take off, by the one-sided score test, beyond what the parameters can.</p>"

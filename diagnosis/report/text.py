@@ -85,7 +85,8 @@ def _reason(ranked: Ranked, best: float | None) -> str:
         return ranked.refused
     if gain >= best:
         return "better than the verdict by no more than the scatter of the test runs"
-    return f"takes {best - gain:.2%} less off than the verdict"
+    less = f"{best - gain:.2%}"
+    return f"takes {less} less off than the verdict" if less != "0.00%" else "does no better than the verdict"
 
 
 def screened_out(verdict: Verdict) -> Iterator[tuple[str, str, str, str]]:
@@ -157,7 +158,8 @@ def methods(verdict: Verdict) -> Iterator[str]:
     campaign = verdict.evidence.campaign
     for name, floor in campaign.floors.items():
         unit, source = pretty_unit(campaign.measured[name].si), f"from {floor.source}"
-        yield f"Noise of {name}: {number(floor.sigma)} {unit}, {SOURCES.get(floor.source, source)}."
+        size = f"{number(floor.sigma)} {unit}".rstrip()
+        yield f"Noise of {name}: {size}, {SOURCES.get(floor.source, source)}."
     yield "Test runs are never fitted, except for start values where these are unknown."
     if not campaign.testing:
         yield "There are no test runs: all figures are those of the training runs and favour richer effects."
