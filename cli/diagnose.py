@@ -3,11 +3,15 @@
 from __future__ import annotations
 
 import os
+from collections.abc import Callable, Sequence
 from contextlib import nullcontext
+from functools import partial
 from pathlib import Path
+from time import monotonic
 from typing import TYPE_CHECKING, Annotated
 
 import typer
+from rich.markup import escape
 
 from ..base import Processes
 from ..components import InertanceError, ModelError
@@ -16,7 +20,7 @@ from .outputs import JSON, PAGES, expect
 from .terminal import CommandConsole, progress, table_of
 
 if TYPE_CHECKING:
-    from ..diagnosis import Verdict
+    from ..diagnosis import Ranked, Verdict
 
 EXAMPLES = """\b
 Examples:
@@ -51,7 +55,8 @@ def diagnose(
     with failing(WRONG_USE, ModelError):
         loaded = Campaign.load(campaign, validate=validate, reader=read_model)
     count = jobs or os.cpu_count() or 1
-    with failing(FAILED, InertanceError), progress("reading") as tell:
+    with failing(FAILED, InertanceError), progress("reading") as show_line:
+        tell = partial(_tell, show_line, monotonic(), budget)
         try:
             with Processes(count, "spawn") if count > 1 else nullcontext() as pool:
                 verdict = run_diagnosis(loaded, executor=pool, solver=solver, budget=budget, report=tell)
@@ -70,38 +75,67 @@ def diagnose(
         fail("interrupted before the end", INTERRUPTED)
 
 
+def _tell(show_line: Callable[[str], object], begun: float, budget: float | None, line: str) -> None:
+    """Show a line of progress, with the time that it took until there and what is left of the budget."""
+    passed = monotonic() - begun
+    left = f", {max(budget - passed, 0.0):.0f} s left" if budget is not None else ""
+    show_line(f"{line} ({passed:.0f} s{left})")
+
+
+def _print(console: CommandConsole, line: str, soft_wrap: bool = False) -> None:
+    """Print a line as it is."""
+    console.print(line, highlight=False, markup=False, soft_wrap=soft_wrap)
+
+
 def show(verdict: Verdict) -> None:
     """Print a verdict: the sentence, the gap, the ranking and the lines that correct the model."""
     console = CommandConsole()
-    console.print(f"[bold]{verdict.verdict}[/bold]: {verdict.sentence}")
-    gaps = ("channel", "nominal", "refitted", "with effect", "noise")
+    console.print(f"[bold]{verdict.verdict}[/bold]: {escape(verdict.sentence)}", highlight=False)
+    for name, gap in verdict.gap.items():
+        _print(console, f"left of {name}: {gap.left}")
+    if verdict.effects:
+        _print(console, f"confidence: {verdict.assurance}")
+    gaps = ("channel", "nominal", "refitted", "after", "noise")
     table = table_of(f"gap on the {verdict.evidence.judged}, NRMSE", gaps, words=("channel",))
     for name, gap in verdict.gap.items():
         table.add_row(name, *(f"{value:.4g}" for value in (gap.nominal, gap.refit, gap.after, gap.floor)))
     console.print(table)
-    if verdict.ranking:
-        ranks = ("effect", "site", "test gain", "p")
-        table = table_of("effects fitted", ranks, words=("effect", "site"))
-        for ranked in verdict.ranking:
-            table.add_row(ranked.kind, ranked.site, f"{ranked.test_gain:.1%}", f"{ranked.p:.2g}")
-        console.print(table)
+    off = f"by what they take off the squared residual of the {verdict.evidence.judged}"
+    _show_ranking(console, f"effects fitted, {off}", verdict.ranking)
+    _show_ranking(console, "effects fitted on top of what was found", verdict.further)
     _show_parameters(console, verdict)
-    told = [
+    told = [verdict.remainder] if verdict.remainder else []
+    told += [
         f"{placed.label}: the same motion as at {', '.join(placed.site.same)}, which no data part"
         for placed in verdict.effects
         if placed.site.same
     ]
-    told += [f"  {line}" for line in verdict.lines]
-    told += [f"note: {note}" for note in (*verdict.evidence.campaign.notes, *verdict.notes)]
     for line in told:
-        console.print(line, highlight=False, markup=False)
+        _print(console, line)
+    for line in verdict.lines:
+        _print(console, f"  {line}", soft_wrap=True)
+    for note in (*verdict.evidence.campaign.notes, *verdict.notes):
+        _print(console, f"note: {note}")
+
+
+def _show_ranking(console: CommandConsole, title: str, ranking: Sequence[Ranked]) -> None:
+    """Print what effects do for the test runs, and what they were fitted to."""
+    headings = ("effect", "site", "gain", "p", "parameters")
+    table = table_of(title, headings, words=("effect", "site", "parameters"), overflow="fold")
+    for column in table.columns[:2]:
+        column.no_wrap = True
+    for one in ranking:
+        table.add_row(one.kind, one.site, f"{one.test_gain:.1%}", f"{one.p:.1g}", one.parameters)
+    if table.row_count:
+        console.print(table)
 
 
 def _show_parameters(console: CommandConsole, verdict: Verdict) -> None:
     """Print what the parameters of the network and of the effects were fitted to."""
     campaign, refitted = verdict.evidence.campaign, verdict.evidence.refit.parameters
-    headings = ("parameter", "before", "refitted", "with effect", "unit", "prior deviations")
-    table = table_of("parameters", headings, words=("parameter", "unit"), overflow="fold")
+    headings = ("parameter", "before", "refitted", "after", "unit", "moved")
+    title = "parameters, and by how many deviations of the prior they moved"
+    table = table_of(title, headings, words=("parameter", "unit"), overflow="fold")
     for name, value in verdict.parameters.items():
         prior = campaign.priors[name]
         numbers = (f"{number:.5g}" for number in (campaign.start[name], refitted[name], value))

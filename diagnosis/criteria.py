@@ -98,6 +98,17 @@ PLAY_FORCE_RATIO = 0.02  # [largest force] at which play is taken up; data
 SETTLING_SECONDS = 1e-4  # [s] in which a compliance settles; data: far below 1/COMPARISON_RATE_HZ
 LEAST_COMPLIANCE = 1e-15  # [m/N or rad/(N.m)] of an effect; data
 
+# Values that no machine has: refused beyond the first, doubtful beyond the second
+RIPPLE_PERIODS_PASSED = 1.5, 3.0  # [1] fewest in the range of the site; theory: once it must come back
+TURNS_OF_A_SPRING = 20.0, 3.0  # [rev] most in the range of a shaft that a stiffness holds; data
+FRICTION_OVER_FORCE = 10.0, 1.0  # [largest force in model and records] of dry friction; data
+FRICTION_COEFFICIENT = 10.0, 1.0  # [1] of load-dependent friction; data: dry metal has 0.1 to 1
+SENSOR_GAIN_RATIO = 100.0, 2.0  # [1] most of a gain, or of 1 over it, that is no unit and no sign; data
+DELAY_RECORD_SHARE = 0.1, 0.03  # [longest record] of delays and lags; data
+ADDED_INERTIA_RATIO = 100.0, 3.0  # [largest inertia of the model] that may be added; data
+BLOCKED_COMMAND_SHARE = 1.0, 0.5  # [largest command] that an actuator may hold back; theory: all of it
+KNOWN_STANDARD_DEVIATIONS = 3.0  # [sd] in a value that is known; theory: 0.3 % are 0
+
 # Cautions
 SUSPECT_SIGNAL_SHARE = 0.3  # [1] of a signal that is left, above which channels are suspected; blind
 UNIT_GAIN_TOLERANCE = 0.02  # [1] by which a gain may miss the ratio of two units; data
@@ -133,3 +144,4 @@ NEGLIGIBLE_GAIN_SHARE = 1e-3  # [1] of the squared residual below which an effec
 SITE_SHARE_TOLD = 0.01  # [1] of the gap below which a site is not told; telling
 SITES_TOLD = 8  # [1]; telling
 WINDOWS_TOLD = 8  # [1]; telling
+WINDOW_SHARE_TOLD = 0.01  # [1] of what is left below which a stretch is not told; telling

@@ -67,8 +67,8 @@ class Damper(CompliantWithSpeed):
 class VariableDamper(CompliantWithSpeed):
     """Damper whose constant follows a signal: f = (d + d_u u) v_rel.
 
-    u is what it depends on: the current of a valve or a coil, a temperature, time. A constant below 0 stands for
-    what is taken from damping that is there.
+    u is what it depends on: the current of a valve or a coil, a temperature, time. A constant below 0 stands
+    for what is taken from damping that is there.
     """
 
     u = RealInput("1", "what the damping follows")

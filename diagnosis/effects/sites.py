@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
+from math import inf
 from typing import Any
 
 from ...components import FAMILIES, Component, Domain, Fixed, Friction, rotational
@@ -40,6 +41,7 @@ class Site:
         speed, travel: usual relative speed, and half the range of the distance, in it; of a channel the
             largest size of its signal.
         force: largest force through the site in it.
+        largest: largest force through any site of its domain in it.
         instant: whether only forces that depend on the present motion can act here.
         grounded: whether one of its flanges is held by the ground.
     """
@@ -57,6 +59,7 @@ class Site:
     speed: float = 1.0
     force: float = 1.0
     travel: float = 1.0
+    largest: float = inf
     instant: bool = False
     grounded: bool = False
 
@@ -89,6 +92,12 @@ def sites_of(network: Network) -> list[Site]:
             )
             found.setdefault(ends, []).append(replace(site, grounded=-1 in ends))
     return [site for ends, group in found.items() if len(ends) == 2 for site in _merged(group)]
+
+
+def surrounded(sites: Sequence[Site]) -> list[Site]:
+    """Return sites that know the largest force through any site of their domain."""
+    forces = {site.domain: max(s.force for s in sites if s.domain == site.domain) for site in sites}
+    return [replace(site, largest=forces[site.domain] or inf) for site in sites]
 
 
 def _merged(group: list[Site]) -> Iterator[Site]:

@@ -9,10 +9,10 @@ from typing import Any
 import numpy as np
 
 from ...base import Array
-from ...identification import Experiment
 from ...networks import pretty_unit
 from ..effects.effect import Motion
 from ..search.model_comparison import Refit
+from ..verdict.gap import titled
 from ..verdict.localisation import spectrum
 from ..verdict.verdict import Verdict
 
@@ -55,12 +55,7 @@ def over_time(verdict: Verdict, stages: Stages) -> list[tuple[str, Figure]]:
     curves = len(verdict.evidence.campaign.outputs) * (len(stages) + 3)
     shown = experiments[: max(1, RECORD_SAMPLES // (LEAST_CURVE_SAMPLES * curves))]
     most = max(LEAST_CURVE_SAMPLES, RECORD_SAMPLES // (curves * len(shown)))
-    return [(_title(e), _record(verdict, stages, number, most)) for number, e in enumerate(shown)]
-
-
-def _title(experiment: Experiment) -> str:
-    begin, end = experiment.window or (0.0, 0.0)
-    return f"{experiment.name}, {begin:g} to {end:g} s" if experiment.window else experiment.name
+    return [(titled(e), _record(verdict, stages, number, most)) for number, e in enumerate(shown)]
 
 
 def _record(verdict: Verdict, stages: Stages, number: int, most: int) -> Figure:

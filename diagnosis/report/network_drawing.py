@@ -7,7 +7,7 @@ from html import escape
 
 from ...components.language import parts_of
 from ...networks import svg_sketch
-from ..criteria import SITE_SHARE_TOLD, WINDOWS_TOLD
+from ..criteria import SITE_SHARE_TOLD
 from ..effects.edits import part_at
 from ..verdict.verdict import Verdict, moved_parameters
 
@@ -22,8 +22,8 @@ def drawings(verdict: Verdict) -> Iterator[str]:
         if placed.site.same:
             same = escape(", ".join(placed.site.same))
             yield f"<p>{escape(placed.site.path)} shares its motion with {same}: one site to these data.</p>"
-    if verdict.windows:
-        yield f"<p>{escape(_located(verdict))}</p>"
+    if verdict.remainder:
+        yield f"<p>{escape(verdict.remainder)}</p>"
     network, marks = verdict.corrected(), marks_of(verdict)
     for owner in _owners(marks):
         composite = part_at(network, owner) if owner else network
@@ -80,14 +80,3 @@ def _within(marks: dict[str, str], owner: str) -> dict[str, str]:
             name, _, inner = path.removeprefix(prefix).partition(".")
             here[name] = told if not inner or name in here else f"in {inner}"
     return here
-
-
-def _located(verdict: Verdict) -> str:
-    """Return when, in which band and in which motion the gap is largest."""
-    found = verdict.windows
-    spans = [f"{w['record']} {w['from']:g} to {w['to']:g} s ({w['share']:.0%})" for w in found["windows"]]
-    further = " and further" if len(spans) > WINDOWS_TOLD else ""
-    told = f"The gap lies in {', '.join(spans[:WINDOWS_TOLD])}{further}; "
-    told += "between {:.3g} and {:.3g} Hz".format(*found["band"])
-    regime = found.get("regime", "any")
-    return f"{told}; {'in any regime of motion' if regime == 'any' else f'most at {regime}'}."

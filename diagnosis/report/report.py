@@ -5,17 +5,30 @@ from __future__ import annotations
 import json
 from collections.abc import Iterable, Iterator, Sequence
 from html import escape
-from math import copysign
 from pathlib import Path
 from string import Template
 
 from ...base import check_output, demand, instance, rate_unit, write_text
 from ...networks import pretty_unit
+from ..criteria import MOVED_STANDARD_DEVIATIONS
 from ..verdict.localisation import moved
+from ..verdict.ranked import Ranked
 from ..verdict.verdict import Verdict
+from ..verdict.wording import sure
 from .figures import MEASURED_COLOUR, STAGE_COLOURS, Figure, Stages, bars, clouds, over_time, spectra
 from .network_drawing import drawings
-from .text import advice, chance, code, conclusion, methods, number, ruled_out, screened_out, sure
+from .text import (
+    advice,
+    believed,
+    chance,
+    code,
+    conclusion,
+    deviations,
+    methods,
+    number,
+    ruled_out,
+    screened_out,
+)
 
 FOLDER = Path(__file__).parent
 PAGES = (".html", ".htm")
@@ -86,9 +99,10 @@ def _gap(verdict: Verdict, stages: Stages, figures: dict[str, Figure]) -> Iterat
         values = [gap.nominal, gap.refit, gap.after][: len(stages)]
         unit = pretty_unit(campaign.measured[name].si)
         cells = [f"{value:.3%}<br>{number(value * gap.size)} {unit}" for value in (*values, gap.floor)]
-        rows.append([escape(name), *cells])
-    yield _table(["channel", *stages, "noise"], rows, numbers=range(1, len(stages) + 2))
-    yield '<p class="faint">First line: share of the root mean square of the measured signal (NRMSE). '
+        rows.append([escape(name), *cells, escape(gap.left)])
+    yield _table(["channel", *stages, "noise", "left"], rows, numbers=range(1, len(stages) + 2))
+    yield '<p class="faint">First line: share of the root mean square of the measured signal about its mean '
+    yield "(NRMSE). "
     closed = f" Closed: {verdict.closed:.1%} of what lies between refit and noise." if verdict.effects else ""
     yield f"Second line: in the unit of the channel.{closed}</p>"
 
@@ -136,16 +150,21 @@ def _ranking(verdict: Verdict) -> Iterator[str]:
     if not verdict.ranking:
         yield "<p>No effect was worth a fit.</p>"
         return
-    chosen = [placed.key for placed in verdict.effects]
-    marked = [n for n, ranked in enumerate(verdict.ranking) if (ranked.kind, ranked.site) in chosen]
-    rows = []
-    for n, ranked in enumerate(verdict.ranking, start=1):
-        values = ", ".join(f"{escape(k)} = {number(v)}" for k, v in ranked.values.items())
-        gain = f"{ranked.test_gain:.2%}"
-        rows.append([str(n), _kind(ranked.kind), escape(ranked.site), gain, chance(ranked.p), values])
     yield "<p>Effects that were fitted together with the parameters, by what they take off the squared "
     yield f"residual of the {verdict.evidence.judged}; p is the chance of as much without the effect.</p>"
-    yield _table(["", "effect", "site", "test gain", "p", "parameters"], rows, (0, 3, 4), marked)
+    yield _ranked(verdict.ranking, [placed.key for placed in verdict.effects])
+    if verdict.further:
+        yield "<p>On top of what was found, of what that leaves:</p>"
+        yield _ranked(verdict.further)
+
+
+def _ranked(ranking: Sequence[Ranked], chosen: Sequence[tuple[str, str]] = ()) -> str:
+    marked = [n for n, ranked in enumerate(ranking) if (ranked.kind, ranked.site) in chosen]
+    rows = []
+    for n, ranked in enumerate(ranking, start=1):
+        gain, told = f"{ranked.test_gain:.2%}", escape(ranked.parameters)
+        rows.append([str(n), _kind(ranked.kind), escape(ranked.site), gain, chance(ranked.p), told])
+    return _table(["", "effect", "site", "test gain", "p", "parameters"], rows, (0, 3, 4), marked)
 
 
 def _ruled_out(verdict: Verdict) -> Iterator[str]:
@@ -160,7 +179,7 @@ def _ruled_out(verdict: Verdict) -> Iterator[str]:
         yield _table(["effect", "site", "test gain", "p", "why"], fitted, (2, 3))
     screened = [[_kind(kind), escape(site), gain, why] for kind, site, gain, why in screened_out(verdict)]
     if screened:
-        yield "<h3>On screening, at the best of all sites</h3>"
+        yield "<h3>On screening, at the best of all sites, or by a fit that came to nothing</h3>"
         yield _table(["effect", "site", "gain", "why"], screened, (2,))
         yield '<p class="faint">Gain: the share of the squared residual of the training runs that it would '
         yield "take off, by the one-sided score test, beyond what the parameters can.</p>"
@@ -182,15 +201,23 @@ def _parameters(verdict: Verdict) -> Iterator[str]:
         prior, unit = campaign.priors[name], pretty_unit(campaign.machine.unit(name))
         before, fitted = campaign.start[name], verdict.evidence.refit.parameters[name]
         change = f"{after / before - 1:+.2%}" if before else ""
-        deviations = f"{copysign(prior.moved(after), after - prior.center):+.2f}"
-        deviations = deviations if prior.sd < float("inf") else "bounds only"
-        rows.append([escape(name), number(before), number(fitted), number(after), unit, change, deviations])
+        assumed, moved = believed(prior), ("", "")
+        if prior.sd < float("inf"):
+            moved = deviations(prior, fitted), deviations(prior, after)
+        values = [number(value) for value in (before, fitted, after)]
+        rows.append([escape(name), assumed, *values, unit, change, *moved])
     for placed, confidence in zip(verdict.effects, verdict.confidence, strict=True):
         for quantity, unit in placed.units(campaign).items():
             named, value = f"{escape(placed.name)}.{escape(quantity)}", number(placed.values[quantity])
-            rows.append([named, "", "", value, pretty_unit(unit), f"confidence {sure(confidence)}", ""])
-    headers = ["parameter", "before", "refit", "after", "unit", "change", "in prior deviations"]
-    yield _table(headers, rows, (1, 2, 3, 5, 6)) if rows else "<p>None is uncertain.</p>"
+            rows.append([named, "", "", "", value, pretty_unit(unit), sure(confidence), "", ""])
+    if not rows:
+        yield "<p>None is uncertain.</p>"
+        return
+    headers = ["parameter", "prior", "before", "refit", "after", "unit", "change", "refit", "after"]
+    yield _table(headers, rows, (2, 3, 4, 6, 7, 8))
+    yield '<p class="faint">Change: of an effect, the confidence in it. The last two columns: how far refit '
+    yield "and result are from the prior, in its standard deviations; a refit beyond "
+    yield f"{MOVED_STANDARD_DEVIATIONS:g} makes up for what is missing.</p>"
 
 
 def _figure(name: str, figure: Figure, figures: dict[str, Figure], width: int | None = None) -> str:

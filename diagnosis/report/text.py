@@ -4,16 +4,18 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator, Sequence
+from math import copysign
 
 import numpy as np
 
-from ...identification import Experiment
+from ...identification import Experiment, Prior
 from ...networks import pretty_unit
 from .. import criteria
 from ..effects.effect import EFFECTS
-from ..effects.hypothesis import told
 from ..search.score_test import Candidate
+from ..verdict.ranked import Ranked
 from ..verdict.verdict import Verdict
+from ..verdict.wording import left_of
 
 SOURCES = {"stated": "as stated", "spectrum": "from the top of the spectrum"}  # of noise, in words
 
@@ -28,18 +30,24 @@ def chance(p: float) -> str:
     return f"{p:.2g}" if p > criteria.LEAST_PROBABILITY_TOLD else "< 1e-6"
 
 
-def sure(confidence: float) -> str:
-    """Return a confidence in per cent; nothing is certain."""
-    return f"{confidence:.0%}" if confidence < criteria.MOST_CONFIDENCE_TOLD else "> 99%"
+def believed(prior: Prior) -> str:
+    """Return what was assumed of a parameter: value and standard deviation, or bounds."""
+    if prior.sd < float("inf"):
+        return f"{number(prior.center)} ± {number(prior.sd)}"
+    return f"{number(prior.min)} to {number(prior.max)}"
+
+
+def deviations(prior: Prior, value: float) -> str:
+    """Return how far a value is from what was assumed, in standard deviations."""
+    return f"{copysign(prior.moved(value), value - prior.center):+.2f}"
 
 
 def conclusion(verdict: Verdict) -> Iterator[str]:
     """Yield the verdict in a sentence, its confidence, and what it rests on."""
     yield verdict.sentence
+    yield f"Left: {left_of(verdict.gap)}."
     if verdict.effects:
-        pairs = zip(verdict.effects, verdict.confidence, strict=True)
-        each = [f"{told(*placed.key)}: {sure(confidence)}" for placed, confidence in pairs]
-        yield f"Confidence: {'; '.join(each)}."
+        yield f"Confidence: {verdict.assurance}."
     campaign = verdict.evidence.campaign
     runs = _runs("training", campaign.training)
     runs += f" and {_runs('test', campaign.testing)}" if campaign.testing else ", no test runs"
@@ -53,26 +61,32 @@ def _runs(kind: str, experiments: Sequence[Experiment]) -> str:
 
 
 def ruled_out(verdict: Verdict) -> Iterator[tuple[str, str, float, float, str]]:
-    """Yield kind, site, test gain, p and the reason of each fitted effect that is not the verdict."""
+    """Yield kind, site, test gain, p and the reason of each fitted effect that is not the verdict.
+
+    What was fitted on top of the verdict's effects comes last, its gain counted from there.
+    """
     chosen = [placed.key for placed in verdict.effects]
     kept = {*chosen, *verdict.equivalent}
     gains = [r.test_gain for r in verdict.ranking if (r.kind, r.site) in chosen]
     for ranked in verdict.ranking:
         if (ranked.kind, ranked.site) not in kept:
-            why = _reason(ranked.test_gain, ranked.p, max(gains, default=None))
+            why = _reason(ranked, max(gains, default=None))
             yield ranked.kind, ranked.site, ranked.test_gain, ranked.p, why
+    for ranked in verdict.further:
+        why = f"on top of the verdict: {ranked.refused}"
+        yield ranked.kind, ranked.site, ranked.test_gain, ranked.p, why
 
 
-def _reason(gain: float, p: float, best: float | None) -> str:
-    if gain <= 0:
-        return "makes the test runs worse"
-    if p > criteria.CHANCE_PROBABILITY:
+def _reason(ranked: Ranked, best: float | None) -> str:
+    gain = ranked.test_gain
+    if gain > 0 and ranked.p > criteria.CHANCE_PROBABILITY:
         return "no more than chance would do"
-    if best is None:
-        return "takes too little off"
+    if gain <= 0 or best is None:
+        return ranked.refused
     if gain >= best:
         return "better than the verdict by no more than the scatter of the test runs"
-    return f"takes {best - gain:.2%} less off than the verdict"
+    less = f"{best - gain:.2%}"
+    return f"takes {less} less off than the verdict" if less != "0.00%" else "does no better than the verdict"
 
 
 def screened_out(verdict: Verdict) -> Iterator[tuple[str, str, str, str]]:
@@ -144,7 +158,8 @@ def methods(verdict: Verdict) -> Iterator[str]:
     campaign = verdict.evidence.campaign
     for name, floor in campaign.floors.items():
         unit, source = pretty_unit(campaign.measured[name].si), f"from {floor.source}"
-        yield f"Noise of {name}: {number(floor.sigma)} {unit}, {SOURCES.get(floor.source, source)}."
+        size = f"{number(floor.sigma)} {unit}".rstrip()
+        yield f"Noise of {name}: {size}, {SOURCES.get(floor.source, source)}."
     yield "Test runs are never fitted, except for start values where these are unknown."
     if not campaign.testing:
         yield "There are no test runs: all figures are those of the training runs and favour richer effects."

@@ -55,6 +55,11 @@ class Refit:
             sums += [float(part.sum()) for part in np.array_split(squares, count)]
         return np.array(sums)
 
+    def missed(self, experiments: Sequence[Experiment], channel: str) -> list[Array]:
+        """Return what it misses of a channel in each of the records that it is judged by, in SI units."""
+        pairs = zip(experiments, self.judged, strict=True)
+        return [experiment.sigma[channel] * residuals[channel] for experiment, residuals in pairs]
+
     def is_noise(self, experiments: Sequence[Experiment]) -> bool:
         """Tell whether what it misses of the records that it is judged by looks like noise."""
         return all(

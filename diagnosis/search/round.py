@@ -13,6 +13,7 @@ from ...components import InertanceError
 from ...identification import Accuracy, Campaign
 from .. import criteria
 from ..effects.hypothesis import Hypothesis
+from ..effects.plausibility import implausible
 from ..models.study import Study, study_of, thinned
 from .joint_fit import FitStart, JointFit
 from .model_comparison import Refit, unexplained
@@ -154,9 +155,10 @@ def _fit(study: Study, base: Refit, candidate: Candidate, fitted: Sequence[Refit
     except InertanceError as error:
         return f"its fit ended early: {str(error).partition(chr(10))[0]}"
     values = found.effects[-1].values
-    if candidate.effect.credible(values):
-        return found
-    return f"no such machine: {', '.join(f'{name} = {value:.3g}' for name, value in values.items())}"
+    if not candidate.effect.credible(values):
+        return f"no such machine: {', '.join(f'{name} = {value:.3g}' for name, value in values.items())}"
+    odd = implausible(found.effects[-1], study.campaign)
+    return found if odd is None else f"no such machine: {odd}"
 
 
 def _starts(candidate: Candidate, fitted: Sequence[Refit]) -> list[FitStart]:

@@ -20,7 +20,7 @@ from ...base import Array, computing
 from ..criteria import CHANNEL_PROBE_SHARE, DEPENDENT_EIGENVALUE_RATIO, FOUND_EFFECT_DEVIATIONS
 from ..effects.effect import EFFECTS, Effect, Motion
 from ..effects.hypothesis import Hypothesis, SitedEffect, inserted
-from ..effects.sites import Site
+from ..effects.sites import Site, surrounded
 from ..models.probes import scaled
 from ..models.study import Study
 from .whitened_record import WhitenedRecord
@@ -72,7 +72,7 @@ def screen(
     records = [WhitenedRecord(study, predictor, e, given, effects, count) for e in experiments]
     motions = [[record.motion(number, site) for record in records] for number, site in enumerate(sites)]
     resting = next((n for n, experiment in enumerate(experiments) if experiment.initial == "rest"), None)
-    sites = [scaled(site, moved, resting) for site, moved in zip(sites, motions, strict=True)]
+    sites = surrounded([scaled(site, moved, resting) for site, moved in zip(sites, motions, strict=True)])
     deviations = [study.campaign.priors[name].scale for name in parameters]
     deviations += [FOUND_EFFECT_DEVIATIONS * (abs(value) or 1.0) for value in found.values()]
     sums = _Sums(len(given))

@@ -9,23 +9,50 @@ import numpy as np
 
 from ...identification import Campaign, left_prior, likely_unit, suspects, told_of
 from ...networks import DAE
-from ..criteria import BOUND_SCALE_TOLERANCE, BOUND_TOLERANCE, SUSPECT_SIGNAL_SHARE, UNIT_GAIN_TOLERANCE
-from ..effects.hypothesis import Hypothesis
+from ..criteria import (
+    BOUND_SCALE_TOLERANCE,
+    BOUND_TOLERANCE,
+    MOVED_STANDARD_DEVIATIONS,
+    SUSPECT_SIGNAL_SHARE,
+    UNIT_GAIN_TOLERANCE,
+)
+from ..effects.hypothesis import Hypothesis, told
+from ..effects.plausibility import doubtful
 from ..models.study import Study
 from ..search.model_comparison import Refit, rms
 
 
 def cautions(campaign: Campaign, best: Refit) -> Iterator[str]:
-    """Yield gains that are units, and parameters that are far from what was assumed or at a bound."""
+    """Yield what is odd about effects, and parameters that are far from what was assumed or at a bound."""
     for placed in best.effects:
         if placed.effect.kind == "sensor_gain":
             yield from _gain(campaign, placed)
+        yield from (f"{placed.label}: {odd}" for odd in doubtful(placed, campaign))
     for name, value in best.parameters.items():
         prior = campaign.priors[name]
         yield from left_prior(name, value, prior, campaign.machine.unit(name))
         for side in (prior.min, prior.max):
             if isclose(value, side, rel_tol=BOUND_TOLERANCE, abs_tol=BOUND_SCALE_TOLERANCE * prior.scale):
-                yield f"{name}: ends at its bound {side:.6g}; the bound or the model is wrong"
+                yield f"{name}: ends at its bound {side:.6g}; {_why_at_bound(name, best)}"
+
+
+def _why_at_bound(parameter: str, best: Refit) -> str:
+    part = parameter.rpartition(".")[0]
+    for placed in best.effects:
+        if part in (placed.site.path, *placed.site.same):
+            return f"{told(*placed.key)} takes the place of what the model has there"
+    return "the bound or the model is wrong"
+
+
+def led_astray(campaign: Campaign, refit: Refit) -> Iterator[str]:
+    """Say which parameters the fit without effects moved far, to make up for what is missing."""
+    moved = {name: campaign.priors[name].moved(value) for name, value in refit.parameters.items()}
+    far = [f"{name} by {sd:.3g}" for name, sd in moved.items() if sd > MOVED_STANDARD_DEVIATIONS]
+    if far:
+        yield (
+            f"the fit without effects moves {', '.join(far)} standard deviations from what was assumed: "
+            "something large is missing, for which parameters cannot make up"
+        )
 
 
 def suspicions(study: Study, best: Refit) -> Iterator[str]:

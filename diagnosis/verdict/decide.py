@@ -10,12 +10,15 @@ import numpy as np
 from ..criteria import CERTAIN_RESIDUAL_SHARE, COLOURED_MISFIT, EXPLAINED_GAP_SHARE, NOISE_MISFIT
 from ..effects.hypothesis import Hypothesis
 from ..models.study import Study
-from ..search.model_comparison import Refit, are_alike, clearness, rms
+from ..search.model_comparison import Refit, are_alike, clearness
 from ..search.round import Round, same_motion
-from .cautions import cautions, suspicions
+from .cautions import cautions, led_astray, suspicions
+from .gap import Gap, gaps
 from .localisation import located, shares
 from .next_experiment import separating
-from .verdict import Evidence, Gap, Ranked, Verdict, moved_parameters
+from .ranked import Ranked, ranked
+from .resolution import unresolved
+from .verdict import Evidence, Verdict, moved_parameters
 
 NOT_BY_SINES = (
     "No sine within what was measured parts them by more than twice the noise; measure another quantity, or "
@@ -40,6 +43,7 @@ def decided(
     alone = replace(study, executor=None, report=None)
     evidence = Evidence(alone, start, base, best, tuple(first.candidates), first.failed)
     closed = _closed(best, base, study)
+    gap = gaps(study, start, base, best)
     word = _word(evidence)
     if study.late() and (best.effects or best.misfit > NOISE_MISFIT):
         word = "interrupted"
@@ -50,9 +54,9 @@ def decided(
     if word == "effect" and own is not None and others:
         word, further = "ambiguous", separating(study, own, alike[0]) or NOT_BY_SINES
     open_end = word in ("partial", "unknown")
+    astray = led_astray(study.campaign, base) if best is not base else ()
+    doubts = () if study.late() else unresolved(alone, best)
     suspected = suspicions(study, best) if open_end else ()
-    ranking = [_ranked(f, first.base) for f in first.fitted]
-    gaps = _gaps(evidence)
     return Verdict(
         verdict=word,
         effects=best.effects,
@@ -61,13 +65,21 @@ def decided(
         next_experiment=further,
         where=shares(first.candidates),
         windows=located(study, best, (rounds[-1] if rounds else first).candidates) if open_end else {},
-        ranking=tuple(sorted(ranking, key=lambda r: -r.test_gain)),
-        gap=gaps,
+        ranking=_ranked(study, first),
+        gap=gap,
         closed=closed,
         parameters=best.parameters,
         network=study.campaign.network,
         evidence=evidence,
-        notes=(*notes, *suspected, *_noises(evidence, gaps), *cautions(study.campaign, best)),
+        notes=(
+            *notes,
+            *suspected,
+            *_noises(evidence, gap),
+            *cautions(study.campaign, best),
+            *astray,
+            *doubts,
+        ),
+        further=_ranked(study, rounds[-1]) if rounds and _led_no_further(rounds[-1], best) else (),
     )
 
 
@@ -103,17 +115,15 @@ def _word(evidence: Evidence) -> str:
     return "parameters" if moved or evidence.nominal.misfit > COLOURED_MISFIT * refitted.misfit else "none"
 
 
-def _gaps(evidence: Evidence) -> dict[str, Gap]:
-    campaign, judged, gaps = evidence.campaign, evidence.study.judged, {}
-    for name in campaign.outputs:
-        size = rms([e.record.values[name] for e in judged])
-        noise = rms([np.array([e.floors[name].sigma for e in judged])])
-        models = evidence.nominal, evidence.refit, evidence.after
-        misfits = [rms(evidence.missed(model, name)) for model in models]
-        unit = f"{campaign.measured[name].si}, NRMSE of the {evidence.judged}"
-        shares = (misfit / (size or 1.0) for misfit in (*misfits, noise))
-        gaps[name] = Gap(*shares, unit, size)
-    return gaps
+def _led_no_further(last: Round, best: Refit) -> bool:
+    """Tell whether a round looked for more than the effects of a model, and found nothing."""
+    labels = [[placed.label for placed in model.effects] for model in (last.base, best)]
+    return bool(best.effects) and labels[0] == labels[1]
+
+
+def _ranked(study: Study, done: Round) -> tuple[Ranked, ...]:
+    units = [f.effects[-1].units(study.campaign) for f in done.fitted]
+    return ranked(done.fitted, done.base, units)
 
 
 def _noises(evidence: Evidence, gaps: Mapping[str, Gap]) -> Iterator[str]:
@@ -151,14 +161,6 @@ def _class(first: Round, own: Refit, alike: Sequence[Refit]) -> tuple[tuple[str,
     chosen = next(c for c in first.candidates if c.label == own.effects[-1].label)
     moved = [c.key for c in first.candidates if c is not chosen and same_motion(c, chosen)]
     return tuple(dict.fromkeys([*(f.effects[-1].key for f in alike), *moved]))
-
-
-def _ranked(fitted: Refit, base: Refit) -> Ranked:
-    from scipy.stats import norm
-
-    placed, before, after = fitted.effects[-1], base.blocks.sum(), fitted.blocks.sum()
-    gain, p = float((before - after) / before), float(norm.sf(clearness(base, fitted)))
-    return Ranked(*placed.key, gain, p, placed.values)
 
 
 def _confidence(done: Round, placed: Hypothesis) -> float:

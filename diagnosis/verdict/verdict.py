@@ -16,43 +16,9 @@ from ..effects.hypothesis import Hypothesis, told, with_effects
 from ..models.study import Study
 from ..search.model_comparison import Refit
 from ..search.score_test import Candidate
-
-WORDS = {
-    "none": "Nothing is missing: the model explains the data down to the noise.",
-    "parameters": "No effect is missing; parameters were wrong.",
-    "unknown": "Something is missing that is none of the known effects.",
-    "interrupted": "The diagnosis was stopped before its end; no effect had been accepted by then.",
-}
-PARTLY = {
-    "partial": "Part of what is missing is {}; what is left is explained by none of the known effects.",
-    "interrupted": "The diagnosis was stopped before its end; what had been accepted by then is {}.",
-}
-
-
-@dataclass(frozen=True)
-class Ranked:
-    """A candidate that was fitted: what it does for the test runs, and the chance of that without it."""
-
-    kind: str
-    site: str
-    test_gain: float
-    p: float
-    values: Mapping[str, float] = field(default_factory=dict)
-
-
-@dataclass(frozen=True)
-class Gap:
-    """Misfit of a channel on the test runs, as NRMSE: nominal, refitted, with the effect, and of noise.
-
-    `size` is the root mean square of what was measured, in SI units.
-    """
-
-    nominal: float
-    refit: float
-    after: float
-    floor: float
-    unit: str
-    size: float
+from .gap import Gap as Gap
+from .ranked import Ranked as Ranked
+from .wording import remainder_of, sentence_of, sure
 
 
 @dataclass(frozen=True, eq=False)
@@ -87,8 +53,7 @@ class Evidence:
 
     def missed(self, model: Refit, channel: str) -> list[Array]:
         """Return what a model misses of a channel in each of these runs, in SI units."""
-        pairs = zip(self.study.judged, model.judged, strict=True)
-        return [experiment.sigma[channel] * residuals[channel] for experiment, residuals in pairs]
+        return model.missed(self.study.judged, channel)
 
 
 class DiagnosisInterruptedError(KeyboardInterrupt):
@@ -111,13 +76,14 @@ class Verdict:
         next_experiment: the excitation that would tell them apart, in words.
         where: shares of the gap by site.
         windows: for "partial" and "unknown": when, in which band, in which motion the gap is that is left.
-        ranking: all candidates that were fitted.
+        ranking: all candidates that were fitted, the one first that does most for the test runs.
         gap: misfit by channel.
         closed: (refit - after)/(refit - floor) over all channels of the test runs.
         parameters: the network's uncertain parameters, fitted.
         network: the corrected network.
         evidence: the records, the fitted models and what was screened, for the report.
         notes: what limits the verdict.
+        further: those that were fitted on top of the effects, and not accepted.
     """
 
     verdict: str
@@ -134,17 +100,29 @@ class Verdict:
     network: Network = field(repr=False)
     evidence: Evidence = field(repr=False)
     notes: tuple[str, ...] = ()
+    further: tuple[Ranked, ...] = ()
 
     @property
     def sentence(self) -> str:
-        """The verdict in a sentence."""
-        named = " and ".join(told(*placed.key) for placed in self.effects)
-        words = WORDS | PARTLY if named else WORDS
-        if self.verdict in words:
-            return words[self.verdict].format(f"{named}, which closes {self.closed:.0%} of the gap")
-        sentence = f"What is missing is {named}; adding it closes {self.closed:.0%} of the gap."
-        others = ", ".join(told(*key) for key in self.equivalent)
-        return f"{sentence} These data cannot tell it from {others}." if others else sentence
+        """The verdict in a sentence or two."""
+        return sentence_of(self)
+
+    @property
+    def assurance(self) -> str:
+        """The confidence in each effect, in words."""
+        pairs = zip(self.effects, self.confidence, strict=True)
+        return "; ".join(f"{told(*placed.key)}: {sure(confidence)}" for placed, confidence in pairs)
+
+    @property
+    def remainder(self) -> str:
+        """When, in which band and in which motion most of what is left lies, in words."""
+        return remainder_of(self.windows)
+
+    @property
+    def closest(self) -> Ranked | None:
+        """What was fitted beside the effects and does most for the test runs, clearly if any does."""
+        rest = [one for one in (self.further if self.effects else self.ranking) if one.test_gain > 0]
+        return max(rest, key=lambda one: (one.is_clear, one.test_gain), default=None)
 
     @property
     def lines(self) -> list[str]:
@@ -177,11 +155,10 @@ class Verdict:
                 {"site": site, "share": share, **({} if number else self.windows)}
                 for number, (site, share) in enumerate(self.where.items())
             ],
-            "ranking": [
-                {"kind": r.kind, "site": r.site, "test_gain": r.test_gain, "p": r.p} for r in self.ranking
-            ],
-            "remainder": {"share": 1 - self.closed, **self.windows} if self.verdict == "partial" else None,
-            "gap": {name: vars(gap) for name, gap in self.gap.items()},
+            "ranking": [ranked.to_dict() for ranked in self.ranking],
+            "further": [ranked.to_dict() for ranked in self.further],
+            "remainder": {"share": 1 - self.closed, **self.windows} if self.windows else None,
+            "gap": {name: gap.to_dict() for name, gap in self.gap.items()},
             "closed": self.closed,
             "parameters": dict(self.parameters),
             "notes": list(self.notes),

@@ -1,0 +1,87 @@
+"""A verdict in words: what is certain, what is left, and what came closest."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from typing import TYPE_CHECKING, Any
+
+from ..criteria import MOST_CONFIDENCE_TOLD, WINDOW_SHARE_TOLD, WINDOWS_TOLD
+from ..effects.hypothesis import told
+from .gap import Gap
+
+if TYPE_CHECKING:
+    from .verdict import Verdict
+
+ALONE = {
+    "none": "Nothing is missing: the model explains the data down to the noise.",
+    "parameters": "No effect is missing; parameters were wrong.",
+    "unknown": "Something is missing, and no known effect clearly explains any of it.",
+    "interrupted": "The diagnosis was stopped before its end; no effect had been accepted by then.",
+}
+NAMED = {
+    "partial": "Part of what is missing is {}; what is left stays unexplained.",
+    "interrupted": "The diagnosis was stopped before its end; what had been accepted by then is {}.",
+}
+
+
+def sentence_of(verdict: Verdict) -> str:
+    """Return a verdict in a sentence or two."""
+    named = " and ".join(told(*placed.key) for placed in verdict.effects)
+    closing = f"{verdict.closed:.0%} of the gap, from {_fall(verdict.gap)}"
+    words = ALONE | NAMED if named else ALONE
+    if verdict.verdict in words:
+        sentence = words[verdict.verdict].format(f"{named}, which closes {closing}")
+        return sentence + closest_of(verdict) if verdict.verdict in ("partial", "unknown") else sentence
+    sentence = f"What is missing is {named}; adding it closes {closing}."
+    others = ", ".join(told(*key) for key in verdict.equivalent)
+    return f"{sentence} These data cannot tell it from {others}." if others else sentence
+
+
+def sure(confidence: float) -> str:
+    """Return a confidence in per cent; nothing is certain."""
+    return f"{confidence:.0%}" if confidence < MOST_CONFIDENCE_TOLD else "> 99%"
+
+
+def left_of(gaps: Mapping[str, Gap]) -> str:
+    """Return what is left, by channel."""
+    return "; ".join(f"{name}: {gap.left}" for name, gap in gaps.items())
+
+
+def closest_of(verdict: Verdict) -> str:
+    """Return what came closest to explaining what is left, and why it was not accepted."""
+    closest = verdict.closest
+    if closest is None:
+        return ""
+    square = "what is left" if verdict.effects else "the gap"
+    return (
+        f" Closest comes {closest.told}: it takes {closest.test_gain:.1%} off the square of {square} on the "
+        f"{verdict.evidence.judged}, which {closest.refused}."
+    )
+
+
+def _fall(gaps: Mapping[str, Gap]) -> str:
+    """Return from where to where the misfit of the channel falls that had most of the gap."""
+    name = max(gaps, key=lambda one: gaps[one].refit / gaps[one].floor)
+    gap, of = gaps[name], f"of {name}" if len(gaps) > 1 else "of the signal"
+    return f"{100 * gap.refit:.2g}% to {100 * gap.after:.2g}% {of}"
+
+
+def remainder_of(windows: Mapping[str, Any]) -> str:
+    """Return when, in which band and in which motion most of what is left lies."""
+    if not windows:
+        return ""
+    band = "{:.3g} and {:.3g} Hz".format(*windows["band"])
+    regime = windows.get("regime", "any")
+    motion = "in any regime of motion" if regime == "any" else f"most at {regime}"
+    return f"What is left lies in {', '.join(_spans(windows['windows']))}; between {band}; {motion}."
+
+
+def _spans(windows: Sequence[Mapping[str, Any]]) -> Iterator[str]:
+    """Yield the stretches of records that hold what is left; of many, what each record holds."""
+    windows = [w for w in windows if w["share"] >= WINDOW_SHARE_TOLD] or windows
+    if len(windows) <= WINDOWS_TOLD:
+        yield from (f"{w['record']} {w['from']:g} to {w['to']:g} s ({w['share']:.0%})" for w in windows)
+        return
+    for record in dict.fromkeys(w["record"] for w in windows):
+        own = [w["share"] for w in windows if w["record"] == record]
+        yield f"{len(own)} stretches of {record} ({sum(own):.0%})"

@@ -1,0 +1,294 @@
+"""How a verdict is judged: over noise, over the signal, over repeats; what came closest, and why not."""
+
+import json
+import re
+from collections.abc import Callable
+from dataclasses import replace
+from typing import Any
+
+import numpy as np
+import pytest
+from inertance.cli import app
+from inertance.cli.diagnose import show
+from inertance.diagnosis import Gap, Ranked, Verdict, write_report
+from inertance.diagnosis.effects.hypothesis import Hypothesis
+from inertance.diagnosis.models.study import Study
+from inertance.diagnosis.report.text import conclusion, ruled_out
+from inertance.diagnosis.search.joint_fit import JointFit
+from inertance.diagnosis.search.model_comparison import Refit
+from inertance.diagnosis.search.round import Round
+from inertance.diagnosis.search.score_test import Candidate, screen
+from inertance.diagnosis.verdict.cautions import cautions, led_astray
+from inertance.diagnosis.verdict.decide import decided
+from inertance.diagnosis.verdict.gap import gaps
+from inertance.identification import Accuracy, Campaign, Record
+from typer.testing import CliRunner
+
+RIG = """
+import inertance as ia
+
+
+def rig():
+    net = ia.Network("rig", spring=ia.Spring(k=800.0), wall=ia.Fixed())
+    net.add(carriage=ia.Mass(m=2.0), push=ia.Force())
+    net.connect(net.wall.flange, net.spring.flange_a)
+    return net.connect(net.carriage.flange, net.spring.flange_b, net.push.flange)
+"""
+TOML = """
+model = "rig.py:rig"
+train = [{ file = "1.csv", initial = "rest" }]
+test = [{ file = "2.csv", initial = "rest" }]
+channels = { F = { input = "push.f", unit = "N" }, x = { output = "carriage.s", unit = "m" } }
+parameters = { "spring.k" = { rel = 0.2 } }
+"""
+CHANNELS = {"F": {"input": "push.f", "unit": "N"}, "x": {"output": "carriage.s", "unit": "m"}}
+NOISE, LIFT = 2e-5, 0.5
+BEGUN = {"initial": "rest", "offset": ["x"]}
+
+
+class Case:
+    """A carriage that rubs, its model, and fits of it; the position has an offset, as most have."""
+
+    def __init__(self, rig: Any) -> None:
+        records = []
+        for seed in (1, 2, 3):
+            run = rig.measured(rig.rubbing(), seed)
+            lifted = {**run.values, "x": run.values["x"] + LIFT}
+            records.append(Record(f"run {seed}", run.time, lifted))
+        self.campaign = Campaign(
+            rig.rig(),
+            CHANNELS,
+            {"spring.k": {"rel": 0.2}},
+            [{"record": records[0], **BEGUN}],
+            [{"record": record, **BEGUN} for record in records[1:]],
+            noise={"x": NOISE},
+        )
+        self.study = Study(self.campaign, Accuracy())
+        nominal = JointFit(self.study, self.campaign.start)
+        self.start, self.base = nominal.seen(nominal.start), nominal.fitted()
+        self.candidates = screen(self.study, self.base.parameters)
+        self.friction = self.fitted("coulomb_friction")
+        self.weak = self.fitted("sensor_gain")
+
+    def fitted(self, kind: str) -> Refit:
+        found = next(c for c in self.candidates if c.effect.kind == kind)
+        placed = Hypothesis(found.effect, found.site, f"{kind}_1", found.values)
+        return JointFit(self.study, self.base.parameters, [placed]).fitted()
+
+    def verdict(self, best: Refit, *rounds: Round) -> Verdict:
+        return decided(self.study, self.start, self.base, best, rounds, [])
+
+    def round(self, base: Refit, *fitted: Refit) -> Round:
+        return Round(base, list[Candidate](self.candidates), list(fitted))
+
+
+def with_more(model: Refit, size: float) -> Refit:
+    """Return a model that misses a sine besides, of a size in noise."""
+
+    def more(records: list[dict[str, Any]]) -> list[dict[str, Any]]:
+        return [{n: r + size * np.sin(0.7 * np.arange(len(r))) for n, r in one.items()} for one in records]
+
+    return replace(model, train=more(model.train), test=more(model.test))
+
+
+@pytest.fixture(scope="module")
+def case(carriage: Callable[..., Any]) -> Case:
+    return Case(carriage(rate=100.0, duration=4.0, noise=NOISE))
+
+
+@pytest.fixture(scope="module")
+def effect(case: Case) -> Verdict:
+    return case.verdict(case.friction, case.round(case.base, case.friction))
+
+
+@pytest.fixture(scope="module")
+def partial(case: Case) -> Verdict:
+    """Return the verdict where friction takes much, and something that was not found is left."""
+    friction = with_more(case.friction, 30.0)
+    weak = replace(
+        case.weak, test=with_more(friction, -0.3).test, effects=(*friction.effects, *case.weak.effects)
+    )
+    return case.verdict(friction, case.round(case.base, friction), case.round(friction, weak))
+
+
+@pytest.fixture(scope="module")
+def unknown(case: Case) -> Verdict:
+    return case.verdict(case.base, case.round(case.base, case.weak))
+
+
+def test_shares_are_of_the_signal_about_its_mean(case: Case, effect: Verdict) -> None:
+    """An angle far from 0 is not known better than one near 0; a share of its size would say so."""
+    gap = effect.gap["x"]
+    size = float(np.sqrt(np.mean([np.var(e.record.values["x"]) for e in case.campaign.testing])))
+    assert size < 0.1 * LIFT
+    assert gap.floor == pytest.approx(NOISE / size, rel=1e-3)
+    assert gap.over_noise == pytest.approx(1.0, abs=0.1)
+    assert list(gap.records) == ["run 2", "run 3"]
+    assert gap.repeatable is None
+
+
+def test_what_is_left_is_told_over_the_signal_and_over_the_noise() -> None:
+    gap = Gap(0.16, 0.1, 0.005, 0.000625, "m", 0.02, {"a": 0.004, "b": 0.006}, 0.9)
+    told = "0.5% of the signal (0.4 to 0.6% by record), 8 times the noise"
+    assert gap.left == f"{told}; 90% of its square comes back in a repeat"
+    assert gap.to_dict()["over_noise"] == pytest.approx(8.0)
+    assert Gap(0.16, 0.1, 0.005, 0.000625, "m").left == "0.5% of the signal, 8 times the noise"
+
+
+@pytest.mark.parametrize(("common", "own", "share"), [(3.0, 0.0, 1.0), (0.0, 3.0, 0.0), (3.0, 3.0, 0.5)])
+def test_what_comes_back_in_a_repeat_is_told_from_what_does_not(
+    case: Case, tmp_path: Any, common: float, own: float, share: float
+) -> None:
+    rng = np.random.default_rng(5)
+    header, files = "t,F,x", []
+    for number, experiment in enumerate((case.campaign.training[0],) * 2):
+        record = experiment.record
+        files.append(tmp_path / f"{number}.csv")
+        x = record.values["x"] + NOISE * rng.standard_normal(len(record.time))
+        table = np.column_stack([record.time, record.values["F"], x])
+        np.savetxt(files[-1], table, delimiter=",", header=header, comments="")
+    one, other = ({"file": str(file), **BEGUN} for file in files)
+    noise = {"x": NOISE}
+    twice = Campaign(
+        case.campaign.network,
+        CHANNELS,
+        {"spring.k": {"rel": 0.2}},
+        [one, {**other, "repeat_of": one["file"]}],
+        noise=noise,
+    )
+    count = len(case.base.train[0]["x"])
+    same = rng.standard_normal(count)
+    missed = [{"x": common * same + own * rng.standard_normal(count)} for _ in range(2)]
+    model = replace(case.base, train=missed, test=[])
+    found = gaps(replace(case.study, campaign=twice), model, model, model)["x"].repeatable
+    assert found == pytest.approx(share, abs=0.08)
+
+
+def test_little_that_is_left_of_the_signal_is_no_failure(case: Case, effect: Verdict) -> None:
+    """0.8 % of the signal are many times the noise of a good sensor, and as much as most models reach."""
+    for share, word in ((0.008, "effect"), (0.05, "partial")):
+        size = np.sqrt(2) * share / effect.gap["x"].floor
+        friction, base = with_more(case.friction, size), with_more(case.friction, 5 * size)
+        found = decided(case.study, case.start, base, friction, [case.round(base, friction)], [])
+        assert found.gap["x"].over_noise > 3
+        assert found.closed < 0.93
+        assert found.verdict == word
+
+
+def test_a_partial_verdict_tells_what_is_certain_and_what_came_closest(partial: Verdict) -> None:
+    assert partial.verdict == "partial"
+    assert partial.sentence.startswith("Part of what is missing is coulomb friction at guide, which closes ")
+    assert "none of the known effects" not in partial.sentence
+    assert partial.closest is partial.further[0]
+    assert "Closest comes sensor gain at x: it takes " in partial.sentence
+    assert "off the square of what is left on the test runs" in partial.sentence
+    assert ("sensor_gain", "x") in [(kind, site) for kind, site, *_ in ruled_out(partial)]
+
+
+def test_an_unknown_verdict_tells_what_came_closest_and_why_that_is_not_it(
+    case: Case, unknown: Verdict
+) -> None:
+    assert unknown.verdict == "unknown"
+    assert unknown.closest is not None
+    assert unknown.closest.told == "sensor gain at x"
+    assert unknown.closest.refused in unknown.sentence
+    nothing = case.verdict(case.base, case.round(case.base))
+    assert nothing.sentence == "Something is missing, and no known effect clearly explains any of it."
+
+
+@pytest.mark.parametrize("word", ["partial", "unknown"])
+def test_the_remainder_is_told_wherever_something_is_left(
+    word: str, request: pytest.FixtureRequest, tmp_path: Any, capsys: pytest.CaptureFixture[str]
+) -> None:
+    verdict: Verdict = request.getfixturevalue(word)
+    left = json.loads(verdict.save(tmp_path / "gap.json").read_text())["remainder"]
+    assert {"share", "windows", "band", "regime"} <= left.keys()
+    assert left["share"] == pytest.approx(1 - verdict.closed)
+    page = write_report(verdict, tmp_path / "gap.html").read_text(encoding="utf-8")
+    show(verdict)
+    printed = " ".join(capsys.readouterr().out.split())
+    for text in (verdict.remainder, verdict.gap["x"].left):
+        assert text in page
+        assert text in printed
+
+
+def test_an_effect_has_no_remainder(effect: Verdict) -> None:
+    assert effect.verdict == "effect"
+    assert effect.to_dict()["remainder"] is None
+    assert "from " in effect.sentence
+    assert next(line for line in conclusion(effect) if line.startswith("Left: x: "))
+
+
+def test_effects_in_the_ranking_carry_their_values(
+    effect: Verdict, capsys: pytest.CaptureFixture[str]
+) -> None:
+    first = effect.to_dict()["ranking"][0]
+    assert first["parameters"] == effect.effects[0].values
+    show(effect)
+    printed = capsys.readouterr().out
+    assert f"f_c = {effect.effects[0].values['f_c']:.4g} N" in printed
+    assert max(map(len, printed.splitlines())) <= 100
+
+
+@pytest.mark.parametrize(
+    ("gain", "p", "why"),
+    [
+        (-0.1, 0.9, "makes the test runs worse"),
+        (0.2, 0.03, "1.9 standard errors"),
+        (0.2, 1e-9, "is clear, but too little to be named"),
+        (0.2, 0.9, "most of these runs would be worse for"),
+    ],
+)
+def test_a_candidate_says_why_it_is_not_the_verdict(gain: float, p: float, why: str) -> None:
+    assert why in Ranked("backlash", "guide", gain, p).refused
+
+
+def test_what_is_clear_comes_before_what_is_large(unknown: Verdict) -> None:
+    ranking = (Ranked("position_ripple", "guide", 0.09, 0.04), Ranked("friction_drift", "guide", 0.08, 1e-10))
+    closest = replace(unknown, ranking=ranking).closest
+    assert closest is not None
+    assert closest.kind == "friction_drift"
+
+
+def test_a_refit_that_runs_away_is_told(case: Case) -> None:
+    away = replace(case.base, parameters={"spring.k": 800.0 * 6})
+    told = list(led_astray(case.campaign, away))
+    assert len(told) == 1
+    assert "moves spring.k by 25 standard deviations" in told[0]
+    assert not list(led_astray(case.campaign, case.base))
+    found = decided(case.study, case.start, away, case.friction, [case.round(away, case.friction)], [])
+    assert told[0] in found.notes
+
+
+def test_many_stretches_are_told_by_record(unknown: Verdict) -> None:
+    """Twenty stretches of 1 % each say nothing one by one."""
+    short = [{"record": f"run {n % 2}", "from": n, "to": n + 0.5, "share": 0.05} for n in range(20)]
+    many = replace(unknown, windows={**unknown.windows, "windows": short}).remainder
+    assert "10 stretches of run 0 (50%), 10 stretches of run 1 (50%)" in many
+    nothing = {**short[2], "share": 0.004}
+    few = replace(unknown, windows={**unknown.windows, "windows": [*short[:2], nothing]}).remainder
+    assert "run 0 0 to 0.5 s (5%), run 1 1 to 1.5 s (5%);" in few
+
+
+def test_a_parameter_that_an_effect_replaces_is_no_wrong_bound(case: Case) -> None:
+    campaign = replace(case.campaign, parameters={"guide.d": {"min": 0.0, "max": 60.0}})
+    ended = replace(case.friction, parameters={"guide.d": 0.0})
+    assert any("coulomb friction at guide takes the place" in line for line in cautions(campaign, ended))
+    assert any(
+        "the bound or the model is wrong" in line for line in cautions(campaign, replace(ended, effects=()))
+    )
+
+
+def test_progress_tells_how_long_it_took_and_what_is_left(
+    carriage: Callable[..., Any], tmp_path: Any
+) -> None:
+    rig = carriage(rate=100.0, duration=2.0, noise=NOISE)
+    for seed in (1, 2):
+        record = rig.measured(rig.rubbing(), seed)
+        table = np.column_stack([record.time, record.values["F"], record.values["x"]])
+        np.savetxt(tmp_path / f"{seed}.csv", table, delimiter=",", header="t,F,x", comments="")
+    (tmp_path / "rig.py").write_text(RIG)
+    (tmp_path / "campaign.toml").write_text(TOML)
+    command = f"diagnose {tmp_path / 'campaign.toml'} --jobs 1 --budget 0.1"
+    told = CliRunner().invoke(app, command.split())
+    assert re.search(r"refitting the parameters \(\d+ s, \d+ s left\)", told.stderr)
