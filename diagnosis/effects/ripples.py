@@ -23,9 +23,8 @@ def _amplitudes(suffix: str = "") -> dict[str, tuple[Any, ...]]:
     }
 
 
-def _periods(motion: Extent, count: int) -> list[dict[str, float]]:
-    counts = np.geomspace(*criteria.RIPPLES_PER_TRAVEL, count)
-    return [{"period": 2 * motion.travel / count} for count in counts]
+def _periods(motion: Extent, counts: tuple[int, int], tried: int) -> list[dict[str, float]]:
+    return [{"period": 2 * motion.travel / count} for count in np.geomspace(*counts, tried)]
 
 
 def _waves(motion: Motion, shape: Values, harmonics: int) -> list[Array]:
@@ -38,7 +37,7 @@ across(
     "Ripple",
     both(**_amplitudes(), period=_PERIOD),
     lambda motion, shape: _waves(motion, shape, 1),
-    shapes=lambda motion: _periods(motion, criteria.RIPPLE_PERIODS),
+    shapes=lambda motion: _periods(motion, criteria.RIPPLES_PER_TRAVEL, criteria.RIPPLE_PERIODS),
     origin=lambda site: 0.0,
 )
 across(
@@ -46,7 +45,7 @@ across(
     "HarmonicRipple",
     both(**_amplitudes(), **_amplitudes("_2"), **_amplitudes("_3"), period=_PERIOD),
     lambda motion, shape: _waves(motion, shape, 3),
-    shapes=lambda motion: _periods(motion, criteria.HARMONIC_PERIODS),
+    shapes=lambda motion: _periods(motion, criteria.HARMONICS_PER_TRAVEL, criteria.HARMONIC_PERIODS),
     origin=lambda site: 0.0,
     plain=("position_ripple", tuple(map(tuple, np.eye(6, 2).tolist()))),
 )

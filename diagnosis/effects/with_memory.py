@@ -29,8 +29,9 @@ def _along(s: Array, law: Callable[[float, Array, float], Array]) -> Array:
     turns = np.flatnonzero(np.diff(np.sign(np.diff(s))) != 0) + 1
     for begin, end in pairwise([0, *turns.tolist(), len(s) - 1]):
         stroke = s[begin + 1 : end + 1] - s[begin]
-        if len(stroke):
-            z[begin + 1 : end + 1] = law(z[begin], np.abs(stroke), float(np.sign(stroke[-1])))
+        moves = len(stroke) > 0 and stroke[-1] != 0.0  # not at rest, nor at an event, which is two points
+        way = np.sign(stroke[-1]) if moves else 0.0
+        z[begin + 1 : end + 1] = law(z[begin], np.abs(stroke), way) if moves else z[begin]
     return z
 
 

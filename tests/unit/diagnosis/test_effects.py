@@ -6,6 +6,7 @@ from unittest.mock import patch
 import inertance as ia
 import numpy as np
 import pytest
+from inertance import rotational
 from inertance.diagnosis.effects.edits import edited
 from inertance.diagnosis.effects.effect import EFFECTS, Effect, Motion, Quantity, effect_of, register
 from inertance.diagnosis.effects.hypothesis import Hypothesis, driven, sensed
@@ -131,6 +132,61 @@ def test_the_basis_is_the_force_of_the_component(kind: str) -> None:
         assert force[~slow] == pytest.approx(-expected[~slow], abs=0.02) or force[~slow] == pytest.approx(
             expected[~slow], abs=0.02
         )
+
+
+@pytest.mark.parametrize("n", [1.0, 1.7, 2.0, 4.0])
+def test_hysteresis_is_screened_as_sharply_as_it_yields(n: float) -> None:
+    net = ia.Network("probe", wall=ia.Fixed(), drive=ia.Position(s_ref=lambda t: 0.3 * t * np.sin(2 * t)))
+    net.add(law=ia.BoucWen(k=1.0, alpha=0.0, beta=0.5 / 0.4**n, gamma=0.5 / 0.4**n, n=n))
+    net.connect(net.wall.flange, net.law.flange_a).connect(net.law.flange_b, net.drive.flange)
+    run = net.simulate(6.0, step=1e-2, rtol=1e-9, atol=1e-11)
+    motion = Motion(run.time, run["law.s_rel"], run["law.v_rel"], run["law.f"], run["law.f"])
+    basis = effect_of("hysteresis").basis
+    assert basis is not None
+    assert basis(motion, {"s_y": 0.4, "n": n})[0] == pytest.approx(run["law.z"], abs=2e-3)
+
+
+def test_gravity_acts_from_the_ground_alone() -> None:
+    net = ia.Network(
+        "arms", wall=rotational.Fixed(), pivot=rotational.Damper(d=0.1), upper=rotational.Inertia(J=1.0),
+        elbow=rotational.Damper(d=0.1), fore=rotational.Inertia(J=0.5),
+    )  # fmt: skip
+    net.connect(net.wall.flange, net.pivot.flange_a).connect(net.pivot.flange_b, net.upper.flange)
+    net.connect(net.upper.flange, net.elbow.flange_a).connect(net.elbow.flange_b, net.fore.flange)
+    t = np.linspace(0.0, 1.0, 50)
+    motion = Motion(t, 2 + np.sin(t), np.cos(t), np.sin(t), -np.sin(t))
+    tried = {
+        site.path: {effect.kind: column for effect, _, column in _forces(site, motion, [motion], "push")}
+        for site in sites_of(net)
+    }
+    assert {path for path, found in tried.items() if "arm_gravity" in found} == {"pivot", "fore"}
+    assert all("constant_force" in tried[path] for path in ("pivot", "elbow", "fore"))
+    gravity = np.column_stack([np.sin(motion.s), np.cos(motion.s)])  # of the angle itself, wherever it rests
+    assert tried["pivot"]["arm_gravity"] == pytest.approx(gravity)
+
+
+def test_where_a_site_rests_is_told_by_a_record_from_rest_or_else_by_the_mean() -> None:
+    """A free decay begins far from where it ends; points crowd at its begin."""
+    t = np.concatenate([np.linspace(0, 1e-3, 500), np.linspace(2e-3, 10.0, 5000)])
+    decay = Motion(t, 0.1 + np.exp(-t) * np.cos(20 * t), -np.sin(t), t, t)
+    still = Motion(t, 0.3 + np.sin(t) ** 2, np.sin(t), t, t)
+    site = sites_of(cart())[0]
+    assert scaled(site, [decay], None).rest == pytest.approx(0.1, abs=0.01)
+    found = scaled(site, [decay, still], 1)
+    assert found.rest == pytest.approx(0.3)
+    assert found.middle == pytest.approx((min(decay.s) + max(still.s)) / 2)
+
+
+def test_a_richer_law_begins_from_what_its_special_case_gave() -> None:
+    site = replace(sites_of(cart())[0], travel=0.1)
+    ripple, harmonics = effect_of("position_ripple"), effect_of("harmonic_ripple")
+    values = {"f_sin": 2.0, "f_cos": -1.0, "period": 0.013}
+    zero = dict.fromkeys(("f_sin_2", "f_cos_2", "f_sin_3", "f_cos_3"), 0.0)
+    assert harmonics.widened("translational", site, ripple, values) == [values | zero]
+    coulomb, dahl = effect_of("coulomb_friction"), effect_of("presliding_friction")
+    begun = dahl.widened("translational", site, coulomb, {"f_c": 3.0})
+    assert {start["f_c"] for start in begun} == {3.0}
+    assert len({start["s_p"] for start in begun}) > 2
 
 
 def test_the_usual_speed_of_a_site_is_over_time_not_over_points() -> None:
