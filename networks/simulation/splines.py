@@ -40,9 +40,11 @@ def piecewise(signal: Sampled) -> Any:
 
 def breaks(signal: Sampled) -> Array:
     """Return the instants at which a signal jumps, or begins or ends to be held beyond its samples."""
+    time: Array = signal.time
     if signal.interpolation == "hold":
-        return signal.time[1:][np.diff(signal.values) != 0]
-    return signal.time[[0, -1]] if signal.extrapolation == "hold" else signal.time[:0]
+        jumps: Array = time[1:][np.diff(signal.values) != 0]
+        return jumps
+    return time[[0, -1]] if signal.extrapolation == "hold" else time[:0]
 
 
 def sampled_at(signal: Sampled, times: Array, order: int = 0) -> Array:

@@ -79,6 +79,17 @@ def test_a_load_at_the_port(fmu: ia.FMU, kind: str, law: Damped, tolerance: floa
     assert np.abs(replayed(fmu, kind, law, {}) - wanted).max() < tolerance * np.ptp(wanted)
 
 
+@pytest.mark.parametrize(("kind", "tolerance"), [("ME", 1e-4), ("CS", 1e-6)])
+def test_samples_may_be_held(fmu: ia.FMU, kind: str, tolerance: float) -> None:
+    held = np.repeat(FORCE[::20], 20)[: len(TIME)]
+    command = {"push.f": ia.Sampled(TIME, held, interpolation="hold")}
+    run = rig().simulate(float(TIME[-1]), step=TIME[1], inputs=command, rtol=1e-9)
+    wanted = run["mass.s"][np.searchsorted(run.time, TIME + 1e-9, side="right") - 1]
+    with Replay(fmu, kind, ["push.f"], ["mass.s"], held=["push.f"]) as replay:
+        seen = replay.run(TIME, held[:, None], {})[:, 0]
+    assert np.abs(seen - wanted).max() < tolerance * np.ptp(wanted)
+
+
 @pytest.mark.parametrize("kind", ["ME", "CS"])
 def test_parameters_and_thinned_outputs(fmu: ia.FMU, kind: str) -> None:
     wanted = exact(Damped(d=1e-9), k=900.0)[::5]

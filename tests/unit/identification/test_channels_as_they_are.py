@@ -15,7 +15,7 @@ from scipy.interpolate import CubicSpline
 
 Array = NDArray[np.float64]
 DELAY, HELD, NOISE = 0.0137, 0.04, 1e-5
-HOLD = {
+HOLD: dict[str, dict[str, Any]] = {
     "F": {"input": "push.f", "unit": "N", "interpolation": "hold", "delay": DELAY},
     "x": {"output": "mass.s", "unit": "m"},
 }
@@ -35,9 +35,6 @@ def commanded(seed: int, rate: float = 100.0, length: float = 4.0, begin: float 
 
     def command(t: float) -> float:
         return float(commands[max(0, int((t - begin) / HELD + 1e-9))])
-
-    def rates(t: float, y: Array) -> list[float]:
-        return [y[1], (command(t) - 440.0 * y[0] - 6.0 * y[1]) / 2.0]
 
     state, t, states = np.array([0.01, -0.2]), begin, []
     instants = begin + np.arange(round(length * rate) + 1) / rate

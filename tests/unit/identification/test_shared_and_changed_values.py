@@ -7,7 +7,10 @@ from typing import Any
 import inertance as ia
 import numpy as np
 import pytest
-from inertance.identification import Campaign, Multisine, Record, sampled
+from inertance.diagnosis.effects.hypothesis import with_effects
+from inertance.diagnosis.models.study import study_of
+from inertance.diagnosis.search.joint_fit import JointFit
+from inertance.identification import Accuracy, Campaign, Multisine, Record, sampled
 
 NOISE = 1e-5
 CHANNELS = {"F": {"input": "push.f", "unit": "N"}, "x": {"output": "mass.s", "unit": "m"}}
@@ -19,7 +22,7 @@ SHARED: dict[str, Any] = {
 TRUTH = {"left.k": 130.0, "right.spring.k": 260.0, "right.damper.d": 5.0}
 
 
-def model(f_c: float = 0.0) -> ia.Network:
+def model() -> ia.Network:
     strut = ia.Network("strut", spring=ia.Spring(k=150.0), damper=ia.Damper(d=4.0))
     net = ia.Network("rig", push=ia.Force(), mass=ia.Mass(m=2.0), wall=ia.Fixed(), left=ia.Spring(k=100.0))
     net.add(right=strut).connect(
@@ -32,17 +35,14 @@ def model(f_c: float = 0.0) -> ia.Network:
         net.mass.flange,
         net.push.flange,
     )
-    if f_c:
-        net.add(rub=ia.CoulombFriction(f_c=f_c)).connect(net.wall.flange, net.rub.flange_a)
-        net.connect(net.rub.flange_b, net.mass.flange)
     return net
 
 
-def measured(seed: int, f_c: float = 0.0, **changed: float) -> Record:
+def measured(seed: int, **changed: float) -> Record:
     """Return a record that begins in motion, at 2 s of a run."""
     force = sampled(Multisine(rms=6.0, low=0.5, high=6.0, period=4.0, seed=seed), stop=6.0, rate=100.0)
     values = TRUTH | {name.replace("_", ".", 1): value for name, value in changed.items()}
-    run = model(f_c).simulate(6.0, step=0.01, inputs={"push.f": force}, parameters=values)
+    run = model().simulate(6.0, step=0.01, inputs={"push.f": force}, parameters=values)
     at = np.searchsorted(run.time, force.time + 1e-6, side="right") - 1
     x = run["mass.s"][at] + np.random.default_rng(seed).normal(0, NOISE, len(at))
     return Record(f"run {seed}", force.time, {"F": force.values, "x": x}).window(2.0, 6.0)
@@ -64,14 +64,6 @@ def test_parameters_that_share_a_value_are_fitted_as_one() -> None:
     assert force == pytest.approx(2.0)
     model().dae()  # is left as it was
     assert model().right.spring.k == 150.0
-
-
-def test_a_diagnosis_keeps_what_is_shared() -> None:
-    runs = [{"record": measured(seed, 1.0)} for seed in (1, 2)]
-    verdict = ia.diagnose(campaign(SHARED, runs[0], test=runs[1:]))
-    assert verdict.effects[0].effect.kind == "coulomb_friction"
-    assert verdict.parameters["left.k"] == pytest.approx(130.0, rel=0.01)
-    assert "right.spring.k" not in verdict.corrected().dae().parameter_values
 
 
 def test_the_range_of_a_parameter_is_that_of_all_that_share_it() -> None:
@@ -107,11 +99,16 @@ def test_a_record_may_have_values_of_its_own() -> None:
     found = ia.fit(campaign(SHARED, plain, heavy, test=[{**heavy, "record": measured(3, mass_m=3.1)}]))
     assert found.values["left.k"] == pytest.approx(130.0, abs=0.02)
     assert all(c.rms("x", c.after) < 1.2 * NOISE for c in found.comparisons)
-    records = [plain, {"record": measured(2, 1.0, mass_m=3.1), "values": {"mass.m": 3.1}}]
-    records[0] = {"record": measured(1, 1.0)}
-    verdict = ia.diagnose(campaign(SHARED, *records))
-    assert [placed.effect.kind for placed in verdict.effects] == ["coulomb_friction"]
-    assert verdict.effects[0].values["f_c"] == pytest.approx(1.0, rel=0.02)
+
+
+def test_a_diagnosis_keeps_what_is_shared_and_what_a_record_has_of_its_own() -> None:
+    heavy = {"record": measured(2, mass_m=3.1), "values": {"mass.m": 3.1}}
+    given = campaign(SHARED, {"record": measured(1)}, heavy)
+    refit = JointFit(study_of(given, Accuracy(rtol=1e-7)), given.start).fitted()
+    assert refit.misfit < 1.1
+    assert refit.parameters["left.k"] == pytest.approx(130.0, abs=0.02)
+    with_effect = with_effects(given.network, [])
+    assert "right.spring.k" not in with_effect.dae().parameter_values
 
 
 @pytest.mark.parametrize(
