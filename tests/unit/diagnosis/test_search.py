@@ -14,6 +14,7 @@ from inertance.diagnosis import DiagnosisInterruptedError, Verdict, diagnose
 from inertance.diagnosis.search.joint_fit import JointFit
 from inertance.identification import Campaign
 from numpy.typing import NDArray
+from scipy.interpolate import CubicSpline
 
 Array = NDArray[np.float64]
 Sensor = Callable[[Array, Array], Array]
@@ -52,10 +53,10 @@ def test_a_fit_of_parameters_that_ended_early_makes_no_effect(
     assert found.parameters["spring.k"] == pytest.approx(840.0, rel=1e-3)
 
 
-def _unfitted(joint: JointFit, starts: Any = (), fitted: Any = JointFit.fitted) -> Any:
+def _unfitted(joint: JointFit, *given: Any, fitted: Any = JointFit.fitted) -> Any:
     """Return a fit that ends where it begins, unless the network has been fitted with an effect."""
     begun = joint.start if not joint.effects and (joint.start == 0).all() else None
-    return joint.seen(begun) if begun is not None else fitted(joint, starts)
+    return joint.seen(begun) if begun is not None else fitted(joint, *given)
 
 
 @pytest.mark.parametrize("line", ["screening", "fitted"])
@@ -145,7 +146,7 @@ def test_nothing_is_missing(cart: Any) -> None:
 @pytest.mark.parametrize("delay", [0.006, -0.006])
 def test_a_sensor_that_is_late_or_early(cart: Any, delay: float) -> None:
     """With one input and one output the same is an input that acts late."""
-    found = verdict_on(cart, cart.rig(), lambda t, x: np.interp(t - delay, t, x))
+    found = verdict_on(cart, cart.rig(), lambda t, x: np.asarray(CubicSpline(t, x)(t - delay)))
     (placed,) = found.effects
     assert found.verdict == "ambiguous"
     assert {placed.key, *found.equivalent} == {("sensor_delay", "x"), ("actuator_delay", "F")}
