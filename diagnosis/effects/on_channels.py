@@ -13,24 +13,19 @@ from .. import criteria
 from .effect import Effect, Quantity, Values, register
 
 _WIDTH = Quantity("width", "unit")
+_DELAY = Quantity("delay", "s", -inf)
 
 
-def _late(t: Array, y: Array, delay: float, smooth: bool) -> Array:
-    """Return a signal that comes late, or early if the delay is negative.
+def _late(t: Array, y: Array, p: Values) -> Array:
+    """Return a signal that comes late, or early if the delay is negative, curved as runs take it.
 
     Before its first and after its last sample it goes on as its reflection in that sample does.
-
-    Args:
-        t: its instants [s].
-        y: its values.
-        delay: by how much it is late [s].
-        smooth: whether it is curved between its samples, not straight.
     """
     from scipy.interpolate import CubicSpline
 
-    at = t - delay
+    at = t - p["delay"]
     inside = np.abs((at - t[0] + (span := t[-1] - t[0])) % (2 * span) - span) + t[0]
-    between = CubicSpline(t, y)(inside) if smooth else np.interp(inside, t, y)
+    between = CubicSpline(t, y)(inside)
     return np.asarray(np.select([at < t[0], at > t[-1]], [2 * y[0] - between, 2 * y[-1] - between], between))
 
 
@@ -73,18 +68,11 @@ def _on_channel(
     register(Effect(kind, "channel", {"channel": quantities}, change=change, step=step, **more))
 
 
-_on_channel(
-    "sensor_delay", lambda t, y, p: _late(t, y, p["delay"], smooth=True), Quantity("delay", "s", -inf)
-)
+_on_channel("sensor_delay", _late, _DELAY)
 _on_channel("sensor_bias", lambda t, y, p: y + p["bias"], Quantity("bias", "unit", -inf))
 _on_channel("sensor_gain", lambda t, y, p: y * (1 + p["gain"]), Quantity("gain", "1", -inf))
 _on_channel("sensor_drift", lambda t, y, p: y + p["rate"] * (t - t[0]), Quantity("rate", "unit/s", -inf))
-_on_channel(
-    "actuator_delay",
-    lambda t, y, p: _late(t, y, p["delay"], smooth=False),
-    Quantity("delay", "s", -inf),
-    drives=True,
-)
+_on_channel("actuator_delay", _late, _DELAY, drives=True)
 _on_channel("actuator_lag", _lagging, Quantity("T", "s"), drives=True)
 _on_channel("actuator_dead_zone", _dead_zone, _WIDTH, drives=True)
 _on_channel("actuator_backlash", _played, _WIDTH, drives=True)
