@@ -27,10 +27,10 @@ class Instrument:
 def decimated(fine: Array, jitter: Array | None = None) -> Array:
     """Return columns at 1 kHz: filtered without delay, taken at instants that jitter [s]."""
     count = round(DURATION * SAMPLING) + 1
-    sampled = np.column_stack([_filtered(column, TAPS, count) for column in fine.T])
+    sampled = np.column_stack([filtered(column, TAPS, count) for column in fine.T])
     if jitter is None:
         return sampled
-    slopes = np.column_stack([_filtered(column, np.gradient(TAPS) * RATE, count) for column in fine.T])
+    slopes = np.column_stack([filtered(column, np.gradient(TAPS) * RATE, count) for column in fine.T])
     return sampled + jitter[:, None] * slopes
 
 
@@ -42,7 +42,7 @@ def record(fine: Array, instrument: Instrument, rng: np.random.Generator) -> Arr
     return instrument.resolution * np.round(sampled / instrument.resolution)
 
 
-def _filtered(column: Array, taps: Array, count: int) -> Array:
+def filtered(column: Array, taps: Array, count: int) -> Array:
     half = len(taps) // 2
     padded = np.concatenate([np.full(half, column[0]), column, np.full(half, column[-1])])
     whole = upfirdn(taps, padded, down=FACTOR)

@@ -169,7 +169,11 @@ def _sites(rig: Rig, place: str, kind: str) -> tuple[str, ...]:
 
 
 def assembled(
-    rig: Rig, values: Values, effects: list[Sized], typical: Mapping[str, Typical]
+    rig: Rig,
+    values: Values,
+    effects: list[Sized],
+    typical: Mapping[str, Typical],
+    makers: Mapping[str, Maker] | None = None,
 ) -> tuple[list[Row], Assembly]:
     """Return the rows of the outputs and the rig with its effects put in."""
     series = [
@@ -181,11 +185,12 @@ def assembled(
     for effect, size in series:
         _put_in_series(rig, values, assembly, effect, size)
     for effect, size in effects:
-        maker = ACROSS.get(effect.kind)
+        maker = (makers or ACROSS).get(effect.kind)
         if maker:
             motion = rig.motions[effect.place]
             law, p = maker(size, typical[effect.place], effect.shape)
-            load = rig.bonds[rig.loads[effect.place]].force(values) if law == "LOADED" else None
+            loaded = law in ("LOADED", "LIMITED")
+            load = rig.bonds[rig.loads[effect.place]].force(values) if loaded else None
             b = np.pad(motion.b, (0, len(assembly.M) - len(motion.b)))
             assembly.elements.append(
                 Element("FRICTION" if law == "LOADED" else law, b, motion.cw, p, load=load)
@@ -268,10 +273,10 @@ def _acted(effect: Effect, size: float, drive: Drive, step: float) -> Drive:
     """Return what an actuator does of what it is told; dead zones are for forces."""
     if effect.kind == "actuator_dead_zone":
         return Drive(drive.u - np.clip(drive.u, -size, size), drive.w, drive.wd, drive.wdd)
-    return Drive(*(_lagged(signal, size, step) for signal in (drive.u, drive.w, drive.wd, drive.wdd)))
+    return Drive(*(lagged(signal, size, step) for signal in (drive.u, drive.w, drive.wd, drive.wdd)))
 
 
-def _lagged(signal: Array, lag: float, step: float) -> Array:
+def lagged(signal: Array, lag: float, step: float) -> Array:
     """First-order lag, by the exact recursion for a signal linear between samples."""
     decay = np.exp(-step / lag)
     mean = lag / step * (1 - decay)

@@ -1,6 +1,6 @@
 """Make the cases of the blind benchmark; the library is not imported here.
 
-python benchmarks/blind/generate.py FOLDER [--cases 240] [--seed 1] [--jobs 2]
+python benchmarks/blind/generate.py FOLDER [--generation 2] [--cases 240] [--seed 1] [--jobs 2]
 
 FOLDER/cases/0001/ holds campaign.toml, model.py and the records, without a hint of what is wrong;
 FOLDER/sealed.json the hash of every label; FOLDER/labels/ the labels, for the scorer alone.
@@ -16,22 +16,28 @@ from concurrent.futures import ProcessPoolExecutor
 from pathlib import Path
 from typing import Any
 
+import case
 import numpy as np
-from case import make
-from plan import Draft, drafts
+import plan
+import second.case
+import second.plan
+from plan import Draft
 from seal import seal
 
 SCORED, CALIBRATION = 1, 1001
+GENERATIONS = {1: (plan.drafts, case.make, 240), 2: (second.plan.drafts, second.case.make, 300)}
 
 
-def generate(folder: Path, count: int, seed: int = SCORED, jobs: int = 2) -> None:
+def generate(folder: Path, count: int, seed: int = SCORED, jobs: int = 2, generation: int = 1) -> None:
     """Make a set of cases and seal its labels; cases that are there already are kept."""
-    wanted = drafts(count, seed)
+    wanted = GENERATIONS[generation][0](count, seed)
     names = [f"{number + 1:04d}" for number in range(count)]
     parts = folder / "labels" / "parts"
     parts.mkdir(parents=True, exist_ok=True)
     missing = [
-        (d, folder, n) for d, n in zip(wanted, names, strict=True) if not (parts / f"{n}.json").exists()
+        (generation, d, folder, n)
+        for d, n in zip(wanted, names, strict=True)
+        if not (parts / f"{n}.json").exists()
     ]
     with ProcessPoolExecutor(jobs) as pool:
         for done, name in enumerate(pool.map(_made, missing), start=1):
@@ -42,9 +48,9 @@ def generate(folder: Path, count: int, seed: int = SCORED, jobs: int = 2) -> Non
     seal(folder, labels, salts, reopen=seed == CALIBRATION)
 
 
-def _made(job: tuple[Draft, Path, str]) -> str:
-    draft, folder, name = job
-    label: dict[str, Any] = make(draft, folder / "cases" / name)
+def _made(job: tuple[int, Draft, Path, str]) -> str:
+    generation, draft, folder, name = job
+    label: dict[str, Any] = GENERATIONS[generation][1](draft, folder / "cases" / name)
     (folder / "labels" / "parts" / f"{name}.json").write_text(json.dumps(label))
     return name
 
@@ -56,11 +62,13 @@ def _salt(seed: int) -> str:
 def main(arguments: Sequence[str] | None = None) -> None:
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawTextHelpFormatter)
     parser.add_argument("folder", type=Path)
-    parser.add_argument("--cases", type=int, default=240)
+    parser.add_argument("--generation", type=int, choices=GENERATIONS, default=1)
+    parser.add_argument("--cases", type=int, help="240, and 300 of the second generation, if not given")
     parser.add_argument("--seed", type=int, default=SCORED, help=f"{CALIBRATION} is the calibration set")
     parser.add_argument("--jobs", type=int, default=2)
     given = parser.parse_args(arguments)
-    generate(given.folder, given.cases, given.seed, given.jobs)
+    count = given.cases or GENERATIONS[given.generation][2]
+    generate(given.folder, count, given.seed, given.jobs, given.generation)
 
 
 if __name__ == "__main__":

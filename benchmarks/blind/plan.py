@@ -31,9 +31,9 @@ def drafts(count: int, seed: int) -> list[Draft]:
     rng = np.random.default_rng(seed)
     offers = [(rig.name, *offer) for rig in RIGS.values() for offer in places(rig)]
     strange = [(rig.name, *offer) for rig in RIGS.values() for offer in outside(rig)]
-    dealer = _Dealer(rng, offers, strange)
+    dealer = Dealer(rng, offers, strange)
     turn: Counter[str] = Counter()
-    noises = _noises(rng)
+    levels = noises(rng)
     made = []
     for block in range(-(-count // len(BLOCK))):
         order = rng.permutation(BLOCK)
@@ -41,11 +41,11 @@ def drafts(count: int, seed: int) -> list[Draft]:
             severity = SEVERITIES[turn[verdict] % 3] if verdict == "effect" else SEVERITIES[turn[verdict] % 2]
             turn[verdict] += 1
             draw = int(rng.integers(2**63))
-            made.append(Draft(str(verdict), severity, next(noises), draw, dealer.options(str(verdict))))
+            made.append(Draft(str(verdict), severity, next(levels), draw, dealer.options(str(verdict))))
     return made
 
 
-class _Dealer:
+class Dealer:
     """Deals kinds in turn, and for each kind the places least dealt so far."""
 
     def __init__(
@@ -61,7 +61,7 @@ class _Dealer:
         """Return what a case may be made of, best first."""
         offers = self.strange if verdict == "unknown" else self.offers
         if verdict in ("none", "parameters"):
-            offers = [(name, "", "", ()) for name in RIGS]
+            offers = [(name, "", "", ()) for name in dict.fromkeys(offer[0] for offer in self.offers)]
         kinds = sorted({offer[1] for offer in offers})
         jitter = {offer: self.rng.uniform() for offer in offers}
         least = {kind: self.dealt[f"{verdict} {kind}"] + self.rng.uniform() for kind in kinds}
@@ -72,6 +72,6 @@ class _Dealer:
         return tuple(order)
 
 
-def _noises(rng: np.random.Generator) -> Iterator[float]:
+def noises(rng: np.random.Generator) -> Iterator[float]:
     while True:
         yield from (float(x) for x in rng.permutation(NOISES))

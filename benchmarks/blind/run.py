@@ -1,6 +1,7 @@
 """Generate the blind cases, diagnose each in a process of its own, open the labels, print the table.
 
-python benchmarks/blind/run.py [--folder DIR] [--cases 240 | --sample 24] [--seed 1] [--jobs 2] [--baselines]
+python benchmarks/blind/run.py [--generation 2] [--folder DIR] [--cases N | --sample N] [--seed 1] [--jobs 2]
+                               [--baselines] [--gate]
 
 What is there already is kept, so a run that was broken off goes on where it stopped. With --gate the exit
 code is 1 if a sample of this size, which tells no share well, says that something is broken.
@@ -18,10 +19,11 @@ from collections.abc import Sequence
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
-from generate import CALIBRATION, SCORED, generate
+from generate import CALIBRATION, GENERATIONS, SCORED, generate
 from score import missed, report
 
 LIMIT = 600.0
+NAMES = {1: "blind", 2: "blind2"}
 
 
 def diagnose(case: Path) -> str:
@@ -48,16 +50,17 @@ def diagnose(case: Path) -> str:
 def main(arguments: Sequence[str] | None = None) -> None:
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawTextHelpFormatter)
     parser.add_argument("--folder", type=Path, help="where cases go; blind_SEED_CASES if not given")
-    parser.add_argument("--cases", type=int, default=240)
-    parser.add_argument("--sample", type=int, help="only so many cases; any first 24 are balanced")
+    parser.add_argument("--generation", type=int, choices=GENERATIONS, default=1)
+    parser.add_argument("--cases", type=int, help="240, and 300 of the second generation, if not given")
+    parser.add_argument("--sample", type=int, help="only so many cases; any first 24, or 30, are balanced")
     parser.add_argument("--seed", type=int, default=SCORED, help=f"{CALIBRATION} is the calibration set")
     parser.add_argument("--jobs", type=int, default=2)
     parser.add_argument("--baselines", action="store_true", help="run the baselines, too")
     parser.add_argument("--gate", action="store_true", help="end with exit code 1 if the score is poor")
     given = parser.parse_args(arguments)
-    count = given.sample or given.cases
-    folder = given.folder or Path(f"blind_{given.seed}_{count}")
-    generate(folder, count, given.seed, given.jobs)
+    count = given.sample or given.cases or GENERATIONS[given.generation][2]
+    folder = given.folder or Path(f"{NAMES[given.generation]}_{given.seed}_{count}")
+    generate(folder, count, given.seed, given.jobs, given.generation)
     cases = sorted(path for path in (folder / "cases").iterdir() if path.is_dir())
     with ThreadPoolExecutor(given.jobs) as pool:
         for done, name in enumerate(pool.map(diagnose, cases), start=1):

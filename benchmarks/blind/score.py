@@ -11,114 +11,49 @@ from __future__ import annotations
 import argparse
 import json
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
-from math import sqrt
 from pathlib import Path
 from statistics import mean, median
 from typing import Any
 
+from measures import Scored, alarm, null_cases, share
 from seal import unseal
+from second import score as later
 
-Answer = tuple[str, str]
 LEAST = 0.7  # share of single effects to be named even in a small sample
-
-
-@dataclass(frozen=True)
-class Scored:
-    """A case with its label, and what was answered.
-
-    Attributes:
-        label: the truth.
-        verdict: the verdict's JSON; empty if there is none.
-        seconds: run time, None if not known.
-    """
-
-    label: dict[str, Any]
-    verdict: dict[str, Any]
-    seconds: float | None = None
-
-    @property
-    def said(self) -> str:
-        """The verdict's word."""
-        return str(self.verdict.get("verdict", "failed"))
-
-    @property
-    def first(self) -> Answer | None:
-        """The effect named first."""
-        named = self.named
-        return named[0] if named else None
-
-    @property
-    def named(self) -> list[Answer]:
-        """Effects that the verdict names."""
-        effects = self.verdict.get("effects") or []
-        return [_answer(effect) for effect in effects]
-
-    @property
-    def members(self) -> list[Answer]:
-        """The equivalence class: what is named, and what the data cannot tell from it."""
-        others = self.verdict.get("equivalent") or []
-        flat = [entry for member in others for entry in (member if isinstance(member, list) else [member])]
-        return list(dict.fromkeys([*self.named, *(_answer(entry) for entry in flat)]))
-
-    def is_right(self, answer: Answer | None, effect: dict[str, Any] | None = None) -> bool:
-        """Tell whether an answer is the true effect, or one of them."""
-        effects = [effect] if effect else self.label["effects"]
-        return answer is not None and any(list(answer) in e["answers"] for e in effects)
-
-    @property
-    def hit(self) -> bool:
-        """Whether kind and site of all effects are named, none too many."""
-        effects = self.label["effects"]
-        found = [any(self.is_right(answer, effect) for answer in self.named) for effect in effects]
-        return all(found) and len(self.named) == len(effects)
-
-
-def wilson(hits: int, count: int, z: float = 1.959964) -> tuple[float, float]:
-    """Return the 95 % interval of a share.
-
-    Source: E. B. Wilson, J. Amer. Statist. Assoc. 22 (1927) 209-212.
-    """
-    if count == 0:
-        return 0.0, 1.0
-    p, spread = hits / count, z**2 / count
-    middle = (p + spread / 2) / (1 + spread)
-    half = z * sqrt(p * (1 - p) / count + spread / (4 * count)) / (1 + spread)
-    return max(0.0, middle - half), min(1.0, middle + half)
 
 
 def table(cases: Sequence[Scored]) -> list[tuple[str, str, str]]:
     """Return rows of (measure, figure, target)."""
     single = [c for c in cases if c.label["group"] == "effect"]
-    clean = _clean(cases)
+    clean = null_cases(cases)
     rows = [
-        _share(f"kind and site, gap-to-noise {s:g}", at, lambda c: c.hit, target)
+        share(f"kind and site, gap-to-noise {s:g}", at, lambda c: c.hit, target)
         for s, target in ((10.0, ">= 90 %"), (3.0, ">= 80 %"), (1.0, ""))
         for at in [[c for c in single if c.label["severity"] == s]]
     ]
     pairs = [c for c in cases if c.label["group"] == "pair"]
-    rows.append(_share("two effects, both and no other", pairs, lambda c: c.hit, ""))
-    rows.append(_share("two effects, first named is one of them", pairs, lambda c: c.is_right(c.first), ""))
+    rows.append(share("two effects, both and no other", pairs, lambda c: c.hit, ""))
+    rows.append(share("two effects, first named is one of them", pairs, lambda c: c.is_right(c.first), ""))
     for group in ("none", "parameters"):
         some = [c for c in clean if c.label["group"] == group]
-        rows.append(_share(f"false alarms, {group}", some, _alarm, ""))
-    rows.append(_share("false alarms, both", clean, _alarm, "<= 3 %"))
+        rows.append(share(f"false alarms, {group}", some, alarm, ""))
+    rows.append(share("false alarms, both", clean, alarm, "<= 3 %"))
     shown = [c for c in single if c.label["severity"] >= 3 and c.said in ("effect", "ambiguous")]
-    rows.append(_share("class holds the truth", shown, lambda c: any(map(c.is_right, c.members)), ">= 95 %"))
+    rows.append(share("class holds the truth", shown, lambda c: any(map(c.is_right, c.members)), ">= 95 %"))
     sizes = [len(c.members) for c in shown]
     rows.append(("mean size of a class", f"{mean(sizes):.2f}" if sizes else "-", "<= 2"))
     strange = [c for c in cases if c.label["group"] == "unknown"]
-    rows.append(_share("unknown recognised", strange, lambda c: c.said in ("partial", "unknown"), ">= 80 %"))
+    rows.append(share("unknown recognised", strange, lambda c: c.said in ("partial", "unknown"), ">= 80 %"))
     rows.append(_closed(shown))
     rows += _times(cases)
-    rows.append(_share("no verdict", cases, lambda c: c.said == "failed", "0 %"))
+    rows.append(share("no verdict", cases, lambda c: c.said == "failed", "0 %"))
     return rows
 
 
 def missed(cases: Sequence[Scored]) -> list[str]:
     """Return what is wrong even in a small sample: it is far below what the whole set shows."""
-    shown, clean = _strong(cases), _clean(cases)
-    right, alarms = sum(c.hit for c in shown), sum(map(_alarm, clean))
+    shown, clean = _strong(cases), null_cases(cases)
+    right, alarms = sum(c.hit for c in shown), sum(map(alarm, clean))
     failed = sum(c.said == "failed" for c in cases)
     told = {
         f"{right} of {len(shown)} single effects named at gap-to-noise 3 and 10, {LEAST:.0%} wanted": right
@@ -133,7 +68,7 @@ def by(cases: Sequence[Scored], key: Callable[[Scored], str]) -> list[tuple[str,
     """Return the share of right kind and site of single effects at gap-to-noise 3 and 10, by a key."""
     single = _strong(cases)
     return [
-        _share(name, [c for c in single if key(c) == name], lambda c: c.hit, "")
+        share(name, [c for c in single if key(c) == name], lambda c: c.hit, "")
         for name in sorted({*map(key, single)})
     ]
 
@@ -160,30 +95,6 @@ def show(title: str, rows: Sequence[tuple[str, str, str]]) -> None:
 def _strong(cases: Sequence[Scored]) -> list[Scored]:
     """Return those with one effect at gap-to-noise 3 and 10."""
     return [c for c in cases if c.label["group"] == "effect" and c.label["severity"] >= 3]
-
-
-def _clean(cases: Sequence[Scored]) -> list[Scored]:
-    """Return those without an effect."""
-    return [c for c in cases if c.label["group"] in ("none", "parameters")]
-
-
-def _alarm(case: Scored) -> bool:
-    return case.said in ("effect", "ambiguous", "partial", "unknown")
-
-
-def _answer(effect: dict[str, Any]) -> Answer:
-    return str(effect.get("kind")), str(effect.get("site"))
-
-
-def _share(
-    measure: str, cases: Sequence[Scored], hit: Callable[[Scored], bool], target: str
-) -> tuple[str, str, str]:
-    hits = sum(hit(c) for c in cases)
-    if not cases:
-        return measure, "-", target
-    low, high = wilson(hits, len(cases))
-    figure = f"{hits / len(cases):6.1%}  [{low:.1%}, {high:.1%}]  {hits}/{len(cases)}"
-    return measure, figure, target
 
 
 def _closed(cases: Sequence[Scored]) -> tuple[str, str, str]:
@@ -216,7 +127,10 @@ def main(arguments: Sequence[str] | None = None) -> None:
 def report(folder: Path) -> list[Scored]:
     """Print the table of a set, of the diagnosis and of every baseline that was run; return the cases."""
     cases = read(folder)
-    show(f"diagnosis, {len(cases)} cases", table(cases))
+    second = any(case.label.get("generation") == 2 for case in cases)
+    show(f"diagnosis, {len(cases)} cases", later.table(cases) if second else table(cases))
+    if second:
+        show("right verdicts by how records were taken, gap-to-noise 3 and 10", later.by_cause(cases))
     show("kind and site by kind, gap-to-noise 3 and 10", by(cases, lambda c: c.label["effects"][0]["kind"]))
     show("kind and site by topology, gap-to-noise 3 and 10", by(cases, lambda c: c.label["rig"]))
     names = sorted({path.name for path in folder.glob("cases/*/baseline_*.json")} - {"verdict.json"})

@@ -17,16 +17,23 @@ COARSE = 2
 class Scale:
     """Measures gaps on some records of a rig with given parameters, in units of each channel's noise.
 
-    It steps at 10 kHz, which is enough for a size.
+    It steps at 10 kHz, which is enough for a size. `rel` is how uncertain parameters are, PRIOR if not given.
     """
 
     def __init__(
-        self, rig: Rig, values: Values, drives: list[Drive], typical: Mapping[str, Typical], noise: float
+        self,
+        rig: Rig,
+        values: Values,
+        drives: list[Drive],
+        typical: Mapping[str, Typical],
+        noise: float,
+        rel: Mapping[str, float] | None = None,
     ) -> None:
         self.rig, self.values, self.typical = rig, values, typical
+        self.rel = np.array([rel[name] if rel else PRIOR for name in values])
         self.drives = [Drive(*(x[::COARSE] for x in (d.u, d.w, d.wd, d.wdd))) for d in drives]
         clean = self._seen(values, [])
-        self.noise = noise * np.sqrt(np.mean(np.concatenate(clean) ** 2, axis=0))
+        self.noise = self._noise(clean, noise)
         self.signal = 1 / noise
         self._clean = self._scaled(clean)
         self._projector = self._explained()
@@ -39,7 +46,7 @@ class Scale:
 
     def size(self, effect: Effect, severity: float) -> float | None:
         """Return the size that makes a gap of `severity`, None if the rig would change beyond likeness."""
-        size = first_guess(effect, self.rig, self.drives[0], COARSE * STEP)
+        size = self._guess(effect)
         for _ in range(9):
             gap, change = self.gap([(effect, size)])
             if not np.isfinite(gap) or change > 0.6 * max(self.signal, 3 * severity):
@@ -48,6 +55,12 @@ class Scale:
                 return size
             size *= float(np.clip(severity / max(gap, 1e-12), 0.1, 10))
         return None
+
+    def _noise(self, clean: list[Array], noise: float) -> Array:
+        return noise * np.sqrt(np.mean(np.concatenate(clean) ** 2, axis=0))
+
+    def _guess(self, effect: Effect) -> float:
+        return first_guess(effect, self.rig, self.drives[0], COARSE * STEP)
 
     def _seen(self, values: Values, effects: list[Sized]) -> list[Array]:
         step = COARSE * STEP
@@ -67,5 +80,5 @@ class Scale:
             moved = self._scaled(self._seen({**self.values, name: 1.01 * value}, []))
             slopes.append((moved - self._clean) / 0.01)
         self._slopes = np.column_stack(slopes)
-        normal = self._slopes.T @ self._slopes + np.eye(len(slopes)) / PRIOR**2
+        normal = self._slopes.T @ self._slopes + np.diag(1 / self.rel**2)
         return np.asarray(np.linalg.solve(normal, self._slopes.T))

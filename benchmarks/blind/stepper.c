@@ -18,11 +18,15 @@ enum {
     CONTACT,
     MAXWELL,
     WARPED,
-    CLEARANCE
+    CLEARANCE,
+    LUGRE,
+    CONSTANT,
+    LIMITED,
+    JENKINS
 };
 
 typedef struct {
-    double law, cw, b[NMAX], warp[NMAX], load_q[NMAX], load_v[NMAX], load_w, load_wd, p[12];
+    double law, cw, b[NMAX], warp[NMAX], load_q[NMAX], load_v[NMAX], load_w, load_wd, p[16];
 } Element;
 
 typedef struct {
@@ -39,13 +43,17 @@ static double sign(double x) { return (x > 0) - (x < 0); }
 static double clip(double x, double low, double high) { return x < low ? low : x > high ? high : x; }
 
 /* p: level forward, level backward, static surplus, its speed, its exponent, load factor, growth, its time,
- * from, to */
-static double level(const double *p, double speed, double load, double t, int backward) {
+ * from, to; p[12..14]: share by which it varies with travel, centre and half width of that */
+static double level(const double *p, double e, double speed, double load, double t, int backward) {
     double of_speed = p[2] != 0 ? 1 + p[2] * exp(-pow(fabs(speed) / p[3], p[4])) : 1;
     double of_time = p[7] > 0 ? p[6] * (1 - exp(-t / p[7])) : 0;
     double active = p[9] > p[8] ? t >= p[8] && t <= p[9] : 1;
-    return active * (p[backward] * of_speed + p[5] * fabs(load) + of_time);
+    double of_travel = p[12] != 0 ? 1 + p[12] * cos(M_PI * (e - p[13]) / p[14]) : 1;
+    return active * of_travel * (p[backward] * of_speed + p[5] * fabs(load) + of_time);
 }
+
+/* What grows from nothing within a time T and stays, if there is one */
+static double grown(double T, double t) { return T > 0 ? 1 - exp(-t / T) : 1; }
 
 /* Set-valued friction over a step: slide until the speed is zero, then stick (a = 0) or slide on. `free` is
    the acceleration without this friction, W what a unit of it takes away. */
@@ -61,6 +69,18 @@ static double iwan(const double *p, double *cell, double e, int keep) {
     double force = 0;
     for (int i = 0; i < CELLS; i++) {
         double yield = p[1] * (i + 0.5) / CELLS, slider = clip(cell[i], e - yield, e + yield);
+        force += p[0] / CELLS * (e - slider);
+        if (keep) cell[i] = slider;
+    }
+    return force;
+}
+
+/* The same with yield travels that go with a power: p = stiffness, greatest yield travel, power; with 0 all
+   cells yield at once */
+static double jenkins(const double *p, double *cell, double e, int keep) {
+    double force = 0;
+    for (int i = 0; i < CELLS; i++) {
+        double yield = p[1] * pow((i + 0.5) / CELLS, p[2]), slider = clip(cell[i], e - yield, e + yield);
         force += p[0] / CELLS * (e - slider);
         if (keep) cell[i] = slider;
     }
@@ -91,16 +111,29 @@ static double smooth_law(const Element *el, State *s, double h, double t, double
     double e = s->e, rate = s->rate;
     switch ((int)el->law) {
     case BRISTLES: {
-        double g = level(p, rate, load, t, rate < 0);
+        double g = level(p, e, rate, load, t, rate < 0);
         double z = (s->cell[0] + h / 2 * rate) / (1 + h / 2 * p[10] * fabs(rate) / g);
         if (keep) s->cell[0] = 2 * z - s->cell[0];
         return p[10] * z;
     }
-    case POWER_OF_SPEED: return p[0] * sign(rate) * pow(fabs(rate), p[1]);
-    case POWER_OF_TRAVEL: return p[0] * sign(e) * pow(fabs(e), p[1]);
+    case LUGRE: { /* bristles that also resist being bent: p[11] = damping of theirs */
+        double g = level(p, e, rate, load, t, rate < 0);
+        double z = (s->cell[0] + h / 2 * rate) / (1 + h / 2 * p[10] * fabs(rate) / g);
+        double bent = (z - s->cell[0]) / (h / 2);
+        if (keep) s->cell[0] = 2 * z - s->cell[0];
+        return p[10] * z + p[11] * bent;
+    }
+    case POWER_OF_SPEED: return p[0] * grown(p[7], t) * sign(rate) * pow(fabs(rate), p[1]);
+    case POWER_OF_TRAVEL: return p[0] * grown(p[7], t) * sign(e) * pow(fabs(e), p[1]);
+    case CONSTANT: return p[0];
+    case LIMITED: return load - clip(load, -p[0], p[0]); /* what a drive holds back of what it is told */
     case BILINEAR: return e > 0 ? p[0] * e : p[1] * e;
-    case RIPPLE: return p[0] * sin(2 * M_PI * e / p[1] + p[2]);
+    case RIPPLE: { /* p = size, period, phase; shares and phases of the second and third harmonic */
+        double turn = 2 * M_PI * e / p[1];
+        return p[0] * (sin(turn + p[2]) + p[3] * sin(2 * turn + p[4]) + p[5] * sin(3 * turn + p[6]));
+    }
     case IWAN: return iwan(p, s->cell, e, keep);
+    case JENKINS: return jenkins(p, s->cell, e, keep);
     case CONTACT: return contact(p, e, rate);
     case WARPED: return p[0] * e + p[1] * rate;
     case CLEARANCE: return clearance(p, s->cell, e, rate, h, keep);
@@ -163,7 +196,8 @@ void run(int n, int steps, double h, const double *Ainv, const double *C, const 
                     dot(n, el->load_q, qm) + dot(n, el->load_v, vm) + el->load_w * w[j] + el->load_wd * wd[j];
                 elongate(n, el, s, qm, vm, w[j], wd[j]);
                 if ((int)el->law == FRICTION) {
-                    double up = level(el->p, s->rate, load, t, 0), down = level(el->p, s->rate, load, t, 1);
+                    double up = level(el->p, s->e, s->rate, load, t, 0);
+                    double down = level(el->p, s->e, s->rate, load, t, 1);
                     double begin = dot(n, el->b, v) + el->cw * (wd[j] - h / 2 * wdd[j]);
                     double end = dot(n, el->b, v) + dot(n, el->b, dv) + el->cw * (wd[j] + h / 2 * wdd[j]);
                     s->lambda = dry(up, down, begin, (end - begin) / h + s->W * s->lambda, s->W, h);

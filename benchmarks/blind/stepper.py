@@ -38,6 +38,10 @@ LAWS = (
     "MAXWELL",
     "WARPED",
     "CLEARANCE",
+    "LUGRE",
+    "CONSTANT",
+    "LIMITED",
+    "JENKINS",
 )
 
 
@@ -62,7 +66,7 @@ class Element:
             load.q,
             load.v,
             [load.w, load.wd],
-            np.pad(np.asarray(self.p, float), (0, 12 - len(self.p))),
+            np.pad(np.asarray(self.p, float), (0, 16 - len(self.p))),
         ]
         return np.concatenate([np.asarray(part, float) for part in parts])
 

@@ -21,6 +21,7 @@ NAMES = (
     "case",
     "effects",
     "excitations",
+    "measures",
     "plan",
     "rigs",
     "score",
@@ -169,9 +170,9 @@ def test_a_changed_label_breaks_the_seal(blind: Any, tmp_path: Path) -> None:
 
 def test_wilson_interval(blind: Any) -> None:
     # 81 of 263: the example of R. G. Newcombe, Statist. Med. 17 (1998) 857-872, table I
-    assert blind.score.wilson(81, 263) == pytest.approx((0.2553, 0.3662), abs=5e-5)
-    assert blind.score.wilson(0, 20) == pytest.approx((0.0, 0.1611), abs=5e-5)
-    assert blind.score.wilson(1, 29) == pytest.approx((0.0061, 0.1718), abs=5e-5)
+    assert blind.measures.wilson(81, 263) == pytest.approx((0.2553, 0.3662), abs=5e-5)
+    assert blind.measures.wilson(0, 20) == pytest.approx((0.0, 0.1611), abs=5e-5)
+    assert blind.measures.wilson(1, 29) == pytest.approx((0.0061, 0.1718), abs=5e-5)
 
 
 def test_scores(blind: Any) -> None:
@@ -183,7 +184,7 @@ def test_scores(blind: Any) -> None:
         effects = [{"kind": kind, "site": site} for kind, site in named]
         others = [{"kind": kind, "site": site} for kind, site in equivalent]
         told = {"verdict": verdict, "effects": effects, "equivalent": others, "closed": 0.9}
-        return blind.score.Scored(label, told, seconds=2.0)
+        return blind.measures.Scored(label, told, seconds=2.0)
 
     right = case(label, "effect", ("backlash", "gear"))
     wrong_site = case(label, "effect", ("backlash", "motor"), equivalent=[("backlash", "shaft")])
@@ -197,7 +198,7 @@ def test_scores(blind: Any) -> None:
     assert rows["false alarms, both"].endswith("1/2")
     assert rows["closed, of all that is above the noise"].startswith("median 0.900")
     assert blind.score.missed([right, quiet]) == []
-    poor = blind.score.missed([right, wrong_site, too_many, alarm, quiet, blind.score.Scored(label, {})])
+    poor = blind.score.missed([right, wrong_site, too_many, alarm, quiet, blind.measures.Scored(label, {})])
     assert [told.split(",")[0] for told in poor] == [
         "1 of 4 single effects named at gap-to-noise 3 and 10",
         "1 false alarms in 2 cases",

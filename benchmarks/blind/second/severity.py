@@ -1,0 +1,114 @@
+"""How large an effect must be for a gap-to-noise ratio, and which other answers are as good."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+
+import numpy as np
+from assembly import Rig, Values
+from effects import Effect, Sized, Typical
+from excitations import STEP
+from second.effects import Offer, guess, signals
+from second.excitations import PREROLL
+from second.recording import Logger
+from second.rigs import MASSES
+from severity import COARSE, Scale
+from stepper import Array, Drive
+
+EVERY = 80  # coarse steps, so that a gap is measured at 125 Hz
+APART = 10.0  # chi squared below which two answers are one
+SCALED = 12  # times at most, as a shift is not quite linear
+CLOSE = 1e-4  # change of a size that is none
+LARGEST = {"sensor_gain": 0.4, "sensor_delay": 0.04, "actuator_delay": 0.04, "actuator_lag": 0.1}  # 1, s
+LINEAR = ("constant_force", "added_inertia", "sensor_delay", "sensor_bias", "sensor_gain", "actuator_delay")
+
+
+class Bench(Scale):
+    """Measures gaps in records that begin at PREROLL, zeros of their own taken off where that is declared.
+
+    Args:
+        rig, values, drives, typical, noise: as of a Scale.
+        rel: how uncertain each parameter is.
+        logger: takes the records.
+    """
+
+    def __init__(
+        self,
+        rig: Rig,
+        values: Values,
+        drives: list[Drive],
+        typical: Mapping[str, Typical],
+        noise: float,
+        rel: Mapping[str, float],
+        logger: Logger,
+    ) -> None:
+        self.logger = logger
+        self.weight = logger.rate * COARSE * STEP * EVERY
+        super().__init__(rig, values, drives, typical, noise, rel)
+        self.signal = float(1 / np.hypot(noise, logger.grain))
+
+    def alike(self, effect: Effect, size: float, offers: Sequence[Offer]) -> list[tuple[str, str]]:
+        """Return kinds and sites whose effect on the records is that of `effect`, to less than APART."""
+        change = self._left([(effect, size)])
+        rivals = [
+            offer
+            for offer in offers
+            if offer[:2] != (effect.kind, effect.place)
+            and (offer[0] in LINEAR or (offer[0], offer[1]) == ("coulomb_friction", effect.place))
+        ]
+        found = [offer for offer in rivals if self._is(offer[0], offer[1], change)]
+        return [(kind, site) for kind, _, sites in found for site in sites]
+
+    def _is(self, kind: str, place: str, change: Array) -> bool:
+        """Return whether some size of a kind at a place makes a change of the records."""
+        for sign in (1.0, -1.0):
+            other = Effect(kind, place, (), {"sign": sign, "filtered": 0.0})
+            size = self._guess(other)
+            for _ in range(SCALED):
+                trial = self._left([(other, size)])
+                if self.weight * float(np.sum((change - trial) ** 2)) < APART:
+                    return True
+                share = float(trial @ change) / max(float(trial @ trial), 1e-300)
+                if share <= 0 or abs(share - 1) < CLOSE:
+                    break
+                size *= share
+        return False
+
+    def size(self, effect: Effect, severity: float) -> float | None:
+        """Return the size that makes a gap of `severity`, None if no rig would have an effect so large."""
+        size = super().size(effect, severity)
+        largest = MASSES.get(effect.place) if effect.kind == "added_inertia" else LARGEST.get(effect.kind)
+        return None if size is None or size > (largest or np.inf) else size
+
+    def _left(self, effects: list[Sized]) -> Array:
+        """Return the change by effects over noise that parameters and zeros cannot explain."""
+        change = self._scaled(self._seen(self.values, effects)) - self._clean
+        return change - self._slopes @ (self._projector @ change)
+
+    def _guess(self, effect: Effect) -> float:
+        return guess(effect, self.rig, self.drives[0], COARSE * STEP)
+
+    def _noise(self, clean: list[Array], noise: float) -> Array:
+        return super()._noise(clean, float(np.hypot(noise, self.logger.grain)))
+
+    def _seen(self, values: Values, effects: list[Sized]) -> list[Array]:
+        step, seen = COARSE * STEP, []
+        for drive in self.drives:
+            fine = signals(self.rig, values, drive, effects, self.typical, step, self.logger.duration)
+            seen.append(fine[round(PREROLL / step) :: EVERY, 1:])
+        return seen
+
+    def _explained(self) -> Array:
+        """Return what maps a change to parameters and zeros that explain it best, and keep their slopes."""
+        super()._explained()
+        count = len(self._clean) // (len(self.drives) * len(self.rig.outputs))
+        columns = []
+        for record in range(len(self.drives)):
+            for output in map(self.rig.outputs.index, self.logger.offset):
+                column = np.zeros((len(self.drives), count, len(self.rig.outputs)))
+                column[record, :, output] = 1.0
+                columns.append(column.ravel())
+        known = [*1 / self.rel**2, *[0.0] * len(columns)]
+        self._slopes = np.column_stack([self._slopes, *columns])
+        normal = self._slopes.T @ self._slopes + np.diag(known)
+        return np.asarray(np.linalg.solve(normal, self._slopes.T))
