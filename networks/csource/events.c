@@ -156,11 +156,12 @@ static CoreStatus apply(Core *c, const int fired[], int count, const Observer *t
 
 static CoreStatus check_adrift(Core *c) {
     if (!c->adrift) return CORE_OK;
-    return core_fail(c, CORE_ERROR,
-                     "at t = %g s nothing with inertia moves with %s, which no longer holds; join a Mass "
-                     "(or an Inertia) where it slides, or, if a spring is in series with it, take a Jenkins for "
-                     "both",
-                     c->t, model_block_label[c->adrift - 1]);
+    return core_fail(
+        c, CORE_ERROR,
+        "at t = %g s nothing with inertia moves with %s, which no longer holds; join a Mass "
+        "(or an Inertia) where it slides, or, if a spring is in series with it, take a Jenkins for "
+        "both",
+        c->t, model_block_label[c->adrift - 1]);
 }
 
 static CoreStatus forever(Core *c) {
