@@ -19,14 +19,15 @@ _DELAY = Quantity("delay", "s", -inf)
 def _late(t: Array, y: Array, p: Values) -> Array:
     """Return a signal that comes late, or early if the delay is negative, curved as runs take it.
 
-    Before its first and after its last sample it goes on as its reflection in that sample does.
+    Before its first and after its last sample it goes on as the parabola through that sample and those once and
+    twice as far inside.
     """
     from scipy.interpolate import CubicSpline
 
-    at = t - p["delay"]
-    inside = np.abs((at - t[0] + (span := t[-1] - t[0])) % (2 * span) - span) + t[0]
-    between = CubicSpline(t, y)(inside)
-    return np.asarray(np.select([at < t[0], at > t[-1]], [2 * y[0] - between, 2 * y[-1] - between], between))
+    curve, at = CubicSpline(t, y), t - p["delay"]
+    end = np.clip(at, t[0], t[-1])
+    once, twice = (np.clip(end + count * (end - at), t[0], t[-1]) for count in (1, 2))
+    return np.asarray(3 * curve(end) - 3 * curve(once) + curve(twice))
 
 
 def _lagging(t: Array, y: Array, p: Values) -> Array:
