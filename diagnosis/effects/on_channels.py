@@ -19,8 +19,8 @@ _DELAY = Quantity("delay", "s", -inf)
 def _late(t: Array, y: Array, p: Values) -> Array:
     """Return a signal that comes late, or early if the delay is negative, curved as runs take it.
 
-    Before its first and after its last sample it goes on as the parabola through that sample and those once and
-    twice as far inside.
+    Before its first and after its last sample it goes on as the parabola through that sample, and those once
+    and twice as far inside.
     """
     from scipy.interpolate import CubicSpline
 
