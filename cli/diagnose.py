@@ -51,7 +51,7 @@ def diagnose(
     with failing(WRONG_USE, ModelError):
         loaded = Campaign.load(campaign, validate=validate, reader=read_model)
     count = jobs or os.cpu_count() or 1
-    with failing(FAILED, InertanceError), progress("reading") as tell:
+    with failing(FAILED, InertanceError), failing(WRONG_USE, ModelError), progress("reading") as tell:
         try:
             with Processes(count, "spawn") if count > 1 else nullcontext() as pool:
                 verdict = run_diagnosis(loaded, executor=pool, solver=solver, budget=budget, report=tell)
