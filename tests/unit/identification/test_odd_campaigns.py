@@ -137,7 +137,7 @@ def moved(change: Callable[[Array], Array]) -> Callable[[Array], Array]:
     return lambda table: np.column_stack([table[:, :2], change(table[:, 2])])
 
 
-STOPPED = RIG.replace("push=ia.Force()", "push=ia.Force(), stop=ia.HardStop(lower=-0.004, upper=0.004)").replace(
+STOPPED = RIG.replace("push=ia.Force()", "push=ia.Force(), stop=ia.HardStop(s_min=-0.004)").replace(
     "    return", "    net.connect(net.wall.flange, net.stop.flange_a)\n    net.connect(net.carriage.flange, net.stop.flange_b)\n    return"
 )  # fmt: skip
 MODELS = {
@@ -225,3 +225,11 @@ def test_a_model_far_faster_than_its_record_is_told(folder: Path) -> None:
     code, output = told_by(folder, "diagnose", "--jobs", "1")
     assert code == 1
     assert "train.csv: 'rig' moves far faster than the record: more than 50 steps" in output
+
+
+@pytest.mark.parametrize("command", ["fit", "diagnose"])
+def test_shocks_are_told(folder: Path, command: str) -> None:
+    (folder / "rig.py").write_text(MODELS["with shocks"])
+    code, output = told_by(folder, command)
+    assert code == 2
+    assert "'rig' has shocks" in output
