@@ -55,7 +55,7 @@ def diagnose(
     with failing(WRONG_USE, ModelError):
         loaded = Campaign.load(campaign, validate=validate, reader=read_model)
     count = jobs or os.cpu_count() or 1
-    with failing(FAILED, InertanceError), progress("reading") as show_line:
+    with failing(FAILED, InertanceError), failing(WRONG_USE, ModelError), progress("reading") as show_line:
         tell = partial(_tell, show_line, monotonic(), budget)
         try:
             with Processes(count, "spawn") if count > 1 else nullcontext() as pool:

@@ -109,7 +109,8 @@ def spectrum(values: Array, rate: float, segment: int) -> tuple[Array, Array]:
     """Return frequencies [Hz] and the power spectral density by Welch's method; the mean stays in."""
     from scipy.signal import welch
 
-    f, density = welch(values, rate, nperseg=segment, detrend=False)  # pyright: ignore[reportArgumentType]
+    length = min(segment, len(values))
+    f, density = welch(values, rate, nperseg=length, detrend=False)  # pyright: ignore[reportArgumentType]
     return f, density
 
 

@@ -53,6 +53,8 @@ def _channel_problems(channel: Channel, others: Mapping[str, Channel], machine: 
         return
     if not channel.driven:
         machine.expression(path)
+    if path == "time":
+        yield "'time' is what records are told by, and no sensor measures it; give a motion or a force"
     if path in machine.parameter_values:
         yield f"'{path}' is a parameter, which no sensor measures; give a motion or a force"
     if channel.interpolation not in INTERPOLATIONS:

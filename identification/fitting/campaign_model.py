@@ -12,12 +12,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ...base import Array
-from ...components import ModelError
+from ...components import ModelError, SimulationError
 from ...networks import ATOL, DAE, RTOL, Network, Result, Variations, dae_of, simulate
 from ..campaign.experiment import Experiment
 from ..records.noise import spectral_floor
 from ..records.record import Channel
 
+MOST_STEPS = 5000  # of the integrator for a sample: a model that takes more is far faster than its record
 START_SAMPLES = 20  # through which, at first, a parabola tells how a record begins
 FEWEST_START_SAMPLES = 5
 PARABOLA_MISFIT = 1.5  # [noise] up to which a record follows a parabola
@@ -26,7 +27,7 @@ Values = Mapping[str, float]  # of parameters, or standard deviations of channel
 
 @dataclass(frozen=True)
 class Accuracy:
-    """How runs are computed: `solver` as in `simulate`, tolerances, and steps granted for each sample."""
+    """How runs are computed: `solver` as in `simulate`, tolerances, and steps a sample (5000 if None)."""
 
     solver: str = "auto"
     rtol: float = RTOL
@@ -118,12 +119,23 @@ class RecordModel:
         time = self.record.time[first : last + 1]
         step = float(time[-1] - time[0]) / (len(time) - 1)
         given = {} if start is None else dict(zip(self.dae.state_names, map(float, start), strict=True))
-        run = self._simulate(
-            float(time[-1]), begin=float(time[0]), step=step, guess=given,
-            parameters={**parameters, **self.experiment.values},
-            solver=accuracy.solver, rtol=accuracy.rtol, atol=accuracy.atol,
-            max_steps=accuracy.steps and accuracy.steps * len(time),
-        )  # fmt: skip
+        steps = accuracy.steps or MOST_STEPS
+        try:
+            run = self._simulate(
+                float(time[-1]), begin=float(time[0]), step=step, guess=given,
+                parameters={**parameters, **self.experiment.values},
+                solver=accuracy.solver, rtol=accuracy.rtol, atol=accuracy.atol, max_steps=steps * len(time),
+            )  # fmt: skip
+        except SimulationError as error:
+            taken = error.result.stats["steps"] if isinstance(error.result, Result) else 0
+            if taken <= steps * len(time):
+                raise
+            raise SimulationError(
+                f"{self.record.name}: '{self.dae.name}' moves far faster than the record: more than {steps} "
+                f"steps of the integrator for each sample of {step:g} s; correct the unit of time, or what "
+                "is stiff in the model, or take a record at a higher rate",
+                error.result,
+            ) from error
         # An event at a sample ends a hair's breadth after it: what holds from there on is taken.
         at = np.searchsorted(run.time, time + 1e-3 * step, side="right") - 1
         values = dict(zip(self.outputs, self.variations.values(run, at).T, strict=False))

@@ -58,7 +58,8 @@ def _scatter(optimum: Optimum, blocks: Sequence[ResidualBlock]) -> Array:
     for block in blocks:
         rows = slice(begin, begin + block.rows)
         own = np.flatnonzero(slopes[rows].any(axis=0))
-        scatter[np.ix_(own, own)] += _coloured(residual[rows], slopes[rows][:, own], block)
+        if len(own):
+            scatter[np.ix_(own, own)] += _coloured(residual[rows], slopes[rows][:, own], block)
         begin += block.rows
     return np.asarray(scatter + slopes[begin:].T @ slopes[begin:])
 
