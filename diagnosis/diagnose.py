@@ -142,7 +142,7 @@ def _may_go_on(best: Refit, base: Refit, study: Study) -> bool:
         return best.misfit > criteria.NOISE_MISFIT or not study.noise_is_sure
     if best.misfit <= criteria.COLOURED_MISFIT or best.is_noise(study.judged):
         return False
-    return unexplained(best, base) > criteria.FURTHER_EFFECT_SHARE
+    return unexplained(best, base) > criteria.HIDDEN_RESIDUAL_SHARE
 
 
 def _chosen(done: Round, base: Refit) -> Refit | None:
@@ -153,13 +153,26 @@ def _chosen(done: Round, base: Refit) -> Refit | None:
     clear = [found for found in done.fitted if clearness(done.base, found) > criteria.CLEAR_STANDARD_ERRORS]
     if not clear:
         return None
-    best = _sited(min(clear, key=lambda f: f.blocks.sum()), clear)
+    best = _sited(_simplest(min(clear, key=lambda f: f.blocks.sum()), clear), clear)
     for other in clear:
         if best.effects[-1].generalises(other.effects[-1]) and not _worth_it(other, best):
             best = other
-    drop = done.base.blocks.sum() - best.blocks.sum()
-    least = criteria.FURTHER_EFFECT_SHARE if done.base.effects else criteria.FIRST_EFFECT_SHARE
-    return best if drop > least * base.blocks.sum() else None
+    drop, all_of_it = done.base.blocks.sum() - best.blocks.sum(), base.blocks.sum()
+    if not done.base.effects:
+        return best if drop > criteria.FIRST_EFFECT_SHARE * all_of_it else None
+    of_what_is_left = drop > criteria.LEFT_EFFECT_SHARE * (done.base.blocks.sum() - base.independent)
+    return best if of_what_is_left or drop > criteria.FURTHER_EFFECT_SHARE * all_of_it else None
+
+
+def _simplest(best: Refit, clear: Sequence[Refit]) -> Refit:
+    """Return of the models that test records cannot tell from the best the one whose quantities pay."""
+    noise = max(1.0, best.misfit**2)
+
+    def price(model: Refit) -> float:
+        missed = (model.cost + float(model.blocks.sum())) / noise
+        return missed + criteria.PART_CHI_SQUARED * len(model.effects[-1].quantities)
+
+    return min((f for f in clear if f is best or are_alike(f, best)), key=price)
 
 
 def _sited(best: Refit, clear: Sequence[Refit]) -> Refit:
@@ -181,11 +194,11 @@ def _sited(best: Refit, clear: Sequence[Refit]) -> Refit:
 def _worth_it(plain: Refit, richer: Refit) -> bool:
     """Tell whether a generalisation does clearly better, and not only mends what no law has quite right.
 
-    One that leaves nothing but noise, where its special case leaves more, does clearly better.
+    One that leaves nothing but noise, where its special case clearly leaves more, does clearly better.
     """
     left = plain.misfit**2 - 1.0
     taken = plain.misfit**2 - richer.misfit**2
-    nothing_left = richer.misfit <= criteria.NOISE_MISFIT < plain.misfit
+    nothing_left = richer.misfit <= criteria.NOISE_MISFIT and plain.misfit > criteria.COLOURED_MISFIT
     clear = nothing_left or clearness(plain, richer) >= criteria.CLEAR_STANDARD_ERRORS
     return taken > criteria.GENERALISATION_SHARE * left and clear
 
@@ -203,6 +216,6 @@ def _without(placed: Hypothesis, model: Refit, study: Study) -> Refit | None:
     """Return a model without one of its effects, fitted again from where it is; None if it cannot be run."""
     others = [p for p in model.effects if p is not placed]
     try:
-        return JointFit(study, model.parameters, others).fitted()
+        return JointFit(study, model.parameters, others, model).fitted()
     except InertanceError:
         return None

@@ -44,8 +44,7 @@ def _lagging(t: Array, y: Array, p: Values) -> Array:
 
 
 def _dead_zone(t: Array, y: Array, p: Values) -> Array:
-    middle = float(np.median(y))
-    return middle + np.sign(y - middle) * np.maximum(np.abs(y - middle) - p["width"], 0)
+    return np.asarray(y - np.clip(y, -p["width"], p["width"]))
 
 
 def _limited(t: Array, y: Array, p: Values) -> Array:

@@ -45,10 +45,17 @@ class _Run:
 
 
 class JointFit:
-    """Parameters and effects, with values to start from, as one vector in units of what they may be."""
+    """Parameters and effects, with values to start from, as one vector in units of what they may be.
+
+    Its records are first thought to begin where those of a model do that is `near`.
+    """
 
     def __init__(
-        self, study: Study, parameters: Mapping[str, float], effects: Sequence[Hypothesis] = ()
+        self,
+        study: Study,
+        parameters: Mapping[str, float],
+        effects: Sequence[Hypothesis] = (),
+        near: Refit | None = None,
     ) -> None:
         self.study, self.campaign, self.accuracy = study, study.campaign, study.accuracy
         self.effects, self.names = tuple(effects), list(parameters)
@@ -71,6 +78,7 @@ class JointFit:
         self.predictor = study.predictor(effects, [*self.names, *paths])
         self.stands = {id(e): self.predictor.stand(e) for e in self.campaign.experiments}
         self.begins: dict[int, Array] = {}  # by record, how far it begins from where it seems to
+        self.starts = dict(zip(self.stands, near.starts, strict=True)) if near is not None else {}
 
     def vector(self, parameters: Mapping[str, float], values: Sequence[Mapping[str, float]]) -> Array:
         """Return parameters and values of the effects as a vector."""
@@ -133,7 +141,9 @@ class JointFit:
         prior = self.pull * vector[: len(self.names)]
         judged = self.study.judged
         independent = sum(experiment.independent for experiment in judged)
-        return Refit(fitted, placed, train, test, cost + float(prior @ prior), stretches(judged), independent)
+        starts = [self.starts.get(number, {}) for number in self.stands]
+        cost += float(prior @ prior)
+        return Refit(fitted, placed, train, test, cost, stretches(judged), independent, starts)
 
     @computing("a trial of the parameters")
     def stacked(self, vector: Array, slopes: bool) -> tuple[Array, Array | None]:
@@ -176,16 +186,20 @@ class JointFit:
         again: bool,
     ) -> _Run:
         """Return the run of a record from where it begins, which is looked for at first and `again`."""
-        known = self.begins.get(id(experiment))
 
         def rest() -> Array:
             return stand.rest(given, self.accuracy)
 
+        known = self.begins.get(id(experiment))
         if known is not None and not again:
             return run_from(rest() + known)
+        if known is None and (start := self.starts.get(id(experiment))):
+            seeming = dict(zip(stand.state_names, rest().tolist(), strict=True))
+            known = np.array([start.get(name, value) - value for name, value in seeming.items()])
         run, moved = begun(experiment, rest, run_from, self._weighed, known)
-        if moved is not None:
+        if moved is not None and run.start is not None:
             self.begins[id(experiment)] = moved
+            self.starts[id(experiment)] = dict(zip(stand.state_names, run.start.tolist(), strict=True))
         return run
 
     def _weighed(self, run: _Run) -> tuple[Array, Array]:

@@ -149,7 +149,7 @@ def _fit(study: Study, base: Refit, candidate: Candidate, fitted: Sequence[Refit
     placed = Hypothesis(candidate.effect, candidate.site, name, candidate.values)
     try:
         with computing(candidate.label):
-            model = JointFit(study, base.parameters, [*base.effects, placed])
+            model = JointFit(study, base.parameters, [*base.effects, placed], base)
             best = min((other.cost for other in fitted), default=inf)
             found = model.fitted(_starts(candidate, fitted), (best, base.cost))
     except InertanceError as error:

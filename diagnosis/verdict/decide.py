@@ -84,8 +84,9 @@ def decided(
 
 
 def _closed(best: Refit, base: Refit, study: Study) -> float:
-    """Return the share that a model closes of what lies between another one and noise."""
-    noise = best.misfit if _leaves_noise(best, study) else 1.0
+    """Return the share that a model closes of what lies between another one and noise, as that looks."""
+    underrated = best.misfit > COLOURED_MISFIT and best.is_noise(study.judged)
+    noise = best.misfit if underrated else 1.0
     return float(np.clip((base.misfit - best.misfit) / max(base.misfit - noise, 1e-9), 0.0, 1.0))
 
 

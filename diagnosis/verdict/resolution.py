@@ -21,7 +21,7 @@ def unresolved(study: Study, best: Refit) -> Iterator[str]:
     """
     if not best.effects:
         return
-    joint = JointFit(study, best.parameters, best.effects)
+    joint = JointFit(study, best.parameters, best.effects, best)
     _, slopes = joint.stacked(joint.start, True)
     assert slopes is not None
     column = len(joint.names)

@@ -72,6 +72,7 @@ class RecordModel:
         self.outputs = {name: c.path for name, c in channels.items() if not c.driven}
         whole, driven = experiment.record, [(name, c) for name, c in channels.items() if c.driven]
         self.inputs = {c.path: whole.sampled(name, c.interpolation, c.delay) for name, c in driven}
+        self.state_names = dae.state_names
         self._simulate = partial(simulate, self.dae, inputs=self.inputs, progress=False)
 
     def rest(self, parameters: Values, accuracy: Accuracy, at: float | None = None) -> Array:

@@ -13,9 +13,10 @@ from inertance.diagnosis import Verdict
 from inertance.diagnosis.effects.effect import effect_of
 from inertance.diagnosis.effects.hypothesis import Hypothesis, with_effects
 from inertance.diagnosis.effects.sites import sites_of
-from inertance.diagnosis.models.study import quiet
+from inertance.diagnosis.models.study import quiet, study_of, thinned
+from inertance.diagnosis.search.joint_fit import JointFit
 from inertance.diagnosis.search.record_start import projected
-from inertance.identification import Campaign, Filter, Record
+from inertance.identification import Accuracy, Campaign, Filter, Multisine, Record, sampled
 from inertance.identification.fitting.campaign_model import start_of
 
 CHANNELS = {
@@ -209,3 +210,34 @@ def test_only_fast_noise_is_taken_off_an_input() -> None:
     assert np.array_equal(quiet(square, smooth, 1e3), square)
     coarse = np.round(slow[83:], 3)  # begins in motion, where a filter's end swings
     assert np.std((quiet(coarse, smooth, 1e3) - slow[83:])[100:-100]) < 0.6 * np.std(coarse - slow[83:])
+
+
+def two_bodies(k3: float) -> ia.Network:
+    """Return two bodies that roll away together, the first pushed, the second measured."""
+    net = ia.Network("train", rail=ia.Fixed(), push=ia.Force(), first=ia.Mass(m=1.0), carriage=ia.Mass(m=2.0))
+    net.add(coupling=ia.CubicSpring(k=900.0, k3=k3), oil=ia.Damper(d=20.0), wheels=ia.Damper(d=0.5))
+    net.connect(net.push.flange, net.first.flange, net.coupling.flange_a, net.oil.flange_a)
+    net.connect(net.coupling.flange_b, net.oil.flange_b, net.carriage.flange, net.wheels.flange_b)
+    return net.connect(net.rail.flange, net.wheels.flange_a)
+
+
+def test_where_a_stiffening_machine_begins_is_known_from_the_model_before() -> None:
+    """A body that is not measured seems to be at 0, half a metre off, where the spring would tear it away."""
+
+    def record(seed: int) -> dict[str, Record]:
+        drive = sampled(Multisine(rms=10.0, low=0.3, high=8.0, period=5.0, seed=seed), 8.0, 250.0)
+        run = two_bodies(3e5).simulate(8.0, inputs={"push.f": drive}, step=1 / 250.0, rtol=1e-8, atol=1e-11)
+        x = run["carriage.s"][np.searchsorted(run.time, drive.time + 1e-6, side="right") - 1]
+        noise = 1e-4 * np.random.default_rng(seed).standard_normal(len(x))
+        return {
+            "record": cut(Record(f"run {seed}", drive.time, {"F": drive.values, "x": 0.5 + x + noise}), 2, 7)
+        }
+
+    priors = {"coupling.k": {"rel": 0.1}, "wheels.d": {"rel": 0.3}}
+    train, test = [record(1), record(2)], [record(3)]
+    campaign = Campaign(two_bodies(0.0), CHANNELS, priors, train, test, noise={"x": 1e-4})
+    study = study_of(thinned(campaign), Accuracy("compiled", 1e-7))
+    base = JointFit(study, campaign.start).fitted()
+    site = next(site for site in study.sites if site.path == "coupling")
+    stiffening = Hypothesis(effect_of("cubic_stiffness"), site, "more", {"k3": 2.7e5})
+    assert JointFit(study, base.parameters, [stiffening], base).fitted().misfit < 1.1
