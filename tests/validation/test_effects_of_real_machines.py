@@ -39,7 +39,7 @@ class Sines:
 
 def verdict(
     net: Network,
-    channels: dict[str, object],
+    channels: dict[str, dict[str, str]],
     parameters: list[str],
     measured: Callable[[Sines], Array],
     rms: float,
@@ -81,7 +81,7 @@ def moved(law: Law) -> Verdict:
         extra = [law(*point)[0] for point in zip(s, v, z, strict=True)]
         return np.asarray(1.62 * a + 9.5 * v + 185.0 * s + extra)
 
-    channels: dict[str, object] = {
+    channels = {
         "u": {"input": "drive.s_ref", "unit": "m"},
         "y": {"output": "cell.f", "unit": "N"},
     }
@@ -136,7 +136,7 @@ def shaft(law: Law, limit: float = np.inf) -> Verdict:
         options = {"rtol": 1e-7, "atol": 1e-9, "max_step": 4e-3}
         return np.asarray(solve_ivp(rate, (0, TIME[-1]), np.zeros(3), "LSODA", TIME, **options).y[1])
 
-    channels: dict[str, object] = {
+    channels = {
         "u": {"input": "motor.tau", "unit": "N.m"},
         "y": {"output": "wheel.w", "unit": "rad/s"},
     }
@@ -172,7 +172,7 @@ def test_an_arm_that_hangs() -> None:
         options = {"rtol": 1e-7, "atol": 1e-9, "max_step": 4e-3}
         return np.asarray(solve_ivp(rate, (0, TIME[-1]), np.zeros(2), "LSODA", TIME, **options).y[0])
 
-    channels: dict[str, object] = {
+    channels = {
         "u": {"input": "drive.phi_ref", "unit": "rad"},
         "y": {"output": "arm.phi", "unit": "rad"},
     }

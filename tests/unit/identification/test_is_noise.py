@@ -18,7 +18,7 @@ Made = Callable[[np.random.Generator], Array]
 def low_passed(rng: np.random.Generator, order: int, cutoff: float) -> Array:
     b, a = butter(order, cutoff, fs=RATE)
     noise: Array = np.asarray(lfilter(b, a, rng.standard_normal(COUNT + 500))[500:])
-    return noise / noise.std()
+    return np.asarray(noise / noise.std())
 
 
 def share(made: Made) -> float:
