@@ -81,8 +81,13 @@ class Jenkins(CompliantWithSpeed, ElastoPlastic):
     tau_c = parameter("N.m", "Coulomb friction torque", min=0)
     z = variable("rad", "twist of the spring")
 
-    speed = property(lambda self: self.w_rel)
-    slip_stretch = property(lambda self: self.tau_c / self.c)
+    @property
+    def speed(self) -> Expression:
+        return self.w_rel
+
+    @property
+    def slip_stretch(self) -> Expression:
+        return self.tau_c / self.c
 
     def equations(self) -> Stated:
         yield self.tau == self.c * self.z

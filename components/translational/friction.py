@@ -80,8 +80,13 @@ class Jenkins(CompliantWithSpeed, ElastoPlastic):
     f_c = parameter("N", "Coulomb friction force", min=0)
     z = variable("m", "stretch of the spring")
 
-    speed = property(lambda self: self.v_rel)
-    slip_stretch = property(lambda self: self.f_c / self.k)
+    @property
+    def speed(self) -> Expression:
+        return self.v_rel
+
+    @property
+    def slip_stretch(self) -> Expression:
+        return self.f_c / self.k
 
     def equations(self) -> Stated:
         yield self.f == self.k * self.z

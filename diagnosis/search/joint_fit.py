@@ -111,6 +111,7 @@ class JointFit:
         if others:
             _, vector, bounds = min(map(self._stepped, begins), key=lambda begun: begun[0])
         for _ in range(1 + criteria.SHAPED_DESCENTS):
+            hopeless = False
             for end in descent(self.stacked, vector, bounds, DESCENT, learnt=True):
                 vector = end.vector
                 hopeless = end.number > 1 and _falls_short(end, *costs)

@@ -64,11 +64,14 @@ def gaps(study: Study, nominal: Refit, refit: Refit, after: Refit) -> dict[str, 
     judged = "test runs" if campaign.testing else "training runs"
     for name in campaign.outputs:
         size = rms([_moving(e, name) for e in study.judged])
-        missed = [rms(model.missed(study.judged, name)) for model in (nominal, refit, after)]
+        whole = size or 1.0
+        missed = [rms(model.missed(study.judged, name)) / whole for model in (nominal, refit, after)]
         noise = rms([np.array([e.floors[name].sigma for e in study.judged])])
-        shares = [much / (size or 1.0) for much in (*missed, noise)]
         found[name] = Gap(
-            *shares,
+            nominal=missed[0],
+            refit=missed[1],
+            after=missed[2],
+            floor=noise / whole,
             unit=f"{campaign.measured[name].si}, NRMSE of the {judged}",
             size=size,
             records=dict(_by_record(study.judged, after, name)),

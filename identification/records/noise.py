@@ -100,7 +100,7 @@ def is_noise(residual: Array, signal: Array, rate: float, stretches: int) -> boo
         return False
     power = np.array([float(np.mean(part**2)) for part in np.array_split(residual, stretches)])
     samples = noise.share(rate) * len(residual) / stretches
-    return float(power.std()) <= EVEN_DEVIATIONS * np.sqrt(2 / samples) * float(power.mean())
+    return bool(power.std() <= EVEN_DEVIATIONS * np.sqrt(2 / samples) * power.mean())
 
 
 def _passed(density: Array, last: int) -> int:

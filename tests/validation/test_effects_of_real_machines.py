@@ -7,6 +7,7 @@ of another shape, a clipped amplifier.
 from __future__ import annotations
 
 from collections.abc import Callable
+from typing import Any
 
 import numpy as np
 import pytest
@@ -39,7 +40,7 @@ class Sines:
 
 def verdict(
     net: Network,
-    channels: dict[str, object],
+    channels: dict[str, dict[str, str]],
     parameters: list[str],
     measured: Callable[[Sines], Array],
     rms: float,
@@ -81,7 +82,7 @@ def moved(law: Law) -> Verdict:
         extra = [law(*point)[0] for point in zip(s, v, z, strict=True)]
         return np.asarray(1.62 * a + 9.5 * v + 185.0 * s + extra)
 
-    channels: dict[str, object] = {
+    channels = {
         "u": {"input": "drive.s_ref", "unit": "m"},
         "y": {"output": "cell.f", "unit": "N"},
     }
@@ -133,10 +134,10 @@ def shaft(law: Law, limit: float = np.inf) -> Verdict:
             torque = np.clip(float(drive(t)), -limit, limit)
             return [y[1], (torque - 0.058 * y[1] - force) / 0.0215, slip]
 
-        options = {"rtol": 1e-7, "atol": 1e-9, "max_step": 4e-3}
+        options: Any = {"rtol": 1e-7, "atol": 1e-9, "max_step": 4e-3}
         return np.asarray(solve_ivp(rate, (0, TIME[-1]), np.zeros(3), "LSODA", TIME, **options).y[1])
 
-    channels: dict[str, object] = {
+    channels = {
         "u": {"input": "motor.tau", "unit": "N.m"},
         "y": {"output": "wheel.w", "unit": "rad/s"},
     }
@@ -169,10 +170,10 @@ def test_an_arm_that_hangs() -> None:
             torque = 3.6 * (float(drive(t)) - y[0]) - 0.07 * y[1] - 0.4 * np.sin(y[0] + 0.4)
             return [y[1], torque / 0.0112]
 
-        options = {"rtol": 1e-7, "atol": 1e-9, "max_step": 4e-3}
+        options: Any = {"rtol": 1e-7, "atol": 1e-9, "max_step": 4e-3}
         return np.asarray(solve_ivp(rate, (0, TIME[-1]), np.zeros(2), "LSODA", TIME, **options).y[0])
 
-    channels: dict[str, object] = {
+    channels = {
         "u": {"input": "drive.phi_ref", "unit": "rad"},
         "y": {"output": "arm.phi", "unit": "rad"},
     }

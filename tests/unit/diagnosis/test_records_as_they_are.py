@@ -208,7 +208,7 @@ def test_only_fast_noise_is_taken_off_an_input() -> None:
     assert np.array_equal(quiet(chirping, smooth, 1e3), chirping)
     square = np.sign(slow)
     assert np.array_equal(quiet(square, smooth, 1e3), square)
-    coarse = np.round(slow[83:], 3)  # begins in motion, where a filter's end swings
+    coarse = np.asarray(np.round(slow[83:], 3), dtype=float)  # begins in motion, where filters swing
     assert np.std((quiet(coarse, smooth, 1e3) - slow[83:])[100:-100]) < 0.6 * np.std(coarse - slow[83:])
 
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from typing import Any
 
 import numpy as np
 import pytest
@@ -16,9 +17,9 @@ Made = Callable[[np.random.Generator], Array]
 
 
 def low_passed(rng: np.random.Generator, order: int, cutoff: float) -> Array:
-    b, a = butter(order, cutoff, fs=RATE)
-    noise: Array = np.asarray(lfilter(b, a, rng.standard_normal(COUNT + 500))[500:])
-    return noise / noise.std()
+    filtering: Any = butter(order, cutoff, fs=RATE)
+    noise: Array = np.asarray(lfilter(*filtering, rng.standard_normal(COUNT + 500))[500:])
+    return np.asarray(noise / noise.std())
 
 
 def share(made: Made) -> float:

@@ -7,7 +7,7 @@ from typing import Any
 
 import inertance as ia
 import pytest
-from inertance.networks.csource import library_cache
+from inertance.networks.csource import library_cache, toolchain
 from inertance.networks.csource.toolchain import ToolchainError
 
 TEXTS = {
@@ -26,7 +26,7 @@ def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
 @pytest.fixture
 def compiled(monkeypatch: pytest.MonkeyPatch) -> list[Path]:
     """What is compiled while a test runs."""
-    made, compile_shared = list[Path](), library_cache.compile_shared
+    made, compile_shared = list[Path](), toolchain.compile_shared
 
     def counted(*given: Any, **more: Any) -> Path:
         made.append(compile_shared(*given, **more))
