@@ -45,6 +45,11 @@ class Segment:
     def __len__(self) -> int:
         return sum(map(len, self.times))
 
+    @property
+    def begin(self) -> float:
+        """Its first instant [s]."""
+        return float(self.times[0][0])
+
     def point(self, number: int) -> tuple[float, Array, Array, Array]:
         """Return instant, states, algebraic unknowns and what is constant of a point; the last for -1."""
         k = number if number >= 0 else len(self) + number

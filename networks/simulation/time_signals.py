@@ -189,12 +189,24 @@ def _largest(dae: DAE, equations: Any, given: set[int]) -> Any:
             operands = [work[place] for place in of]
             kinds, values = [kind for kind, _ in operands], [value for _, value in operands]
             if operation == ca.OP_OUTPUT or STATES in kinds:
-                found |= {value.element_hash(): value for kind, value in operands if kind == TIMED}
+                timed = [_unscaled(value, symbols) for kind, value in operands if kind == TIMED]
+                found |= {value.element_hash(): value for value in timed}
             if operation != ca.OP_OUTPUT:
                 apply = ca.SX.unary if len(values) == 1 else ca.SX.binary
                 whole = STATES not in kinds
                 work[into[0]] = (max(kinds), apply(operation, *values)) if whole else (STATES, None)
     return column([*found.values()])
+
+
+def _unscaled(value: Any, symbols: Sequence[Any]) -> Any:
+    """Return an expression without the factors of it that do not move, which say nothing of when it switches."""
+    moving = ca.vertcat(symbols[2], symbols[4])
+    while value.op() == ca.OP_MUL:
+        factors = [factor for factor in (value.dep(0), value.dep(1)) if ca.depends_on(factor, moving)]
+        if len(factors) != 1:
+            break
+        (value,) = factors
+    return value
 
 
 def _kind(argument: int, entry: int, parameters: int, given: set[int]) -> int:

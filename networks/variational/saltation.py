@@ -37,24 +37,28 @@ class Passage:
     changes: list[list[int]]
 
 
-def passages(result: Result) -> Iterator[Passage]:
-    """Yield the passages of a run in order."""
+def passages(result: Result) -> Iterator[tuple[int, Passage]]:
+    """Yield the passages of a run at which modes switch, in order, with the number of the segment before.
+
+    Where inputs jump and nothing switches, changes of the states pass as they are.
+    """
     dae, events = result.dae, deque(result.events)
     modes_at = slice(dae.p.numel(), dae.p.numel() + dae.modes.numel())
     transitions = _transitions(dae)
-    for last, following in pairwise(result.segments):
-        before, after = last.point(-1), following.point(0)
-        while events and events[0].time < after[0]:
+    for number, (last, following) in enumerate(pairwise(result.segments)):
+        begin = following.begin
+        while events and events[0].time < begin:
             events.popleft()
         modes, reached, changes = last.q[modes_at].tolist(), following.q[modes_at].tolist(), []
-        while events and events[0].time == after[0]:
+        while events and events[0].time == begin:
             event = events.popleft()
             alike = transitions[event.mode, event.source, event.target]
             changes.append(alike)
             modes[dae.switching.changes[alike[0]].mode] = dae.switching.changes[alike[0]].target
             if modes == reached:
                 break
-        yield Passage(before, after, changes)
+        if changes:
+            yield number, Passage(last.point(-1), following.point(0), changes)
 
 
 def _transitions(dae: DAE) -> dict[tuple[str, str, str], list[int]]:
@@ -96,15 +100,12 @@ class SaltationMatrices:
         nx = self.dae.x.numel()
         wide = np.concatenate(self._slopes(before), axis=2)
         values, rates, motion = self._instant(closed, before)
-        found = np.zeros((len(passages), nx, wide.shape[2]))
-        found[:, :, :nx] = np.eye(nx)
+        found = np.tile(np.eye(nx, wide.shape[2]), (len(passages), 1, 1))
         fired = [self._fired(p, own) for p, own in zip(passages, values, strict=True)]
-        switched = np.flatnonzero([bool(changes) for changes in fired])
-        indicators = [self.dae.switching.changes[fired[n][0]].indicator for n in switched]
-        rate = rates[switched, indicators]
-        later = np.zeros((len(passages), wide.shape[2]))
+        at = np.arange(len(passages)), [self.dae.switching.changes[own[0]].indicator for own in fired]
+        rate = rates[at]
         per_rate = np.where(np.abs(rate) > GRAZING_RATE, -1 / np.where(rate == 0, 1.0, rate), 0.0)
-        later[switched] = per_rate[:, None] * wide[switched, indicators]
+        later = per_rate[:, None] * wide[at]
         moved = wide + rates[:, :, None] * later[:, None]
         slid = motion - self._instant(closed, after)[2]
         self._reset(found, wide[:, :, :nx], moved, fired)

@@ -146,8 +146,8 @@ class Variations:
         by_u = line.to_u[:, :, rows]
         forcing = by_u[:, :nx] @ weights
         added = line.steps.weight @ (0.5 * (forcing[1:] + forcing[:-1]))
-        if len(line.edges):
-            added[line.edges] = line.crossed_by_u[:, :, rows] @ weights[line.edges]
+        if len(line.switched):
+            added[line.switched] = line.crossed_by_u[:, :, rows] @ weights[line.switched]
         states = line.steps.carry(np.zeros((nx, weights.shape[2])), added)
         return np.asarray(line.to_x[:, nx:] @ states + by_u[:, nx:] @ weights)
 
@@ -172,14 +172,14 @@ class Variations:
             points = result.points
             to_x, to_p, to_u = self._slopes(points)
             steps = steps_along(points, self._slopes, to_x, to_p)
-            passed = list(passages(result))
+            passed = dict(passages(result))
             edges = np.cumsum([len(segment) for segment in result.segments])[:-1] - 1
-            by_u = np.zeros((0, 0, 0))
+            switched, by_u = edges[[*passed]], np.zeros((0, 0, 0))
             if passed:
                 parts = np.cumsum([to_x.shape[2], to_p.shape[2]])
-                by_x, by_p, by_u = np.split(self._saltation(result.closed, passed), parts, axis=2)
-                steps.map[edges], steps.own[edges], steps.weight[edges] = by_x, by_p, 0.0
-            self._line = _Line(result, to_x, to_p, to_u, steps, edges, by_u)
+                by_x, by_p, by_u = np.split(self._saltation(result.closed, [*passed.values()]), parts, axis=2)
+                steps.map[switched], steps.own[switched], steps.weight[switched] = by_x, by_p, 0.0
+            self._line = _Line(result, to_x, to_p, to_u, steps, edges, switched, by_u)
         return self._line
 
     def _check_jumps(self, result: Result) -> None:
@@ -216,7 +216,10 @@ class Variations:
 
 @dataclass(frozen=True, eq=False)
 class _Line:
-    """A run with the slopes along it; `edges` are the last points of its segments but the last."""
+    """A run with the slopes along it; `edges` are the last points of its segments but the last.
+
+    Those of them at which modes switch are `switched`.
+    """
 
     result: Result
     to_x: Array
@@ -224,6 +227,7 @@ class _Line:
     to_u: Array
     steps: Steps
     edges: NDArray[np.intp]
+    switched: NDArray[np.intp]
     crossed_by_u: Array
 
 
