@@ -65,6 +65,7 @@ from .components import RollingWheel as RollingWheel
 from .components import RotationalFlange as RotationalFlange
 from .components import RunInterruptedError as RunInterruptedError
 from .components import Sampled as Sampled
+from .components import ShearThinningDamper as ShearThinningDamper
 from .components import Shock as Shock
 from .components import SimulationError as SimulationError
 from .components import Speed as Speed

@@ -51,6 +51,7 @@ START_STEPS, START_HALVINGS = 8, 4  # [1] runs of a record to find where it begi
 
 # Shapes that are screened, and how they follow in a fit
 STRIBECK_SPEED_RATIOS = 0.05, 0.3, 1.0  # [rms speed] of the site; effort
+SHEAR_THINNING_SPEED_RATIOS = 0.02, 0.1, 0.5  # [rms speed] of the site; effort
 RIPPLES_PER_TRAVEL = 2, 60  # [1] fewest and most periods in the range of the site; data
 RIPPLE_PERIODS = 24  # [1] tried between them; effort
 HARMONICS_PER_TRAVEL = 4, 60  # [1] the same with harmonics, which are any law at all over one period; data

@@ -201,6 +201,21 @@ class CubicDamper(CompliantWithSpeed):
         yield self.tau == self.d3 * self.w_rel**3
 
 
+class ShearThinningDamper(CompliantWithSpeed):
+    """Damper whose oil thins where it is sheared fast: tau = d w_e asinh(w_rel/w_e).
+
+    Viscous at speeds far below w_e; from there on it grows with the logarithm of the speed.
+
+    Source: H. Eyring, J. Chem. Phys. 4 (1936) 283-291.
+    """
+
+    d = parameter("N.m.s/rad", "damping constant at rest", min=0)
+    w_e = parameter("rad/s", "speed above which the oil thins", above=0)
+
+    def equations(self) -> Stated:
+        yield self.tau == self.d * self.w_e * ca.asinh(self.w_rel / self.w_e)
+
+
 class QuadraticDamper(CompliantWithSpeed):
     """Damper with torque growing with the square of speed (a fan): tau = k w_rel |w_rel|."""
 

@@ -11,6 +11,7 @@ from .compliances import HarmonicRipple as HarmonicRipple
 from .compliances import Inerter as Inerter
 from .compliances import QuadraticDamper as QuadraticDamper
 from .compliances import Ripple as Ripple
+from .compliances import ShearThinningDamper as ShearThinningDamper
 from .compliances import Spring as Spring
 from .compliances import SpringDamper as SpringDamper
 from .compliances import TwoFlanges as TwoFlanges

@@ -189,6 +189,21 @@ class CubicDamper(CompliantWithSpeed):
         yield self.f == self.d3 * self.v_rel**3
 
 
+class ShearThinningDamper(CompliantWithSpeed):
+    """Damper whose oil thins where it is sheared fast: f = d v_e asinh(v_rel/v_e).
+
+    Viscous at speeds far below v_e; from there on it grows with the logarithm of the speed.
+
+    Source: H. Eyring, J. Chem. Phys. 4 (1936) 283-291.
+    """
+
+    d = parameter("N.s/m", "damping constant at rest", min=0)
+    v_e = parameter("m/s", "speed above which the oil thins", above=0)
+
+    def equations(self) -> Stated:
+        yield self.f == self.d * self.v_e * ca.asinh(self.v_rel / self.v_e)
+
+
 class QuadraticDamper(CompliantWithSpeed):
     """Damper with force growing with the square of speed: f = c v_rel |v_rel|."""
 

@@ -10,6 +10,7 @@ import numpy as np
 
 from ...base import Array
 from ...components import signals
+from ..criteria import SHEAR_THINNING_SPEED_RATIOS
 from .edits import AddPart, Connect, Edit, between
 from .effect import Effect, Motion, Quantity, Values, both, register
 from .sites import GROUND, Site
@@ -57,6 +58,11 @@ def _pushed(site: Site, name: str, values: Values) -> list[Edit]:
     return edits if site.fixed == GROUND else [*edits, Connect((f"{name}.support", site.fixed))]
 
 
+def _thinning(motion: Motion, shape: Values) -> list[Array]:
+    (v_e,) = shape.values()
+    return [v_e * np.arcsinh(motion.v / v_e)]
+
+
 across("viscous_damping", "Damper", both(d=_DAMPING), lambda m, _: [m.v])
 across(
     "quadratic_damping",
@@ -69,6 +75,14 @@ across(
     "CubicDamper",
     both(d3=(("d3", "N.s3/m3"), ("d3", "N.m.s3/rad3"))),
     lambda motion, _: [motion.v**3],
+)
+across(
+    "shear_thinning_damping",
+    "ShearThinningDamper",
+    both(d=_DAMPING, v_e=(("v_e", "m/s"), ("w_e", "rad/s"), 0.0, True)),
+    _thinning,
+    shapes=lambda motion: [{"v_e": r * motion.speed} for r in SHEAR_THINNING_SPEED_RATIOS],
+    plain=("viscous_damping", (1.0,)),
 )
 register(
     Effect(

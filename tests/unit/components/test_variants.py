@@ -46,6 +46,8 @@ PAIRS = [
         lambda s, v: 2 * np.sin(4 * np.pi * s) + np.cos(4 * np.pi * s),
     ),
     (rotational.CubicSpring(c=2.0, c3=3.0), lambda s, v: 2 * s + 3 * s**3),
+    (ia.ShearThinningDamper(d=3.0, v_e=0.2), lambda s, v: 0.6 * np.arcsinh(5 * v)),
+    (rotational.ShearThinningDamper(d=3.0, w_e=0.2), lambda s, v: 0.6 * np.arcsinh(5 * v)),
     (ia.CubicDamper(d3=3.0), lambda s, v: 3 * v**3),
     (rotational.CubicDamper(d3=3.0), lambda s, v: 3 * v**3),
     (ia.HarmonicRipple(**WAVES_OF_FORCE, period=0.5), lambda s, v: harmonics(4 * np.pi * s)),

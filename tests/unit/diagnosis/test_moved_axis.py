@@ -1,0 +1,58 @@
+"""An axis that is moved, whose force is measured: what laws of its own, not the library's, make of it."""
+
+from collections.abc import Callable
+
+import inertance as ia
+import numpy as np
+from inertance.diagnosis import Verdict
+from inertance.identification import Campaign, Multisine, Record, sampled
+from numpy.typing import NDArray
+
+Array = NDArray[np.float64]
+Law = Callable[[Array, Array], Array]
+
+
+def axis() -> ia.Network:
+    net = ia.Network(
+        "axis",
+        drive=ia.Position(),
+        cell=ia.ForceSensor(),
+        table=ia.Mass(m=20.0),
+        oil=ia.Damper(d=150.0),
+        bed=ia.Fixed(),
+    )
+    net.connect(net.drive.flange, net.cell.flange_a)
+    net.connect(net.cell.flange_b, net.table.flange, net.oil.flange_b)
+    return net.connect(net.oil.flange_a, net.bed.flange)
+
+
+def recorded(seed: int, law: Law) -> Record:
+    """Return a record whose force also has that of a law of distance and speed, and noise of 0.1 N."""
+    moved = sampled(Multisine(rms=0.04, low=0.2, high=2.0, period=8.0, seed=seed), stop=8.0, rate=250.0)
+    t, s = moved.time, moved.values
+    v = np.gradient(s, t)
+    force = 20 * np.gradient(v, t) + 150 * v + law(s + 0.3, v)
+    noise = 0.1 * np.random.default_rng(seed).standard_normal(len(t))
+    inside = slice(25, -25)
+    return Record(f"run {seed}", t[inside], {"s": (s + 0.3)[inside], "F": (force + noise)[inside]})
+
+
+def verdict_on(law: Law) -> Verdict:
+    return ia.diagnose(
+        Campaign(
+            axis(),
+            channels={"s": {"input": "drive.s_ref", "unit": "m"}, "F": {"output": "cell.f", "unit": "N"}},
+            parameters={"table.m": {"rel": 0.1}, "oil.d": {"rel": 0.5}},
+            train=[{"record": recorded(1, law)}],
+            test=[{"record": recorded(2, law)}],
+            noise={"F": 0.1},
+        )
+    )
+
+
+def test_oil_that_thins_is_named() -> None:
+    verdict = verdict_on(lambda s, v: 2.0 * np.log(v / 0.01 + np.sqrt(1 + (v / 0.01) ** 2)))
+    (placed,) = verdict.effects
+    assert (verdict.verdict, placed.effect.kind) == ("effect", "shear_thinning_damping")
+    assert abs(placed.values["v_e"] / 0.01 - 1) < 0.1
+    assert abs(placed.values["d"] / 200.0 - 1) < 0.1
