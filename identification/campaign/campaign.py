@@ -21,7 +21,7 @@ from ..records.record import Channel, outputs_of
 from .channels import read_channels, read_noise
 from .experiment import Experiment, read_experiments, repeat_problems, strange
 from .machine import Machine, Reader, read_network
-from .priors import Prior, read_priors
+from .priors import Prior, is_per_record, read_priors
 from .problems import TABLE, TEXT, Kind, Problems
 from .stages import Stage, read_stages
 from .ties import changes, limits_of, read_ties, shares, tied
@@ -47,7 +47,8 @@ class Campaign:
         model: the network, "path/to/file.py:function" that returns it, or "path/to/file.fmu".
         channels: column of the data -> {"input" or "output": path, "unit": unit}.
         parameters: path -> {"rel": relative standard deviation} or {"min": ..., "max": ...}; or
-            {"share": path of another one, "ratio": times that}.
+            {"share": path of another one, "ratio": times that}. With "per": "record" each record has a value
+            of its own.
         train: records to fit, each {"file": path} or {"record": `Record`}, with what may be added: "initial"
             ("fit", the default, or "rest"), "window" [s], "repeat_of", "temperature", "offset",
             "shooting" [s], "values" (parameters that were other than in the model).
@@ -99,6 +100,7 @@ class Campaign:
     machine: Machine = field(init=False, repr=False)
     measured: dict[str, Channel] = field(init=False, repr=False)
     priors: dict[str, Prior] = field(init=False, repr=False)
+    per_record: dict[str, Prior] = field(init=False, repr=False)
     training: list[Experiment] = field(init=False, repr=False)
     testing: list[Experiment] = field(init=False, repr=False)
     stages: list[Stage] = field(init=False, repr=False)
@@ -243,7 +245,7 @@ class Campaign:
 
     @property
     def start(self) -> dict[str, float]:
-        """Values of the uncertain parameters before any fit."""
+        """Values of the uncertain parameters that all records share, before any fit."""
         values = self.machine.parameter_values
         return {name: values[name] for name in self.priors}
 
@@ -254,12 +256,17 @@ class Campaign:
             self.network = tied(self.network, ties)
             self.machine = self.network.dae()
         free = {path: e for path, e in self.parameters.items() if not shares(e)}
-        self.priors = read_priors(free, self.machine, limits_of(ties, plain), problems)
+        known = read_priors(free, self.machine, limits_of(ties, plain), problems)
+        self.per_record = {path: prior for path, prior in known.items() if is_per_record(free[path])}
+        self.priors = {path: prior for path, prior in known.items() if path not in self.per_record}
         return list(changes(ties, plain))
 
     def _read(self, kind: str, entries: Sequence[Mapping[str, Any]], problems: Problems) -> list[Experiment]:
         known = self.measured, self.machine, self.priors
-        return read_experiments(kind, entries, *known, self.base, problems)
+        return [
+            replace(e, unknown={path: p for path, p in self.per_record.items() if path not in e.values})
+            for e in read_experiments(kind, entries, *known, self.base, problems)
+        ]
 
     def _tests_that_are_fitted(self) -> Iterator[str]:
         for number, experiment in enumerate(self.testing, start=1):

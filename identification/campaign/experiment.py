@@ -48,6 +48,7 @@ class Experiment:
         offset: outputs whose zero is unknown.
         shooting: length of the pieces of multiple shooting [s]; None for one run.
         values: parameters that were other than in the model, such as a mass that was added.
+        unknown: parameters of which it has a value of its own that nobody knows, and what is known of that.
         every: outputs are compared at every so many samples; inputs keep all of theirs.
         floors: noise of its outputs.
     """
@@ -60,6 +61,7 @@ class Experiment:
     offset: tuple[str, ...] = ()
     shooting: float | None = None
     values: Mapping[str, float] = field(default_factory=dict)
+    unknown: Mapping[str, Prior] = field(default_factory=dict)
     every: int = 1
     floors: Mapping[str, NoiseFloor] = field(default_factory=dict)
 

@@ -11,11 +11,13 @@ import numpy as np
 from ...components import nearest
 from ...components.language import Parameter
 from .machine import Machine
-from .problems import NUMBER, Problems
+from .problems import NUMBER, TEXT, Problems
 
 LARGEST_NUMBER = 1e60  # of a parameter, in SI units, whose powers are numbers, too
 LEAST_REL = 1e-12  # that numbers resolve
-KINDS = {"rel": NUMBER, "min": NUMBER, "max": NUMBER}
+PER_RECORD = "record"
+RANGES = {"rel": NUMBER, "min": NUMBER, "max": NUMBER}
+KINDS = {**RANGES, "per": TEXT}
 
 
 @dataclass(frozen=True)
@@ -40,6 +42,15 @@ class Prior:
             return self.sd
         width = self.max - self.min
         return 0.25 * width if np.isfinite(width) else abs(self.center) or 1.0
+
+    @property
+    def range(self) -> tuple[float, float]:
+        """The bounds, as they are from the center in units of `scale`."""
+        return (self.min - self.center) / self.scale, (self.max - self.center) / self.scale
+
+    def at(self, share: float) -> float:
+        """Return the value that is so many times `scale` from the center, within the bounds."""
+        return min(max(self.center + share * self.scale, self.min), self.max)
 
     def moved(self, value: float) -> float:
         """Return how far a value is from the center in standard deviations, by difference or by ratio.
@@ -66,13 +77,18 @@ def read_priors(
         where = f'parameters."{path}"'
         if path not in values:
             problems.add(f"{where}: the model has no parameter '{path}'{nearest(path, values)}")
-        elif not isinstance(entry, Mapping) or not set(entry) & set(KINDS):
+        elif not isinstance(entry, Mapping) or not set(entry) & set(RANGES):
             problems.add(f"{where}: give rel (relative standard deviation), or min and max")
         elif problems.sound(where, entry, KINDS):
             further = limits.get(path, (-np.inf, np.inf))
             priors[path] = _prior(machine.field(path), values[path], entry, further)
             problems.none(where, _prior_problems(priors[path], entry))
     return priors
+
+
+def is_per_record(entry: Mapping[str, Any]) -> bool:
+    """Return whether an entry of [parameters] is of a value that each record has of its own."""
+    return entry.get("per") == PER_RECORD
 
 
 def least(declared: Parameter, value: float = 0.0) -> float:
@@ -83,7 +99,7 @@ def least(declared: Parameter, value: float = 0.0) -> float:
 
 
 def _prior(
-    declared: Parameter, value: float, entry: Mapping[str, float], limits: tuple[float, float]
+    declared: Parameter, value: float, entry: Mapping[str, Any], limits: tuple[float, float]
 ) -> Prior:
     sd = entry["rel"] * abs(value) if "rel" in entry else np.inf
     lowest = max(entry.get("min", -np.inf), least(declared, value), limits[0])
@@ -91,7 +107,12 @@ def _prior(
     return Prior(value, sd, lowest, highest)
 
 
-def _prior_problems(prior: Prior, entry: Mapping[str, float]) -> Iterator[str]:
+def _prior_problems(prior: Prior, entry: Mapping[str, Any]) -> Iterator[str]:
+    if "per" in entry and not is_per_record(entry):
+        yield (
+            f'per is "{PER_RECORD}", for a value that each record has of its own, got {entry["per"]!r}; leave it '
+            "out for one of all records"
+        )
     rel = entry.get("rel", 1.0)
     if rel <= 0:
         yield f"rel must be above 0, got {rel:g}"

@@ -44,9 +44,10 @@ class Prediction:
         at: the points of the run at these instants.
         values: output channels at these instants, SI units.
         slopes: d(channel)/d(parameters), (instants, parameters), if asked for.
+        own_slopes: d(channel)/d(parameters of which the record has an unknown value of its own), as above.
         start_slopes: d(channel)/d(states at the start), (instants, states), if asked for.
         start, end: the states at the first and the last instant.
-        end_slopes: d(states at the end)/d(parameters, states at the start), if they are followed.
+        end_slopes: d(states at the end)/d(parameters, own ones, states at the start), if they are followed.
         run: the whole run, with its events and every other signal.
     """
 
@@ -54,6 +55,7 @@ class Prediction:
     at: NDArray[np.intp]
     values: dict[str, Array]
     slopes: dict[str, Array]
+    own_slopes: dict[str, Array]
     start_slopes: dict[str, Array]
     start: Array
     end: Array
@@ -62,14 +64,24 @@ class Prediction:
 
 
 class RecordModel:
-    """A network on one record: its own equations with the record's inputs, compiled once."""
+    """A network on one record: its own equations with the record's inputs, compiled once.
+
+    Of the parameters of `variations`, the last may be `own`: those of which records have values of their own.
+    """
 
     def __init__(
-        self, dae: DAE, experiment: Experiment, channels: Mapping[str, Channel], variations: Variations
+        self,
+        dae: DAE,
+        experiment: Experiment,
+        channels: Mapping[str, Channel],
+        variations: Variations,
+        own: Sequence[str] = (),
     ) -> None:
         self.dae, self.variations = replace(dae, bindings={}), variations
         self.experiment, self.record = experiment, experiment.compared
         self.outputs = {name: c.path for name, c in channels.items() if not c.driven}
+        self.shared = len(variations.parameters) - len(own)
+        self.own = [self.shared + list(own).index(name) for name in experiment.unknown]
         whole, driven = experiment.record, [(name, c) for name, c in channels.items() if c.driven]
         self.inputs = {c.path: whole.sampled(name, c.interpolation, c.delay) for name, c in driven}
         self.state_names = dae.state_names
@@ -141,6 +153,7 @@ class RecordModel:
         at = np.searchsorted(run.time, time + 1e-3 * step, side="right") - 1
         values = dict(zip(self.outputs, self.variations.values(run, at).T, strict=False))
         by_p: dict[str, Array] = {}
+        by_own: dict[str, Array] = {}
         by_x: dict[str, Array] = {}
         states = run.points.x
         end = np.zeros((states.shape[1], 0))
@@ -148,10 +161,12 @@ class RecordModel:
             began = self.variations.start_slopes(run, {}) if start is None else None
             moved = self.variations.along(run, began)
             count = len(self.variations.parameters)
+            kept = [*range(self.shared), *self.own, *range(count, moved.shape[2])]
+            parts = np.cumsum([self.shared, len(self.own)])
             for n, name in enumerate(self.outputs):
-                by_p[name], by_x[name] = moved[at, n, :count], moved[at, n, count:]
-            end = moved[-1, len(self.outputs) :]
-        return Prediction(time, at, values, by_p, by_x, states[0], states[-1], end, run)
+                by_p[name], by_own[name], by_x[name] = np.split(moved[at, n][:, kept], parts, axis=1)
+            end = moved[-1, len(self.outputs) :][:, kept]
+        return Prediction(time, at, values, by_p, by_own, by_x, states[0], states[-1], end, run)
 
     def pushed(self, found: Prediction, changes: Mapping[str, Array]) -> Array:
         """Return what small changes of inputs change in the outputs: (instants, outputs, changes).
@@ -215,8 +230,9 @@ class CampaignModel:
                 f"'{self.dae.name}' has shocks, through which slopes are not computed; replace its stops "
                 "by ElastoGap to fit it"
             )
-        variations = Variations(self.dae, [*outputs, *self.dae.state_names], self.parameters)
-        self.stands = [RecordModel(self.dae, e, channels, variations) for e in experiments]
+        own = list(dict.fromkeys(name for e in experiments for name in e.unknown))
+        variations = Variations(self.dae, [*outputs, *self.dae.state_names], [*self.parameters, *own])
+        self.stands = [RecordModel(self.dae, e, channels, variations, own) for e in experiments]
 
     def simulate(
         self,

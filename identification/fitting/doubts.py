@@ -34,6 +34,10 @@ def warnings(fit: Fit) -> Iterator[str]:
         )
     for name, value in fit.values.items():
         yield from left_prior(name, value, fit.campaign.priors[name], fit.campaign.dae.unit(name))
+    for c in fit.comparisons:
+        for name, value in c.own.items():
+            prior, unit = fit.campaign.per_record[name], fit.campaign.dae.unit(name)
+            yield from left_prior(f"{name} of {c.experiment.name}", value, prior, unit)
     yield from _failures(fit)
 
 

@@ -14,14 +14,15 @@ from ..campaign.campaign import Campaign
 from .campaign_model import Accuracy, CampaignModel, Values
 from .doubts import is_doubtful
 from .outcome import Comparison, Fit, FitInterruptedError
-from .problem import FitProblem
+from .problem import MOST_ITERATIONS, FitProblem
 from .residual_block import ResidualBlock
 from .staged_fit import best_of, fit_stages, fit_starts
 from .suspects import suspects
+from .uncertainty import uncertainty
 
 USUAL_RUNS = 20  # of a fit
 STEPS_TO_A_START = 4  # of the least squares that find start and offsets of a test record
-Fitted = tuple[ResidualBlock, Array]  # a record in a stage, and its nuisances
+Fitted = tuple[ResidualBlock, Array, dict[str, float]]  # a record in a stage: nuisances, standard errors
 
 
 @computing("the fit")
@@ -39,8 +40,8 @@ def fit(
 
         minimise  sum ((F measured - F predicted)/sigma)^2 + sum ((p - p_0)/(rel p_0))^2,   min <= p <= max,
 
-    with F the stage's filter and sigma the noise floor, over the parameters p and each record's own start
-    and offsets. Stages follow each other; what one has fitted is fixed or further fitted in the next.
+    with F the stage's filter and sigma the noise floor, over the parameters p and each record's own start,
+    offsets, and values of parameters that differ by record. Stages follow each other; what one has fitted is fixed or further fitted in the next.
 
     Args:
         campaign: records, model and priors, or the path of the TOML file that tells them.
@@ -67,7 +68,7 @@ def fit(
         executor=(executor, optional(instance(Executor))),
     )
     campaign = Campaign.of(campaign)
-    if not campaign.priors:
+    if not campaign.priors and not campaign.per_record:
         raise ModelError(
             f"{campaign.source}: no parameter is uncertain, so there is nothing to fit; name some under "
             '[parameters], such as "spring.k" = { rel = 0.1 }'
@@ -77,7 +78,7 @@ def fit(
     tell = report or (lambda line: None)
     found = Fit(campaign, dict(campaign.start), [], [])
     try:
-        if starts > 1:
+        if starts > 1 and campaign.priors:
             fit_starts(found, starts, seed, executor, accuracy, tell)
         bench = fit_stages(found, accuracy, tell)
         tell("predicting the test records")
@@ -97,13 +98,15 @@ def fit(
 def _compared(found: Fit, bench: CampaignModel, accuracy: Accuracy) -> list[Comparison]:
     """Predict every record with the model's own and with the fitted parameters.
 
-    Starts and offsets are those of the fit; for test records they are estimated, nothing else.
+    Nuisances are those of the fit; for test records they are estimated, nothing else.
     """
     campaign = found.campaign
     fitted = {
-        block.stand.experiment: (block, nuisances)
+        block.stand.experiment: (block, nuisances, errors)
         for done in found.stages
-        for block, nuisances in zip(done.blocks, done.optimum.nuisances, strict=True)
+        for block, nuisances, errors in zip(
+            done.blocks, done.optimum.nuisances, done.uncertainty.own, strict=True
+        )
     }
     testing = CampaignModel(campaign.dae, campaign.measured, campaign.testing)
     comparisons = []
@@ -112,23 +115,34 @@ def _compared(found: Fit, bench: CampaignModel, accuracy: Accuracy) -> list[Comp
             block = ResidualBlock(stand, campaign.outputs, campaign.sigma, None)
             before: dict[str, Array] = {}
             after: dict[str, Array] = {}
+            own: dict[str, float] = {}
+            errors: dict[str, float] = {}
             problem = ""
             try:
-                nuisances = _nuisances(block, fitted.get(stand.experiment), found.values, accuracy)
+                nuisances, errors = _nuisances(block, fitted.get(stand.experiment), found.values, accuracy)
+                own = block.own_values(nuisances)
                 after = _predicted(block, found.values, nuisances, accuracy)
                 before = _predicted(block, campaign.start, nuisances, accuracy)
             except SimulationError as error:
                 problem = str(error)
-            comparisons.append(Comparison(stand.experiment, tested, before, after, problem))
+            comparisons.append(Comparison(stand.experiment, tested, before, after, problem, own, errors))
     return comparisons
 
 
-def _nuisances(block: ResidualBlock, fitted: Fitted | None, values: Values, accuracy: Accuracy) -> Array:
-    """Return start and offsets of a record: those of the fit, or those that suit the fitted parameters."""
+def _nuisances(
+    block: ResidualBlock, fitted: Fitted | None, values: Values, accuracy: Accuracy
+) -> tuple[Array, dict[str, float]]:
+    """Return the nuisances of a record, those of the fit or those that suit the fitted parameters.
+
+    With them come the standard errors of the values that it has of its own.
+    """
     if fitted is None or fitted[0].offsets != block.offsets:
-        return FitProblem([block], {}, values, accuracy).minimise(most=STEPS_TO_A_START).nuisances[0]
-    block.center, block.width = fitted[0].center, fitted[0].width
-    return fitted[1]
+        most = MOST_ITERATIONS if block.unknown else STEPS_TO_A_START
+        optimum = FitProblem([block], {}, values, accuracy).minimise(most=most)
+        return optimum.nuisances[0], uncertainty(optimum, [block], {}).own[0] if block.unknown else {}
+    found, nuisances, errors = fitted
+    block.center, block.width = found.center, found.width
+    return nuisances, errors
 
 
 def _predicted(

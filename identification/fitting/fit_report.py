@@ -20,7 +20,8 @@ def table(fit: Fit) -> str:
     """See `Fit.table`."""
     remarks = [f"note: {note}" for note in fit.campaign.notes]
     remarks += [f"warning: {warning}" for warning in fit.warnings]
-    parts = [[*_parameters(fit)], [*_records(fit)] if fit.comparisons else [], remarks]
+    own = [*_own(fit)] if any(c.own for c in fit.comparisons) else []
+    parts = [[*_parameters(fit)], own, [*_records(fit)] if fit.comparisons else [], remarks]
     return "\n\n".join("\n".join(lines) for lines in parts if lines)
 
 
@@ -30,6 +31,17 @@ def _parameters(fit: Fit) -> Iterator[str]:
         error, start = fit.errors.get(name, np.nan), fit.campaign.priors[name].center
         rows.append((name, f"{value:.6g}", f"{error:.2g}", f"{start:.6g}", fit.campaign.dae.unit(name)))
     return aligned(rows, right={1, 2, 3})
+
+
+def _own(fit: Fit) -> Iterator[str]:
+    head = ("record", "", "its own", "fitted", "std. error", "started at", "unit")
+    rows: list[tuple[str, ...]] = [head]
+    for c in fit.comparisons:
+        for name, value in c.own.items():
+            start, unit = fit.campaign.per_record[name].center, fit.campaign.dae.unit(name)
+            numbers = f"{value:.6g}", f"{c.own_errors[name]:.2g}", f"{start:.6g}"
+            rows.append((c.experiment.name, _kind(c), name, *numbers, unit))
+    return aligned(rows, right={3, 4, 5})
 
 
 def _records(fit: Fit) -> Iterator[str]:
@@ -56,7 +68,7 @@ def _kind(comparison: Comparison) -> str:
 
 def as_dict(fit: Fit) -> dict[str, Any]:
     """See `Fit.to_dict`."""
-    priors, units = fit.campaign.priors, fit.campaign.dae.unit
+    priors, own, units = fit.campaign.priors, fit.campaign.per_record, fit.campaign.dae.unit
     return {
         "parameters": {
             name: {
@@ -68,6 +80,15 @@ def as_dict(fit: Fit) -> dict[str, Any]:
         "correlation": [
             {"parameters": list(done.optimum.values), "matrix": done.uncertainty.correlation.tolist()}
             for done in fit.stages
+        ],
+        "record_values": [
+            {
+                "record": c.experiment.name, "tested": c.tested, "parameter": name,
+                "value": value, "error": c.own_errors[name], "start": own[name].center,
+                "unit": units(name), "prior_deviations": own[name].moved(value),
+            }
+            for c in fit.comparisons
+            for name, value in c.own.items()
         ],
         "noise": {name: asdict(floor) for name, floor in fit.campaign.floors.items()},
         "records": [

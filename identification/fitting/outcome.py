@@ -51,6 +51,7 @@ class Comparison:
         tested: whether it was left out of the fit.
         before: what the model predicts with its own parameters.
         after: what it predicts with the fitted ones.
+        own, own_errors: values of parameters that the record has of its own, and their standard errors.
         problem: why it could not be simulated.
     """
 
@@ -59,6 +60,8 @@ class Comparison:
     before: dict[str, Array]
     after: dict[str, Array]
     problem: str = ""
+    own: Mapping[str, float] = field(default_factory=dict)
+    own_errors: Mapping[str, float] = field(default_factory=dict)
 
     def residual(self, channel: str, predicted: Mapping[str, Array]) -> Array:
         """Return measured less predicted."""

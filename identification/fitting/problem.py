@@ -50,8 +50,8 @@ class FitProblem:
             for name in ("scale", "center", "min", "max")
         )
         self._ends = np.cumsum([len(priors), *[block.nuisances for block in blocks]])
-        self._weight = np.ones(self._ends[-1])
-        self._weight[: len(priors)] = [prior.scale / prior.sd for prior in priors.values()]
+        known = [prior.scale / prior.sd for prior in priors.values()]
+        self._weight = np.concatenate([known, *(block.weight for block in blocks)])
 
     def minimise(
         self,
@@ -66,11 +66,11 @@ class FitProblem:
             most: steps.
             interruptible: whether Ctrl-C ends it with what was found until then, once there is anything.
         """
-        start, count = np.zeros(self._ends[-1]), len(self.priors)
-        low, high = np.full_like(start, -np.inf), np.full_like(start, np.inf)
         given = np.array([self.values[name] for name in self.priors])
-        start[:count], low[:count], high[:count] = (
-            (entries - self._center) / self.scales for entries in (given, self._lower, self._upper)
+        own = [(np.zeros(block.nuisances), *block.bounds) for block in self.blocks]
+        start, low, high = (
+            np.concatenate([(entries - self._center) / self.scales, *free])
+            for entries, *free in zip((given, self._lower, self._upper), *own, strict=True)
         )
         drop = LEAST_DROP / max(sum(block.samples for block in self.blocks), 1.0)
         ending = Ending(drop, LEAST_DROP, LEAST_RADIUS, most)

@@ -31,8 +31,9 @@ class Linearised:
 class ResidualBlock:
     """A record, the channels of it that count, the filter both sides pass and the noise they are weighted by.
 
-    Nuisances are the states at the start of every piece (one piece unless multiple shooting is asked for) and
-    the offsets of channels, each in units of what it may be expected to be.
+    Nuisances are the states at the start of every piece (one piece unless multiple shooting is asked for),
+    the unknown values that the record has of its own and the offsets of channels, each by how far it is from a
+    first guess in units of what it may be expected to be.
     """
 
     def __init__(
@@ -43,6 +44,7 @@ class ResidualBlock:
         self.record = stand.record
         offsets = [name for name in stand.experiment.offset if name in channels]
         self.offsets = {name: n - len(offsets) for n, name in enumerate(offsets)}  # places among nuisances
+        self.unknown = stand.experiment.unknown
         self.free = stand.experiment.initial == "fit"
         self.pieces = _pieces(len(self.record.time), self.record.rate, stand.experiment.shooting)
         self.center = np.zeros((len(self.pieces), 0))
@@ -61,7 +63,31 @@ class ResidualBlock:
 
     @property
     def nuisances(self) -> int:
-        return self.center.size + len(self.offsets)
+        return self.center.size + len(self.unknown) + len(self.offsets)
+
+    @property
+    def own(self) -> slice:
+        """Where among the nuisances the values are that the record has of its own."""
+        return slice(self.center.size, self.center.size + len(self.unknown))
+
+    @property
+    def weight(self) -> Array:
+        """What a nuisance counts as a residual, if it is 1: as much as the noise, or by its prior."""
+        weight = np.ones(self.nuisances)
+        weight[self.own] = [prior.scale / prior.sd for prior in self.unknown.values()]
+        return weight
+
+    @property
+    def bounds(self) -> tuple[Array, Array]:
+        """Least and largest nuisances."""
+        low, high = np.full(self.nuisances, -np.inf), np.full(self.nuisances, np.inf)
+        low[self.own], high[self.own] = np.reshape([p.range for p in self.unknown.values()], (-1, 2)).T
+        return low, high
+
+    def own_values(self, nuisances: Array) -> dict[str, float]:
+        """Return the values of parameters that the record has of its own."""
+        moved = zip(self.unknown.items(), nuisances[self.own].tolist(), strict=True)
+        return {name: prior.at(share) for (name, prior), share in moved}
 
     def prepare(self, parameters: Values, accuracy: Accuracy) -> None:
         """Find where the pieces start, as a first guess, and how far states move."""
@@ -81,8 +107,9 @@ class ResidualBlock:
     ) -> Linearised:
         moved = nuisances[: self.center.size].reshape(self.center.shape)
         starts = self.center + moved * self.width
+        values = {**parameters, **self.own_values(nuisances)}
         predictions = [
-            self.stand.run(parameters, start if self.free else None, accuracy, slopes, span)
+            self.stand.run(values, start if self.free else None, accuracy, slopes, span)
             for start, span in zip(starts, self.pieces, strict=True)
         ]
         parts = [self._channel(name, predictions, nuisances, slopes) for name in self.channels]
@@ -95,6 +122,10 @@ class ResidualBlock:
         measured = self.record.values[name]
         rest: Array = measured - _joined([p.values[name] for p in predictions])
         return rest - nuisances[self.offsets[name]] * self._range(name) if name in self.offsets else rest
+
+    @property
+    def _own_scales(self) -> Array:
+        return np.array([prior.scale for prior in self.unknown.values()])
 
     def _range(self, name: str) -> float:
         """Return how far a channel moves, 1 if it rests."""
@@ -112,6 +143,7 @@ class ResidualBlock:
             if self.free:
                 own = (p.start_slopes[name][n > 0 :] * self.width for n, p in enumerate(predictions))
                 to_n[:, : self.center.size] = -block_diag(*own)
+            to_n[:, self.own] = -_joined([p.own_slopes[name] for p in predictions]) * self._own_scales
             if name in self.offsets:
                 to_n[:, self.offsets[name]] = -self._range(name)
         both = np.hstack([residual, to_p, to_n])
@@ -125,14 +157,15 @@ class ResidualBlock:
         self, predictions: list[Prediction], starts: Array, slopes: bool
     ) -> Iterator[tuple[Array, Array, Array]]:
         """Yield by how much pieces miss each other, in thousandths of how far the states move."""
-        nx = self.center.shape[1]
+        nx, shared = self.center.shape[1], self.stand.shared
         for n in range(len(predictions) - 1):
             weight = 1 / (CONTINUITY_SHARE * self.width)
             missed = weight * (predictions[n].end - starts[n + 1])
             to_p, to_n = np.zeros((nx, 0)), np.zeros((nx, self.nuisances))
             if slopes:
                 end = predictions[n].end_slopes
-                to_p = weight[:, None] * end[:, : end.shape[1] - nx]
+                to_p = weight[:, None] * end[:, :shared]
+                to_n[:, self.own] = weight[:, None] * end[:, shared : end.shape[1] - nx] * self._own_scales
                 to_n[:, n * nx : (n + 1) * nx] = weight[:, None] * end[:, end.shape[1] - nx :] * self.width
                 to_n[:, (n + 1) * nx : (n + 2) * nx] = -np.diag(weight * self.width)
             yield missed, to_p, to_n

@@ -94,7 +94,9 @@ def _is_better(other: Optimum, given: Optimum, priors: Mapping[str, Prior]) -> b
     """Tell whether a fit leaves far less, or no more with parameters that stay near what was assumed."""
     if other.cost < EXPLAINED_SHARE * given.cost:
         return True
-    fled, stayed = (max(p.moved(one.values[n]) for n, p in priors.items()) for one in (given, other))
+    fled, stayed = (
+        max((p.moved(one.values[n]) for n, p in priors.items()), default=0.0) for one in (given, other)
+    )
     return other.cost < EQUAL_RATIO * given.cost and fled > FLED_DEVIATIONS and stayed < STAYED_DEVIATIONS
 
 

@@ -23,6 +23,8 @@ LONGEST_LAG_SHARE = 0.1  # of the samples
 class Uncertainty:
     """Standard errors and correlations of fitted parameters, and warnings in words.
 
+    `own` are standard errors of the values that each record has of its own.
+
     Standard errors allow for residuals that are not white: the covariance is H^-1 G H^-1, with H the
     information under white noise and G the scatter of the scores under the autocorrelation of the residuals.
 
@@ -32,6 +34,7 @@ class Uncertainty:
     errors: dict[str, float]
     correlation: Array
     warnings: list[str]
+    own: list[dict[str, float]]
 
 
 def uncertainty(optimum: Optimum, blocks: list[ResidualBlock], priors: Mapping[str, Prior]) -> Uncertainty:
@@ -39,16 +42,33 @@ def uncertainty(optimum: Optimum, blocks: list[ResidualBlock], priors: Mapping[s
     count = len(priors)
     inverse = np.linalg.pinv(optimum.slopes.T @ optimum.slopes, rcond=1e-14, hermitian=True)
     scatter = _scatter(optimum, blocks)
-    covariance = (inverse @ scatter @ inverse)[:count, :count]
-    sd = np.sqrt(np.maximum(np.diag(covariance), 0.0))
+    covariance = inverse @ scatter @ inverse
+    sd, white = (np.sqrt(np.maximum(np.diag(known), 0.0)) for known in (covariance, inverse))
+    own, told = _own(optimum, blocks, sd, white)
+    covariance, sd = covariance[:count, :count], sd[:count]
     safe = np.where(sd > 0, sd, 1.0)
     correlation = covariance / np.outer(safe, safe)
     np.fill_diagonal(correlation, 1.0)
     errors = dict(zip(priors, (sd * optimum.scales).tolist(), strict=True))
-    white = np.sqrt(np.maximum(np.diag(inverse)[:count], 0.0)) * optimum.scales
-    each = zip(priors, optimum.values.values(), priors.values(), white, strict=True)
-    warnings = [told for own in each for told in _untold(*own)]
-    return Uncertainty(errors, correlation, [*warnings, *_tied(errors, correlation)])
+    each = zip(priors, optimum.values.values(), priors.values(), white[:count] * optimum.scales, strict=True)
+    warnings = [line for one in each for line in _untold(*one)]
+    return Uncertainty(errors, correlation, [*warnings, *told, *_tied(errors, correlation)], own)
+
+
+def _own(
+    optimum: Optimum, blocks: Sequence[ResidualBlock], sd: Array, white: Array
+) -> tuple[list[dict[str, float]], list[str]]:
+    """Return standard errors of the values that records have of their own, and what is not told of them."""
+    begin, errors, told = len(optimum.scales), list[dict[str, float]](), list[str]()
+    for block, nuisances in zip(blocks, optimum.nuisances, strict=True):
+        places = range(begin, begin + len(nuisances))[block.own]
+        errors.append({})
+        for (name, value), place in zip(block.own_values(nuisances).items(), places, strict=True):
+            prior = block.unknown[name]
+            errors[-1][name] = float(sd[place]) * prior.scale
+            told += _untold(f"{name} of {block.record.name}", value, prior, float(white[place]) * prior.scale)
+        begin += len(nuisances)
+    return errors, told
 
 
 def _scatter(optimum: Optimum, blocks: Sequence[ResidualBlock]) -> Array:
