@@ -23,7 +23,9 @@ ALIKE_STANDARD_ERRORS = 2.0  # [standard errors] within which models are alike; 
 ALIKE_RESIDUAL_SHARE = 1e-3  # [1] of the squared test residual within which models are alike; blind
 FIRST_EFFECT_SHARE = 0.01  # [1] of the squared test residual that an effect must take away; nulls
 FURTHER_EFFECT_SHARE = 0.05  # [1] the same for a further one: less but mends the shapes of those found; blind
-LEFT_EFFECT_SHARE = 0.5  # [1] of what is left above noise, squared, that a further one may take instead; blind
+LEFT_EFFECT_SHARE = (
+    0.5  # [1] of what is left above noise, squared, that a further one may take instead; blind
+)
 GENERALISATION_SHARE = 0.25  # [1] of what a special case leaves that a generalisation takes away; blind
 PART_CHI_SQUARED = 4.0  # [chi squared] that a part, or one more quantity, must win; theory: 5 % of 1 dof
 EARLY_END_COST_RATIO = 0.9  # [1] of its cost to which a fit that has ended may still fall; blind

@@ -98,9 +98,7 @@ def least(declared: Parameter, value: float = 0.0) -> float:
     return -np.inf if declared.min is None else declared.min
 
 
-def _prior(
-    declared: Parameter, value: float, entry: Mapping[str, Any], limits: tuple[float, float]
-) -> Prior:
+def _prior(declared: Parameter, value: float, entry: Mapping[str, Any], limits: tuple[float, float]) -> Prior:
     sd = entry["rel"] * abs(value) if "rel" in entry else np.inf
     lowest = max(entry.get("min", -np.inf), least(declared, value), limits[0])
     highest = min(bound for bound in (entry.get("max"), declared.max, limits[1]) if bound is not None)
