@@ -40,7 +40,6 @@ CONTENDERS_PER_ROUND = 8  # [1] fitted in each round; effort
 RESERVES_PER_ROUND = 3  # [1] of either kind that are fitted besides if much is left; effort
 FITS_PER_BATCH = 3  # [1] before those are left out that promise much less than was found; effort
 HOPELESS_GAIN_RATIO = 0.4  # [1] of the best drop of chi squared kept, below which one is left out; blind
-HOPELESS_COST_RATIO = 1.5  # [1] of the best cost, above which a fit that promises too little is left; blind
 HIDDEN_RESIDUAL_SHARE = 0.01  # [1] of the squared test residual above which more is fitted; blind
 SERIES_START_SIZES = 0.3, 1.0, 3.0  # [screened size] of effects in series, to start from; blind
 FOUND_EFFECT_DEVIATIONS = 10.0  # [own size] by which an effect that was found may still change; effort

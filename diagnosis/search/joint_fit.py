@@ -10,7 +10,7 @@ import numpy as np
 
 from ...base import Array, computing
 from ...components import SimulationError
-from ...identification import Ending, Experiment, Iterate, descent
+from ...identification import Ending, Experiment, descent
 from .. import criteria
 from ..effects.hypothesis import Hypothesis, driven, inserted, sensed
 from ..effects.shaping import Bounds, Shapes
@@ -95,14 +95,12 @@ class JointFit:
         effects = tuple(effect.with_values(part * size) for effect, part, size in placed)
         return dict(zip(self.names, values.tolist(), strict=True)), effects
 
-    def fitted(self, starts: Sequence[FitStart] = (), costs: tuple[float, float] = (inf, inf)) -> Refit:
+    def fitted(self, starts: Sequence[FitStart] = ()) -> Refit:
         """Return the model fitted to the training records, and held against the test records.
 
         Args:
             starts: parameters, and values of the last effect, to start from; a step is taken from each, and
                 the one that comes out best is followed. The values that were given if there are none.
-            costs: of the best model so far, and of the one without the last effect: a descent that has come
-                below the second, and promises too little to come near the first, is left.
         """
         earlier = [placed.values for placed in self.effects[:-1]]
         begins = [self.vector(parameters, [*earlier, values]) for parameters, values in starts]
@@ -111,13 +109,11 @@ class JointFit:
         if others:
             _, vector, bounds = min(map(self._stepped, begins), key=lambda begun: begun[0])
         for _ in range(1 + criteria.SHAPED_DESCENTS):
-            hopeless = False
             for end in descent(self.stacked, vector, bounds, DESCENT, learnt=True):
                 vector = end.vector
-                hopeless = end.number > 1 and _falls_short(end, *costs)
-                if hopeless or self.study.late():
+                if self.study.late():
                     break
-            if hopeless or self.study.late() or not self.shapes.are_held(vector, bounds):
+            if self.study.late() or not self.shapes.are_held(vector, bounds):
                 break
             bounds = self.shapes.bounds(vector)
         return self.seen(vector)
@@ -247,17 +243,6 @@ class JointFit:
             for name, now in replace(run, effects=effects, found=found).seen.items():
                 columns[name].append((now - base[name]) / step * scale)
         return {name: np.column_stack(moved) for name, moved in columns.items()}
-
-
-def _falls_short(end: Iterate, best: float, plain: float) -> bool:
-    """Tell whether a descent promises too little, bounds apart, to come near the best model so far.
-
-    Where it is worse than the model without the effect, as where they were given, slopes tell little.
-    """
-    if not criteria.HOPELESS_COST_RATIO * best < end.cost < plain:
-        return False
-    promised = end.cost - float(np.square(projected(end.residual, end.slopes)).sum())
-    return promised < criteria.HOPELESS_GAIN_RATIO * (end.cost - criteria.HOPELESS_COST_RATIO * best)
 
 
 def _sensed_slopes(found: Predicted, name: str, effects: Sequence[Hypothesis]) -> Array:

@@ -6,7 +6,6 @@ import pickle
 from collections.abc import Collection, Iterator, Sequence
 from dataclasses import dataclass, field
 from functools import lru_cache
-from math import inf
 
 from ...base import computing
 from ...components import InertanceError
@@ -150,8 +149,7 @@ def _fit(study: Study, base: Refit, candidate: Candidate, fitted: Sequence[Refit
     try:
         with computing(candidate.label):
             model = JointFit(study, base.parameters, [*base.effects, placed], base)
-            best = min((other.cost for other in fitted), default=inf)
-            found = model.fitted(_starts(candidate, fitted), (best, base.cost))
+            found = model.fitted(_starts(candidate, fitted))
     except InertanceError as error:
         return f"its fit ended early: {str(error).partition(chr(10))[0]}"
     values = found.effects[-1].values
