@@ -100,7 +100,8 @@ def clearness(worse: Refit, better: Refit) -> float:
     drop = worse.blocks - better.blocks
     if not drop.any():
         return 0.0
-    clear = {way: float(norm.isf(wilcoxon(drop, alternative=way).pvalue)) for way in ("greater", "less")}
+    chance = {way: np.asarray(wilcoxon(drop, alternative=way))[1] for way in ("greater", "less")}
+    clear = {way: float(norm.isf(p)) for way, p in chance.items()}
     return clear["greater"] if clear["greater"] > clear["less"] else -clear["less"]
 
 

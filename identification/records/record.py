@@ -144,9 +144,8 @@ class Record:
             ends = (missing, 0) if delay > 0 else (0, missing)
             turned: Any = {"mode": "reflect", "reflect_type": "odd"}
             time = np.pad(self.time, ends, **turned) + delay
-            values = np.pad(
-                self.values[channel], ends, **turned if interpolation == "cubic" else {"mode": "edge"}
-            )
+            beyond: Any = turned if interpolation == "cubic" else {"mode": "edge"}
+            values = np.pad(self.values[channel], ends, **beyond)
             self._signals[key] = Sampled(time, values, interpolation=interpolation)
         return self._signals[key]
 

@@ -7,6 +7,7 @@ of another shape, a clipped amplifier.
 from __future__ import annotations
 
 from collections.abc import Callable
+from typing import Any
 
 import numpy as np
 import pytest
@@ -133,7 +134,7 @@ def shaft(law: Law, limit: float = np.inf) -> Verdict:
             torque = np.clip(float(drive(t)), -limit, limit)
             return [y[1], (torque - 0.058 * y[1] - force) / 0.0215, slip]
 
-        options = {"rtol": 1e-7, "atol": 1e-9, "max_step": 4e-3}
+        options: Any = {"rtol": 1e-7, "atol": 1e-9, "max_step": 4e-3}
         return np.asarray(solve_ivp(rate, (0, TIME[-1]), np.zeros(3), "LSODA", TIME, **options).y[1])
 
     channels = {
@@ -169,7 +170,7 @@ def test_an_arm_that_hangs() -> None:
             torque = 3.6 * (float(drive(t)) - y[0]) - 0.07 * y[1] - 0.4 * np.sin(y[0] + 0.4)
             return [y[1], torque / 0.0112]
 
-        options = {"rtol": 1e-7, "atol": 1e-9, "max_step": 4e-3}
+        options: Any = {"rtol": 1e-7, "atol": 1e-9, "max_step": 4e-3}
         return np.asarray(solve_ivp(rate, (0, TIME[-1]), np.zeros(2), "LSODA", TIME, **options).y[0])
 
     channels = {
