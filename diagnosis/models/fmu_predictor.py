@@ -125,7 +125,9 @@ def _refined(model: FMUPredictor, campaign: Campaign) -> int:
 
 
 class ReplayedStand:
-    """An FMU on one record."""
+    """An FMU on one record, whose states nobody knows."""
+
+    state_names: Sequence[str] = ()
 
     def __init__(self, model: FMUPredictor, experiment: Experiment, refined: int) -> None:
         self.model, self.experiment, self.refined = model, experiment, refined

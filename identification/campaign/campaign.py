@@ -4,21 +4,30 @@ from __future__ import annotations
 
 import pickle
 import tomllib
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from copy import copy
 from dataclasses import dataclass, field, fields, replace
-from itertools import combinations
 from pathlib import Path
 from typing import Any, Self
 
 import numpy as np
 
-from ...base import demand, function, instance, path_of, shown, text_of, there_is_file, unit_for
+from ...base import demand, function, instance, path_of, shown, text_of, there_is_file
 from ...components import ModelError
 from ...networks import DAE, Network
 from ..records.noise import NoiseFloor, repeated_floor, spectral_floor
 from ..records.record import Channel, outputs_of
 from .channels import read_channels, read_noise
+from .checks import (
+    dead_sensors,
+    noise_beside_signals,
+    notes_of_records,
+    rates_that_differ,
+    records_fitted_twice,
+    resting_inputs,
+    starts_of_an_fmu,
+    tests_that_are_fitted,
+)
 from .experiment import Experiment, read_experiments, repeat_problems, strange
 from .machine import Machine, Reader, read_network
 from .priors import Prior, is_per_record, read_priors
@@ -27,7 +36,6 @@ from .stages import Stage, read_stages
 from .ties import changes, limits_of, read_ties, shares, tied
 
 REQUIRED_KEYS = ("model", "channels", "parameters", "train")
-LEAST_NOISE_SHARE = 1e-12  # of the largest value measured: numbers resolve it 4000 times
 TABLES = ("port", "channels", "parameters", "noise")
 LISTS = ("train", "test", "stage")
 KINDS = {
@@ -129,18 +137,20 @@ class Campaign:
         notes = self._tie(problems)
         self.training = self._read("train", self.train, problems)
         self.testing = self._read("test", self.test, problems)
-        problems.add(*self._tests_that_are_fitted(), *self._starts_of_an_fmu())
+        problems.add(*tests_that_are_fitted(self.training, self.testing))
+        if not isinstance(self.machine, DAE):
+            problems.add(*starts_of_an_fmu(self.experiments))
         problems.add(*repeat_problems(self.experiments, channels))
         if len(self.training) == len(self.train):
-            problems.add(*self._dead_sensors())
+            problems.add(*dead_sensors(channels, self.training))
         stated = read_noise(self.noise, channels, self.channels, problems)
-        problems.add(*self._noise_beside_signals(stated))
+        problems.add(*noise_beside_signals(stated, channels, self.training))
         if self.training and len(self.training) == len(self.train):
             self.stages = read_stages(self.stage, self.priors, self.outputs, self.training, problems)
-            problems.add(*self._records_fitted_twice())
+            problems.add(*records_fitted_twice(self.stages, self.training))
         problems.stop()
-        self.notes = [*notes, *self._notes_of_records()]
-        self.notes += [*self._rates_that_differ(), *self._resting_inputs()]
+        self.notes = [*notes, *notes_of_records(self.experiments)]
+        self.notes += [*rates_that_differ(self.experiments), *resting_inputs(channels, self.training)]
         self.notes += [note for e in self.experiments for note in strange(e, channels, self.machine.inputs)]
         noise = [{name: self._floor(name, stated, e) for name in self.outputs} for e in self.experiments]
         vars(self).update(vars(self.with_floors(noise)))
@@ -267,80 +277,6 @@ class Campaign:
             replace(e, unknown={path: p for path, p in self.per_record.items() if path not in e.values})
             for e in read_experiments(kind, entries, *known, self.base, problems)
         ]
-
-    def _tests_that_are_fitted(self) -> Iterator[str]:
-        for number, experiment in enumerate(self.testing, start=1):
-            twins = [n for n, e in enumerate(self.training, start=1) if experiment.overlaps(e)]
-            if twins:
-                yield (
-                    f"[[test]] {number}: '{experiment.name}' is also [[train]] {twins[0]}; what was "
-                    "fitted tests nothing: give a record of another excitation, or another window"
-                )
-
-    def _records_fitted_twice(self) -> Iterator[str]:
-        """Yield records that one stage would count twice."""
-        pairs = {pair for stage in self.stages for pair in combinations(sorted(stage.train), 2)}
-        for one, other in sorted(pairs):
-            experiment = self.training[other]
-            if experiment.overlaps(self.training[one]):
-                yield (
-                    f"[[train]] {other + 1}: '{experiment.name}' is also [[train]] {one + 1}; what is fitted "
-                    "twice seems known better than it is: keep one of them, or windows that do not overlap"
-                )
-
-    def _starts_of_an_fmu(self) -> Iterator[str]:
-        for experiment in () if isinstance(self.machine, DAE) else self.experiments:
-            if experiment.initial != "rest":
-                yield (
-                    f'{experiment.name}: initial = "rest" is needed, as an FMU begins from its own start '
-                    "values; give a record that begins at rest"
-                )
-
-    def _noise_beside_signals(self, stated: Mapping[str, float]) -> Iterator[str]:
-        for name, sigma in stated.items() if self.training else ():
-            channel, values = self.measured[name], [e.record.values[name] for e in self.training]
-            largest, size = max(map(np.std, values)), unit_for(channel.unit, channel.si).factor
-            highest = max(float(np.abs(v).max()) for v in values)
-            if sigma < LEAST_NOISE_SHARE * highest:
-                yield (
-                    f"noise.{name}: {sigma / size:g} {channel.unit} is less than any sensor's beside the "
-                    f"{highest / size:.3g} {channel.unit} that were measured; give what scatters in repeats"
-                )
-            if sigma > largest > 0:
-                yield (
-                    f"noise.{name}: {sigma / size:g} {channel.unit} is more than all that was measured "
-                    f"({largest / size:.3g} {channel.unit}, standard deviation); correct it or its unit"
-                )
-
-    def _notes_of_records(self) -> Iterator[str]:
-        names: dict[str, list[str]] = {}
-        for experiment in self.experiments:
-            for note in experiment.record.notes:
-                names.setdefault(note, []).append(experiment.name)
-        yield from (f"{', '.join(those)}: {note}" for note, those in names.items())
-
-    def _constant(self, names: Iterable[str]) -> Iterator[tuple[str, str]]:
-        """Yield channels that are one value in all training records, and which."""
-        for name in names:
-            seen = [e.record.values[name] for e in self.training]
-            if seen and np.ptp([(np.min(v), np.max(v)) for v in seen]) == 0:
-                channel = self.measured[name]
-                value = unit_for(channel.unit, channel.si).from_si(float(seen[0][0]))
-                yield name, f"{value:.6g} {channel.unit}"
-
-    def _dead_sensors(self) -> Iterator[str]:
-        for name, value in self._constant(self.outputs):
-            yield f"channels.{name}: it is {value} throughout all training records; is the sensor connected?"
-
-    def _resting_inputs(self) -> Iterator[str]:
-        for name, value in self._constant(self.inputs):
-            yield f"'{name}' is {value} throughout all training records; what it excites, they do not show"
-
-    def _rates_that_differ(self) -> Iterator[str]:
-        rates = {e.name: e.record.rate for e in self.experiments}
-        if max(rates.values()) > 1.01 * min(rates.values()):
-            told = ", ".join(f"{name} {rate:g} Hz" for name, rate in rates.items())
-            yield f"sampling rates differ ({told}); each record is simulated at its own"
 
     def _floor(self, channel: str, stated: Mapping[str, float], experiment: Experiment) -> NoiseFloor:
         spectral = spectral_floor(experiment.record.values[channel], experiment.record.rate)

@@ -14,7 +14,8 @@ from ...components import ModelError, nearest
 from ...networks import Input, between_samples, jump_remedy
 from ..records.columns import stuck
 from ..records.noise import NoiseFloor
-from ..records.record import Channel, Record, outputs_of, read_record
+from ..records.reading import read_record
+from ..records.record import Channel, Record, outputs_of
 from .machine import Machine
 from .priors import Prior
 from .problems import FILE, INTERVAL, NUMBER, TABLE, TEXT, TEXTS, Kind, Problems

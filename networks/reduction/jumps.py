@@ -147,11 +147,8 @@ def jumps_of(
     if not signals:
         return None
     motions, through = _motions(system.flat)
-    moving: Any = [
-        ode,
-        alg,
-        -pick(values, [root for root, _ in through]) * ca.DM([sign for _, sign in through]),
-    ]
+    pushes = -pick(values, [root for root, _ in through]) * ca.DM([sign for _, sign in through])
+    moving: Any = [ode, alg, pushes]
     inputs = [signal for signal in signals if signal.missed is None]
     if inputs:
         known = pick(symbols, [level[0] for signal in inputs for level in signal.reads])

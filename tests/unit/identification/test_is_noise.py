@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 from inertance.identification import is_noise
 from numpy.typing import NDArray
-from scipy.signal import butter, lfilter
+from scipy.signal import butter, sosfilt
 
 Array = NDArray[np.float64]
 RATE, COUNT = 250.0, 4000
@@ -17,8 +17,8 @@ Made = Callable[[np.random.Generator], Array]
 
 
 def low_passed(rng: np.random.Generator, order: int, cutoff: float) -> Array:
-    filtering: Any = butter(order, cutoff, fs=RATE)
-    noise: Array = np.asarray(lfilter(*filtering, rng.standard_normal(COUNT + 500))[500:])
+    sections = butter(order, cutoff, fs=RATE, output="sos")
+    noise: Array = np.asarray(sosfilt(sections, rng.standard_normal(COUNT + 500))[500:])
     return np.asarray(noise / noise.std())
 
 
