@@ -12,7 +12,7 @@ from inertance import rotational
 from inertance.identification import Record
 
 EXAMPLE = "so101_diagnosis"
-FRICTION = {"stiffness.k": 10.0, "damping.d": 0.7}
+PARAMETERS = {"stiffness.k": 10.0, "damping.d": 0.7}
 
 
 def rubbing(example: Any, level: float = 0.1) -> ia.Network:
@@ -39,7 +39,7 @@ def test_says_where_the_records_come_from(
 def test_a_model_is_run_from_where_the_arm_stood_and_a_command_acts_at_once(example: Any) -> None:
     t = np.arange(0.0, 3.0, 0.02)
     record = Record("step", t, {"command": np.where(t < 1.0, 0.005, 0.3), "position": np.full(len(t), 0.001)})
-    phi = example.predicted(rubbing(example), FRICTION, record)
+    phi = example.predicted(rubbing(example), PARAMETERS, record)
     assert phi.shape == t.shape
     assert np.ptp(phi[t < 1.0]) < 1e-9  # k times 4 mrad is less than the friction
     assert phi[0] == pytest.approx(0.001)
@@ -62,13 +62,13 @@ def test_friction_takes_the_better_part_off_whole_motions(
     monkeypatch.setattr(example, "TESTED", tested)
     found = SimpleNamespace(
         evidence=SimpleNamespace(
-            campaign=example.campaign(example.DATA), refit=SimpleNamespace(parameters=FRICTION)
+            campaign=example.campaign(example.DATA), refit=SimpleNamespace(parameters=PARAMETERS)
         ),
         corrected=lambda: rubbing(example),
-        parameters=FRICTION,
+        parameters=PARAMETERS,
     )
     motions = example.compared(found, example.DATA)
     assert [*motions] == [*tested]
     before, after = (float(share.strip("%")) for share in example.shares(motions).split())
-    assert after < 0.5 * before < 0.5 * 6.0
+    assert 0.0 < after < 0.5 * before
     assert example.draw(motions, tmp_path / "so101.png").stat().st_size > 1e5
