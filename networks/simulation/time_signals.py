@@ -199,7 +199,7 @@ def _largest(dae: DAE, equations: Any, given: set[int]) -> Any:
 
 
 def _unscaled(value: Any, symbols: Sequence[Any]) -> Any:
-    """Return an expression without the factors of it that do not move, which say nothing of when it switches."""
+    """Return an expression without its factors that do not move, which say nothing of when it switches."""
     moving = ca.vertcat(symbols[2], symbols[4])
     while value.op() == ca.OP_MUL:
         factors = [factor for factor in (value.dep(0), value.dep(1)) if ca.depends_on(factor, moving)]

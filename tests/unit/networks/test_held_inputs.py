@@ -9,6 +9,8 @@ import numpy as np
 import pytest
 from inertance.fmu import FMU
 from inertance.networks import Stepwise, Variations
+from inertance.networks.simulation.legs import legs_of
+from inertance.networks.variational.saltation import passages
 from numpy.typing import NDArray
 from scipy.linalg import expm
 
@@ -85,6 +87,47 @@ def test_slopes_pass_the_jumps() -> None:
     answer = variations.pushed(run, {"push.f": change[now][:, None]})[-1, 0, 0]
     moved = exact(3.0, force=FORCE + 0.5 * change) - exact(3.0, force=FORCE - 0.5 * change)
     assert answer == pytest.approx(moved, rel=1e-3)
+
+
+def rubbed() -> ia.DAE:
+    """Return the oscillator with friction, driven through a gain."""
+    net = ia.Network("rubbed", push=ia.Force(), gain=ia.signals.Gain(k=3.0), mass=ia.Mass(m=1.0))
+    net.add(wall=ia.Fixed(), strut=ia.SpringDamper(k=K, d=D), guide=ia.CoulombFriction(f_c=1.5))
+    net.connect(net.gain.y, net.push.f)
+    net.connect(net.wall.flange, net.strut.flange_a, net.guide.flange_a)
+    return net.connect(net.push.flange, net.mass.flange, net.strut.flange_b, net.guide.flange_b).dae()
+
+
+def pushed(dae: ia.DAE, **parameters: float) -> ia.Result:
+    given = {name.replace("__", "."): value for name, value in parameters.items()}
+    inputs = {"gain.u": held()}
+    return ia.simulate(dae, 3.0, begin=2.0, inputs=inputs, parameters=given, solver="rosenbrock", rtol=1e-10)
+
+
+def test_slopes_pass_the_jumps_between_which_friction_sticks_and_slips() -> None:
+    dae = rubbed()
+    run = pushed(dae)
+    switching = [number for number, _ in passages(run)]
+    jumps = np.count_nonzero(np.diff(FORCE))
+    assert 0 < len(switching) < len(run.segments) - 1 - jumps / 2
+    slopes = Variations(dae, ["mass.s"], ["strut.k", "guide.f_c"]).along(run)[-1, 0]
+    for slope, name, value in zip(slopes, ("strut__k", "guide__f_c"), (K, 1.5), strict=False):
+        low, high = (pushed(dae, **{name: value * (1 + step)})["mass.s"][-1] for step in (-1e-4, 1e-4))
+        assert slope == pytest.approx((high - low) / (2e-4 * value), rel=1e-3)
+
+
+def test_when_a_command_jumps_is_found_once_for_all_gains(monkeypatch: pytest.MonkeyPatch) -> None:
+    sought: list[float] = []
+
+    def counted(*given: Any) -> Any:
+        sought.append(given[1])
+        return legs_of(*given)
+
+    monkeypatch.setattr("inertance.networks.simulation.bound_dae.legs_of", counted)
+    dae, command = rubbed(), {"gain.u": held()}
+    for gain in (1.0, 2.0, 3.0):
+        ia.simulate(dae, 3.0, begin=2.0, inputs=command, parameters={"gain.k": gain})
+    assert len(sought) == 1
 
 
 @pytest.mark.parametrize("solver", ["rosenbrock", "compiled"])
