@@ -60,8 +60,8 @@ def spectral_floor(values: Array, rate: float | None = None) -> NoiseFloor:
     """Estimate white noise from the spectrum between 60 and 95 % of its top, where machines hardly move.
 
     Where few instants hold most of that, steps of the signal do, and what most instants have is taken. Not
-    below what the steps of a digital sensor make. What lies far below any sensor's noise was left by a filter:
-    at a rate [Hz] that is given, the band is told that the filter has left.
+    below what the steps of a digital sensor make. What lies far below any sensor's noise was left by a
+    filter: at a rate [Hz] that is given, the band is told that the filter has left.
     """
     density = _density(values)
     level = _level(density, NOISE_BAND)
