@@ -4,12 +4,14 @@ from collections.abc import Callable
 
 import inertance as ia
 import numpy as np
+import pytest
 from inertance.diagnosis import Verdict
 from inertance.identification import Campaign, Multisine, Record, sampled
 from numpy.typing import NDArray
 
 Array = NDArray[np.float64]
 Law = Callable[[Array, Array], Array]
+PARAMETERS = {"table.m": {"rel": 0.1}, "oil.d": {"rel": 0.5}}
 
 
 def axis() -> ia.Network:
@@ -37,12 +39,12 @@ def recorded(seed: int, law: Law, highest: float) -> Record:
     return Record(f"run {seed}", t[inside], {"s": (s + 0.3)[inside], "F": (force + noise)[inside]})
 
 
-def verdict_on(law: Law, highest: float = 2.0) -> Verdict:
+def verdict_on(law: Law, highest: float = 2.0, known: tuple[str, ...] = ()) -> Verdict:
     return ia.diagnose(
         Campaign(
             axis(),
             channels={"s": {"input": "drive.s_ref", "unit": "m"}, "F": {"output": "cell.f", "unit": "N"}},
-            parameters={"table.m": {"rel": 0.1}, "oil.d": {"rel": 0.5}},
+            parameters={n: p for n, p in PARAMETERS.items() if n not in known},
             train=[{"record": recorded(1, law, highest)}],
             test=[{"record": recorded(2, law, highest)}],
             noise={"F": 0.1},
@@ -56,6 +58,14 @@ def test_oil_that_thins_is_named() -> None:
     assert (verdict.verdict, placed.effect.kind) == ("effect", "shear_thinning_damping")
     assert abs(placed.values["v_e"] / 0.01 - 1) < 0.1
     assert abs(placed.values["d"] / 200.0 - 1) < 0.1
+
+
+@pytest.mark.parametrize("law", [lambda s, v: 20 * v, lambda s, v: 2.0 * np.sign(v)])
+def test_what_is_simpler_is_not_taken_for_oil_that_thins(law: Law) -> None:
+    verdict = verdict_on(law, known=("oil.d",))
+    named = {placed.effect.kind for placed in verdict.effects} | {kind for kind, _ in verdict.equivalent}
+    assert verdict.verdict in ("effect", "ambiguous")
+    assert "shear_thinning_damping" not in named
 
 
 def test_a_ripple_of_many_periods_is_named() -> None:
