@@ -21,13 +21,18 @@ Values = Mapping[str, float]
 
 @dataclass(frozen=True)
 class Motion:
-    """How a site moves in the nominal model: time [s], distance, speed, force through it, acceleration."""
+    """How a site moves in the nominal model: time [s], distance, speed, force through it, acceleration.
+
+    `missed`, where it is known, are the distances in all records, and how much of the residual a unit of
+    force would explain at each.
+    """
 
     t: Array
     s: Array
     v: Array
     f: Array
     a: Array
+    missed: tuple[Array, Array] | None = None
 
     @property
     def travel(self) -> float:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from itertools import pairwise
 from math import inf, pi
 from typing import Any
 
@@ -11,6 +12,7 @@ from ...base import Array
 from .. import criteria
 from .across import across
 from .effect import Extent, Motion, Values, both
+from .sites import Site
 
 _PERIOD = (("period", "m"), ("period", "rad"), 0.0, True)
 
@@ -23,8 +25,43 @@ def _amplitudes(suffix: str = "") -> dict[str, tuple[Any, ...]]:
     }
 
 
-def _periods(motion: Extent, counts: tuple[int, int], tried: int) -> list[dict[str, float]]:
-    return [{"period": 2 * motion.travel / count} for count in np.geomspace(*counts, tried)]
+def _periods(extent: Extent, counts: tuple[int, int], bands: int) -> list[dict[str, float]]:
+    """Return periods to try: where it is known what waves would explain, the best of each band of them."""
+    if isinstance(extent, Site) or extent.missed is None:
+        most = criteria.MOST_RIPPLES_PER_TRAVEL if isinstance(extent, Site) else counts[1]
+        tried = np.geomspace(counts[0], most, bands)
+    else:
+        tried = _promising(
+            extent, extent.missed, np.geomspace(counts[0], _most(extent, counts[1]), bands + 1)
+        )
+    return [{"period": 2 * extent.travel / count} for count in tried.tolist()]
+
+
+def _most(motion: Motion, least: int) -> float:
+    """Return how many periods in the range of a site are passed by no faster than can be seen."""
+    seen = motion.travel * len(motion.t) / (np.ptp(motion.t) * np.abs(motion.v).max())
+    return float(np.clip(seen, least, criteria.MOST_RIPPLES_PER_TRAVEL))
+
+
+def _promising(motion: Motion, missed: tuple[Array, Array], edges: Array) -> Array:
+    """Return the highest peak in each band of the periodogram of what is missed over distance, or its middle.
+
+    However many periods the range of the site has, a peak is one of them wide.
+    """
+    s, product = missed
+    points = criteria.RIPPLE_POINTS * edges[-1]  # in the range of the site
+    place = ((s - s.min()) * points / (2 * motion.travel)).astype(int)
+    over_distance = np.bincount(place, product)
+    length = criteria.RIPPLE_PEAK_POINTS * max(int(points), len(over_distance))
+    height = np.abs(np.fft.rfft(over_distance, length))
+    peaks = 1 + np.flatnonzero((height[1:-1] > height[:-2]) & (height[1:-1] >= height[2:]))
+    counts = peaks * points / length
+    found = np.sqrt(edges[1:] * edges[:-1])
+    for band, (low, high) in enumerate(pairwise(edges)):
+        inside = (counts >= low) & (counts < high)
+        if inside.any():
+            found[band] = counts[inside][np.argmax(height[peaks[inside]])]
+    return found
 
 
 def _waves(motion: Motion, shape: Values, harmonics: int) -> list[Array]:

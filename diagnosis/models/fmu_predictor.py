@@ -241,6 +241,9 @@ class ReplayedStand:
             moved.append(np.column_stack([(after[n] - before[n]) / scale for n in before]))
         return np.stack(moved, axis=2)
 
+    def adjoint(self, found: FMUPrediction, weights: Array, name: str) -> None:
+        """Return None: what pushes would change is not known without making them."""
+
     def _size(self, name: str, found: FMUPrediction, columns: Array, before: Mapping[str, Array]) -> float:
         """Return by how much, root mean square, something is pushed: a little of what is there already.
 

@@ -53,10 +53,20 @@ class _Tally:
 
 
 class _Sums:
-    """Sums over records that all candidates share, and theirs; `count` of uncertain parameters."""
+    """Sums over records that all candidates share, and theirs.
 
-    def __init__(self, count: int) -> None:
-        self.slopes, self.residual = np.zeros((count, count)), np.zeros(count)
+    `prior` is the covariance of the parameters, `moved` how far they move alone.
+    """
+
+    def __init__(self, slopes: Sequence[Array], records: Sequence[WhitenedRecord]) -> None:
+        count = slopes[0].shape[1]
+        own = sum((columns.T @ columns for columns in slopes), np.eye(count))
+        self.prior: Array = np.linalg.inv(own)
+        self.residual: Array = sum(
+            (columns.T @ record.residual for columns, record in zip(slopes, records, strict=True)),
+            np.zeros(count),
+        )
+        self.moved: Array = self.prior @ self.residual
         self.tallies: dict[tuple[str, str, tuple[float, ...]], _Tally] = {}
 
 
@@ -75,14 +85,16 @@ def screen(
     sites = surrounded([scaled(site, moved, resting) for site, moved in zip(sites, motions, strict=True)])
     deviations = [study.campaign.priors[name].scale for name in parameters]
     deviations += [FOUND_EFFECT_DEVIATIONS * (abs(value) or 1.0) for value in found.values()]
-    sums = _Sums(len(given))
+    slopes = [record.slopes * np.array(deviations) for record in records]
+    sums = _Sums(slopes, records)
+    left = [r.residual - columns @ sums.moved for r, columns in zip(records, slopes, strict=True)]
+    motions = [_missing(records, left, number, moved) for number, moved in enumerate(motions)]
     reach = {
         name: max(float(np.abs(record.measured.values[name]).max()) for record in records)
         for name in study.campaign.measured
     }
     for index, record in enumerate(records):
-        slopes = record.slopes * np.array(deviations)
-        _add(sums, record, slopes, sites, [moved[index] for moved in motions], motions, reach)
+        _add(sums, record, slopes[index], sites, [moved[index] for moved in motions], motions, reach)
     return sorted(_scored(sums, parameters), key=lambda candidate: -candidate.gain)
 
 
@@ -96,8 +108,6 @@ def _add(
     reach: Mapping[str, float],
 ) -> None:
     """Add what one record says of every candidate."""
-    sums.slopes += slopes.T @ slopes
-    sums.residual += slopes.T @ record.residual
 
     def count(site: Site, found: Sequence[tuple[Effect, dict[str, float], int]], columns: Array) -> None:
         products = columns.T @ np.column_stack([slopes, record.residual, columns])
@@ -117,6 +127,18 @@ def _add(
                 count(site, [(effect, shape, c.shape[1]) for effect, shape, c in found], columns)
     for effect, site, shape, own in _channel_changes(record, reach):
         count(site, [(effect, shape, own.shape[1])], own)
+
+
+def _missing(
+    records: Sequence[WhitenedRecord], left: Sequence[Array], number: int, motions: Sequence[Motion]
+) -> list[Motion]:
+    """Return motions of a site with how much of what is left a unit of force would explain along them all."""
+    parts = [r.explained(residual, f"push_{number}.u") for r, residual in zip(records, left, strict=True)]
+    known = [part for part in parts if part is not None]
+    if len(known) < len(parts):
+        return list(motions)
+    missed = np.concatenate([motion.s for motion in motions]), np.concatenate(known)
+    return [replace(motion, missed=missed) for motion in motions]
 
 
 def _forces(
@@ -166,13 +188,12 @@ def _channel_changes(
 
 def _scored(sums: _Sums, parameters: Mapping[str, float]) -> Iterator[Candidate]:
     """Yield the best shape of each effect at each site."""
-    prior = np.linalg.inv(sums.slopes + np.eye(len(sums.slopes)))
     best: dict[tuple[str, str], Candidate] = {}
-    count = len(prior)
+    count = len(sums.prior)
     for tally in sums.tallies.values():
         crossed, seen, own = np.split(tally.products, [count, count + 1], axis=1)
-        matrix = np.asarray(own - crossed @ prior @ crossed.T, dtype=float)
-        seen = seen[:, 0] - crossed @ prior @ sums.residual
+        matrix = np.asarray(own - crossed @ sums.prior @ crossed.T, dtype=float)
+        seen = seen[:, 0] - crossed @ sums.moved
         sizes = tally.effect.sizes(tally.site.domain)
         values, gain = _least(matrix, seen, np.array([q.low for q in sizes]))
         size = np.trace(own)

@@ -78,6 +78,16 @@ class WhitenedRecord:
         weighted = [moved[:, n] / self.sigma[name] for n, name in enumerate(self.outputs)]
         return self.off(np.concatenate(weighted))
 
+    def explained(self, residual: Array, name: str) -> Array | None:
+        """Return how much of a residual a unit of an input at each of the instants `time` would explain.
+
+        It is the product of the residual with what `to_inputs` gives; None where that is known by runs only.
+        """
+        parts = np.split(self.off(residual), len(self.outputs))
+        weights = [part / self.sigma[output] for output, part in zip(self.outputs, parts, strict=True)]
+        found: Array | None = self._stand.adjoint(self._found, np.column_stack(weights), name)
+        return found
+
     def acting(self, channel: str, change: Array) -> Array:
         """Return a change of an input channel, given at instants of the record, at the instants `time`."""
         driving = self._channels[channel]

@@ -177,6 +177,18 @@ class RecordModel:
         """
         return self.variations.pushed(found.run, changes)[found.at]
 
+    def adjoint(self, found: Prediction, weights: Array, name: str) -> Array | None:
+        """Return what a unit of an input at each point of the run adds to the weighted sum of the outputs.
+
+        Args:
+            found: the run.
+            weights: of the outputs at the instants of the record, (instants, outputs).
+            name: of the input; None is returned for one whose derivatives the network uses.
+        """
+        spread = np.zeros((len(found.run.time), weights.shape[1]))
+        np.add.at(spread, found.at, weights)
+        return self.variations.adjoint(found.run, spread, name)
+
 
 def start_of(t: Array, signal: Array) -> tuple[float, float]:
     """Return rate and value of a signal at t = 0, by a parabola through as much of it as follows one."""

@@ -13,6 +13,8 @@ from .record import Record
 
 NOISE_BAND = (0.6, 0.95)  # of the spectrum
 LEAST_RANGE_SHARE = 1e-6
+JUMPY_RATIO = 2.0  # of the scatter that most samples have there, above which steps are seen; noise has 1
+NORMAL_SCATTER = 1.4826  # standard deviations of a normal distribution in its median absolute deviation
 
 
 LEFT_BY_FIT = "what a fit leaves"
@@ -57,16 +59,18 @@ class NoiseFloor:
 def spectral_floor(values: Array, rate: float | None = None) -> NoiseFloor:
     """Estimate white noise from the spectrum between 60 and 95 % of its top, where machines hardly move.
 
-    Not below what the steps of a digital sensor make. What lies far below any sensor's noise was left by a
+    Where few instants hold most of that, steps of the signal do, and what most instants have is taken. Not
+    below what the steps of a digital sensor make. What lies far below any sensor's noise was left by a
     filter: at a rate [Hz] that is given, the band is told that the filter has left.
     """
     density = _density(values)
-    sigma = _level(density, NOISE_BAND)
+    level = _level(density, NOISE_BAND)
+    sigma = level / _jumpiness(values)
     quantum = _quantum(values) / np.sqrt(12)
     span = float(np.ptp(values))
     source = "steps of the sensor" if quantum > sigma else "spectrum"
     floor = max(sigma, quantum, LEAST_RANGE_SHARE * span)
-    passed = np.flatnonzero(density > FILTERED_DENSITY_RATIO * 2 * sigma**2)
+    passed = np.flatnonzero(density > FILTERED_DENSITY_RATIO * 2 * level**2)
     if rate is None or floor > QUIET_RANGE_SHARE * span or not len(passed):
         return NoiseFloor(floor, source)
     return NoiseFloor(floor, source, 0.5 * rate * float(passed[-1] + 1) / (len(density) - 1))
@@ -136,6 +140,20 @@ def repeated_floor(record: Record, other: Record, channel: str) -> NoiseFloor:
     difference = record.values[channel][:count] - other.values[channel][:count]
     least = LEAST_RANGE_SHARE * float(np.ptp(record.values[channel]))
     return NoiseFloor(max(float(difference.std() / np.sqrt(2)), least), "repeats")
+
+
+def _jumpiness(values: Array) -> float:
+    """Return by how much steps of a signal raise the upper spectrum, 1 if it holds noise alone."""
+    from scipy.signal import butter, sosfiltfilt
+
+    fast = sosfiltfilt(
+        butter(8, NOISE_BAND, "bandpass", output="sos"), values, padlen=min(50, len(values) - 1)
+    )
+    settled = len(fast) // 20
+    fast = fast[settled : len(fast) - settled]
+    usual = NORMAL_SCATTER * float(np.median(np.abs(fast)))
+    ratio = float(fast.std()) / usual if usual else 1.0
+    return ratio if ratio > JUMPY_RATIO else 1.0
 
 
 def _quantum(values: Array) -> float:

@@ -33,6 +33,10 @@ class Steps:
     own: Array
     weight: Array
 
+    def reversed(self) -> Steps:
+        """Return the steps by which what the end is sensitive to goes back to the start."""
+        return Steps(np.swapaxes(self.map, 1, 2)[::-1], self.own[::-1], self.weight[::-1])
+
     def carry(self, moved: Array, added: Array) -> Array:
         """Return the changes at all points, (points, states, columns), that begin as `moved`.
 

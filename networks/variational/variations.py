@@ -151,6 +151,32 @@ class Variations:
         states = line.steps.carry(np.zeros((nx, weights.shape[2])), added)
         return np.asarray(line.to_x[:, nx:] @ states + by_u[:, nx:] @ weights)
 
+    def adjoint(self, result: Result, weights: Array, name: str) -> Array | None:
+        """Return d(sum of weights times signals)/d(an input at the points), (points,): `pushed`, transposed.
+
+        Args:
+            result: a run of the `DAE`.
+            weights: of the signals at the points of the run, (points, signals).
+            name: of the input; None is returned for one whose derivatives the network uses.
+        """
+        nx = self.dae.x.numel()
+        row = next(i for i, declared in enumerate(self.dae.inputs) if declared.path == name)
+        if any(declared.path == name and declared.order for declared in self.dae.inputs):
+            return None
+        line = self._linearised(result)
+        by_u = line.to_u[:, :, row]
+        seen = np.einsum("ksx,ks->kx", line.to_x[:, nx:], weights)[:, :, None]
+        back = line.steps.reversed().carry(seen[-1], seen[-2::-1])[::-1][1:, :, 0]
+        share = 0.5 * np.einsum("kij,ki->kj", line.steps.weight, back)
+        share[line.edges] = 0.0
+        forced = np.zeros((len(by_u), nx))
+        forced[:-1] += share
+        forced[1:] += share
+        found = np.einsum("kx,kx->k", by_u[:, :nx], forced) + np.einsum("ks,ks->k", by_u[:, nx:], weights)
+        if len(line.edges):
+            found[line.edges] += np.einsum("kx,kx->k", line.crossed_by_u[:, :, row], back[line.edges])
+        return np.asarray(self.dae.inputs[row].sign * found)
+
     def start_slopes(self, result: Result, start: Mapping[str, float]) -> Array:
         """Return d(states at the start)/d(parameters) where start values follow from fixed ones.
 

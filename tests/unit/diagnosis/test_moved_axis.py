@@ -4,12 +4,14 @@ from collections.abc import Callable
 
 import inertance as ia
 import numpy as np
+import pytest
 from inertance.diagnosis import Verdict
 from inertance.identification import Campaign, Multisine, Record, sampled
 from numpy.typing import NDArray
 
 Array = NDArray[np.float64]
 Law = Callable[[Array, Array], Array]
+PARAMETERS = {"table.m": {"rel": 0.1}, "oil.d": {"rel": 0.5}}
 
 
 def axis() -> ia.Network:
@@ -26,9 +28,9 @@ def axis() -> ia.Network:
     return net.connect(net.oil.flange_a, net.bed.flange)
 
 
-def recorded(seed: int, law: Law) -> Record:
+def recorded(seed: int, law: Law, highest: float) -> Record:
     """Return a record whose force also has that of a law of distance and speed, and noise of 0.1 N."""
-    moved = sampled(Multisine(rms=0.04, low=0.2, high=2.0, period=8.0, seed=seed), stop=8.0, rate=250.0)
+    moved = sampled(Multisine(rms=0.04, low=0.1, high=highest, period=8.0, seed=seed), stop=8.0, rate=250.0)
     t, s = moved.time, moved.values
     v = np.gradient(s, t)
     force = 20 * np.gradient(v, t) + 150 * v + law(s + 0.3, v)
@@ -37,14 +39,14 @@ def recorded(seed: int, law: Law) -> Record:
     return Record(f"run {seed}", t[inside], {"s": (s + 0.3)[inside], "F": (force + noise)[inside]})
 
 
-def verdict_on(law: Law) -> Verdict:
+def verdict_on(law: Law, highest: float = 2.0, known: tuple[str, ...] = ()) -> Verdict:
     return ia.diagnose(
         Campaign(
             axis(),
             channels={"s": {"input": "drive.s_ref", "unit": "m"}, "F": {"output": "cell.f", "unit": "N"}},
-            parameters={"table.m": {"rel": 0.1}, "oil.d": {"rel": 0.5}},
-            train=[{"record": recorded(1, law)}],
-            test=[{"record": recorded(2, law)}],
+            parameters={n: p for n, p in PARAMETERS.items() if n not in known},
+            train=[{"record": recorded(1, law, highest)}],
+            test=[{"record": recorded(2, law, highest)}],
             noise={"F": 0.1},
         )
     )
@@ -56,3 +58,19 @@ def test_oil_that_thins_is_named() -> None:
     assert (verdict.verdict, placed.effect.kind) == ("effect", "shear_thinning_damping")
     assert abs(placed.values["v_e"] / 0.01 - 1) < 0.1
     assert abs(placed.values["d"] / 200.0 - 1) < 0.1
+
+
+@pytest.mark.parametrize("law", [lambda s, v: 20 * v, lambda s, v: 2.0 * np.sign(v)])
+def test_what_is_simpler_is_not_taken_for_oil_that_thins(law: Law) -> None:
+    verdict = verdict_on(law, known=("oil.d",))
+    named = {placed.effect.kind for placed in verdict.effects} | {kind for kind, _ in verdict.equivalent}
+    assert verdict.verdict in ("effect", "ambiguous")
+    assert "shear_thinning_damping" not in named
+
+
+def test_a_ripple_of_many_periods_is_named() -> None:
+    verdict = verdict_on(lambda s, v: 0.5 * np.sin(2 * np.pi * s / 0.0019 + 1.0), highest=0.3)
+    (placed,) = verdict.effects
+    assert (verdict.verdict, placed.effect.kind) == ("effect", "position_ripple")
+    assert abs(placed.values["period"] / 0.0019 - 1) < 1e-3
+    assert abs(np.hypot(placed.values["f_sin"], placed.values["f_cos"]) / 0.5 - 1) < 0.1

@@ -80,6 +80,15 @@ def test_noise_may_differ_by_record(cart: Any) -> None:
     assert found.gap["x"].after == pytest.approx(found.gap["x"].floor, rel=0.05)
 
 
+def test_steps_of_a_command_are_no_noise() -> None:
+    rng = np.random.default_rng(4)
+    time = np.arange(20000) / RATE
+    command = np.sin(3 * time) + 5.0 * (time % 0.5 < 0.02) + 0.003 * rng.standard_normal(len(time))
+    assert 0.003 < spectral_floor(command).sigma < 0.006
+    noise = 0.003 * rng.standard_normal(len(time))
+    assert spectral_floor(np.sin(3 * time) + noise).sigma == pytest.approx(0.003, rel=0.05)
+
+
 def test_white_noise_is_no_effect_however_little_was_stated(cart: Any) -> None:
     records = [noisier(cart.measured(cart.rig(k=820.0), n), 3.0, n) for n in (1, 2, 3)]
     found = verdict_on(cart, records, noise={"x": NOISE})
