@@ -2,15 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
+from itertools import chain
 from math import inf
 
 import numpy as np
 
 from ...base import Array, computing
 from ...components import SimulationError
-from ...identification import Ending, Experiment, descent
+from ...identification import Ending, Experiment, Iterate, descent
 from .. import criteria
 from ..effects.hypothesis import Hypothesis, driven, inserted, sensed
 from ..effects.shaping import Bounds, Shapes
@@ -28,6 +29,14 @@ DESCENT = Ending(
 
 
 @dataclass(frozen=True, eq=False)
+class _Begin:
+    """How far a record begins from where it seems to, and how that slopes, as they were last looked for."""
+
+    moved: Array
+    slopes: Array
+
+
+@dataclass(frozen=True, eq=False)
 class _Run:
     """A run on a record, and what it was computed with: effects, parameters and states at the start."""
 
@@ -42,6 +51,16 @@ class _Run:
         """The channels as their sensors pass them on."""
         time, values = self.found.time, self.found.values
         return {name: sensed(time, name, values[name], self.effects) for name in values}
+
+
+@dataclass(frozen=True, eq=False)
+class _Way:
+    """A descent after its first step: how far it has come, how it goes on, where its records begin."""
+
+    here: Iterate
+    further: Iterator[Iterate]
+    bounds: Bounds
+    begins: Mapping[int, _Begin]
 
 
 class JointFit:
@@ -77,8 +96,9 @@ class JointFit:
         paths = [path for placed in self.effects for path in placed.network_parameters]
         self.predictor = study.predictor(effects, [*self.names, *paths])
         self.stands = {id(e): self.predictor.stand(e) for e in self.campaign.experiments}
-        self.begins: dict[int, Array] = {}  # by record, how far it begins from where it seems to
+        self.begins: dict[int, _Begin] = {}  # by record, unless it begins at rest
         self.starts = dict(zip(self.stands, near.starts, strict=True)) if near is not None else {}
+        self._sloped: tuple[Array, list[dict[str, Array]]] = self.start[:0], []  # the last, and its residuals
 
     def vector(self, parameters: Mapping[str, float], values: Sequence[Mapping[str, float]]) -> Array:
         """Return parameters and values of the effects as a vector."""
@@ -104,36 +124,44 @@ class JointFit:
         """
         earlier = [placed.values for placed in self.effects[:-1]]
         begins = [self.vector(parameters, [*earlier, values]) for parameters, values in starts]
-        vector, *others = begins or [self.start]
-        bounds = self.shapes.bounds(vector)
-        if others:
-            _, vector, bounds = min(map(self._stepped, begins), key=lambda begun: begun[0])
+        way = self._best_begun(begins or [self.start])
         for _ in range(1 + criteria.SHAPED_DESCENTS):
-            for end in descent(self.stacked, vector, bounds, DESCENT, learnt=True):
-                vector = end.vector
+            for end in chain([way.here], way.further):
                 if self.study.late():
                     break
-            if self.study.late() or not self.shapes.are_held(vector, bounds):
+            if self.study.late() or not self.shapes.are_held(end.vector, way.bounds):
                 break
-            bounds = self.shapes.bounds(vector)
-        return self.seen(vector)
+            way = self._stepped(end.vector)
+        return self.seen(end.vector)
 
-    def _stepped(self, start: Array) -> tuple[float, Array, Bounds]:
-        """Return the sum of squares after a step from a start, where that leads, and the bounds."""
+    def _best_begun(self, starts: Sequence[Array]) -> _Way:
+        """Return the descent that comes out best after a step, of those that can be run."""
+        ways, told = list[_Way](), list[SimulationError]()
+        for start in starts:
+            try:
+                ways.append(self._stepped(start))
+            except SimulationError as error:
+                told.append(error)
+        if not ways:
+            raise told[0]
+        best = min(ways, key=lambda way: way.here.cost)
+        self.begins = dict(best.begins)
+        return best
+
+    def _stepped(self, start: Array) -> _Way:
+        """Return a descent from a start, after its first step."""
         bounds = self.shapes.bounds(start)
-        try:
-            *_, end = descent(self.stacked, start, bounds, replace(DESCENT, steps=1), learnt=True)
-        except SimulationError:
-            return inf, start, bounds
-        return end.cost, end.vector, bounds
+        further = descent(self.stacked, start, bounds, DESCENT, learnt=True)
+        next(further)
+        return _Way(next(further), further, bounds, dict(self.begins))
 
     def seen(self, vector: Array) -> Refit:
         """Return the model with the values of a vector, held against all records."""
         fitted, placed = self.unpacked(vector)
-        train, test = (
-            [self.linearise(vector, e, False)[0] for e in records]
-            for records in (self.campaign.training, self.campaign.testing)
-        )
+        at, train = self._sloped
+        if not np.array_equal(at, vector):
+            train = [self.linearise(vector, e, False)[0] for e in self.campaign.training]
+        test = [self.linearise(vector, e, False)[0] for e in self.campaign.testing]
         cost = sum(float(r @ r) for record in train for r in record.values())
         prior = self.pull * vector[: len(self.names)]
         judged = self.study.judged
@@ -145,8 +173,10 @@ class JointFit:
     @computing("a trial of the parameters")
     def stacked(self, vector: Array, slopes: bool) -> tuple[Array, Array | None]:
         """Return residuals of all training records and of the priors, and their slopes if wanted."""
-        found = [self.linearise(vector, e, slopes) for e in self.campaign.training]
+        found = [self.linearise(vector, e, slopes, trial=True) for e in self.campaign.training]
         count = len(self.names)
+        if slopes:
+            self._sloped = vector.copy(), [record for record, _ in found]
         residuals = [r for record, _ in found for r in record.values()]
         stacked = np.concatenate([*residuals, self.pull * vector[:count]])
         if not slopes:
@@ -155,19 +185,23 @@ class JointFit:
         return stacked, np.concatenate([*(-columns for _, columns in found), prior])
 
     def linearise(
-        self, vector: Array, experiment: Experiment, slopes: bool
+        self, vector: Array, experiment: Experiment, slopes: bool, trial: bool = False
     ) -> tuple[dict[str, Array], Array]:
-        """Return the weighted residual of a record by channel, and its slopes in the vector."""
+        """Return the weighted residual of a record by channel, and its slopes in the vector.
+
+        In a `trial` without slopes the start counts as where it was last looked for, which saves those.
+        """
         parameters, effects = self.unpacked(vector)
         given = parameters | inserted(effects)
-        stand = self._driven(experiment, effects)
-        slopes_too = slopes or experiment.initial == "fit"
+        stand, known = self._driven(experiment, effects), self.begins.get(id(experiment))
+        plain = not slopes and (experiment.initial == "rest" or (trial and known is not None))
 
         def run_from(start: Array | None) -> _Run:
-            return _Run(experiment, effects, given, start, stand.run(given, start, self.accuracy, slopes_too))
+            return _Run(experiment, effects, given, start, stand.run(given, start, self.accuracy, not plain))
 
         run = self._begun(stand, run_from, experiment, given, slopes)
-        residual, nuisances = self._weighed(run)
+        residual = _residual(run)
+        nuisances = known.slopes if plain and known is not None else _nuisances(run)
         columns = self._slopes(run) if slopes else np.zeros((len(residual), 0))
         left = projected(np.column_stack([residual, columns]), nuisances)
         names, lengths = list(run.found.values), [len(v) for v in run.found.values.values()]
@@ -183,27 +217,29 @@ class JointFit:
         again: bool,
     ) -> _Run:
         """Return the run of a record from where it begins, which is looked for at first and `again`."""
+        known = self.begins.get(id(experiment))
 
         def rest() -> Array:
             return stand.rest(given, self.accuracy)
 
-        known = self.begins.get(id(experiment))
         if known is not None and not again:
-            return run_from(rest() + known)
-        if known is None and (start := self.starts.get(id(experiment))):
-            seeming = dict(zip(stand.state_names, rest().tolist(), strict=True))
-            known = np.array([start.get(name, value) - value for name, value in seeming.items()])
-        run, moved = begun(experiment, rest, run_from, self._weighed, known)
+            return run_from(rest() + known.moved)
+        guess = self._guess(stand, experiment, rest) if known is None else known.moved
+        run, moved = begun(
+            experiment, rest, run_from, lambda tried: (_residual(tried), _nuisances(tried)), guess
+        )
         if moved is not None and run.start is not None:
-            self.begins[id(experiment)] = moved
+            self.begins[id(experiment)] = _Begin(moved, _nuisances(run))
             self.starts[id(experiment)] = dict(zip(stand.state_names, run.start.tolist(), strict=True))
         return run
 
-    def _weighed(self, run: _Run) -> tuple[Array, Array]:
-        """Return the weighted residual of a run, and the slopes of its prediction in what nobody measured."""
-        measured, seen, sigma = run.experiment.compared.values, run.seen, run.experiment.sigma
-        residual = np.concatenate([(measured[n] - seen[n]) / sigma[n] for n in seen])
-        return residual, nuisance_slopes(run.experiment, run.found, sigma)
+    def _guess(self, stand: Standing, experiment: Experiment, rest: Callable[[], Array]) -> Array | None:
+        """Return how far a record begins from where it seems to, by where another model begins."""
+        start = self.starts.get(id(experiment))
+        if not start:
+            return None
+        seeming = dict(zip(stand.state_names, rest().tolist(), strict=True))
+        return np.array([start.get(name, value) - value for name, value in seeming.items()])
 
     def _driven(self, experiment: Experiment, effects: Sequence[Hypothesis]) -> Standing:
         """Return the stand of a record, its inputs as the actuators pass them on."""
@@ -243,6 +279,17 @@ class JointFit:
             for name, now in replace(run, effects=effects, found=found).seen.items():
                 columns[name].append((now - base[name]) / step * scale)
         return {name: np.column_stack(moved) for name, moved in columns.items()}
+
+
+def _residual(run: _Run) -> Array:
+    """Return the weighted residual of a run, channels one below the other."""
+    measured, seen, sigma = run.experiment.compared.values, run.seen, run.experiment.sigma
+    return np.concatenate([(measured[n] - seen[n]) / sigma[n] for n in seen])
+
+
+def _nuisances(run: _Run) -> Array:
+    """Return the slopes of a run's weighted prediction in what nobody measured."""
+    return nuisance_slopes(run.experiment, run.found, run.experiment.sigma)
 
 
 def _sensed_slopes(found: Predicted, name: str, effects: Sequence[Hypothesis]) -> Array:

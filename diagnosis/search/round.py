@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 import pickle
-from collections.abc import Collection, Iterator, Sequence
+from collections import deque
+from collections.abc import Callable, Collection, Sequence
 from dataclasses import dataclass, field
-from functools import lru_cache
+from functools import lru_cache, partial
 
 from ...base import computing
 from ...components import InertanceError
@@ -16,9 +17,11 @@ from ..effects.plausibility import implausible
 from ..models.study import Study, study_of, thinned
 from .joint_fit import FitStart, JointFit
 from .model_comparison import Refit, unexplained
+from .needless import needless
 from .score_test import Candidate, screen
 
 LATE = "the time that was granted had passed"
+Outcome = Callable[[], Refit | str]  # of a fit: the model, or why there is none
 
 
 @dataclass(frozen=True, eq=False)
@@ -39,29 +42,40 @@ def run_round(study: Study, base: Refit, rounds: list[Round]) -> Round:
     """Screen all effects on top of a model and fit the leading ones; what is known stands in `rounds`."""
     told = " on top of what was found" if base.effects else ""
     study.tell(f"screening effects{told}")
+    crew = _Crew(study)
     candidates = screen(study, base.parameters, base.effects)
     waiting = _leading(candidates, {placed.label for placed in base.effects})
     tried, fitted, kept = list[Candidate](), list[Refit](), 0.0
-    payload = _sent(study.campaign) if study.executor is not None else b""
     rounds.append(Round(base, list(candidates), fitted))
+    failed = rounds[-1].failed
     early: list[Candidate] | None = [] if base.effects else None
-    while waiting and not study.late():
-        batch, waiting = _next(waiting)
-        tried += batch
-        results = _fits(study, payload, base, batch, fitted)
-        for left, candidate, found in zip(reversed(range(len(batch))), batch, results, strict=True):
-            study.tell(f"fitted {candidate.label}, at most {left + len(waiting)} to go")
-            if isinstance(found, str):
-                rounds[-1].failed[candidate.label] = found
-                continue
+    under_way = deque[tuple[Candidate, Outcome]]()
+    while under_way or (waiting and not study.late()):
+        ready = _ready(waiting, [candidate for candidate, _ in under_way])
+        if ready is not None and len(under_way) < criteria.FITS_UNDER_WAY and not study.late():
+            waiting.remove(ready)
+            tried.append(ready)
+            fit = _Fit.of(ready, base, fitted)
+            if why := needless(study, fit.placed, base, fitted):
+                failed[ready.label] = why
+            else:
+                under_way.append((ready, crew.begin(fit)))
+            continue
+        candidate, outcome = under_way.popleft()
+        found = outcome()
+        study.tell(f"fitted {candidate.label}, at most {len(under_way) + len(waiting)} to go")
+        if isinstance(found, str):
+            failed[candidate.label] = found
+        else:
             _keep(fitted, found)
             kept = max(kept, min(candidate.gain, base.cost - found.cost))
         waiting = _promising(waiting, kept)
-        if not waiting and early is None and not study.late() and _much_is_left((base, *fitted), base):
+        over = not waiting and not under_way and early is None and not study.late()
+        if over and _much_is_left((base, *fitted), base):
             study.tell("much is left: screening where the parameters were given")
             early = screen(study, study.campaign.start)
             waiting = _reserve(candidates, early, tried, _ran_away(study.campaign, base))
-    rounds[-1].failed.update((c.label, LATE) for c in waiting)
+    failed.update((c.label, LATE) for c in waiting)
     screened = {c.label for c in candidates}
     rounds[-1].candidates.extend(c for c in early or () if c.label not in screened)
     return rounds[-1]
@@ -99,36 +113,60 @@ def _promising(waiting: Sequence[Candidate], kept: float) -> list[Candidate]:
     return [c for c in waiting if c in good or any(other.generalises(c) for other in good)]
 
 
-def _next(waiting: list[Candidate]) -> tuple[list[Candidate], list[Candidate]]:
-    """Return the candidates to be fitted next, none of which starts from what another one will give."""
-    batch = waiting[: criteria.FITS_PER_BATCH]
-    starting = (n for n, c in enumerate(batch) if any(c.generalises(other) for other in batch[:n]))
-    count = next(starting, len(batch))
-    return waiting[:count], waiting[count:]
+def _ready(waiting: Sequence[Candidate], under_way: Sequence[Candidate]) -> Candidate | None:
+    """Return the first candidate that does not start from what a fit to come or under way will give."""
+    first = (c for c in waiting if not any(c.generalises(other) for other in (*under_way, *waiting)))
+    return next(first, None)
 
 
-def _fits(
-    study: Study, payload: bytes, base: Refit, batch: Sequence[Candidate], fitted: list[Refit]
-) -> Iterator[Refit | str]:
-    """Return the fits of candidates, made here or by the executor, or why there is none."""
-    if study.executor is None:
-        return (_fit(study, base, candidate, fitted) for candidate in batch)
-    submit = study.executor.submit
-    given = payload, study.accuracy, study.deadline, base
-    jobs = [submit(_job, *given, candidate, fitted) for candidate in batch]
-    return (job.result() for job in jobs)
+@dataclass(frozen=True, eq=False)
+class _Fit:
+    """What a fit of a candidate needs: the model so far, and values to start from."""
+
+    candidate: Candidate
+    base: Refit
+    starts: Sequence[FitStart]
+
+    @property
+    def placed(self) -> Hypothesis:
+        """The candidate with a name of its own beside the effects so far."""
+        name = f"{self.candidate.effect.kind}_{len(self.base.effects) + 1}"
+        return Hypothesis(self.candidate.effect, self.candidate.site, name, self.candidate.values)
+
+    @classmethod
+    def of(cls, candidate: Candidate, base: Refit, fitted: Sequence[Refit]) -> _Fit:
+        """Return it by what is known now, whoever makes it, and when."""
+        return cls(candidate, base, _starts(candidate, fitted))
 
 
-def _job(
-    payload: bytes,
-    accuracy: Accuracy,
-    deadline: float,
-    base: Refit,
-    candidate: Candidate,
-    fitted: Sequence[Refit],
-) -> Refit | str:
-    study = study_of(_received(payload), accuracy, deadline=deadline)
-    return _fit(study, base, candidate, fitted)
+class _Crew:
+    """Who makes fits: the executor of a study, or whoever asks for the outcome.
+
+    Processes of an executor begin and read the records at once, while there is nothing to fit yet.
+    """
+
+    def __init__(self, study: Study) -> None:
+        self.study, self.payload = study, b""
+        if study.executor is not None:
+            self.payload = _sent(study.campaign)
+            for _ in range(criteria.FITS_UNDER_WAY):
+                study.executor.submit(_prepare, self.payload)
+
+    def begin(self, fit: _Fit) -> Outcome:
+        """Return what gives the fitted model, or why there is none, once it is called."""
+        study = self.study
+        if study.executor is None:
+            return partial(_made, study, fit)
+        return study.executor.submit(_job, self.payload, study.accuracy, study.deadline, fit).result
+
+
+def _job(payload: bytes, accuracy: Accuracy, deadline: float, fit: _Fit) -> Refit | str:
+    return _made(study_of(_received(payload), accuracy, deadline=deadline), fit)
+
+
+def _prepare(payload: bytes) -> None:
+    """Read the records in the process that they are sent to."""
+    _received(payload)
 
 
 def _sent(campaign: Campaign) -> bytes:
@@ -143,17 +181,19 @@ def _received(payload: bytes) -> Campaign:
     return thinned(pickle.loads(campaign).with_floors(floors))
 
 
-def _fit(study: Study, base: Refit, candidate: Candidate, fitted: Sequence[Refit]) -> Refit | str:
-    name = f"{candidate.effect.kind}_{len(base.effects) + 1}"
-    placed = Hypothesis(candidate.effect, candidate.site, name, candidate.values)
+def _made(study: Study, fit: _Fit) -> Refit | str:
+    """Return the model with a candidate, fitted, or why there is none."""
+    if study.late():
+        return LATE
+    placed = fit.placed
     try:
-        with computing(candidate.label):
-            model = JointFit(study, base.parameters, [*base.effects, placed], base)
-            found = model.fitted(_starts(candidate, fitted))
+        with computing(placed.label):
+            effects = [*fit.base.effects, placed]
+            found = JointFit(study, fit.base.parameters, effects, fit.base).fitted(fit.starts)
     except InertanceError as error:
         return f"its fit ended early: {str(error).partition(chr(10))[0]}"
     values = found.effects[-1].values
-    if not candidate.effect.credible(values):
+    if not placed.effect.credible(values):
         return f"no such machine: {', '.join(f'{name} = {value:.3g}' for name, value in values.items())}"
     odd = implausible(found.effects[-1], study.campaign)
     return found if odd is None else f"no such machine: {odd}"

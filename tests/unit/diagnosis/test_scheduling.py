@@ -1,0 +1,196 @@
+"""Which fits are made, when, and from what; and which runs a fit makes."""
+
+from collections.abc import Callable
+from concurrent.futures import Executor, Future
+from dataclasses import replace
+from functools import partial
+from math import inf
+from typing import Any
+
+import inertance as ia
+import numpy as np
+import pytest
+from inertance.diagnosis.effects.effect import effect_of
+from inertance.diagnosis.effects.hypothesis import Hypothesis
+from inertance.diagnosis.effects.sites import Site
+from inertance.diagnosis.models.study import Study, study_of
+from inertance.diagnosis.search import round as searched
+from inertance.diagnosis.search.joint_fit import JointFit
+from inertance.diagnosis.search.model_comparison import Refit
+from inertance.diagnosis.search.needless import needless
+from inertance.diagnosis.search.round import _ready
+from inertance.diagnosis.search.score_test import Candidate
+from inertance.identification import Accuracy, Campaign, Record
+from inertance.identification.fitting.campaign_model import RecordModel
+
+CHANNELS = {"F": {"input": "push.f", "unit": "N"}, "x": {"output": "carriage.s", "unit": "m"}}
+PRIORS: dict[str, Any] = {"spring.k": {"rel": 0.2}, "guide.d": {"rel": 0.3}}
+NOISE = 1e-5
+
+
+@pytest.fixture(scope="module")
+def cart(carriage: Callable[..., Any]) -> Any:
+    return carriage(rate=200.0, duration=6.0, noise=NOISE)
+
+
+def study(cart: Any, truth: ia.Network, model: ia.Network, priors: Any = PRIORS, cut: float = 0.0) -> Study:
+    """Return a study of two records; `cut` [s] lets them begin in motion."""
+    initial = "rest"
+    records = [cart.measured(truth, seed) for seed in (1, 2)]
+    if cut:
+        records, initial = [begun(record, cut) for record in records], "fit"
+    train, test = ([{"record": record, "initial": initial}] for record in records)
+    campaign = Campaign(model, CHANNELS, priors, train, test, noise={"x": NOISE})
+    return study_of(campaign, Accuracy(rtol=1e-7))
+
+
+def begun(record: Record, cut: float) -> Record:
+    late = record.time >= cut
+    return replace(
+        record, time=record.time[late], values={name: values[late] for name, values in record.values.items()}
+    )
+
+
+def rail(path: str, kind: str = "coulomb_friction", **values: float) -> Hypothesis:
+    site = Site(path, "translational", "carriage.flange", "wall.flange", frozenset({"across"}), speed=0.1)
+    return Hypothesis(effect_of(kind), site, f"{kind}_1", values)
+
+
+def left(placed: Hypothesis, misfit: float) -> Refit:
+    """Return a fitted model with an effect that leaves so many times the noise."""
+    residual = [{"x": np.full(100, misfit)}]
+    return Refit({}, (placed,), residual, [], 0.0, [2], 100.0)
+
+
+class Crew(Executor):
+    """An executor that works at once, or when it is asked for a result, and notes what comes when."""
+
+    def __init__(self, late: bool) -> None:
+        self.late, self.notes = late, list[str]()
+
+    def submit(self, fn: Any, /, *args: Any, **kwargs: Any) -> Future[Any]:
+        self.notes.append(f"begin {args[-1]}")
+        work, notes = partial(fn, *args, **kwargs), self.notes
+        done = None if self.late else work()
+
+        class Promised(Future[Any]):
+            def result(self, timeout: float | None = None) -> Any:
+                notes.append(f"take {args[-1]}")
+                return done or work()
+
+        return Promised()
+
+
+@pytest.mark.parametrize("late", [True, False])
+def test_fits_follow_each_other_and_know_the_same_whenever_they_are_made(
+    cart: Any, late: bool, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    given, crew, known = study(cart, cart.rig(), cart.rig()), Crew(late), dict[str, float]()
+    gains = {"a": 900.0, "b": 800.0, "c": 700.0, "d": 600.0, "e": 500.0}
+    candidates = [
+        Candidate(effect_of("linear_stiffness"), rail(path).site, {"k": 1.0}, gain, 1.0, {})
+        for path, gain in gains.items()
+    ]
+
+    def made(payload: bytes, accuracy: Accuracy, deadline: float, path: str) -> Refit:
+        return replace(left(rail(path, "linear_stiffness", k=1.0), 1.0), cost=10_000.0 - gains[path])
+
+    def begin(self: Any, fit: Any) -> Any:
+        known[fit.candidate.site.path] = fit.costs[0]
+        return crew.submit(made, b"", given.accuracy, given.deadline, fit.candidate.site.path).result
+
+    monkeypatch.setattr(searched, "screen", lambda *given: list(candidates))
+    monkeypatch.setattr(searched._Crew, "begin", begin)
+    base = replace(left(rail("a"), 2.0), effects=(), cost=10_000.0)
+    done = searched.run_round(given, base, [])
+    assert [f.effects[-1].site.path for f in done.fitted] == list(gains)
+    first, then = [f"begin {path}" for path in "abc"], ["take a", "begin d", "take b", "begin e"]
+    assert crew.notes == [*first, *then, "take c", "take d", "take e"]
+    assert known == {"a": inf, "b": inf, "c": inf, "d": 9100.0, "e": 9100.0}
+
+
+def test_processes_read_the_records_while_effects_are_screened(
+    cart: Any, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    crew = Crew(late=True)
+    given = replace(study(cart, cart.rig(), cart.rig()), executor=crew)
+    monkeypatch.setattr(searched, "_sent", lambda campaign: b"records")
+
+    def screened(*given: Any) -> list[Candidate]:
+        crew.notes.append("screen")
+        return []
+
+    monkeypatch.setattr(searched, "screen", screened)
+    searched.run_round(given, replace(left(rail("a"), 1.0), effects=()), [])
+    assert crew.notes == ["begin b'records'"] * 3 + ["screen"]
+
+
+def test_a_general_case_waits_for_its_special_one_and_nothing_else_waits() -> None:
+    names = ("coulomb_friction", "stribeck_friction", "viscous_damping")
+    site = rail("rail").site
+    plain, rich, other = (Candidate(effect_of(name), site, {}, 1.0, 1.0, {}) for name in names)
+    assert _ready([plain, rich, other], []) is plain
+    assert _ready([rich, other], [plain]) is other
+    assert _ready([rich], [plain]) is None
+    assert _ready([rich], []) is rich
+
+
+def test_a_general_case_of_what_leaves_noise_only_is_not_fitted(cart: Any) -> None:
+    given = study(cart, cart.rig(), cart.rig())
+    rich = rail("guide", "stribeck_friction", f_c=1.0, f_s=1.0, v_s=0.1)
+    base = Refit(given.campaign.start, (), [], [], 0.0)
+    told = needless(given, rich, base, [left(rail("guide", f_c=1.0), 1.02)])
+    assert told == "coulomb_friction at guide, a special case of it, leaves nothing but noise"
+    assert not needless(given, rich, base, [left(rail("guide", f_c=1.0), 1.2)])
+    assert not needless(given, rich, base, [left(rail("spring", f_c=1.0), 1.0)])
+
+
+def test_an_effect_that_the_model_has_as_a_fitted_parameter_is_not_fitted(cart: Any) -> None:
+    known = {**PRIORS, "rail.f_c": {"rel": 0.5}}
+    model = cart.rubbing()
+    given = study(cart, model, model, known)
+    base = Refit(given.campaign.start, (), [], [], 0.0)
+    told = needless(given, rail("rail", f_c=0.1), base, [])
+    assert told == "the model has it, and rail.f_c were fitted"
+    assert needless(given, rail("guide", "viscous_damping", d=1.0), base, [])
+    assert not needless(given, rail("rail", "viscous_damping", d=1.0), base, [])
+    assert not needless(
+        study(cart, model, model), rail("rail", f_c=0.1), base, []
+    )  # its level is taken as exact
+    stuck = Refit({**given.campaign.start, "rail.f_c": 0.0}, (), [], [], 0.0)
+    assert not needless(given, rail("rail", f_c=0.1), stuck, [])
+
+
+def test_the_best_start_goes_on_with_the_slopes_it_has(cart: Any, monkeypatch: pytest.MonkeyPatch) -> None:
+    given = study(cart, cart.rig(k=900.0, d=7.0), cart.rig(), {"spring.k": {"rel": 0.2}})
+    placed = Hypothesis(effect_of("viscous_damping"), rail("guide").site, "viscous_damping_1", {"d": 0.5})
+    joint, asked, stacked = JointFit(given, given.campaign.start, [placed]), list[bool](), JointFit.stacked
+
+    def noted(self: JointFit, vector: Any, slopes: bool) -> Any:
+        asked.append(slopes)
+        return stacked(self, vector, slopes)
+
+    monkeypatch.setattr(JointFit, "stacked", noted)
+    found = joint.fitted([(given.campaign.start, {"d": d}) for d in (0.5, 2.0)])
+    assert asked[:5] == [True, False, True, False, False]
+    assert found.parameters["spring.k"] == pytest.approx(900.0, rel=2e-3)
+    assert found.effects[-1].values["d"] == pytest.approx(1.0, rel=0.05)
+
+
+def test_a_trial_in_motion_takes_no_slopes_and_no_run_is_made_twice(
+    cart: Any, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    given = study(cart, cart.rig(k=900.0, d=7.0), cart.rig(), cut=2.5)
+    runs, run = list[tuple[Any, ...]](), RecordModel.run
+
+    def noted(self: RecordModel, parameters: Any, start: Any, accuracy: Any, slopes: bool = True) -> Any:
+        runs.append((slopes, self.record.name, *parameters.values(), *start))
+        return run(self, parameters, start, accuracy, slopes)
+
+    monkeypatch.setattr(RecordModel, "run", noted)
+    found = JointFit(given, given.campaign.start).fitted()
+    assert sum(not slopes for slopes, *_ in runs) >= 2
+    assert len(set(runs)) == len(runs)
+    assert found.parameters["spring.k"] == pytest.approx(900.0, rel=2e-3)
+    assert found.parameters["guide.d"] == pytest.approx(7.0, rel=0.02)
+    assert found.misfit == pytest.approx(1.0, abs=0.1)
