@@ -16,7 +16,8 @@ from ..effects.hypothesis import Hypothesis, driven, inserted, sensed
 from ..effects.shaping import Bounds, Shapes
 from ..models.study import Predicted, Standing, Study
 from .model_comparison import Refit, stretches
-from .record_start import begun, nuisance_slopes, projected
+from .own_values import own_values, weighed
+from .record_start import begun, projected
 
 FitStart = tuple[Mapping[str, float], Mapping[str, float]]
 DESCENT = Ending(
@@ -70,7 +71,8 @@ class JointFit:
         paths = [path for placed in self.effects for path in placed.network_parameters]
         self.predictor = study.predictor(effects, [*self.names, *paths])
         self.stands = {id(e): self.predictor.stand(e) for e in self.campaign.experiments}
-        self.begins: dict[int, Array] = {}  # by record, how far it begins from where it seems to
+        self.begins: dict[int, Array] = {}  # by record, how far start and own values are from the guess
+        self.own: dict[int, dict[str, float]] = {}  # by record, the values that it has of its own
 
     def vector(self, parameters: Mapping[str, float], values: Sequence[Mapping[str, float]]) -> Array:
         """Return parameters and values of the effects as a vector."""
@@ -125,52 +127,65 @@ class JointFit:
     def seen(self, vector: Array) -> Refit:
         """Return the model with the values of a vector, held against all records."""
         fitted, placed = self.unpacked(vector)
-        train, test = (
-            [self.linearise(vector, e, False)[0] for e in records]
-            for records in (self.campaign.training, self.campaign.testing)
-        )
-        cost = sum(float(r @ r) for record in train for r in record.values())
+        left = [self.linearise(vector, e, False, again=True)[0] for e in self.campaign.experiments]
+        count = len(self.campaign.training)
+        cost = sum(float(r @ r) for r in left[:count])
+        found = list(map(self._by_channel, self.campaign.experiments, left))
+        own = [self.own.get(id(e), {}) for e in self.campaign.experiments]
         prior = self.pull * vector[: len(self.names)]
         judged = self.study.judged
         independent = sum(experiment.independent for experiment in judged)
-        return Refit(fitted, placed, train, test, cost + float(prior @ prior), stretches(judged), independent)
+        cost += float(prior @ prior)
+        blocks = stretches(judged)
+        return Refit(fitted, placed, found[:count], found[count:], cost, blocks, independent, own)
 
     @computing("a trial of the parameters")
     def stacked(self, vector: Array, slopes: bool) -> tuple[Array, Array | None]:
         """Return residuals of all training records and of the priors, and their slopes if wanted."""
         found = [self.linearise(vector, e, slopes) for e in self.campaign.training]
         count = len(self.names)
-        residuals = [r for record, _ in found for r in record.values()]
-        stacked = np.concatenate([*residuals, self.pull * vector[:count]])
+        stacked = np.concatenate([*(residual for residual, _ in found), self.pull * vector[:count]])
         if not slopes:
             return stacked, None
         prior = np.eye(count, len(vector)) * self.pull[:, None]
         return stacked, np.concatenate([*(-columns for _, columns in found), prior])
 
     def linearise(
-        self, vector: Array, experiment: Experiment, slopes: bool
-    ) -> tuple[dict[str, Array], Array]:
-        """Return the weighted residual of a record by channel, and its slopes in the vector."""
+        self, vector: Array, experiment: Experiment, slopes: bool, again: bool = False
+    ) -> tuple[Array, Array]:
+        """Return the weighted residual of a record, and its slopes in the vector if they are wanted.
+
+        Channels stand one below the other, then the priors of the record's own values. Where these and its
+        start are known already, they are looked for with slopes only, or `again`.
+        """
         parameters, effects = self.unpacked(vector)
         given = parameters | inserted(effects)
         stand = self._driven(experiment, effects)
-        slopes_too = slopes or experiment.initial == "fit"
+        slopes_too = slopes or experiment.initial == "fit" or bool(experiment.unknown)
 
-        def run_from(start: Array | None) -> _Run:
-            return _Run(experiment, effects, given, start, stand.run(given, start, self.accuracy, slopes_too))
+        def run_from(start: Array | None, own: Mapping[str, float]) -> _Run:
+            values = {**given, **own}
+            found = stand.run(values, start, self.accuracy, slopes_too)
+            return _Run(experiment, effects, values, start, found)
 
-        run = self._begun(stand, run_from, experiment, given, slopes)
+        run = self._begun(stand, run_from, experiment, given, slopes or again)
         residual, nuisances = self._weighed(run)
+        if experiment.unknown:
+            self.own[id(experiment)] = own_values(experiment, run.given, residual, nuisances)
         columns = self._slopes(run) if slopes else np.zeros((len(residual), 0))
+        columns = np.pad(columns, [(0, len(residual) - len(columns)), (0, 0)])
         left = projected(np.column_stack([residual, columns]), nuisances)
-        names, lengths = list(run.found.values), [len(v) for v in run.found.values.values()]
-        parts = np.split(left[:, 0], np.cumsum(lengths)[:-1])
-        return dict(zip(names, parts, strict=True)), left[:, 1:]
+        return left[:, 0], left[:, 1:]
+
+    def _by_channel(self, experiment: Experiment, residual: Array) -> dict[str, Array]:
+        """Return the residual of each channel, without the priors below them."""
+        names, count = self.campaign.outputs, len(experiment.compared.time)
+        return dict(zip(names, residual[: len(names) * count].reshape(len(names), count), strict=True))
 
     def _begun(
         self,
         stand: Standing,
-        run_from: Callable[[Array | None], _Run],
+        run_from: Callable[[Array | None, Mapping[str, float]], _Run],
         experiment: Experiment,
         given: Mapping[str, float],
         again: bool,
@@ -181,18 +196,14 @@ class JointFit:
         def rest() -> Array:
             return stand.rest(given, self.accuracy)
 
-        if known is not None and not again:
-            return run_from(rest() + known)
-        run, moved = begun(experiment, rest, run_from, self._weighed, known)
+        run, moved = begun(experiment, rest, run_from, self._weighed, known, again)
         if moved is not None:
             self.begins[id(experiment)] = moved
         return run
 
     def _weighed(self, run: _Run) -> tuple[Array, Array]:
         """Return the weighted residual of a run, and the slopes of its prediction in what nobody measured."""
-        measured, seen, sigma = run.experiment.compared.values, run.seen, run.experiment.sigma
-        residual = np.concatenate([(measured[n] - seen[n]) / sigma[n] for n in seen])
-        return residual, nuisance_slopes(run.experiment, run.found, sigma)
+        return weighed(run.experiment, run.found, run.seen, run.given)
 
     def _driven(self, experiment: Experiment, effects: Sequence[Hypothesis]) -> Standing:
         """Return the stand of a record, its inputs as the actuators pass them on."""

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from math import inf
@@ -31,6 +31,7 @@ class Refit:
         cost: sum of squares of the training residuals and the priors.
         stretches: into how many each record that it is judged by is divided to be compared.
         independent: number of independent samples that it is judged by.
+        own: values of parameters that each record has of its own, those of the training records first.
     """
 
     parameters: dict[str, float]
@@ -40,6 +41,7 @@ class Refit:
     cost: float
     stretches: Sequence[int] = ()
     independent: float = 1.0
+    own: Sequence[Mapping[str, float]] = ()
 
     @property
     def judged(self) -> list[dict[str, Array]]:

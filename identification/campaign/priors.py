@@ -98,9 +98,7 @@ def least(declared: Parameter, value: float = 0.0) -> float:
     return -np.inf if declared.min is None else declared.min
 
 
-def _prior(
-    declared: Parameter, value: float, entry: Mapping[str, Any], limits: tuple[float, float]
-) -> Prior:
+def _prior(declared: Parameter, value: float, entry: Mapping[str, Any], limits: tuple[float, float]) -> Prior:
     sd = entry["rel"] * abs(value) if "rel" in entry else np.inf
     lowest = max(entry.get("min", -np.inf), least(declared, value), limits[0])
     highest = min(bound for bound in (entry.get("max"), declared.max, limits[1]) if bound is not None)
@@ -110,8 +108,8 @@ def _prior(
 def _prior_problems(prior: Prior, entry: Mapping[str, Any]) -> Iterator[str]:
     if "per" in entry and not is_per_record(entry):
         yield (
-            f'per is "{PER_RECORD}", for a value that each record has of its own, got {entry["per"]!r}; leave it '
-            "out for one of all records"
+            f'per is "{PER_RECORD}", for a value that each record has of its own, got {entry["per"]!r}; '
+            "leave it out for one of all records"
         )
     rel = entry.get("rel", 1.0)
     if rel <= 0:

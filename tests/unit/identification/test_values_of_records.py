@@ -1,6 +1,5 @@
 """Parameters of which each record has an unknown value of its own, against equations of motion in SciPy."""
 
-import json
 from collections.abc import Mapping
 from typing import Any
 
@@ -35,7 +34,7 @@ def model() -> ia.Network:
 def measured(
     seed: int, near: float, far: float, k2: float = K2, settled: bool = False, begin: float = 1.5
 ) -> Record:
-    """Return a record with these rest lengths, cut from the middle of a motion or begun where forces balance."""
+    """Return a record with these rest lengths, cut from a motion or begun where forces balance."""
     rng = np.random.default_rng(seed)
     lines, phases = rng.uniform(0.5, 6.0, 8), rng.uniform(0, 2 * np.pi, 8)
 
