@@ -141,6 +141,8 @@ def _show_parameters(console: CommandConsole, verdict: Verdict) -> None:
         numbers = (f"{number:.5g}" for number in (campaign.start[name], refitted[name], value))
         moved = f"{prior.moved(value):.2g}" if prior.sd < float("inf") else "bounds only"
         table.add_row(name, *numbers, campaign.machine.unit(name), moved)
+    for own in verdict.evidence.own_values:
+        table.add_row(f"{own.parameter} of {own.record}", "", "", f"{own.value:.5g}", own.unit, "")
     for placed in verdict.effects:
         for name, unit in placed.units(campaign).items():
             table.add_row(f"{placed.name}.{name}", "", "", f"{placed.values[name]:.5g}", unit, "")

@@ -39,6 +39,7 @@ class FMUPrediction:
     time: Array
     values: dict[str, Array]
     slopes: dict[str, Array]
+    own_slopes: dict[str, Array]
     start_slopes: dict[str, Array]
     given: Mapping[str, float]
     port: Motion | None
@@ -52,11 +53,12 @@ class FMUPredictor:
     ) -> None:
         self.box, self.channels = box, campaign.measured
         self.effects = [placed for placed in effects if placed.effect.basis is not None]
-        scales = {name: prior.scale for name, prior in campaign.priors.items()}
+        priors, self.own = campaign.priors | campaign.per_record, list(campaign.per_record)
+        scales = {name: prior.scale for name, prior in priors.items()}
         for placed in self.effects:
             scales |= dict(zip(placed.network_parameters, placed.scales.tolist(), strict=True))
-        self.steps = {name: FMU_STEP_DEVIATIONS * scales[name] for name in parameters}
-        self.highest = {name: prior.max for name, prior in campaign.priors.items()}
+        self.steps = {name: FMU_STEP_DEVIATIONS * scales[name] for name in [*parameters, *self.own]}
+        self.highest = {name: prior.max for name, prior in priors.items()}
         self.driven = {c.path: box.wired(c.path) for c in self.channels.values() if c.driven}
         self.outputs = {name: box.wired(c.path) for name, c in self.channels.items() if not c.driven}
         self.taken = [variable for variable, _ in self.driven.values()]
@@ -170,14 +172,18 @@ class ReplayedStand:
         values = self._channels(table)
         columns = {name: [np.zeros((len(self.time), 0))] for name in values}
         none = {name: column[0] for name, column in columns.items()}
-        for name, step in model.steps.items() if slopes else ():
+        shared = [name for name in model.steps if name not in model.own]
+        for name in (*shared, *self.experiment.unknown) if slopes else ():
+            step = model.steps[name]
             step = step if parameters[name] + step <= model.highest.get(name, np.inf) else -step
             moved = self.predicted({**parameters, name: parameters[name] + step})
             for channel, column in columns.items():
                 column.append(((moved[channel] - values[channel]) / step)[:, None])
-        by_p = {name: np.hstack(column) for name, column in columns.items()}
+        moved_by = {name: np.hstack(column) for name, column in columns.items()}
+        by_p = {name: column[:, : len(shared)] for name, column in moved_by.items()}
+        by_own = {name: column[:, len(shared) :] for name, column in moved_by.items()}
         motion = self._motion(port, table) if port is not None else None
-        return FMUPrediction(self.time, values, by_p, none, dict(parameters), motion)
+        return FMUPrediction(self.time, values, by_p, by_own, none, dict(parameters), motion)
 
     def predicted(
         self, parameters: Mapping[str, float], given: Array | None = None, push: Array | float = 0.0

@@ -45,11 +45,12 @@ class NetworkPredictor:
         self.dae = (probed(changed, sites) if sites else changed).dae()
         self.channels = campaign.measured
         outputs = [c.path for c in self.channels.values() if not c.driven]
-        self.variations = Variations(self.dae, outputs, parameters)
+        self.own = list(campaign.per_record)
+        self.variations = Variations(self.dae, outputs, [*parameters, *self.own])
 
     def stand(self, experiment: Experiment) -> RecordModel:
         """Return the network on a record."""
-        return RecordModel(self.dae, experiment, self.channels, self.variations)
+        return RecordModel(self.dae, experiment, self.channels, self.variations, self.own)
 
     def instants(self, found: Any) -> Array:
         """Return at which instants of a run changes are to be given: its points [s]."""

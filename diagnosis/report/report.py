@@ -206,6 +206,10 @@ def _parameters(verdict: Verdict) -> Iterator[str]:
             moved = deviations(prior, fitted), deviations(prior, after)
         values = [number(value) for value in (before, fitted, after)]
         rows.append([escape(name), assumed, *values, unit, change, *moved])
+    for own in verdict.evidence.own_values:
+        named = escape(f"{own.parameter} of {own.record}")
+        assumed, unit = believed(campaign.per_record[own.parameter]), pretty_unit(own.unit)
+        rows.append([named, assumed, "", "", number(own.value), unit, "", "", ""])
     for placed, confidence in zip(verdict.effects, verdict.confidence, strict=True):
         for quantity, unit in placed.units(campaign).items():
             named, value = f"{escape(placed.name)}.{escape(quantity)}", number(placed.values[quantity])

@@ -17,7 +17,8 @@ from ..effects.hypothesis import Hypothesis, driven, inserted, sensed
 from ..effects.shaping import Bounds, Shapes
 from ..models.study import Predicted, Standing, Study
 from .model_comparison import Refit, stretches
-from .record_start import begun, nuisance_slopes, projected
+from .own_values import own_values, weighed
+from .record_start import begun, projected
 
 FitStart = tuple[Mapping[str, float], Mapping[str, float]]
 DESCENT = Ending(
@@ -96,9 +97,10 @@ class JointFit:
         paths = [path for placed in self.effects for path in placed.network_parameters]
         self.predictor = study.predictor(effects, [*self.names, *paths])
         self.stands = {id(e): self.predictor.stand(e) for e in self.campaign.experiments}
-        self.begins: dict[int, _Begin] = {}  # by record, unless it begins at rest
+        self.begins: dict[int, _Begin] = {}  # by record, unless all of it is known
         self.starts = dict(zip(self.stands, near.starts, strict=True)) if near is not None else {}
-        self._sloped: tuple[Array, list[dict[str, Array]]] = self.start[:0], []  # the last, and its residuals
+        self.own: dict[int, dict[str, float]] = {}  # by record, the values that it has of its own
+        self._sloped: tuple[Array, list[Array]] = self.start[:0], []  # the last, and its residuals
 
     def vector(self, parameters: Mapping[str, float], values: Sequence[Mapping[str, float]]) -> Array:
         """Return parameters and values of the effects as a vector."""
@@ -125,14 +127,16 @@ class JointFit:
         earlier = [placed.values for placed in self.effects[:-1]]
         begins = [self.vector(parameters, [*earlier, values]) for parameters, values in starts]
         way = self._best_begun(begins or [self.start])
+        vector = way.here.vector
         for _ in range(1 + criteria.SHAPED_DESCENTS):
             for end in chain([way.here], way.further):
+                vector = end.vector
                 if self.study.late():
                     break
-            if self.study.late() or not self.shapes.are_held(end.vector, way.bounds):
+            if self.study.late() or not self.shapes.are_held(vector, way.bounds):
                 break
-            way = self._stepped(end.vector)
-        return self.seen(end.vector)
+            way = self._stepped(vector)
+        return self.seen(vector)
 
     def _best_begun(self, starts: Sequence[Array]) -> _Way:
         """Return the descent that comes out best after a step, of those that can be run."""
@@ -159,16 +163,20 @@ class JointFit:
         """Return the model with the values of a vector, held against all records."""
         fitted, placed = self.unpacked(vector)
         at, train = self._sloped
-        if not np.array_equal(at, vector):
+        if not np.array_equal(at, vector) or self.own:
             train = [self.linearise(vector, e, False)[0] for e in self.campaign.training]
-        test = [self.linearise(vector, e, False)[0] for e in self.campaign.testing]
-        cost = sum(float(r @ r) for record in train for r in record.values())
+        left = [*train, *(self.linearise(vector, e, False)[0] for e in self.campaign.testing)]
+        count, experiments = len(train), self.campaign.experiments
+        cost = sum(float(r @ r) for r in train)
+        found = list(map(self._by_channel, experiments, left))
+        own = [self.own.get(id(e), {}) for e in experiments]
+        starts = [self.starts.get(id(e), {}) for e in experiments]
         prior = self.pull * vector[: len(self.names)]
         judged = self.study.judged
         independent = sum(experiment.independent for experiment in judged)
-        starts = [self.starts.get(number, {}) for number in self.stands]
         cost += float(prior @ prior)
-        return Refit(fitted, placed, train, test, cost, stretches(judged), independent, starts)
+        blocks = stretches(judged)
+        return Refit(fitted, placed, found[:count], found[count:], cost, blocks, independent, starts, own)
 
     @computing("a trial of the parameters")
     def stacked(self, vector: Array, slopes: bool) -> tuple[Array, Array | None]:
@@ -176,9 +184,8 @@ class JointFit:
         found = [self.linearise(vector, e, slopes, trial=True) for e in self.campaign.training]
         count = len(self.names)
         if slopes:
-            self._sloped = vector.copy(), [record for record, _ in found]
-        residuals = [r for record, _ in found for r in record.values()]
-        stacked = np.concatenate([*residuals, self.pull * vector[:count]])
+            self._sloped = vector.copy(), [residual for residual, _ in found]
+        stacked = np.concatenate([*(residual for residual, _ in found), self.pull * vector[:count]])
         if not slopes:
             return stacked, None
         prior = np.eye(count, len(vector)) * self.pull[:, None]
@@ -186,51 +193,60 @@ class JointFit:
 
     def linearise(
         self, vector: Array, experiment: Experiment, slopes: bool, trial: bool = False
-    ) -> tuple[dict[str, Array], Array]:
-        """Return the weighted residual of a record by channel, and its slopes in the vector.
+    ) -> tuple[Array, Array]:
+        """Return the weighted residual of a record, and its slopes in the vector if they are wanted.
 
-        In a `trial` without slopes the start counts as where it was last looked for, which saves those.
+        Channels stand one below the other, then the priors of the record's own values. In a `trial` without
+        slopes the record begins, by its own values, as it was last found to, which saves those of the start.
         """
         parameters, effects = self.unpacked(vector)
         given = parameters | inserted(effects)
         stand, known = self._driven(experiment, effects), self.begins.get(id(experiment))
-        plain = not slopes and (experiment.initial == "rest" or (trial and known is not None))
+        at_rest, trial = experiment.initial == "rest", trial and not slopes
+        plain = not slopes and not experiment.unknown and (at_rest or (trial and known is not None))
 
-        def run_from(start: Array | None) -> _Run:
-            return _Run(experiment, effects, given, start, stand.run(given, start, self.accuracy, not plain))
+        def run_from(start: Array | None, own: Mapping[str, float]) -> _Run:
+            values = {**given, **own}
+            found = stand.run(values, start, self.accuracy, not plain)
+            return _Run(experiment, effects, values, start, found)
 
-        run = self._begun(stand, run_from, experiment, given, slopes)
-        residual = _residual(run)
-        nuisances = known.slopes if plain and known is not None else _nuisances(run)
+        run = self._begun(stand, run_from, experiment, given, not trial)
+        if plain and known is not None:
+            residual, nuisances = _residual(run), known.slopes
+        else:
+            residual, nuisances = self._weighed(run)
+        if experiment.unknown:
+            self.own[id(experiment)] = own_values(experiment, run.given, residual, nuisances)
         columns = self._slopes(run) if slopes else np.zeros((len(residual), 0))
+        columns = np.pad(columns, [(0, len(residual) - len(columns)), (0, 0)])
         left = projected(np.column_stack([residual, columns]), nuisances)
-        names, lengths = list(run.found.values), [len(v) for v in run.found.values.values()]
-        parts = np.split(left[:, 0], np.cumsum(lengths)[:-1])
-        return dict(zip(names, parts, strict=True)), left[:, 1:]
+        return left[:, 0], left[:, 1:]
+
+    def _by_channel(self, experiment: Experiment, residual: Array) -> dict[str, Array]:
+        """Return the residual of each channel, without the priors below them."""
+        names, count = self.campaign.outputs, len(experiment.compared.time)
+        return dict(zip(names, residual[: len(names) * count].reshape(len(names), count), strict=True))
 
     def _begun(
         self,
         stand: Standing,
-        run_from: Callable[[Array | None], _Run],
+        run_from: Callable[[Array | None, Mapping[str, float]], _Run],
         experiment: Experiment,
         given: Mapping[str, float],
         again: bool,
     ) -> _Run:
         """Return the run of a record from where it begins, which is looked for at first and `again`."""
-        known = self.begins.get(id(experiment))
 
         def rest() -> Array:
             return stand.rest(given, self.accuracy)
 
-        if known is not None and not again:
-            return run_from(rest() + known.moved)
+        known = self.begins.get(id(experiment))
         guess = self._guess(stand, experiment, rest) if known is None else known.moved
-        run, moved = begun(
-            experiment, rest, run_from, lambda tried: (_residual(tried), _nuisances(tried)), guess
-        )
-        if moved is not None and run.start is not None:
-            self.begins[id(experiment)] = _Begin(moved, _nuisances(run))
-            self.starts[id(experiment)] = dict(zip(stand.state_names, run.start.tolist(), strict=True))
+        run, moved = begun(experiment, rest, run_from, self._weighed, guess, again or known is None)
+        if moved is not None and (again or known is None):
+            self.begins[id(experiment)] = _Begin(moved, self._weighed(run)[1])
+            if run.start is not None:
+                self.starts[id(experiment)] = dict(zip(stand.state_names, run.start.tolist(), strict=True))
         return run
 
     def _guess(self, stand: Standing, experiment: Experiment, rest: Callable[[], Array]) -> Array | None:
@@ -239,7 +255,12 @@ class JointFit:
         if not start:
             return None
         seeming = dict(zip(stand.state_names, rest().tolist(), strict=True))
-        return np.array([start.get(name, value) - value for name, value in seeming.items()])
+        moved = [start.get(name, value) - value for name, value in seeming.items()]
+        return np.array([*moved, *[0.0] * len(experiment.unknown)])
+
+    def _weighed(self, run: _Run) -> tuple[Array, Array]:
+        """Return the weighted residual of a run, and the slopes of its prediction in what nobody measured."""
+        return weighed(run.experiment, run.found, run.seen, run.given)
 
     def _driven(self, experiment: Experiment, effects: Sequence[Hypothesis]) -> Standing:
         """Return the stand of a record, its inputs as the actuators pass them on."""
@@ -285,11 +306,6 @@ def _residual(run: _Run) -> Array:
     """Return the weighted residual of a run, channels one below the other."""
     measured, seen, sigma = run.experiment.compared.values, run.seen, run.experiment.sigma
     return np.concatenate([(measured[n] - seen[n]) / sigma[n] for n in seen])
-
-
-def _nuisances(run: _Run) -> Array:
-    """Return the slopes of a run's weighted prediction in what nobody measured."""
-    return nuisance_slopes(run.experiment, run.found, run.experiment.sigma)
 
 
 def _sensed_slopes(found: Predicted, name: str, effects: Sequence[Hypothesis]) -> Array:

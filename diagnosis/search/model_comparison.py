@@ -32,6 +32,7 @@ class Refit:
         stretches: into how many each record that it is judged by is divided to be compared.
         independent: number of independent samples that it is judged by.
         starts: by state, where each record begins, those of the training first.
+        own: by parameter, the values that each record has of its own, likewise.
     """
 
     parameters: dict[str, float]
@@ -42,6 +43,7 @@ class Refit:
     stretches: Sequence[int] = ()
     independent: float = 1.0
     starts: Sequence[Mapping[str, float]] = ()
+    own: Sequence[Mapping[str, float]] = ()
 
     @property
     def judged(self) -> list[dict[str, Array]]:

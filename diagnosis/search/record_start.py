@@ -1,4 +1,4 @@
-"""Where a record begins: states at its first instant and offsets of channels, which nobody measured."""
+"""Where a record begins, and with what values of its own: found by Gauss-Newton, as nobody measured it."""
 
 from __future__ import annotations
 
@@ -17,69 +17,97 @@ Run = TypeVar("Run")
 
 
 def nuisance_slopes(experiment: Experiment, found: Predicted, sigma: Mapping[str, float]) -> Array:
-    """Return d(weighted prediction)/d(states at the start, offsets), channels one below the other."""
+    """Return d(weighted prediction)/d(states at the start, own values, offsets), channels below each other.
+
+    Own values count in units of what they may be expected to be.
+    """
     rows = {name: len(values) for name, values in found.values.items()}
     free = (
         []
         if experiment.initial == "rest"
         else [np.concatenate([found.start_slopes[n] / sigma[n] for n in rows])]
     )
+    if experiment.unknown:
+        scales = np.array([prior.scale for prior in experiment.unknown.values()])
+        free.append(np.concatenate([found.own_slopes[n] / sigma[n] for n in rows]) * scales)
     for channel in experiment.offset:
-        if channel in rows:
-            lifted = [np.full(count, (n == channel) / sigma[n]) for n, count in rows.items()]
-            free.append(np.concatenate(lifted)[:, None])
+        lifted = [np.full(count, (n == channel) / sigma[n]) for n, count in rows.items()]
+        free.append(np.concatenate(lifted)[:, None])
     return np.hstack([np.zeros((sum(rows.values()), 0)), *free])
+
+
+def parted(experiment: Experiment, unknown: Array) -> tuple[Array | None, dict[str, float]]:
+    """Return the states at the start, None of a record at rest, and the record's own values.
+
+    They stand in one vector, own values by how far they are from what was assumed as in `nuisance_slopes`.
+    """
+    first = len(unknown) - len(experiment.unknown)
+    shares = zip(experiment.unknown.items(), unknown[first:].tolist(), strict=True)
+    own = {name: prior.at(share) for (name, prior), share in shares}
+    return None if experiment.initial == "rest" else unknown[:first], own
 
 
 def projected(columns: Array, nuisances: Array) -> Array:
     """Take off what start values and offsets can explain (variable projection)."""
-    return np.asarray(columns - nuisances @ _solved(nuisances, columns))
+    return np.asarray(columns - nuisances @ solved(nuisances, columns))
 
 
 def begun(
     experiment: Experiment,
     rest: Callable[[], Array],
-    run_from: Callable[[Array | None], Run],
+    run_from: Callable[[Array | None, Mapping[str, float]], Run],
     weighed: Callable[[Run], tuple[Array, Array]],
     known: Array | None = None,
+    again: bool = True,
 ) -> tuple[Run, Array | None]:
-    """Return the run of a record from where it begins, and how far that is from where it seems to.
+    """Return the run of a record from its start with its own values, and how far both are from the guess.
 
     Args:
         experiment: the record, and whether it begins at rest.
         rest: returns the states at the start, as they seem to be.
-        run_from: makes a run from states at the start, of a record at rest from None.
+        run_from: makes a run from states at the start, of a record at rest from None, with own values.
         weighed: as of `settled`.
-        known: how far a record of the same model was found to begin from where it seemed to.
+        known: how far a record of the same model was found to be from the guess.
+        again: whether to look for what is known already.
     """
-    if experiment.initial == "rest":
-        return run_from(None), None
-    seeming = rest()
-    begin, run = settled(seeming if known is None else seeming + known, run_from, weighed)
-    return run, begin - seeming
+    at_rest, count = experiment.initial == "rest", len(experiment.unknown)
+    if at_rest and not count:
+        return run_from(None, {}), None
+    guess = np.concatenate([rest() if not at_rest else np.zeros(0), np.zeros(count)])
+    begin = guess if known is None else guess + known
+    if known is not None and not again:
+        return run_from(*parted(experiment, begin)), known
+    bounds = np.tile([[-np.inf], [np.inf]], len(guess))
+    bounds[:, len(guess) - count :] = np.reshape([p.range for p in experiment.unknown.values()], (-1, 2)).T
+    begin, run = settled(begin, lambda at: run_from(*parted(experiment, at)), weighed, bounds)
+    return run, begin - guess
 
 
 def settled(
-    begin: Array, run_from: Callable[[Array], Run], weighed: Callable[[Run], tuple[Array, Array]]
+    begin: Array,
+    run_from: Callable[[Array], Run],
+    weighed: Callable[[Run], tuple[Array, Array]],
+    bounds: Array,
 ) -> tuple[Array, Run]:
-    """Return the start from which a run fits its record best, and that run: Gauss-Newton in the start alone.
+    """Return with which unknowns a run fits its record best, and that run: Gauss-Newton in them alone.
 
-    A linear answer to the start, as `projected` takes it, holds for small corrections only.
+    A linear answer to them, as `projected` takes it, holds for small corrections only.
 
     Args:
-        begin: states at the start, as they seem to be.
-        run_from: makes a run from a start.
-        weighed: returns of a run its weighted residual and the slopes of its prediction, the start first.
+        begin: states at the start and own values, as they seem to be.
+        run_from: makes a run with such unknowns.
+        weighed: returns of a run its weighted residual and the slopes of its prediction, the unknowns first.
+        bounds: least and largest unknowns.
     """
     run = run_from(begin)
     residual, slopes = weighed(run)
     for _ in range(START_STEPS):
-        step = _solved(slopes, residual)
+        step = solved(slopes, residual)
         left, before = residual - slopes @ step, float(residual @ residual)
         if before <= (1 + START_DROP_RATIO) * float(left @ left):
             break
         for halving in range(START_HALVINGS):
-            moved = begin + step[: len(begin)] / 2**halving
+            moved = np.clip(begin + step[: len(begin)] / 2**halving, *bounds)
             try:
                 tried = run_from(moved)
             except SimulationError:
@@ -93,7 +121,8 @@ def settled(
     return begin, run
 
 
-def _solved(slopes: Array, residual: Array) -> Array:
+def solved(slopes: Array, residual: Array) -> Array:
+    """Return the shortest step of unknowns that suits a weighted residual best."""
     if not (np.isfinite(slopes).all() and np.isfinite(residual).all()):
         raise SimulationError("where the record begins leaves no trace in a run that grows beyond bounds")
     found = np.linalg.lstsq(slopes, residual, rcond=START_SINGULAR_VALUE_RATIO)[0]

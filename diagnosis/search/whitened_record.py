@@ -14,11 +14,14 @@ from ..effects.effect import Motion
 from ..effects.hypothesis import Hypothesis, driven, sensed
 from ..effects.sites import Site
 from ..models.study import Predicted, Predictor, Study
-from .record_start import begun, nuisance_slopes
+from .own_values import weighed
+from .record_start import begun
+
+_Run = tuple[Predicted, Mapping[str, float]]  # and with what values of its own
 
 
 class WhitenedRecord:
-    """One record beside a prediction, whitened (in units of noise), less what its start can explain.
+    """One record beside a prediction, whitened (in units of noise), less what nobody measured explains.
 
     It may stand for a `count` of records like it.
     """
@@ -41,24 +44,23 @@ class WhitenedRecord:
         self._stand: Any = predictor.stand(driven(experiment, effects))
         self.measured = experiment.compared
 
-        def run_from(start: Array | None) -> Predicted:
-            found: Predicted = self._stand.run(parameters, start, study.accuracy)
-            return found
+        def run_from(start: Array | None, own: Mapping[str, float]) -> _Run:
+            return self._stand.run({**parameters, **own}, start, study.accuracy), own
 
-        def weighed(found: Predicted) -> tuple[Array, Array]:
+        def beside(run: _Run) -> tuple[Array, Array]:
+            found, own = run
             seen = {n: sensed(found.time, n, v, effects) for n, v in found.values.items()}
-            missed = [(self.measured.values[n] - seen[n]) / sigma[n] for n in self.outputs]
-            return np.concatenate(missed), nuisance_slopes(experiment, found, sigma)
+            return weighed(experiment, found, seen, own, count)
 
         def rest() -> Array:
             start: Array = self._stand.rest(parameters, study.accuracy)
             return start
 
-        found, _ = begun(experiment, rest, run_from, weighed)
-        self._found = found
+        run, _ = begun(experiment, rest, run_from, beside)
+        self._found = found = run[0]
         self.time = predictor.instants(found)  # at which changes of inputs are to be given [s]
         self.predicted = {n: sensed(found.time, n, v, effects) for n, v in found.values.items()}
-        missed, free = weighed(found)
+        missed, free = beside(run)
         self._basis = _orthonormal(free)
         self.residual = self.off(missed)
         self.slopes = self.off(np.concatenate([found.slopes[n] / sigma[n] for n in self.outputs]))
@@ -68,7 +70,8 @@ class WhitenedRecord:
         return self._predictor.motion(self._found, number, site)
 
     def off(self, columns: Array) -> Array:
-        """Take off what the start values can explain."""
+        """Take off what start, own values and offsets can explain; priors of own values are further rows."""
+        columns = np.pad(columns, [(0, len(self._basis) - len(columns)), *[(0, 0)] * (columns.ndim - 1)])
         left: Array = columns - self._basis @ (self._basis.T @ columns)
         return left
 

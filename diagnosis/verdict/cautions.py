@@ -7,7 +7,7 @@ from math import isclose
 
 import numpy as np
 
-from ...identification import Campaign, left_prior, likely_unit, suspects, told_of
+from ...identification import Campaign, Prior, left_prior, likely_unit, suspects, told_of
 from ...networks import DAE
 from ..criteria import (
     BOUND_SCALE_TOLERANCE,
@@ -31,9 +31,22 @@ def cautions(campaign: Campaign, best: Refit) -> Iterator[str]:
     for name, value in best.parameters.items():
         prior = campaign.priors[name]
         yield from left_prior(name, value, prior, campaign.machine.unit(name))
-        for side in (prior.min, prior.max):
-            if isclose(value, side, rel_tol=BOUND_TOLERANCE, abs_tol=BOUND_SCALE_TOLERANCE * prior.scale):
-                yield f"{name}: ends at its bound {side:.6g}; {_why_at_bound(name, best)}"
+        yield from _at_bound(name, value, prior, _why_at_bound(name, best))
+    yield from _own_cautions(campaign, best)
+
+
+def _own_cautions(campaign: Campaign, best: Refit) -> Iterator[str]:
+    for experiment, own in zip(campaign.experiments, best.own, strict=True):
+        for name, value in own.items():
+            prior, told = campaign.per_record[name], f"{name} of {experiment.name}"
+            yield from left_prior(told, value, prior, campaign.machine.unit(name))
+            yield from _at_bound(told, value, prior, "the bound or the model is wrong")
+
+
+def _at_bound(told: str, value: float, prior: Prior, why: str) -> Iterator[str]:
+    for side in (prior.min, prior.max):
+        if isclose(value, side, rel_tol=BOUND_TOLERANCE, abs_tol=BOUND_SCALE_TOLERANCE * prior.scale):
+            yield f"{told}: ends at its bound {side:.6g}; {why}"
 
 
 def _why_at_bound(parameter: str, best: Refit) -> str:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import json
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import asdict, dataclass, field
 from pathlib import Path
 from typing import Any
 
@@ -54,6 +54,30 @@ class Evidence:
     def missed(self, model: Refit, channel: str) -> list[Array]:
         """Return what a model misses of a channel in each of these runs, in SI units."""
         return model.missed(self.study.judged, channel)
+
+    @property
+    def own_values(self) -> list[OwnValue]:
+        """The values of parameters that records have of their own, with the effects in the model."""
+        machine, pairs = self.campaign.machine, zip(self.campaign.experiments, self.after.own, strict=True)
+        return [
+            OwnValue(experiment.name, name, value, machine.unit(name))
+            for experiment, own in pairs
+            for name, value in own.items()
+        ]
+
+
+@dataclass(frozen=True)
+class OwnValue:
+    """The value of a parameter in one record, in SI units."""
+
+    record: str
+    parameter: str
+    value: float
+    unit: str
+
+    def to_dict(self) -> dict[str, Any]:
+        """Return it as in the JSON file."""
+        return asdict(self)
 
 
 class DiagnosisInterruptedError(KeyboardInterrupt):
@@ -161,6 +185,7 @@ class Verdict:
             "gap": {name: gap.to_dict() for name, gap in self.gap.items()},
             "closed": self.closed,
             "parameters": dict(self.parameters),
+            "record_values": [one.to_dict() for one in self.evidence.own_values],
             "notes": list(self.notes),
         }
 

@@ -108,8 +108,8 @@ def _prior(declared: Parameter, value: float, entry: Mapping[str, Any], limits: 
 def _prior_problems(prior: Prior, entry: Mapping[str, Any]) -> Iterator[str]:
     if "per" in entry and not is_per_record(entry):
         yield (
-            f'per is "{PER_RECORD}", for a value that each record has of its own, got {entry["per"]!r}; leave it '
-            "out for one of all records"
+            f'per is "{PER_RECORD}", for a value that each record has of its own, got {entry["per"]!r}; '
+            "leave it out for one of all records"
         )
     rel = entry.get("rel", 1.0)
     if rel <= 0:

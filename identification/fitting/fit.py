@@ -40,8 +40,9 @@ def fit(
 
         minimise  sum ((F measured - F predicted)/sigma)^2 + sum ((p - p_0)/(rel p_0))^2,   min <= p <= max,
 
-    with F the stage's filter and sigma the noise floor, over the parameters p and each record's own start,
-    offsets, and values of parameters that differ by record. Stages follow each other; what one has fitted is fixed or further fitted in the next.
+    with F the stage's filter and sigma the noise floor, over the parameters p and of each record its start,
+    its offsets and its own values of parameters that differ by record. Stages follow each other; what one
+    has fitted is fixed or further fitted in the next.
 
     Args:
         campaign: records, model and priors, or the path of the TOML file that tells them.

@@ -32,7 +32,7 @@ class ResidualBlock:
     """A record, the channels of it that count, the filter both sides pass and the noise they are weighted by.
 
     Nuisances are the states at the start of every piece (one piece unless multiple shooting is asked for),
-    the unknown values that the record has of its own and the offsets of channels, each by how far it is from a
+    the unknown values that the record has of its own and the offsets of channels, each as its distance from a
     first guess in units of what it may be expected to be.
     """
 
