@@ -47,7 +47,7 @@ SAME_MOTION_GAIN_TOLERANCE = 1e-6  # [1] of gains within which two sites are of 
 DEPENDENT_EIGENVALUE_RATIO = 1e-9  # [1] of the largest below which sizes are not told apart; data
 START_SINGULAR_VALUE_RATIO = 1e-8  # [1] of the largest below which start values are not told apart; data
 LEAST_INERTIA = 1e-12  # [kg, kg.m2] of a body that is added, as none has none; data
-START_DROP_RATIO = 0.01  # [1] of the squared residual that a new start must promise to be worth a run; effort
+START_DROP_RATIO = 1e-3  # [1] of the squared residual that a new start must promise to be worth a run; effort
 START_STEPS, START_HALVINGS = 8, 4  # [1] runs of a record to find where it begins, and shorter steps; effort
 
 # Shapes that are screened, and how they follow in a fit

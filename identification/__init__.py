@@ -13,6 +13,7 @@ from .fitting.campaign_model import RecordModel as RecordModel
 from .fitting.doubts import left_prior as left_prior
 from .fitting.fit import fit as fit
 from .fitting.least_squares import Ending as Ending
+from .fitting.least_squares import Iterate as Iterate
 from .fitting.least_squares import descent as descent
 from .fitting.outcome import Fit as Fit
 from .fitting.outcome import FitInterruptedError as FitInterruptedError
