@@ -50,8 +50,9 @@ def test_a_model_is_run_from_where_the_arm_stood_and_a_command_acts_at_once(exam
 def test_what_comes_out_otherwise_under_the_same_command(example: Any) -> None:
     rng = np.random.default_rng(0)
     command = np.concatenate([np.tile(size * rng.normal(size=200), 2) for size in range(1, 26)])
-    position = np.asarray(0.9 * command + rng.normal(0, 0.01, len(command)), dtype=float)
-    record = Record("cycles", 0.02 * np.arange(len(command)), {"command": command, "position": position})
+    position = (0.9 * command + rng.normal(0, 0.01, len(command))).astype(np.float64)
+    values = {"command": command.astype(np.float64), "position": position}
+    record = Record("cycles", np.linspace(0.0, 200.0, len(command)), values)
     assert example.unrepeated(record, 200) == pytest.approx(0.01, rel=0.05)
 
 
