@@ -52,10 +52,8 @@ TESTED = {
     "sinusoidal_sweep": (40.0, 65.0),
     "backlash_detection": (40.0, 65.0),
 }
-CYCLES = {
-    "single_joint_rotation": 600,
-    "backlash_detection": 33,
-}  # samples, after which the command comes back
+# Samples after which the command comes back.
+CYCLES = {"single_joint_rotation": 600, "backlash_detection": 33, "velocity_ramp": 1496}
 SAME_COMMAND = 2e-3  # rad, about a step of the encoder
 CHANNELS = {
     "command": {"input": "error.u1", "unit": "rad", "interpolation": "hold"},

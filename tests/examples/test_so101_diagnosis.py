@@ -50,25 +50,41 @@ def test_a_model_is_run_from_where_the_arm_stood_and_a_command_acts_at_once(exam
 def test_what_comes_out_otherwise_under_the_same_command(example: Any) -> None:
     rng = np.random.default_rng(0)
     command = np.concatenate([np.tile(size * rng.normal(size=200), 2) for size in range(1, 26)])
-    position = 0.9 * command + rng.normal(0, 0.01, len(command))
-    record = Record("cycles", 0.02 * np.arange(len(command)), {"command": command, "position": position})
+    position = (0.9 * command + rng.normal(0, 0.01, len(command))).astype(np.float64)
+    values = {"command": command.astype(np.float64), "position": position}
+    record = Record("cycles", np.linspace(0.0, 200.0, len(command)), values)
     assert example.unrepeated(record, 200) == pytest.approx(0.01, rel=0.05)
 
 
 def test_friction_takes_the_better_part_off_whole_motions(
-    example: Any, measured: None, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+    example: Any,
+    measured: None,
+    tmp_path: Path,
+    monkeypatch: pytest.MonkeyPatch,
+    capsys: pytest.CaptureFixture[str],
 ) -> None:
-    tested = {name: example.TESTED[name] for name in ("step_response", "sinusoidal_sweep")}
-    monkeypatch.setattr(example, "TESTED", tested)
     found = SimpleNamespace(
+        verdict="partial",
+        sentence="friction",
+        gap={"position": SimpleNamespace(nominal=0.03, refit=0.02, after=0.01, floor=0.001)},
+        ranking=(),
+        lines=(),
         evidence=SimpleNamespace(
             campaign=example.campaign(example.DATA), refit=SimpleNamespace(parameters=PARAMETERS)
         ),
         corrected=lambda: rubbing(example),
         parameters=PARAMETERS,
     )
-    motions = example.compared(found, example.DATA)
-    assert [*motions] == [*tested]
-    before, after = (float(share.strip("%")) for share in example.shares(motions).split())
-    assert 0.0 < after < 0.5 * before
-    assert example.draw(motions, tmp_path / "so101.png").stat().st_size > 1e5
+    tested = {name: example.TESTED[name] for name in ("step_response", "sinusoidal_sweep")}
+    monkeypatch.setattr(example, "TESTED", tested)
+    monkeypatch.setattr(example, "diagnose", lambda campaign, **options: found)
+    monkeypatch.setattr(example, "write_report", lambda verdict, path: path)
+    monkeypatch.setattr(sys, "argv", ["so101", "--out", str(tmp_path)])
+    example.main()
+    lines = {line.split("  ")[0]: line.split() for line in capsys.readouterr().out.splitlines()}
+    for name in tested:
+        before, after = map(float, lines[name][-2:])
+        assert 0.0 < after < 0.5 * before
+    told = {line.split()[0] for line in lines if "does not repeat itself" in line}
+    assert told == {*example.CYCLES}
+    assert (tmp_path / "so101.png").stat().st_size > 1e5
