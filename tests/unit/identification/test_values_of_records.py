@@ -133,8 +133,7 @@ def test_priors_and_bounds_hold_own_values_as_they_hold_parameters(records: list
     assert abs(wanted.parameters["far.s_rel0"] - 0.1) > 1e-4
     assert refit.cost == pytest.approx(wanted.cost, rel=1e-4)  # that much less is not worth a run
     assert refit.own[0] == pytest.approx(wanted.parameters, rel=3e-3)
-    assert fit.comparisons[0].own == pytest.approx(wanted.parameters, rel=1e-3)
-    assert refit.cost == pytest.approx(wanted.cost, rel=1e-3)
+    assert fit.comparisons[0].own == pytest.approx(refit.own[0], rel=1e-3)
     assert any("near.s_rel0 of run 0: ends at its bound 0.01" in line for line in fit.warnings)
 
 
