@@ -20,6 +20,7 @@ from ..records.record import Channel, outputs_of
 from .channels import read_channels, read_noise
 from .checks import (
     dead_sensors,
+    floors_of,
     noise_beside_signals,
     notes_of_records,
     rates_that_differ,
@@ -212,7 +213,8 @@ class Campaign:
         raise ModelError(f"a Campaign or the path of its TOML file is needed, got {shown(given)}")
 
     def with_floors(self, floors: Sequence[Mapping[str, NoiseFloor]]) -> Campaign:
-        """Return the campaign with other noise, given for each of its experiments."""
+        """Return the campaign with other noise: of each experiment, of each output."""
+        demand("with_floors()", floors=(floors, floors_of(self.outputs, len(self.experiments))))
         other, count = copy(self), len(self.training)
         given = [replace(e, floors=floor) for e, floor in zip(self.experiments, floors, strict=True)]
         other.training, other.testing = given[:count], given[count:]

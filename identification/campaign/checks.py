@@ -4,10 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
 from itertools import combinations
+from typing import Any
 
 import numpy as np
 
 from ...base import unit_for
+from ...base.checks import Check, must
+from ..records.noise import NoiseFloor
 from ..records.record import Channel
 from .experiment import Experiment
 from .stages import Stage
@@ -106,3 +109,17 @@ def rates_that_differ(experiments: Sequence[Experiment]) -> Iterator[str]:
     if max(rates.values()) > 1.01 * min(rates.values()):
         told = ", ".join(f"{name} {rate:g} Hz" for name, rate in rates.items())
         yield f"sampling rates differ ({told}); each record is simulated at its own"
+
+
+def floors_of(outputs: Sequence[str], count: int) -> Check:
+    """Return the check that a noise floor of each output is given for each of so many records."""
+
+    def are_given(floors: Any) -> bool:
+        listed = isinstance(floors, list | tuple) and len(floors) == count
+        return listed and all(_names(floor, outputs) for floor in floors)
+
+    return must(f"be {count} mappings from {', '.join(outputs)} to a NoiseFloor", are_given)
+
+
+def _names(floor: Any, outputs: Sequence[str]) -> bool:
+    return isinstance(floor, Mapping) and all(isinstance(floor.get(n), NoiseFloor) for n in outputs)

@@ -131,8 +131,10 @@ def _way(run: Run, follow: Sensitivities | None) -> tuple[str, Callable[[Progres
 
 
 def collected(run: Run, solver: str, began: float, follow: Sensitivities | None) -> Result:
-    """Return what a run has recorded, with figures on how it went."""
+    """Return what a run has recorded, its start at least, with figures on how it went."""
     closed, settings = run.closed, run.settings
+    if not run.segments:
+        run.open_segment()
     stats = {
         "solver": solver,
         "rtol": settings.rtol,

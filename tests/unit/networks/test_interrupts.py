@@ -15,6 +15,7 @@ import inertance as ia
 import numpy as np
 import pytest
 from inertance.base import interrupts
+from inertance.networks.csource import native
 
 LONGEST = 1.0  # seconds of processor time, which other load on the machine does not lengthen
 HANGING = 120.0
@@ -199,3 +200,16 @@ def test_ctrl_c_while_equations_are_built_is_not_lost() -> None:
     net.connect(net.push.flange, net.mass.flange)
     with pytest.raises(KeyboardInterrupt):
         net.simulate(0.01)
+
+
+def test_ctrl_c_before_the_first_step_keeps_the_start(
+    swing: ia.Network, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def pressed() -> None:
+        raise interrupts.Interrupted
+
+    monkeypatch.setattr(native, "heed", pressed)
+    with pytest.raises(ia.RunInterruptedError, match="interrupted at t = 0 s of 1 s") as told:
+        swing.simulate(1.0, solver="compiled")
+    assert told.value.result is not None
+    assert told.value.result.time.tolist() == [0.0]
