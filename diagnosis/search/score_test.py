@@ -61,7 +61,7 @@ class _Sums:
     def __init__(self, slopes: Sequence[Array], records: Sequence[WhitenedRecord]) -> None:
         count = slopes[0].shape[1]
         own = sum((columns.T @ columns for columns in slopes), np.eye(count))
-        self.prior: Array = np.linalg.inv(own)
+        self.prior: Array = np.asarray(np.linalg.inv(own), dtype=float)
         self.residual: Array = sum(
             (columns.T @ record.residual for columns, record in zip(slopes, records, strict=True)),
             np.zeros(count),

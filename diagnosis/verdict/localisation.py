@@ -140,8 +140,8 @@ def moved(study: Study, fitted: Refit, site: Site, experiments: Sequence[Experim
     for experiment in experiments:
         record = WhitenedRecord(study, model, experiment, given, fitted.effects)
         motion, t = record.motion(0, site), experiment.compared.time
-        signals = (np.interp(t, motion.t, x) for x in (motion.s, motion.v, motion.f, motion.a))
-        motions.append(Motion(t, *signals))
+        s, v, f, a = (np.interp(t, motion.t, x) for x in (motion.s, motion.v, motion.f, motion.a))
+        motions.append(Motion(t, s, v, f, a))
     return motions
 
 
