@@ -103,11 +103,11 @@ def insisting() -> Iterator[None]:
     again: list[Timer] = []
 
     def told(dropped: Any) -> None:
-        if issubclass(dropped.exc_type, KeyboardInterrupt):
+        if not issubclass(dropped.exc_type, KeyboardInterrupt):
+            before(dropped)
+        elif not any(timer.is_alive() for timer in again):  # as one may be dropped by several callers
             again.append(Timer(RESEND_SECONDS, _send))
             again[-1].start()
-        else:
-            before(dropped)
 
     def printed(kind: type[BaseException], error: BaseException, trace: TracebackType | None) -> None:
         if not issubclass(kind, KeyboardInterrupt):

@@ -23,9 +23,7 @@ ALIKE_STANDARD_ERRORS = 2.0  # [standard errors] within which models are alike; 
 ALIKE_RESIDUAL_SHARE = 1e-3  # [1] of the squared test residual within which models are alike; blind
 FIRST_EFFECT_SHARE = 0.01  # [1] of the squared test residual that an effect must take away; nulls
 FURTHER_EFFECT_SHARE = 0.05  # [1] the same for a further one: less but mends the shapes of those found; blind
-LEFT_EFFECT_SHARE = (
-    0.5  # [1] of what is left above noise, squared, that a further one may take instead; blind
-)
+LEFT_EFFECT_SHARE = 0.5  # [1] of the square of what is left above noise: enough instead of that; blind
 GENERALISATION_SHARE = 0.25  # [1] of what a special case leaves that a generalisation takes away; blind
 PART_CHI_SQUARED = 4.0  # [chi squared] that a part, or one more quantity, must win; theory: 5 % of 1 dof
 EARLY_END_COST_RATIO = 0.9  # [1] of its cost to which a fit that has ended may still fall; blind
@@ -36,7 +34,7 @@ LEAST_STRETCHES = 40  # [1] wanted in all test records; theory: errors of a stan
 RUNS_PER_MODEL = 200  # [1] of each, fitted from several starts and probed, for the choice of solver; effort
 MOST_EFFECTS = 3  # [1] in a verdict; blind
 LEAST_CHI_SQUARED_GAIN = 40.0  # [chi squared] below which no effect is worth a fit; nulls
-CONTENDERS_PER_ROUND = 8  # [1] fitted in each round; effort
+CONTENDERS_PER_ROUND = 12  # [1] fitted in each round; effort
 RESERVES_PER_ROUND = 3  # [1] of either kind that are fitted besides if much is left; effort
 FITS_UNDER_WAY = 3  # [1] at once, and before those are left out that promise much less than was found; effort
 HOPELESS_GAIN_RATIO = 0.4  # [1] of the best drop of chi squared kept, below which one is left out; blind

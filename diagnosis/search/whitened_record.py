@@ -86,7 +86,8 @@ class WhitenedRecord:
 
         It is the product of the residual with what `to_inputs` gives; None where that is known by runs only.
         """
-        parts = np.split(self.off(residual), len(self.outputs))
+        missed = self.off(residual)[: len(self.outputs) * len(self.measured.time)]
+        parts = np.split(missed, len(self.outputs))
         weights = [part / self.sigma[output] for output, part in zip(self.outputs, parts, strict=True)]
         found: Array | None = self._stand.adjoint(self._found, np.column_stack(weights), name)
         return found

@@ -123,7 +123,7 @@ def _passed(density: Array, last: int) -> int:
 def _density(values: Array) -> Array:
     from scipy.signal import welch
 
-    length = min(1024, max(16, len(values) // 8))
+    length = min(1024, max(16, len(values) // 8), len(values))
     density: Array = np.asarray(welch(np.asarray(values, dtype=np.float64), nperseg=length)[1], dtype=float)
     return density
 

@@ -212,6 +212,7 @@ GOOD: dict[str, Callable[[], Any]] = {
     "Network.connect.ports": lambda: oscillator().mass.flange,
     "Network.insert.port": lambda: oscillator().mass.flange,
     "Orbit.over_period.output": lambda: "mass.s", "Variations.start_slopes.start": lambda: {"mass.s": 0.0},
+    "Variations.adjoint.weights": lambda: np.ones((3, 1)), "Variations.adjoint.name": lambda: "push.f",
     "Variations.pushed.changes": dict, "RationalFunction.of.given": line,
     "SystemStructure.name": lambda: "system",
     "SystemStructure.components": dict, "Connection.start": lambda: "a.x", "Connection.end": lambda: "b.x",
