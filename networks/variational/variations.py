@@ -22,6 +22,7 @@ from ...base import (
     nearest,
     numbers,
     shown,
+    text,
 )
 from ..dae import DAE
 from ..evaluation.compiled import Batch, dense
@@ -158,8 +159,17 @@ class Variations:
             result: a run of the `DAE`.
             weights: of the signals at the points of the run, (points, signals).
             name: of the input; None is returned for one whose derivatives the network uses.
+
+        Raises:
+            ModelError: for an unknown input, or weights that are not one for each signal and point.
         """
-        nx = self.dae.x.numel()
+        nx, known = self.dae.x.numel(), self.dae.input_names
+        demand("Variations", result=(result, instance(Result)), name=(name, text))
+        if name not in known:
+            raise ModelError(f"there is no input '{name}'{nearest(name, known)}")
+        shape = len(result.time), len(self.signals)
+        if np.shape(weights) != shape or numbers(finite())(weights):
+            raise ModelError(f"weights are an array of numbers of shape {shape}, got {shown(weights)}")
         row = next(i for i, declared in enumerate(self.dae.inputs) if declared.path == name)
         if any(declared.path == name and declared.order for declared in self.dae.inputs):
             return None

@@ -53,11 +53,11 @@ def verdict_on(law: Law, highest: float = 2.0, known: tuple[str, ...] = ()) -> V
 
 
 def test_oil_that_thins_is_named() -> None:
-    verdict = verdict_on(lambda s, v: 2.0 * np.log(v / 0.01 + np.sqrt(1 + (v / 0.01) ** 2)))
+    verdict = verdict_on(lambda s, v: 2.0 * np.log(v / 0.03 + np.sqrt(1 + (v / 0.03) ** 2)))
     (placed,) = verdict.effects
     assert (verdict.verdict, placed.effect.kind) == ("effect", "shear_thinning_damping")
-    assert abs(placed.values["v_e"] / 0.01 - 1) < 0.1
-    assert abs(placed.values["d"] / 200.0 - 1) < 0.1
+    assert abs(placed.values["v_e"] / 0.03 - 1) < 0.1
+    assert abs(placed.values["d"] * 0.03 / 2.0 - 1) < 0.1
 
 
 @pytest.mark.parametrize("law", [lambda s, v: 20 * v, lambda s, v: 2.0 * np.sign(v)])
