@@ -140,17 +140,11 @@ class _Fit:
 
 
 class _Crew:
-    """Who makes fits: the executor of a study, or whoever asks for the outcome.
-
-    Processes of an executor begin and read the records at once, while there is nothing to fit yet.
-    """
+    """Who makes fits: the executor of a study, or whoever asks for the outcome."""
 
     def __init__(self, study: Study) -> None:
-        self.study, self.payload = study, b""
-        if study.executor is not None:
-            self.payload = _sent(study.campaign)
-            for _ in range(criteria.FITS_UNDER_WAY):
-                study.executor.submit(_prepare, self.payload)
+        self.study = study
+        self.payload = b"" if study.executor is None else _sent(study.campaign)
 
     def begin(self, fit: _Fit) -> Outcome:
         """Return what gives the fitted model, or why there is none, once it is called."""
@@ -162,11 +156,6 @@ class _Crew:
 
 def _job(payload: bytes, accuracy: Accuracy, deadline: float, fit: _Fit) -> Refit | str:
     return _made(study_of(_received(payload), accuracy, deadline=deadline), fit)
-
-
-def _prepare(payload: bytes) -> None:
-    """Read the records in the process that they are sent to."""
-    _received(payload)
 
 
 def _sent(campaign: Campaign) -> bytes:

@@ -106,22 +106,6 @@ def test_fits_follow_each_other_alike_whenever_they_are_made(
     assert crew.notes == [*first, *then, "take c", "take d", "take e"]
 
 
-def test_processes_read_the_records_while_effects_are_screened(
-    cart: Any, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    crew = Crew(late=True)
-    given = replace(study(cart, cart.rig(), cart.rig()), executor=crew)
-    monkeypatch.setattr(searched, "_sent", lambda campaign: b"records")
-
-    def screened(*given: Any) -> list[Candidate]:
-        crew.notes.append("screen")
-        return []
-
-    monkeypatch.setattr(searched, "screen", screened)
-    searched.run_round(given, replace(left(rail("a"), 1.0), effects=()), [])
-    assert crew.notes == ["begin b'records'"] * 3 + ["screen"]
-
-
 def test_a_general_case_waits_for_its_special_one_and_nothing_else_waits() -> None:
     names = ("coulomb_friction", "stribeck_friction", "viscous_damping")
     site = rail("rail").site
