@@ -112,7 +112,9 @@ class Variations:
         """
         nx, count = self.dae.x.numel(), len(self.parameters)
         demand("Variations", result=(result, instance(Result)))
-        if start is not None and (np.shape(start) != (nx, count) or (count and numbers(finite())(start))):
+        if start is not None and (
+            np.shape(start) != (nx, count) or (nx * count and numbers(finite())(start))
+        ):
             raise ModelError(f"start is an array of numbers of shape {(nx, count)}, got {shown(start)}")
         moved = np.hstack([np.zeros((nx, count)) if start is None else start, np.eye(nx)])
         line = self._linearised(result)

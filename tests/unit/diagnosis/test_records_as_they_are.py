@@ -133,9 +133,10 @@ def stroke(truth: ia.Network, frequency: float, seed: int) -> Record:
 
 
 @pytest.fixture
-def bench() -> Callable[[float], Campaign]:
-    def campaign(friction: float) -> Campaign:
-        records = [{"record": stroke(strut(friction), f, n)} for n, f in enumerate((0.7, 1.9, 1.1))]
+def bench() -> Callable[..., Campaign]:
+    def campaign(friction: float, **how: Any) -> Campaign:
+        strokes = [stroke(strut(friction), f, n) for n, f in enumerate((0.7, 1.9, 1.1))]
+        records = [{"record": record, **how} for record in strokes]
         channels = {"s": {"input": "drive.s_ref", "unit": "m"}, "F": {"output": "cell.f", "unit": "N"}}
         priors = {"spring.k": {"rel": 0.1}, "damper.d": {"rel": 0.3}}
         return Campaign(strut(), channels, priors, records[:2], records[2:], noise={"F": 0.05})
@@ -143,14 +144,15 @@ def bench() -> Callable[[float], Campaign]:
     return campaign
 
 
-def test_a_model_without_states_is_fitted_and_diagnosed(bench: Callable[[float], Campaign]) -> None:
+def test_a_model_without_states_is_fitted_and_diagnosed(bench: Callable[..., Campaign]) -> None:
     assert not strut().dae().state_names
     assert ia.fit(bench(0.0)).values["spring.k"] == pytest.approx(2e3, rel=1e-3)
     assert ia.diagnose(bench(0.0)).verdict == "none"
-    found = ia.diagnose(bench(3.0))
-    assert found.verdict == "effect"
-    assert found.effects[0].effect.kind == "coulomb_friction"
-    assert found.effects[0].values["f_c"] == pytest.approx(3.0, rel=0.02)
+    for how in ({}, {"initial": "rest"}):
+        found = ia.diagnose(bench(3.0, **how))
+        assert found.verdict == "effect"
+        assert found.effects[0].effect.kind == "coulomb_friction"
+        assert found.effects[0].values["f_c"] == pytest.approx(3.0, rel=0.02)
 
 
 def test_a_budget_ends_a_diagnosis_and_says_what_it_left_out(cart: Any) -> None:
