@@ -14,7 +14,7 @@
 NOISE_MISFIT = 1.03  # [noise] rms residual at which nothing is left to find; nulls
 COLOURED_MISFIT = 1.1  # [noise] rms residual above which something is left; nulls
 MOVED_STANDARD_DEVIATIONS = 3.0  # [sd of the prior] of a parameter that has moved; theory: 0.3 % of them
-CERTAIN_RESIDUAL_SHARE = 0.5  # [1] of the squared test residual that effects take away to be named; blind
+CERTAIN_RESIDUAL_SHARE = 0.5  # [1] of what was left squared that each effect takes away to be named; blind
 EXPLAINED_GAP_SHARE = 0.93  # [1] of the gap below which what was found is not all that is missing; blind
 
 # When one model is better than another

@@ -38,8 +38,8 @@ def decided(
 
     Where the time of the study is over, nothing is said of what was not looked for.
     """
-    best = best if _is_certain(best, base, study) else base
-    first = rounds[0] if rounds else Round(base, [], [])
+    best = certain_part(best, base, rounds, study)
+    first, beyond = rounds[0] if rounds else Round(base, [], []), _round_on(best, rounds)
     alone = replace(study, executor=None, report=None)
     evidence = Evidence(alone, start, base, best, tuple(first.candidates), first.failed)
     closed = _closed(best, base, study)
@@ -79,7 +79,7 @@ def decided(
             *astray,
             *doubts,
         ),
-        further=_ranked(study, rounds[-1]) if rounds and _led_no_further(rounds[-1], best) else (),
+        further=_ranked(study, beyond) if best.effects and beyond is not None else (),
     )
 
 
@@ -100,10 +100,19 @@ def _explains(best: Refit, base: Refit, study: Study) -> bool:
     return _leaves_noise(best, study) or _closed(best, base, study) >= EXPLAINED_GAP_SHARE
 
 
-def _is_certain(best: Refit, base: Refit, study: Study) -> bool:
-    """Tell whether effects take away so much that they are no mere likeness of what is missing."""
-    taken = 1 - best.blocks.sum() / base.blocks.sum()
-    return _explains(best, base, study) or bool(taken >= CERTAIN_RESIDUAL_SHARE)
+def certain_part(best: Refit, base: Refit, rounds: Sequence[Round], study: Study) -> Refit:
+    """Return the model with those effects that are no mere likeness of what is missing.
+
+    If something else stays missing, they are the first ones, as long as each takes most of what was left.
+    """
+    if _explains(best, base, study):
+        return best
+    certain = base
+    for model in (*(done.base for done in rounds[1:] if done.base is not best), best):
+        if 1 - model.blocks.sum() / certain.blocks.sum() < CERTAIN_RESIDUAL_SHARE:
+            break
+        certain = model
+    return certain
 
 
 def _word(evidence: Evidence) -> str:
@@ -116,10 +125,10 @@ def _word(evidence: Evidence) -> str:
     return "parameters" if moved or evidence.nominal.misfit > COLOURED_MISFIT * refitted.misfit else "none"
 
 
-def _led_no_further(last: Round, best: Refit) -> bool:
-    """Tell whether a round looked for more than the effects of a model, and found nothing."""
-    labels = [[placed.label for placed in model.effects] for model in (last.base, best)]
-    return bool(best.effects) and labels[0] == labels[1]
+def _round_on(model: Refit, rounds: Sequence[Round]) -> Round | None:
+    """Return the round that looked for more than the effects of a model, if one did."""
+    labels = [placed.label for placed in model.effects]
+    return next((done for done in rounds if [p.label for p in done.base.effects] == labels), None)
 
 
 def _ranked(study: Study, done: Round) -> tuple[Ranked, ...]:

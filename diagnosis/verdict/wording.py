@@ -30,11 +30,15 @@ def sentence_of(verdict: Verdict) -> str:
     closing = f"{verdict.closed:.0%} of the gap, from {_fall(verdict.gap)}"
     words = ALONE | NAMED if named else ALONE
     if verdict.verdict in words:
-        sentence = words[verdict.verdict].format(f"{named}, which closes {closing}")
+        sentence = words[verdict.verdict].format(f"{named}, which closes {closing}") + _others(verdict)
         return sentence + closest_of(verdict) if verdict.verdict in ("partial", "unknown") else sentence
-    sentence = f"What is missing is {named}; adding it closes {closing}."
+    return f"What is missing is {named}; adding it closes {closing}.{_others(verdict)}"
+
+
+def _others(verdict: Verdict) -> str:
+    """Return what the data cannot tell from what was found."""
     others = ", ".join(told(*key) for key in verdict.equivalent)
-    return f"{sentence} These data cannot tell it from {others}." if others else sentence
+    return f" These data cannot tell it from {others}." if others else ""
 
 
 def sure(confidence: float) -> str:

@@ -45,7 +45,7 @@ def table(cases: Sequence[Scored]) -> Rows:
 
 def stray(case: Scored) -> bool:
     """Tell whether a verdict names an effect that is not there, and in no class that holds the truth."""
-    if case.said == "ambiguous" and any(map(case.is_right, case.members)):
+    if case.said in ("ambiguous", "partial") and any(map(case.is_right, case.members)):
         return False
     return any(not case.is_right(answer) for answer in case.named)
 

@@ -2,9 +2,10 @@
 
 import json
 import re
-from collections.abc import Callable
-from dataclasses import replace
-from typing import Any
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, replace
+from types import SimpleNamespace
+from typing import Any, cast
 
 import numpy as np
 import pytest
@@ -19,9 +20,10 @@ from inertance.diagnosis.search.model_comparison import Refit
 from inertance.diagnosis.search.round import Round
 from inertance.diagnosis.search.score_test import Candidate, screen
 from inertance.diagnosis.verdict.cautions import cautions, led_astray
-from inertance.diagnosis.verdict.decide import decided
+from inertance.diagnosis.verdict.decide import certain_part, decided
 from inertance.diagnosis.verdict.gap import gaps
 from inertance.identification import Accuracy, Campaign, Record
+from numpy.typing import NDArray
 from typer.testing import CliRunner
 
 RIG = """
@@ -292,3 +294,32 @@ def test_progress_tells_how_long_it_took_and_what_is_left(
     command = f"diagnose {tmp_path / 'campaign.toml'} --jobs 1 --budget 0.1"
     told = CliRunner().invoke(app, command.split())
     assert re.search(r"refitting the parameters \(\d+ s, \d+ s left\)", told.stderr)
+
+
+@dataclass
+class Held:
+    """A model beside test records, by what it misses of them."""
+
+    misfit: float
+    effects: Sequence[str] = ()
+
+    @property
+    def blocks(self) -> NDArray[np.float64]:
+        return np.full(10, self.misfit**2)
+
+    def is_noise(self, _: Any) -> bool:
+        return False
+
+
+@pytest.mark.parametrize(
+    ("misfits", "named"),
+    [((10.0, 1.05), 1), ((10.0, 5.0), 1), ((10.0, 8.0), 0), ((10.0, 5.0, 4.0), 1), ((10.0, 5.0, 3.0), 2)],
+)
+def test_each_effect_of_a_partial_verdict_takes_most_of_what_was_left(
+    misfits: Sequence[float], named: int
+) -> None:
+    base, *further = (Held(misfit, "effects"[:n]) for n, misfit in enumerate(misfits))
+    rounds: Any = [SimpleNamespace(base=model) for model in (base, *further)]
+    best: Any = ([base, *further])[-1]
+    study: Any = SimpleNamespace(judged=[])
+    assert len(certain_part(best, cast(Any, base), rounds, study).effects) == named
