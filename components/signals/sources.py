@@ -28,15 +28,16 @@ class Constant(Source):
 
 
 class Clock(Source):
-    """Time as a signal: y = time [s].
+    """Time as a signal: y = offset + time [s].
 
     Source: MSL Blocks.Sources.ContinuousClock.
     """
 
     y = RealOutput("s", "time")
+    offset = parameter("s", "what it shows at time = 0", default=0.0)
 
     def equations(self) -> Stated:
-        yield self.y == self.time
+        yield self.y == self.offset + self.time
 
 
 class Step(Source):

@@ -41,7 +41,7 @@ def unstretched(site: Site, values: Values) -> dict[str, float]:
 
 
 def clocked(edits: list[Edit], name: str) -> list[Edit]:
-    """Return edits that also give an element the time as its signal u."""
+    """Return edits that also give an element the time that a run has lasted as its signal u."""
     clock = AddPart(f"{name}_clock", signals.Clock())
     return [*edits, clock, Connect((f"{name}_clock.y", f"{name}.u"))]
 
@@ -90,7 +90,7 @@ register(
         "across",
         both(d=(*_DAMPING, -inf), d_u=(("d_u", "N/m"), ("d_u", "N.m/rad"), -inf)),
         _drifting,
-        lambda motion, _: [motion.v, motion.t * motion.v],
+        lambda motion, _: [motion.v, motion.elapsed * motion.v],
         plain=("viscous_damping", (1.0, 0.0)),
     )
 )

@@ -97,7 +97,7 @@ register(
         "across",
         both(f_c=(*COULOMB, -inf), f_u=(("f_u", "N/s"), ("tau_u", "N.m/s"), -inf)),
         _drifting,
-        lambda motion, _: [motion.direction, motion.t * motion.direction],
+        lambda motion, _: [motion.direction, motion.elapsed * motion.direction],
         plain=("coulomb_friction", (1.0, 0.0)),
     )
 )

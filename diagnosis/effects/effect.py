@@ -23,6 +23,8 @@ Values = Mapping[str, float]
 class Motion:
     """How a site moves in the nominal model: time [s], distance, speed, force through it, acceleration.
 
+    The run `began` at that instant [s].
+
     `missed`, where it is known, are the distances in all records, and how much of the residual a unit of
     force would explain at each.
     """
@@ -32,7 +34,13 @@ class Motion:
     v: Array
     f: Array
     a: Array
+    began: float = 0.0
     missed: tuple[Array, Array] | None = None
+
+    @property
+    def elapsed(self) -> Array:
+        """How long the run has lasted [s]."""
+        return self.t - self.began
 
     @property
     def travel(self) -> float:

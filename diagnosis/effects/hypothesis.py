@@ -8,10 +8,11 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from ...base import Array, rate_unit
+from ...components import signals
 from ...identification import Campaign, Experiment
 from ...networks import Network
 from ..criteria import LEAST_SIZE_RATIO, PARAMETER_STEP_RATIO
-from .edits import Edit, edited
+from .edits import AddPart, Edit, edited
 from .effect import Effect, Quantity
 from .sites import Site
 
@@ -62,6 +63,13 @@ class Hypothesis(SitedEffect):
         return self.effect.edits(self.site, self.name, self.values) if self.effect.edits else []
 
     @property
+    def clocks(self) -> list[str]:
+        """The names of clocks that are inserted."""
+        return [
+            e.name for e in self.edits if isinstance(e, AddPart) and isinstance(e.component, signals.Clock)
+        ]
+
+    @property
     def network_parameters(self) -> dict[str, float]:
         """The parameters of what is inserted, by full name."""
         if self.effect.edits is None:
@@ -109,17 +117,18 @@ def with_effects(network: Network, effects: Sequence[Hypothesis]) -> Network:
 def driven(experiment: Experiment, effects: Sequence[Hypothesis]) -> Experiment:
     """Return an experiment with its inputs as the actuators pass them on."""
     record, values = experiment.record, dict(experiment.record.values)
+    elapsed = experiment.elapsed(record.time)
     for placed in effects:
         if placed.effect.change and placed.effect.drives:
             name = placed.site.path
-            values[name] = placed.effect.change(record.time, values[name], placed.values)
+            values[name] = placed.effect.change(elapsed, values[name], placed.values)
     return replace(experiment, record=replace(record, values=values))
 
 
-def sensed(time: Array, channel: str, values: Array, effects: Sequence[Hypothesis]) -> Array:
-    """Return a channel as its sensor passes it on."""
+def sensed(elapsed: Array, channel: str, values: Array, effects: Sequence[Hypothesis]) -> Array:
+    """Return a channel as its sensor passes it on, at instants of a run."""
     for placed in effects:
         effect = placed.effect
         if placed.site.path == channel and effect.change and not effect.drives:
-            values = effect.change(time, values, placed.values)
+            values = effect.change(elapsed, values, placed.values)
     return values

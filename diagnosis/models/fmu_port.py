@@ -105,7 +105,7 @@ class _PortMotion:
 
     def __init__(self, usual_speed: float) -> None:
         self._least = max(STICKING_SPEED_RATIO * usual_speed, 1e-12)
-        self.t = self.s = self.v = self.f = self.a = 0.0
+        self.elapsed = self.s = self.v = self.f = self.a = 0.0
 
     @property
     def direction(self) -> Any:
@@ -114,10 +114,13 @@ class _PortMotion:
 
 
 class Acting:
-    """Effects at a port: their force, as a spring's, is the sum of size times basis; SI units."""
+    """Effects at a port: their force, as a spring's, is the sum of size times basis; SI units.
 
-    def __init__(self, effects: Sequence[Hypothesis]) -> None:
-        self.effects = tuple(effects)
+    The run `began` at that instant [s].
+    """
+
+    def __init__(self, effects: Sequence[Hypothesis], began: float) -> None:
+        self.effects, self._began = tuple(effects), began
         self.accelerating = any(placed.effect.place == "node" for placed in effects)
         self._terms = [_term(placed) for placed in effects]
 
@@ -125,7 +128,7 @@ class Acting:
         """Return the force at an instant, or at all of them."""
         total = 0.0
         for basis, sizes, shape, origin, moving in self._terms:
-            moving.t, moving.s, moving.v, moving.f, moving.a = t, s - origin, v, f, a
+            moving.elapsed, moving.s, moving.v, moving.f, moving.a = t - self._began, s - origin, v, f, a
             for size, part in zip(sizes, basis(moving, shape), strict=True):
                 total = total + size * part
         return total

@@ -206,7 +206,8 @@ class ReplayedStand:
         At a port whose motion is given, `push` is a further force, as a spring's [N or N.m].
         """
         model, box = self.model, self.model.box
-        port, acting = box.port, Acting([_valued(placed, parameters) for placed in model.effects])
+        effects = [_valued(placed, parameters) for placed in model.effects]
+        port, acting = box.port, Acting(effects, self.experiment.began)
         load = None
         if port is not None and port.takes_force and acting.effects:
             load = Load(port.force, port.position, port.velocity, Reaction(acting, port, box.fmu))

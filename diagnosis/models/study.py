@@ -46,11 +46,14 @@ class NetworkPredictor:
         self.channels = campaign.measured
         outputs = [c.path for c in self.channels.values() if not c.driven]
         self.own = list(campaign.per_record)
+        self.clocks = [name for placed in effects for name in placed.clocks]
         self.variations = Variations(self.dae, outputs, [*parameters, *self.own])
 
     def stand(self, experiment: Experiment) -> RecordModel:
         """Return the network on a record."""
-        return RecordModel(self.dae, experiment, self.channels, self.variations, self.own)
+        offsets = {f"{clock}.offset": -experiment.began for clock in self.clocks}
+        set_back = replace(experiment, values={**experiment.values, **offsets})
+        return RecordModel(self.dae, set_back, self.channels, self.variations, self.own)
 
     def instants(self, found: Any) -> Array:
         """Return at which instants of a run changes are to be given: its points [s]."""

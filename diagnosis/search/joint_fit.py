@@ -50,8 +50,8 @@ class _Run:
     @property
     def seen(self) -> dict[str, Array]:
         """The channels as their sensors pass them on."""
-        time, values = self.found.time, self.found.values
-        return {name: sensed(time, name, values[name], self.effects) for name in values}
+        elapsed, values = self.experiment.elapsed(self.found.time), self.found.values
+        return {name: sensed(elapsed, name, values[name], self.effects) for name in values}
 
 
 @dataclass(frozen=True, eq=False)
@@ -270,7 +270,7 @@ class JointFit:
 
     def _slopes(self, run: _Run) -> Array:
         """Return d(weighted prediction)/d(vector), channels one below the other."""
-        rows = {name: _sensed_slopes(run.found, name, run.effects) for name in run.found.values}
+        rows = {name: _sensed_slopes(run, name) for name in run.found.values}
         at = len(self.names)
         parts = {name: [row[:, :at] * self.scale] for name, row in rows.items()}
         for placed, size in zip(run.effects, self.sizes, strict=True):
@@ -308,10 +308,10 @@ def _residual(run: _Run) -> Array:
     return np.concatenate([(measured[n] - seen[n]) / sigma[n] for n in seen])
 
 
-def _sensed_slopes(found: Predicted, name: str, effects: Sequence[Hypothesis]) -> Array:
+def _sensed_slopes(run: _Run, name: str) -> Array:
     """Return slopes of a channel as its sensor passes them on; sensors are linear but for a constant."""
-    slopes = found.slopes[name]
-    if not any(placed.site.path == name for placed in effects):
+    slopes, elapsed = run.found.slopes[name], run.experiment.elapsed(run.found.time)
+    if not any(placed.site.path == name for placed in run.effects):
         return slopes
-    nothing = sensed(found.time, name, np.zeros(len(found.time)), effects)
-    return np.column_stack([sensed(found.time, name, column, effects) - nothing for column in slopes.T])
+    nothing = sensed(elapsed, name, np.zeros(len(elapsed)), run.effects)
+    return np.column_stack([sensed(elapsed, name, column, run.effects) - nothing for column in slopes.T])

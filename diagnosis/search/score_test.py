@@ -165,7 +165,6 @@ def _channel_changes(
     record: WhitenedRecord, reach: Mapping[str, float]
 ) -> Iterator[tuple[Effect, Site, dict[str, float], Array]]:
     """Yield, for each shape, what a small effect on each channel changes, per unit of its size."""
-    time = record.measured.time
     for effect in EFFECTS.values():
         if effect.change is None:
             continue
@@ -178,7 +177,9 @@ def _channel_changes(
             small = {"s": 1 / record.measured.rate, "unit": part}.get(quantity.unit, 1.0)
             site = Site(name, "channel", path, "", frozenset({"channel"}), travel=reach[name])
             for shape in effect.shaped("channel", site):
-                change = (effect.change(time, signal, {quantity.name: small, **shape}) - signal) / small
+                change = (
+                    effect.change(record.elapsed, signal, {quantity.name: small, **shape}) - signal
+                ) / small
                 if effect.drives:
                     own = record.to_inputs({path: record.acting(name, change)[:, None]})
                 else:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -40,7 +41,7 @@ class WhitenedRecord:
         self.inputs = {name: c.path for name, c in channels if c.driven}
         self._channels = study.campaign.measured
         self.sigma = sigma = {name: size / count**0.5 for name, size in experiment.sigma.items()}
-        self._predictor = predictor
+        self._predictor, self._experiment = predictor, experiment
         self._stand: Any = predictor.stand(driven(experiment, effects))
         self.measured = experiment.compared
 
@@ -49,7 +50,8 @@ class WhitenedRecord:
 
         def beside(run: _Run) -> tuple[Array, Array]:
             found, own = run
-            seen = {n: sensed(found.time, n, v, effects) for n, v in found.values.items()}
+            elapsed = experiment.elapsed(found.time)
+            seen = {n: sensed(elapsed, n, v, effects) for n, v in found.values.items()}
             return weighed(experiment, found, seen, own, count)
 
         def rest() -> Array:
@@ -59,15 +61,21 @@ class WhitenedRecord:
         run, _ = begun(experiment, rest, run_from, beside)
         self._found = found = run[0]
         self.time = predictor.instants(found)  # at which changes of inputs are to be given [s]
-        self.predicted = {n: sensed(found.time, n, v, effects) for n, v in found.values.items()}
+        elapsed = experiment.elapsed(found.time)
+        self.predicted = {n: sensed(elapsed, n, v, effects) for n, v in found.values.items()}
         missed, free = beside(run)
         self._basis = _orthonormal(free)
         self.residual = self.off(missed)
         self.slopes = self.off(np.concatenate([found.slopes[n] / sigma[n] for n in self.outputs]))
 
+    @property
+    def elapsed(self) -> Array:
+        """How long the run has lasted at the instants of the record [s]."""
+        return self._experiment.elapsed(self.measured.time)
+
     def motion(self, number: int, site: Site) -> Motion:
         """Return how one of the predictor's sites moves."""
-        return self._predictor.motion(self._found, number, site)
+        return replace(self._predictor.motion(self._found, number, site), began=self._experiment.began)
 
     def off(self, columns: Array) -> Array:
         """Take off what start, own values and offsets can explain; priors of own values are further rows."""

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pickle
 import tomllib
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from copy import copy
 from dataclasses import dataclass, field, fields, replace
 from pathlib import Path
@@ -33,6 +33,7 @@ from .experiment import Experiment, read_experiments, repeat_problems, strange
 from .machine import Machine, Reader, read_network
 from .priors import Prior, is_per_record, read_priors
 from .problems import TABLE, TEXT, Kind, Problems
+from .runs import since_their_runs_began
 from .stages import Stage, read_stages
 from .ties import changes, limits_of, read_ties, shares, tied
 
@@ -153,8 +154,9 @@ class Campaign:
         self.notes = [*notes, *notes_of_records(self.experiments)]
         self.notes += [*rates_that_differ(self.experiments), *resting_inputs(channels, self.training)]
         self.notes += [note for e in self.experiments for note in strange(e, channels, self.machine.inputs)]
-        noise = [{name: self._floor(name, stated, e) for name in self.outputs} for e in self.experiments]
-        vars(self).update(vars(self.with_floors(noise)))
+        told, count = since_their_runs_began(self.experiments), len(self.training)
+        self.training, self.testing = told[:count], told[count:]
+        self._weigh([*self._noise(stated)])
 
     def __reduce__(self) -> tuple[Any, ...]:
         return Campaign, tuple(getattr(self, entry.name) for entry in fields(self) if entry.init)
@@ -215,11 +217,15 @@ class Campaign:
     def with_floors(self, floors: Sequence[Mapping[str, NoiseFloor]]) -> Campaign:
         """Return the campaign with other noise: of each experiment, of each output."""
         demand("with_floors()", floors=(floors, floors_of(self.outputs, len(self.experiments))))
-        other, count = copy(self), len(self.training)
-        given = [replace(e, floors=floor) for e, floor in zip(self.experiments, floors, strict=True)]
-        other.training, other.testing = given[:count], given[count:]
-        other.floors = {name: _median([e.floors[name] for e in other.training]) for name in self.outputs}
+        other = copy(self)
+        other._weigh(floors)
         return other
+
+    def _weigh(self, floors: Sequence[Mapping[str, NoiseFloor]]) -> None:
+        count = len(self.training)
+        given = [replace(e, floors=floor) for e, floor in zip(self.experiments, floors, strict=True)]
+        self.training, self.testing = given[:count], given[count:]
+        self.floors = {name: _median([e.floors[name] for e in self.training]) for name in self.outputs}
 
     @property
     def dae(self) -> DAE:
@@ -280,19 +286,25 @@ class Campaign:
             for e in read_experiments(kind, entries, *known, self.base, problems)
         ]
 
-    def _floor(self, channel: str, stated: Mapping[str, float], experiment: Experiment) -> NoiseFloor:
-        spectral = spectral_floor(experiment.record.values[channel], experiment.record.rate)
-        if channel in stated:
-            return NoiseFloor(stated[channel], "stated", spectral.band)
+    def _noise(self, stated: Mapping[str, float]) -> Iterator[dict[str, NoiseFloor]]:
+        """Yield the noise of each experiment, of each output: as stated, by repeats, or by its spectrum."""
         by_source = {str(e.source): e.record for e in self.experiments}
         pairs = [(e.record, by_source[e.repeat_of]) for e in self.experiments if e.repeat_of in by_source]
+        told = {name: NoiseFloor(sigma, "stated") for name, sigma in stated.items()}
+
+        def spectrum(e: Experiment, name: str) -> Iterator[NoiseFloor]:
+            if np.ptp(values := e.record.values[name]):
+                yield spectral_floor(values, e.record.rate)
+
         if pairs:
-            repeated = _median([repeated_floor(*pair, channel) for pair in pairs])
-            return replace(repeated, band=spectral.band)
-        if np.ptp(experiment.record.values[channel]):
-            return spectral
-        moving = [e.record for e in self.training if np.ptp(e.record.values[channel])]
-        return _median([spectral_floor(record.values[channel], record.rate) for record in moving])
+            repeats = {name: _median([repeated_floor(*p, name) for p in pairs]) for name in self.outputs}
+            told = repeats | told
+        usual = {
+            name: _median([f for e in self.training for f in spectrum(e, name)]) for name in self.outputs
+        }
+        for e in self.experiments:
+            floors = {name: next(spectrum(e, name), usual[name]) for name in self.outputs}
+            yield floors | {name: replace(floor, band=floors[name].band) for name, floor in told.items()}
 
 
 def _median(floors: Sequence[NoiseFloor]) -> NoiseFloor:

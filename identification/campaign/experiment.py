@@ -4,12 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
+from functools import cached_property
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 
-from ...base import is_number
+from ...base import Array, is_number
 from ...components import ModelError, nearest
 from ...networks import Input, between_samples, jump_remedy
 from ..records.columns import stuck
@@ -50,6 +51,7 @@ class Experiment:
         shooting: length of the pieces of multiple shooting [s]; None for one run.
         values: parameters that were other than in the model, such as a mass that was added.
         unknown: parameters of which it has a value of its own that nobody knows, and what is known of that.
+        began: when the run began that it was cut from, on the record's clock [s].
         every: outputs are compared at every so many samples; inputs keep all of theirs.
         floors: noise of its outputs.
     """
@@ -63,6 +65,7 @@ class Experiment:
     shooting: float | None = None
     values: Mapping[str, float] = field(default_factory=dict)
     unknown: Mapping[str, Prior] = field(default_factory=dict)
+    began: float = 0.0
     every: int = 1
     floors: Mapping[str, NoiseFloor] = field(default_factory=dict)
 
@@ -71,22 +74,26 @@ class Experiment:
         """What it is called in reports."""
         return self.record.name
 
-    @property
+    @cached_property
     def compared(self) -> Record:
         """The record at the instants at which outputs are compared."""
         return self.record.thinned(self.every)
 
-    @property
+    def elapsed(self, time: Array) -> Array:
+        """Return how long the run it was cut from has lasted at instants of its clock [s]."""
+        return time - self.began
+
+    @cached_property
     def rate(self) -> float:
         """At which outputs are compared [Hz]."""
         return self.record.rate / self.every
 
-    @property
+    @cached_property
     def sigma(self) -> dict[str, float]:
         """What a sample of each output weighs: the noise that it has, as white noise, in SI units."""
         return {name: floor.white(self.rate) for name, floor in self.floors.items()}
 
-    @property
+    @cached_property
     def independent(self) -> float:
         """The number of independent samples that are compared."""
         count = len(self.compared.time)
