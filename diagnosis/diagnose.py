@@ -71,10 +71,10 @@ def diagnose(
     study = study_of(campaign, accuracy, executor, report, inf if budget is None else monotonic() + budget)
     study.tell("refitting the parameters")
     start, base = _refitted(study, campaign.start)
-    if any(floor.band < inf for experiment in campaign.experiments for floor in experiment.floors.values()):
+    if any(floor.is_filtered for e in campaign.experiments for floor in e.floors.values()):
         study.tell("refitting with the noise that a filter has left")
         study = replace(study, campaign=with_residual_floors(campaign, base))
-        start, base = _refitted(study, base.parameters)
+        start, base = _refitted(study, base.parameters, base)
     rounds: list[Round] = []
     notes = study.limits()
     best = base
@@ -97,9 +97,11 @@ def diagnose(
         raise DiagnosisInterruptedError(told, verdict) from None
 
 
-def _refitted(study: Study, parameters: Mapping[str, float]) -> tuple[Refit, Refit]:
+def _refitted(
+    study: Study, parameters: Mapping[str, float], near: Refit | None = None
+) -> tuple[Refit, Refit]:
     """Return the model as it was given, and with its parameters fitted from a start."""
-    joint = JointFit(study, parameters)
+    joint = JointFit(study, parameters, near=near)
     given = joint.vector(study.campaign.start, [])
     return joint.seen(given), joint.fitted()
 

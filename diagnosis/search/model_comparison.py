@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
-from math import inf
 
 import numpy as np
 
@@ -117,7 +116,7 @@ def with_residual_floors(campaign: Campaign, base: Refit) -> Campaign:
         floors.append(
             {
                 name: residual_floor(sigma[name] * missed[name], experiment.rate, floor)
-                if floor.band < inf and floor.source != "stated"
+                if floor.is_filtered
                 else floor
                 for name, floor in experiment.floors.items()
             }

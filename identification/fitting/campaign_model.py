@@ -86,13 +86,18 @@ class RecordModel:
         self.inputs = {c.path: whole.sampled(name, c.interpolation, c.delay) for name, c in driven}
         self.state_names = dae.state_names
         self._simulate = partial(simulate, self.dae, inputs=self.inputs, progress=False)
+        self._measured_starts: dict[float, dict[str, float]] = {}  # by instant
 
     def rest(self, parameters: Values, accuracy: Accuracy, at: float | None = None) -> Array:
         """Return the model's start values; motions that are measured start where they were measured."""
         time = self.record.time
         begin = float(time[0]) if at is None else at
         step = float(time[1] - time[0])
-        guess = self._measured_start(begin) if self.experiment.initial == "fit" else {}
+        guess: dict[str, float] = {}
+        if self.experiment.initial == "fit":
+            if begin not in self._measured_starts:
+                self._measured_starts[begin] = self._measured_start(begin)
+            guess = self._measured_starts[begin]
         given: dict[str, Any] = {"guess": guess, "rtol": accuracy.rtol, "atol": accuracy.atol}
         values = {**parameters, **self.experiment.values}
         run = self._simulate(begin + step, begin=begin, step=step, parameters=values, **given)

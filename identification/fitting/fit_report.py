@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import asdict
 from typing import Any
 
 import numpy as np
@@ -90,7 +89,7 @@ def as_dict(fit: Fit) -> dict[str, Any]:
             for c in fit.comparisons
             for name, value in c.own.items()
         ],
-        "noise": {name: asdict(floor) for name, floor in fit.campaign.floors.items()},
+        "noise": {name: floor.to_dict() for name, floor in fit.campaign.floors.items()},
         "records": [
             {
                 "record": c.experiment.name, "tested": c.tested, "channel": name,

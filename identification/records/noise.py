@@ -17,7 +17,7 @@ JUMPY_RATIO = 2.0  # of the scatter that most samples have there, above which st
 NORMAL_SCATTER = 1.4826  # standard deviations of a normal distribution in its median absolute deviation
 
 
-LEFT_BY_FIT = "what a fit leaves"
+SPECTRUM, SENSOR_STEPS, LEFT_BY_FIT = "spectrum", "steps of the sensor", "what a fit leaves"
 LEVEL_RATIO = 0.6  # of the density in the octave below, at which a spectrum does not fall
 FEWEST_DENSITIES = 8  # of a spectrum that are looked at
 PASSED_BAND = (0.3, 0.7)  # of what a filter has left
@@ -47,6 +47,11 @@ class NoiseFloor:
         """Whether it does not rest on what a filter, and a model, have left."""
         return self.source != LEFT_BY_FIT
 
+    @property
+    def is_filtered(self) -> bool:
+        """Whether it was read off where a filter has left nothing."""
+        return self.band < inf and self.source in (SPECTRUM, SENSOR_STEPS)
+
     def share(self, rate: float) -> float:
         """Return the number of independent samples over that of samples taken at a rate [Hz]."""
         return min(1.0, 2 * self.band / rate)
@@ -54,6 +59,10 @@ class NoiseFloor:
     def white(self, rate: float) -> float:
         """Return the standard deviation of white noise of the density that this noise has in its band."""
         return self.sigma / float(np.sqrt(self.share(rate)))
+
+    def to_dict(self) -> dict[str, float | str | None]:
+        """Return it as plain values, as in JSON files; no band, where none is known."""
+        return {"sigma": self.sigma, "source": self.source, "band": self.band if self.band < inf else None}
 
 
 def spectral_floor(values: Array, rate: float | None = None) -> NoiseFloor:
@@ -68,7 +77,7 @@ def spectral_floor(values: Array, rate: float | None = None) -> NoiseFloor:
     sigma = level / _jumpiness(values)
     quantum = _quantum(values) / np.sqrt(12)
     span = float(np.ptp(values))
-    source = "steps of the sensor" if quantum > sigma else "spectrum"
+    source = SENSOR_STEPS if quantum > sigma else SPECTRUM
     floor = max(sigma, quantum, LEAST_RANGE_SHARE * span)
     passed = np.flatnonzero(density > FILTERED_DENSITY_RATIO * 2 * level**2)
     if rate is None or floor > QUIET_RANGE_SHARE * span or not len(passed):
@@ -98,8 +107,8 @@ def is_noise(residual: Array, signal: Array, rate: float, stretches: int) -> boo
     """
     noise, density = residual_floor(residual, rate, NoiseFloor(0.0, "")), _density(residual)
     end = round(noise.share(rate) * len(density))
-    upper = float(_density(signal)[end // 2 :].sum() / _density(signal).sum())
-    follows = end < len(density) and upper > WEAK_POWER_SHARE
+    moving = _density(signal)
+    follows = end < len(density) and moving[end // 2 :].sum() > WEAK_POWER_SHARE * moving.sum()
     if follows or 0.5 * float(np.mean(density[1:end])) > FLAT_RATIO * noise.white(rate) ** 2:
         return False
     power = np.array([float(np.mean(part**2)) for part in np.array_split(residual, stretches)])

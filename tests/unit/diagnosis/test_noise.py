@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import json
 from collections.abc import Callable
 from dataclasses import replace
+from pathlib import Path
 from typing import Any
 
 import inertance as ia
@@ -94,3 +96,22 @@ def test_white_noise_is_no_effect_however_little_was_stated(cart: Any) -> None:
     found = verdict_on(cart, records, noise={"x": NOISE})
     assert found.verdict in ("none", "parameters")
     assert any("3 times" in note and "correct [noise]" in note for note in found.notes)
+
+
+def test_what_repeats_tell_of_filtered_records_stays(cart: Any, tmp_path: Path) -> None:
+    """And the fit's file is JSON, though a channel that no filter has cut has no band."""
+    first = cart.measured(cart.rig(k=820.0), 1)
+    again = noisier(first, np.sqrt(2.0), 9)
+    for name, record in (("first", filtered(first, 60.0)), ("again", filtered(again, 60.0))):
+        columns = np.column_stack([record.time, record.values["F"], record.values["x"]])
+        np.savetxt(tmp_path / f"{name}.csv", columns, delimiter=",", header="t,F,x", comments="", fmt="%.9g")
+    train = [{"file": "first.csv"}, {"file": "again.csv", "repeat_of": "first.csv"}]
+    campaign = Campaign(cart.rig(), CHANNELS, PRIORS, train, base=tmp_path)
+    found = ia.diagnose(campaign)
+    assert campaign.floors["x"].source == found.evidence.campaign.floors["x"].source == "repeats"
+    assert found.evidence.campaign.floors["x"].sigma == campaign.floors["x"].sigma
+    sharp = Campaign(cart.rig(), CHANNELS, PRIORS, [{"record": first}])
+    for each, band in ((sharp, None), (campaign, campaign.floors["x"].band)):
+        ia.fit(each).to_json(tmp_path / "fit.json")
+        told = json.loads((tmp_path / "fit.json").read_text(), parse_constant=pytest.fail)
+        assert told["noise"]["x"]["band"] == band

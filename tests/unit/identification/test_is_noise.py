@@ -56,3 +56,8 @@ def test_noise_is_noise_filtered_or_not(made: Made) -> None:
 )
 def test_what_follows_the_motion_is_no_noise(made: Made) -> None:
     assert share(made) < 0.1
+
+
+def test_noise_about_a_channel_that_rests_is_noise() -> None:
+    noise = np.random.default_rng(8).standard_normal(COUNT)
+    assert is_noise(noise, np.zeros(COUNT), RATE, 16)
