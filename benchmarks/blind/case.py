@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 from acquisition import BITS, Instrument, record
 from assembly import Rig
-from effects import Sized, draw, signals, typical_of
+from effects import Effect, Sized, draw, signals, typical_of
 from excitations import DURATION, excitation
 from plan import Draft
 from rigs import RIGS
@@ -126,10 +126,27 @@ def _campaign(rig: Rig, names: list[str], stated: dict[str, float]) -> str:
     return "\n".join(lines) + "\n"
 
 
+def kinds(effect: Effect, rig: Rig) -> list[str]:
+    """Return by which kinds an effect is named rightly: those that are the same force.
+
+    Bristles creep before they slip. Where friction is fitted, what parts one way from the other is constant.
+    """
+    if effect.kind == "coulomb_friction" and effect.shape["bristles"]:
+        return [effect.kind, "presliding_friction"]
+    fitted = any(f"{site}.tau_s" in rig.parameters for site in effect.sites)
+    if effect.kind == "asymmetric_friction" and fitted:
+        return [effect.kind, "constant_force"]
+    return [effect.kind]
+
+
 def _label(draft: Draft, truth: Truth) -> dict[str, Any]:
     verdict = {"pair": "effect"}.get(draft.verdict, draft.verdict)
     effects = [
-        {**asdict(effect), "size": size, "answers": [[effect.kind, site] for site in effect.sites]}
+        {
+            **asdict(effect),
+            "size": size,
+            "answers": [[kind, site] for kind in kinds(effect, truth.rig) for site in effect.sites],
+        }
         for effect, size in truth.effects
     ]
     return {

@@ -168,6 +168,21 @@ def test_a_changed_label_breaks_the_seal(blind: Any, tmp_path: Path) -> None:
         blind.seal.unseal(folder)
 
 
+@pytest.mark.parametrize(
+    ("rig", "kind", "place", "shape", "kinds"),
+    [
+        ("disk", "coulomb_friction", "main", {"bristles": 1.0}, ["coulomb_friction", "presliding_friction"]),
+        ("disk", "coulomb_friction", "main", {"bristles": 0.0}, ["coulomb_friction"]),
+        ("pfi", "asymmetric_friction", "screw", {"skew": 0.5}, ["asymmetric_friction", "constant_force"]),
+        ("disk", "asymmetric_friction", "main", {"skew": 0.5}, ["asymmetric_friction"]),
+    ],
+)
+def test_two_names_of_one_force(blind: Any, rig: Any, kind: str, place: str, shape: Any, kinds: Any) -> None:
+    rig = blind.rigs.RIGS[rig]
+    sites = rig.motions[place].sites
+    assert blind.case.kinds(blind.effects.Effect(kind, place, sites, shape), rig) == kinds
+
+
 def test_wilson_interval(blind: Any) -> None:
     # 81 of 263: the example of R. G. Newcombe, Statist. Med. 17 (1998) 857-872, table I
     assert blind.measures.wilson(81, 263) == pytest.approx((0.2553, 0.3662), abs=5e-5)
