@@ -66,10 +66,11 @@ def diagnose(
     campaign = thinned(Campaign.of(campaign, read_model))
     _check_keys(campaign)
     samples = sum(len(experiment.record.time) for experiment in campaign.training)
-    run_by, steps = chosen_solver(solver, samples, criteria.RUNS_PER_MODEL), criteria.SOLVER_STEPS_PER_SAMPLE
-    accuracy = Accuracy(run_by, rtol or relative_tolerance(campaign), steps=steps)
+    run_by = chosen_solver(solver, samples, criteria.RUNS_PER_MODEL)
+    accuracy = Accuracy(run_by, rtol or relative_tolerance(campaign))
     study = study_of(campaign, accuracy, executor, report, inf if budget is None else monotonic() + budget)
     study.tell("refitting the parameters")
+    study = replace(study, accuracy=replace(accuracy, steps=_granted(study.steps_per_sample())))
     start, base = _refitted(study, campaign.start)
     if any(floor.is_filtered for e in campaign.experiments for floor in e.floors.values()):
         study.tell("refitting with the noise that a filter has left")
@@ -104,6 +105,11 @@ def _refitted(
     joint = JointFit(study, parameters, near=near)
     given = joint.vector(study.campaign.start, [])
     return joint.seen(given), joint.fitted()
+
+
+def _granted(taken: float) -> int:
+    """Return how many steps of the integrator a sample may take, by how many the model as given takes."""
+    return max(criteria.SOLVER_STEPS_PER_SAMPLE, round(criteria.SOLVER_STEPS_RATIO * taken))
 
 
 def _left_out(study: Study, budget: float | None, rounds: Sequence[Round]) -> list[str]:

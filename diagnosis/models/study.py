@@ -117,6 +117,16 @@ class Study:
         """Return the records by which effects are screened, and how many a sample of theirs stands for."""
         return self.campaign.training, 1.0
 
+    def steps_per_sample(self) -> float:
+        """Return how many steps of the integrator the model, as it was given, takes for a sample at most."""
+        given, whole = self.campaign.start, replace(self.accuracy, steps=None)
+        model, taken = self.predictor(), list[float]()
+        for experiment in self.campaign.training:
+            stand = model.stand(experiment)
+            found = stand.run(given, stand.rest(given, whole), whole, slopes=False)
+            taken.append(found.run.stats["steps"] / len(found.time))
+        return max(taken)
+
     def part(self, path: str) -> str:
         """Return the component of the network that a variable or parameter belongs to."""
         return path.rpartition(".")[0]
@@ -149,6 +159,10 @@ class FMUStudy(Study):
     def screened(self) -> tuple[list[Experiment], float]:
         """Return the first record, which has to do."""
         return self.campaign.training[:1], float(len(self.campaign.training))
+
+    def steps_per_sample(self) -> float:
+        """Return 0: whoever made the FMU decides."""
+        return 0.0
 
     def part(self, path: str) -> str:
         """Return the FMU's component, or the one beside it."""
