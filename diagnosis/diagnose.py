@@ -70,7 +70,7 @@ def diagnose(
     accuracy = Accuracy(run_by, rtol or relative_tolerance(campaign))
     study = study_of(campaign, accuracy, executor, report, inf if budget is None else monotonic() + budget)
     study.tell("refitting the parameters")
-    study = replace(study, accuracy=replace(accuracy, steps=_granted(study.steps_per_sample())))
+    study = replace(study, accuracy=replace(accuracy, steps=granted(study.steps_per_sample())))
     start, base = _refitted(study, campaign.start)
     if any(floor.is_filtered for e in campaign.experiments for floor in e.floors.values()):
         study.tell("refitting with the noise that a filter has left")
@@ -107,7 +107,7 @@ def _refitted(
     return joint.seen(given), joint.fitted()
 
 
-def _granted(taken: float) -> int:
+def granted(taken: float) -> int:
     """Return how many steps of the integrator a sample may take, by how many the model as given takes."""
     return max(criteria.SOLVER_STEPS_PER_SAMPLE, round(criteria.SOLVER_STEPS_RATIO * taken))
 
