@@ -98,7 +98,8 @@ def order_tracking(
     per_turn = max(SAMPLES_AN_ORDER * highest, 4.0)
     if not 2.0 <= turns <= whole:
         raise ModelError(
-            f"windows of {turns:g} turns do not fit: at least 2, and '{shaft}' of '{run.name}' makes {whole:g}"
+            f"windows of {turns:g} turns do not fit: at least 2, and '{shaft}' of '{run.name}' makes "
+            f"{whole:g}"
         )
     if whole * per_turn > MOST_SAMPLES:
         raise ModelError(
@@ -123,7 +124,8 @@ def _turned(run: OverTime, shaft: str) -> tuple[Array, Array]:
         values = cumulative_trapezoid(values, instants, initial=0.0)
     elif run.unit(shaft) not in ("rad", ""):
         raise ModelError(
-            f"'{shaft}' of '{run.name}' is in {run.unit(shaft)}; name the angle [rad] or speed [rad/s] of a shaft"
+            f"'{shaft}' of '{run.name}' is in {run.unit(shaft)}; name the angle [rad] or speed [rad/s] of a "
+            "shaft"
         )
     angle = values - values[0]
     steps = np.diff(angle) * (np.sign(angle[-1]) or 1.0)

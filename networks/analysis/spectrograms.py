@@ -73,7 +73,8 @@ def spectrogram(run: OverTime, name: str, window: float, *, rate: float | None =
         >>> from inertance import Recorded
         >>> from inertance.analysis import spectrogram
         >>> t = np.arange(0.0, 10.0, 1e-3)
-        >>> told = spectrogram(Recorded(pd.DataFrame({"y": np.sin(50 * np.pi * t)}, index=t)), "y", window=1.0)
+        >>> table = pd.DataFrame({"y": np.sin(50 * np.pi * t)}, index=t)
+        >>> told = spectrogram(Recorded(table), "y", window=1.0)
         >>> round(float(told.strongest()[0]), 6), round(float(told.amplitude.max()), 6)
         (25.0, 1.0)
     """
@@ -88,8 +89,8 @@ def spectrogram(run: OverTime, name: str, window: float, *, rate: float | None =
         rate = (len(run.time) - 1) / (end - begin) if end > begin else 1.0
     if not (window <= (end - begin) * (1 + 1e-9) and window * rate >= LEAST_SAMPLES):
         raise ModelError(
-            f"a window of '{name}' lasts at least {LEAST_SAMPLES} samples and at most as long as '{run.name}', "
-            f"{end - begin:g} s; got {window:g} s at {rate:g} Hz"
+            f"a window of '{name}' lasts at least {LEAST_SAMPLES} samples and at most as long as "
+            f"'{run.name}', {end - begin:g} s; got {window:g} s at {rate:g} Hz"
         )
     if (end - begin) * rate > MOST_SAMPLES:
         raise ModelError(f"at {rate:g} Hz '{run.name}' has over {MOST_SAMPLES:g} samples; give a lower rate")

@@ -90,7 +90,7 @@ def test_modes_that_cross_keep_their_names() -> None:
 
 
 def test_a_speed_may_be_a_start_value_or_an_input() -> None:
-    """Centrifugal pendulum absorber: the frequency is an order, w sqrt(R/l), of a rotor that coasts or is driven."""
+    """Centrifugal pendulum: its frequency is an order, w sqrt(R/l), of a rotor that coasts or is driven."""
 
     class Pendulum(ia.Component):
         """Small swing phi of a pendulum of length l at radius R on a rotor: phi'' + w^2 R/l phi = 0."""
@@ -119,7 +119,8 @@ def test_the_diagram_is_drawn_with_units_and_its_crossings() -> None:
     pyplot.switch_backend("Agg")
     figure = campbell(rotor(), "disc.w", np.linspace(0.0, 200.0, 11)).plot(orders=[1, 2])
     (ax,) = figure.axes
-    assert ax.get_xlabel() == "disc.w [rad/s]" and ax.get_ylabel() == "damped natural frequency [Hz]"
+    assert ax.get_xlabel() == "disc.w [rad/s]"
+    assert ax.get_ylabel() == "damped natural frequency [Hz]"
     dots = [line for line in ax.lines if line.get_marker() == "o"]
     assert len(dots) == 4
     pyplot.close(figure)

@@ -29,7 +29,8 @@ def test_a_chirp_shows_its_frequency_and_amplitude() -> None:
         0.4, rel=0.25
     )  # smeared over 3 Hz, and between lines
     assert told.amplitude[0] == pytest.approx(5.0, rel=1e-3)
-    assert told.time[0] == pytest.approx(T[0] + 0.25, abs=1e-3) and told.time[-1] <= T[-1] - 0.249
+    assert told.time[0] == pytest.approx(T[0] + 0.25, abs=1e-3)
+    assert told.time[-1] <= T[-1] - 0.249
 
 
 def test_two_lasting_sines_show_as_they_are() -> None:
@@ -67,7 +68,8 @@ def test_the_response_of_an_oscillator_to_a_sweep_follows_its_gain() -> None:
     r = f / 8.0
     gain = 1 / np.abs(1 - r**2 + 2j * zeta * r)
     height = told.amplitude[2:].max(axis=0) / gain  # up to 15 % lower between two lines of a Hann window
-    assert (height[settled & off] > 0.8).all() and (height[settled & off] < 1.1).all()
+    assert (height[settled & off] > 0.8).all()
+    assert (height[settled & off] < 1.1).all()
 
 
 def test_orders_of_a_run_up_are_what_they_were_made_of() -> None:
@@ -91,7 +93,8 @@ def test_a_shaft_that_turns_backward_and_slows_down_has_the_same_orders() -> Non
     phi = -(90 * t - 4 * t**2) + 1.0
     told = order_tracking(recorded(phi=phi, y=np.sin(2 * phi)), "y", "phi", highest=4)
     assert told.track(2.0) == pytest.approx(1.0, rel=2e-3)
-    assert (told.speed < 0).all() and told.speed[0] == pytest.approx(-87, rel=0.05)
+    assert (told.speed < 0).all()
+    assert told.speed[0] == pytest.approx(-87, rel=0.05)
 
 
 def test_a_ripple_keeps_its_order_through_a_run() -> None:
@@ -116,7 +119,8 @@ def test_pictures_carry_units() -> None:
     t = T - T[0]
     run = recorded(phi=9 * t + t**2, y=np.sin(3 * (9 * t + t**2)))
     figure = order_tracking(run, "y", "phi", highest=5).plot()
-    assert figure.axes[0].get_xlabel() == "speed [rad/s]" and figure.axes[0].get_ylabel() == "order"
+    assert figure.axes[0].get_xlabel() == "speed [rad/s]"
+    assert figure.axes[0].get_ylabel() == "order"
     steady = order_tracking(recorded(phi=9 * T, y=np.sin(27 * T)), "y", "phi", highest=5)
     assert steady.plot().axes[0].get_xlabel() in ("time [s]", "speed [rad/s]")
     figure = spectrogram(run, "y", 1.0).plot()
