@@ -218,10 +218,7 @@ def _followed(found: list[list[Mode]]) -> list[list[Mode | None]]:
 
 
 def _unlikeness(old: Mode, new: Mode) -> float:
-    """Return how unlike two modes are: distance of their poles, and one less the modal assurance criterion.
-
-    Source: R. J. Allemang, The modal assurance criterion, Sound and Vibration 37 (2003) 14-21.
-    """
+    """Return the distance of the poles of two modes, and 1 less their modal assurance criterion."""
     a, b = (np.array(list(mode.state.values())) for mode in (old, new))
     alike = abs(np.vdot(a, b)) ** 2 / (np.vdot(a, a).real * np.vdot(b, b).real)
     return float(min(abs(old.pole - new.pole) / abs(old.pole), 1.0) + 1 - alike)

@@ -49,7 +49,7 @@ def test_a_rate_of_ones_own_folds_what_lies_above_its_half() -> None:
 
 
 def test_the_response_of_an_oscillator_to_a_sweep_follows_its_gain() -> None:
-    """A run, not a table: a slow sweep through 8 Hz; the ridge is the drive's frequency, as high as the gain."""
+    """A run, not a table: a slow sweep through 8 Hz; the ridge follows the drive, as high as the gain."""
     w0, zeta, rate = 2 * pi * 8.0, 0.02, 0.25
     net: Any = ia.Network(
         "swept", wall=ia.Fixed(), link=ia.SpringDamper(k=w0**2, d=2 * zeta * w0), mass=ia.Mass(m=1.0),
@@ -98,7 +98,7 @@ def test_a_shaft_that_turns_backward_and_slows_down_has_the_same_orders() -> Non
 
 
 def test_a_ripple_keeps_its_order_through_a_run() -> None:
-    """A ripple of 12 waves a turn between ground and a shaft that is run up: 0.3 N.m at order 12, by speed too."""
+    """A ripple of 12 waves a turn on a shaft that is run up: 0.3 N.m at order 12, by speed and angle."""
     net: Any = ia.Network(
         "run-up",
         ground=rotational.Fixed(),
