@@ -11,6 +11,8 @@ from ...components import Component, Fixed, Mass, SpringDamper, rotational
 from ...components.language import RotationalFlange, Stated, TranslationalFlange, der, parameter, variable
 from ..network import Network
 
+MOST = 1e60  # of what is squared
+
 
 class Unbalance(Component):
     """A rotor whose mass lies off its axis, in a housing that slides: a pair that turns oppositely as one.
@@ -119,7 +121,7 @@ def machine_foundation(
     """
     demand(
         "machine_foundation()",
-        r=(r, above(0, "m")),
+        r=(r, lambda value: above(0, "m")(value) or between(0, MOST)(value)),
         G=(G, above(0, "Pa")),
         rho=(rho, above(0, "kg/m3")),
         nu=(nu, between(0, 0.5)),

@@ -35,7 +35,13 @@ from inertance.analysis import (
 )
 from inertance.components.language import Field, Option, Parameter, RealInput, Variable
 from inertance.identification import Campaign, Chirp, Filter, Multisine, Record, SineDwells
-from inertance.machines import BallScrewInerter, PlanetaryGeometry, RandomDisplacement, Sinusoid
+from inertance.machines import (
+    BallScrewInerter,
+    InterconnectedStruts,
+    PlanetaryGeometry,
+    RandomDisplacement,
+    Sinusoid,
+)
 from inertance.sweeps import Design, Sweep
 from inertance.synthesis import RationalFunction
 
@@ -210,6 +216,8 @@ GOOD: dict[str, Callable[[], Any]] = {
     "default": lambda: 1.0, "variable": lambda: 1.0, "pole": lambda: -1.0, "record": record,
     "source": lambda: "a",
     "impulse": lambda: 1.0, "velocity": lambda: 1.0, "holds": lambda: True, "least": lambda: 1.0,
+    "clutch": lambda: ia.rotational.Clutch(fn_max=1.0, f_normalized=1.0),
+    "struts": lambda: InterconnectedStruts(A_b=2e-4, A_r=1e-4, p_0=1e6, V_0=1e-4, R=0.0),
     # of one function
     "campbell.network": shaft, "campbell.speed": lambda: "rotor.w", "campbell.speeds": lambda: [1.0, 2.0],
     "spectrogram.run": run, "spectrogram.window": lambda: 0.09, "order_tracking.run": turning,
