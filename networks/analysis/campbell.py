@@ -85,7 +85,7 @@ class Campbell:
         demand("plot()", orders=(orders, numbers(_order)))
         if not (axes is None or hasattr(axes, "plot")):
             raise ModelError(f"axes are matplotlib axes, got {shown(axes)}")
-        ax = axes if axes is not None else pyplot.subplots(figsize=(7.0, 4.5), layout="constrained")[1]
+        ax: Any = axes if axes is not None else pyplot.subplots(figsize=(7.0, 4.5), layout="constrained")[1]
         for curve, damping in zip(self.frequency, self.damping, strict=True):
             (line,) = ax.plot(self.speed, curve, linewidth=1.6)
             ax.plot(self.speed, np.where(damping < -1e-9, curve, np.nan), ":", color="w", linewidth=1.6)
@@ -144,7 +144,7 @@ def campbell(
     dae = dae_of(network)
     values = _speeds(speeds)
     kind = _kind(dae, speed)
-    given = {
+    given: dict[str, Any] = {
         "start": named("start", start),
         "signals": named("signals", signals),
         "parameters": named("parameters", parameters),
@@ -152,7 +152,8 @@ def campbell(
     at = "equilibrium" if kind == "parameters" else "start"
 
     def modes_at(value: float) -> list[Mode]:
-        return linearise(dae, (), at=at, **given | {kind: given[kind] | {speed: value}}).modes()
+        changed = given | {kind: given[kind] | {speed: value}}
+        return linearise(dae, (), at=at, **changed).modes()
 
     tracks = _followed([_oscillating(modes_at(value)) for value in values.tolist()])
     if not tracks:
