@@ -60,7 +60,7 @@ class Campbell:
         return sorted(found)
 
     def _crossing(self, curve: Array, k: int, order: float) -> float:
-        from scipy.optimize import brentq
+        from scipy.optimize import root_scalar
 
         ends = self.speed[k : k + 2]
 
@@ -71,7 +71,7 @@ class Campbell:
 
         if gap(float(ends[0])) * gap(float(ends[1])) >= 0:
             return float(ends[0])
-        return float(brentq(gap, *ends, rtol=1e-12))
+        return float(root_scalar(gap, bracket=ends.tolist(), method="brentq", rtol=1e-12).root)
 
     def plot(self, orders: Sequence[float] = (1.0,), axes: Any = None) -> Figure:
         """Draw frequencies over speed, orders as rays, a dot where they meet; what grows is dotted.

@@ -149,3 +149,30 @@ def test_what_does_not_oscillate_is_told() -> None:
 
 def test_a_diagram_is_what_the_face_shows() -> None:
     assert isinstance(campbell(rotor(), "disc.w", [0.0, 1.0]), Campbell)
+
+
+def test_a_mode_that_stops_oscillating_leaves_a_gap() -> None:
+    """A brake whose damping rises with speed: beyond 2 sqrt(J c) the rotor creeps, below it is followed."""
+
+    class Braked(rotational.CompliantWithSpeed):
+        """tau = w_0 w_rel: a damper as strong as some speed."""
+
+        w_0 = ia.parameter("rad/s", "speed", default=0.0)
+
+        def equations(self) -> Any:
+            yield self.tau == self.w_0 * self.w_rel
+
+    net: Any = ia.Network(
+        "braked", wall=rotational.Fixed(), rotor=rotational.Inertia(J=1.0), spring=rotational.Spring(c=25.0),
+        brake=Braked(),
+    )  # fmt: skip
+    net.connect(net.wall.flange, net.spring.flange_a, net.brake.flange_a)
+    net.connect(net.spring.flange_b, net.brake.flange_b, net.rotor.flange)
+    diagram = campbell(net, "brake.w_0", np.linspace(0.0, 14.0, 15))
+    (curve,) = diagram.frequency
+    under = diagram.speed < 10.0
+    assert 2 * pi * curve[under] == pytest.approx(np.sqrt(25.0 - diagram.speed[under] ** 2 / 4), rel=1e-9)
+    assert np.isnan(curve[~under]).all()
+    assert diagram.damping[0][under] == pytest.approx(diagram.speed[under] / 10, rel=1e-9)
+    pyplot.switch_backend("Agg")
+    pyplot.close(diagram.plot())
