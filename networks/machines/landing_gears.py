@@ -16,16 +16,15 @@ GRAVITY = 9.80665  # [m/s2]
 class OleoStrut(CompliantWithSpeed):
     """Oleo-pneumatic shock strut: a gas spring, and oil pressed through an orifice.
 
-        f = -p_0 A_a (V_0/(V_0 - A_a s))^n - rho A_h^3/(2 (C_d A_o)^2) der(s) |der(s)|,   s = L - s_rel
+        f = -p_0 A_a (V_0/(V_0 - A_a s))^n - rho A_h^3/(2 (C_d A_o)^2) der(s) |der(s)|,   s = s_rel0 - s_rel
 
-    `flange_a` is the wheel's end. What keeps it from drawing out beyond L is a stop beside it.
+    `flange_a` is the wheel's end. What keeps it from drawing out beyond s_rel0 is a stop beside it.
 
     Limits: no bearing friction, no cavitation; the orifice alike both ways. s stays below V_0/A_a.
 
     Source: Milwitzky & Cook, Analysis of landing-gear behavior, NACA Report 1154 (1953).
     """
 
-    L = parameter("m", "length when fully drawn out", above=0)
     A_a = parameter("m2", "pneumatic area", above=0)
     A_h = parameter("m2", "hydraulic area", above=0)
     A_o = parameter("m2", "area of the orifice", above=0)
@@ -34,9 +33,10 @@ class OleoStrut(CompliantWithSpeed):
     n = parameter("1", "polytropic exponent of the gas", min=1)
     C_d = parameter("1", "coefficient of discharge", above=0)
     rho = parameter("kg/m3", "density of the oil", above=0)
+    s_rel0 = parameter("m", "length when fully drawn out", default=0.0)
 
     def equations(self) -> Stated:
-        stroke, speed = self.L - self.s_rel, -self.v_rel
+        stroke, speed = self.s_rel0 - self.s_rel, -self.v_rel
         gas = self.p_0 * self.A_a * (self.V_0 / (self.V_0 - self.A_a * stroke)) ** self.n
         oil = self.rho * self.A_h**3 / (2 * (self.C_d * self.A_o) ** 2) * speed * ca.fabs(speed)
         yield self.f == -gas - oil
@@ -60,8 +60,8 @@ def landing_gear(
     `ground.flange.f` is the load on the ground.
 
     Args:
-        strut: from the wheel (`flange_a`) to the airframe, such as `OleoStrut(L=..., ...)`.
-        L: its length when fully drawn out [m].
+        strut: from the wheel (`flange_a`) to the airframe, such as `OleoStrut(s_rel0=L, ...)`.
+        L: its length when fully drawn out, an `OleoStrut`'s s_rel0 [m].
         m: mass of the airframe on this gear [kg].
         m_w: mass of the wheel and what moves with it [kg].
         k_t: stiffness of the tyre [N/m^n_t].

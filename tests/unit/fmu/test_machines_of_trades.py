@@ -43,7 +43,7 @@ def interconnected() -> ia.Network:
 
 def drop() -> ia.Network:
     strut = machines.OleoStrut(
-        L=0.8, A_a=2e-3, A_h=1.6e-3, A_o=3e-5, p_0=1.5e6, V_0=8e-4, n=1.3, C_d=0.9, rho=870.0
+        s_rel0=0.8, A_a=2e-3, A_h=1.6e-3, A_o=3e-5, p_0=1.5e6, V_0=8e-4, n=1.3, C_d=0.9, rho=870.0
     )
     return machines.landing_gear(strut, L=0.8)
 

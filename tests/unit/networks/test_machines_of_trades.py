@@ -18,7 +18,7 @@ Array = NDArray[np.float64]
 FEW = settings(max_examples=8, deadline=None, suppress_health_check=[HealthCheck.too_slow])
 STRUTS = {"A_b": 8e-4, "A_r": 5e-4, "p_0": 2e6, "V_0": 2e-4, "R": 2e9}
 OLEO = {
-    "L": 0.8, "A_a": 2e-3, "A_h": 1.6e-3, "A_o": 3e-5, "p_0": 1.5e6, "V_0": 8e-4, "n": 1.3, "C_d": 0.9,
+    "s_rel0": 0.8, "A_a": 2e-3, "A_h": 1.6e-3, "A_o": 3e-5, "p_0": 1.5e6, "V_0": 8e-4, "n": 1.3, "C_d": 0.9,
     "rho": 870.0,
 }  # fmt: skip
 
@@ -157,14 +157,14 @@ def dropped(sink: float, lift: float, m: float, m_w: float, k_t: float, stop: fl
 
     def moving(_: float, y: Any) -> list[float]:
         z_w, v_w, z_a, v_a = y
-        stroke, speed = p["L"] - (z_a - z_w), -(v_a - v_w)
+        stroke, speed = p["s_rel0"] - (z_a - z_w), -(v_a - v_w)
         strut = p["p_0"] * p["A_a"] * (p["V_0"] / (p["V_0"] - p["A_a"] * stroke)) ** p["n"] + c * speed * abs(
             speed
         )
         return [v_w, (tyre(z_w) - strut - m_w * g) / m_w, v_a, (strut + over * g) / m]
 
     return first.t[-1], solve_ivp(
-        moving, (first.t[-1], stop), [z, v, z + p["L"], v], rtol=1e-10, atol=1e-12, dense_output=True
+        moving, (first.t[-1], stop), [z, v, z + p["s_rel0"], v], rtol=1e-10, atol=1e-12, dense_output=True
     )
 
 
@@ -173,7 +173,7 @@ def test_a_drop_is_that_of_an_integration_written_apart(
     sink: float, lift: float, m: float, m_w: float
 ) -> None:
     gear = ia.machines.landing_gear(
-        OleoStrut(**OLEO), L=OLEO["L"], sink=sink, lift=lift, m=m, m_w=m_w, k_t=300e3, d_t=0.0
+        OleoStrut(**OLEO), L=OLEO["s_rel0"], sink=sink, lift=lift, m=m, m_w=m_w, k_t=300e3, d_t=0.0
     )
     run = gear.simulate(0.3, step=1e-3, rtol=1e-9, atol=1e-11)
     unlocked, exact = dropped(sink, lift, m, m_w, 300e3, 0.3)
