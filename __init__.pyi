@@ -41,6 +41,7 @@ from .components import LargeAngleLever as LargeAngleLever
 from .components import Lever as Lever
 from .components import LoadedFriction as LoadedFriction
 from .components import Mass as Mass
+from .components import MassWithLength as MassWithLength
 from .components import MassWithStopAndFriction as MassWithStopAndFriction
 from .components import MissingFileError as MissingFileError
 from .components import MissingPackageError as MissingPackageError

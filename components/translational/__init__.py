@@ -28,6 +28,7 @@ from .friction import PositionDependentFriction as PositionDependentFriction
 from .friction import StribeckFriction as StribeckFriction
 from .friction import SupportFriction as SupportFriction
 from .friction import TabulatedFriction as TabulatedFriction
+from .lengths import MassWithLength as MassWithLength
 from .masses import Fixed as Fixed
 from .masses import LargeAngleLever as LargeAngleLever
 from .masses import Lever as Lever

@@ -38,7 +38,7 @@ class Rod(Component):
 class Mass(Component):
     """A sliding mass: m a = f, v = der(s), a = der(v).
 
-    Source: MSL Translational.Components.Mass; a body with length is a mass and a `Rod`.
+    Source: MSL Translational.Components.Mass; a body with length is a `MassWithLength`.
     """
 
     flange = TranslationalFlange("where it is joined", free=True)

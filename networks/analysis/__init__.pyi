@@ -1,3 +1,5 @@
+from .campbell import Campbell as Campbell
+from .campbell import campbell as campbell
 from .closed_forms import Tuning as Tuning
 from .closed_forms import den_hartog as den_hartog
 from .closed_forms import quarter_car_damping as quarter_car_damping
@@ -29,6 +31,8 @@ from .operating import OperatingPoint as OperatingPoint
 from .operating import equilibria as equilibria
 from .operating import operating_point as operating_point
 from .orbits import Orbit as Orbit
+from .order_tracking import OrderSpectrum as OrderSpectrum
+from .order_tracking import order_tracking as order_tracking
 from .probing import admittance as admittance
 from .probing import impedance as impedance
 from .random import response_psd as response_psd
@@ -38,6 +42,8 @@ from .roads import load_signal as load_signal
 from .roads import road_profile as road_profile
 from .roads import road_spectrum as road_spectrum
 from .roads import roughness as roughness
+from .spectrograms import Spectrogram as Spectrogram
+from .spectrograms import spectrogram as spectrogram
 from .statespace import StateSpace as StateSpace
 from .stepped import SteppedSine as SteppedSine
 from .stepped import describing_function as describing_function

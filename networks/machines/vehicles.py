@@ -22,7 +22,7 @@ def quarter_car(strut: Component, *, m_s: float = 250.0, m_u: float = 35.0, k_t:
     Source: Smith & Wang, Vehicle System Dynamics 42 (2004) 235-257, section 3.
     """
     car, body, load = Network("quarter car"), Mass(m=m_s), Force(f=0.0)
-    _add_corner(car, "", strut, body.flange, m_u, k_t)
+    add_corner(car, "", strut, body.flange, m_u, k_t)
     return car.add(body=body, load=load).connect(body.flange, load.flange)
 
 
@@ -43,19 +43,21 @@ class _HeavingBody(Component):
 
 
 class PitchingBody(_HeavingBody):
-    """A rigid body that heaves and pitches: m a = f_f + f_r, J alpha = l_r f_r - l_f f_f; small angles.
+    """A rigid body that heaves and pitches: m a = f_f + f_r + f_c, J alpha = l_r f_r - l_f f_f; small angles.
 
-    Seen from the side with the nose at the front flange, theta > 0 lifts the tail.
+    Seen from the side with the nose at the front flange, theta > 0 lifts the tail. f_c acts on its centre.
     """
 
     front = TranslationalFlange("front axle", free=True)
     rear = TranslationalFlange("rear axle", free=True)
+    centre = TranslationalFlange("centre of mass", free=True)
     J = parameter("kg.m2", "moment of inertia in pitch", above=0)
 
     def equations(self) -> Stated:
         yield self.front.s == self.s - self.l_f * self.theta
         yield self.rear.s == self.s + self.l_r * self.theta
-        yield self.m * self.a == self.front.f + self.rear.f
+        yield self.centre.s == self.s
+        yield self.m * self.a == self.front.f + self.rear.f + self.centre.f
         yield self.J * der(self.q) == self.l_r * self.rear.f - self.l_f * self.front.f
 
 
@@ -84,7 +86,7 @@ def half_car(
     """
     car = Network("half car", body=PitchingBody(m=m, J=J, l_f=l_f, l_r=l_r))
     for axle, strut in (("front", front), ("rear", rear)):
-        _add_corner(car, axle, strut, getattr(car.body, axle), m_u, k_t)
+        add_corner(car, axle, strut, getattr(car.body, axle), m_u, k_t)
     return car
 
 
@@ -155,11 +157,12 @@ def full_car(
     for axle, strut, m_u in (("front", front, m_uf), ("rear", rear, m_ur)):
         for side in ("left", "right"):
             corner = f"{axle}_{side}"
-            _add_corner(car, corner, element_of(strut).clone(), getattr(car.body, corner), m_u, k_t)
+            add_corner(car, corner, element_of(strut).clone(), getattr(car.body, corner), m_u, k_t)
     return car
 
 
-def _add_corner(car: Network, name: str, strut: Component, corner: Any, m_u: float, k_t: float) -> None:
+def add_corner(car: Network, name: str, strut: Component, corner: Any, m_u: float, k_t: float) -> None:
+    """Add road, tyre, wheel and strut below a corner of a body."""
     road, tyre, wheel = Position(s_ref=0.0), Spring(k=k_t), Mass(m=m_u)
     prefix = f"{name}_" if name else ""
     car.add(**{f"{prefix}road": road, f"{prefix}tyre": tyre, f"{prefix}wheel": wheel, name or "strut": strut})

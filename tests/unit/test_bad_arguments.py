@@ -21,10 +21,27 @@ import numpy as np
 import pandas  # noqa: F401
 import pytest
 import scipy.signal  # noqa: F401
-from inertance.analysis import Norm, Orbit, ResponseCurve, Scatter, StateSpace, SteppedSine, Tuning
+from inertance.analysis import (
+    Campbell,
+    Norm,
+    Orbit,
+    OrderSpectrum,
+    ResponseCurve,
+    Scatter,
+    Spectrogram,
+    StateSpace,
+    SteppedSine,
+    Tuning,
+)
 from inertance.components.language import Field, Option, Parameter, RealInput, Variable
 from inertance.identification import Campaign, Chirp, Filter, Multisine, Record, SineDwells
-from inertance.machines import BallScrewInerter, PlanetaryGeometry, RandomDisplacement, Sinusoid
+from inertance.machines import (
+    BallScrewInerter,
+    InterconnectedStruts,
+    PlanetaryGeometry,
+    RandomDisplacement,
+    Sinusoid,
+)
 from inertance.sweeps import Design, Sweep
 from inertance.synthesis import RationalFunction
 
@@ -136,6 +153,20 @@ def stepped() -> SteppedSine:
     return ia.analysis.stepped_sine(oscillator(), "push.f", 1.0, [1.0], ["mass.s"], most=4)
 
 
+@cache
+def shaft() -> ia.DAE:
+    net: Any = ia.Network("shaft", rotor=ia.rotational.Inertia(J=1.0), end=ia.rotational.Fixed())
+    net.add(shaft=ia.rotational.Spring(c=100.0))
+    net.connect(net.rotor.flange, net.shaft.flange_a).connect(net.shaft.flange_b, net.end.flange)
+    built: ia.Network = net
+    return built.dae()
+
+
+@cache
+def turning() -> ia.Result:
+    return ia.Network("coasting", rotor=ia.rotational.Inertia(J=1.0, w=60.0)).simulate(0.5)
+
+
 def stepwise() -> ia.Stepwise:
     return ia.Stepwise(dae(), 0.0, 1.0, {}, {"push.f": [0.0]})
 
@@ -185,7 +216,13 @@ GOOD: dict[str, Callable[[], Any]] = {
     "default": lambda: 1.0, "variable": lambda: 1.0, "pole": lambda: -1.0, "record": record,
     "source": lambda: "a",
     "impulse": lambda: 1.0, "velocity": lambda: 1.0, "holds": lambda: True, "least": lambda: 1.0,
+    "clutch": lambda: ia.rotational.Clutch(fn_max=1.0, f_normalized=1.0),
+    "struts": lambda: InterconnectedStruts(A_b=2e-4, A_r=1e-4, p_0=1e6, V_0=1e-4, R=0.0),
     # of one function
+    "campbell.network": shaft, "campbell.speed": lambda: "rotor.w", "campbell.speeds": lambda: [1.0, 2.0],
+    "spectrogram.run": run, "spectrogram.window": lambda: 0.09, "order_tracking.run": turning,
+    "order_tracking.name": lambda: "rotor.phi", "order_tracking.shaft": lambda: "rotor.phi",
+    "Campbell.crossings.order": lambda: 1.0, "OrderSpectrum.track.order": lambda: 1.0,
     "diagnose.campaign": lambda: "none.toml",
     "fit.campaign": lambda: "none.toml",
     "linearise.inputs": lambda: ["push.f"], "sweep.parameters": lambda: {"spring.k": [1.0, 2.0]},
@@ -237,7 +274,9 @@ INSTANCES: dict[type, Callable[[], Any]] = {
     SteppedSine: stepped, ia.Stepwise: stepwise, RationalFunction: line,
     Scatter: lambda: Scatter(1.0, np.array([1.0, 2.0])), Tuning: lambda: Tuning(1.0, 0.1),
     ia.Variations: lambda: ia.Variations(dae(), ["mass.s"], ["spring.k"]), Norm: lambda: linear().h2(),
-    Filter: lambda: Filter(10.0),
+    Filter: lambda: Filter(10.0), Campbell: lambda: ia.analysis.campbell(shaft(), "rotor.w", [1.0, 20.0]),
+    Spectrogram: lambda: ia.analysis.spectrogram(run(), "mass.s", 0.09),
+    OrderSpectrum: lambda: ia.analysis.order_tracking(turning(), "rotor.phi", "rotor.phi", turns=2.0),
 }  # fmt: skip
 OTHERS = {
     # made by the library alone, or without methods that take anything
