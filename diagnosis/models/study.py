@@ -124,6 +124,7 @@ class Study:
         for experiment in self.campaign.training:
             stand = model.stand(experiment)
             found = stand.run(given, stand.rest(given, whole), whole, slopes=False)
+            assert isinstance(found, Prediction)
             taken.append(found.run.stats["steps"] / len(found.time))
         return max(taken)
 

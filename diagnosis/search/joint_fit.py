@@ -13,11 +13,12 @@ from ...base import Array, computing
 from ...components import SimulationError
 from ...identification import Ending, Experiment, Iterate, descent
 from .. import criteria
-from ..effects.hypothesis import Hypothesis, driven, inserted, sensed
+from ..effects.hypothesis import Hypothesis, driven, inserted
 from ..effects.shaping import Bounds, Shapes
-from ..models.study import Predicted, Standing, Study
+from ..models.study import Standing, Study
 from .model_comparison import Refit, stretches
-from .own_values import own_values, weighed
+from .own_values import own_values
+from .record_run import RecordRun
 from .record_start import begun, projected
 
 FitStart = tuple[Mapping[str, float], Mapping[str, float]]
@@ -35,23 +36,6 @@ class _Begin:
 
     moved: Array
     slopes: Array
-
-
-@dataclass(frozen=True, eq=False)
-class _Run:
-    """A run on a record, and what it was computed with: effects, parameters and states at the start."""
-
-    experiment: Experiment
-    effects: tuple[Hypothesis, ...]
-    given: Mapping[str, float]
-    start: Array | None
-    found: Predicted
-
-    @property
-    def seen(self) -> dict[str, Array]:
-        """The channels as their sensors pass them on."""
-        elapsed, values = self.experiment.elapsed(self.found.time), self.found.values
-        return {name: sensed(elapsed, name, values[name], self.effects) for name in values}
 
 
 @dataclass(frozen=True, eq=False)
@@ -202,19 +186,20 @@ class JointFit:
         parameters, effects = self.unpacked(vector)
         given = parameters | inserted(effects)
         stand, known = self._driven(experiment, effects), self.begins.get(id(experiment))
-        at_rest, trial = experiment.initial == "rest", trial and not slopes
-        plain = not slopes and not experiment.unknown and (at_rest or (trial and known is not None))
+        trial = trial and not slopes
+        begins_as_known = experiment.initial == "rest" or (trial and known is not None)
+        plain = not slopes and not experiment.unknown and begins_as_known
 
-        def run_from(start: Array | None, own: Mapping[str, float]) -> _Run:
+        def run_from(start: Array | None, own: Mapping[str, float]) -> RecordRun:
             values = {**given, **own}
             found = stand.run(values, start, self.accuracy, not plain)
-            return _Run(experiment, effects, values, start, found)
+            return RecordRun(experiment, effects, values, start, found)
 
         run = self._begun(stand, run_from, experiment, given, not trial)
         if plain and known is not None:
-            residual, nuisances = _residual(run), known.slopes
+            residual, nuisances = run.residual, known.slopes
         else:
-            residual, nuisances = self._weighed(run)
+            residual, nuisances = run.weighed
         if experiment.unknown:
             self.own[id(experiment)] = own_values(experiment, run.given, residual, nuisances)
         columns = self._slopes(run) if slopes else np.zeros((len(residual), 0))
@@ -230,11 +215,11 @@ class JointFit:
     def _begun(
         self,
         stand: Standing,
-        run_from: Callable[[Array | None, Mapping[str, float]], _Run],
+        run_from: Callable[[Array | None, Mapping[str, float]], RecordRun],
         experiment: Experiment,
         given: Mapping[str, float],
         again: bool,
-    ) -> _Run:
+    ) -> RecordRun:
         """Return the run of a record from where it begins, which is looked for at first and `again`."""
 
         def rest() -> Array:
@@ -242,9 +227,11 @@ class JointFit:
 
         known = self.begins.get(id(experiment))
         guess = self._guess(stand, experiment, rest) if known is None else known.moved
-        run, moved = begun(experiment, rest, run_from, self._weighed, guess, again or known is None)
+        run, moved = begun(
+            experiment, rest, run_from, lambda tried: tried.weighed, guess, again or known is None
+        )
         if moved is not None and (again or known is None):
-            self.begins[id(experiment)] = _Begin(moved, self._weighed(run)[1])
+            self.begins[id(experiment)] = _Begin(moved, run.weighed[1])
             if run.start is not None:
                 self.starts[id(experiment)] = dict(zip(stand.state_names, run.start.tolist(), strict=True))
         return run
@@ -258,19 +245,15 @@ class JointFit:
         moved = [start.get(name, value) - value for name, value in seeming.items()]
         return np.array([*moved, *[0.0] * len(experiment.unknown)])
 
-    def _weighed(self, run: _Run) -> tuple[Array, Array]:
-        """Return the weighted residual of a run, and the slopes of its prediction in what nobody measured."""
-        return weighed(run.experiment, run.found, run.seen, run.given)
-
     def _driven(self, experiment: Experiment, effects: Sequence[Hypothesis]) -> Standing:
         """Return the stand of a record, its inputs as the actuators pass them on."""
         if any(placed.effect.drives for placed in effects):
             return self.predictor.stand(driven(experiment, effects))
         return self.stands[id(experiment)]
 
-    def _slopes(self, run: _Run) -> Array:
+    def _slopes(self, run: RecordRun) -> Array:
         """Return d(weighted prediction)/d(vector), channels one below the other."""
-        rows = {name: _sensed_slopes(run, name) for name in run.found.values}
+        rows = {name: run.slopes(name) for name in run.found.values}
         at = len(self.names)
         parts = {name: [row[:, :at] * self.scale] for name, row in rows.items()}
         for placed, size in zip(run.effects, self.sizes, strict=True):
@@ -285,7 +268,7 @@ class JointFit:
             at += paths
         return np.concatenate([np.hstack(parts[name]) / run.experiment.sigma[name] for name in rows])
 
-    def _differences(self, run: _Run, placed: Hypothesis, size: Array) -> dict[str, Array]:
+    def _differences(self, run: RecordRun, placed: Hypothesis, size: Array) -> dict[str, Array]:
         """Return how each channel changes with an effect, per unit of its sizes, by differences."""
         base = run.seen
         values = np.array([placed.values[q.name] for q in placed.quantities])
@@ -300,18 +283,3 @@ class JointFit:
             for name, now in replace(run, effects=effects, found=found).seen.items():
                 columns[name].append((now - base[name]) / step * scale)
         return {name: np.column_stack(moved) for name, moved in columns.items()}
-
-
-def _residual(run: _Run) -> Array:
-    """Return the weighted residual of a run, channels one below the other."""
-    measured, seen, sigma = run.experiment.compared.values, run.seen, run.experiment.sigma
-    return np.concatenate([(measured[n] - seen[n]) / sigma[n] for n in seen])
-
-
-def _sensed_slopes(run: _Run, name: str) -> Array:
-    """Return slopes of a channel as its sensor passes them on; sensors are linear but for a constant."""
-    slopes, elapsed = run.found.slopes[name], run.experiment.elapsed(run.found.time)
-    if not any(placed.site.path == name for placed in run.effects):
-        return slopes
-    nothing = sensed(elapsed, name, np.zeros(len(elapsed)), run.effects)
-    return np.column_stack([sensed(elapsed, name, column, run.effects) - nothing for column in slopes.T])

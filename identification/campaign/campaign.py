@@ -154,8 +154,8 @@ class Campaign:
         self.notes = [*notes, *notes_of_records(self.experiments)]
         self.notes += [*rates_that_differ(self.experiments), *resting_inputs(channels, self.training)]
         self.notes += [note for e in self.experiments for note in strange(e, channels, self.machine.inputs)]
-        told, count = since_their_runs_began(self.experiments), len(self.training)
-        self.training, self.testing = told[:count], told[count:]
+        since, count = since_their_runs_began(self.experiments), len(self.training)
+        self.training, self.testing = since[:count], since[count:]
         self._weigh([*self._noise(stated)])
 
     def __reduce__(self) -> tuple[Any, ...]:

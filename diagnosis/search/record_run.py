@@ -1,0 +1,51 @@
+"""`RecordRun`: a run of a model beside the record that it stands for."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+
+from ...base import Array
+from ...identification import Experiment
+from ..effects.hypothesis import Hypothesis, sensed
+from ..models.study import Predicted
+from .own_values import weighed
+
+
+@dataclass(frozen=True, eq=False)
+class RecordRun:
+    """A run on a record, and what it was computed with: effects, parameters and states at the start."""
+
+    experiment: Experiment
+    effects: tuple[Hypothesis, ...]
+    given: Mapping[str, float]
+    start: Array | None
+    found: Predicted
+
+    @cached_property
+    def seen(self) -> dict[str, Array]:
+        """The channels as their sensors pass them on."""
+        elapsed, values = self.experiment.elapsed(self.found.time), self.found.values
+        return {name: sensed(elapsed, name, values[name], self.effects) for name in values}
+
+    @cached_property
+    def weighed(self) -> tuple[Array, Array]:
+        """The weighted residual, and the slopes of the prediction in what nobody measured."""
+        return weighed(self.experiment, self.found, self.seen, self.given)
+
+    @property
+    def residual(self) -> Array:
+        """The weighted residual, channels one below the other, without the priors of own values."""
+        measured, sigma = self.experiment.compared.values, self.experiment.sigma
+        return np.concatenate([(measured[n] - seen) / sigma[n] for n, seen in self.seen.items()])
+
+    def slopes(self, name: str) -> Array:
+        """Return slopes of a channel as its sensor passes them on; sensors are linear but for a constant."""
+        slopes, elapsed = self.found.slopes[name], self.experiment.elapsed(self.found.time)
+        if not any(placed.site.path == name for placed in self.effects):
+            return slopes
+        nothing = sensed(elapsed, name, np.zeros(len(elapsed)), self.effects)
+        return np.column_stack([sensed(elapsed, name, column, self.effects) - nothing for column in slopes.T])
