@@ -165,22 +165,30 @@ class DriftingFriction(Friction):
 
 
 class PositionDependentFriction(Friction):
-    """Dry friction whose level depends on where it slides: tau = (tau_c + tau_1 e + tau_2 e^2) sgn(w_rel).
+    """Dry friction whose level depends on where it slides: tau = level sgn(w_rel).
 
-    e = phi_rel - phi_rel0. With `regularised` the level may be negative, so that it stands for what is added
-    to, or taken from, friction that is there.
+    level = tau_c + tau_1 e + tau_2 e^2 + tau_cos cos(2 pi e/period) + tau_sin sin(2 pi e/period),
+    e = phi_rel - phi_rel0, the waves as of a bearing that is tight at places.
+
+    With `regularised` the level may be negative, so that it stands for what is added to, or taken from,
+    friction that is there.
 
     Source: B. Armstrong-Helouvry, Control of Machines with Friction (1991).
     """
 
-    tau_c = parameter("N.m", "friction torque at phi_rel0", default=0.0)
+    tau_c = parameter("N.m", "friction torque at phi_rel0, but for the waves", default=0.0)
     tau_1 = parameter("N.m/rad", "slope of the friction torque at phi_rel0", default=0.0)
     tau_2 = parameter("N.m/rad2", "half of its curvature", default=0.0)
-    phi_rel0 = parameter("rad", "angle at which the level is tau_c", default=0.0)
+    tau_cos = parameter("N.m", "share of a wave that is greatest at phi_rel0", default=0.0)
+    tau_sin = parameter("N.m", "share of a wave that rises there", default=0.0)
+    period = parameter("rad", "angle from wave to wave", above=0, default=2 * ca.pi)
+    phi_rel0 = parameter("rad", "angle from which e counts", default=0.0)
 
     def sliding(self, speed: Expression) -> Expression:
         e = self.phi_rel - self.phi_rel0
-        return self.tau_c + self.tau_1 * e + self.tau_2 * e**2 + 0 * speed
+        at = 2 * ca.pi * e / self.period
+        waves = self.tau_cos * ca.cos(at) + self.tau_sin * ca.sin(at)
+        return self.tau_c + self.tau_1 * e + self.tau_2 * e**2 + waves + 0 * speed
 
 
 class DahlFriction(CompliantWithSpeed):

@@ -161,22 +161,30 @@ class DriftingFriction(Friction):
 
 
 class PositionDependentFriction(Friction):
-    """Dry friction whose level depends on where it slides: f = (f_c + f_1 e + f_2 e^2) sgn(v_rel).
+    """Dry friction whose level depends on where it slides: f = level sgn(v_rel).
 
-    e = s_rel - s_rel0. With `regularised` the level may be negative, so that it stands for what is added
-    to, or taken from, friction that is there.
+    level = f_c + f_1 e + f_2 e^2 + f_cos cos(2 pi e/period) + f_sin sin(2 pi e/period), e = s_rel - s_rel0,
+    the waves as of a screw or a rail that is tight at places.
+
+    With `regularised` the level may be negative, so that it stands for what is added to, or taken from,
+    friction that is there.
 
     Source: B. Armstrong-Helouvry, Control of Machines with Friction (1991).
     """
 
-    f_c = parameter("N", "friction force at s_rel0", default=0.0)
-    f_1 = parameter("N/m", "slope of the friction force at s_rel0", default=0.0)
+    f_c = parameter("N", "friction force at s_rel0, but for the waves", default=0.0)
+    f_1 = parameter("N/m", "slope of the friction force there", default=0.0)
     f_2 = parameter("N/m2", "half of its curvature", default=0.0)
-    s_rel0 = parameter("m", "distance at which the level is f_c", default=0.0)
+    f_cos = parameter("N", "share of a wave that is greatest at s_rel0", default=0.0)
+    f_sin = parameter("N", "share of a wave that rises there", default=0.0)
+    period = parameter("m", "distance from wave to wave", above=0, default=1.0)
+    s_rel0 = parameter("m", "distance from which e counts", default=0.0)
 
     def sliding(self, speed: Expression) -> Expression:
         e = self.s_rel - self.s_rel0
-        return self.f_c + self.f_1 * e + self.f_2 * e**2 + 0 * speed
+        at = 2 * ca.pi * e / self.period
+        waves = self.f_cos * ca.cos(at) + self.f_sin * ca.sin(at)
+        return self.f_c + self.f_1 * e + self.f_2 * e**2 + waves + 0 * speed
 
 
 class DahlFriction(CompliantWithSpeed):

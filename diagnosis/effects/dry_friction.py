@@ -21,6 +21,11 @@ def _stribeck(motion: Motion, shape: Values) -> list[Array]:
     return [motion.direction * (1 - fading), motion.direction * fading]
 
 
+def _waves(motion: Motion, shape: Values) -> list[Array]:
+    at = 2 * np.pi * motion.s / next(iter(shape.values()))
+    return [motion.direction * level for level in (1.0, np.cos(at), np.sin(at))]
+
+
 def _breaks_away(values: Values) -> bool:
     """Tell whether friction falls with speed; what rises from rest is no Stribeck effect."""
     sliding, static, _ = values.values()
@@ -74,11 +79,13 @@ across(
     "PositionDependentFriction",
     both(
         f_c=(*COULOMB, -inf),
-        f_1=(("f_1", "N/m"), ("tau_1", "N.m/rad"), -inf),
-        f_2=(("f_2", "N/m2"), ("tau_2", "N.m/rad2"), -inf),
+        f_cos=(("f_cos", "N"), ("tau_cos", "N.m"), -inf),
+        f_sin=(("f_sin", "N"), ("tau_sin", "N.m"), -inf),
+        period=(("period", "m"), ("period", "rad"), 0.0, True),
     ),
-    lambda motion, _: [motion.direction, motion.s * motion.direction, motion.s**2 * motion.direction],
+    _waves,
     lambda site, p: {f"{site.mechanics.across}_rel0": site.middle, **_smooth(site), **p},
+    shapes=lambda motion: [{"period": r * motion.travel} for r in criteria.FRICTION_PERIOD_RATIOS],
     origin=lambda site: site.middle,
     plain=("coulomb_friction", (1.0, 0.0, 0.0)),
 )

@@ -107,8 +107,9 @@ def certain_part(best: Refit, base: Refit, rounds: Sequence[Round], study: Study
     """
     if _explains(best, base, study):
         return best
-    certain = base
-    for model in (*(done.base for done in rounds[1:] if done.base is not best), best):
+    named, certain = {placed.label for placed in best.effects}, base
+    before = [done.base for done in rounds if set() < {p.label for p in done.base.effects} < named]
+    for model in (*before, best):
         if 1 - model.blocks.sum() / certain.blocks.sum() < CERTAIN_RESIDUAL_SHARE:
             break
         certain = model

@@ -63,8 +63,20 @@ PAIRS = [
         rotational.PositionDependentFriction(tau_c=2.0, tau_1=0.5, tau_2=0.3, phi_rel0=0.2),
         lambda s, v: (2 + 0.5 * (s - 0.2) + 0.3 * (s - 0.2) ** 2) * np.sign(v),
     ),
+    (
+        ia.PositionDependentFriction(f_c=2.0, f_cos=0.7, f_sin=-0.4, period=0.5, s_rel0=0.2),
+        lambda s, v: wavy(4 * np.pi * (s - 0.2)) * np.sign(v),
+    ),
+    (
+        rotational.PositionDependentFriction(tau_c=2.0, tau_cos=0.7, tau_sin=-0.4, period=0.5, phi_rel0=0.2),
+        lambda s, v: wavy(4 * np.pi * (s - 0.2)) * np.sign(v),
+    ),
     (rotational.ArmGravity(tau_sin=2.0, tau_cos=-1.0), lambda s, v: 2 * np.sin(s) - np.cos(s)),
 ]
+
+
+def wavy(x: Array) -> Array:
+    return 2 + 0.7 * np.cos(x) - 0.4 * np.sin(x)
 
 
 def harmonics(x: Array) -> Array:

@@ -301,7 +301,7 @@ class Held:
     """A model beside test records, by what it misses of them."""
 
     misfit: float
-    effects: Sequence[str] = ()
+    effects: Sequence[Any] = ()
 
     @property
     def blocks(self) -> NDArray[np.float64]:
@@ -318,8 +318,10 @@ class Held:
 def test_each_effect_of_a_partial_verdict_takes_most_of_what_was_left(
     misfits: Sequence[float], named: int
 ) -> None:
-    base, *further = (Held(misfit, "effects"[:n]) for n, misfit in enumerate(misfits))
-    rounds: Any = [SimpleNamespace(base=model) for model in (base, *further)]
+    effects = [SimpleNamespace(label=str(number)) for number in range(len(misfits))]
+    base, *further = (Held(misfit, effects[:n]) for n, misfit in enumerate(misfits))
+    pruned = Held(9.0, [SimpleNamespace(label="pruned")])
+    rounds: Any = [SimpleNamespace(base=model) for model in (base, pruned, *further)]
     best: Any = ([base, *further])[-1]
     study: Any = SimpleNamespace(judged=[])
     assert len(certain_part(best, cast(Any, base), rounds, study).effects) == named
