@@ -20,6 +20,7 @@ from ..criteria import (
     COMPARISON_RATE_HZ,
     FAST_NOISE_RATIO,
     NOISE_PEAK_STANDARD_DEVIATIONS,
+    SOLVER_STEPS_PER_SAMPLE,
 )
 from ..effects.effect import Motion
 from ..effects.hypothesis import Hypothesis, with_effects
@@ -118,8 +119,12 @@ class Study:
         return self.campaign.training, 1.0
 
     def steps_per_sample(self) -> float:
-        """Return how many steps of the integrator the model, as it was given, takes for a sample at most."""
-        given, whole = self.campaign.start, replace(self.accuracy, steps=None)
+        """Return how many steps of the integrator the model, as it was given, takes for a sample at most.
+
+        Raises:
+            SimulationError: for a model far faster than its records.
+        """
+        given, whole = self.campaign.start, replace(self.accuracy, steps=SOLVER_STEPS_PER_SAMPLE)
         model, taken = self.predictor(), list[float]()
         for experiment in self.campaign.training:
             stand = model.stand(experiment)
