@@ -158,7 +158,11 @@ def _chosen(done: Round, base: Refit) -> Refit | None:
 
     How much it must take away is counted in what the model without effects misses.
     """
-    clear = [found for found in done.fitted if clearness(done.base, found) > criteria.CLEAR_STANDARD_ERRORS]
+    clear = [
+        found
+        for found in done.fitted
+        if clearness(done.base, found) > criteria.CLEAR_STANDARD_ERRORS and not _only_bends(found)
+    ]
     if not clear:
         return None
     best = _sited(_simplest(min(clear, key=lambda f: f.blocks.sum()), clear), clear)
@@ -170,6 +174,13 @@ def _chosen(done: Round, base: Refit) -> Refit | None:
         return best if drop > criteria.FIRST_EFFECT_SHARE * all_of_it else None
     of_what_is_left = drop > criteria.LEFT_EFFECT_SHARE * (done.base.blocks.sum() - base.independent)
     return best if of_what_is_left or drop > criteria.FURTHER_EFFECT_SHARE * all_of_it else None
+
+
+def _only_bends(model: Refit) -> bool:
+    """Tell whether the last effect is of the nature of another at its site, whose law it only bends."""
+    *others, last = model.effects
+    beside = [placed for placed in others if placed.site.path == last.site.path]
+    return any(p.generalises(last) or (p.effect.memory and last.effect.memory) for p in beside)
 
 
 def _simplest(best: Refit, clear: Sequence[Refit]) -> Refit:
@@ -207,15 +218,18 @@ def _worth_it(plain: Refit, richer: Refit) -> bool:
     left = plain.misfit**2 - 1.0
     taken = plain.misfit**2 - richer.misfit**2
     nothing_left = richer.misfit <= criteria.NOISE_MISFIT and plain.misfit > criteria.COLOURED_MISFIT
-    clear = nothing_left or clearness(plain, richer) >= criteria.CLEAR_STANDARD_ERRORS
+    nearly_all = taken > criteria.SURE_GENERALISATION_SHARE * left
+    clear = nothing_left or nearly_all or clearness(plain, richer) >= criteria.CLEAR_STANDARD_ERRORS
     return taken > criteria.GENERALISATION_SHARE * left and clear
 
 
 def _pruned(best: Refit, study: Study) -> Refit:
-    """Return the model without those effects that a later one has made needless."""
-    for placed in best.effects[:-1]:
+    """Return the model without those effects that a later one has made needless, as its special cases are."""
+    *earlier, last = best.effects
+    for placed in earlier:
         less = _without(placed, best, study)
-        if less is not None and clearness(less, best) < criteria.CLEAR_STANDARD_ERRORS:
+        needless = last.generalises(placed)
+        if less is not None and (needless or clearness(less, best) < criteria.CLEAR_STANDARD_ERRORS):
             best = less
     return best
 

@@ -58,7 +58,7 @@ def _absent(placed: Hypothesis, _: Campaign) -> Iterator[_Doubt]:
 
 
 def _ripple(placed: Hypothesis, _: Campaign) -> Iterator[_Doubt]:
-    if "period" not in placed.values:
+    if "period" not in placed.values or _is_dry(placed):
         return
     unit = next(q.unit for q in placed.quantities if q.name == "period")
     passed = 2 * placed.site.travel / placed.values["period"]

@@ -1,9 +1,11 @@
 """How far shapes may change in a fit, and which of what was fitted counts."""
 
+from dataclasses import replace
+
 import inertance as ia
 import numpy as np
 import pytest
-from inertance.diagnosis.diagnose import _worth_it
+from inertance.diagnosis.diagnose import _only_bends, _worth_it
 from inertance.diagnosis.effects.effect import effect_of
 from inertance.diagnosis.effects.hypothesis import Hypothesis
 from inertance.diagnosis.effects.shaping import Shapes
@@ -91,3 +93,37 @@ def test_what_generalises_is_worth_it_if_nothing_is_left_but_noise(left: float, 
     plain, richer = fitted(noise + burst), fitted(noise + left / 3 * burst)
     assert clearness(plain, richer) < 3
     assert _worth_it(plain, richer) is worth
+
+
+def test_what_takes_nearly_all_away_is_worth_it_though_most_stretches_do_not_tell() -> None:
+    rng, made = np.random.default_rng(0), campaign()
+    noise = rng.standard_normal(1001)
+    burst = np.where(np.arange(1001) < 200, 9.0, 0.0)
+
+    def fitted(residual: Array) -> Refit:
+        return Refit(
+            {}, (hysteresis(TRAVEL),), [], [{"s": residual}], 0.0, stretches(made.testing), len(residual)
+        )
+
+    plain, richer = fitted(noise + burst), fitted(1.1 * noise)
+    assert clearness(plain, richer) < 3
+    assert _worth_it(plain, richer)
+
+
+@pytest.mark.parametrize(
+    ("found", "further", "bends"),
+    [
+        ("hysteresis", "presliding_friction", True),
+        ("position_dependent_friction", "coulomb_friction", True),
+        ("coulomb_friction", "position_dependent_friction", False),
+        ("coulomb_friction", "cubic_damping", False),
+    ],
+)
+def test_an_effect_may_only_bend_the_law_of_another_at_its_site(
+    found: str, further: str, bends: bool
+) -> None:
+    here, there = (replace(hysteresis(TRAVEL).site, path=path) for path in ("rail", "belt"))
+    one = Hypothesis(effect_of(found), here, "one", {})
+    for site, wanted in ((here, bends), (there, False)):
+        model = Refit({}, (one, Hypothesis(effect_of(further), site, "other", {})), [], [], 0.0)
+        assert _only_bends(model) is wanted
