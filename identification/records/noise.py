@@ -22,7 +22,7 @@ LEVEL_RATIO = 0.6  # of the density in the octave below, at which a spectrum doe
 FEWEST_DENSITIES = 8  # of a spectrum that are looked at
 PASSED_BAND = (0.3, 0.7)  # of what a filter has left
 FLAT_RATIO = 1.2  # of the density in that band, up to which there is no more elsewhere
-WEAK_POWER_SHARE = 0.02  # of a signal's power that may lie in the upper half of what a filter has left
+WEAK_POWER_SHARE = 0.02  # of a signal's power that may lie, beyond what is missed, in the upper half of that
 EVEN_DEVIATIONS = 2.0  # of the scatter that the power of noise has from stretch to stretch
 QUIET_RANGE_SHARE = 1e-5  # below which no sensor's noise lies: the top of the spectrum was filtered away
 FILTERED_DENSITY_RATIO = 100.0  # of the density at the top, above which a channel passes what it measures
@@ -108,7 +108,8 @@ def is_noise(residual: Array, signal: Array, rate: float, stretches: int) -> boo
     noise, density = residual_floor(residual, rate, NoiseFloor(0.0, "")), _density(residual)
     end = round(noise.share(rate) * len(density))
     moving = _density(signal)
-    follows = end < len(density) and moving[end // 2 :].sum() > WEAK_POWER_SHARE * moving.sum()
+    known = np.maximum(moving - density, 0.0)[end // 2 :].sum()
+    follows = end < len(density) and known > WEAK_POWER_SHARE * moving.sum()
     if follows or 0.5 * float(np.mean(density[1:end])) > FLAT_RATIO * noise.white(rate) ** 2:
         return False
     power = np.array([float(np.mean(part**2)) for part in np.array_split(residual, stretches)])

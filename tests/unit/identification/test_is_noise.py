@@ -58,6 +58,17 @@ def test_what_follows_the_motion_is_no_noise(made: Made) -> None:
     assert share(made) < 0.1
 
 
+@pytest.mark.parametrize("size", [3.0, 1.0, 0.3])
+def test_noise_about_a_motion_as_small_as_itself_is_noise(size: float) -> None:
+    """Most of what such a channel shows where it should be weak is noise itself."""
+    rng = np.random.default_rng(9)
+    found = []
+    for _ in range(40):
+        noise = low_passed(rng, 4, 92.0)
+        found.append(is_noise(noise, size * low_passed(rng, 6, 8.0) + noise, RATE, 16))
+    assert np.mean(found) > 0.9
+
+
 def test_noise_about_a_channel_that_rests_is_noise() -> None:
     noise = np.random.default_rng(8).standard_normal(COUNT)
     assert is_noise(noise, np.zeros(COUNT), RATE, 16)
