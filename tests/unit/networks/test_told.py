@@ -55,7 +55,7 @@ def broken(t: Any) -> Any:
         (lambda: run()["mass.x"], ia.UnknownNameError, "no variable 'mass.x'; did you mean"),
         (lambda: oscillator().sprng, ia.UnknownPartError, "has no 'sprng'; did you mean 'spring'?"),
         (lambda: run(stepp=0.1), ia.ModelError, "no argument 'stepp'; did you mean 'step'?"),
-        (lambda: oscillator().simulate(1.0, stepp=0.1), ia.ModelError, "did you mean 'step'?"),
+        (lambda: oscillator().simulate(1.0, stepp=0.1), ia.ModelError, "did you mean 'step'?"),  # type: ignore[arg-type]
         (lambda: pareto_front(oscillator(), abs, abs, {}, stars=1), ia.ModelError, "did you mean 'starts'?"),  # type: ignore[arg-type]
         (lambda: run(rtol=1e-20), ia.ModelError, "rtol must be from 1e-14 to 0.1, got 1e-20"),
         (lambda: run(rtol=10), ia.ModelError, "rtol must be from 1e-14 to 0.1, got 10"),
