@@ -14,6 +14,7 @@ from .failure import FAILED, WRONG_USE, fail
 Model = Annotated[
     str, typer.Argument(metavar="MODEL", help="path/to/file.py:function that returns a Network.")
 ]
+SOLVER_NAMES = "auto, cvodes, idas, rosenbrock or compiled."
 StartValues = Annotated[list[str] | None, typer.Option(metavar="NAME=VALUE", help="Fix a start value.")]
 ConstantInputs = Annotated[
     list[str] | None, typer.Option("--input", metavar="NAME=VALUE", help="A constant input.")
