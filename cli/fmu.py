@@ -19,6 +19,7 @@ from .terminal import progress
 EXAMPLES = """\b
 Examples:
   inertance fmu export car.py:build car.fmu --fmi 3.0
+  inertance fmu export car.py:build car.fmu --stop 10 --step 0.01 --output 'body.*'
   inertance fmu export car.py:build car.fmu --platform x86_64-windows --platform native
   inertance fmu check car.py:build --stop 2
   inertance fmu check pump.fmu
@@ -44,6 +45,10 @@ def export(
     output: Annotated[
         list[str] | None, typer.Option(metavar="NAME", help="An output; * stands for any part of a name.")
     ] = None,
+    data: Annotated[
+        list[str] | None,
+        typer.Option("--input", metavar="NAME", help="An input that has a signal, to be given from outside."),
+    ] = None,
     start: StartValues = None,
     terminal: Annotated[
         list[str] | None,
@@ -53,6 +58,8 @@ def export(
         list[str] | None,
         typer.Option(metavar="NAME", help="native, x86_64-linux, aarch64-linux, x86_64-windows, ..."),
     ] = None,
+    stop: Annotated[float, typer.Option(help="End of the default experiment [s].")] = 1.0,
+    step: Annotated[float, typer.Option(help="Communication step that suits the model [s].")] = 1e-3,
     tolerance: Annotated[float, typer.Option(help="Of Co-Simulation, where the tool gives none.")] = 1e-6,
     fixed_step: Annotated[float | None, typer.Option(help="Own step of Co-Simulation [s].")] = None,
     sources: Annotated[bool, typer.Option(help="Whether the C sources go along.")] = True,
@@ -70,7 +77,8 @@ def export(
     network = load_network(model)
     with failing(WRONG_USE, ModelError):
         write(
-            network, out, fmi_version=fmi, outputs=output or None, start=pairs("--start", start),
+            network, out, fmi_version=fmi, outputs=output or None, inputs=data or (), stop=stop, step=step,
+            start=pairs("--start", start),
             terminals=dict(_texts("--terminal", terminal)), platforms=platform or ["native"], sources=sources,
             tolerance=tolerance, fixed_step=fixed_step, author=author, version=version, copyright=copyright,
             license=license,

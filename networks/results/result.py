@@ -214,6 +214,20 @@ class Result(OverTime):
 
         return summary(self)
 
+    def to_dict(self, *names: str) -> dict[str, Any]:
+        """Return the span, the states, events, statistics and notes as plain values, such as JSON holds.
+
+        Args:
+            names: signals or patterns (`mass.*`) of which to tell what is told of states: first, least,
+                largest and last value, and unit.
+
+        Raises:
+            UnknownNameError: for an unknown signal, with the nearest one.
+        """
+        from .summary import figures
+
+        return figures(self, matching_signals(self.dae, names))
+
     def plot(self, *names: str, axes: Any = None) -> Any:
         """Plot signals over time, one panel a unit and one a mode, and return the matplotlib figure.
 
