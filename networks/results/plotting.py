@@ -45,10 +45,10 @@ def _panels(result: Result, names: Sequence[str]) -> list[list[str]]:
 
 
 def _new_axes(result: Result, panels: list[list[str]]) -> list[Axes]:
-    from matplotlib import pyplot
+    from .figures import subplots
 
     size = (8.0, 1.0 + PANEL_HEIGHT * len(panels))
-    figure, axes = pyplot.subplots(len(panels), sharex=True, figsize=size, layout="constrained")
+    figure, axes = subplots(len(panels), sharex=True, figsize=size, layout="constrained")
     figure.suptitle(result.name)
     return list(np.ravel(axes))
 
