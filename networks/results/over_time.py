@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
 from fnmatch import fnmatchcase
 from typing import TYPE_CHECKING, Any, overload
 
@@ -16,11 +15,12 @@ from ...base import (
     above,
     demand,
     finite,
+    instance,
+    listed,
     nearest,
     number,
     optional,
     shown,
-    text,
 )
 from .pieces import Pieces
 
@@ -89,12 +89,13 @@ class OverTime:
             found[before] = course.at(times[before])
         return found if found.ndim else float(found)
 
-    def _matching(self, names: Iterable[str]) -> list[str]:
+    def _matching(self, names: tuple[str, ...]) -> list[str]:
         """Return the names behind names and patterns, each once, in order."""
         chosen: dict[str, None] = {}
-        for name in names:
-            pattern = not text(name) and "*" in name
-            matches = [known for known in self.names()[1:] if fnmatchcase(known, name)] if pattern else [name]
+        for name in listed("names", names):
+            matches = [name]
+            if "*" in name:
+                matches = [known for known in self.names()[1:] if fnmatchcase(known, name)]
             if not matches:
                 raise UnknownNameError(f"'{self.name}' has no variable like '{name}'")
             chosen |= dict.fromkeys(matches)
@@ -121,6 +122,36 @@ class OverTime:
         table = pd.DataFrame({n: self.at(n, times) for n in chosen}, index=pd.Index(times, name="time"))
         table.attrs["units"] = {name: self.unit(name) for name in chosen}
         return table
+
+    def compare(self, other: OverTime, *names: str) -> pd.DataFrame:
+        """Return how far signals are from those of the same names of another run, or of what was measured.
+
+        A row for each signal: its unit, its rms over the time that both have, the rms of the difference (the
+        other's less this one's), the largest difference and when, at the points of both.
+
+        Args:
+            other: a `Result`, a `Recorded` or anything else that is `OverTime`.
+            names: signals or patterns (`mass.*`); those of `to_dataframe()` if none are given.
+
+        Raises:
+            UnknownNameError: for a name that one of them does not have, or a pattern that matches none.
+            ModelError: if they have no time in common, or a signal is in two units.
+
+        Example:
+            >>> from inertance import Fixed, Mass, Network, Spring
+            >>> net = Network("oscillator", wall=Fixed(), spring=Spring(k=100.0), mass=Mass(m=1.0, s=0.1))
+            >>> net = net.connect(net.wall.flange, net.spring.flange_a)
+            >>> net = net.connect(net.spring.flange_b, net.mass.flange)
+            >>> softer = net.simulate(1.0, parameters={"spring.k": 99.0})
+            >>> table = net.simulate(1.0).compare(softer, "mass.s")
+            >>> round(float(table.loc["mass.s", "rms of difference"]), 4)
+            0.0019
+        """
+        from .comparing import compared
+
+        demand("compare()", other=(other, instance(OverTime)))
+        chosen = self._matching(names) if names else list(self.to_dataframe().columns)
+        return compared(self, other, chosen)
 
     def mean(self, name: str, *, begin: float | None = None, end: float | None = None) -> float:
         """Return the average of a signal over time.

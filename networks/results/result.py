@@ -243,6 +243,21 @@ class Result(OverTime):
 
         return plot_result(self, names or tuple(self.dae.state_names[:4]), axes)
 
+    def plot_phase(self, x: str, y: str, axes: Any = None) -> Any:
+        """Plot one signal over another, such as velocity over position; return the matplotlib figure.
+
+        Args:
+            x: the signal across.
+            y: the signal up; a ring marks the start.
+            axes: matplotlib axes to draw on; a new figure if None.
+
+        Raises:
+            UnknownNameError: for an unknown signal, with the nearest one.
+        """
+        from .plotting import plot_phase
+
+        return plot_phase(self, x, y, axes)
+
     def save(self, path: str | Path, *names: str) -> Path:
         """Write signals (`mass.*` for several) to .csv, .parquet or .npz, which `load_table` reads back.
 
