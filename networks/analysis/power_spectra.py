@@ -51,9 +51,10 @@ class PowerSpectrum:
 
 
 def power_spectrum(run: OverTime, name: str, window: float, *, rate: float) -> PowerSpectrum:
-    """Return the one-sided power spectral density of a signal, its mean taken off.
+    """Return the one-sided power spectral density of a signal.
 
-    Hann windows that overlap by half (SciPy's `welch`); frequencies lie 1/window apart.
+    Hann windows that overlap by half, the mean of each taken off (SciPy's `welch`); frequencies lie 1/window
+    apart.
 
     Args:
         run: a `Result`, or anything else that is `OverTime`, as `Recorded(table)`.
@@ -87,6 +88,6 @@ def power_spectrum(run: OverTime, name: str, window: float, *, rate: float) -> P
         )
     values = run.resample(1 / rate, name)[name].to_numpy(dtype=float)
     samples = min(samples, len(values))
-    frequency, density = welch(values - values.mean(), rate, "hann", samples, detrend=False)
+    frequency, density = welch(values, rate, "hann", samples)
     windows = (len(values) - samples) // (samples - samples // 2) + 1
     return PowerSpectrum(name, run.unit(name), np.asarray(frequency), np.asarray(density), windows)
