@@ -11,7 +11,8 @@ import typer
 
 from ..base import write_text, writing
 from ..components import ModelError
-from .arguments import ConstantInputs, Model, StartValues, load_network, pairs
+from .arguments import ConstantInputs, GivenInputs, Model, StartValues, load_network, pairs
+from .data import Inputs, given_inputs, read_inputs
 from .failure import FAILED, WRONG_USE, clean, fail, failing
 from .outputs import JSON, expect
 from .terminal import progress
@@ -25,6 +26,7 @@ Examples:
   inertance fmu check pump.fmu
   inertance fmu info pump.fmu
   inertance fmu import-test pump.fmu --stop 5 --input speed=150 --out pump.csv
+  inertance fmu import-test pump.fmu --input record.csv
 
 MODEL is path/to/file.py:function that returns a Network. Values are in SI units."""
 
@@ -135,7 +137,7 @@ def import_test(
     stop: Annotated[float | None, typer.Option(help="End time [s]; what the FMU suggests.")] = None,
     step: Annotated[float | None, typer.Option(help="Output and communication step [s].")] = None,
     kind: Annotated[str | None, typer.Option(help="ME or CS; ME first if it has both.")] = None,
-    data: ConstantInputs = None,
+    data: GivenInputs = None,
     values: Annotated[
         list[str] | None, typer.Option("--set", metavar="NAME=VALUE", help="Set a parameter.")
     ] = None,
@@ -151,10 +153,18 @@ def import_test(
 
     expect("--out", out, [".csv"])
     fmu = FMU(file, isolated=isolated, timeout=timeout, validate=validate)
-    inputs, parameters = pairs("--input", data), pairs("--set", values)
+    parameters = pairs("--set", values)
+    with failing(WRONG_USE, ModelError):
+        constant, table = given_inputs(data or (), Inputs.of_fmu(fmu))
+        recorded = {} if table is None else read_inputs(table, Inputs.of_fmu(fmu), others=constant)
+    times = [signal.time for signal in recorded.values()]
+    begin = float(times[0][0]) if times else None
+    end = float(times[0][-1]) if times and stop is None else stop
     with progress("reading") as tell:
         tell(f"running {fmu!r}")
-        run = fmu.simulate(stop, step=step, kind=kind, inputs=inputs, parameters=parameters)
+        run = fmu.simulate(
+            end, begin=begin, step=step, kind=kind, inputs=constant | recorded, parameters=parameters
+        )
     if out is not None:
         with writing(out) as part:
             run.to_dataframe().to_csv(part, encoding="utf-8")

@@ -11,8 +11,8 @@ import typer
 from ..base import write_text
 from ..components import ModelError, RunInterruptedError, SimulationError
 from ..networks import DAE, Result, check_table_path, matching_signals, simulate
-from .arguments import SOLVER_NAMES, Model, StartValues, load_network, pairs
-from .data import given_inputs, read_inputs, unbound_inputs
+from .arguments import SOLVER_NAMES, GivenInputs, Model, StartValues, load_network, pairs
+from .data import Inputs, given_inputs, read_inputs
 from .failure import FAILED, INTERRUPTED, WRONG_USE, fail, failing
 from .outputs import JSON, PICTURES, draw, expect
 
@@ -38,14 +38,7 @@ def run(
     step: Annotated[float | None, typer.Option(help="Output interval [s]; a 500th of the run.")] = None,
     rtol: Annotated[float, typer.Option(help="Relative tolerance.")] = 1e-6,
     solver: Annotated[str, typer.Option(help=SOLVER_NAMES)] = "auto",
-    data: Annotated[
-        list[str] | None,
-        typer.Option(
-            "--input",
-            metavar="FILE|NAME=VALUE",
-            help="Table with a column 'time' and one named after each input; or a constant input.",
-        ),
-    ] = None,
+    data: GivenInputs = None,
     hold: Annotated[
         str | None,
         typer.Option(metavar="NAMES", help="Inputs of the table that keep each sample until the next."),
@@ -129,14 +122,15 @@ def _parts(names: str | None) -> list[str]:
 
 def _span_and_inputs(dae: DAE, data: list[str], stop: float | None, held: list[str]) -> dict[str, Any]:
     with failing(WRONG_USE, ValueError, ImportError):
-        constant, table = given_inputs(data, dae)
-        recorded = {} if table is None else read_inputs(table, dae, held, constant)
+        inputs = Inputs.of_network(dae)
+        constant, table = given_inputs(data, inputs)
+        recorded = {} if table is None else read_inputs(table, inputs, held, constant)
     if table is None:
         if held:
             fail("--hold says which inputs of a table are held; give --input FILE too", WRONG_USE)
-        unbound = sorted(unbound_inputs(dae) - set(constant))
+        unbound = sorted(inputs.needed.keys() - constant)
         if unbound:
-            told = ", ".join(f"'{name}' [{dae.unit(name)}]" for name in unbound)
+            told = ", ".join(f"'{name}' [{inputs.needed[name]}]" for name in unbound)
             header = ",".join(["time", *unbound])
             fail(
                 f"no signal for {told}; give --input FILE.csv with the header {header}, "

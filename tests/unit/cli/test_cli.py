@@ -395,7 +395,7 @@ def test_data_that_do_not_suffice() -> None:
 
 
 def test_data_for_a_network_without_inputs() -> None:
-    message = "column 'push.f': there is no such input; the network has no inputs"
+    message = "column 'push.f': there is no such input; there are none"
     assert message in refused(2, "run", "model.py:free", "--input", data("push.csv"))
 
 

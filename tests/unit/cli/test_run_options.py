@@ -151,3 +151,21 @@ def test_an_fmu_is_exported_with_inputs_and_a_default_experiment(folder: Path) -
     assert (experiment.get("stopTime"), experiment.get("stepSize")) == ("7.5", "0.25")
     inputs = [v.get("name") for v in root.iter("ScalarVariable") if v.get("causality") == "input"]
     assert inputs == ["hand.f"]
+
+
+def test_an_fmu_takes_the_same_tables(folder: Path) -> None:
+    """From 1 to 3 s, t N and 2 N on 2 kg: (4 + 4)/2 m/s; the record is in kN."""
+    assert call("fmu", "export", "model.py:pushed", "pushed.fmu", "--output", "mass.v").exit_code == 0
+    test = ["fmu", "import-test", "pushed.fmu", "--no-isolated"]
+    done = call(*test, "--input", "push.csv", "--input", "pull.f=2", "--out", "out.csv")
+    assert done.exit_code == 0, done.stderr
+    rows = np.genfromtxt(folder / "out.csv", delimiter=",", names=True, encoding="utf-8", deletechars="")
+    names = rows.dtype.names or ()
+    assert rows[names[0]][[0, -1]].tolist() == [1.0, 3.0]
+    assert rows["mass.v"][-1] == pytest.approx(4.0, rel=1e-5)
+    told = refused(*test, "--input", "push.csv", "--input", "push.f=1")
+    assert told == "push.csv, line 1, column 'push.f': 'push.f' has a value given by --input, too"
+    assert (
+        refused(*test, "--input", "pus.f=1")
+        == "--input pus.f: there is no such input; did you mean 'push.f'?"
+    )
