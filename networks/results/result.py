@@ -215,14 +215,9 @@ class Result(OverTime):
         return summary(self)
 
     def to_dict(self, *names: str) -> dict[str, Any]:
-        """Return the span, the states, events, statistics and notes as plain values, such as JSON holds.
+        """Return span, events, statistics and notes as plain values, such as JSON holds.
 
-        Args:
-            names: signals or patterns (`mass.*`) of which to tell what is told of states: first, least,
-                largest and last value, and unit.
-
-        Raises:
-            UnknownNameError: for an unknown signal, with the nearest one.
+        Of states and of what is named (`mass.*` for several) first, least, largest and last value, and unit.
         """
         from .summary import figures
 
