@@ -4,6 +4,7 @@ from .arrays import Array as Array
 from .arrays import Complex as Complex
 from .arrays import Flags as Flags
 from .arrays import Ints as Ints
+from .arrays import Symbolic as Symbolic
 from .checks import above as above
 from .checks import at_least as at_least
 from .checks import between as between

@@ -6,11 +6,13 @@ from typing import Annotated
 
 import typer
 
-from . import components, demo, diagnose, fit, fmu, run
+from . import components, demo, diagnose, docs, fit, fmu, new, run
 from .failure import clean
 
 EXAMPLES = """\b
 Examples:
+  inertance new rig DIR                    a network to begin with
+  inertance docs                           the documentation
   inertance demo                           the planetary flywheel inerter, end to end
   inertance components                     what there is to build with
   inertance components Spring              its equation, ports, parameters, an example
@@ -25,7 +27,6 @@ Exit codes: 0 good, 1 a check or a run failed, 2 wrong use, 130 interrupted."""
 app = typer.Typer(
     name="inertance",
     no_args_is_help=True,
-    add_completion=False,
     pretty_exceptions_enable=False,
     rich_markup_mode=None,
     epilog=EXAMPLES,
@@ -36,6 +37,8 @@ app.command(epilog=components.EXAMPLES)(clean(components.components))
 app.command(epilog=run.EXAMPLES)(clean(run.run))
 app.command(epilog=fit.EXAMPLES)(clean(fit.fit))
 app.command(epilog=diagnose.EXAMPLES)(clean(diagnose.diagnose))
+app.command(epilog=docs.EXAMPLES)(clean(docs.docs))
+app.add_typer(new.app, name="new", help="A commented template that runs: a rig, a campaign, a component.")
 app.add_typer(fmu.app, name="fmu", help="FMUs: export, check, look into, run.")
 
 

@@ -14,7 +14,15 @@ from .failure import FAILED, WRONG_USE, fail
 Model = Annotated[
     str, typer.Argument(metavar="MODEL", help="path/to/file.py:function that returns a Network.")
 ]
+SOLVER_NAMES = "auto, cvodes, idas, rosenbrock or compiled."
 StartValues = Annotated[list[str] | None, typer.Option(metavar="NAME=VALUE", help="Fix a start value.")]
+GivenInputs = Annotated[
+    list[str] | None,
+    typer.Option(
+        "--input", metavar="FILE|NAME=VALUE",
+        help="Table with a column 'time' and one named after each input; or a constant input.",
+    ),
+]  # fmt: skip
 ConstantInputs = Annotated[
     list[str] | None, typer.Option("--input", metavar="NAME=VALUE", help="A constant input.")
 ]

@@ -15,6 +15,7 @@ from rich.markup import escape
 
 from ..base import Processes
 from ..components import InertanceError, ModelError
+from .arguments import SOLVER_NAMES
 from .failure import FAILED, INTERRUPTED, WRONG_USE, fail, failing
 from .outputs import JSON, PAGES, expect
 from .terminal import CommandConsole, progress, table_of
@@ -29,7 +30,7 @@ Examples:
   inertance diagnose campaign.toml --jobs 4 --solver compiled
 
 A campaign names the model, the channels of its data files, the uncertain parameters, and the records to fit
-([[train]]) and to judge by ([[test]]): see docs/diagnosis.md."""
+([[train]]) and to judge by ([[test]]): see `inertance docs diagnosis`."""
 
 
 def diagnose(
@@ -37,7 +38,7 @@ def diagnose(
     json: Annotated[Path | None, typer.Option("--json", help="Write the verdict as JSON.")] = None,
     report: Annotated[Path | None, typer.Option("--report", help="Write a report as one HTML file.")] = None,
     jobs: Annotated[int, typer.Option(help="Processes that fit candidates; 0 for all cores.")] = 0,
-    solver: Annotated[str, typer.Option(help="Solver, as for `inertance run`.")] = "auto",
+    solver: Annotated[str, typer.Option(help=SOLVER_NAMES)] = "auto",
     budget: Annotated[float | None, typer.Option(help="Seconds after which nothing new is begun.")] = None,
     validate: Annotated[
         bool, typer.Option(help="Whether to refuse an FMU whose description its schema does not allow.")

@@ -12,6 +12,7 @@ from ..base import Processes
 from ..components import ModelError
 from ..identification import Campaign, Fit, FitInterruptedError
 from ..identification import fit as fitted
+from .arguments import SOLVER_NAMES
 from .failure import INTERRUPTED, WRONG_USE, fail, failing
 from .outputs import JSON, PICTURES, draw, expect
 from .terminal import progress
@@ -22,7 +23,8 @@ Examples:
   inertance fit campaign.toml --json fit.json --plot fit.png
   inertance fit campaign.toml --starts 8 --workers 2
 
-campaign.toml says which model, channels, parameters and records: see docs/identification.md.
+campaign.toml says which model, channels, parameters and records: see `inertance docs identification`.
+`inertance new campaign DIR` writes one to begin with.
 Ctrl-C ends the fit and keeps the best parameters until then."""
 
 
@@ -35,7 +37,7 @@ def fit(
     channel: Annotated[str | None, typer.Option(help="The channel to draw; the first output.")] = None,
     starts: Annotated[int, typer.Option(min=1, help="Number of starts, drawn from the priors.")] = 1,
     workers: Annotated[int, typer.Option(min=1, help="Processes for the starts.")] = 1,
-    solver: Annotated[str, typer.Option(help="auto, cvodes, idas, rosenbrock or compiled.")] = "auto",
+    solver: Annotated[str, typer.Option(help=SOLVER_NAMES)] = "auto",
 ) -> None:
     """Fit the uncertain parameters of a campaign to its training records."""
     expect("--json", json, JSON)

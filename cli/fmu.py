@@ -11,7 +11,8 @@ import typer
 
 from ..base import write_text, writing
 from ..components import ModelError
-from .arguments import ConstantInputs, Model, StartValues, load_network, pairs
+from .arguments import ConstantInputs, GivenInputs, Model, StartValues, load_network, pairs
+from .data import Inputs, given_inputs, read_inputs
 from .failure import FAILED, WRONG_USE, clean, fail, failing
 from .outputs import JSON, expect
 from .terminal import progress
@@ -19,11 +20,13 @@ from .terminal import progress
 EXAMPLES = """\b
 Examples:
   inertance fmu export car.py:build car.fmu --fmi 3.0
+  inertance fmu export car.py:build car.fmu --stop 10 --step 0.01 --output 'body.*'
   inertance fmu export car.py:build car.fmu --platform x86_64-windows --platform native
   inertance fmu check car.py:build --stop 2
   inertance fmu check pump.fmu
   inertance fmu info pump.fmu
   inertance fmu import-test pump.fmu --stop 5 --input speed=150 --out pump.csv
+  inertance fmu import-test pump.fmu --input record.csv
 
 MODEL is path/to/file.py:function that returns a Network. Values are in SI units."""
 
@@ -44,6 +47,10 @@ def export(
     output: Annotated[
         list[str] | None, typer.Option(metavar="NAME", help="An output; * stands for any part of a name.")
     ] = None,
+    data: Annotated[
+        list[str] | None,
+        typer.Option("--input", metavar="NAME", help="An input that has a signal, to be given from outside."),
+    ] = None,
     start: StartValues = None,
     terminal: Annotated[
         list[str] | None,
@@ -53,6 +60,8 @@ def export(
         list[str] | None,
         typer.Option(metavar="NAME", help="native, x86_64-linux, aarch64-linux, x86_64-windows, ..."),
     ] = None,
+    stop: Annotated[float, typer.Option(help="End of the default experiment [s].")] = 1.0,
+    step: Annotated[float, typer.Option(help="Communication step that suits the model [s].")] = 1e-3,
     tolerance: Annotated[float, typer.Option(help="Of Co-Simulation, where the tool gives none.")] = 1e-6,
     fixed_step: Annotated[float | None, typer.Option(help="Own step of Co-Simulation [s].")] = None,
     sources: Annotated[bool, typer.Option(help="Whether the C sources go along.")] = True,
@@ -70,7 +79,8 @@ def export(
     network = load_network(model)
     with failing(WRONG_USE, ModelError):
         write(
-            network, out, fmi_version=fmi, outputs=output or None, start=pairs("--start", start),
+            network, out, fmi_version=fmi, outputs=output or None, inputs=data or (), stop=stop, step=step,
+            start=pairs("--start", start),
             terminals=dict(_texts("--terminal", terminal)), platforms=platform or ["native"], sources=sources,
             tolerance=tolerance, fixed_step=fixed_step, author=author, version=version, copyright=copyright,
             license=license,
@@ -127,7 +137,7 @@ def import_test(
     stop: Annotated[float | None, typer.Option(help="End time [s]; what the FMU suggests.")] = None,
     step: Annotated[float | None, typer.Option(help="Output and communication step [s].")] = None,
     kind: Annotated[str | None, typer.Option(help="ME or CS; ME first if it has both.")] = None,
-    data: ConstantInputs = None,
+    data: GivenInputs = None,
     values: Annotated[
         list[str] | None, typer.Option("--set", metavar="NAME=VALUE", help="Set a parameter.")
     ] = None,
@@ -143,10 +153,18 @@ def import_test(
 
     expect("--out", out, [".csv"])
     fmu = FMU(file, isolated=isolated, timeout=timeout, validate=validate)
-    inputs, parameters = pairs("--input", data), pairs("--set", values)
+    parameters = pairs("--set", values)
+    with failing(WRONG_USE, ModelError):
+        constant, table = given_inputs(data or (), Inputs.of_fmu(fmu))
+        recorded = {} if table is None else read_inputs(table, Inputs.of_fmu(fmu), others=constant)
+    times = [signal.time for signal in recorded.values()]
+    begin = float(times[0][0]) if times else None
+    end = float(times[0][-1]) if times and stop is None else stop
     with progress("reading") as tell:
         tell(f"running {fmu!r}")
-        run = fmu.simulate(stop, step=step, kind=kind, inputs=inputs, parameters=parameters)
+        run = fmu.simulate(
+            end, begin=begin, step=step, kind=kind, inputs=constant | recorded, parameters=parameters
+        )
     if out is not None:
         with writing(out) as part:
             run.to_dataframe().to_csv(part, encoding="utf-8")

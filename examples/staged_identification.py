@@ -51,7 +51,7 @@ TRUTH: dict[str, dict[str, float]] = {
     "disk": {**MODEL["disk"], "m": 1.06},
     "planets": {**MODEL["planets"], "T_pm": 1.1e-3, "T_pv": 1.8e-4},
 }
-Values = dict[str, dict[str, float]]
+Values = dict[str, dict[str, Any]]
 
 
 def rig(flywheel: ia.Component, values: Values) -> ia.Network:

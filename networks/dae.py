@@ -7,7 +7,7 @@ from dataclasses import dataclass, field
 from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
-from ..base import UnknownNameError, nearest, number, rate_unit, shown, text
+from ..base import Symbolic, UnknownNameError, nearest, number, rate_unit, shown, text
 from ..components.language import Parameter, Variable
 from .flattening.vectors import stacked
 
@@ -54,22 +54,22 @@ class DAE:
     """
 
     name: str
-    x: Any
-    z: Any
-    u: Any
-    p: Any
-    modes: Any
-    impulses: Any
-    completion: Any
-    time: Any
-    ode: Any
-    alg: Any
+    x: Symbolic
+    z: Symbolic
+    u: Symbolic
+    p: Symbolic
+    modes: Symbolic
+    impulses: Symbolic
+    completion: Symbolic
+    time: Symbolic
+    ode: Symbolic
+    alg: Symbolic
     inputs: list[Input]
     states: list[int]
     algebraic: list[int]
     blocks: list[Torn]
     switching: Switching
-    variables: Any
+    variables: Symbolic
     flat: Flat
     parameters: ParameterTable
     declared: Names
@@ -124,7 +124,7 @@ class DAE:
         """Yield the full names of all variables."""
         return self.flat.names()
 
-    def expression(self, path: str) -> Any:
+    def expression(self, path: str) -> Symbolic:
         """Return a variable, a mode, a parameter or `der(...)` of a variable as SX.
 
         Raises:
@@ -187,11 +187,11 @@ class DAE:
             raise UnknownNameError(f"'{self.name}' has no parameter '{path}' that can be set{told}")
         return table.fields[table.index[path]]
 
-    def arguments(self) -> list[Any]:
+    def arguments(self) -> list[Symbolic]:
         """Return the symbols every expression depends on: x, z, u, q, time."""
         return [self.x, self.z, self.u, self.constants, self.time]
 
     @cached_property
-    def constants(self) -> Any:
+    def constants(self) -> Symbolic:
         """All that is constant within a segment: p, modes, impulses, completion."""
         return stacked(self.p, self.modes, self.impulses, self.completion)

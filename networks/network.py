@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
-from typing import TYPE_CHECKING, Any, Self
+from math import inf
+from typing import TYPE_CHECKING, Any, Never, Self
 
 from ..base import ModelError, check_keywords, interruptible, nearest, text
 from ..components.language import Component, PortRef, parts_of
+from .simulation.settings import ATOL, RTOL
 
 if TYPE_CHECKING:
     from .dae import DAE
@@ -163,13 +165,26 @@ class Network(Component):
         guess: Mapping[str, float] | None = None,
         inputs: Mapping[str, Any] | None = None,
         parameters: Mapping[str, float] | None = None,
-        **options: Any,
+        begin: float = 0.0,
+        step: float | None = None,
+        rtol: float = RTOL,
+        atol: float = ATOL,
+        solver: str = "auto",
+        sensitivities: Iterable[str] = (),
+        progress: bool | None = None,
+        max_steps: int | None = None,
+        max_step: float = inf,
+        **unknown: Never,
     ) -> Result:
         """Assemble and run the network; see `inertance.simulate` for the arguments and errors."""
         from .simulation.simulate import simulate
 
-        check_keywords("simulate()", options, simulate)
-        return simulate(self, stop, start=start, guess=guess, inputs=inputs, parameters=parameters, **options)
+        check_keywords("simulate()", unknown, simulate)
+        return simulate(
+            self, stop, start=start, guess=guess, inputs=inputs, parameters=parameters, begin=begin,
+            step=step, rtol=rtol, atol=atol, solver=solver, sensitivities=sensitivities, progress=progress,
+            max_steps=max_steps, max_step=max_step,
+        )  # fmt: skip
 
     def __repr__(self) -> str:
         parts = ", ".join(f"{n}: {type(c).__name__}" for n, c in self._parts.items())

@@ -31,5 +31,11 @@ from .reading import der as der
 from .reading import template_of as template_of
 from .sampled import INTERPOLATIONS as INTERPOLATIONS
 from .sampled import Sampled as Sampled
+from .signatures import given_fields as given_fields
+from .signatures import is_required as is_required
+from .signatures import told as told
 from .template import Shock as Shock
 from .template import Template as Template
+from .values import Number as Number
+from .values import ParameterValue as ParameterValue
+from .values import SignalValue as SignalValue

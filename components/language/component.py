@@ -10,6 +10,7 @@ from ...base.checks import is_number
 from ...base.errors import ModelError, UnknownPartError, nearest
 from .domain import Domain
 from .fields import MISSING, Field, Option, Parameter, Part, Port, RealInput, RealOutput, Variable
+from .signatures import Signed
 
 Expression = Any  # of symbols while equations are read; a number or an array anywhere else
 Stated = Iterable[Any]  # equations, transitions or connections, as a component yields them
@@ -52,6 +53,7 @@ class Component:
     fields: ClassVar[dict[str, Field]] = {}
     _by_kind: ClassVar[dict[type[Field], tuple[Any, ...]]] = {}
     _templates: ClassVar[dict[tuple[Any, ...], Any]] = {}
+    __signature__ = Signed()
 
     def __init_subclass__(cls) -> None:
         super().__init_subclass__()

@@ -8,9 +8,11 @@ from typing import Any
 import numpy as np
 
 from ...base import aligned
+from ...base.html import listed_notes, page, table_of_texts
 from .doubts import over_noise
 from .outcome import Comparison, Fit
 
+Rows = list[tuple[str, ...]]
 MOST_RECORDS = 6
 PANEL_SAMPLES = 400  # that a panel can show one by one
 
@@ -19,33 +21,50 @@ def table(fit: Fit) -> str:
     """See `Fit.table`."""
     remarks = [f"note: {note}" for note in fit.campaign.notes]
     remarks += [f"warning: {warning}" for warning in fit.warnings]
-    own = [*_own(fit)] if any(c.own for c in fit.comparisons) else []
-    parts = [[*_parameters(fit)], own, [*_records(fit)] if fit.comparisons else [], remarks]
-    return "\n\n".join("\n".join(lines) for lines in parts if lines)
+    parts = [*(aligned(rows, right) for rows, right in _tables(fit)), remarks]
+    return "\n\n".join(filter(None, map("\n".join, parts)))
 
 
-def _parameters(fit: Fit) -> Iterator[str]:
-    rows: list[tuple[str, ...]] = [("parameter", "fitted", "std. error", "started at", "unit")]
+def html(fit: Fit) -> str:
+    """Return what `table` tells as HTML."""
+    campaign = fit.campaign
+    tables = (table_of_texts(head, rows) for (head, *rows), _ in _tables(fit))
+    told = "interrupted before the end" if fit.interrupted else f"{len(fit.values)} parameters"
+    remarks = listed_notes([*campaign.notes, *(f"warning: {warning}" for warning in fit.warnings)])
+    return page(f"fit of {campaign.dae.name}", told, *tables, remarks)
+
+
+def _tables(fit: Fit) -> Iterator[tuple[Rows, set[int]]]:
+    """Yield tables, heads first, and which of their columns are of numbers."""
+    yield _parameters(fit), {1, 2, 3}
+    if any(c.own for c in fit.comparisons):
+        yield _own(fit), {3, 4, 5}
+    if fit.comparisons:
+        yield _records(fit), {3, 4, 6}
+
+
+def _parameters(fit: Fit) -> Rows:
+    rows: Rows = [("parameter", "fitted", "std. error", "started at", "unit")]
     for name, value in fit.values.items():
         error, start = fit.errors.get(name, np.nan), fit.campaign.priors[name].center
         rows.append((name, f"{value:.6g}", f"{error:.2g}", f"{start:.6g}", fit.campaign.dae.unit(name)))
-    return aligned(rows, right={1, 2, 3})
+    return rows
 
 
-def _own(fit: Fit) -> Iterator[str]:
+def _own(fit: Fit) -> Rows:
     head = ("record", "", "its own", "fitted", "std. error", "started at", "unit")
-    rows: list[tuple[str, ...]] = [head]
+    rows: Rows = [head]
     for c in fit.comparisons:
         for name, value in c.own.items():
             start, unit = fit.campaign.per_record[name].center, fit.campaign.dae.unit(name)
             numbers = f"{value:.6g}", f"{c.own_errors[name]:.2g}", f"{start:.6g}"
             rows.append((c.experiment.name, _kind(c), name, *numbers, unit))
-    return aligned(rows, right={3, 4, 5})
+    return rows
 
 
-def _records(fit: Fit) -> Iterator[str]:
+def _records(fit: Fit) -> Rows:
     head = ("record", "", "channel", "rms before", "after", "noise", "of signal", "unit")
-    rows: list[tuple[str, ...]] = [head]
+    rows: Rows = [head]
     for c in fit.comparisons:
         for name, floor in fit.campaign.floors.items():
             before, after = (c.rms(name, predicted) for predicted in (c.before, c.after))
@@ -53,7 +72,7 @@ def _records(fit: Fit) -> Iterator[str]:
             share = f"{after / size:.3%}" if size else "-"
             record = c.experiment.name, _kind(c), name
             rows.append((*record, f"{before:.4g}", f"{after:.4g}", noise, share, _unit(fit, name)))
-    return aligned(rows, right={3, 4, 6})
+    return rows
 
 
 def _unit(fit: Fit, channel: str) -> str:

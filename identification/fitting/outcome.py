@@ -135,6 +135,11 @@ class Fit:
 
         return table(self)
 
+    def _repr_html_(self) -> str:
+        from .fit_report import html
+
+        return html(self)
+
     def to_dict(self) -> dict[str, Any]:
         """Return everything but the signals as plain numbers and texts."""
         from .fit_report import as_dict

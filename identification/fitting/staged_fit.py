@@ -31,7 +31,7 @@ def fit_stages(found: Fit, accuracy: Accuracy, tell: Tell = lambda line: None) -
         label = f"stage {number} of {len(campaign.stages)}, " if len(campaign.stages) > 1 else ""
 
         def progress(at: Iterate, label: str = label) -> None:
-            tell(f"{label}iteration {at.number}, misfit {at.cost:.5g}")
+            tell(f"{label}iteration {at.number}, misfit {at.cost:.4g}")
 
         done = _fit_stage(found, bench, stage, accuracy, progress)
         found.stages.append(done)
@@ -68,7 +68,7 @@ def fit_starts(
     try:
         for number, start in enumerate(fitted, start=1):
             found.starts.append(start)
-            tell(f"start {number} of {count}, misfit {start.cost:.5g}")
+            tell(f"start {number} of {count}, misfit {start.cost:.4g}")
     finally:
         for job in jobs:
             job.cancel()

@@ -33,6 +33,8 @@ from .operating import operating_point as operating_point
 from .orbits import Orbit as Orbit
 from .order_tracking import OrderSpectrum as OrderSpectrum
 from .order_tracking import order_tracking as order_tracking
+from .power_spectra import PowerSpectrum as PowerSpectrum
+from .power_spectra import power_spectrum as power_spectrum
 from .probing import admittance as admittance
 from .probing import impedance as impedance
 from .random import response_psd as response_psd

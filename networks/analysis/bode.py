@@ -18,11 +18,11 @@ if TYPE_CHECKING:
 
 def plot_bode(system: StateSpace, f: ArrayLike | None = None) -> Figure:
     """Draw gain and phase over frequency, one column an input; see `StateSpace.plot_bode`."""
-    from matplotlib import pyplot
+    from ..results.figures import subplots
 
     at, response = _response(system, f, "plot_bode()", 600)
     size = (1.0 + 6.0 * len(system.inputs), 6.0)
-    figure, axes = pyplot.subplots(
+    figure, axes = subplots(
         2, len(system.inputs), sharex=True, squeeze=False, figsize=size, layout="constrained"
     )
     figure.suptitle(system.name)
@@ -44,10 +44,10 @@ def plot_bode(system: StateSpace, f: ArrayLike | None = None) -> Figure:
 
 def plot_nyquist(system: StateSpace, f: ArrayLike | None = None) -> Figure:
     """Draw the frequency response in the complex plane; see `StateSpace.plot_nyquist`."""
-    from matplotlib import pyplot
+    from ..results.figures import subplots
 
     _, response = _response(system, f, "plot_nyquist()", 2000)
-    figure, ax = pyplot.subplots(figsize=(6.0, 5.5), layout="constrained")
+    figure, ax = subplots(figsize=(6.0, 5.5), layout="constrained")
     for row, output in enumerate(system.outputs):
         for column, name in enumerate(system.inputs):
             curve = response[:, row, column]

@@ -80,12 +80,12 @@ class Campbell:
             orders: excitations per turn.
             axes: matplotlib axes; a new figure if None.
         """
-        from matplotlib import pyplot
+        from ..results.figures import subplots
 
         demand("plot()", orders=(orders, numbers(_order)))
         if not (axes is None or hasattr(axes, "plot")):
             raise ModelError(f"axes are matplotlib axes, got {shown(axes)}")
-        ax: Any = axes if axes is not None else pyplot.subplots(figsize=(7.0, 4.5), layout="constrained")[1]
+        ax: Any = axes if axes is not None else subplots(figsize=(7.0, 4.5), layout="constrained")[1]
         for curve, damping in zip(self.frequency, self.damping, strict=True):
             (line,) = ax.plot(self.speed, curve, linewidth=1.6)
             ax.plot(self.speed, np.where(damping < -1e-9, curve, np.nan), ":", color="w", linewidth=1.6)

@@ -46,14 +46,13 @@ class ResponseCurve:
 
     def plot(self, output: str, axes: Any = None) -> Figure:
         """Draw the amplitude of an output over frequency: full where stable, dashed where not."""
-        from matplotlib import pyplot
-
+        from ..results.figures import subplots
         from ..results.plotting import pretty_unit
 
         if not (axes is None or hasattr(axes, "plot")):
             raise ModelError(f"axes are matplotlib axes, got {shown(axes)}")
         f, size = self.frequency, self.peak(output)
-        ax = axes if axes is not None else pyplot.subplots(figsize=(7.0, 4.5), layout="constrained")[1]
+        ax = axes if axes is not None else subplots(figsize=(7.0, 4.5), layout="constrained")[1]
         lost = ~self.stable
         edges = lost | np.r_[lost[1:], False] | np.r_[False, lost[:-1]]
         for label, drawn, style in (("stable", ~lost, "C0-"), ("unstable", edges, "C3--")):

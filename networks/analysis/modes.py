@@ -122,13 +122,13 @@ def plot_modes(modes: Sequence[Mode], *, phase: float = 0.0, axes: Any = None) -
         phase: where in the period [rad].
         axes: matplotlib axes, one a mode; a new figure if None.
     """
-    from matplotlib import pyplot
+    from ..results.figures import subplots
 
     modes = _modes(modes)
     demand("plot_modes()", phase=(phase, finite("rad")))
     if axes is None:
         size = (1.5 + 1.8 * len(modes), 4.0)
-        _, axes = pyplot.subplots(1, len(modes), sharey=True, figsize=size, layout="constrained")
+        _, axes = subplots(1, len(modes), sharey=True, figsize=size, layout="constrained")
     drawn_on = np.ravel(axes)
     if len(drawn_on) != len(modes) or not all(hasattr(ax, "fill_betweenx") for ax in drawn_on):
         raise ModelError(f"{len(modes)} modes need as many matplotlib axes, got {shown(axes)}")

@@ -130,11 +130,11 @@ def drawn(
     spectrum: ChangingSpectrum, across: Array, parts: Array, labels: tuple[str, str], axes: Any
 ) -> Figure:
     """Return the picture of amplitudes over two quantities."""
-    from matplotlib import pyplot
+    from ..results.figures import subplots
 
     if not (axes is None or hasattr(axes, "pcolormesh")):
         raise ModelError(f"axes are matplotlib axes, got {shown(axes)}")
-    ax: Any = axes if axes is not None else pyplot.subplots(figsize=(7.5, 4.5), layout="constrained")[1]
+    ax: Any = axes if axes is not None else subplots(figsize=(7.5, 4.5), layout="constrained")[1]
     mesh = ax.pcolormesh(across, parts, spectrum.amplitude, shading="nearest", cmap="magma_r")
     figure: Figure = ax.get_figure()
     unit = pretty_unit(spectrum.unit)

@@ -11,6 +11,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from ...base import Array, Complex, Ints, ModelError, between, demand, listed, numbers, shown, text
+from ...base.html import listed_notes, more, page, table_of_texts
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -18,6 +19,8 @@ if TYPE_CHECKING:
     from .modes import Mode
     from .norms import Norm
     from .operating import OperatingPoint
+
+MOST_POLES = 20  # that a notebook shows
 
 
 @dataclass(frozen=True, eq=False)
@@ -235,6 +238,20 @@ class StateSpace:
         improper = "" if self.proper else f", improper of order {len(self.D_s)}"
         ways = f"{', '.join(self.inputs)} -> {', '.join(self.outputs)}"
         return f"<StateSpace '{self.name}': {ways}, {len(self.states)} states{improper}>"
+
+    def _repr_html_(self) -> str:
+        poles = [pole for pole in self.poles if pole.imag >= 0]
+        first = poles[:MOST_POLES]
+        ratios = (f"{-pole.real / abs(pole):.3g}" if pole else "-" for pole in first)
+        sizes = (f"{abs(pole) / (2 * np.pi):.4g}" for pole in first)
+        rows = zip((f"{pole:.5g}" for pole in first), sizes, ratios, strict=True)
+        return page(
+            self.name,
+            f"{', '.join(self.inputs)} → {', '.join(self.outputs)} · {len(self.states)} states",
+            table_of_texts(("pole [rad/s]", "frequency [Hz]", "damping ratio"), rows),
+            more(len(poles) - len(first)),
+            listed_notes(self.notes),
+        )
 
 
 def slowest_first(values: Complex) -> Ints:

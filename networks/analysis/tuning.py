@@ -10,6 +10,7 @@ import numpy as np
 
 from ...base import Array, ModelError, at_least, between, demand, function, named, shown, whole
 from ...base.checks import check_keywords
+from ...base.html import page, table_of_texts
 from ..dae import DAE
 from ..given import dae_of
 from ..network import Network
@@ -34,6 +35,14 @@ class Tuned:
     evaluations: int
     at_bound: tuple[str, ...]
     exact: bool
+
+    def _repr_html_(self) -> str:
+        rows = (
+            (name, f"{value:.6g}", "at a bound" if name in self.at_bound else "")
+            for name, value in self.parameters.items()
+        )
+        title = f"{self.value:.6g} after {self.evaluations} evaluations"
+        return page("tuned", title, table_of_texts(("parameter", "value", ""), rows))
 
 
 def tune(

@@ -33,10 +33,12 @@ class Reduction:
     @cached_property
     def led_by(self) -> dict[int, int]:
         """The state x_j by each x_i of x_i' = x_j that is left out."""
-        place = {symbol.element_hash(): k for k, symbol in enumerate(self.dae.x.elements())}
+        states: list[Any] = self.dae.x.elements()
+        rates: list[Any] = self.dae.ode.elements()
+        place = {symbol.element_hash(): k for k, symbol in enumerate(states)}
         led: dict[int, int] = {}
         leaders: set[int] = set()
-        for i, rate in enumerate(self.dae.ode.elements()):
+        for i, rate in enumerate(rates):
             j = place.get(rate.element_hash()) if rate.is_symbolic() else None
             if j is not None and j != i and j not in led and i not in leaders:
                 led[i] = j

@@ -9,7 +9,7 @@ from typing import Any
 import casadi as ca
 import numpy as np
 
-from ...base import ModelError, nearest, number, numpy_on_symbols, shown, text
+from ...base import ModelError, Symbolic, nearest, number, numpy_on_symbols, shown, text
 from ...components.language import MISSING, Component, Option, Parameter, fields_of, parts_of, values_of
 from .flat import FatalProblem, Instance
 from .vectors import column, pick_matrix
@@ -63,12 +63,13 @@ class ParameterTable:
         with numpy_on_symbols():
             return ca.SX(value(_View(self, scope)))
 
-    def at(self, path: str) -> Any | None:
+    def at(self, path: str) -> Symbolic | None:
         """Return a parameter by its full name as an expression of the symbols, None if there is none."""
         if text(path) or (path not in self.index and path not in self._bound):
             return None
         owner, _, name = path.rpartition(".")
-        return self.expression(self.instances[owner], name)
+        found: Symbolic = self.expression(self.instances[owner], name)
+        return found
 
     def field(self, path: str) -> Parameter | None:
         """Return the declaration of a parameter by its full name, None if there is none."""

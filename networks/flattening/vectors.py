@@ -9,6 +9,8 @@ import casadi as ca
 import numpy as np
 from numpy.typing import NDArray
 
+from ...base import Symbolic
+
 
 def pick(vector: Any, places: Sequence[int]) -> Any:
     """Return some entries as a dense column, (0, 1) if there are none.
@@ -27,7 +29,7 @@ def pick_matrix(vector: Any, places: NDArray[np.int64]) -> Any:
     return ca.SX(ca.Sparsity.dense(rows, columns), pick(vector, places.ravel().tolist()))
 
 
-def stacked(*columns: Any) -> Any:
+def stacked(*columns: Any) -> Symbolic:
     """Return dense SX columns or rows as one column; far cheaper than `ca.vertcat` for few or long ones."""
     ends = np.cumsum([0, *(part.numel() for part in columns)]).tolist()
     whole = ca.SX.zeros(ends[-1])

@@ -38,8 +38,8 @@ class BallScrewInerter(FlywheelInerter):
         >>> inerter = BallScrewInerter(screw=NutScrew(lead=0.01), flywheel=DiskFlywheel(m=0.78, R=0.05))
     """
 
-    screw: Component = NutScrew()
-    flywheel: Component = DiskFlywheel()
+    screw: Component = NutScrew()  # type: ignore[call-arg]  # to be replaced
+    flywheel: Component = DiskFlywheel()  # type: ignore[call-arg]
 
     def connections(self) -> Stated:
         yield from self.joined(self.screw)
@@ -57,8 +57,8 @@ class PlanetaryFlywheelInerter(BallScrewInerter):
     Source: Ge & Wang on the planetary flywheel inerter (see `machines.ge_wang`), eqs. (16)-(27).
     """
 
-    screw: Component = CompliantNutScrew()
-    flywheel: Component = PlanetaryFlywheel()
+    screw: Component = CompliantNutScrew()  # type: ignore[call-arg]
+    flywheel: Component = PlanetaryFlywheel()  # type: ignore[call-arg]
 
 
 class RackPinionInerter(FlywheelInerter):
@@ -71,8 +71,8 @@ class RackPinionInerter(FlywheelInerter):
     Source: M. C. Smith, IEEE Trans. Automat. Contr. 47 (2002) 1648-1662, section III.
     """
 
-    pinion = RackPinion()
-    flywheel: Component = DiskFlywheel()
+    pinion = RackPinion()  # type: ignore[call-arg]
+    flywheel: Component = DiskFlywheel()  # type: ignore[call-arg]
 
     def connections(self) -> Stated:
         yield from self.joined(self.pinion)

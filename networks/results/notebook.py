@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterator, Sequence
 from html import escape
 from typing import TYPE_CHECKING, Any
 
+from ...base.html import MUTED_STYLE, folded, listed_notes, more, page, table, table_of_texts
 from ...components.language import (
     MISSING,
     Component,
@@ -29,8 +30,6 @@ if TYPE_CHECKING:
 MOST_STATES = 12
 MOST_CHARTS = 4
 MOST_ROWS = 40
-CELL = 'style="text-align:left;vertical-align:top;padding:1px 8px"'
-MUTED_STYLE = "opacity:0.65"
 
 
 def result_html(result: Result) -> str:
@@ -40,12 +39,11 @@ def result_html(result: Result) -> str:
         f"{result.time[0]:g} to {result.time[-1]:g} s · {len(result.time)} points · {stats['solver']} · "
         f"{stats['steps']} steps · {stats['events']} events · {stats['seconds']:.3g} s"
     )
-    notes = "".join(f"<li>{escape(note)}</li>" for note in result.notes)
-    return _page(
+    return page(
         result.name,
         title,
         f'<div style="display:flex;flex-wrap:wrap;gap:12px">{"".join(_charts(result))}</div>',
-        f"<ul>{notes}</ul>" if notes else "",
+        listed_notes(result.notes),
         _rows("states", STATE_HEADERS, state_rows(result), len(result.initial)),
         _rows("events", EVENT_HEADERS, event_rows(result), len(result.events)),
     )
@@ -55,17 +53,12 @@ def network_html(network: Network) -> str:
     """Return a network as HTML: a sketch of what is joined, and its components with their values."""
     parts = parts_of(network)
     too_many = f'<span style="{MUTED_STYLE}">(no sketch of so many)</span>' if parts else ""
-    return _page(
+    return page(
         network.name,
         f"{len(parts)} components",
         f'<div style="overflow-x:auto">{svg_sketch(network) or too_many}</div>',
         _components(network),
     )
-
-
-def _page(name: str, title: str, *blocks: str) -> str:
-    heading = f'<b>{escape(name)}</b> <span style="{MUTED_STYLE}">{escape(title)}</span>'
-    return f'<div style="font:13px sans-serif">{heading}{"".join(blocks)}</div>'
 
 
 def _charts(result: Result) -> Iterator[str]:
@@ -76,39 +69,23 @@ def _charts(result: Result) -> Iterator[str]:
         yield line_chart(result.time, {name: result[name] for name in names}, pretty_unit(unit))
 
 
-def _folded(title: str, content: str) -> str:
-    return f"<details><summary>{escape(title)}</summary>{content}</details>"
-
-
 def _rows(what: str, headers: Sequence[str], rows: Sequence[Sequence[str]], count: int) -> str:
     """Return rows that fold away, with the number of those that are left out."""
-    escaped = [[escape(cell) for cell in row] for row in rows]
-    table = _table(headers, escaped) + _more(count - len(rows))
-    return _folded(f"{count} {what}", table) if rows else ""
-
-
-def _more(count: int) -> str:
-    return f'<span style="{MUTED_STYLE}">and {count} more</span>' if count > 0 else ""
-
-
-def _table(headers: Sequence[str], rows: Iterable[Sequence[str]]) -> str:
-    head = "".join(f"<th {CELL}>{escape(header)}</th>" for header in headers)
-    body = "".join(f"<tr>{''.join(f'<td {CELL}>{cell}</td>' for cell in row)}</tr>" for row in rows)
-    return f'<table style="font:inherit"><thead><tr>{head}</tr></thead><tbody>{body}</tbody></table>'
+    shown = table_of_texts(headers, rows) + more(count - len(rows))
+    return folded(f"{count} {what}", shown) if rows else ""
 
 
 def _components(*owners: Component) -> str:
     """Return the parts of the last owner as a table; the others enclose it."""
     parts = list(parts_of(owners[-1]).items())
     rows = [_component_row(name, part, owners) for name, part in parts[:MOST_ROWS]]
-    table = _table(("name", "component", "values"), rows)
-    return table + _more(len(parts) - len(rows))
+    return table(("name", "component", "values"), rows) + more(len(parts) - len(rows))
 
 
 def _component_row(name: str, part: Component, owners: tuple[Component, ...]) -> tuple[str, str, str]:
     values = "; ".join(_values(part, owners))
     problems = "".join(f'<div style="color:#cc3311">{escape(problem)}</div>' for problem in part.problems())
-    inside = _folded(f"{len(parts_of(part))} parts", _components(*owners, part)) if parts_of(part) else ""
+    inside = folded(f"{len(parts_of(part))} parts", _components(*owners, part)) if parts_of(part) else ""
     return f"<b>{escape(name)}</b>", escape(type(part).__name__), values + problems + inside
 
 

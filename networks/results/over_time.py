@@ -2,12 +2,26 @@
 
 from __future__ import annotations
 
+from fnmatch import fnmatchcase
 from typing import TYPE_CHECKING, Any, overload
 
 import numpy as np
 from numpy.typing import ArrayLike
 
-from ...base import Array, ModelError, above, demand, finite, nearest, number, optional, shown
+from ...base import (
+    Array,
+    ModelError,
+    UnknownNameError,
+    above,
+    demand,
+    finite,
+    instance,
+    listed,
+    nearest,
+    number,
+    optional,
+    shown,
+)
 from .pieces import Pieces
 
 if TYPE_CHECKING:
@@ -33,6 +47,7 @@ class OverTime:
         def time(self) -> Array: ...
         def __getitem__(self, name: str) -> Array: ...
         def unit(self, name: str) -> str: ...
+        def names(self) -> list[str]: ...
         def to_dataframe(self) -> pd.DataFrame: ...
 
     def course(self, name: str, begin: float, end: float) -> Pieces:
@@ -74,6 +89,18 @@ class OverTime:
             found[before] = course.at(times[before])
         return found if found.ndim else float(found)
 
+    def _matching(self, names: tuple[str, ...]) -> list[str]:
+        """Return the names behind names and patterns, each once, in order."""
+        chosen: dict[str, None] = {}
+        for name in listed("names", names):
+            matches = [name]
+            if "*" in name:
+                matches = [known for known in self.names()[1:] if fnmatchcase(known, name)]
+            if not matches:
+                raise UnknownNameError(f"'{self.name}' has no variable like '{name}'")
+            chosen |= dict.fromkeys(matches)
+        return list(chosen)
+
     def resample(self, step: float, *names: str) -> pd.DataFrame:
         """Return signals at equal steps, as a pandas DataFrame indexed by time, units in `attrs["units"]`.
 
@@ -82,19 +109,49 @@ class OverTime:
 
         Args:
             step: between two instants [s].
-            names: the signals; those of `to_dataframe()` if none are given.
+            names: signals or patterns (`mass.*`); those of `to_dataframe()` if none are given.
 
         Raises:
-            UnknownNameError: for an unknown name, with the nearest one.
+            UnknownNameError: for an unknown name, with the nearest one, or a pattern that matches none.
             ModelError: for a step that is not above 0 s, or so short that the table has over 1e8 rows.
         """
         import pandas as pd
 
         times = self._equal_steps(step)
-        chosen = names or tuple(self.to_dataframe().columns)
+        chosen = self._matching(names) if names else list(self.to_dataframe().columns)
         table = pd.DataFrame({n: self.at(n, times) for n in chosen}, index=pd.Index(times, name="time"))
         table.attrs["units"] = {name: self.unit(name) for name in chosen}
         return table
+
+    def compare(self, other: OverTime, *names: str) -> pd.DataFrame:
+        """Return how far signals are from those of the same names of another run, or of what was measured.
+
+        A row for each signal: its unit, its rms over the time that both have, the rms of the difference (the
+        other's less this one's), the largest difference and when, at the points of both.
+
+        Args:
+            other: a `Result`, a `Recorded` or anything else that is `OverTime`.
+            names: signals or patterns (`mass.*`); those of `to_dataframe()` if none are given.
+
+        Raises:
+            UnknownNameError: for a name that one of them does not have, or a pattern that matches none.
+            ModelError: if they have no time in common, or a signal is in two units.
+
+        Example:
+            >>> from inertance import Fixed, Mass, Network, Spring
+            >>> net = Network("oscillator", wall=Fixed(), spring=Spring(k=100.0), mass=Mass(m=1.0, s=0.1))
+            >>> net = net.connect(net.wall.flange, net.spring.flange_a)
+            >>> net = net.connect(net.spring.flange_b, net.mass.flange)
+            >>> softer = net.simulate(1.0, parameters={"spring.k": 99.0})
+            >>> table = net.simulate(1.0).compare(softer, "mass.s")
+            >>> round(float(table.loc["mass.s", "rms of difference"]), 4)
+            0.0019
+        """
+        from .comparing import compared
+
+        demand("compare()", other=(other, instance(OverTime)))
+        chosen = self._matching(names) if names else list(self.to_dataframe().columns)
+        return compared(self, other, chosen)
 
     def mean(self, name: str, *, begin: float | None = None, end: float | None = None) -> float:
         """Return the average of a signal over time.

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any, cast
 
 import numpy as np
 
-from ...base import ModelError
+from ...base import ModelError, shown
 from .result import Result, matching_signals
 
 if TYPE_CHECKING:
@@ -35,6 +35,23 @@ def plot_result(result: Result, names: Sequence[str], axes: Any = None) -> Figur
     return figure
 
 
+def plot_phase(result: Result, x: str, y: str, axes: Any = None) -> Figure:
+    """Plot a signal over another and return the figure; see `Result.plot_phase`."""
+    from .figures import subplots
+
+    across, up = result[x], result[y]
+    if not (axes is None or hasattr(axes, "plot")):
+        raise ModelError(f"axes are matplotlib axes, got {shown(axes)}")
+    ax: Axes = subplots(figsize=(5.5, 4.5), layout="constrained")[1] if axes is None else axes
+    (line,) = ax.plot(across, up, linewidth=1.2)
+    ax.plot(across[:1], up[:1], "o", color=line.get_color(), fillstyle="none")
+    units = (pretty_unit(result.unit(name)) for name in (x, y))
+    labels = [f"{name} [{unit}]" if unit else name for name, unit in zip((x, y), units, strict=True)]
+    ax.set(xlabel=labels[0], ylabel=labels[1], title=result.name)
+    ax.grid(alpha=0.3)
+    return cast("Figure", ax.get_figure(root=True))
+
+
 def _panels(result: Result, names: Sequence[str]) -> list[list[str]]:
     """Group signals by unit, in the order in which they were asked for."""
     panels: dict[str, list[str]] = {}
@@ -45,10 +62,10 @@ def _panels(result: Result, names: Sequence[str]) -> list[list[str]]:
 
 
 def _new_axes(result: Result, panels: list[list[str]]) -> list[Axes]:
-    from matplotlib import pyplot
+    from .figures import subplots
 
     size = (8.0, 1.0 + PANEL_HEIGHT * len(panels))
-    figure, axes = pyplot.subplots(len(panels), sharex=True, figsize=size, layout="constrained")
+    figure, axes = subplots(len(panels), sharex=True, figsize=size, layout="constrained")
     figure.suptitle(result.name)
     return list(np.ravel(axes))
 

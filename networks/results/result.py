@@ -214,6 +214,15 @@ class Result(OverTime):
 
         return summary(self)
 
+    def to_dict(self, *names: str) -> dict[str, Any]:
+        """Return span, events, statistics and notes as plain values, such as JSON holds.
+
+        Of states and of what is named (`mass.*` for several) first, least, largest and last value, and unit.
+        """
+        from .summary import figures
+
+        return figures(self, matching_signals(self.dae, names))
+
     def plot(self, *names: str, axes: Any = None) -> Any:
         """Plot signals over time, one panel a unit and one a mode, and return the matplotlib figure.
 
@@ -228,6 +237,21 @@ class Result(OverTime):
         from .plotting import plot_result
 
         return plot_result(self, names or tuple(self.dae.state_names[:4]), axes)
+
+    def plot_phase(self, x: str, y: str, axes: Any = None) -> Any:
+        """Plot one signal over another, such as velocity over position; return the matplotlib figure.
+
+        Args:
+            x: the signal across.
+            y: the signal up; a ring marks the start.
+            axes: matplotlib axes to draw on; a new figure if None.
+
+        Raises:
+            UnknownNameError: for an unknown signal, with the nearest one.
+        """
+        from .plotting import plot_phase
+
+        return plot_phase(self, x, y, axes)
 
     def save(self, path: str | Path, *names: str) -> Path:
         """Write signals (`mass.*` for several) to .csv, .parquet or .npz, which `load_table` reads back.

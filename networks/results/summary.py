@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
-from typing import TYPE_CHECKING
+from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import asdict
+from typing import TYPE_CHECKING, Any
 
 from ...base import aligned
 
@@ -28,6 +29,30 @@ def summary(result: Result) -> str:
         *(f"note: {note}" for note in result.notes),
     ]
     return "\n".join(lines)
+
+
+def figures(result: Result, names: Iterable[str]) -> dict[str, Any]:
+    """Return what a run's summary tells as plain values, of the signals of some names, too."""
+    decided = {decision.name: decision.reason for decision in result.initial}
+    signals = {name: _extremes(result, name) for name in dict.fromkeys([*decided, *names])}
+    for name, reason in decided.items():
+        signals[name]["decided"] = reason
+    return {
+        "network": result.name,
+        "begin": float(result.time[0]),
+        "end": float(result.time[-1]),
+        "points": len(result.time),
+        "signals": signals,
+        "events": [asdict(event) for event in result.events],
+        "statistics": result.stats,
+        "notes": result.notes,
+    }
+
+
+def _extremes(result: Result, name: str) -> dict[str, Any]:
+    values = result[name]
+    told = {"first": values[0], "least": values.min(), "largest": values.max(), "last": values[-1]}
+    return {"unit": result.unit(name)} | {word: float(value) for word, value in told.items()}
 
 
 def state_rows(result: Result) -> list[tuple[str, ...]]:

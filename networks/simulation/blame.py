@@ -15,7 +15,7 @@ from .bound_dae import BoundDAE
 from .point import Point
 
 MOST_TOLD, MOST_SHOWN = 3, 120  # laws, and characters of one
-GUARD = "docs/write-your-own-component.md says how to guard it"
+GUARD = "`inertance docs write-your-own-component` says how to guard it"
 
 
 def told_without_value(closed: BoundDAE, point: Point, ahead: float = 0.0) -> str:

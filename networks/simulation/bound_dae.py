@@ -43,7 +43,7 @@ class BoundDAE:
         self.sampled = any(isinstance(s, Sampled) for s in signals.values())
         self._constant, self.courses = dae.constants.numel(), _courses(dae.constants.numel(), signals)
         added = sum(place.stop - place.start for place in self.courses.values())
-        symbols = [dae.x, dae.z, stacked(dae.constants, ca.SX.sym("course", added)), dae.time]
+        symbols: list[Any] = [dae.x, dae.z, stacked(dae.constants, ca.SX.sym("course", added)), dae.time]
         if self.sampled:
             symbols = [ca.MX.sym(name, each.numel()) for name, each in zip("xzqt", symbols, strict=True)]
         self.x, self.z, self.q, self.t = symbols

@@ -14,7 +14,8 @@ from typing import Any, overload
 import numpy as np
 from numpy.typing import NDArray
 
-from ...base import Array, InitialConditionError, ModelError, is_number
+from ...base import Array, InitialConditionError, ModelError, aligned, is_number
+from ...base.html import page, table_of_texts
 from ...components.language import Variable, values_of
 from ..dae import DAE
 from .blame import GUARD, told_without_value
@@ -25,6 +26,9 @@ from .point import Point
 SOLVED = "solved from fixed values of other variables"
 RELATED = "from the start values of the motions it relates"
 AS_GUESSED = "guess kept"
+
+
+START_HEADERS = ("state", "start", "unit", "decided")
 
 
 @dataclass(frozen=True)
@@ -65,6 +69,15 @@ class StartReport(Sequence[Decision]):
             given = self.wanted.fixed[variable][0]
             reason = "fixed" if given == name else f"fixed through {given}"
         return Decision(name, float(self.values[i]), unit, reason)
+
+    def __str__(self) -> str:
+        return "\n".join(aligned([START_HEADERS, *self._rows()], right={1}))
+
+    def _repr_html_(self) -> str:
+        return page(self.dae.name, "start values", table_of_texts(START_HEADERS, self._rows()))
+
+    def _rows(self) -> list[tuple[str, ...]]:
+        return [(one.name, f"{one.value:.6g}", one.unit, one.reason) for one in self]
 
 
 @dataclass(eq=False)

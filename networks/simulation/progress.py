@@ -6,17 +6,19 @@ import sys
 import time
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
+from math import floor, log10
 from threading import Event, Thread
 from typing import Any
 
 REFRESH_PERIOD = 0.1  # s
+SIMULATED = "s simulated"
 
 
 class Progress:
     """A bar on the terminal that appears once a run has lasted a second."""
 
     def __init__(
-        self, name: str, begin: float, stop: float, wanted: bool | None, unit: str = "s simulated"
+        self, name: str, begin: float, stop: float, wanted: bool | None, unit: str = SIMULATED
     ) -> None:
         self.name, self.begin, self.stop, self.unit = name, begin, stop, unit
         self.wanted = sys.stderr.isatty() if wanted is None else wanted
@@ -58,9 +60,11 @@ class Progress:
         from rich.progress import BarColumn, TextColumn, TimeElapsedColumn, TimeRemainingColumn
         from rich.progress import Progress as Bar
 
+        counted = self.unit != SIMULATED
+        digits = 0 if counted else max(0, 2 - floor(log10(self.stop - self.begin)))
         columns = (
             TextColumn("{task.description}"), BarColumn(),
-            TextColumn(f"{{task.completed:.6g}}/{{task.total:.6g}} {self.unit}"),
+            TextColumn(f"{{task.completed:.{digits}f}}/{{task.total:.{digits}f}} {self.unit}"),
             TimeElapsedColumn(), TextColumn("left"), TimeRemainingColumn(),
         )  # fmt: skip
         self._bar = Bar(*columns, console=Console(stderr=True), transient=True)

@@ -12,6 +12,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from ...base import ModelError, SimulationError, boolean, demand, nearest, optional, path_of, whole
+from ...base.html import more, page, table_of_texts
 from ..dae import DAE
 from ..simulation.progress import Progress
 from .design import Design, grid
@@ -20,6 +21,9 @@ from .work import Model, Row, Values, Work, bequeath, equations, packed
 
 if TYPE_CHECKING:
     import pandas as pd
+
+
+MOST_ROWS = 20  # that a notebook shows
 
 
 class SweepInterruptedError(KeyboardInterrupt):
@@ -51,8 +55,16 @@ class Sweep:
         return self.table.query("error != ''")
 
     def __repr__(self) -> str:
-        failed = len(self.failed)
-        return f"<Sweep: {len(self.table)} of {len(self.design)} points, {failed} failed>"
+        return f"<Sweep: {self._told()}>"
+
+    def _told(self) -> str:
+        return f"{len(self.table)} of {len(self.design)} points, {len(self.failed)} failed"
+
+    def _repr_html_(self) -> str:
+        first = self.table.head(MOST_ROWS)
+        rows = ([f"{v:.5g}" if isinstance(v, float) else str(v) for v in row] for row in first.values)
+        shown = table_of_texts([str(column) for column in first.columns], rows)
+        return page("sweep", self._told(), shown, more(len(self.table) - len(first)))
 
 
 def sweep(

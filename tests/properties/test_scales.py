@@ -15,7 +15,6 @@ from numpy.typing import NDArray
 Array = NDArray[np.float64]
 SOLVERS = ("cvodes", "idas", "rosenbrock", "compiled")
 TIME = np.linspace(0.0, 5.0, 501)
-WAVE = ia.signals.Sine(amplitude=1.0, frequency=3.0)
 
 
 def smooth(length: float = 1.0, mass: float = 1.0) -> ia.Network:

@@ -26,6 +26,7 @@ from inertance.analysis import (
     Norm,
     Orbit,
     OrderSpectrum,
+    PowerSpectrum,
     ResponseCurve,
     Scatter,
     Spectrogram,
@@ -220,6 +221,9 @@ GOOD: dict[str, Callable[[], Any]] = {
     "struts": lambda: InterconnectedStruts(A_b=2e-4, A_r=1e-4, p_0=1e6, V_0=1e-4, R=0.0),
     # of one function
     "campbell.network": shaft, "campbell.speed": lambda: "rotor.w", "campbell.speeds": lambda: [1.0, 2.0],
+    "power_spectrum.run": run, "power_spectrum.window": lambda: 0.09, "power_spectrum.rate": lambda: 100.0,
+    "Result.compare.other": run, "Result.plot_phase.x": lambda: "mass.s",
+    "Result.plot_phase.y": lambda: "mass.v",
     "spectrogram.run": run, "spectrogram.window": lambda: 0.09, "order_tracking.run": turning,
     "order_tracking.name": lambda: "rotor.phi", "order_tracking.shaft": lambda: "rotor.phi",
     "Campbell.crossings.order": lambda: 1.0, "OrderSpectrum.track.order": lambda: 1.0,
@@ -275,6 +279,7 @@ INSTANCES: dict[type, Callable[[], Any]] = {
     Scatter: lambda: Scatter(1.0, np.array([1.0, 2.0])), Tuning: lambda: Tuning(1.0, 0.1),
     ia.Variations: lambda: ia.Variations(dae(), ["mass.s"], ["spring.k"]), Norm: lambda: linear().h2(),
     Filter: lambda: Filter(10.0), Campbell: lambda: ia.analysis.campbell(shaft(), "rotor.w", [1.0, 20.0]),
+    PowerSpectrum: lambda: ia.analysis.power_spectrum(run(), "mass.s", 0.09, rate=100.0),
     Spectrogram: lambda: ia.analysis.spectrogram(run(), "mass.s", 0.09),
     OrderSpectrum: lambda: ia.analysis.order_tracking(turning(), "rotor.phi", "rotor.phi", turns=2.0),
 }  # fmt: skip

@@ -155,7 +155,7 @@ def elasto_gap() -> Network:
 def friction() -> Network:
     speeds = np.linspace(0, 12, 50).tolist()
     stribeck = tuple((v, 5 + v + 10 * exp(-2 * v)) for v in speeds)
-    body = {"m": 1, "d": 1, "v_s": 0.5, "peak": 1.001}
+    body: dict[str, Any] = {"m": 1, "d": 1, "v_s": 0.5, "peak": 1.001}
     net = Network(
         "Friction",
         sineForce=signals.Sine(amplitude=25, f=0.25),

@@ -343,7 +343,7 @@ def test_wrong_model(model: str, message: str) -> None:
         (["--out", "r.xlsx"], "tables end in .csv, .parquet, .npz"),
         (["--out", "nowhere/r.csv"], "there is no folder 'nowhere' to write 'r.csv' into"),
         (["--input", "none.csv"], "there is no file 'none.csv'"),
-        (["--signals", "mass.s"], "--signals says what --out writes; give --out FILE too"),
+        (["--signals", "mass.s"], "--signals says what --out writes and --json tells; give"),
     ],
 )
 def test_wrong_options(options: list[str], message: str, folder: Path) -> None:
@@ -395,7 +395,7 @@ def test_data_that_do_not_suffice() -> None:
 
 
 def test_data_for_a_network_without_inputs() -> None:
-    message = "column 'push.f': there is no such input; the network has no inputs"
+    message = "column 'push.f': there is no such input; there are none"
     assert message in refused(2, "run", "model.py:free", "--input", data("push.csv"))
 
 

@@ -130,6 +130,6 @@ def test_bent_lever_is_a_pendulum() -> None:
 
 
 def test_lever_needs_its_ratio() -> None:
-    net = levered(ia.Lever(), m_a=1.0, m_b=1.0)
+    net = levered(ia.Lever(), m_a=1.0, m_b=1.0)  # type: ignore[call-arg]
     with pytest.raises(ia.ModelError, match=r"Lever 'lever': ratio \[1\] .* must be given"):
         net.simulate(1.0, inputs={"load.f": 0.0})

@@ -100,6 +100,6 @@ def test_errors_name_parameter_value_and_unit() -> None:
     net = against_wall(ia.ElastoGap(k=-1.0, d=0.0), s=1.0, v=0.0)
     with pytest.raises(ia.ModelError, match=r"ElastoGap 'gap': k must be at least 0 N/m\^n, got -1"):
         net.simulate(1.0)
-    net = against_wall(ia.Backlash(k=1.0, d=0.0), s=1.0, v=0.0)
+    net = against_wall(ia.Backlash(k=1.0, d=0.0), s=1.0, v=0.0)  # type: ignore[call-arg]
     with pytest.raises(ia.ModelError, match=r"eps \[m\] \(half of the clearance\) must be given"):
         net.simulate(1.0)

@@ -17,7 +17,7 @@ def on_ground(element: rotational.Compliant, **start: float) -> Network:
     return net.connect(net.element.flange_b, net.body.flange)
 
 
-def driven(element: rotational.Compliant, angle: object) -> Network:
+def driven(element: rotational.Compliant, angle: Any) -> Network:
     net = Network(
         "driven", wall=rotational.Fixed(), element=element, drive=rotational.Position(phi_ref=angle)
     )

@@ -13,7 +13,7 @@ from inertance import Network, rotational
 TIGHT: dict[str, Any] = {"rtol": 1e-10, "atol": 1e-12}
 
 
-def in_bearing(friction: rotational.Friction, torque: object, **start: float) -> Network:
+def in_bearing(friction: rotational.Friction, torque: Any, **start: float) -> Network:
     net = Network(
         "shaft",
         torque=rotational.Torque(tau=torque),
@@ -124,7 +124,7 @@ def test_a_rebound_keeps_its_speed_through_friction() -> None:
     assert run["rack.v"][-1] == pytest.approx(0.8 * before - 0.01 * (0.6 - struck.time))
 
 
-def coupled(**clutch: object) -> Network:
+def coupled(**clutch: Any) -> Network:
     net = Network(
         "coupled",
         left=rotational.Inertia(J=1.0, w=9),
@@ -197,7 +197,7 @@ def test_two_brakes_on_one_shaft_hold_it_together() -> None:
     assert any("one" in note and "two" in note for note in run.notes)
 
 
-def freewheel(torque: object, pressed: float = 0.0, **start: float) -> Network:
+def freewheel(torque: Any, pressed: float = 0.0, **start: float) -> Network:
     net = Network(
         "freewheel",
         torque=rotational.Torque(tau=torque),
@@ -233,7 +233,7 @@ def test_a_freewheel_that_falls_behind_is_caught_by_an_impulse() -> None:
 
 
 def test_three_clutches_in_a_row_lock_and_slip_in_turn() -> None:
-    def clutch(signal: object) -> rotational.Clutch:
+    def clutch(signal: Any) -> rotational.Clutch:
         return rotational.Clutch(peak=1.1, fn_max=20.0, f_normalized=signal)
 
     net = Network(

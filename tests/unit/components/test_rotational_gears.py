@@ -12,7 +12,7 @@ from inertance import Component, ModelError, Network, Result, rotational
 TIGHT: dict[str, Any] = {"rtol": 1e-10, "atol": 1e-12}
 
 
-def geared(gear: Component, torque: object, load: object = 0.0, **start: float) -> Network:
+def geared(gear: Component, torque: Any, load: Any = 0.0, **start: float) -> Network:
     net = Network(
         "geared",
         torque=rotational.Torque(tau=torque),

@@ -9,8 +9,8 @@ import pytest
 from inertance import rotational
 
 TIGHT: dict[str, Any] = {"rtol": 1e-9, "atol": 1e-11}
-GEARS = {"R": 0.05, "r": 0.017, "J_p": 1.66e-5, "J_r": 1.02e-4}
-MESH = {"k_r": 1e8, "c_r": 4e3}
+GEARS: dict[str, Any] = {"R": 0.05, "r": 0.017, "J_p": 1.66e-5, "J_r": 1.02e-4}
+MESH: dict[str, Any] = {"k_r": 1e8, "c_r": 4e3}
 
 
 def driven(transmission: ia.Component, force: float) -> ia.Result:
@@ -136,7 +136,7 @@ def test_planets_may_differ() -> None:
 
 def test_stuck_planets_hold_the_bracket() -> None:
     """They let go at N T_pm (R - r)/r."""
-    flywheel = ia.PlanetaryFlywheel(N=4, J_s=3e-4, T_pm=0.01, **GEARS, **(MESH | {"c_r": 4e4}))
+    flywheel = ia.PlanetaryFlywheel(N=4, J_s=3e-4, T_pm=0.01, **GEARS, **dict(MESH, c_r=4e4))
     run = turned(flywheel, lambda t: 0.2 * t, 1.0)
     (slip,) = [e for e in run.events if e.target == "forward"]
     assert slip.time == pytest.approx(4 * 0.01 * 33 / 17 / 0.2, abs=1e-4)

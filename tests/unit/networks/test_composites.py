@@ -143,7 +143,7 @@ def test_changed_copies() -> None:
     with pytest.raises(ia.ModelError, match=r"got -1\.0"):
         oscillator(bad).dae()
     planets = 5
-    shaped = ia.PlanetaryFlywheel().with_values(N=planets)
+    shaped = ia.PlanetaryFlywheel().with_values(N=planets)  # type: ignore[call-arg]
     assert any("N shapes its parts; create another one with it" in told for told in shaped.problems())
 
 

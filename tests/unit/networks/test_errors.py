@@ -21,6 +21,10 @@ def oscillator(**changed: ia.Component) -> ia.Network:
     return net.connect(net.wall.flange, net.spring.flange_a).connect(net.spring.flange_b, net.mass.flange)
 
 
+def planets(**options: Any) -> ia.PlanetaryFlywheel:
+    return ia.PlanetaryFlywheel(R=0.05, r=0.017, J_s=3e-4, J_p=1.7e-5, J_r=1e-4, k_r=1e8, c_r=4e3, **options)
+
+
 def refused(net: ia.Network, **run: Any) -> list[str]:
     with pytest.raises(ia.ModelError) as caught:
         net.simulate(1.0, **run)
@@ -31,8 +35,8 @@ def test_every_bad_value_is_told_with_its_path_and_unit() -> None:
     told = refused(
         oscillator(
             wall=ia.Fixed(s0=float("nan")),
-            spring=ia.Spring(k=-1.0, s_rel0="long"),
-            mass=ia.Mass(m=0.0, s=float("inf"), q=3),
+            spring=ia.Spring(k=-1.0, s_rel0="long"),  # type: ignore[arg-type]
+            mass=ia.Mass(m=0.0, s=float("inf"), q=3),  # type: ignore[call-arg]
         )
     )
     assert told == [
@@ -48,10 +52,10 @@ def test_every_bad_value_is_told_with_its_path_and_unit() -> None:
 @pytest.mark.parametrize(
     ("component", "told"),
     [
-        (ia.Spring(kk=1.0, k=1.0), "Spring 'spring': has no parameter 'kk'; did you mean 'k'?"),
-        (ia.Spring(), "Spring 'spring': k [N/m] (stiffness) must be given"),
-        (ia.Spring(k=None), "Spring 'spring': k must be a number [N/m], got None"),
-        (ia.Spring(k=np.array([1.0, 2.0])), "Spring 'spring': k must be a number [N/m], got array([1., 2.])"),
+        (ia.Spring(kk=1.0, k=1.0), "Spring 'spring': has no parameter 'kk'; did you mean 'k'?"),  # type: ignore[call-arg]
+        (ia.Spring(), "Spring 'spring': k [N/m] (stiffness) must be given"),  # type: ignore[call-arg]
+        (ia.Spring(k=None), "Spring 'spring': k must be a number [N/m], got None"),  # type: ignore[arg-type]
+        (ia.Spring(k=np.array([1.0, 2.0])), "Spring 'spring': k must be a number [N/m], got array([1., 2.])"),  # type: ignore[arg-type]
         (ia.HardStop(e=1.5), "HardStop 'spring': e must be at most 1, got 1.5"),
         (ia.series(ia.Spring(k=-2.0)), "Spring 'spring.spring': k must be at least 0 N/m, got -2.0"),
     ],
@@ -61,7 +65,7 @@ def test_a_bad_value(component: ia.Component, told: str) -> None:
 
 
 def test_a_bad_signal_is_told_before_the_run() -> None:
-    told = refused(oscillator(push=ia.Force(f="sine")))
+    told = refused(oscillator(push=ia.Force(f="sine")))  # type: ignore[arg-type]
     assert told[0].startswith(
         "Force 'push': f takes a number, a function of time or Sampled data, got 'sine'"
     )
@@ -187,9 +191,10 @@ def test_changed_parameters_are_checked_all_at_once() -> None:
     ],
 )
 def test_bad_start_values(start: dict[str, Any], told: str) -> None:
-    for given in ("start", "guess"):
+    both: list[dict[str, Any]] = [{"start": start}, {"guess": start}]
+    for given in both:
         with pytest.raises(ia.ModelError) as caught:
-            oscillator().simulate(1.0, **{given: start})
+            oscillator().simulate(1.0, **given)
         assert told in str(caught.value)
 
 
@@ -271,7 +276,7 @@ def test_bad_tables_are_told_by_path_with_all_other_problems(table: Any) -> None
     told = refused(
         oscillator(
             spring=ia.TabulatedFriction(table=table, peak=0.5),
-            wall=ia.Fixed(s0="here"),
+            wall=ia.Fixed(s0="here"),  # type: ignore[arg-type]
         )
     )
     assert told[1].startswith("TabulatedFriction 'spring': table takes rows (speed, force) of finite numbers")
@@ -289,9 +294,9 @@ def test_bad_tables_are_told_by_path_with_all_other_problems(table: Any) -> None
             ia.CoulombFriction(f_c=1.0, regularised="on"),
             "regularised must be None or a number above 0, got 'on'",
         ),
-        (ia.PlanetaryFlywheel(N=0), "N must be a whole number, at least 1, got 0"),
-        (ia.PlanetaryFlywheel(N=2.5, lumped=False), "N must be a whole number, at least 1, got 2.5"),
-        (ia.signals.Delay(T=1.0, n="5"), "n must be a whole number, at least 1, got '5'"),
+        (planets(N=0), "N must be a whole number, at least 1, got 0"),
+        (planets(N=2.5, lumped=False), "N must be a whole number, at least 1, got 2.5"),
+        (ia.signals.Delay(T=1.0, n="5"), "n must be a whole number, at least 1, got '5'"),  # type: ignore[arg-type]
         (ia.signals.Sine(f=1.0, start_time=np.inf), "start_time must be None or a finite number, got inf"),
         (
             ia.signals.TimeTable(table=((1.0, 0.0), (0.0, 1.0))),

@@ -1,0 +1,657 @@
+"""Signals: sources over time and the blocks that close a loop."""
+
+# Made by docs/make_stubs.py from the classes; do not edit.
+
+from typing import Any
+
+import numpy as np
+
+from ..language import Component, Number, ParameterValue, SignalValue
+
+class Add(Component):
+    """Sum of two signals: y = k1 u1 + k2 u2; k2 = -1 makes it a difference.
+
+    Source: MSL Blocks.Math.Add.
+
+    Args:
+        u1: first input, a number, a function of time or Sampled data.
+        u2: second input, a number, a function of time or Sampled data.
+        k1: weight of the first input.
+        k2: weight of the second input.
+    """
+
+    u1: Any
+    """first input, a number, a function of time or Sampled data"""
+    u2: Any
+    """second input, a number, a function of time or Sampled data"""
+    y: Any
+    """sum"""
+    k1: Any
+    """weight of the first input"""
+    k2: Any
+    """weight of the second input"""
+    def __init__(
+        self,
+        *,
+        u1: SignalValue = ...,
+        u2: SignalValue = ...,
+        k1: ParameterValue = 1.0,
+        k2: ParameterValue = 1.0,
+    ) -> None: ...
+
+class LimPI(Component):
+    """PI controller with limited output, anti-windup and weight of the setpoint.
+
+    y = min(max(v, y_min), y_max), v = k (wp u_s - u_m + x), Ti x' = u_s - u_m + (y - v)/(k Ni).
+
+    Source: MSL Blocks.Continuous.LimPID, controllerType PI.
+
+    Args:
+        k: gain, above 0.
+        Ti: integral time [s], above 0.
+        y_max: upper limit of the output.
+        u_s: setpoint, a number, a function of time or Sampled data.
+        u_m: measurement, a number, a function of time or Sampled data.
+        y_min: lower limit of the output.
+        Ni: anti-windup time over integral time, above 0.
+        wp: weight of the setpoint in the proportional part, at least 0.
+        x: integral part, fixed start value.
+        v: output before the limits, fixed start value.
+    """
+
+    u_s: Any
+    """setpoint, a number, a function of time or Sampled data"""
+    u_m: Any
+    """measurement, a number, a function of time or Sampled data"""
+    y: Any
+    """limited output"""
+    k: Any
+    """gain, above 0"""
+    Ti: Any
+    """integral time [s], above 0"""
+    y_max: Any
+    """upper limit of the output"""
+    y_min: Any
+    """lower limit of the output"""
+    Ni: Any
+    """anti-windup time over integral time, above 0"""
+    wp: Any
+    """weight of the setpoint in the proportional part, at least 0"""
+    x: Any
+    """integral part, fixed start value"""
+    v: Any
+    """output before the limits, fixed start value"""
+    @property
+    def rate(self) -> Any: ...
+    def __init__(
+        self,
+        *,
+        k: ParameterValue,
+        Ti: ParameterValue,
+        y_max: ParameterValue,
+        u_s: SignalValue = ...,
+        u_m: SignalValue = ...,
+        y_min: ParameterValue = ...,
+        Ni: ParameterValue = 0.9,
+        wp: ParameterValue = 1.0,
+        x: Number = ...,
+        v: Number = ...,
+    ) -> None: ...
+
+class Product(Component):
+    """Product of two signals: y = u1 u2.
+
+    Source: MSL Blocks.Math.Product.
+
+    Args:
+        u1: first input, a number, a function of time or Sampled data.
+        u2: second input, a number, a function of time or Sampled data.
+    """
+
+    u1: Any
+    """first input, a number, a function of time or Sampled data"""
+    u2: Any
+    """second input, a number, a function of time or Sampled data"""
+    y: Any
+    """product"""
+    def __init__(
+        self,
+        *,
+        u1: SignalValue = ...,
+        u2: SignalValue = ...,
+    ) -> None: ...
+
+class SISO(Component):
+    """What a block with a single input and a single output has: u in, y out."""
+
+    u: Any
+    """input, a number, a function of time or Sampled data"""
+    y: Any
+    """output"""
+    def __init__(self, **values: Any) -> None: ...
+
+class Source(Component):
+    """What all signals of time have: an output y [unit of what it drives]."""
+
+    y: Any
+    """signal"""
+    def __init__(self, **values: Any) -> None: ...
+
+class Clock(Source):
+    """Time as a signal: y = offset + time [s].
+
+    Source: MSL Blocks.Sources.ContinuousClock.
+
+    Args:
+        offset: what it shows at time = 0 [s].
+    """
+
+    y: Any
+    """time [s]"""
+    offset: Any
+    """what it shows at time = 0 [s]"""
+    def __init__(
+        self,
+        *,
+        offset: ParameterValue = 0.0,
+    ) -> None: ...
+
+class Constant(Source):
+    """A constant signal: y = k.
+
+    Source: MSL Blocks.Sources.Constant.
+
+    Args:
+        k: value.
+    """
+
+    k: Any
+    """value"""
+    def __init__(
+        self,
+        *,
+        k: ParameterValue,
+    ) -> None: ...
+
+class Delay(SISO):
+    """Transport delay by the Pade approximation of order n: y(t) ~ u(t - T).
+
+    exp(-T s) ~ (1 - h)/(1 + h), where h is Lambert's continued fraction of tanh(T s/2) cut after n
+    terms, q/(1 + q^2/(3 + q^2/(5 + ...))) with q = T s/2: a ladder of n stages with one state each.
+
+    Limits: the amplitude is exact at every frequency. The phase, for n = 5, lags too little by 2e-6 rad
+    at omega T = n/2, 3e-3 rad at n and 0.6 rad at 2n: smooth signals are delayed well. A jump is not:
+    y jumps at once by (-1)^n of it, then rings. The stages start at 0, as if u had been 0 before; to
+    start with a constant u0 behind, fix `stage1.x` at u0.
+
+    Source: J. H. Lambert, Memoires sur quelques proprietes remarquables des quantites
+    transcendentes (1768); MSL Blocks.Nonlinear.PadeDelay for the order and its limits.
+
+    Args:
+        T: delay [s], above 0.
+        u: input, a number, a function of time or Sampled data.
+        n: order: number of stages.
+    """
+
+    T: Any
+    """delay [s], above 0"""
+    n: Any
+    """order: number of stages"""
+    def __init__(
+        self,
+        *,
+        T: ParameterValue,
+        u: SignalValue = ...,
+        n: int | np.integer[Any] = 5,
+        **parts: Component,
+    ) -> None: ...
+
+class Derivative(SISO):
+    """Derivative of a filtered input: y = k (u - x)/T with T x' = u - x, which is k s/(T s + 1).
+
+    The state x starts at 0 unless something fixes it: a run from u = u0 begins with y = k u0/T.
+    Fix the output, `start={"name.y": 0.0}`, and it begins with a filter at rest.
+
+    Source: MSL Blocks.Continuous.Derivative.
+
+    Args:
+        T: time constant of the filter [s], above 0.
+        u: input, a number, a function of time or Sampled data.
+        k: gain.
+        x: filtered input, fixed start value.
+    """
+
+    k: Any
+    """gain"""
+    T: Any
+    """time constant of the filter [s], above 0"""
+    x: Any
+    """filtered input, fixed start value"""
+    def __init__(
+        self,
+        *,
+        T: ParameterValue,
+        u: SignalValue = ...,
+        k: ParameterValue = 1.0,
+        x: Number = ...,
+    ) -> None: ...
+
+class FirstOrder(SISO):
+    """First-order lag: T y' + y = k u, with the state x = y.
+
+    Source: MSL Blocks.Continuous.FirstOrder.
+
+    Args:
+        T: time constant [s], above 0.
+        u: input, a number, a function of time or Sampled data.
+        k: gain.
+        x: state, fixed start value.
+    """
+
+    k: Any
+    """gain"""
+    T: Any
+    """time constant [s], above 0"""
+    x: Any
+    """state, fixed start value"""
+    def __init__(
+        self,
+        *,
+        T: ParameterValue,
+        u: SignalValue = ...,
+        k: ParameterValue = 1.0,
+        x: Number = ...,
+    ) -> None: ...
+
+class Gain(SISO):
+    """Gain: y = k u.
+
+    Source: MSL Blocks.Math.Gain.
+
+    Args:
+        u: input, a number, a function of time or Sampled data.
+        k: gain.
+    """
+
+    k: Any
+    """gain"""
+    def __init__(
+        self,
+        *,
+        u: SignalValue = ...,
+        k: ParameterValue = 1.0,
+    ) -> None: ...
+
+class Integrator(SISO):
+    """Integral: y' = k u, with the state x = y.
+
+    Source: MSL Blocks.Continuous.Integrator.
+
+    Args:
+        u: input, a number, a function of time or Sampled data.
+        k: gain.
+        x: state, fixed start value.
+    """
+
+    k: Any
+    """gain"""
+    x: Any
+    """state, fixed start value"""
+    def __init__(
+        self,
+        *,
+        u: SignalValue = ...,
+        k: ParameterValue = 1.0,
+        x: Number = ...,
+    ) -> None: ...
+
+class LimPID(LimPI):
+    """PID controller with limited output, anti-windup and weights of the setpoint.
+
+    As `LimPI`, with Nd (e - x_d) added inside v, Td x_d' = Nd (e - x_d) and e = wd u_s - u_m.
+
+    Source: MSL Blocks.Continuous.LimPID, controllerType PID.
+
+    Args:
+        k: gain, above 0.
+        Ti: integral time [s], above 0.
+        y_max: upper limit of the output.
+        Td: derivative time [s], above 0.
+        u_s: setpoint, a number, a function of time or Sampled data.
+        u_m: measurement, a number, a function of time or Sampled data.
+        y_min: lower limit of the output.
+        Ni: anti-windup time over integral time, above 0.
+        wp: weight of the setpoint in the proportional part, at least 0.
+        Nd: derivative time over its filter's time constant, above 0.
+        wd: weight of the setpoint in the derivative part, at least 0.
+        x: integral part, fixed start value.
+        v: output before the limits, fixed start value.
+        x_d: input of the derivative part, filtered, fixed start value.
+    """
+
+    Td: Any
+    """derivative time [s], above 0"""
+    Nd: Any
+    """derivative time over its filter's time constant, above 0"""
+    wd: Any
+    """weight of the setpoint in the derivative part, at least 0"""
+    x_d: Any
+    """input of the derivative part, filtered, fixed start value"""
+    @property
+    def rate(self) -> Any: ...
+    def __init__(
+        self,
+        *,
+        k: ParameterValue,
+        Ti: ParameterValue,
+        y_max: ParameterValue,
+        Td: ParameterValue,
+        u_s: SignalValue = ...,
+        u_m: SignalValue = ...,
+        y_min: ParameterValue = ...,
+        Ni: ParameterValue = 0.9,
+        wp: ParameterValue = 1.0,
+        Nd: ParameterValue = 10.0,
+        wd: ParameterValue = 0.0,
+        x: Number = ...,
+        v: Number = ...,
+        x_d: Number = ...,
+    ) -> None: ...
+
+class Limiter(SISO):
+    """Limits: y = min(max(u, y_min), y_max). Continuous, so it makes no event.
+
+    Source: MSL Blocks.Nonlinear.Limiter.
+
+    Args:
+        y_max: upper limit.
+        u: input, a number, a function of time or Sampled data.
+        y_min: lower limit.
+    """
+
+    y_max: Any
+    """upper limit"""
+    y_min: Any
+    """lower limit"""
+    def __init__(
+        self,
+        *,
+        y_max: ParameterValue,
+        u: SignalValue = ...,
+        y_min: ParameterValue = ...,
+    ) -> None: ...
+
+class PI(SISO):
+    """Proportional and integral: y = k (u + x) with T x' = u, which is k (1 + 1/(T s)).
+
+    Source: MSL Blocks.Continuous.PI.
+
+    Args:
+        T: integral time [s], above 0.
+        u: input, a number, a function of time or Sampled data.
+        k: gain.
+        x: integral part, fixed start value.
+    """
+
+    k: Any
+    """gain"""
+    T: Any
+    """integral time [s], above 0"""
+    x: Any
+    """integral part, fixed start value"""
+    def __init__(
+        self,
+        *,
+        T: ParameterValue,
+        u: SignalValue = ...,
+        k: ParameterValue = 1.0,
+        x: Number = ...,
+    ) -> None: ...
+
+class PID(SISO):
+    """Proportional, integral and filtered derivative: k (1 + 1/(Ti s) + Td s/(1 + Td s/Nd)).
+
+    Source: MSL Blocks.Continuous.PID.
+
+    Args:
+        Ti: integral time [s], above 0.
+        Td: derivative time [s], above 0.
+        u: input, a number, a function of time or Sampled data.
+        k: gain.
+        Nd: derivative time over its filter's time constant, above 0.
+        x: integral part, fixed start value.
+        filtered: input of the derivative part, filtered, fixed start value.
+    """
+
+    k: Any
+    """gain"""
+    Ti: Any
+    """integral time [s], above 0"""
+    Td: Any
+    """derivative time [s], above 0"""
+    Nd: Any
+    """derivative time over its filter's time constant, above 0"""
+    x: Any
+    """integral part, fixed start value"""
+    filtered: Any
+    """input of the derivative part, filtered, fixed start value"""
+    def __init__(
+        self,
+        *,
+        Ti: ParameterValue,
+        Td: ParameterValue,
+        u: SignalValue = ...,
+        k: ParameterValue = 1.0,
+        Nd: ParameterValue = 10.0,
+        x: Number = ...,
+        filtered: Number = ...,
+    ) -> None: ...
+
+class Periodic(Source):
+    """What signals with a period have: the number of periods begun, constant between events."""
+
+    amplitude: Any
+    """height above the offset"""
+    period: Any
+    """period [s], above 0"""
+    offset: Any
+    """value between the pulses"""
+    start_time: Any
+    """when the first period begins [s]"""
+    count: Any
+    """periods begun, fixed start value"""
+    @property
+    def next_period(self) -> Any: ...
+    @property
+    def elapsed(self) -> Any: ...
+    @property
+    def begun(self) -> Any: ...
+    def __init__(self, **values: Any) -> None: ...
+
+class Ramp(Source):
+    """A ramp: y = offset, then rising by height within duration, then offset + height.
+
+    A duration of 0 makes it a step.
+
+    Source: MSL Blocks.Sources.Ramp.
+
+    Args:
+        duration: how long it rises [s], at least 0.
+        height: height of the ramp.
+        offset: value before the ramp.
+        start_time: when it begins to rise [s].
+    """
+
+    height: Any
+    """height of the ramp"""
+    duration: Any
+    """how long it rises [s], at least 0"""
+    offset: Any
+    """value before the ramp"""
+    start_time: Any
+    """when it begins to rise [s]"""
+    mode: Any
+    """before, on or after the slope"""
+    def __init__(
+        self,
+        *,
+        duration: ParameterValue,
+        height: ParameterValue = 1.0,
+        offset: ParameterValue = 0.0,
+        start_time: ParameterValue = 0.0,
+    ) -> None: ...
+
+class Sine(Source):
+    """A sine: y = offset + amplitude sin(2 pi f (time - start_time) + phase).
+
+    With `start_time` given, y = offset before it; without, the sine has always run and time counts
+    from 0.
+
+    Source: MSL Blocks.Sources.Sine.
+
+    Args:
+        f: frequency [Hz].
+        amplitude: amplitude.
+        phase: phase at start_time [rad].
+        offset: mean.
+        start_time: time [s] before which y = offset.
+    """
+
+    amplitude: Any
+    """amplitude"""
+    f: Any
+    """frequency [Hz]"""
+    phase: Any
+    """phase at start_time [rad]"""
+    offset: Any
+    """mean"""
+    start_time: Any
+    """time [s] before which y = offset"""
+    mode: Any
+    """before or after start_time"""
+    def __init__(
+        self,
+        *,
+        f: ParameterValue,
+        amplitude: ParameterValue = 1.0,
+        phase: ParameterValue = 0.0,
+        offset: ParameterValue = 0.0,
+        start_time: Any = None,
+    ) -> None: ...
+
+class Step(Source):
+    """A step: y = offset before start_time, offset + height from it on.
+
+    Source: MSL Blocks.Sources.Step.
+
+    Args:
+        height: height of the step.
+        offset: value before the step.
+        start_time: time of the step [s].
+    """
+
+    height: Any
+    """height of the step"""
+    offset: Any
+    """value before the step"""
+    start_time: Any
+    """time of the step [s]"""
+    mode: Any
+    """before or after the step"""
+    def __init__(
+        self,
+        *,
+        height: ParameterValue = 1.0,
+        offset: ParameterValue = 0.0,
+        start_time: ParameterValue = 0.0,
+    ) -> None: ...
+
+class TimeTable(Source):
+    """A signal linear between the rows of a table; two rows of equal time make a jump.
+
+    Before the first row y is the first value, after the last row the last one.
+
+    Source: MSL Blocks.Sources.CombiTimeTable with extrapolation HoldLastPoint. For measured data,
+    which wants no event at every sample, take `Sampled`.
+
+    Args:
+        table: rows (time [s], value), times not decreasing.
+    """
+
+    table: Any
+    """rows (time [s], value), times not decreasing"""
+    def slopes(self) -> Any: ...
+    def __init__(
+        self,
+        *,
+        table: Any = ...,
+        **parts: Component,
+    ) -> None: ...
+
+class Pulse(Periodic):
+    """Rectangular pulses: y = offset + amplitude for a share `width` of each period, else offset.
+
+    Source: MSL Blocks.Sources.Pulse, where width is in percent.
+
+    Args:
+        period: period [s], above 0.
+        amplitude: height above the offset.
+        offset: value between the pulses.
+        start_time: when the first period begins [s].
+        width: share of the period at offset + amplitude, above 0, at most 1.
+        count: periods begun, fixed start value.
+    """
+
+    width: Any
+    """share of the period at offset + amplitude, above 0, at most 1"""
+    mode: Any
+    """between or in pulses"""
+    def __init__(
+        self,
+        *,
+        period: ParameterValue,
+        amplitude: ParameterValue = 1.0,
+        offset: ParameterValue = 0.0,
+        start_time: ParameterValue = 0.0,
+        width: ParameterValue = 0.5,
+        count: Number = ...,
+    ) -> None: ...
+
+class Trapezoid(Periodic):
+    """Trapezoidal pulses: y rises to offset + amplitude, stays, falls back and rests.
+
+    rising, width and falling must fit into the period; a rise or fall of 0 s is a jump.
+
+    Source: MSL Blocks.Sources.Trapezoid.
+
+    Args:
+        period: period [s], above 0.
+        rising: how long it rises [s], at least 0.
+        width: how long it stays at offset + amplitude [s], at least 0.
+        falling: how long it falls [s], at least 0.
+        amplitude: height above the offset.
+        offset: value between the pulses.
+        start_time: when the first period begins [s].
+        count: periods begun, fixed start value.
+    """
+
+    rising: Any
+    """how long it rises [s], at least 0"""
+    width: Any
+    """how long it stays at offset + amplitude [s], at least 0"""
+    falling: Any
+    """how long it falls [s], at least 0"""
+    mode: Any
+    """where in the period"""
+    def __init__(
+        self,
+        *,
+        period: ParameterValue,
+        rising: ParameterValue,
+        width: ParameterValue,
+        falling: ParameterValue,
+        amplitude: ParameterValue = 1.0,
+        offset: ParameterValue = 0.0,
+        start_time: ParameterValue = 0.0,
+        count: Number = ...,
+    ) -> None: ...

@@ -1,0 +1,465 @@
+"""Elements between turning and sliding, and the flywheels they drive."""
+
+# Made by docs/make_stubs.py from the classes; do not edit.
+
+from typing import Any
+
+import numpy as np
+
+from ..language import Component, Number, ParameterValue
+from ..stickslip import StickSlip
+
+class CompliantNutScrew(Component):
+    """A ball screw with nut mass, axial compliance, clearance and friction.
+
+    Nut, axial contact and an ideal screw stand in a row; the screw rubs on the housing. With nut
+    at x1, housing at x2 and screw at x3:
+
+        F = F_d + m_r x1''
+        F_d = P + D behind the clearance eps,  P = k (x1 - x3),  D = d (x1' - x3')
+        theta = (2 pi/lead)(x3 - x2),  T = (lead/2 pi) F_d - friction
+
+    `friction` is any rotational friction element; without one the screw turns freely.
+
+    Source: Ge & Wang on the planetary flywheel inerter (see `machines.ge_wang`), eqs. (22)-(27).
+
+    Args:
+        lead: travel of the nut for one turn of the screw [m], above 0.
+        m_r: mass of nut and rod [kg], above 0.
+        k: axial stiffness [N/m], at least 0.
+        d: axial damping [N.s/m], at least 0.
+        eps: half the axial clearance of nut and bearings [m], at least 0.
+        nut: Mass.
+        contact: Backlash.
+        thread: NutScrew.
+        friction: Damper.
+    """
+
+    flange_r: Any
+    """the screw"""
+    flange_t: Any
+    """the nut"""
+    support_r: Any
+    """housing, against turning"""
+    support_t: Any
+    """housing, against sliding"""
+    lead: Any
+    """travel of the nut for one turn of the screw [m], above 0"""
+    m_r: Any
+    """mass of nut and rod [kg], above 0"""
+    k: Any
+    """axial stiffness [N/m], at least 0"""
+    d: Any
+    """axial damping [N.s/m], at least 0"""
+    eps: Any
+    """half the axial clearance of nut and bearings [m], at least 0"""
+    nut: Any
+    """Mass"""
+    contact: Any
+    """Backlash"""
+    thread: Any
+    """NutScrew"""
+    friction: Any
+    """Damper"""
+    def __init__(
+        self,
+        *,
+        lead: ParameterValue,
+        m_r: ParameterValue,
+        k: ParameterValue,
+        d: ParameterValue,
+        eps: ParameterValue = 0.0,
+        nut: Component = ...,
+        contact: Component = ...,
+        thread: Component = ...,
+        friction: Component = ...,
+    ) -> None: ...
+
+class Flywheel(Component):
+    """What turns with a screw inside a housing; angle and speed are those of `flange`."""
+
+    flange: Any
+    """where the screw is joined"""
+    support: Any
+    """housing"""
+    w: Any
+    """angular velocity [rad/s], fixed start value"""
+    a: Any
+    """angular acceleration [rad/s2], fixed start value"""
+    def __init__(self, **values: Any) -> None: ...
+
+class PlanetGear(Component):
+    """The parameters of a planet on its pin and in its ring.
+
+    Args:
+        R: pitch radius of the ring [m], above 0.
+        r: pitch radius of the planet [m], above 0.
+        J_p: inertia of the planet in spin [kg.m2], above 0.
+        J_r: inertia of the planet in revolution [kg.m2], at least 0.
+        k_r: mesh stiffness [N/m], at least 0.
+        c_r: mesh damping [N.s/m], at least 0.
+        alpha: pressure angle [rad], at least 0.
+        g_r: half the mesh clearance [m], at least 0.
+        T_pm: Coulomb friction of the planet [N.m], at least 0.
+        T_pv: viscous friction of the planet [N.m.s/rad], at least 0.
+    """
+
+    R: Any
+    """pitch radius of the ring [m], above 0"""
+    r: Any
+    """pitch radius of the planet [m], above 0"""
+    alpha: Any
+    """pressure angle [rad], at least 0"""
+    J_p: Any
+    """inertia of the planet in spin [kg.m2], above 0"""
+    J_r: Any
+    """inertia of the planet in revolution [kg.m2], at least 0"""
+    k_r: Any
+    """mesh stiffness [N/m], at least 0"""
+    c_r: Any
+    """mesh damping [N.s/m], at least 0"""
+    g_r: Any
+    """half the mesh clearance [m], at least 0"""
+    T_pm: Any
+    """Coulomb friction of the planet [N.m], at least 0"""
+    T_pv: Any
+    """viscous friction of the planet [N.m.s/rad], at least 0"""
+    def __init__(
+        self,
+        *,
+        R: ParameterValue,
+        r: ParameterValue,
+        J_p: ParameterValue,
+        J_r: ParameterValue,
+        k_r: ParameterValue,
+        c_r: ParameterValue,
+        alpha: ParameterValue = 0.3490658503988659,
+        g_r: ParameterValue = 0.0,
+        T_pm: ParameterValue = 0.0,
+        T_pv: ParameterValue = 0.0,
+    ) -> None: ...
+
+class Transmission(Component):
+    """A turning flange and a sliding one, each with a housing that takes the reaction."""
+
+    flange_r: Any
+    """what turns"""
+    flange_t: Any
+    """what slides"""
+    support_r: Any
+    """housing, against turning"""
+    support_t: Any
+    """housing, against sliding"""
+    phi: Any
+    """angle against the housing [rad], fixed start value"""
+    s: Any
+    """travel against the housing [m], fixed start value"""
+    def __init__(self, **values: Any) -> None: ...
+
+class DiskFlywheel(Flywheel):
+    """A homogeneous disk: (m R^2/2 + J_s) a = tau; its housing feels nothing.
+
+    Source: Ge & Wang on the planetary flywheel inerter (see `machines.ge_wang`), eq. (14).
+
+    Args:
+        m: mass [kg], above 0.
+        R: radius [m], above 0.
+        J_s: inertia of the screw that turns with it [kg.m2], at least 0.
+        w: angular velocity [rad/s], fixed start value.
+        a: angular acceleration [rad/s2], fixed start value.
+    """
+
+    m: Any
+    """mass [kg], above 0"""
+    R: Any
+    """radius [m], above 0"""
+    J_s: Any
+    """inertia of the screw that turns with it [kg.m2], at least 0"""
+    def __init__(
+        self,
+        *,
+        m: ParameterValue,
+        R: ParameterValue,
+        J_s: ParameterValue = 0.0,
+        w: Number = ...,
+        a: Number = ...,
+    ) -> None: ...
+
+class IdealPlanetaryFlywheel(Flywheel):
+    """N planets that roll in a ring without compliance, clearance or friction: J_e a = tau.
+
+    J_e = J_s + N (J_p ((R - r)/r)^2 + J_r). The ring, fixed to the housing, turns planets by
+    J_p ((R - r)/r) (R/r) a each.
+
+    Limits: the housing may move but must not accelerate in turning.
+
+    Source: Ge & Wang on the planetary flywheel inerter (see `machines.ge_wang`), eqs. (5), (7).
+
+    Args:
+        R: pitch radius of the ring [m], above 0.
+        r: pitch radius of a planet [m], above 0.
+        J_s: inertia of bracket and screw [kg.m2], at least 0.
+        J_p: inertia of a planet in spin [kg.m2], at least 0.
+        J_r: inertia of a planet in revolution [kg.m2], at least 0.
+        N: number of planets.
+        w: angular velocity [rad/s], fixed start value.
+        a: angular acceleration [rad/s2], fixed start value.
+    """
+
+    N: Any
+    """number of planets"""
+    R: Any
+    """pitch radius of the ring [m], above 0"""
+    r: Any
+    """pitch radius of a planet [m], above 0"""
+    J_s: Any
+    """inertia of bracket and screw [kg.m2], at least 0"""
+    J_p: Any
+    """inertia of a planet in spin [kg.m2], at least 0"""
+    J_r: Any
+    """inertia of a planet in revolution [kg.m2], at least 0"""
+    def __init__(
+        self,
+        *,
+        R: ParameterValue,
+        r: ParameterValue,
+        J_s: ParameterValue,
+        J_p: ParameterValue,
+        J_r: ParameterValue,
+        N: int | np.integer[Any] = 4,
+        w: Number = ...,
+        a: Number = ...,
+    ) -> None: ...
+
+class NutScrew(Transmission):
+    """Ideal ball screw: phi = (2 pi/lead) s and f + (2 pi/lead) tau = 0.
+
+    `flange_t` is the nut if the nut slides and the screw turns in the housing's bearing.
+
+    Source: Ge & Wang on the planetary flywheel inerter (see `machines.ge_wang`), eqs. (2), (27).
+
+    Args:
+        lead: travel of the nut for one turn of the screw [m], above 0.
+        phi: angle against the housing [rad], fixed start value.
+        s: travel against the housing [m], fixed start value.
+    """
+
+    lead: Any
+    """travel of the nut for one turn of the screw [m], above 0"""
+    def __init__(
+        self,
+        *,
+        lead: ParameterValue,
+        phi: Number = ...,
+        s: Number = ...,
+    ) -> None: ...
+
+class PlanetaryFlywheel(PlanetGear):
+    """A bracket with N planets that revolve and spin in a ring gear.
+
+    Lumped, one coordinate stands for all planets, which are equal. With `lumped=False` each has its
+    own mesh and coordinate, is named `planet_1` to `planet_N`, and may be replaced by one with other
+    parameters.
+
+    Source: Ge & Wang on the planetary flywheel inerter (see `machines.ge_wang`), eqs. (16)-(21).
+
+    Args:
+        R: pitch radius of the ring [m], above 0.
+        r: pitch radius of the planet [m], above 0.
+        J_p: inertia of the planet in spin [kg.m2], above 0.
+        J_r: inertia of the planet in revolution [kg.m2], at least 0.
+        k_r: mesh stiffness [N/m], at least 0.
+        c_r: mesh damping [N.s/m], at least 0.
+        J_s: inertia of bracket and screw [kg.m2], above 0.
+        alpha: pressure angle [rad], at least 0.
+        g_r: half the mesh clearance [m], at least 0.
+        T_pm: Coulomb friction of the planet [N.m], at least 0.
+        T_pv: viscous friction of the planet [N.m.s/rad], at least 0.
+        N: number of planets.
+        lumped: whether one coordinate stands for all planets.
+        regularised: speed of spin [rad/s] over which planet friction is smoothed.
+        bracket: Inertia.
+    """
+
+    flange: Any
+    """where the screw is joined"""
+    support: Any
+    """housing that holds the ring"""
+    N: Any
+    """number of planets"""
+    lumped: Any
+    """whether one coordinate stands for all planets"""
+    regularised: Any
+    """speed of spin [rad/s] over which planet friction is smoothed"""
+    J_s: Any
+    """inertia of bracket and screw [kg.m2], above 0"""
+    bracket: Any
+    """Inertia"""
+    def __init__(
+        self,
+        *,
+        R: ParameterValue,
+        r: ParameterValue,
+        J_p: ParameterValue,
+        J_r: ParameterValue,
+        k_r: ParameterValue,
+        c_r: ParameterValue,
+        J_s: ParameterValue,
+        alpha: ParameterValue = 0.3490658503988659,
+        g_r: ParameterValue = 0.0,
+        T_pm: ParameterValue = 0.0,
+        T_pv: ParameterValue = 0.0,
+        N: int | np.integer[Any] = 4,
+        lumped: bool = True,
+        regularised: Any = None,
+        bracket: Component = ...,
+        **parts: Component,
+    ) -> None: ...
+
+class RollingWheel(Transmission):
+    """A wheel that rolls without slip: s = R phi and R f + tau = 0.
+
+    `flange_t` is its hub, `support_r` the body that carries the torque's reaction, `support_t` the road.
+
+    Source: MSL Rotational.Components.IdealRollingWheel.
+
+    Args:
+        R: rolling radius [m], above 0.
+        phi: angle against the housing [rad], fixed start value.
+        s: travel against the housing [m], fixed start value.
+    """
+
+    R: Any
+    """rolling radius [m], above 0"""
+    def __init__(
+        self,
+        *,
+        R: ParameterValue,
+        phi: Number = ...,
+        s: Number = ...,
+    ) -> None: ...
+
+class RackPinion(RollingWheel):
+    """A pinion of pitch radius R that rolls on a rack: s = R phi and R f + tau = 0.
+
+    Source: MSL Rotational.Components.IdealGearR2T with ratio 1/R.
+
+    Args:
+        R: rolling radius [m], above 0.
+        phi: angle against the housing [rad], fixed start value.
+        s: travel against the housing [m], fixed start value.
+    """
+
+    def __init__(
+        self,
+        *,
+        R: ParameterValue,
+        phi: Number = ...,
+        s: Number = ...,
+    ) -> None: ...
+
+class Planet(PlanetGear, StickSlip):
+    """Planets on a bracket that mesh with a ring; one coordinate stands for `count` equal ones.
+
+    Along the line of action, with r_c = R - r and r_b = r cos(alpha):
+
+        s_rel = x_s - x_p,   x_s = r_c cos(alpha) theta_s,   x_p = r_b theta_p
+        P = k_r s_rel,   D = c_r v_rel
+        F_p = P + D behind the clearance g_r
+        J_p theta_p'' = F_p r_b - T_fp,   T_fp = T_pm sgn(theta_p') + T_pv theta_p'
+
+    theta_s is the bracket's angle and theta_p the planet's spin, both against the ring and counted
+    in opposite senses. At rest T_pm truly sticks; see `StickSlip` for `regularised` [rad/s].
+
+    Source: Ge & Wang on the planetary flywheel inerter (see `machines.ge_wang`), eqs. (16)-(21).
+
+    Args:
+        R: pitch radius of the ring [m], above 0.
+        r: pitch radius of the planet [m], above 0.
+        J_p: inertia of the planet in spin [kg.m2], above 0.
+        J_r: inertia of the planet in revolution [kg.m2], at least 0.
+        k_r: mesh stiffness [N/m], at least 0.
+        c_r: mesh damping [N.s/m], at least 0.
+        peak: break-away resistance over sliding resistance at rest, at least 1.
+        regularised: speed over which the sign of the motion is smoothed (no events, but creeps when it should
+            stick).
+        alpha: pressure angle [rad], at least 0.
+        g_r: half the mesh clearance [m], at least 0.
+        T_pm: Coulomb friction of the planet [N.m], at least 0.
+        T_pv: viscous friction of the planet [N.m.s/rad], at least 0.
+        count: number of equal planets, above 0.
+        theta_s: angle of the bracket against the ring [rad], fixed start value.
+        theta_p: spin of the planet against the ring [rad], fixed start value.
+        w_s: speed of the bracket against the ring [rad/s], fixed start value.
+        w_p: speed of spin against the ring [rad/s], fixed start value.
+        w_ring: speed of the ring [rad/s], fixed start value.
+        a_s: acceleration of the bracket against the ring [rad/s2], fixed start value.
+        a_p: acceleration of spin against the ring [rad/s2], fixed start value.
+        a_ring: acceleration of the ring [rad/s2], fixed start value.
+        s_rel: approach of the flanks along the line of action [m], fixed start value.
+        v_rel: speed of approach [m/s], fixed start value.
+        F_p: mesh force along the line of action [N], fixed start value.
+        T_fp: friction torque on the planet [N.m], fixed start value.
+    """
+
+    bracket: Any
+    """bracket that carries the pin"""
+    ring: Any
+    """ring gear, fixed to the housing"""
+    count: Any
+    """number of equal planets, above 0"""
+    theta_s: Any
+    """angle of the bracket against the ring [rad], fixed start value"""
+    theta_p: Any
+    """spin of the planet against the ring [rad], fixed start value"""
+    w_s: Any
+    """speed of the bracket against the ring [rad/s], fixed start value"""
+    w_p: Any
+    """speed of spin against the ring [rad/s], fixed start value"""
+    w_ring: Any
+    """speed of the ring [rad/s], fixed start value"""
+    a_s: Any
+    """acceleration of the bracket against the ring [rad/s2], fixed start value"""
+    a_p: Any
+    """acceleration of spin against the ring [rad/s2], fixed start value"""
+    a_ring: Any
+    """acceleration of the ring [rad/s2], fixed start value"""
+    s_rel: Any
+    """approach of the flanks along the line of action [m], fixed start value"""
+    v_rel: Any
+    """speed of approach [m/s], fixed start value"""
+    F_p: Any
+    """mesh force along the line of action [N], fixed start value"""
+    T_fp: Any
+    """friction torque on the planet [N.m], fixed start value"""
+    quantities: Any
+    def sliding(self, speed: Any) -> Any: ...
+    def __init__(
+        self,
+        *,
+        R: ParameterValue,
+        r: ParameterValue,
+        J_p: ParameterValue,
+        J_r: ParameterValue,
+        k_r: ParameterValue,
+        c_r: ParameterValue,
+        peak: ParameterValue = 1.0,
+        regularised: Any = None,
+        alpha: ParameterValue = 0.3490658503988659,
+        g_r: ParameterValue = 0.0,
+        T_pm: ParameterValue = 0.0,
+        T_pv: ParameterValue = 0.0,
+        count: ParameterValue = 1.0,
+        theta_s: Number = ...,
+        theta_p: Number = ...,
+        w_s: Number = ...,
+        w_p: Number = ...,
+        w_ring: Number = ...,
+        a_s: Number = ...,
+        a_p: Number = ...,
+        a_ring: Number = ...,
+        s_rel: Number = ...,
+        v_rel: Number = ...,
+        F_p: Number = ...,
+        T_fp: Number = ...,
+    ) -> None: ...
