@@ -23,6 +23,7 @@ from .components import CubicSpring as CubicSpring
 from .components import DahlFriction as DahlFriction
 from .components import Damper as Damper
 from .components import DiskFlywheel as DiskFlywheel
+from .components import Dissipative as Dissipative
 from .components import DriftingFriction as DriftingFriction
 from .components import ElastoGap as ElastoGap
 from .components import Fixed as Fixed
@@ -82,6 +83,9 @@ from .components import UnknownNameError as UnknownNameError
 from .components import UnknownPartError as UnknownPartError
 from .components import VariableDamper as VariableDamper
 from .components import der as der
+from .components import derived as derived
+from .components import dissipation as dissipation
+from .components import energy as energy
 from .components import impulse as impulse
 from .components import mode as mode
 from .components import option as option

@@ -7,6 +7,13 @@ from .component import Stated as Stated
 from .component import fields_of as fields_of
 from .component import parts_of as parts_of
 from .component import values_of as values_of
+from .derived import KINETIC as KINETIC
+from .derived import LOSS_POWER as LOSS_POWER
+from .derived import POTENTIAL as POTENTIAL
+from .derived import Derived as Derived
+from .derived import derived as derived
+from .derived import dissipation as dissipation
+from .derived import energy as energy
 from .domain import Domain as Domain
 from .fields import MISSING as MISSING
 from .fields import Field as Field

@@ -11,6 +11,7 @@ from .compliances import CompliantWithSpeed as CompliantWithSpeed
 from .compliances import CubicDamper as CubicDamper
 from .compliances import CubicSpring as CubicSpring
 from .compliances import Damper as Damper
+from .compliances import Dissipative as Dissipative
 from .compliances import ElastoBacklash as ElastoBacklash
 from .compliances import HarmonicRipple as HarmonicRipple
 from .compliances import Inerter as Inerter

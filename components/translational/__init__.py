@@ -7,6 +7,7 @@ from .compliances import CompliantWithSpeed as CompliantWithSpeed
 from .compliances import CubicDamper as CubicDamper
 from .compliances import CubicSpring as CubicSpring
 from .compliances import Damper as Damper
+from .compliances import Dissipative as Dissipative
 from .compliances import HarmonicRipple as HarmonicRipple
 from .compliances import Inerter as Inerter
 from .compliances import QuadraticDamper as QuadraticDamper
