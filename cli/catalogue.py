@@ -29,7 +29,7 @@ def _faces() -> Iterator[tuple[str, ModuleType]]:
     """Yield the public face and its modules of components."""
     face = import_module("..", __package__)
     yield "", face
-    for name in ("machines", "rotational", "signals"):
+    for name in ("machines", "rotational", "signals", "thermal"):
         yield f"{name}.", getattr(face, name)
 
 

@@ -5,6 +5,7 @@ from .component import Expression as Expression
 from .component import PortRef as PortRef
 from .component import Stated as Stated
 from .component import fields_of as fields_of
+from .component import is_there as is_there
 from .component import parts_of as parts_of
 from .component import values_of as values_of
 from .derived import KINETIC as KINETIC
@@ -14,9 +15,12 @@ from .derived import Derived as Derived
 from .derived import derived as derived
 from .derived import dissipation as dissipation
 from .derived import energy as energy
+from .domain import AnyDomain as AnyDomain
 from .domain import Domain as Domain
+from .domain import OtherDomain as OtherDomain
 from .fields import MISSING as MISSING
 from .fields import Field as Field
+from .fields import HeatPort as HeatPort
 from .fields import Impulse as Impulse
 from .fields import ModeField as ModeField
 from .fields import Option as Option

@@ -8,7 +8,7 @@ import casadi as ca
 
 from ...base.errors import ModelError
 from ...base.quiet import numpy_on_symbols
-from .component import Component, fields_of
+from .component import Component, fields_of, is_there
 from .derived import Derived
 from .fields import Option, Part, Port, RealInput, RealOutput, Variable
 from .scope import Scope
@@ -47,6 +47,8 @@ def declared_template(component: Component) -> Template:
     template = Template(type(component))
     scope: Any = Scope(template, component)
     for name, field_ in type(component).fields.items():
+        if not is_there(component, field_):
+            continue
         if isinstance(field_, Variable | RealInput | RealOutput):
             template.variable(name)
         elif isinstance(field_, Port):

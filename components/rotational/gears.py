@@ -121,7 +121,7 @@ class LossyGear(Sticking):
     flange_b = RotationalFlange("right shaft")
     support = RotationalFlange("housing", optional=True)
     ratio = parameter("1", "turns of flange_a for one of flange_b", nonzero=True)
-    lossTable = option(  # noqa: N815
+    lossTable = option(
         "rows (speed, eta1, eta2, tau_bf1, tau_bf2)",
         default=((0.0, 1.0, 1.0, 0.0, 0.0),),
         check=over_speed_with_losses,

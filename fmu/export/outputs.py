@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 
 from ...base import ModelError
-from ...components.language import Port, RealInput, RealOutput
+from ...components.language import Field, Port, RealInput, RealOutput, fields_of
 from ...networks import DAE, matching_signals
 
 
@@ -51,7 +51,7 @@ def _signals(dae: DAE) -> list[str]:
     measured: dict[int, str] = {}
     instances = dae.flat.instances.items()
     for path, instance in sorted(instances, key=lambda item: item[0].count(".")):
-        fields = type(instance.component).fields.values()
+        fields = fields_of(instance.component, Field)
         sensor = any(isinstance(f, Port) for f in fields) and not any(
             isinstance(f, RealInput) for f in fields
         )

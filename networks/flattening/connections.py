@@ -6,7 +6,16 @@ from collections import defaultdict
 from dataclasses import dataclass, field
 from typing import Any
 
-from ...components.language import Domain, Port, PortRef, RealInput, RealOutput, fields_of, values_of
+from ...components.language import (
+    Domain,
+    Port,
+    PortRef,
+    RealInput,
+    RealOutput,
+    fields_of,
+    is_there,
+    values_of,
+)
 from .flat import FatalProblem, Flat, Instance
 
 _Member = tuple[Instance, str, int]
@@ -67,6 +76,11 @@ def _members(
             told = f"{port!r} is connected in {owner if owner.path else 'the network'}"
             remedy = "but belongs to no component of it; add the component, or connect it where it lives"
             problems.append(FatalProblem(f"{told} {remedy}"))
+            continue
+        declared = port_of(instance, port.name)
+        if not is_there(instance.component, declared):
+            told = f"{instance}: {port.name} is there with {declared.when}=True only"
+            problems.append(FatalProblem(told))
             continue
         members.append((instance, port.name, -1 if instance is owner else 1))
     return members

@@ -9,7 +9,7 @@ import casadi as ca
 import numpy as np
 
 from ...base import Array, Flags, ModelError
-from ...components.language import KINETIC, LOSS_POWER, POTENTIAL, Port, fields_of, parts_of
+from ...components.language import KINETIC, LOSS_POWER, POTENTIAL, Domain, Port, fields_of, parts_of
 from ..evaluation.compiled import Batch, dense
 from ..evaluation.jacobians import Points
 from ..flattening.flat import Instance
@@ -79,11 +79,16 @@ def _worked(result: Result) -> list[_Worked]:
     found, count = [], 0
     for instance in result.dae.flat.instances.values():
         declares = {KINETIC, POTENTIAL, LOSS_POWER} & instance.template.derived.keys()
-        ports = fields_of(instance.component, Port)
+        ports = _flanges(instance)
         if ports and not declares and not parts_of(instance.component):
             found.append(_Worked(instance, {port.name: count + k for k, port in enumerate(ports)}))
             count += len(ports)
     return found
+
+
+def _flanges(instance: Instance) -> list[Port]:
+    """Return the ports of a component through which work is done."""
+    return [port for port in fields_of(instance.component, Port) if isinstance(port.domain, Domain)]
 
 
 class _Signals:
@@ -95,7 +100,7 @@ class _Signals:
         closed, dae = points.closed, points.closed.dae
         self._points, self._dense_output = points, dense_output
         losses = dae.derived.row(LOSS_POWER, lossy, dae.variables).T
-        flanges = [(w.instance, port) for w in worked for port in fields_of(w.instance.component, Port)]
+        flanges = [(w.instance, port) for w in worked for port in _flanges(w.instance)]
         forces, positions = (
             ca.vertcat(
                 ca.SX(0, 1), *(dae.expression(f"{i.full(p.name)}.{getattr(p, kind)}") for i, p in flanges)

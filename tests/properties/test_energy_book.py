@@ -12,6 +12,7 @@ from inertance.cli.catalogue import all_names, is_base
 from inertance.components.language import (
     LOSS_POWER,
     MISSING,
+    Domain,
     Parameter,
     Part,
     Port,
@@ -29,6 +30,7 @@ BODIES: dict[type, tuple[Any, Any, Any]] = {
         rotational.Torque,
     ),
 }
+LOSSES = ((0.0, 0.9, 0.8, 0.1, 0.2), (5.0, 0.8, 0.7, 0.2, 0.3))
 VALUES = {
     "DahlFriction": {"f_c": 2.0, "s_p": 0.05},
     "rotational.DahlFriction": {"tau_c": 2.0, "phi_p": 0.05},
@@ -39,10 +41,16 @@ VALUES = {
     "ShearThinningDamper": {"v_e": 0.1},
     "rotational.LossyGear": {
         "ratio": 2.0,
-        "lossTable": ((0.0, 0.9, 0.8, 0.1, 0.2), (5.0, 0.8, 0.7, 0.2, 0.3)),
+        "lossTable": LOSSES,
     },
     "BoucWen": {"beta": 0.5, "gamma": 0.3},
     "rotational.BoucWen": {"beta": 0.5, "gamma": 0.3},
+    "EddyCurrentBrake": {"f_nominal": 2.0, "alpha20": 0.004, "T": 350.0},
+    "rotational.EddyCurrentBrake": {"tau_nominal": 2.0, "alpha20": 0.004, "T": 350.0},
+    "rotational.Gearbox": {"ratio": 2.0, "lossTable": LOSSES, "b": 0.1},
+    "rotational.ElastoBacklash2": {"b": 0.1, "c": 20.0, "d": 0.5},
+    "RollingResistance": {"CrConstant": 0.5},
+    "Vehicle": {"CrConstant": 0.3, "inclinationConstant": 0.1, "vWindConstant": 1.0},
     "machines.TMDI": {"b": 0.5},
     "machines.BumpStop": {"s_min": -0.1, "s_max": 0.1, "k3": 100.0},
 }
@@ -59,6 +67,8 @@ def made(name: str) -> Any:
     """Return a component with values for what must be given, and signals that move."""
     kind, values = all_names()[name], dict[str, Any]()
     for key, field in kind.fields.items():
+        if field.when:
+            continue
         if isinstance(field, Parameter) and field.default is MISSING:
             values[key] = value_of(field)
         elif isinstance(field, RealInput):
@@ -71,11 +81,16 @@ def made(name: str) -> Any:
     return kind(**values | VALUES.get(name, {}))
 
 
+def flanges(name: str) -> list[Port]:
+    fields = all_names()[name].fields.values()
+    return [f for f in fields if isinstance(f, Port) and isinstance(f.domain, Domain)]
+
+
 def rig(name: str) -> ia.Network:
     """Return a component whose every flange carries a body on a spring that a force shakes."""
     net = ia.Network(name.replace(".", " "), element=made(name))
     ground = {TranslationalFlange: ia.Fixed(), RotationalFlange: rotational.Fixed()}
-    ports = [f for f in all_names()[name].fields.values() if isinstance(f, Port)]
+    ports = flanges(name)
     for kind in {type(port) for port in ports}:
         net.add(**{f"ground_{kind.__name__.lower()}": ground[kind]})
     for k, port in enumerate(ports):
@@ -94,7 +109,7 @@ def with_flanges() -> list[str]:
     return [
         name
         for name, kind in all_names().items()
-        if not is_base(kind) and name not in GRAVE and any(isinstance(f, Port) for f in kind.fields.values())
+        if not is_base(kind) and name not in GRAVE and flanges(name)
     ]
 
 
