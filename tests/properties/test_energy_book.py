@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
-from inertance import rotational
+from inertance import rotational, thermal
 from inertance.cli.catalogue import all_names, is_base
 from inertance.components.language import (
     LOSS_POWER,
@@ -49,6 +49,8 @@ VALUES = {
     "rotational.EddyCurrentBrake": {"tau_nominal": 2.0, "alpha20": 0.004, "T": 350.0},
     "rotational.Gearbox": {"ratio": 2.0, "lossTable": LOSSES, "b": 0.1},
     "rotational.ElastoBacklash2": {"b": 0.1, "c": 20.0, "d": 0.5},
+    "QuadraticSpeedDependentForce": {"f_nominal": -0.5, "ForceDirection": False},
+    "rotational.QuadraticSpeedDependentTorque": {"tau_nominal": -0.5, "TorqueDirection": False},
     "RollingResistance": {"CrConstant": 0.5},
     "Vehicle": {"CrConstant": 0.3, "inclinationConstant": 0.1, "vWindConstant": 1.0},
     "machines.TMDI": {"b": 0.5},
@@ -123,6 +125,24 @@ def test_the_book_closes_for_every_component(name: str) -> None:
     if run.dae.derived.unit(f"element.{LOSS_POWER}") is not None:
         lost = run[f"element.{LOSS_POWER}"]
         assert lost.min() >= -1e-9 * lost.max()
+
+
+LOSSY = [name for name in with_flanges() if "heatPort" in all_names()[name].fields]
+
+
+@pytest.mark.parametrize("name", LOSSY)
+def test_what_is_lost_heats_what_is_joined_to_it(name: str) -> None:
+    net = rig(name)
+    element = net.element.with_values(useHeatPort=True)
+    net = net.with_values(element=element).add(store=thermal.HeatCapacitor(C=2.0))
+    net.connect(net.element.heatPort, net.store.port)
+    run = net.simulate(2.0, step=5e-3, rtol=1e-9, atol=1e-11)
+    book = run.energy()
+    struck = sum(event.impulse is not None for event in run.events)
+    if not struck:
+        heat = 2.0 * (run["store.T"] - 293.15)
+        assert heat == pytest.approx(book.dissipated["element"], abs=1e-5 * book.turnover)
+    assert book.closes < 1e-5
 
 
 def test_the_book_shows_what_an_element_keeps_silent() -> None:
