@@ -49,6 +49,12 @@ class DerivedTable:
         known = field is None and name in SUMMED and self.declaring(name, owner)
         return SUMMED[name] if known else None
 
+    def doc(self, path: str) -> str:
+        """Return what a quantity that there is stands for."""
+        owner, _, name = path.rpartition(".")
+        field = type(self.flat.instances[owner].component).fields.get(name)
+        return field.doc if isinstance(field, Derived) else f"sum of {name} over the elements in it"
+
     def expression(self, path: str, variables: Any) -> Any:
         """Return a quantity that there is by its full name, in terms of the joined variables."""
         owner, _, name = path.rpartition(".")
