@@ -68,7 +68,8 @@ def _signals(dae: DAE) -> list[str]:
 def locals_of(dae: DAE, shown: Iterable[str]) -> list[str]:
     """Return the declared variables that are not shown yet, each joined variable once."""
     names = dae.declared
-    seen = {dae.root(name)[0] for name in shown if name not in dae.switching.mode_names}
+    moving = [name for name in shown if name not in dae.switching.mode_names and not dae.derived.unit(name)]
+    seen = {dae.root(name)[0] for name in moving}
     seen |= {declared.variable for declared in dae.inputs}
     best = [number for root, number in names.best.items() if root not in seen]
     found = (names.full_name(number) for number in best if names.facts[number].rank >= 2)
