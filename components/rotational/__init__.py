@@ -1,6 +1,7 @@
 """Elements that turn."""
 
 from .backlash import Backlash as Backlash
+from .backlash import ElastoBacklash as ElastoBacklash
 from .backlash import ElastoBacklash2 as ElastoBacklash2
 from .clutches import Brake as Brake
 from .clutches import Clutch as Clutch
@@ -14,7 +15,6 @@ from .compliances import CubicDamper as CubicDamper
 from .compliances import CubicSpring as CubicSpring
 from .compliances import Damper as Damper
 from .compliances import Dissipative as Dissipative
-from .compliances import ElastoBacklash as ElastoBacklash
 from .compliances import HarmonicRipple as HarmonicRipple
 from .compliances import Inerter as Inerter
 from .compliances import QuadraticDamper as QuadraticDamper

@@ -1,10 +1,49 @@
-"""Backlash: flanks that strike with their whole damping, and the dead zone of screws and meshes."""
+"""Backlash: elastic flanks that only ever press, and the dead zone of screws and meshes."""
 
 import casadi as ca
 
 from ..contact import clearance_energy, past_clearance
-from ..language import Stated, dissipation, energy, mode, parameter
-from .compliances import Dissipative, ElasticFlanks
+from ..language import Expression, Stated, dissipation, energy, mode, parameter
+from .compliances import Dissipative
+
+
+class ElasticFlanks(Dissipative):
+    """What elements with elastic flanks and a backlash b between them have in common.
+
+    Within x = phi_rel - phi_rel0 from -b/2 to b/2 they touch nowhere. `elastic` is the torque of the springs.
+    """
+
+    c = parameter("N.m/rad", "stiffness in contact", above=0)
+    d = parameter("N.m.s/rad", "damping constant in contact", min=0)
+    b = parameter("rad", "total backlash", min=0, default=0.0)
+    phi_rel0 = parameter("rad", "angle in the middle of the backlash", default=0.0)
+    x = property(lambda self: self.phi_rel - self.phi_rel0)
+    elastic = property(
+        lambda self: self.c * (ca.fmax(self.x - self.b / 2, 0) + ca.fmin(self.x + self.b / 2, 0))
+    )
+    potential = energy(lambda self: self.elastic**2 / (2 * self.c))
+    lossPower = dissipation(lambda self: (self.tau - self.elastic) * self.w_rel)
+
+
+class ElastoBacklash(ElasticFlanks):
+    """Backlash b between elastic flanks that only ever press.
+
+    With x = phi_rel - phi_rel0 and the spring torque tau_c = c max(|x| - b/2, 0) of the flank in
+    contact, tau = sgn(x) max(tau_c + min(tau_c, sgn(x) d w_rel), 0): damping adds at most tau_c as
+    the flank is pressed, and takes away at most tau_c as it is released, so tau is continuous.
+
+    Source: MSL Rotational.Components.ElastoBacklash, whose law with b = 0 is the plain spring and
+    damper instead.
+    """
+
+    def pressed(self, depth: Expression, speed: Expression) -> Expression:
+        """Torque of one flank, from how deep and how fast it is pressed."""
+        spring = self.c * ca.fmax(depth, 0)
+        return ca.fmax(spring + ca.fmin(spring, self.d * speed), 0)
+
+    def equations(self) -> Stated:
+        half, w = self.b / 2, self.w_rel
+        yield self.tau == self.pressed(self.x - half, w) - self.pressed(-self.x - half, -w)
 
 
 class ElastoBacklash2(ElasticFlanks):

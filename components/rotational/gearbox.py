@@ -2,7 +2,7 @@
 
 from ..language import Component, RotationalFlange, Stated, option, parameter, variable
 from ..tables import over_speed_with_losses
-from .compliances import ElastoBacklash
+from .backlash import ElastoBacklash
 from .gears import LossyGear
 
 

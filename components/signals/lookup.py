@@ -89,8 +89,8 @@ class CombiTable2D(Component):
     def equations(self) -> Stated:
         (_, *along), *body = self.table
         u1, u2 = within(self, self.u1, [row[0] for row in body]), within(self, self.u2, along)
-        hats = [interpolated([(x, float(x == at)) for x in along], u2) for at in along]
-        columns = [interpolated(body, u1, k) for k in range(1, len(along) + 1)]
+        hats = [interpolated(tuple((x, float(x == at)) for x in along), u2) for at in along]
+        columns = [interpolated(tuple(body), u1, k) for k in range(1, len(along) + 1)]
         yield self.y == sum(hat * column for hat, column in zip(hats, columns, strict=True))
 
 

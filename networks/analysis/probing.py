@@ -71,7 +71,7 @@ def _probed(network: Component, flange_a: str, flange_b: str, how: str) -> tuple
         net = Network("element", element=network.clone())
         flange_a, flange_b = f"element.{flange_a}", f"element.{flange_b}"
     a, b = (port(net, path) for path in (flange_a, flange_b))
-    if a.domain is None or a.domain != b.domain:
+    if not isinstance(a.domain, Domain) or a.domain != b.domain:
         raise ModelError(f"'{flange_a}' and '{flange_b}' must be two flanges that both slide or both turn")
     family = FAMILIES[a.domain]
     if not isinstance(network, Network):

@@ -39,7 +39,7 @@ class DerivedTable:
 
     def unit(self, path: str) -> str | None:
         """Return the unit of a quantity by its full name, None if there is none of this name."""
-        owner, _, name = path.rpartition(".") if isinstance(path, str) else ("", "", "")
+        owner, _, name = path.rpartition(".")
         instance = self.flat.instances.get(owner)
         if instance is None:
             return None

@@ -56,7 +56,7 @@ def contact_shocks(result: Result, clusters: list[tuple[int, int]]) -> Iterator[
         point = Point(float(points.t[first]), points.x[first], points.z[first], points.q[first])
         during = switcher.during(point)
         impulses = np.zeros(len(switching.impulse_names))
-        np.add.at(impulses, [c.impulse for c in changes], [e.impulse for e in contacts])
+        np.add.at(impulses, [int(c.impulse or 0) for c in changes], [e.impulse or 0.0 for e in contacts])
         alone = len(contacts) == len(events)
         losses = _losses(switcher, point, during, contacts, changes) if alone else {}
         yield ContactShocks(first, last, during, impulses, losses)
