@@ -127,6 +127,53 @@ def test_the_book_closes_for_every_component(name: str) -> None:
         assert lost.min() >= -1e-9 * lost.max()
 
 
+NEW = (
+    "EddyCurrentBrake",
+    "ElastoBacklash",
+    "InverseSpeedDependentForce",
+    "LinearSpeedDependentForce",
+    "RollingResistance",
+    "TemperatureDependentFriction",
+    "Vehicle",
+    "rotational.Backlash",
+    "rotational.EddyCurrentBrake",
+    "rotational.ElastoBacklash2",
+    "rotational.Gearbox",
+    "rotational.InverseSpeedDependentTorque",
+    "rotational.LinearSpeedDependentTorque",
+    "rotational.TemperatureDependentFriction",
+)
+ASSEMBLED = {name: rig(name).dae() for name in NEW}
+
+
+@settings(max_examples=60, deadline=None, suppress_health_check=[HealthCheck.too_slow])
+@given(name=st.sampled_from(NEW), data=st.data())
+def test_the_book_closes_whatever_the_numbers_and_the_start(name: str, data: st.DataObject) -> None:
+    dae = ASSEMBLED[name]
+    scales = st.floats(0.3, 3.0)
+    kept = {"element.peak", "element.T", "element.TRef"}
+    own = {p: v for p, v in dae.parameter_values.items() if p.startswith("element.") and p not in kept}
+    parameters = {path: value * data.draw(scales, label=path) for path, value in own.items()}
+    bodies = [f"{path}.{v}" for path in dae.flat.instances for v in ("v", "w") if path.startswith("body")]
+    start = {n: data.draw(st.floats(-2, 2), label=n) for n in bodies if n in set(dae.names())}
+    if name == "Vehicle":
+        start = {"body0.w": start["body0.w"]}  # one motion with the vehicle
+    run = ia.simulate(dae, 2.0, begin=0.6, step=2e-3, rtol=1e-8, parameters=parameters, start=start)
+    book = run.energy()
+    assert book.undeclared == {}
+    assert book.closes < 1e-4
+    if "element.lossPower" in run:
+        assert run["element.lossPower"].min() >= -1e-9 * book.turnover
+
+
+@pytest.mark.parametrize("name", NEW)
+def test_what_is_new_is_linearised_about_a_run(name: str) -> None:
+    run = ia.simulate(ASSEMBLED[name], 1.0)
+    linear = ia.analysis.linearise(ASSEMBLED[name], at=run, time=0.7)
+    assert linear.A.shape[0] >= 2
+    assert np.isfinite(linear.A).all()
+
+
 LOSSY = [name for name in with_flanges() if "heatPort" in all_names()[name].fields]
 
 
