@@ -15,7 +15,7 @@ from ..evaluation.jacobians import Points
 from ..flattening.flat import Instance
 from ..results.energy import NEGLIGIBLE_SHARE, EnergyBook
 from .dense_output import ULPS, DenseOutput, Gaps
-from .shock_losses import ContactShocks, contact_shocks
+from .shock_losses import ContactShocks, contact_shocks, shocks_at
 
 if TYPE_CHECKING:
     from ..results.result import Result
@@ -172,9 +172,9 @@ class _Signals:
             p = shock.during
             passed = self._passed(p.x[None], p.z[None], p.q[None], np.array([[p.t]]))[0][0]
             impulses = passed @ shock.impulses
-        for event in result.events:
+        for event in shocks_at(result, first):
             driven = self._driven.get(event.mode.rpartition(".")[0])
-            if event.time == result.time[first] and driven and event.impulse is not None:
+            if driven and event.impulse is not None:
                 self._check_finite(event, driven, first, last)
                 impulses[driven["flange"]] = -event.impulse
                 if "support" in driven:

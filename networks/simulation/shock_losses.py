@@ -9,14 +9,15 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from ...base import Array
-from ..reduction.transitions import Change, Switching
+from ..reduction.transitions import Change
 from .events.switcher import Event, Switcher
 from .point import Point
 
 if TYPE_CHECKING:
     from ..results.result import Result
 
-REST_SHARE = 1e-9  # of what impulses do to speeds, below which a contact rests
+INSTANT_ULPS = 64
+REST_SHARE = 1e-6  # of speeds, below which contacts have the speeds that their shocks want
 
 
 @dataclass(frozen=True, eq=False)
@@ -43,15 +44,19 @@ def contact_shocks(result: Result, clusters: list[tuple[int, int]]) -> Iterator[
     Where a prescribed motion jumps, contacts pass that on as one body, which loses nothing.
     """
     switching = result.dae.switching
-    striking = {switching.mode_names[c.mode]: c for c in switching.changes if c.impulse is not None}
+    striking = {
+        (switching.mode_names[c.mode], switching.mode_values[c.mode][c.target]): c
+        for c in switching.changes
+        if c.impulse is not None
+    }
     switcher: Switcher | None = None
     for first, last in clusters:
-        events = [e for e in result.events if e.impulse is not None and e.time == result.time[first]]
-        contacts = [e for e in events if e.mode in striking]
+        events = shocks_at(result, first)
+        contacts = [e for e in events if (e.mode, e.target) in striking]
         if not contacts:
             continue
         switcher = switcher or Switcher(result.closed)
-        changes = [striking[event.mode] for event in contacts]
+        changes = [striking[event.mode, event.target] for event in contacts]
         points = result.points
         point = Point(float(points.t[first]), points.x[first], points.z[first], points.q[first])
         during = switcher.during(point)
@@ -62,45 +67,44 @@ def contact_shocks(result: Result, clusters: list[tuple[int, int]]) -> Iterator[
         yield ContactShocks(first, last, during, impulses, losses)
 
 
+def shocks_at(result: Result, point: int) -> list[Event]:
+    """Return the events with an impulse at the instant of a point, which rounding may move."""
+    time = float(result.time[point])
+    slack = INSTANT_ULPS * np.spacing(abs(time))
+    return [e for e in result.events if e.impulse is not None and abs(e.time - time) <= slack]
+
+
 def _losses(
     switcher: Switcher, point: Point, during: Point, contacts: list[Event], changes: list[Change]
 ) -> dict[str, float]:
     """Return what each contact took.
 
-    Shocks of one instant follow each other, so that the speeds between them are found from what impulses do
-    to speeds. Contacts that share a shock, so that all of them end up held, act at once.
+    Shocks of one instant follow each other. Those act at once which bring their contacts to the speeds that
+    they want together, by what impulses do to states.
     """
-    speeds, effect = _speeds(switcher, point, during, changes)
+    functions = switcher.functions
+    assert functions.shock is not None
+    response = functions.shock(during.x, during.z, during.q, during.t)[0]
+    response = response.reshape(len(switcher.switching.impulse_names), -1)
+    velocities, wishes = [c.velocity for c in changes], [c.after for c in changes]
+    pushes = (
+        np.array([event.impulse for event in contacts])[:, None]
+        * response[[int(c.impulse or 0) for c in changes]]
+    )
     losses: dict[str, float] = {}
     together: list[int] = []
-    for k, event in enumerate(contacts):
+    x = point.x
+    for k in range(len(contacts)):
         together.append(k)
-        impulses = np.zeros(len(contacts))
-        impulses[together] = [contacts[other].impulse for other in together]
-        after = speeds + effect @ impulses
-        held = event.target in _held(switcher.switching, changes[k].mode)
-        if held and np.abs(after[together]).max() > REST_SHARE * np.abs(effect @ np.abs(impulses)).max():
+        before = functions.everything(x, point.z, point.q, point.t)[0]
+        moved = x + pushes[together].sum(axis=0)
+        after = functions.everything(moved, point.z, point.q, point.t)[0][velocities]
+        missed = np.abs(after - before[wishes])[together].max()
+        if missed > REST_SHARE * np.abs(before[velocities]).max() and k + 1 < len(contacts):
             continue
         for other in together:
             path = contacts[other].mode.rpartition(".")[0]
-            lost = -float(impulses[other] * (speeds[other] + after[other]) / 2)
-            losses[path] = losses.get(path, 0.0) + lost
-        speeds, together = after, []
+            mean = float(before[velocities][other] + after[other]) / 2
+            losses[path] = losses.get(path, 0.0) - (contacts[other].impulse or 0.0) * mean
+        x, together = moved, []
     return losses
-
-
-def _held(switching: Switching, mode: int) -> set[str]:
-    """Return the values of a mode in which a contact holds, which shocks are shared by."""
-    return {switching.mode_values[mode][value] for value in switching.in_shock[mode]}
-
-
-def _speeds(switcher: Switcher, point: Point, during: Point, changes: list[Change]) -> tuple[Array, Array]:
-    """Return the speeds of contacts before a shock, and by how much impulses change them."""
-    functions = switcher.functions
-    everything = functions.everything(point.x, point.z, point.q, point.t)[0]
-    assert functions.shock is not None
-    response, slopes = functions.shock(during.x, during.z, during.q, during.t)
-    response = response.reshape(len(switcher.switching.impulse_names), -1)
-    slopes = slopes.reshape(-1, len(everything)).T
-    places = [change.velocity for change in changes]
-    return everything[places], slopes[places] @ response[[change.impulse for change in changes]].T

@@ -274,6 +274,40 @@ def test_the_book_of_a_bouncing_ball() -> None:
     assert book.supplied["weight"] == pytest.approx(20.0 * (1.0 - run["ball.s"]), abs=1e-6)
 
 
+@pytest.mark.parametrize("solver", ["auto", "compiled"])
+@pytest.mark.parametrize("lone", [True, False])
+def test_a_strike_through_a_lever_a_rack_and_a_gear(solver: str, lone: bool) -> None:
+    """A stop at the end of rigid joints takes 1 - e^2 of all that moves; two side by side share it."""
+    net = ia.Network(
+        "lever",
+        wall=ia.Fixed(),
+        stop=ia.HardStop(e=0.5),
+        lever=ia.Lever(ratio=-2.0),
+        near=ia.Mass(m=1.0, s=0.2, v=-1.0),
+        far=ia.Mass(m=2.0),
+        rack=ia.RackPinion(R=0.1),
+        fast=rotational.Inertia(J=0.01),
+        gear=rotational.IdealGear(ratio=3.0),
+        slow=rotational.Inertia(J=0.1),
+    )
+    net.connect(net.wall.flange, net.stop.flange_a)
+    net.connect(net.stop.flange_b, net.near.flange, net.lever.flange_a)
+    net.connect(net.lever.flange_b, net.far.flange, net.rack.flange_t)
+    net.connect(net.rack.flange_r, net.fast.flange, net.gear.flange_a).connect(
+        net.gear.flange_b, net.slow.flange
+    )
+    if not lone:
+        net.add(twin=ia.HardStop(e=0.5)).connect(net.twin.flange_a, net.wall.flange)
+        net.connect(net.twin.flange_b, net.near.flange)
+    book = net.simulate(1.0, solver=solver).energy()
+    lost = sum(book.dissipated.values(), np.zeros(len(book.time)))
+    assert lost[-1] == pytest.approx(0.75 * book.stored[0])
+    assert book.closes < 1e-12
+    assert book.undeclared == {}
+    if not lone:
+        assert book.dissipated["twin"][-1] == pytest.approx(book.dissipated["stop"][-1])
+
+
 def test_the_book_of_a_damped_oscillator() -> None:
     """Against the closed form of the motion, m = 1 kg, k = 100 N/m, d = 2 N.s/m."""
     net = ia.Network(
