@@ -31,7 +31,7 @@ BODIES: dict[type, tuple[Any, Any, Any]] = {
     ),
 }
 LOSSES = ((0.0, 0.9, 0.8, 0.1, 0.2), (5.0, 0.8, 0.7, 0.2, 0.3))
-VALUES = {
+VALUES: dict[str, dict[str, Any]] = {
     "DahlFriction": {"f_c": 2.0, "s_p": 0.05},
     "rotational.DahlFriction": {"tau_c": 2.0, "phi_p": 0.05},
     "LargeAngleLever": {"l_a": 10.0, "l_b": 12.0, "alpha": 0.3},

@@ -90,7 +90,7 @@ def test_a_constant_speed_is_kept_against_any_load(domain: str) -> None:
 
 @pytest.mark.parametrize("domain", BOTH)
 def test_a_motion_given_with_its_rates_is_followed_exactly(domain: str) -> None:
-    signals = (
+    signals: tuple[Any, ...] = (
         lambda t: 0.1 * np.sin(3 * t + 1),
         lambda t: 0.3 * np.cos(3 * t + 1),
         lambda t: -0.9 * np.sin(3 * t + 1),
