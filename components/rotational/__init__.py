@@ -1,5 +1,8 @@
 """Elements that turn."""
 
+from .backlash import Backlash as Backlash
+from .backlash import ElastoBacklash as ElastoBacklash
+from .backlash import ElastoBacklash2 as ElastoBacklash2
 from .clutches import Brake as Brake
 from .clutches import Clutch as Clutch
 from .clutches import OneWayClutch as OneWayClutch
@@ -11,7 +14,7 @@ from .compliances import CompliantWithSpeed as CompliantWithSpeed
 from .compliances import CubicDamper as CubicDamper
 from .compliances import CubicSpring as CubicSpring
 from .compliances import Damper as Damper
-from .compliances import ElastoBacklash as ElastoBacklash
+from .compliances import Dissipative as Dissipative
 from .compliances import HarmonicRipple as HarmonicRipple
 from .compliances import Inerter as Inerter
 from .compliances import QuadraticDamper as QuadraticDamper
@@ -21,6 +24,12 @@ from .compliances import Spring as Spring
 from .compliances import SpringDamper as SpringDamper
 from .compliances import TwoFlanges as TwoFlanges
 from .compliances import VariableDamper as VariableDamper
+from .drives import ConstantSpeed as ConstantSpeed
+from .drives import InverseSpeedDependentTorque as InverseSpeedDependentTorque
+from .drives import LinearSpeedDependentTorque as LinearSpeedDependentTorque
+from .drives import Move as Move
+from .drives import QuadraticSpeedDependentTorque as QuadraticSpeedDependentTorque
+from .drives import SpeedDependentTorque as SpeedDependentTorque
 from .friction import AsymmetricFriction as AsymmetricFriction
 from .friction import BearingFriction as BearingFriction
 from .friction import CoulombFriction as CoulombFriction
@@ -32,6 +41,7 @@ from .friction import LoadedFriction as LoadedFriction
 from .friction import PositionDependentFriction as PositionDependentFriction
 from .friction import StribeckFriction as StribeckFriction
 from .friction import TabulatedFriction as TabulatedFriction
+from .gearbox import Gearbox as Gearbox
 from .gears import GearMesh as GearMesh
 from .gears import IdealGear as IdealGear
 from .gears import IdealPlanetary as IdealPlanetary
@@ -41,6 +51,8 @@ from .inertias import Fixed as Fixed
 from .inertias import Inertia as Inertia
 from .sensors import AccelerationSensor as AccelerationSensor
 from .sensors import AngleSensor as AngleSensor
+from .sensors import MultiSensor as MultiSensor
+from .sensors import PowerSensor as PowerSensor
 from .sensors import RelativeAccelerationSensor as RelativeAccelerationSensor
 from .sensors import RelativeAngleSensor as RelativeAngleSensor
 from .sensors import RelativeSpeedSensor as RelativeSpeedSensor
@@ -51,3 +63,5 @@ from .sources import ConstantTorque as ConstantTorque
 from .sources import Position as Position
 from .sources import Speed as Speed
 from .sources import Torque as Torque
+from .thermal_laws import EddyCurrentBrake as EddyCurrentBrake
+from .thermal_laws import TemperatureDependentFriction as TemperatureDependentFriction

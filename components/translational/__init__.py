@@ -1,5 +1,6 @@
 """Elements that slide."""
 
+from .backlash import ElastoBacklash as ElastoBacklash
 from .compliances import BilinearSpring as BilinearSpring
 from .compliances import BoucWen as BoucWen
 from .compliances import Compliant as Compliant
@@ -7,6 +8,7 @@ from .compliances import CompliantWithSpeed as CompliantWithSpeed
 from .compliances import CubicDamper as CubicDamper
 from .compliances import CubicSpring as CubicSpring
 from .compliances import Damper as Damper
+from .compliances import Dissipative as Dissipative
 from .compliances import HarmonicRipple as HarmonicRipple
 from .compliances import Inerter as Inerter
 from .compliances import QuadraticDamper as QuadraticDamper
@@ -16,6 +18,12 @@ from .compliances import Spring as Spring
 from .compliances import SpringDamper as SpringDamper
 from .compliances import TwoFlanges as TwoFlanges
 from .compliances import VariableDamper as VariableDamper
+from .drives import ConstantSpeed as ConstantSpeed
+from .drives import InverseSpeedDependentForce as InverseSpeedDependentForce
+from .drives import LinearSpeedDependentForce as LinearSpeedDependentForce
+from .drives import Move as Move
+from .drives import QuadraticSpeedDependentForce as QuadraticSpeedDependentForce
+from .drives import SpeedDependentForce as SpeedDependentForce
 from .friction import AsymmetricFriction as AsymmetricFriction
 from .friction import Brake as Brake
 from .friction import CoulombFriction as CoulombFriction
@@ -34,9 +42,12 @@ from .masses import LargeAngleLever as LargeAngleLever
 from .masses import Lever as Lever
 from .masses import Mass as Mass
 from .masses import Rod as Rod
+from .rolling import RollingResistance as RollingResistance
 from .sensors import AccelerationSensor as AccelerationSensor
 from .sensors import ForceSensor as ForceSensor
+from .sensors import MultiSensor as MultiSensor
 from .sensors import PositionSensor as PositionSensor
+from .sensors import PowerSensor as PowerSensor
 from .sensors import RelativeAccelerationSensor as RelativeAccelerationSensor
 from .sensors import RelativePositionSensor as RelativePositionSensor
 from .sensors import RelativeSpeedSensor as RelativeSpeedSensor
@@ -50,3 +61,5 @@ from .stops import Backlash as Backlash
 from .stops import ElastoGap as ElastoGap
 from .stops import HardStop as HardStop
 from .stops import MassWithStopAndFriction as MassWithStopAndFriction
+from .thermal_laws import EddyCurrentBrake as EddyCurrentBrake
+from .thermal_laws import TemperatureDependentFriction as TemperatureDependentFriction

@@ -10,3 +10,4 @@ from .flywheels import Flywheel as Flywheel
 from .flywheels import IdealPlanetaryFlywheel as IdealPlanetaryFlywheel
 from .flywheels import Planet as Planet
 from .flywheels import PlanetaryFlywheel as PlanetaryFlywheel
+from .vehicle import Vehicle as Vehicle

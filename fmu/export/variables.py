@@ -157,6 +157,8 @@ def _indicator(dae: DAE, k: int, reference: int) -> Scalar:
 
 def _described(dae: DAE, path: str) -> str:
     """Return what the declaration of a variable says of it."""
+    if dae.derived.unit(path) is not None:
+        return dae.derived.doc(path)
     inner = path.removeprefix("der(").removesuffix(")")
     told = dae.declared.facts[dae.flat.variable(inner)].doc
     return told if inner == path else f"rate of {inner}"

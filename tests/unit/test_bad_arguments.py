@@ -285,8 +285,8 @@ OTHERS = {
     "ForeignEvent", "ForeignRun", "Mode", "OperatingPoint", "PositiveReal", "Prediction", "Shock", "Split",
     "Sweep", "SystemRun", "SystemStructure", "Tuned", "Verdict", "Channel", "Varied", "write_report",
     # what a declaration of a component takes is tried where components are
-    "RealInput", "RealOutput", "RotationalFlange", "TranslationalFlange", "der", "impulse", "mode", "option",
-    "parameter", "variable",
+    "RealInput", "RealOutput", "RotationalFlange", "TranslationalFlange", "der", "derived", "dissipation",
+    "energy", "impulse", "mode", "option", "parameter", "variable",
 }  # fmt: skip
 
 
