@@ -177,7 +177,7 @@ def find_inputs(flat: Flat, nodes: list[Node]) -> None:
             declared = port_of(instance, name)
             source = RealOutput if sign > 0 else RealInput
             if isinstance(declared, source) and (sign > 0 or instance.parent is not None):
-                driven.update((id(i), n) for i, n, _ in node.ports)
+                driven.update((id(i), n) for i, n, _ in node.ports if (i, n) != (instance, name))
     for instance in flat.instances.values():
         for declared in fields_of(instance.component, RealInput):
             if (id(instance), declared.name) not in driven:
