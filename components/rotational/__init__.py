@@ -1,5 +1,6 @@
 """Elements that turn."""
 
+from .bristles import LuGreFriction as LuGreFriction
 from .clutches import Brake as Brake
 from .clutches import Clutch as Clutch
 from .clutches import OneWayClutch as OneWayClutch
@@ -21,6 +22,8 @@ from .compliances import Spring as Spring
 from .compliances import SpringDamper as SpringDamper
 from .compliances import TwoFlanges as TwoFlanges
 from .compliances import VariableDamper as VariableDamper
+from .elastic_gears import BeltDrive as BeltDrive
+from .elastic_gears import HarmonicDrive as HarmonicDrive
 from .friction import AsymmetricFriction as AsymmetricFriction
 from .friction import BearingFriction as BearingFriction
 from .friction import CoulombFriction as CoulombFriction
@@ -39,6 +42,10 @@ from .gears import LossyGear as LossyGear
 from .inertias import Disc as Disc
 from .inertias import Fixed as Fixed
 from .inertias import Inertia as Inertia
+from .joints import Differential as Differential
+from .joints import UniversalJoint as UniversalJoint
+from .motors import DCMotor as DCMotor
+from .motors import ShuntedMotor as ShuntedMotor
 from .sensors import AccelerationSensor as AccelerationSensor
 from .sensors import AngleSensor as AngleSensor
 from .sensors import RelativeAccelerationSensor as RelativeAccelerationSensor
@@ -46,8 +53,13 @@ from .sensors import RelativeAngleSensor as RelativeAngleSensor
 from .sensors import RelativeSpeedSensor as RelativeSpeedSensor
 from .sensors import SpeedSensor as SpeedSensor
 from .sensors import TorqueSensor as TorqueSensor
+from .shafts import LumpedShaft as LumpedShaft
+from .shafts import ModalShaft as ModalShaft
 from .sources import Accelerate as Accelerate
 from .sources import ConstantTorque as ConstantTorque
 from .sources import Position as Position
 from .sources import Speed as Speed
 from .sources import Torque as Torque
+from .tabulated import TabulatedDamper as TabulatedDamper
+from .tabulated import TabulatedSpring as TabulatedSpring
+from .worms import WormGear as WormGear

@@ -4,9 +4,8 @@ from math import pi
 
 import casadi as ca
 
+from ..hysteresis import wen_rate
 from ..language import Component, Expression, RealInput, RotationalFlange, Stated, der, parameter, variable
-
-LEAST_HYSTERESIS = 1e-300  # [rad]
 
 
 class TwoFlanges(Component):
@@ -146,11 +145,8 @@ class BoucWen(CompliantWithSpeed):
 
     def equations(self) -> Stated:
         w, z = self.w_rel, self.z
-        size = ca.fmax(ca.fabs(z), LEAST_HYSTERESIS)  # above 0, where x^n has a slope in n
         yield self.tau == self.alpha * self.c * self.phi_rel + (1 - self.alpha) * self.c * z
-        yield der(z) == (
-            self.A * w - self.beta * ca.fabs(w) * size ** (self.n - 1) * z - self.gamma * w * size**self.n
-        )
+        yield der(z) == wen_rate(w, z, self.A, self.beta, self.gamma, self.n)
 
 
 class HarmonicRipple(Compliant):

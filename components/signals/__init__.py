@@ -12,6 +12,8 @@ from .controllers import PI as PI
 from .controllers import PID as PID
 from .controllers import LimPI as LimPI
 from .controllers import LimPID as LimPID
+from .digital import DeadZone as DeadZone
+from .digital import SampleHold as SampleHold
 from .periodic import Pulse as Pulse
 from .periodic import Trapezoid as Trapezoid
 from .sources import Clock as Clock

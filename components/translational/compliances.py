@@ -4,9 +4,8 @@ from math import pi
 
 import casadi as ca
 
+from ..hysteresis import wen_rate
 from ..language import Component, RealInput, Stated, TranslationalFlange, der, parameter, variable
-
-LEAST_HYSTERESIS = 1e-300  # [m]
 
 
 class TwoFlanges(Component):
@@ -231,8 +230,5 @@ class BoucWen(CompliantWithSpeed):
 
     def equations(self) -> Stated:
         v, z = self.v_rel, self.z
-        size = ca.fmax(ca.fabs(z), LEAST_HYSTERESIS)  # above 0, where x^n has a slope in n
         yield self.f == self.alpha * self.k * self.s_rel + (1 - self.alpha) * self.k * z
-        yield der(z) == (
-            self.A * v - self.beta * ca.fabs(v) * size ** (self.n - 1) * z - self.gamma * v * size**self.n
-        )
+        yield der(z) == wen_rate(v, z, self.A, self.beta, self.gamma, self.n)

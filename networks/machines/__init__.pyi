@@ -1,4 +1,5 @@
 from . import ge_wang as ge_wang
+from .absorbers import NES as NES
 from .absorbers import TMD as TMD
 from .absorbers import TMDI as TMDI
 from .absorbers import tid as tid
@@ -6,10 +7,14 @@ from .absorbers import tvmd as tvmd
 from .dampers import BilinearDamper as BilinearDamper
 from .dampers import BumpStop as BumpStop
 from .dampers import DigressiveDamper as DigressiveDamper
+from .electric import Servo as Servo
+from .electric import Shaker as Shaker
 from .frames import isolated_machine as isolated_machine
 from .frames import shear_frame as shear_frame
 from .frames import taut_cable as taut_cable
 from .inerters import BallScrewInerter as BallScrewInerter
+from .inerters import CrankInerter as CrankInerter
+from .inerters import MechatronicInerter as MechatronicInerter
 from .inerters import PlanetaryFlywheelInerter as PlanetaryFlywheelInerter
 from .inerters import RackPinionInerter as RackPinionInerter
 from .planetary_design import PlanetaryGeometry as PlanetaryGeometry
@@ -22,6 +27,8 @@ from .rig import inerter_rig as inerter_rig
 from .rig import rig_response as rig_response
 from .rig import run_on_rig as run_on_rig
 from .suspensions import suspension as suspension
+from .torsional import DualMassFlywheel as DualMassFlywheel
+from .torsional import TorsionalDamper as TorsionalDamper
 from .vehicles import PitchingBody as PitchingBody
 from .vehicles import RigidBody as RigidBody
 from .vehicles import full_car as full_car
