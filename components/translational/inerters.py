@@ -64,7 +64,7 @@ class VariableInerter(CompliantWithSpeed):
     b = parameter("kg", "inertance at u = 0", min=0)
     b_u = parameter("kg", "change of the inertance with u")
     T = parameter("s", "time constant of the actuator", above=0)
-    x = variable("1", "position of the actuator", follows="u")
+    x = variable("1", "position of the actuator")
     a_rel = variable("m/s2", "relative acceleration of the flanges")
 
     def equations(self) -> Stated:

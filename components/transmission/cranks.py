@@ -5,11 +5,20 @@ from math import pi
 import casadi as ca
 
 from ..curves import curve_over_a_turn, periodic
-from ..language import Stated, parameter
+from ..language import Stated, der, parameter, variable
 from .conversions import Transmission
 
 
-class SliderCrank(Transmission):
+class Crank(Transmission):
+    """A shaft that drives a slider to and fro, by its angle and speed."""
+
+    w = variable("rad/s", "speed against the housing", state="prefer")
+
+    def equations(self) -> Stated:
+        yield self.w == der(self.phi)
+
+
+class SliderCrank(Crank):
     """Crank and connecting rod at any angle: s = r cos(phi) + sqrt(l^2 - (r sin(phi) - e)^2), no loss.
 
     s is the distance of the slider from the crank's axis, largest at phi = 0 without offset e;
@@ -30,7 +39,7 @@ class SliderCrank(Transmission):
         yield self.flange_r.tau + slope * self.flange_t.f == 0
 
 
-class Cam(Transmission):
+class Cam(Crank):
     """Grooved cam: s = h(phi) by points over one turn, no loss: tau + h'(phi) f = 0.
 
     Between the points h is a cubic curve whose second derivative is steady, also from turn to turn, so that

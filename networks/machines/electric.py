@@ -6,6 +6,7 @@ from ...components import (
     RealInput,
     RotationalFlange,
     SpringDamper,
+    TranslationalFlange,
     TwoFlanges,
     rotational,
     signals,
@@ -25,6 +26,7 @@ class Shaker(TwoFlanges):
         Bl: force constant [N/A]; R: resistance [V/A]; L: inductance [V.s/A].
     """
 
+    flange_b = TranslationalFlange("armature", free=True)
     u = RealInput("V", "voltage")
     m = parameter("kg", "mass of the armature", above=0)
     k = parameter("N/m", "stiffness of the suspension", min=0)

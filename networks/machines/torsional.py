@@ -13,6 +13,8 @@ class DualMassFlywheel(rotational.TwoFlanges):
     Source: W. Reik, R. Seebacher, A. Kooy, Dual mass flywheel, 6th LuK Symposium (1998).
     """
 
+    flange_a = RotationalFlange("engine", free=True)
+    flange_b = RotationalFlange("gearbox", free=True)
     J_1 = parameter("kg.m2", "inertia on the engine's side", above=0)
     J_2 = parameter("kg.m2", "inertia on the gearbox's side", above=0)
     c = parameter("N.m/rad", "stiffness of the springs", min=0, default=0.0)
