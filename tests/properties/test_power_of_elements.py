@@ -132,5 +132,5 @@ def test_what_goes_in_is_stored_or_lost(
 
 def rate(motions: list[Any], t: Array) -> Array:
     h = 1e-6
-    stretch = lambda t: motions[1](t) - motions[0](t)  # noqa: E731
-    return np.asarray((stretch(t + h) - stretch(t - h)) / (2 * h))
+    first, second = ((motion(t + h) - motion(t - h)) / (2 * h) for motion in motions)
+    return np.asarray(second - first)

@@ -321,3 +321,16 @@ def test_what_a_worm_takes_at_a_speed_is_its_torque_times_that() -> None:
     assert run["gear.lossPower"] == pytest.approx(
         np.full(len(run.time), 20.2), rel=1e-6
     )  # half of 4 N.m and 0.02
+
+
+def test_a_worm_that_inertia_alone_would_lock_at_once_ends_the_run() -> None:
+    """Friction in the bearings slows the worm; a heavy drum then presses the flanks more than it can push."""
+    gear = rotational.WormGear(ratio=20.0, lead_angle=0.15, mu=0.2, tau_bf=0.1)
+    net = ia.Network(
+        "jam", gear=gear, rotor=rotational.Inertia(J=1e-3, w=30.0), drum=rotational.Inertia(J=50.0)
+    )
+    net.connect(net.rotor.flange, net.gear.flange_a).connect(net.gear.flange_b, net.drum.flange)
+    with pytest.raises(ia.SimulationError, match="switch for ever: WormGear 'gear'"):
+        net.simulate(1.0)
+    run = net.simulate(1.0, parameters={"drum.J": 0.5})
+    assert run.events[-1].target == "stuck"

@@ -12,18 +12,22 @@ M, K = 2.0, 8e4
 
 
 def bar(kind: str, turning: bool, count: int, d: float = 0.0) -> Any:
+    options = {"modes" if kind == "Modal" else "segments": count}
     if turning:
-        made = {"Modal": rotational.ModalShaft, "Lumped": rotational.LumpedShaft}[kind]
-        return made(J=M, c=K, d=d, **{"modes" if kind == "Modal" else "segments": count})
-    made = {"Modal": ia.ModalRod, "Lumped": ia.LumpedRod}[kind]
-    return made(m=M, k=K, d=d, L=0.7, **{"modes" if kind == "Modal" else "segments": count})
+        shaft: Any = {"Modal": rotational.ModalShaft, "Lumped": rotational.LumpedShaft}[kind]
+        return shaft(J=M, c=K, d=d, **options)
+    rod: Any = {"Modal": ia.ModalRod, "Lumped": ia.LumpedRod}[kind]
+    return rod(m=M, k=K, d=d, L=0.7, **options)
+
+
+def body(turning: bool, size: float) -> Any:
+    return rotational.Inertia(J=size) if turning else ia.Mass(m=size)
 
 
 def free(element: Any, turning: bool) -> ia.Network:
     """A bar between two bodies of next to no mass."""
-    kind = {False: lambda: ia.Mass(m=1e-9), True: lambda: rotational.Inertia(J=1e-9)}[turning]
     push = rotational.Torque() if turning else ia.Force()
-    net = ia.Network("free", bar=element, left=kind(), right=kind(), push=push)
+    net = ia.Network("free", bar=element, left=body(turning, 1e-9), right=body(turning, 1e-9), push=push)
     net.connect(net.left.flange, net.bar.flange_a, net.push.flange)
     return net.connect(net.bar.flange_b, net.right.flange)
 
@@ -55,8 +59,7 @@ def test_errors_fall_with_modes_and_with_the_square_of_segments(turning: bool) -
 def test_a_shaken_bar_answers_as_a_continuous_one(kind: str, turning: bool) -> None:
     """Force at a driven end, the other on a body, against tan() of the wave equation with damping."""
     net = ia.Network("shaken", bar=bar(kind, turning, 60 if kind == "Lumped" else 8, d=3.0))
-    body = rotational.Inertia(J=1.5) if turning else ia.Mass(m=1.5)
-    net.add(drive=rotational.Position() if turning else ia.Position(), body=body)
+    net.add(drive=rotational.Position() if turning else ia.Position(), body=body(turning, 1.5))
     net.connect(net.drive.flange, net.bar.flange_a).connect(net.bar.flange_b, net.body.flange)
     through, across = ("tau", "phi_ref") if turning else ("f", "s_ref")
     system = ia.analysis.linearise(net, [f"drive.{across}"], [f"bar.flange_a.{through}"])
