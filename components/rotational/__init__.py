@@ -3,6 +3,7 @@
 from .backlash import Backlash as Backlash
 from .backlash import ElastoBacklash as ElastoBacklash
 from .backlash import ElastoBacklash2 as ElastoBacklash2
+from .bristles import LuGreFriction as LuGreFriction
 from .clutches import Brake as Brake
 from .clutches import Clutch as Clutch
 from .clutches import OneWayClutch as OneWayClutch
@@ -30,6 +31,8 @@ from .drives import LinearSpeedDependentTorque as LinearSpeedDependentTorque
 from .drives import Move as Move
 from .drives import QuadraticSpeedDependentTorque as QuadraticSpeedDependentTorque
 from .drives import SpeedDependentTorque as SpeedDependentTorque
+from .elastic_gears import BeltDrive as BeltDrive
+from .elastic_gears import HarmonicDrive as HarmonicDrive
 from .friction import AsymmetricFriction as AsymmetricFriction
 from .friction import BearingFriction as BearingFriction
 from .friction import CoulombFriction as CoulombFriction
@@ -49,6 +52,10 @@ from .gears import LossyGear as LossyGear
 from .inertias import Disc as Disc
 from .inertias import Fixed as Fixed
 from .inertias import Inertia as Inertia
+from .joints import Differential as Differential
+from .joints import UniversalJoint as UniversalJoint
+from .motors import DCMotor as DCMotor
+from .motors import ShuntedMotor as ShuntedMotor
 from .sensors import AccelerationSensor as AccelerationSensor
 from .sensors import AngleSensor as AngleSensor
 from .sensors import MultiSensor as MultiSensor
@@ -58,10 +65,15 @@ from .sensors import RelativeAngleSensor as RelativeAngleSensor
 from .sensors import RelativeSpeedSensor as RelativeSpeedSensor
 from .sensors import SpeedSensor as SpeedSensor
 from .sensors import TorqueSensor as TorqueSensor
+from .shafts import LumpedShaft as LumpedShaft
+from .shafts import ModalShaft as ModalShaft
 from .sources import Accelerate as Accelerate
 from .sources import ConstantTorque as ConstantTorque
 from .sources import Position as Position
 from .sources import Speed as Speed
 from .sources import Torque as Torque
+from .tabulated import TabulatedDamper as TabulatedDamper
+from .tabulated import TabulatedSpring as TabulatedSpring
 from .thermal_laws import EddyCurrentBrake as EddyCurrentBrake
 from .thermal_laws import TemperatureDependentFriction as TemperatureDependentFriction
+from .worms import WormGear as WormGear

@@ -4,6 +4,7 @@ from math import pi
 
 import casadi as ca
 
+from ..hysteresis import HystereticSpring
 from ..language import (
     Component,
     Expression,
@@ -17,8 +18,6 @@ from ..language import (
     variable,
 )
 from ..lossy import Lossy
-
-LEAST_HYSTERESIS = 1e-300  # [rad]
 
 
 class TwoFlanges(Component):
@@ -155,7 +154,7 @@ class Ripple(Compliant):
         yield self.tau == self.tau_sin * ca.sin(self.angle) + self.tau_cos * ca.cos(self.angle)
 
 
-class BoucWen(Dissipative):
+class BoucWen(CompliantWithSpeed, HystereticSpring):
     """Hysteretic spring: tau = alpha c phi_rel + (1 - alpha) c z.
 
     z' = A w_rel - beta |w_rel| |z|^(n-1) z - gamma w_rel |z|^n, with z [rad] the hysteretic angle.
@@ -164,29 +163,24 @@ class BoucWen(Dissipative):
     """
 
     c = parameter("N.m/rad", "initial stiffness", min=0)
-    alpha = parameter("1", "share of stiffness after yield", min=0, max=1, default=0.1)
-    A = parameter("1", "scale of the hysteretic angle", above=0, default=1.0)
     beta = parameter("1/rad^n", "loop shape against the motion", min=0)
     gamma = parameter("1/rad^n", "loop shape along the motion")
-    n = parameter("1", "sharpness of yield", min=1, default=2.0)
     z = variable("rad", "hysteretic angle")
 
     @property
-    def yielding(self) -> Expression:
-        """What z falls short of A w_rel by, as it yields."""
-        w, z = self.w_rel, self.z
-        size = ca.fmax(ca.fabs(z), LEAST_HYSTERESIS)  # above 0, where x^n has a slope in n
-        return self.beta * ca.fabs(w) * size ** (self.n - 1) * z + self.gamma * w * size**self.n
+    def stretch(self) -> Expression:
+        return self.phi_rel
 
-    hysteretic = property(lambda self: (1 - self.alpha) * self.c * self.z)
-    potential = energy(
-        lambda self: self.alpha * self.c * self.phi_rel**2 / 2 + self.hysteretic * self.z / self.A / 2
-    )
-    lossPower = dissipation(lambda self: self.hysteretic * self.yielding / self.A)
+    @property
+    def speed(self) -> Expression:
+        return self.w_rel
+
+    @property
+    def stiffness(self) -> Expression:
+        return self.c
 
     def equations(self) -> Stated:
-        yield self.tau == self.alpha * self.c * self.phi_rel + self.hysteretic
-        yield der(self.z) == self.A * self.w_rel - self.yielding
+        yield self.tau == self.restoring
 
 
 class HarmonicRipple(Compliant):

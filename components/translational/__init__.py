@@ -1,6 +1,7 @@
 """Elements that slide."""
 
 from .backlash import ElastoBacklash as ElastoBacklash
+from .bristles import LuGreFriction as LuGreFriction
 from .compliances import BilinearSpring as BilinearSpring
 from .compliances import BoucWen as BoucWen
 from .compliances import Compliant as Compliant
@@ -36,12 +37,23 @@ from .friction import PositionDependentFriction as PositionDependentFriction
 from .friction import StribeckFriction as StribeckFriction
 from .friction import SupportFriction as SupportFriction
 from .friction import TabulatedFriction as TabulatedFriction
+from .hydropneumatic import AirSpring as AirSpring
+from .hydropneumatic import MonotubeDamper as MonotubeDamper
+from .inerters import FluidInerter as FluidInerter
+from .inerters import VariableInerter as VariableInerter
+from .isolators import ObliqueSprings as ObliqueSprings
+from .isolators import Rope as Rope
+from .isolators import WireRope as WireRope
 from .lengths import MassWithLength as MassWithLength
+from .magnetorheological import BoucWenDamper as BoucWenDamper
+from .magnetorheological import SpencerDamper as SpencerDamper
 from .masses import Fixed as Fixed
 from .masses import LargeAngleLever as LargeAngleLever
 from .masses import Lever as Lever
 from .masses import Mass as Mass
 from .masses import Rod as Rod
+from .rods import LumpedRod as LumpedRod
+from .rods import ModalRod as ModalRod
 from .rolling import RollingResistance as RollingResistance
 from .sensors import AccelerationSensor as AccelerationSensor
 from .sensors import ForceSensor as ForceSensor
@@ -61,5 +73,12 @@ from .stops import Backlash as Backlash
 from .stops import ElastoGap as ElastoGap
 from .stops import HardStop as HardStop
 from .stops import MassWithStopAndFriction as MassWithStopAndFriction
+from .tabulated import MapSpringDamper as MapSpringDamper
+from .tabulated import TabulatedDamper as TabulatedDamper
+from .tabulated import TabulatedSpring as TabulatedSpring
 from .thermal_laws import EddyCurrentBrake as EddyCurrentBrake
 from .thermal_laws import TemperatureDependentFriction as TemperatureDependentFriction
+from .viscoelastic import FractionalDamper as FractionalDamper
+from .viscoelastic import Maxwell as Maxwell
+from .viscoelastic import Zener as Zener
+from .voice_coils import VoiceCoil as VoiceCoil

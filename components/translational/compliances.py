@@ -4,6 +4,7 @@ from math import pi
 
 import casadi as ca
 
+from ..hysteresis import HystereticSpring
 from ..language import (
     Component,
     Expression,
@@ -17,8 +18,6 @@ from ..language import (
     variable,
 )
 from ..lossy import Lossy
-
-LEAST_HYSTERESIS = 1e-300  # [m]
 
 
 class TwoFlanges(Component):
@@ -256,7 +255,7 @@ class QuadraticDamper(Dissipative):
         yield self.f == self.c * self.v_rel * ca.fabs(self.v_rel)
 
 
-class BoucWen(Dissipative):
+class BoucWen(CompliantWithSpeed, HystereticSpring):
     """Hysteretic spring: f = alpha k s_rel + (1 - alpha) k z.
 
     z' = A v_rel - beta |v_rel| |z|^(n-1) z - gamma v_rel |z|^n, with z [m] the hysteretic displacement.
@@ -265,26 +264,21 @@ class BoucWen(Dissipative):
     """
 
     k = parameter("N/m", "initial stiffness", min=0)
-    alpha = parameter("1", "share of stiffness after yield", min=0, max=1, default=0.1)
-    A = parameter("1", "scale of the hysteretic displacement", above=0, default=1.0)
     beta = parameter("1/m^n", "loop shape against the motion", min=0)
     gamma = parameter("1/m^n", "loop shape along the motion")
-    n = parameter("1", "sharpness of yield", min=1, default=2.0)
     z = variable("m", "hysteretic displacement")
 
     @property
-    def yielding(self) -> Expression:
-        """What z falls short of A v_rel by, as it yields."""
-        v, z = self.v_rel, self.z
-        size = ca.fmax(ca.fabs(z), LEAST_HYSTERESIS)  # above 0, where x^n has a slope in n
-        return self.beta * ca.fabs(v) * size ** (self.n - 1) * z + self.gamma * v * size**self.n
+    def stretch(self) -> Expression:
+        return self.s_rel
 
-    hysteretic = property(lambda self: (1 - self.alpha) * self.k * self.z)
-    potential = energy(
-        lambda self: self.alpha * self.k * self.s_rel**2 / 2 + self.hysteretic * self.z / self.A / 2
-    )
-    lossPower = dissipation(lambda self: self.hysteretic * self.yielding / self.A)
+    @property
+    def speed(self) -> Expression:
+        return self.v_rel
+
+    @property
+    def stiffness(self) -> Expression:
+        return self.k
 
     def equations(self) -> Stated:
-        yield self.f == self.alpha * self.k * self.s_rel + self.hysteretic
-        yield der(self.z) == self.A * self.v_rel - self.yielding
+        yield self.f == self.restoring

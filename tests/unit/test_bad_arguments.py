@@ -236,6 +236,7 @@ GOOD: dict[str, Callable[[], Any]] = {
     "pareto_front.first": lambda: lambda dae, *, parameters: parameters["spring.k"],
     "read_record.path": lambda: "none.csv", "load_signal.path": lambda: "none.csv",
     "load_table.path": lambda: "none.csv",
+    "load_points.path": lambda: "none.csv", "load_points.columns": lambda: {"x": "m"},
     "read_ssp.path": lambda: "none.ssp", "FMU.path": lambda: "none.fmu",
     "Result.save.path": lambda: "none.txt",
     "export_fmu.path": lambda: "none.txt", "check_fmu.model": lambda: "none.fmu",
