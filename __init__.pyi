@@ -132,6 +132,7 @@ from .components import option as option
 from .components import parameter as parameter
 from .components import rotational as rotational
 from .components import signals as signals
+from .components import supply as supply
 from .components import thermal as thermal
 from .components import variable as variable
 from .diagnosis import diagnose as diagnose

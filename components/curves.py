@@ -1,7 +1,8 @@
 """Curves and maps through points: straight or smooth in between, straight beyond their ends."""
 
+from __future__ import annotations
+
 from collections.abc import Callable
-from itertools import pairwise
 from typing import Any, Literal
 
 import casadi as ca
@@ -9,15 +10,50 @@ import numpy as np
 
 from ..base import Array, rows
 from .language import Expression, option
-from .tables import interpolated
+from .tables import increasing
 
 Slopes = Callable[[Array, Array], Array]
+
+
+class PiecewisePolynomial:
+    """The curve through points by straight or, with slopes there, cubic pieces, straight beyond its ends."""
+
+    def __init__(self, x: Array, y: Array, slopes: Slopes | None = None) -> None:
+        h, rise = np.diff(x), np.diff(y) / np.diff(x)
+        begin, end = slopes(x, y)[[0, -1]] if slopes else rise[[0, -1]]
+        inner = [y[:-1], rise]
+        if slopes:
+            first, last = slopes(x, y)[:-1], slopes(x, y)[1:]
+            inner = [y[:-1], first, (3 * rise - 2 * first - last) / h, (first + last - 2 * rise) / h**2]
+        beyond = np.zeros((2, len(inner)))
+        beyond[:, :2] = (y[0], begin), (y[-1], end)
+        self._powers = np.column_stack([beyond[0], np.array(inner), beyond[1]])  # from the left end of each
+        self._x = x
+
+    def value(self, at: Expression) -> Expression:
+        """Return its value."""
+        return self._polynomial(self._powers, at)
+
+    def area(self, at: Expression) -> Expression:
+        """Return the area below it, from 0."""
+        orders = np.arange(1, len(self._powers) + 1)[:, None]
+        powers = np.vstack([np.zeros(self._powers.shape[1]), self._powers / orders])
+        passed = (powers[1:, 1:-1] * np.diff(self._x) ** orders).sum(axis=0)
+        powers[0, 2:] = np.cumsum(passed)
+        return self._polynomial(powers, at) - self._polynomial(powers, 0.0)
+
+    def _polynomial(self, powers: Array, at: Expression) -> Expression:
+        at, value = ca.SX(at), ca.SX(0)
+        past = at - ca.pw_const(at, ca.DM(self._x), ca.DM(np.append(self._x[0], self._x)))
+        for power in powers[::-1]:
+            value = value * past + ca.pw_const(at, ca.DM(self._x), ca.DM(power))
+        return value
 
 
 def curve(columns: str) -> Any:
     """Declare rows (x, y), whose columns are told with units; the default is a straight line of slope 1."""
     what = "takes at least two rows (x, y) of finite numbers, x increasing"
-    check = rows(what, 2, lambda given: len(given) > 1 and all(a[0] < b[0] for a, b in pairwise(given)))
+    check = rows(what, 2, lambda given: len(given) > 1 and increasing(given))
     return option(f"rows ({columns}), the first increasing", default=((0.0, 0.0), (1.0, 1.0)), check=check)
 
 
@@ -33,8 +69,7 @@ def curve_over_a_turn() -> Any:
     what = "takes at least three rows (angle, lift) of finite numbers, angles increasing within one turn"
 
     def good(given: list[tuple[float, ...]]) -> bool:
-        rising = all(a[0] < b[0] for a, b in pairwise(given))
-        return len(given) > 2 and rising and given[-1][0] - given[0][0] < 2 * np.pi
+        return len(given) > 2 and increasing(given) and given[-1][0] - given[0][0] < 2 * np.pi
 
     still = ((0.0, 0.0), (2.0, 0.0), (4.0, 0.0))
     return option("rows (angle [rad], lift [m]) over one turn", default=still, check=rows(what, 2, good))
@@ -48,27 +83,55 @@ def smoothness() -> Any:
 
 def between(points: Any, at: Expression, how: str) -> Expression:
     """Return the value of a curve; smooth, it never overshoots its points."""
-    given = tuple(tuple(map(float, row)) for row in points)
-    if how == "linear":
-        return interpolated(given, at)
-    x, y = np.array(given).T
-    return _hermite(x, y, at, monotone_slopes(x, y))
+    return _pieces(*_columns(points), how).value(at)
 
 
-def over_grid(points: Any, at_x: Expression, at_y: Expression, how: str) -> Expression:
-    """Return the value of a map: bilinear, or smooth by cubic pieces in either direction."""
-    given = np.array(sorted(tuple(map(float, row)) for row in points))
-    x, y = np.unique(given[:, 0]), np.unique(given[:, 1])
-    values = given[:, 2].reshape(len(x), len(y))
-    return ca.bilin(ca.DM(values), ca.vertcat(*_cardinal(x, at_x, how)), ca.vertcat(*_cardinal(y, at_y, how)))
+def area(points: Any, at: Expression, how: str) -> Expression:
+    """Return the area below a curve, from 0."""
+    return _pieces(*_columns(points), how).area(at)
+
+
+class Map:
+    """Values over a grid: bilinear, or smooth by cubic pieces in either direction."""
+
+    def __init__(self, x: Any, y: Any, values: Any, how: str = "linear") -> None:
+        self.x, self.y, self.values = (np.asarray(given, dtype=float) for given in (x, y, values))
+        self.how = how
+
+    def value(self, at_x: Expression, at_y: Expression) -> Expression:
+        """Return the value at a place."""
+        hats = (
+            ca.vertcat(*(curve.value(at) for curve in self._cardinal(points)))
+            for points, at in ((self.x, at_x), (self.y, at_y))
+        )
+        return ca.bilin(ca.DM(self.values), *hats)
+
+    def area(self, at_x: Expression, at_y: float) -> Expression:
+        """Return the area below it over x, from 0, along a line y."""
+        hats = ca.vertcat(*(curve.value(at_y) for curve in self._cardinal(self.y)))
+        below = ca.vertcat(*(curve.area(at_x) for curve in self._cardinal(self.x)))
+        return ca.bilin(ca.DM(self.values), below, hats)
+
+    def _cardinal(self, points: Array) -> list[PiecewisePolynomial]:
+        """Return for each point the curve that is 1 there and 0 at the others."""
+        order: Literal[1, 2] = 2 if len(points) > 2 else 1
+        slopes = (lambda x, y: np.gradient(y, x, edge_order=order)) if self.how == "smooth" else None
+        return [PiecewisePolynomial(points, unit, slopes) for unit in np.eye(len(points))]
+
+
+def over_grid(points: Any, how: str) -> Map:
+    """Return the map of rows (x, y, value) that fill a grid."""
+    x, y, values = _columns(sorted(points))
+    x, y = np.unique(x), np.unique(y)
+    return Map(x, y, values.reshape(len(x), len(y)), how)
 
 
 def periodic(points: Any, at: Expression, period: float) -> Expression:
     """Return the value of a curve that comes back with a period, its second derivative steady everywhere."""
-    x, y = np.array([tuple(map(float, row)) for row in points]).T
+    x, y = _columns(points)
     x, y = np.append(x, x[0] + period), np.append(y, y[0])
     turned = at - period * ca.floor((at - x[0]) / period)
-    return _hermite(x, y, turned, _periodic_slopes(x, y))
+    return PiecewisePolynomial(x, y, _periodic_slopes).value(turned)
 
 
 def monotone_slopes(x: Array, y: Array) -> Array:
@@ -84,6 +147,14 @@ def monotone_slopes(x: Array, y: Array) -> Array:
     before, after = np.where(same, rise[:-1], 1.0), np.where(same, rise[1:], 1.0)
     inner = np.where(same, (left + right) / (right / before + left / after), 0.0)
     return np.array([_end(h[0], h[1], rise[0], rise[1]), *inner, _end(h[-1], h[-2], rise[-1], rise[-2])])
+
+
+def _columns(points: Any) -> Array:
+    return np.array([tuple(map(float, row)) for row in points]).T
+
+
+def _pieces(x: Array, y: Array, how: str) -> PiecewisePolynomial:
+    return PiecewisePolynomial(x, y, monotone_slopes if how == "smooth" else None)
 
 
 def _fill_a_grid(given: list[tuple[float, ...]]) -> bool:
@@ -112,32 +183,3 @@ def _periodic_slopes(x: Array, y: Array) -> Array:
         right[i] = 3 * (after * rise[i - 1] + before * rise[i])
     slopes = np.linalg.solve(matrix, right)
     return np.append(slopes, slopes[0])
-
-
-def _cardinal(x: Array, at: Expression, how: str) -> list[Expression]:
-    """Return for each point the curve that is 1 there and 0 at the others."""
-    units = np.eye(len(x))
-    if how == "linear":
-        return [interpolated(tuple(zip(x, unit, strict=True)), at) for unit in units]
-    order: Literal[1, 2] = 2 if len(x) > 2 else 1
-    return [_hermite(x, unit, at, np.gradient(unit, x, edge_order=order)) for unit in units]
-
-
-def _hermite(x: Array, y: Array, at: Expression, slopes: Array) -> Expression:
-    """Return the cubic curve through points with these slopes, straight beyond its ends."""
-    h, rise = np.diff(x), np.diff(y) / np.diff(x)
-    second = (3 * rise - 2 * slopes[:-1] - slopes[1:]) / h
-    third = (slopes[:-1] + slopes[1:] - 2 * rise) / h**2
-    straight = np.zeros(1)
-    coefficients = (
-        np.concatenate([straight, third, straight]),
-        np.concatenate([straight, second, straight]),
-        np.concatenate([slopes[:1], slopes]),
-        np.concatenate([y[:1], y]),
-    )
-    at = ca.SX(at)
-    past = at - ca.pw_const(at, ca.DM(x), ca.DM(np.concatenate([x[:1], x])))
-    value: Expression = 0.0
-    for column in coefficients:
-        value = value * past + ca.pw_const(at, ca.DM(x), ca.DM(column))
-    return value

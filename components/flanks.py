@@ -21,7 +21,6 @@ class SlidingFlanks(Sticking):
     tau_bf = parameter("N.m", "friction torque of the bearings", min=0, default=0.0)
     side = mode("against", "along", doc="whether the load resists turning forward or helps it")
     tau_loss = variable("N.m", "torque lost, seen where it is driven")
-    lossPower = variable("W", "dissipated power")
 
     quantities = "tau_loss", "w", "a"
 
@@ -49,7 +48,6 @@ class SlidingFlanks(Sticking):
         forward, backward = self.limits
         held = {"stuck": self.a, "forward": self.tau_loss - forward, "backward": self.tau_loss + backward}
         yield self.mode.choose(**held) == 0
-        yield self.lossPower == self.tau_loss * self.w
 
     def transitions(self) -> Stated:
         yield self.side.goes("against", "along", when=self.load_torque < 0)

@@ -11,10 +11,12 @@ from .component import values_of as values_of
 from .derived import KINETIC as KINETIC
 from .derived import LOSS_POWER as LOSS_POWER
 from .derived import POTENTIAL as POTENTIAL
+from .derived import SUPPLY_POWER as SUPPLY_POWER
 from .derived import Derived as Derived
 from .derived import derived as derived
 from .derived import dissipation as dissipation
 from .derived import energy as energy
+from .derived import supply as supply
 from .domain import AnyDomain as AnyDomain
 from .domain import Domain as Domain
 from .domain import OtherDomain as OtherDomain

@@ -8,7 +8,7 @@ from typing import Any
 
 from .fields import Field
 
-KINETIC, POTENTIAL, LOSS_POWER = "kinetic", "potential", "lossPower"
+KINETIC, POTENTIAL, LOSS_POWER, SUPPLY_POWER = "kinetic", "potential", "lossPower", "supplyPower"
 
 
 @dataclass(eq=False)
@@ -38,3 +38,8 @@ def energy(law: Callable[[Any], Any]) -> Any:
 def dissipation(law: Callable[[Any], Any]) -> Any:
     """Declare the power [W] that an element turns into heat, as its `lossPower`."""
     return Derived("W", "dissipated power", law)
+
+
+def supply(law: Callable[[Any], Any]) -> Any:
+    """Declare the power [W] that an amplifier or actuator puts into an element, as its `supplyPower`."""
+    return Derived("W", "power that comes in otherwise than through flanges", law)

@@ -2,11 +2,11 @@
 
 import casadi as ca
 
-from ..language import Stated, der, parameter, variable
-from .compliances import CompliantWithSpeed
+from ..language import Stated, der, dissipation, energy, parameter, variable
+from .compliances import Dissipative
 
 
-class LuGreFriction(CompliantWithSpeed):
+class LuGreFriction(Dissipative):
     """Friction of bristles that bend by z: tau = sigma_0 z + sigma_1 z' + sigma_2 w_rel.
 
     z' = w_rel - sigma_0 |w_rel| z/g with g = tau_c + (tau_s - tau_c) exp(-(w_rel/w_s)^2), so that tau comes
@@ -26,11 +26,11 @@ class LuGreFriction(CompliantWithSpeed):
     sigma_1 = parameter("N.m.s/rad", "damping of the bristles", min=0, default=0.0)
     sigma_2 = parameter("N.m.s/rad", "viscous friction", min=0, default=0.0)
     z = variable("rad", "mean bend of the bristles", nominal=1e-6)
-    lossPower = variable("W", "dissipated power")
+    potential = energy(lambda self: self.sigma_0 * self.z**2 / 2)
+    lossPower = dissipation(lambda self: self.tau * self.w_rel - self.sigma_0 * self.z * der(self.z))
 
     def equations(self) -> Stated:
         w, z = self.w_rel, self.z
         level = self.tau_c + (self.tau_s - self.tau_c) * ca.exp(-((w / self.w_s) ** 2))
         yield der(z) == w - self.sigma_0 * ca.fabs(w) / level * z
         yield self.tau == self.sigma_0 * z + self.sigma_1 * der(z) + self.sigma_2 * w
-        yield self.lossPower == self.tau * w - self.sigma_0 * z * der(z)

@@ -2,10 +2,12 @@
 
 import casadi as ca
 
-from ..language import Component, RotationalFlange, Stated, der, parameter, variable
+from ..language import Expression, RotationalFlange, Stated, der, dissipation, energy, parameter, variable
+from ..limits import limited
+from ..lossy import Lossy
 
 
-class HarmonicDrive(Component):
+class HarmonicDrive(Lossy):
     """Harmonic drive: its flexspline turns back once for `ratio` turns of the wave generator, and winds up.
 
     tau = c x + c3 x^3 + d x' with the twist x = -phi_a/ratio + e(phi_a) - phi_b, angles against the circular
@@ -27,7 +29,8 @@ class HarmonicDrive(Component):
     phase = parameter("rad", "phase of the kinematic error", default=0.0)
     x = variable("rad", "twist of the flexspline", state="avoid")
     w_rel = variable("rad/s", "its rate", state="avoid")
-    lossPower = variable("W", "dissipated power")
+    potential = energy(lambda self: self.c * self.x**2 / 2 + self.c3 * self.x**4 / 4)
+    lossPower = dissipation(lambda self: self.d * self.w_rel**2)
 
     def equations(self) -> Stated:
         a, b, spline = self.flange_a, self.flange_b, self.support
@@ -38,10 +41,9 @@ class HarmonicDrive(Component):
         yield b.tau == -tau
         yield a.tau == tau * (2 * self.e_1 * ca.cos(wave) - 1 / self.ratio)
         yield spline.tau == -(a.tau + b.tau)
-        yield self.lossPower == self.d * self.w_rel**2
 
 
-class BeltDrive(Component):
+class BeltDrive(Lossy):
     """Belt or chain over two pulleys, whose strands pull and never push.
 
     A strand stretched by e + e_0 pulls with k (e + e_0), and damps with d e', never more than it pulls; one
@@ -64,20 +66,27 @@ class BeltDrive(Component):
     v = variable("m/s", "its rate", state="avoid")
     f_1 = variable("N", "force of the strand that pulls as a drives forward")
     f_2 = variable("N", "force of the other strand")
-    lossPower = variable("W", "dissipated power")
+
+    @property
+    def springs(self) -> list[Expression]:
+        """Elastic forces of the strands."""
+        return [self.k * ca.fmax(self.e_0 + e, 0) for e in (self.e, -self.e)]
+
+    @property
+    def damping(self) -> list[Expression]:
+        """What each strand damps with."""
+        speeds = self.v, -self.v
+        return [limited(self.d * v, -f, f) for v, f in zip(speeds, self.springs, strict=True)]
+
+    potential = energy(lambda self: sum(f**2 for f in self.springs) / (2 * self.k))
+    lossPower = dissipation(lambda self: (self.damping[0] - self.damping[1]) * self.v)
 
     def equations(self) -> Stated:
         a, b, axes = self.flange_a, self.flange_b, self.support
-        springs = [self.k * ca.fmax(self.e_0 + e, 0) for e in (self.e, -self.e)]
-        damping = [
-            ca.fmin(ca.fmax(self.d * v, -most), most)
-            for v, most in zip((self.v, -self.v), springs, strict=True)
-        ]
         yield self.e == self.r_a * (a.phi - axes.phi) - self.r_b * (b.phi - axes.phi)
         yield self.v == der(self.e)
-        yield self.f_1 == springs[0] + damping[0]
-        yield self.f_2 == springs[1] + damping[1]
+        yield self.f_1 == self.springs[0] + self.damping[0]
+        yield self.f_2 == self.springs[1] + self.damping[1]
         yield a.tau == self.r_a * (self.f_1 - self.f_2)
         yield b.tau == -self.r_b * (self.f_1 - self.f_2)
         yield axes.tau == -(a.tau + b.tau)
-        yield self.lossPower == (damping[0] - damping[1]) * self.v

@@ -2,7 +2,7 @@
 
 import casadi as ca
 
-from ..language import Component, RotationalFlange, Stated, parameter
+from ..language import Component, RotationalFlange, Stated, dissipation, parameter
 
 
 class UniversalJoint(Component):
@@ -17,6 +17,7 @@ class UniversalJoint(Component):
     flange_a = RotationalFlange("driving shaft")
     flange_b = RotationalFlange("driven shaft")
     beta = parameter("rad", "angle between the shafts", min=-1.5, max=1.5)
+    lossPower = dissipation(lambda _: 0.0)
 
     def equations(self) -> Stated:
         phi, bend = self.flange_a.phi, ca.cos(self.beta)

@@ -1,12 +1,23 @@
 """Electric machines: a motor behind an amplifier, and one whose terminals a circuit joins."""
 
-import casadi as ca
+from ..language import (
+    RealInput,
+    RotationalFlange,
+    Stated,
+    der,
+    dissipation,
+    energy,
+    mode,
+    parameter,
+    supply,
+    variable,
+)
+from ..limits import limited
+from ..lossy import Lossy
+from .compliances import Dissipative
 
-from ..language import Component, RealInput, RotationalFlange, Stated, der, mode, parameter, variable
-from .compliances import CompliantWithSpeed
 
-
-class DCMotor(Component):
+class DCMotor(Lossy):
     """Motor with permanent magnets behind an amplifier: L i' = v - R i - k w, torque k i on the shaft.
 
     v is u between -u_max and u_max. At |i| = i_max the amplifier chops the voltage, so that the current stays
@@ -28,17 +39,19 @@ class DCMotor(Component):
     w = variable("rad/s", "speed of the shaft against the housing")
     phi = variable("rad", "angle of the shaft against the housing", state="avoid")
     excess = variable("V", "voltage that would change the current")
-    lossPower = variable("W", "dissipated power")
+    induced = property(lambda self: self.k * self.w)
+    potential = energy(lambda self: self.L * self.i**2 / 2)
+    lossPower = dissipation(lambda self: self.R * self.i**2)
+    supplyPower = supply(lambda self: (self.L * der(self.i) + self.R * self.i + self.induced) * self.i)
 
     def equations(self) -> Stated:
-        applied = ca.fmin(ca.fmax(self.u, -self.u_max), self.u_max)
+        applied = limited(self.u, -self.u_max, self.u_max)
         yield self.phi == self.flange.phi - self.support.phi
         yield self.w == der(self.phi)
-        yield self.excess == applied - self.R * self.i - self.k * self.w
+        yield self.excess == applied - self.R * self.i - self.induced
         yield self.L * der(self.i) == self.limit.choose(free=self.excess, forward=0.0, backward=0.0)
         yield self.flange.tau == -self.k * self.i
         yield self.support.tau == self.k * self.i
-        yield self.lossPower == self.R * self.i**2
 
     def transitions(self) -> Stated:
         yield self.limit.goes("free", "forward", when=self.i > self.i_max, reset={"i": self.i_max})
@@ -47,7 +60,7 @@ class DCMotor(Component):
         yield self.limit.goes("backward", "free", when=self.excess > 0)
 
 
-class ShuntedMotor(CompliantWithSpeed):
+class ShuntedMotor(Dissipative):
     """Motor whose terminals a coil, a resistance and a capacitor join in series: tau = k i.
 
     L i' + R i + q/C = k w_rel with q' = i: its torque resists. With a capacitor alone it is an inertia of
@@ -63,10 +76,10 @@ class ShuntedMotor(CompliantWithSpeed):
     elastance = parameter("V/(A.s)", "1/C of the capacitor, 0 without one", min=0, default=0.0)
     i = variable("A", "current")
     q = variable("A.s", "charge of the capacitor")
-    lossPower = variable("W", "dissipated power")
+    potential = energy(lambda self: (self.L * self.i**2 + self.elastance * self.q**2) / 2)
+    lossPower = dissipation(lambda self: self.R * self.i**2)
 
     def equations(self) -> Stated:
         yield der(self.q) == self.i
         yield self.L * der(self.i) == self.k * self.w_rel - self.R * self.i - self.elastance * self.q
         yield self.tau == self.k * self.i
-        yield self.lossPower == self.R * self.i**2

@@ -1,17 +1,7 @@
 """Elastic shafts with inertia."""
 
-from ...base import counting, demand
-from ..bars import End, lumped_bar, lumped_error, modal_bar, modal_error, one_up_to
-from ..language import (
-    Component,
-    Expression,
-    RotationalFlange,
-    Stated,
-    der,
-    option,
-    parameter,
-    variable,
-)
+from ..bars import Bar, LumpedBar, ModalBar, Moving
+from ..language import Component, RotationalFlange, Stated, der, parameter, variable
 
 
 class ShaftShape(Component):
@@ -26,11 +16,8 @@ class ShaftShape(Component):
         yield self.a == der(self.w)
 
 
-class ElasticShaft(Component):
-    """Elastic shaft: inertia J = rho I_p L, stiffness c = G I_p/L and damping d over all of it.
-
-    A subclass says how many coordinates it has between its ends, and what torques they take.
-    """
+class ElasticShaft(Bar):
+    """Elastic shaft: inertia J = rho I_p L, stiffness c = G I_p/L and damping d over all of it."""
 
     flange_a = RotationalFlange("left end")
     flange_b = RotationalFlange("right end")
@@ -41,38 +28,32 @@ class ElasticShaft(Component):
     w_b = variable("rad/s", "speed of the right end")
     a_a = variable("rad/s2", "acceleration of the left end")
     a_b = variable("rad/s2", "acceleration of the right end")
+    shape = ShaftShape
+    solid = property(lambda self: (self.J, self.c, self.d))
 
     @property
-    def shapes(self) -> int:
-        """Number of coordinates between the ends."""
-        raise NotImplementedError
+    def ends(self) -> tuple[Moving, Moving]:
+        a, b = self.flange_a.phi, self.flange_b.phi
+        return (a, self.w_a, self.a_a), (b, self.w_b, self.a_b)
 
-    def torques(
-        self, ends: tuple[End, End], inner: list[End]
-    ) -> tuple[Expression, Expression, list[Expression]]:
-        """Return the torques into the ends, and what vanishes for each coordinate."""
-        raise NotImplementedError
-
-    def parts(self) -> dict[str, Component]:
-        """Return the coordinates."""
-        return {f"shape{n}": ShaftShape() for n in range(1, self.shapes + 1)}
+    @property
+    def inner(self) -> list[Moving]:
+        shapes = [getattr(self, f"shape{n}") for n in range(1, self.shapes + 1)]
+        return [(shape.q, shape.w, shape.a) for shape in shapes]
 
     def equations(self) -> Stated:
-        a, b = self.flange_a, self.flange_b
-        yield self.w_a == der(a.phi)
-        yield self.w_b == der(b.phi)
+        tau_a, tau_b, laws = self.forces
+        yield self.w_a == der(self.flange_a.phi)
+        yield self.w_b == der(self.flange_b.phi)
         yield self.a_a == der(self.w_a)
         yield self.a_b == der(self.w_b)
-        ends = (a.phi, self.w_a, self.a_a), (b.phi, self.w_b, self.a_b)
-        shapes = [getattr(self, f"shape{n}") for n in range(1, self.shapes + 1)]
-        tau_a, tau_b, laws = self.torques(ends, [(shape.q, shape.w, shape.a) for shape in shapes])
-        yield a.tau == tau_a
-        yield b.tau == tau_b
+        yield self.flange_a.tau == tau_a
+        yield self.flange_b.tau == tau_b
         for law in laws:
             yield law == 0
 
 
-class ModalShaft(ElasticShaft):
+class ModalShaft(ElasticShaft, ModalBar):
     """Elastic shaft of uniform section by its modes: a straight line between its ends and half waves on it.
 
     `frequency_error(n)` tells how far its n-th natural frequency n pi sqrt(c/J), both ends free, is too
@@ -87,52 +68,10 @@ class ModalShaft(ElasticShaft):
         True
     """
 
-    modes = option("number of modes", default=4, check=counting)
 
-    shapes = property(lambda self: self.modes)
-
-    def frequency_error(self, mode: int) -> float:
-        """Return by what share a natural frequency, both ends free, is too high.
-
-        Args:
-            mode: its number, from 1 to modes + 1.
-
-        Raises:
-            ModelError: for a mode that it has not.
-        """
-        demand("frequency_error()", mode=(mode, one_up_to(self.modes + 1)))
-        return modal_error(self.modes, mode)
-
-    def torques(
-        self, ends: tuple[End, End], inner: list[End]
-    ) -> tuple[Expression, Expression, list[Expression]]:
-        return modal_bar(self.J, self.c, self.d, ends, inner)
-
-
-class LumpedShaft(ElasticShaft):
+class LumpedShaft(ElasticShaft, LumpedBar):
     """Elastic shaft of uniform section in lumps: springs in a row, inertias between, halves at the ends.
 
     `frequency_error(n)` tells how far its n-th natural frequency n pi sqrt(c/J), both ends free, is too low:
     the first by 2.6 % with four segments, and a quarter of that with twice as many.
     """
-
-    segments = option("number of springs", default=8, check=counting)
-
-    shapes = property(lambda self: self.segments - 1)
-
-    def frequency_error(self, mode: int) -> float:
-        """Return by what share a natural frequency, both ends free, is off: below 0, as it is too low.
-
-        Args:
-            mode: its number, from 1 to segments.
-
-        Raises:
-            ModelError: for a mode that it has not.
-        """
-        demand("frequency_error()", mode=(mode, one_up_to(self.segments)))
-        return lumped_error(self.segments, mode)
-
-    def torques(
-        self, ends: tuple[End, End], inner: list[End]
-    ) -> tuple[Expression, Expression, list[Expression]]:
-        return lumped_bar(self.J, self.c, self.d, ends, inner)

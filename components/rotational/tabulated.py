@@ -1,8 +1,8 @@
 """Turning springs and dampers given by points."""
 
-from ..curves import between, curve, smoothness
-from ..language import Stated, parameter, variable
-from .compliances import Compliant, CompliantWithSpeed
+from ..curves import area, between, curve, smoothness
+from ..language import Stated, energy, parameter
+from .compliances import Compliant, Dissipative
 
 
 class TabulatedSpring(Compliant):
@@ -16,12 +16,14 @@ class TabulatedSpring(Compliant):
     table = curve("twist [rad], torque [N.m]")
     interpolation = smoothness()
     phi_rel0 = parameter("rad", "unstretched angle", default=0.0)
+    e = property(lambda self: self.phi_rel - self.phi_rel0)
+    potential = energy(lambda self: area(self.table, self.e, self.interpolation))
 
     def equations(self) -> Stated:
-        yield self.tau == between(self.table, self.phi_rel - self.phi_rel0, self.interpolation)
+        yield self.tau == between(self.table, self.e, self.interpolation)
 
 
-class TabulatedDamper(CompliantWithSpeed):
+class TabulatedDamper(Dissipative):
     """Damper given by points: tau = T(w_rel), straight beyond the first and the last of them.
 
     Source: as for `TabulatedSpring`.
@@ -29,8 +31,6 @@ class TabulatedDamper(CompliantWithSpeed):
 
     table = curve("speed [rad/s], torque [N.m]")
     interpolation = smoothness()
-    lossPower = variable("W", "dissipated power")
 
     def equations(self) -> Stated:
         yield self.tau == between(self.table, self.w_rel, self.interpolation)
-        yield self.lossPower == self.tau * self.w_rel

@@ -6,9 +6,11 @@ from typing import Any
 import casadi as ca
 
 from ...base import rows
+from ..curves import Map
 from ..language import Component, Expression, RealInput, RealOutput, Stated, option
-from ..tables import interpolated
-from .blocks import SISO, limited
+from ..limits import limited
+from ..tables import increasing, interpolated, of_equal_length
+from .blocks import SISO
 from .sources import TimeTable
 
 HELD = option(
@@ -18,27 +20,16 @@ HELD = option(
 )
 
 
-def _increasing(values: Any) -> bool:
-    return all(a < b for a, b in pairwise(values))
-
-
-def _map(given: Any) -> str:
-    """Check rows of a map, whose first row and column hold the inputs."""
-    what = "takes rows of equal length: (0, u2, u2, ...), then (u1, y, y, ...), both inputs increasing"
-    try:
-        width = len(given[0])
-    except (TypeError, IndexError, KeyError):
-        return what
-    return rows(
-        what,
-        width,
-        lambda table: (
-            len(table) > 2
-            and width > 2
-            and _increasing(table[0][1:])
-            and _increasing([row[0] for row in table[1:]])
-        ),
-    )(given)
+MAP = of_equal_length(
+    "takes rows of equal length: (0, u2, u2, ...), then (u1, y, y, ...), both inputs increasing",
+    3,
+    lambda table: len(table) > 2 and increasing(table[1:]) and increasing([*zip(*table, strict=True)][1:]),
+)
+COLUMNS = of_equal_length(
+    "takes rows (time, value, value, ...) of equal length, times not decreasing",
+    2,
+    lambda table: all(a[0] <= b[0] for a, b in pairwise(table)),
+)
 
 
 class CombiTable1D(SISO):
@@ -54,11 +45,7 @@ class CombiTable1D(SISO):
     table = option(
         "rows (u, y), u increasing",
         default=((0.0, 0.0), (1.0, 1.0)),
-        check=rows(
-            "takes rows (u, y) of finite numbers, u increasing",
-            2,
-            lambda table: _increasing([u for u, _ in table]),
-        ),
+        check=rows("takes rows (u, y) of finite numbers, u increasing", 2, increasing),
     )
     extrapolation = HELD
 
@@ -82,16 +69,15 @@ class CombiTable2D(Component):
     table = option(
         "rows (0, u2, ...), (u1, y, ...), ...",
         default=((0.0, 0.0, 1.0), (0.0, 0.0, 0.0), (1.0, 0.0, 1.0)),
-        check=_map,
+        check=MAP,
     )
     extrapolation = HELD
 
     def equations(self) -> Stated:
         (_, *along), *body = self.table
-        u1, u2 = within(self, self.u1, [row[0] for row in body]), within(self, self.u2, along)
-        hats = [interpolated(tuple((x, float(x == at)) for x in along), u2) for at in along]
-        columns = [interpolated(tuple(body), u1, k) for k in range(1, len(along) + 1)]
-        yield self.y == sum(hat * column for hat, column in zip(hats, columns, strict=True))
+        down = [row[0] for row in body]
+        u1, u2 = within(self, self.u1, down), within(self, self.u2, along)
+        yield self.y == Map(down, along, [row[1:] for row in body]).value(u1, u2)
 
 
 def within(block: Any, value: Expression, points: list[float]) -> Expression:
@@ -118,7 +104,7 @@ class CombiTimeTable(Component):
     table = option(
         "rows (time [s], value, value, ...), times not decreasing",
         default=((0.0, 0.0),),
-        check=lambda given: _columns(given),
+        check=COLUMNS,
     )
 
     def parts(self) -> dict[str, Component]:
@@ -128,12 +114,3 @@ class CombiTimeTable(Component):
             f"column{k}": TimeTable(table=tuple((row[0], row[k]) for row in self.table))
             for k in range(1, width)
         }
-
-
-def _columns(given: Any) -> str:
-    what = "takes rows (time, value, value, ...) of equal length, times not decreasing"
-    try:
-        width = len(given[0])
-    except (TypeError, IndexError, KeyError):
-        return what
-    return rows(what, width, lambda table: width > 1 and all(a[0] <= b[0] for a, b in pairwise(table)))(given)

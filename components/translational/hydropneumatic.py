@@ -2,10 +2,9 @@
 
 import casadi as ca
 
-from ..language import Stated, der, parameter, variable
-from .compliances import Compliant, CompliantWithSpeed
-
-ATMOSPHERE = 101325.0  # [Pa]
+from ..gases import ATMOSPHERE, gas_energy, gas_pressure
+from ..language import Stated, der, dissipation, energy, parameter, variable
+from .compliances import Compliant, Dissipative
 
 
 class AirSpring(Compliant):
@@ -25,14 +24,17 @@ class AirSpring(Compliant):
     p_amb = parameter("Pa", "pressure outside", min=0, default=ATMOSPHERE)
     s_rel0 = parameter("m", "distance at which the pressure is p_0", default=0.0)
     p = variable("Pa", "pressure, absolute", nominal=1e5)
+    e = property(lambda self: self.s_rel - self.s_rel0)
+    V = property(lambda self: self.V_0 + self.A * self.e)
+    gas = property(lambda self: gas_energy(self.V, self.p_0, self.V_0, self.n))
+    potential = energy(lambda self: self.gas + self.p_amb * self.A * self.e)
 
     def equations(self) -> Stated:
-        volume = self.V_0 + self.A * (self.s_rel - self.s_rel0)
-        yield self.p == self.p_0 * (self.V_0 / volume) ** self.n
+        yield self.p == gas_pressure(self.V, self.p_0, self.V_0, self.n)
         yield self.f == -self.A * (self.p - self.p_amb)
 
 
-class MonotubeDamper(CompliantWithSpeed):
+class MonotubeDamper(Dissipative):
     """Gas-charged hydraulic damper: oil is pressed through a piston, and a gas takes up the rod's volume.
 
     f = A_r p_r - A_p p_g + (A_p - A_r) p_amb, with e = s_rel - s_rel0 and the oil's compression q:
@@ -65,15 +67,19 @@ class MonotubeDamper(CompliantWithSpeed):
     p_r = variable("Pa", "pressure on the rod's side, absolute", nominal=1e5)
     p_g = variable("Pa", "pressure of the gas, absolute", nominal=1e5)
     Q = variable("m3/s", "flow through the piston, positive in extension", nominal=1e-4)
-    lossPower = variable("W", "dissipated power")
+    e = property(lambda self: self.s_rel - self.s_rel0)
+    rod = property(lambda self: (self.A_p - self.A_r) * self.e)
+    V = property(lambda self: self.V_0 + self.rod + self.q)
+    gas = property(lambda self: gas_energy(self.V, self.p_0, self.V_0, self.n) + self.p_amb * self.rod)
+    oil = property(lambda self: self.p_0 * self.q + self.beta * self.q**2 / (2 * self.V_r))
+    potential = energy(lambda self: self.gas + self.oil)
+    lossPower = dissipation(lambda self: self.Q * (self.p_r - self.p_g))
 
     def equations(self) -> Stated:
-        e, dp = self.s_rel - self.s_rel0, self.p_r - self.p_g
-        gas = self.V_0 + (self.A_p - self.A_r) * e + self.q
+        dp = self.p_r - self.p_g
         opening = ca.if_else(dp > 0, self.A_e, self.A_c)
         yield der(self.q) == self.A_r * self.v_rel - self.Q
         yield self.p_r == self.p_0 + self.beta * self.q / self.V_r
-        yield self.p_g == self.p_0 * (self.V_0 / gas) ** self.n
+        yield self.p_g == gas_pressure(self.V, self.p_0, self.V_0, self.n)
         yield self.C_d * opening * ca.sqrt(2 / self.rho) * dp / (dp**2 + self.p_t**2) ** 0.25 == self.Q
         yield self.f == self.A_r * self.p_r - self.A_p * self.p_g + (self.A_p - self.A_r) * self.p_amb
-        yield self.lossPower == self.Q * dp

@@ -4,13 +4,13 @@ from math import pi
 
 import casadi as ca
 
-from ..language import RealInput, Stated, der, parameter, variable
-from .compliances import CompliantWithSpeed
+from ..language import RealInput, Stated, der, dissipation, energy, parameter, supply, variable
+from .compliances import CompliantWithSpeed, Dissipative
 
 LEAST_REYNOLDS = 1e-6  # rounds |v| off at rest, far below any flow
 
 
-class FluidInerter(CompliantWithSpeed):
+class FluidInerter(Dissipative):
     """Liquid that a piston drives through a helical tube: f = b a_rel + A_p dp.
 
     b = rho A_p^2 L/A_t + rho A_p^2 L_p/A_p with the tube's area A_t = pi D^2/4: liquid in tube and cylinder.
@@ -35,10 +35,11 @@ class FluidInerter(CompliantWithSpeed):
     zeta = parameter("1", "losses at the ends of the tube", min=0, default=1.5)
     a_rel = variable("m/s2", "relative acceleration of the flanges")
     f_d = variable("N", "force of the tube's resistance")
-    lossPower = variable("W", "dissipated power")
 
     A_t = property(lambda self: pi * self.D**2 / 4)
     b = property(lambda self: self.rho * self.A_p**2 * self.L / self.A_t + self.rho * self.A_p * self.L_p)
+    kinetic = energy(lambda self: self.b * self.v_rel**2 / 2)
+    lossPower = dissipation(lambda self: self.f_d * self.v_rel)
 
     def equations(self) -> Stated:
         u = self.v_rel * self.A_p / self.A_t
@@ -48,14 +49,13 @@ class FluidInerter(CompliantWithSpeed):
         yield self.a_rel == der(self.v_rel)
         yield self.f_d == self.A_p * (friction + self.zeta * self.rho * ca.fabs(u)) * u / 2
         yield self.f == self.b * self.a_rel + self.f_d
-        yield self.lossPower == self.f_d * self.v_rel
 
 
 class VariableInerter(CompliantWithSpeed):
     """Inerter whose inertance follows a signal: f = der(p), p = (b + b_u x) v_rel, with T x' = u - x.
 
     As of a flywheel whose masses an actuator, slow by T, moves in and out: the momentum p is kept where
-    nothing pulls, and the actuator gives and takes the energy.
+    nothing pulls, and the actuator gives and takes the energy: supplyPower = -b_u x' v_rel^2/2.
 
     Limits: b + b_u x must stay above 0.
     """
@@ -66,8 +66,11 @@ class VariableInerter(CompliantWithSpeed):
     T = parameter("s", "time constant of the actuator", above=0)
     x = variable("1", "position of the actuator")
     a_rel = variable("m/s2", "relative acceleration of the flanges")
+    inertance = property(lambda self: self.b + self.b_u * self.x)
+    kinetic = energy(lambda self: self.inertance * self.v_rel**2 / 2)
+    supplyPower = supply(lambda self: -self.b_u * der(self.x) * self.v_rel**2 / 2)
 
     def equations(self) -> Stated:
         yield self.T * der(self.x) == self.u - self.x
         yield self.a_rel == der(self.v_rel)
-        yield self.f == (self.b + self.b_u * self.x) * self.a_rel + self.b_u * der(self.x) * self.v_rel
+        yield self.f == self.inertance * self.a_rel + self.b_u * der(self.x) * self.v_rel

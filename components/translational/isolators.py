@@ -3,11 +3,12 @@
 import casadi as ca
 
 from ..hysteresis import wen_yielding
-from ..language import Stated, der, parameter, variable
-from .compliances import Compliant, CompliantWithSpeed
+from ..language import Stated, der, dissipation, energy, parameter, variable
+from ..limits import limited
+from .compliances import Compliant, Dissipative
 
 
-class WireRope(CompliantWithSpeed):
+class WireRope(Dissipative):
     """Wire rope isolator: f = k_1 e + k_2 e^2 + k_3 e^3 + f_y z, the strands rubbing with at most f_y.
 
     s_y z' = v - share |v| |z|^(n-1) z - (1 - share) v |z|^n with e = s_rel - s_rel0, v = v_rel: a Bouc-Wen
@@ -26,13 +27,18 @@ class WireRope(CompliantWithSpeed):
     share = parameter("1", "of the loop's shape against the motion", min=0.5, max=1, default=0.5)
     s_rel0 = parameter("m", "unstretched length", default=0.0)
     z = variable("1", "share of the friction force that has built up")
-    lossPower = variable("W", "dissipated power")
+    e = property(lambda self: self.s_rel - self.s_rel0)
+    yielding = property(lambda self: wen_yielding(self.v_rel, self.z, self.share, 1 - self.share, self.n))
+    stretched = property(
+        lambda self: self.k_1 * self.e**2 / 2 + self.k_2 * self.e**3 / 3 + self.k_3 * self.e**4 / 4
+    )
+    potential = energy(lambda self: self.stretched + self.f_y * self.s_y * self.z**2 / 2)
+    lossPower = dissipation(lambda self: self.f_y * self.z * self.yielding)
 
     def equations(self) -> Stated:
-        e, v = self.s_rel - self.s_rel0, self.v_rel
-        yield self.s_y * der(self.z) == v - wen_yielding(v, self.z, self.share, 1 - self.share, self.n)
+        e = self.e
+        yield self.s_y * der(self.z) == self.v_rel - self.yielding
         yield self.f == self.k_1 * e + self.k_2 * e**2 + self.k_3 * e**3 + self.f_y * self.z
-        yield self.lossPower == self.f_y * self.z * (v - self.s_y * der(self.z))
 
 
 class ObliqueSprings(Compliant):
@@ -49,13 +55,15 @@ class ObliqueSprings(Compliant):
     l_0 = parameter("m", "unstretched length of each", above=0)
     a = parameter("m", "from support to middle", above=0)
     s_rel0 = parameter("m", "distance at which they lie across", default=0.0)
+    e = property(lambda self: self.s_rel - self.s_rel0)
+    length = property(lambda self: ca.sqrt(self.a**2 + self.e**2))
+    potential = energy(lambda self: self.k * (self.length - self.l_0) ** 2)
 
     def equations(self) -> Stated:
-        e = self.s_rel - self.s_rel0
-        yield self.f == 2 * self.k * e * (1 - self.l_0 / ca.sqrt(self.a**2 + e**2))
+        yield self.f == 2 * self.k * self.e * (1 - self.l_0 / self.length)
 
 
-class Rope(CompliantWithSpeed):
+class Rope(Dissipative):
     """Rope, chain or cable, which pulls and never pushes: taut above s_rel0, slack below.
 
     f = k e + min(max(d v_rel, -k e), k e) with e = max(s_rel - s_rel0, 0): continuous where it becomes taut.
@@ -64,10 +72,10 @@ class Rope(CompliantWithSpeed):
     k = parameter("N/m", "stiffness", min=0)
     d = parameter("N.s/m", "damping constant", min=0, default=0.0)
     s_rel0 = parameter("m", "length at which it becomes taut", default=0.0)
-    lossPower = variable("W", "dissipated power")
+    e = property(lambda self: ca.fmax(self.s_rel - self.s_rel0, 0))
+    damping = property(lambda self: limited(self.d * self.v_rel, -self.k * self.e, self.k * self.e))
+    potential = energy(lambda self: self.k * self.e**2 / 2)
+    lossPower = dissipation(lambda self: self.damping * self.v_rel)
 
     def equations(self) -> Stated:
-        spring = self.k * ca.fmax(self.s_rel - self.s_rel0, 0)
-        damping = ca.fmin(ca.fmax(self.d * self.v_rel, -spring), spring)
-        yield self.f == spring + damping
-        yield self.lossPower == damping * self.v_rel
+        yield self.f == self.k * self.e + self.damping

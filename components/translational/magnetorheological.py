@@ -1,14 +1,15 @@
 """Magnetorheological dampers, whose hysteresis a current or a voltage sets."""
 
 from ..hysteresis import wen_yielding
-from ..language import Expression, RealInput, Stated, der, parameter, variable
-from .compliances import CompliantWithSpeed
+from ..language import Expression, RealInput, Stated, der, dissipation, energy, parameter, supply, variable
+from .compliances import Dissipative
 
 
-class Magnetorheological(CompliantWithSpeed):
+class Magnetorheological(Dissipative):
     """What magnetorheological dampers share: a coil that lags, i' = eta (u - i), and the hysteresis z.
 
-    alpha = alpha_a + alpha_b i, c_0 = c_0a + c_0b i.
+    alpha = alpha_a + alpha_b i, c_0 = c_0a + c_0b i. The hysteresis stores alpha z^2/(2 A); as the coil makes
+    it stiffer, that puts in supplyPower = alpha' z^2/(2 A).
     """
 
     u = RealInput("1", "current [A] or voltage [V] of the coil")
@@ -28,10 +29,16 @@ class Magnetorheological(CompliantWithSpeed):
 
     alpha = property(lambda self: self.alpha_a + self.alpha_b * self.i)
     c_0 = property(lambda self: self.c_0a + self.c_0b * self.i)
+    bent = property(lambda self: self.alpha * self.z**2 / (2 * self.A))
+    supplyPower = supply(lambda self: self.alpha_b * der(self.i) * self.z**2 / (2 * self.A))
 
     def yielding(self, v: Expression) -> Expression:
-        """Return what z falls short of A v by."""
+        """Return what z' falls short of A v by."""
         return wen_yielding(v, self.z, self.beta, self.gamma, self.n)
+
+    def rubbed(self, v: Expression) -> Expression:
+        """Return what is lost at a speed."""
+        return self.c_0 * v**2 + self.alpha * self.z * self.yielding(v) / self.A
 
     def equations(self) -> Stated:
         yield der(self.i) == self.eta * (self.u - self.i)
@@ -46,6 +53,9 @@ class BoucWenDamper(Magnetorheological):
     Source: B. F. Spencer, S. J. Dyke, M. K. Sain, J. D. Carlson, Phenomenological model of a
     magnetorheological damper, J. Eng. Mech. 123 (1997) 230-238.
     """
+
+    potential = energy(lambda self: self.k_0 * (self.s_rel - self.s_rel0) ** 2 / 2 + self.bent)
+    lossPower = dissipation(lambda self: self.rubbed(self.v_rel))
 
     def equations(self) -> Stated:
         yield der(self.z) == self.A * self.v_rel - self.yielding(self.v_rel)
@@ -69,11 +79,16 @@ class SpencerDamper(Magnetorheological):
     k_1 = parameter("N/m", "stiffness of the gas charge", min=0, default=0.0)
     y = variable("m", "stretch of the damping in series")
     v = variable("m/s", "speed of the hysteresis")
+    c_1 = property(lambda self: self.c_1a + self.c_1b * self.i)
+    springs = property(
+        lambda self: self.k_0 * (self.s_rel - self.y) ** 2 + self.k_1 * (self.s_rel - self.s_rel0) ** 2
+    )
+    potential = energy(lambda self: self.springs / 2 + self.bent)
+    lossPower = dissipation(lambda self: self.rubbed(self.v) + self.c_1 * der(self.y) ** 2)
 
     def equations(self) -> Stated:
-        c_1 = self.c_1a + self.c_1b * self.i
         spring = self.k_0 * (self.s_rel - self.y)
         yield self.v == self.v_rel - der(self.y)
-        yield c_1 * der(self.y) == self.alpha * self.z + self.c_0 * self.v + spring
+        yield self.c_1 * der(self.y) == self.alpha * self.z + self.c_0 * self.v + spring
         yield der(self.z) == self.A * self.v - self.yielding(self.v)
-        yield self.f == c_1 * der(self.y) + self.k_1 * (self.s_rel - self.s_rel0)
+        yield self.f == self.c_1 * der(self.y) + self.k_1 * (self.s_rel - self.s_rel0)

@@ -1,17 +1,7 @@
 """Elastic rods with mass."""
 
-from ...base import counting, demand
-from ..bars import End, lumped_bar, lumped_error, modal_bar, modal_error, one_up_to
-from ..language import (
-    Component,
-    Expression,
-    Stated,
-    TranslationalFlange,
-    der,
-    option,
-    parameter,
-    variable,
-)
+from ..bars import Bar, LumpedBar, ModalBar, Moving
+from ..language import Component, Stated, TranslationalFlange, der, parameter, variable
 
 
 class RodShape(Component):
@@ -26,11 +16,8 @@ class RodShape(Component):
         yield self.a == der(self.v)
 
 
-class ElasticRod(Component):
-    """Elastic rod: mass m = rho A L, stiffness k = E A/L and damping d over all of it.
-
-    A subclass says how many coordinates it has between its ends, and what forces they take.
-    """
+class ElasticRod(Bar):
+    """Elastic rod: mass m = rho A L, stiffness k = E A/L and damping d over all of it."""
 
     flange_a = TranslationalFlange("left end")
     flange_b = TranslationalFlange("right end")
@@ -42,38 +29,32 @@ class ElasticRod(Component):
     v_b = variable("m/s", "velocity of the right end")
     a_a = variable("m/s2", "acceleration of the left end")
     a_b = variable("m/s2", "acceleration of the right end")
+    shape = RodShape
+    solid = property(lambda self: (self.m, self.k, self.d))
 
     @property
-    def shapes(self) -> int:
-        """Number of coordinates between the ends."""
-        raise NotImplementedError
+    def ends(self) -> tuple[Moving, Moving]:
+        a, b = self.flange_a.s, self.flange_b.s - self.L
+        return (a, self.v_a, self.a_a), (b, self.v_b, self.a_b)
 
-    def forces(
-        self, ends: tuple[End, End], inner: list[End]
-    ) -> tuple[Expression, Expression, list[Expression]]:
-        """Return the forces into the ends, and what vanishes for each coordinate."""
-        raise NotImplementedError
-
-    def parts(self) -> dict[str, Component]:
-        """Return the coordinates."""
-        return {f"shape{n}": RodShape() for n in range(1, self.shapes + 1)}
+    @property
+    def inner(self) -> list[Moving]:
+        shapes = [getattr(self, f"shape{n}") for n in range(1, self.shapes + 1)]
+        return [(shape.q, shape.v, shape.a) for shape in shapes]
 
     def equations(self) -> Stated:
-        a, b = self.flange_a, self.flange_b
-        yield self.v_a == der(a.s)
-        yield self.v_b == der(b.s)
+        f_a, f_b, laws = self.forces
+        yield self.v_a == der(self.flange_a.s)
+        yield self.v_b == der(self.flange_b.s)
         yield self.a_a == der(self.v_a)
         yield self.a_b == der(self.v_b)
-        ends = (a.s, self.v_a, self.a_a), (b.s - self.L, self.v_b, self.a_b)
-        shapes = [getattr(self, f"shape{n}") for n in range(1, self.shapes + 1)]
-        f_a, f_b, laws = self.forces(ends, [(shape.q, shape.v, shape.a) for shape in shapes])
-        yield a.f == f_a
-        yield b.f == f_b
+        yield self.flange_a.f == f_a
+        yield self.flange_b.f == f_b
         for law in laws:
             yield law == 0
 
 
-class ModalRod(ElasticRod):
+class ModalRod(ElasticRod, ModalBar):
     """Elastic rod of uniform section by its modes: a straight line between its ends and half waves on it.
 
     `frequency_error(n)` tells how far its n-th natural frequency n pi sqrt(k/m), both ends free, is too
@@ -88,52 +69,10 @@ class ModalRod(ElasticRod):
         True
     """
 
-    modes = option("number of modes", default=4, check=counting)
 
-    shapes = property(lambda self: self.modes)
-
-    def frequency_error(self, mode: int) -> float:
-        """Return by what share a natural frequency, both ends free, is too high.
-
-        Args:
-            mode: its number, from 1 to modes + 1.
-
-        Raises:
-            ModelError: for a mode that it has not.
-        """
-        demand("frequency_error()", mode=(mode, one_up_to(self.modes + 1)))
-        return modal_error(self.modes, mode)
-
-    def forces(
-        self, ends: tuple[End, End], inner: list[End]
-    ) -> tuple[Expression, Expression, list[Expression]]:
-        return modal_bar(self.m, self.k, self.d, ends, inner)
-
-
-class LumpedRod(ElasticRod):
+class LumpedRod(ElasticRod, LumpedBar):
     """Elastic rod of uniform section in lumps: springs in a row, masses between, halves at the ends.
 
     `frequency_error(n)` tells how far its n-th natural frequency n pi sqrt(k/m), both ends free, is too low:
     the first by 2.6 % with four segments, and a quarter of that with twice as many.
     """
-
-    segments = option("number of springs", default=8, check=counting)
-
-    shapes = property(lambda self: self.segments - 1)
-
-    def frequency_error(self, mode: int) -> float:
-        """Return by what share a natural frequency, both ends free, is off: below 0, as it is too low.
-
-        Args:
-            mode: its number, from 1 to segments.
-
-        Raises:
-            ModelError: for a mode that it has not.
-        """
-        demand("frequency_error()", mode=(mode, one_up_to(self.segments)))
-        return lumped_error(self.segments, mode)
-
-    def forces(
-        self, ends: tuple[End, End], inner: list[End]
-    ) -> tuple[Expression, Expression, list[Expression]]:
-        return lumped_bar(self.m, self.k, self.d, ends, inner)

@@ -15,6 +15,7 @@ from ..language import (
     parameter,
     variable,
 )
+from ..limits import limited
 from ..lossy import Lossy
 
 
@@ -50,7 +51,7 @@ class RollingResistance(Lossy):
     def direction(self) -> Expression:
         """Sign of the speed, rounded."""
         x = self.v / self.v0
-        inside = ca.fmax(ca.fmin(x, 1), -1)
+        inside = limited(x, -1, 1)
         rounded = {
             "Exp": ca.tanh(50 * x),
             "Sine": ca.sin(pi / 2 * inside),

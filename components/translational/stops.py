@@ -16,6 +16,7 @@ from ..language import (
     parameter,
     variable,
 )
+from ..limits import limited
 from ..lossy import Lossy
 from .compliances import Compliant, Dissipative
 from .friction import StribeckFriction
@@ -122,7 +123,7 @@ class ElastoGap(Dissipative):
     n = parameter("1", "exponent of the spring", min=1, default=1.0)
     depth = property(lambda self: ca.fmax(self.s_rel0 - self.s_rel, LEAST_DEPTH))  # x^n has a slope in n
     spring = property(lambda self: -self.k * (self.depth**self.n - LEAST_DEPTH**self.n))
-    damping = property(lambda self: ca.fmin(ca.fmax(self.d * self.v_rel, self.spring), -self.spring))
+    damping = property(lambda self: limited(self.d * self.v_rel, self.spring, -self.spring))
     potential = energy(lambda self: self.k * self.depth ** (self.n + 1) / (self.n + 1))
     lossPower = dissipation(lambda self: self.damping * self.v_rel)
 

@@ -2,11 +2,12 @@
 
 from ...base import between, counting, demand
 from ..fractional import largest_error, oustaloup
-from ..language import Component, Stated, der, option, parameter, variable
+from ..language import Component, Expression, Stated, der, dissipation, energy, option, parameter, variable
+from ..lossy import Lossy
 from .compliances import Compliant
 
 
-class Maxwell(Compliant):
+class Maxwell(Compliant, Lossy):
     """Spring and damper in series, without mass between them: f = k (s_rel - s_rel0 - z), d z' = f.
 
     Several in `parallel` with a `Spring` are the Prony series of a rubber, branch i relaxing in d_i/k_i.
@@ -18,15 +19,15 @@ class Maxwell(Compliant):
     d = parameter("N.s/m", "damping constant", above=0)
     s_rel0 = parameter("m", "unstretched length", default=0.0)
     z = variable("m", "stretch of the damper")
-    lossPower = variable("W", "dissipated power")
+    potential = energy(lambda self: self.f * (self.s_rel - self.s_rel0 - self.z) / 2)
+    lossPower = dissipation(lambda self: self.d * der(self.z) ** 2)
 
     def equations(self) -> Stated:
         yield self.f == self.k * (self.s_rel - self.s_rel0 - self.z)
         yield self.d * der(self.z) == self.f
-        yield self.lossPower == self.f * der(self.z)
 
 
-class Zener(Compliant):
+class Zener(Compliant, Lossy):
     """Standard linear solid, a spring beside a Maxwell element: f = k_0 e + k (e - z), d z' = k (e - z).
 
     e = s_rel - s_rel0. Its stiffness grows from k_0, held slowly, to k_0 + k, shaken fast.
@@ -39,13 +40,13 @@ class Zener(Compliant):
     d = parameter("N.s/m", "damping constant", above=0)
     s_rel0 = parameter("m", "unstretched length", default=0.0)
     z = variable("m", "stretch of the damper")
-    lossPower = variable("W", "dissipated power")
+    e = property(lambda self: self.s_rel - self.s_rel0)
+    potential = energy(lambda self: (self.k_0 * self.e**2 + self.k * (self.e - self.z) ** 2) / 2)
+    lossPower = dissipation(lambda self: self.d * der(self.z) ** 2)
 
     def equations(self) -> Stated:
-        e = self.s_rel - self.s_rel0
-        yield self.f == self.k_0 * e + self.k * (e - self.z)
-        yield self.d * der(self.z) == self.k * (e - self.z)
-        yield self.lossPower == self.d * der(self.z) * der(self.z)
+        yield self.f == self.k_0 * self.e + self.k * (self.e - self.z)
+        yield self.d * der(self.z) == self.k * (self.e - self.z)
 
 
 class FractionalBranch(Component):
@@ -54,7 +55,7 @@ class FractionalBranch(Component):
     z = variable("m", "stretch of the damper")
 
 
-class FractionalDamper(Compliant):
+class FractionalDamper(Compliant, Lossy):
     """Between a spring and a damper, as rubber is: f = c D^alpha (s_rel - s_rel0), by n Maxwell branches.
 
     The dynamic stiffness c (j w)^alpha is met between w_low and w_high; below, it stays at c w_low^alpha,
@@ -78,7 +79,11 @@ class FractionalDamper(Compliant):
     decades = parameter("1", "width of the band in decades", above=0, max=30)
     n = option("number of branches in the band", default=8, check=counting)
     s_rel0 = parameter("m", "unstretched length", default=0.0)
-    lossPower = variable("W", "dissipated power")
+    e = property(lambda self: self.s_rel - self.s_rel0)
+    potential = energy(
+        lambda self: (self.static * self.e**2 + sum(k * (self.e - z) ** 2 for k, _, z in self.branches)) / 2
+    )
+    lossPower = dissipation(lambda self: sum(k * rate * (self.e - z) ** 2 for k, rate, z in self.branches))
 
     def error(self, share: float = 0.5) -> float:
         """Return the largest relative error of the dynamic stiffness in the middle share of the band.
@@ -96,14 +101,19 @@ class FractionalDamper(Compliant):
         """Return the branches."""
         return {f"branch{i}": FractionalBranch() for i in range(1, self.n + 1)}
 
+    @property
+    def branches(self) -> list[tuple[Expression, Expression, Expression]]:
+        """Stiffness, rate and stretch of the damper of each branch."""
+        _, stiffnesses, rates = oustaloup(self.alpha, self.w_low, self.decades, self.n)
+        stretches = [getattr(self, f"branch{i}").z for i in range(1, self.n + 1)]
+        return [(self.c * k, *rest) for k, *rest in zip(stiffnesses, rates, stretches, strict=True)]
+
+    @property
+    def static(self) -> Expression:
+        """Stiffness below the band."""
+        return self.c * self.w_low**self.alpha
+
     def equations(self) -> Stated:
-        e = self.s_rel - self.s_rel0
-        static, stiffnesses, rates = oustaloup(self.alpha, self.w_low, self.decades, self.n)
-        force, loss = self.c * static * e, 0.0
-        for i, (stiffness, rate) in enumerate(zip(stiffnesses, rates, strict=True), start=1):
-            z = getattr(self, f"branch{i}").z
-            yield der(z) == rate * (e - z)
-            force = force + self.c * stiffness * (e - z)
-            loss = loss + self.c * stiffness * rate * (e - z) ** 2
-        yield self.f == force
-        yield self.lossPower == loss
+        for _, rate, z in self.branches:
+            yield der(z) == rate * (self.e - z)
+        yield self.f == self.static * self.e + sum(k * (self.e - z) for k, _, z in self.branches)

@@ -5,14 +5,15 @@ from math import pi
 import casadi as ca
 
 from ..curves import curve_over_a_turn, periodic
-from ..language import Stated, der, parameter, variable
+from ..language import Stated, der, dissipation, parameter, variable
 from .conversions import Transmission
 
 
 class Crank(Transmission):
-    """A shaft that drives a slider to and fro, by its angle and speed."""
+    """A shaft that drives a slider to and fro without loss, by its angle and speed."""
 
     w = variable("rad/s", "speed against the housing", state="prefer")
+    lossPower = dissipation(lambda _: 0.0)
 
     def equations(self) -> Stated:
         yield self.w == der(self.phi)

@@ -8,12 +8,12 @@ from typing import Any
 import casadi as ca
 import numpy as np
 
-from ...components.language import KINETIC, LOSS_POWER, POTENTIAL, Derived
+from ...components.language import KINETIC, LOSS_POWER, POTENTIAL, SUPPLY_POWER, Derived
 from .equations import local_values
 from .families import padded
 from .flat import Flat, Instance
 
-SUMMED = {KINETIC: "J", POTENTIAL: "J", LOSS_POWER: "W"}
+SUMMED = {KINETIC: "J", POTENTIAL: "J", LOSS_POWER: "W", SUPPLY_POWER: "W"}
 
 
 class DerivedTable:

@@ -25,7 +25,7 @@ class EnergyBook:
         time: the points of the run [s].
         kinetic, potential: what elements store at each point [J].
         dissipated: what they have turned into heat since the first point, shocks included [J].
-        supplied: what sources and prescribed motions have put in since then [J].
+        supplied: what sources, prescribed motions and each `supplyPower` have put in since then [J].
         undeclared: work on elements that declare neither what they store nor what they lose [J].
     """
 

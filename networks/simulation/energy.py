@@ -9,9 +9,19 @@ import casadi as ca
 import numpy as np
 
 from ...base import Array, Flags, ModelError
-from ...components.language import KINETIC, LOSS_POWER, POTENTIAL, Domain, Port, fields_of, parts_of
+from ...components.language import (
+    KINETIC,
+    LOSS_POWER,
+    POTENTIAL,
+    SUPPLY_POWER,
+    Domain,
+    Port,
+    fields_of,
+    parts_of,
+)
 from ..evaluation.compiled import Batch, dense
 from ..evaluation.jacobians import Points
+from ..flattening.derived import SUMMED
 from ..flattening.flat import Instance
 from ..results.energy import NEGLIGIBLE_SHARE, EnergyBook
 from .dense_output import ULPS, DenseOutput, Gaps
@@ -23,7 +33,7 @@ if TYPE_CHECKING:
 
 NODES, WEIGHTS = (each / 2 for each in np.polynomial.legendre.leggauss(3))  # exact for force times speed
 JUMP_SHARE = 1e-9  # of how far a flange moves in all, below which it does not jump
-BEND_SHARE = 0.01  # of a range: a power or force that bends more between two points is followed again
+BEND_SHARE = 1e-4  # of a range: a power or force that bends more between two points is followed again
 
 
 @dataclass(frozen=True, eq=False)
@@ -47,10 +57,12 @@ def energy_book(result: Result, dense_output: DenseOutput) -> EnergyBook:
     """
     dae, table, points = result.dae, result.dae.derived, result.points
     stores = {name: table.declaring(name) for name in (KINETIC, POTENTIAL)}
-    lossy, worked = table.declaring(LOSS_POWER), _worked(result)
-    signals = _Signals(points, lossy, worked, dense_output)
-    losses, work = signals.integrals()
-    dissipated = {i.path: losses[:, k] for k, i in enumerate(lossy)}
+    powers = {name: table.declaring(name) for name in (LOSS_POWER, SUPPLY_POWER)}
+    worked = _worked(result)
+    signals = _Signals(points, powers, worked, dense_output)
+    powered, work = signals.integrals()
+    columns = iter(powered.T)
+    dissipated, fed = ({i.path: next(columns) for i in found} for found in powers.values())
     clusters, numbers = _clusters(points.t), np.arange(len(points.t))
     shocks = {shock.first: shock for shock in contact_shocks(result, clusters)}
     for shock in shocks.values():
@@ -65,7 +77,7 @@ def energy_book(result: Result, dense_output: DenseOutput) -> EnergyBook:
         {i.path: row[:, 0, k] for k, i in enumerate(found)}
         for row, found in zip(rows, stores.values(), strict=True)
     )
-    supplied = {w.instance.path: -taken[w.instance.path] for w in worked if w.supplies}
+    supplied = fed | {w.instance.path: -taken[w.instance.path] for w in worked if w.supplies}
     others = {w.instance.path: taken[w.instance.path] for w in worked if not w.supplies}
     book = EnergyBook(dae.name, points.t, kinetic, potential, dissipated, supplied, others)
     least = NEGLIGIBLE_SHARE * book.turnover
@@ -78,7 +90,7 @@ def _worked(result: Result) -> list[_Worked]:
     """Return the elements that declare nothing, with their flanges."""
     found, count = [], 0
     for instance in result.dae.flat.instances.values():
-        declares = {KINETIC, POTENTIAL, LOSS_POWER} & instance.template.derived.keys()
+        declares = SUMMED.keys() & instance.template.derived.keys()
         ports = _flanges(instance)
         if ports and not declares and not parts_of(instance.component):
             found.append(_Worked(instance, {port.name: count + k for k, port in enumerate(ports)}))
@@ -92,14 +104,18 @@ def _flanges(instance: Instance) -> list[Port]:
 
 
 class _Signals:
-    """Losses of elements, and forces and positions of flanges, with their rates, at points."""
+    """Powers that elements declare, and forces and positions of flanges, with their rates, at points."""
 
     def __init__(
-        self, points: Points, lossy: list[Instance], worked: list[_Worked], dense_output: DenseOutput
+        self,
+        points: Points,
+        declared: dict[str, list[Instance]],
+        worked: list[_Worked],
+        dense_output: DenseOutput,
     ) -> None:
         closed, dae = points.closed, points.closed.dae
         self._points, self._dense_output = points, dense_output
-        losses = dae.derived.row(LOSS_POWER, lossy, dae.variables).T
+        powers = ca.horzcat(*(dae.derived.row(name, i, dae.variables) for name, i in declared.items())).T
         flanges = [(w.instance, port) for w in worked for port in _flanges(w.instance)]
         forces, positions = (
             ca.vertcat(
@@ -107,8 +123,8 @@ class _Signals:
             )
             for kind in ("through", "across")
         )
-        self.losses, self.flanges = len(lossy), len(flanges)
-        values = closed.close(ca.densify(ca.vertcat(losses, forces, positions)))
+        self.powers, self.flanges = powers.numel(), len(flanges)
+        values = closed.close(ca.densify(ca.vertcat(powers, forces, positions)))
         self._driven = {w.instance.path: w.flanges for w in worked if w.supplies and "flange" in w.flanges}
         passed = ca.jacobian(forces, dae.impulses)
         if dae.z.numel():
@@ -118,7 +134,7 @@ class _Signals:
         self._batch = Batch(closed.function("powers", *dense(values, closed.rate(values))))
         self.values, self.rates = self.at(points)
         self._ranges = np.ptp(self.values, axis=0)
-        self._ranges[: self.losses] = self._ranges[: self.losses].max(initial=0.0)
+        self._ranges[: self.powers] = self._ranges[: self.powers].max(initial=0.0)
 
     def at(self, points: Points) -> tuple[Array, Array]:
         """Return values and rates at points, (points, signals) each."""
@@ -126,12 +142,12 @@ class _Signals:
         return values[:, :, 0], rates[:, :, 0]
 
     def part(self, which: str) -> slice:
-        """Return where losses, forces or positions stand among the signals."""
-        begin = {"loss": 0, "force": self.losses, "position": self.losses + self.flanges}[which]
-        return slice(begin, begin + (self.losses if which == "loss" else self.flanges))
+        """Return where powers, forces or positions stand among the signals."""
+        begin = {"power": 0, "force": self.powers, "position": self.powers + self.flanges}[which]
+        return slice(begin, begin + (self.powers if which == "power" else self.flanges))
 
     def integrals(self) -> tuple[Array, Array]:
-        """Return what elements lost, and the work on flanges, from the first point to each of them."""
+        """Return the energy of declared powers and the work on flanges, from the first point to each."""
         begin, found = self._dense_output.integrals(self._over)
         t = self._points.t
         place = np.searchsorted(t, begin, side="right")  # the first point after a piece has begun
@@ -140,9 +156,9 @@ class _Signals:
         force, position = self.values[:, self.part("force")], self.values[:, self.part("position")]
         jumps = np.diff(t) <= ULPS * np.spacing(np.abs(t[1:]))
         moved = (force[1:] + force[:-1]) / 2 * np.diff(position, axis=0) * jumps[:, None]
-        gained[1:, self.losses :] += moved
+        gained[1:, self.powers :] += moved
         total = np.cumsum(gained, axis=0)
-        return total[:, : self.losses], total[:, self.losses :]
+        return total[:, : self.powers], total[:, self.powers :]
 
     def _over(self, gaps: Gaps) -> tuple[Array, Flags]:
         """Return integrals over pieces, and which of them are doubtful."""
@@ -150,15 +166,15 @@ class _Signals:
         h = gaps.length[:, None]
         a, b = h * s0 - (y1 - y0), h * s1 - (y1 - y0)
         a, b = (np.where(np.isfinite(a) & np.isfinite(b), each, 0.0) for each in (a, b))
-        losses, force, position = (self.part(name) for name in ("loss", "force", "position"))
-        lost = h * ((y0 + y1) / 2 + (a - b) / 12)[:, losses]
+        powers, force, position = (self.part(name) for name in ("power", "force", "position"))
+        gained = h * ((y0 + y1) / 2 + (a - b) / 12)[:, powers]
         work = np.zeros((len(h), self.flanges))
         for node, weight in zip(NODES + 0.5, WEIGHTS, strict=True):
             value = y0 + node * (y1 - y0 + (1 - node) * (a * (1 - node) - b * node))
             slope = y1 - y0 + a * (1 - node) * (1 - 3 * node) - b * node * (2 - 3 * node)
             work += weight * value[:, force] * slope[:, position]
         bend = (np.abs(a) + np.abs(b)) / 12
-        return np.hstack([lost, work]), np.any(bend > BEND_SHARE * self._ranges + 1e-300, axis=1)
+        return np.hstack([gained, work]), np.any(bend > BEND_SHARE * self._ranges + 1e-300, axis=1)
 
     def shock_work(self, result: Result, first: int, last: int, shock: ContactShocks | None) -> Array:
         """Return the work on flanges by what is struck between two points of one instant.

@@ -287,7 +287,7 @@ OTHERS = {
     "Sweep", "SystemRun", "SystemStructure", "Tuned", "Verdict", "Channel", "Varied", "write_report",
     # what a declaration of a component takes is tried where components are
     "RealInput", "RealOutput", "RotationalFlange", "TranslationalFlange", "der", "derived", "dissipation",
-    "energy", "impulse", "mode", "option", "parameter", "variable",
+    "energy", "impulse", "mode", "option", "parameter", "supply", "variable",
 }  # fmt: skip
 
 
