@@ -209,7 +209,7 @@ def test_a_tyre_against_an_integration_apart_through_start_and_braking() -> None
     net.add(engine=rotational.Torque(tau=lambda t: 1100 * np.sin(2.0 * t)))
     net.connect(net.engine.flange, net.wheel.flange, net.tyre.flange_r)
     net.connect(net.tyre.flange_t, net.car.flange)
-    run = net.simulate(3.0, begin=0.2, step=1e-2, rtol=1e-9, atol=1e-11)
+    run = net.simulate(3.0, begin=0.2, step=1e-3, rtol=1e-9, atol=1e-11)
 
     def rates(t: float, y: Array) -> list[float]:
         w, v, kappa = y

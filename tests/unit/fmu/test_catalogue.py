@@ -81,7 +81,9 @@ def drive() -> tuple[ia.Network, dict[str, float]]:
         belt=rotational.BeltDrive(r_a=0.05, r_b=0.08, k=2e4, d=30.0, e_0=2e-3),
         axle=rotational.Differential(ratio=1.5),
         left=rotational.LumpedShaft(J=0.01, c=200.0, d=0.1, segments=2),
-        rub=rotational.LuGreFriction(tau_c=0.5, w_s=0.1, sigma_0=50.0, sigma_1=0.2, sigma_2=0.01),
+        rub=rotational.LuGreFriction(  # settles slowly: once it has, its rate is rounding alone
+            tau_c=0.5, w_s=0.1, sigma_0=1.0, sigma_1=0.2, sigma_2=0.01
+        ),
         wheel=rotational.Inertia(J=0.05),
         shunt=rotational.ShuntedMotor(k=0.3, L=0.01, R=0.5, elastance=5.0),
         wall=rotational.Fixed(),
