@@ -83,12 +83,12 @@ def smoothness() -> Any:
 
 def between(points: Any, at: Expression, how: str) -> Expression:
     """Return the value of a curve; smooth, it never overshoots its points."""
-    return _pieces(*_columns(points), how).value(at)
+    return _pieces(points, how).value(at)
 
 
 def area(points: Any, at: Expression, how: str) -> Expression:
     """Return the area below a curve, from 0."""
-    return _pieces(*_columns(points), how).area(at)
+    return _pieces(points, how).area(at)
 
 
 class Map:
@@ -153,7 +153,8 @@ def _columns(points: Any) -> Array:
     return np.array([tuple(map(float, row)) for row in points]).T
 
 
-def _pieces(x: Array, y: Array, how: str) -> PiecewisePolynomial:
+def _pieces(points: Any, how: str) -> PiecewisePolynomial:
+    x, y = _columns(points)
     return PiecewisePolynomial(x, y, monotone_slopes if how == "smooth" else None)
 
 

@@ -100,7 +100,7 @@ def test_a_gas_stores_the_work_that_compressed_it(n: float) -> None:
     run = driven(air, lambda t: 0.06 * np.sin(t))
 
     def force(e: float) -> float:
-        return -1e-3 * (3e5 * (1e-4 / (1e-4 + 1e-3 * e)) ** n - 101325)
+        return float(-1e-3 * (3e5 * (1e-4 / (1e-4 + 1e-3 * e)) ** n - 101325))
 
     for k in range(0, len(run.time), 400):
         assert run["element.potential"][k] == pytest.approx(
