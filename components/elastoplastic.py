@@ -1,11 +1,11 @@
 """Elastic–plastic cells: a spring in series with dry friction, for sliding and for turning."""
 
 from .language import Expression, Stated, der, dissipation, energy, mode
-from .lossy import Lossy
+from .lossy import Rubbing
 from .stickslip import BREAKAWAY_MARGIN
 
 
-class ElastoPlastic(Lossy):
+class ElastoPlastic(Rubbing):
     """A spring in series with a slider without mass: its stretch z follows the motion until it slips.
 
     z' = v while stuck, |z| <= z_s; z' = 0 while it slips, until the motion turns. A subclass declares z,
@@ -16,11 +16,6 @@ class ElastoPlastic(Lossy):
     slip = property(lambda self: self.mode.choose(stuck=0.0, forward=self.speed, backward=self.speed))
     potential = energy(lambda self: self.stiffness * self.z**2 / 2)
     lossPower = dissipation(lambda self: self.stiffness * self.z * self.slip)
-
-    @property
-    def speed(self) -> Expression:
-        """The relative speed of the flanges."""
-        raise NotImplementedError
 
     @property
     def stiffness(self) -> Expression:

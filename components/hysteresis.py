@@ -3,7 +3,7 @@
 import casadi as ca
 
 from .language import Expression, Stated, der, dissipation, energy, parameter
-from .lossy import Lossy
+from .lossy import Rubbing
 
 LEAST_HYSTERESIS = 1e-300  # [unit of z]
 
@@ -19,7 +19,7 @@ def wen_yielding(
     return beta * ca.fabs(v) * size ** (n - 1) * z + gamma * v * size**n
 
 
-class HystereticSpring(Lossy):
+class HystereticSpring(Rubbing):
     """A spring of which all but a share alpha yields: alpha k x + (1 - alpha) k z, z' = A v - yielding.
 
     What it stores is k (alpha x^2 + (1 - alpha) z^2/A)/2. A subclass declares z, beta and gamma, states the
@@ -40,11 +40,6 @@ class HystereticSpring(Lossy):
     @property
     def stretch(self) -> Expression:
         """How far it is stretched."""
-        raise NotImplementedError
-
-    @property
-    def speed(self) -> Expression:
-        """The relative speed of the flanges."""
         raise NotImplementedError
 
     @property

@@ -28,6 +28,15 @@ class Lossy(Component):
             yield self.heatPort.Q_flow == -self.lossPower
 
 
+class Rubbing(Lossy):
+    """A lossy element between two flanges that slide or turn; a subclass gives their relative `speed`."""
+
+    @property
+    def speed(self) -> Expression:
+        """The relative speed of the flanges."""
+        raise NotImplementedError
+
+
 class AtTemperature(Lossy):
     """A lossy element whose law depends on its temperature: that of `heatPort` if it is used, else T.
 

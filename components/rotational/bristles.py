@@ -2,11 +2,12 @@
 
 import casadi as ca
 
-from ..language import Stated, der, dissipation, energy, parameter, variable
-from .compliances import Dissipative
+from ..bristles import Bristles
+from ..language import Expression, Stated, parameter, variable
+from .compliances import CompliantWithSpeed
 
 
-class LuGreFriction(Dissipative):
+class LuGreFriction(CompliantWithSpeed, Bristles):
     """Friction of bristles that bend by z: tau = sigma_0 z + sigma_1 z' + sigma_2 w_rel.
 
     z' = w_rel - sigma_0 |w_rel| z/g with g = tau_c + (tau_s - tau_c) exp(-(w_rel/w_s)^2), so that tau comes
@@ -26,11 +27,14 @@ class LuGreFriction(Dissipative):
     sigma_1 = parameter("N.m.s/rad", "damping of the bristles", min=0, default=0.0)
     sigma_2 = parameter("N.m.s/rad", "viscous friction", min=0, default=0.0)
     z = variable("rad", "mean bend of the bristles", nominal=1e-6)
-    potential = energy(lambda self: self.sigma_0 * self.z**2 / 2)
-    lossPower = dissipation(lambda self: self.tau * self.w_rel - self.sigma_0 * self.z * der(self.z))
+
+    @property
+    def speed(self) -> Expression:
+        return self.w_rel
+
+    @property
+    def level(self) -> Expression:
+        return self.tau_c + (self.tau_s - self.tau_c) * ca.exp(-((self.w_rel / self.w_s) ** 2))
 
     def equations(self) -> Stated:
-        w, z = self.w_rel, self.z
-        level = self.tau_c + (self.tau_s - self.tau_c) * ca.exp(-((w / self.w_s) ** 2))
-        yield der(z) == w - self.sigma_0 * ca.fabs(w) / level * z
-        yield self.tau == self.sigma_0 * z + self.sigma_1 * der(z) + self.sigma_2 * w
+        yield self.tau == self.rubbing

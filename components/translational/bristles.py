@@ -2,11 +2,12 @@
 
 import casadi as ca
 
-from ..language import Stated, der, dissipation, energy, parameter, variable
-from .compliances import Dissipative
+from ..bristles import Bristles
+from ..language import Expression, Stated, parameter, variable
+from .compliances import CompliantWithSpeed
 
 
-class LuGreFriction(Dissipative):
+class LuGreFriction(CompliantWithSpeed, Bristles):
     """Friction of bristles that bend by z: f = sigma_0 z + sigma_1 z' + sigma_2 v_rel.
 
     z' = v_rel - sigma_0 |v_rel| z/g with g = f_c + (f_s - f_c) exp(-(v_rel/v_s)^2), so that f comes to
@@ -26,11 +27,14 @@ class LuGreFriction(Dissipative):
     sigma_1 = parameter("N.s/m", "damping of the bristles", min=0, default=0.0)
     sigma_2 = parameter("N.s/m", "viscous friction", min=0, default=0.0)
     z = variable("m", "mean bend of the bristles", nominal=1e-6)
-    potential = energy(lambda self: self.sigma_0 * self.z**2 / 2)
-    lossPower = dissipation(lambda self: self.f * self.v_rel - self.sigma_0 * self.z * der(self.z))
+
+    @property
+    def speed(self) -> Expression:
+        return self.v_rel
+
+    @property
+    def level(self) -> Expression:
+        return self.f_c + (self.f_s - self.f_c) * ca.exp(-((self.v_rel / self.v_s) ** 2))
 
     def equations(self) -> Stated:
-        v, z = self.v_rel, self.z
-        level = self.f_c + (self.f_s - self.f_c) * ca.exp(-((v / self.v_s) ** 2))
-        yield der(z) == v - self.sigma_0 * ca.fabs(v) / level * z
-        yield self.f == self.sigma_0 * z + self.sigma_1 * der(z) + self.sigma_2 * v
+        yield self.f == self.rubbing
