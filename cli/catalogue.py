@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import inspect
+import sys
 from collections.abc import Iterator
 from functools import cache
 from importlib import import_module
@@ -29,7 +30,7 @@ def _faces() -> Iterator[tuple[str, ModuleType]]:
     """Yield the public face and its modules of components."""
     face = import_module("..", __package__)
     yield "", face
-    for name in ("machines", "rotational", "signals"):
+    for name in ("machines", "rotational", "signals", "thermal"):
         yield f"{name}.", getattr(face, name)
 
 
@@ -37,6 +38,22 @@ def _family(kind: Kind) -> str:
     """Return the package that a component lives in, empty for what is of no family or needs an FMU."""
     place = kind.__module__.split(".")
     return place[2] if len(place) > 3 and place[1] != "fmu" and place[2] != "language" else ""
+
+
+def by_family() -> list[tuple[str, dict[str, Kind]]]:
+    """Return all public components by family and by what they are, with a title each."""
+    found: dict[str, dict[str, Kind]] = {}
+    for family, names in catalogue().items():
+        for name, kind in names.items():
+            about = (sys.modules[kind.__module__].__doc__ or "").partition("\n")[0].rstrip(".")
+            found.setdefault(f"{family}: {about[:1].lower()}{about[1:]}", {})[name] = kind
+    return sorted(found.items())
+
+
+def mentions(name: str, kind: Kind, word: str) -> bool:
+    """Return whether a component has a word in its name, its description or that of what it declares."""
+    declared = " ".join(f"{field.name} {field.doc}" for field in kind.fields.values())
+    return word.lower() in f"{name} {kind.__doc__} {declared}".lower()
 
 
 def all_names() -> dict[str, Kind]:
@@ -66,7 +83,7 @@ def is_base(kind: Kind) -> bool:
         return False
     try:
         template = template_of(kind())
-    except ModelError:
+    except (ModelError, NotImplementedError):
         return True
     inputs = {name for name, field in kind.fields.items() if isinstance(field, RealInput)}
     unknowns = [v for v in template.variables if not v.startswith("der(") and v not in inputs]

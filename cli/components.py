@@ -12,6 +12,7 @@ EXAMPLES = """\b
 Examples:
   inertance components
   inertance components Spring
+  inertance components --search friction
   inertance components rotational.Inertia"""
 
 
@@ -20,10 +21,16 @@ def components(
         str | None,
         typer.Argument(metavar="NAME", help="A component: Spring, rotational.Spring, signals.Gain."),
     ] = None,
+    search: Annotated[
+        str | None,
+        typer.Option(
+            "--search", metavar="WORDS", help="List what has these words in its name or description."
+        ),
+    ] = None,
 ) -> None:
-    """List the components, or tell everything about one."""
-    if name is None:
-        _list_all()
+    """List the components by family, search them, or tell everything about one."""
+    if name is None or search is not None:
+        _list(f"{name or ''} {search or ''}".split())
         return
     from .catalogue import find
     from .describe import describe
@@ -33,15 +40,25 @@ def components(
     describe(full)
 
 
-def _list_all() -> None:
-    from .catalogue import catalogue, first_line, is_base
+def _list(words: list[str]) -> None:
+    """List the components that have all of some words, none asking for all, by family."""
+    from .catalogue import by_family, first_line, is_base, mentions
 
-    families = catalogue()
-    width = max(len(name) for names in families.values() for name in names)
-    for family, names in families.items():
-        typer.secho(family, bold=True)
-        for name, kind in sorted(names.items(), key=lambda item: is_base(item[1])):
-            typer.echo(f"  {name:<{width}}  {'(base) ' * is_base(kind)}{first_line(kind)}")
-        typer.echo()
-    typer.echo("`inertance components NAME` tells equation, ports, parameters and an example.")
+    listed = [
+        (title, {name: kind for name, kind in names.items() if all(mentions(name, kind, w) for w in words)})
+        for title, names in by_family()
+    ]
+    width = max((len(name) for _, names in listed for name in names), default=0)
+    if not width:
+        typer.echo(
+            f"no component mentions '{' '.join(words)}'; `inertance components` lists them all", err=True
+        )
+        raise typer.Exit(WRONG_USE)
+    for title, names in listed:
+        if names:
+            typer.secho(title, bold=True)
+            for name, kind in sorted(names.items(), key=lambda item: is_base(item[1])):
+                typer.echo(f"  {name:<{width}}  {'(base) ' * is_base(kind)}{first_line(kind)}")
+            typer.echo()
+    typer.echo("`inertance components NAME` tells equation, picture, ports, parameters and an example.")
     typer.echo("A (base) is for deriving your own elements from.")

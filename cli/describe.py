@@ -14,6 +14,7 @@ from rich.text import Text
 from ..components import Component
 from ..components.language import (
     MISSING,
+    Derived,
     Impulse,
     ModeField,
     Option,
@@ -25,6 +26,7 @@ from ..components.language import (
     Variable,
 )
 from .catalogue import all_names, first_line, full_name, is_base, namesakes
+from .sketch import sketch
 from .terminal import CommandConsole
 from .usage import usage
 
@@ -38,6 +40,7 @@ def describe(full: str) -> None:
     console = CommandConsole(highlight=False, markup=False)
     console.print(Text(full, style="bold"))
     console.print(inspect.getdoc(kind) or "")
+    console.print(Text(f"\n{sketch(kind)}\n"))
     for base in kind.__mro__[1:]:
         if issubclass(base, Component) and base is not Component and not base.__name__.startswith("_"):
             console.print(Text(f"builds on {base.__name__}: {first_line(base)}", style="dim"))
@@ -72,8 +75,12 @@ def _port(port: Port) -> tuple[str, ...]:
     )
     left_open = (
         " (grounded when left unconnected)" if port.optional else " (may stay free)" if port.free else ""
-    )
+    ) + _with(port)
     return port.name, port.domain, across, through, port.doc + left_open
+
+
+def _with(field: Port | RealInput) -> str:
+    return f" (with {field.when}=True)" if field.when else ""
 
 
 def _parameter(parameter: Parameter) -> tuple[str, ...]:
@@ -119,6 +126,7 @@ SECTIONS: tuple[tuple[str, tuple[str, ...], Any, FieldRow], ...] = (
     ("parameters", ("name", "unit", "default", "range", ""), Parameter, _parameter),
     ("options", ("name", "default", "choices", ""), Option, _option),
     ("variables", ("name", "unit", ""), Variable, _variable),
+    ("derived", ("name", "unit", ""), Derived, _variable),
     ("modes", ("name", "values", ""), ModeField, lambda mode: (mode.name, ", ".join(mode.values), mode.doc)),
     ("impulses", ("name", "unit", ""), Impulse, _variable),
     ("parts", ("name", "component", ""), Part, _part),

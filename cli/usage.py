@@ -5,14 +5,15 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 
-from ..components import Component, RealInput, RotationalFlange, TranslationalFlange
+from ..components import Component, HeatPort, RealInput, RotationalFlange, TranslationalFlange
 from ..components.language import MISSING, Parameter, Part, Port
 from ..networks import Network
 from .catalogue import full_name
 
-BODIES = {
-    TranslationalFlange: ("Fixed()", "Mass(m=1.0)"),
-    RotationalFlange: ("rotational.Fixed()", "rotational.Inertia(J=1.0)"),
+BODIES: dict[type[Port], tuple[str, str, str]] = {
+    TranslationalFlange: ("Fixed()", "Mass(m=1.0)", "flange"),
+    RotationalFlange: ("rotational.Fixed()", "rotational.Inertia(J=1.0)", "flange"),
+    HeatPort: ("thermal.FixedTemperature()", "thermal.HeatCapacitor(C=1.0)", "port"),
 }
 
 
@@ -20,16 +21,16 @@ def usage(kind: type[Component]) -> str:
     """Return Python lines that put a component into a network and run it."""
     own = _own_name(kind)
     parts, joins = {own: _call(kind)}, []
-    ports = [f for f in kind.fields.values() if isinstance(f, Port) and not f.optional]
+    ports = [f for f in kind.fields.values() if isinstance(f, Port) and not f.optional and not f.when]
     for number, port in enumerate(ports):
-        ground, body = BODIES[type(port)]
+        ground, body, joint = BODIES[type(port)]
         if number == 0 and len(ports) > 1:
             parts = {"ground": ground, **parts}
-            joins.append(f"net.connect(net.ground.flange, net.{own}.{port.name})")
+            joins.append(f"net.connect(net.ground.{joint}, net.{own}.{port.name})")
         else:
             name = f"body_{number}" if len(ports) > 2 else "body"
             parts[name] = body
-            joins.append(f"net.connect(net.{own}.{port.name}, net.{name}.flange)")
+            joins.append(f"net.connect(net.{own}.{port.name}, net.{name}.{joint})")
     calls = [f"    {name}={call}," for name, call in parts.items()]
     used = re.findall(r"(?<![\w.])([A-Za-z]\w*)(?=[.(])", "".join(parts.values()))
     imported = sorted({"Network", *used})
@@ -59,7 +60,7 @@ def _arguments(kind: type[Component]) -> Iterator[str]:
     for name, field in kind.fields.items():
         if isinstance(field, Parameter) and field.default is MISSING:
             yield f"{name}={_allowed(field):g}"
-        elif isinstance(field, RealInput):
+        elif isinstance(field, RealInput) and not field.when:
             yield f"{name}=lambda t: 0.1 * t"
         elif isinstance(field, Part) and any(field.default.problems()):
             yield f"{name}={_call(type(field.default))}"

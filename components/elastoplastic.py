@@ -1,21 +1,25 @@
 """Elastic–plastic cells: a spring in series with dry friction, for sliding and for turning."""
 
-from .language import Component, Expression, Stated, der, mode
+from .language import Expression, Stated, der, dissipation, energy, mode
+from .lossy import Rubbing
 from .stickslip import BREAKAWAY_MARGIN
 
 
-class ElastoPlastic(Component):
+class ElastoPlastic(Rubbing):
     """A spring in series with a slider without mass: its stretch z follows the motion until it slips.
 
     z' = v while stuck, |z| <= z_s; z' = 0 while it slips, until the motion turns. A subclass declares z,
-    states the force, and gives `speed` and `slip_stretch`, the stretch z_s at which it slips.
+    states the force, and gives `speed`, `stiffness` and `slip_stretch`, the stretch z_s at which it slips.
     """
 
     mode = mode("stuck", "forward", "backward", doc="stretching or slipping")
+    slip = property(lambda self: self.mode.choose(stuck=0.0, forward=self.speed, backward=self.speed))
+    potential = energy(lambda self: self.stiffness * self.z**2 / 2)
+    lossPower = dissipation(lambda self: self.stiffness * self.z * self.slip)
 
     @property
-    def speed(self) -> Expression:
-        """The relative speed of the flanges."""
+    def stiffness(self) -> Expression:
+        """Stiffness of the spring."""
         raise NotImplementedError
 
     @property

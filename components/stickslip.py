@@ -3,13 +3,14 @@
 import casadi as ca
 
 from ..base import smoothing
-from .language import Component, Expression, Stated, mode, option, parameter
+from .language import Expression, Stated, dissipation, mode, option, parameter
+from .lossy import Lossy
 
 REST_SPEED = 1e-9  # [m/s, rad/s]
 BREAKAWAY_MARGIN = 1e-10  # share by which a limit is passed: so it accelerates, for all rounding in its load
 
 
-class Sticking(Component):
+class Sticking(Lossy):
     """What sticks and slips: the three modes of dry friction, and when they change.
 
     A subclass names its resistance, speed and acceleration in `quantities`, and gives `limits`, the
@@ -23,6 +24,7 @@ class Sticking(Component):
     resistance = property(lambda self: getattr(self, self.quantities[0]))
     speed = property(lambda self: getattr(self, self.quantities[1]))
     acceleration = property(lambda self: getattr(self, self.quantities[2]))
+    lossPower = dissipation(lambda self: self.resistance * self.speed)
 
     @property
     def grips(self) -> Expression:

@@ -1,11 +1,13 @@
 """Tables: values given over speed, in between by straight lines."""
 
+from collections.abc import Callable, Sequence
 from itertools import pairwise
 from typing import Any
 
 import casadi as ca
 
 from ..base import rows
+from ..base.checks import Check
 from .language import Expression, option
 
 
@@ -30,7 +32,25 @@ def _is_loss(row: tuple[float, ...]) -> bool:
 
 
 def _increase(given: list[tuple[float, ...]]) -> bool:
-    return given[0][0] == 0 and all(a[0] < b[0] for a, b in pairwise(given))
+    return given[0][0] == 0 and increasing(given)
+
+
+def increasing(given: Sequence[Sequence[float]]) -> bool:
+    """Return whether the first column of a table increases."""
+    return all(a[0] < b[0] for a, b in pairwise(given))
+
+
+def of_equal_length(what: str, least: int, good: Callable[[list[tuple[float, ...]]], bool]) -> Check:
+    """Return a check for rows of equal length, at least some numbers each, that are good."""
+
+    def check(given: Any) -> str:
+        try:
+            width = len(given[0])
+        except (TypeError, IndexError, KeyError):
+            return what
+        return rows(what, max(width, least), good)(given)
+
+    return check
 
 
 def interpolated(table: tuple[tuple[float, ...], ...], at: Expression, column: int = 1) -> Expression:

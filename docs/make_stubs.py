@@ -32,7 +32,7 @@ from inertance.components.language import (
     told,
 )
 
-FAMILIES = ["rotational", "signals", "translational", "transmission"]
+FAMILIES = ["rotational", "signals", "thermal", "translational", "transmission"]
 PACKAGE = "inertance.components"
 WIDTH = 110
 HEAD = '''"""{doc}"""

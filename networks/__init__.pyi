@@ -17,6 +17,7 @@ from .results.network_drawing import svg_sketch as svg_sketch
 from .results.over_time import OverTime as OverTime
 from .results.pieces import Pieces as Pieces
 from .results.plotting import pretty_unit as pretty_unit
+from .results.points import load_points as load_points
 from .results.recorded import Recorded as Recorded
 from .results.result import Result as Result
 from .results.result import matching_signals as matching_signals

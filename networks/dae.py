@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 
 from ..base import Symbolic, UnknownNameError, nearest, number, rate_unit, shown, text
 from ..components.language import Parameter, Variable
+from .flattening.derived import DerivedTable
 from .flattening.vectors import stacked
 
 if TYPE_CHECKING:
@@ -120,12 +121,17 @@ class DAE:
                         found[root] = led, sign * other
         return found
 
+    @cached_property
+    def derived(self) -> DerivedTable:
+        """What follows from the variables: energies, losses and what else elements declare so."""
+        return DerivedTable(self.flat)
+
     def names(self) -> Iterable[str]:
         """Yield the full names of all variables."""
         return self.flat.names()
 
     def expression(self, path: str) -> Symbolic:
-        """Return a variable, a mode, a parameter or `der(...)` of a variable as SX.
+        """Return a variable, a mode, a parameter, a derived quantity or `der(...)` of a variable as SX.
 
         Raises:
             UnknownNameError: for an unknown name, with the nearest one.
@@ -138,6 +144,8 @@ class DAE:
         parameter = self.parameters.at(path)
         if parameter is not None:
             return parameter
+        if self.derived.unit(path) is not None:
+            return self.derived.expression(path, self.variables)
         root, sign = self.root(path)
         return self.variables[root] * sign
 
@@ -157,7 +165,7 @@ class DAE:
         return flat.joined.find(flat.variable(path))
 
     def unit(self, path: str) -> str:
-        """Return the unit of a variable or parameter, empty if it has none.
+        """Return the unit of a variable, parameter or derived quantity, empty if it has none.
 
         Raises:
             UnknownNameError: for an unknown name, with the nearest one.
@@ -172,6 +180,9 @@ class DAE:
             return ""
         if path.startswith("der("):
             return rate_unit(self.unit(path[4:-1]))
+        derived = self.derived.unit(path)
+        if derived is not None:
+            return derived
         return self.declared.facts[self.flat.variable(path)].unit
 
     def field(self, path: str) -> Parameter:

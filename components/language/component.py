@@ -8,7 +8,7 @@ from typing import Any, ClassVar, Self, TypeVar
 
 from ...base.checks import is_number
 from ...base.errors import ModelError, UnknownPartError, nearest
-from .domain import Domain
+from .domain import AnyDomain
 from .fields import MISSING, Field, Option, Parameter, Part, Port, RealInput, RealOutput, Variable
 from .signatures import Signed
 
@@ -27,7 +27,7 @@ class PortRef:
     name: str
 
     @property
-    def domain(self) -> Domain | None:
+    def domain(self) -> AnyDomain | None:
         """Its domain, None if it is a signal."""
         return type(self.component).fields[self.name].domain
 
@@ -54,6 +54,7 @@ class Component:
     _by_kind: ClassVar[dict[type[Field], tuple[Any, ...]]] = {}
     _templates: ClassVar[dict[tuple[Any, ...], Any]] = {}
     __signature__ = Signed()
+    _conditional: ClassVar[bool] = False
 
     def __init_subclass__(cls) -> None:
         super().__init_subclass__()
@@ -70,6 +71,7 @@ class Component:
         }
         cls._by_kind = {}
         cls._templates = {}
+        cls._conditional = any(field.when for field in cls.fields.values())
 
     def __init__(self, **values: Any) -> None:
         self._values: dict[str, Any] = {}
@@ -226,11 +228,18 @@ class Component:
 
 
 def fields_of(component: Component, kind: type[F]) -> tuple[F, ...]:
-    """Return the fields of one kind; they are looked up once for each class."""
+    """Return the fields of one kind that are there; they are looked up once for each class."""
     known = component._by_kind
     if kind not in known:
         known[kind] = tuple(f for f in component.fields.values() if isinstance(f, kind))
+    if component._conditional:
+        return tuple(f for f in known[kind] if is_there(component, f))
     return known[kind]
+
+
+def is_there(component: Component, field: Field) -> bool:
+    """Return whether a component has a field, which may depend on an option."""
+    return not field.when or component._get(component.fields[field.when]) is True
 
 
 def parts_of(component: Component) -> dict[str, Component]:

@@ -11,7 +11,7 @@ from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any, ClassVar
 
 from ...base.checks import is_number, number
-from .domain import Domain
+from .domain import AnyDomain, Domain, OtherDomain
 from .sampled import Sampled
 
 if TYPE_CHECKING:
@@ -22,12 +22,13 @@ MISSING: Any = type("Missing", (), {"__repr__": lambda _: "required"})()
 
 @dataclass(eq=False)
 class Field:
-    """One declared name of a component."""
+    """One declared name of a component; a port or an input may be there `when` an option is True only."""
 
-    domain: ClassVar[Domain | None] = None
+    domain: ClassVar[AnyDomain | None] = None
     unit: str = ""
     doc: str = ""
     name: str = field(default="", init=False)
+    when: str = field(default="", kw_only=True)
 
     @property
     def kind(self) -> str:
@@ -118,7 +119,9 @@ class RealOutput(Field):
 
 @dataclass(eq=False)
 class Port(Field):
-    """A mechanical connection point: an across and a through variable.
+    """A connection point: an across and a through variable, which its `domain` names.
+
+    A subclass with a `domain` of its own, an `OtherDomain`, is all that a new kind of port takes.
 
     Args:
         doc: what it is, in a few words.
@@ -127,7 +130,7 @@ class Port(Field):
             acts on it then.
     """
 
-    domain: ClassVar[Domain]  # pyright: ignore[reportIncompatibleVariableOverride]
+    domain: ClassVar[AnyDomain]  # pyright: ignore[reportIncompatibleVariableOverride]
     unit: str = field(default="", init=False)
     optional: bool = False
     free: bool = False
@@ -147,6 +150,12 @@ class RotationalFlange(Port):
     """A flange that turns: angle `phi` [rad] across, torque `tau` [N.m] through."""
 
     domain = Domain.ROTATIONAL
+
+
+class HeatPort(Port):
+    """A port for heat: temperature `T` [K] across, heat flow `Q_flow` [W] through."""
+
+    domain = OtherDomain("thermal", across=("T", "K"), through=("Q_flow", "W"))
 
 
 @dataclass(eq=False)

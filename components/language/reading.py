@@ -8,7 +8,8 @@ import casadi as ca
 
 from ...base.errors import ModelError
 from ...base.quiet import numpy_on_symbols
-from .component import Component, fields_of
+from .component import Component, fields_of, is_there
+from .derived import Derived
 from .fields import Option, Part, Port, RealInput, RealOutput, Variable
 from .scope import Scope
 from .template import Template
@@ -46,12 +47,14 @@ def declared_template(component: Component) -> Template:
     template = Template(type(component))
     scope: Any = Scope(template, component)
     for name, field_ in type(component).fields.items():
+        if not is_there(component, field_):
+            continue
         if isinstance(field_, Variable | RealInput | RealOutput):
             template.variable(name)
         elif isinstance(field_, Port):
             template.variable(f"{name}.{field_.across}")
             template.variable(f"{name}.{field_.through}")
-        elif not isinstance(field_, Option | Part):
+        elif not isinstance(field_, Option | Part | Derived):
             getattr(scope, name)
     return template
 
@@ -67,9 +70,23 @@ def _read(component: Component) -> Template:
                 _add_equation(template, equation)
             _check_declared(template, equations)
             template.transitions.extend(_stated(scope, type(component), "transitions"))
+            _derive(template, scope, component)
     finally:
         _reading.reset(token)
     return template
+
+
+def _derive(template: Template, scope: Any, component: Component) -> None:
+    """Note what follows from the variables, none of which may be new."""
+    derivatives = set(template.derivatives)
+    for field_ in fields_of(component, Derived):
+        template.derived[field_.name] = ca.SX(field_.law(scope))
+        new = template.derivatives.keys() - derivatives
+        if new:
+            raise ModelError(
+                f"{field_.name} uses der({min(new)}), which no equation has; declare a variable for it"
+            )
+    _check_declared(template, [*template.derived.values()])
 
 
 def _stated(scope: Scope, owner: type, name: str) -> Iterator[Any]:

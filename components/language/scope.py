@@ -8,6 +8,7 @@ import casadi as ca
 
 from ...base.errors import ModelError, nearest
 from .component import Component
+from .derived import Derived
 from .fields import Field, Impulse, ModeField, Option, Port, RealInput, RealOutput, Variable
 from .template import Shock, Template, Transition
 
@@ -37,6 +38,8 @@ class Scope:
             return _PortScope(template, path, field_)
         if isinstance(field_, Option):
             return component._get(field_)
+        if isinstance(field_, Derived):
+            return field_.law(self)
         return self._own_symbol(field_)
 
     def _own_symbol(self, field_: Field) -> Any:

@@ -47,6 +47,7 @@ class Template:
     transitions: list[Transition] = field(default_factory=list)
     choices: list[tuple[Any, str, dict[int, Any]]] = field(default_factory=list)
     held: list[tuple[str, str, int]] = field(default_factory=list)
+    derived: dict[str, Any] = field(default_factory=dict)
 
     @cached_property
     def place(self) -> dict[str, int]:

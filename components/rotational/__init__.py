@@ -1,5 +1,9 @@
 """Elements that turn."""
 
+from .backlash import Backlash as Backlash
+from .backlash import ElastoBacklash as ElastoBacklash
+from .backlash import ElastoBacklash2 as ElastoBacklash2
+from .bristles import LuGreFriction as LuGreFriction
 from .clutches import Brake as Brake
 from .clutches import Clutch as Clutch
 from .clutches import OneWayClutch as OneWayClutch
@@ -11,7 +15,7 @@ from .compliances import CompliantWithSpeed as CompliantWithSpeed
 from .compliances import CubicDamper as CubicDamper
 from .compliances import CubicSpring as CubicSpring
 from .compliances import Damper as Damper
-from .compliances import ElastoBacklash as ElastoBacklash
+from .compliances import Dissipative as Dissipative
 from .compliances import HarmonicRipple as HarmonicRipple
 from .compliances import Inerter as Inerter
 from .compliances import QuadraticDamper as QuadraticDamper
@@ -21,6 +25,14 @@ from .compliances import Spring as Spring
 from .compliances import SpringDamper as SpringDamper
 from .compliances import TwoFlanges as TwoFlanges
 from .compliances import VariableDamper as VariableDamper
+from .drives import ConstantSpeed as ConstantSpeed
+from .drives import InverseSpeedDependentTorque as InverseSpeedDependentTorque
+from .drives import LinearSpeedDependentTorque as LinearSpeedDependentTorque
+from .drives import Move as Move
+from .drives import QuadraticSpeedDependentTorque as QuadraticSpeedDependentTorque
+from .drives import SpeedDependentTorque as SpeedDependentTorque
+from .elastic_gears import BeltDrive as BeltDrive
+from .elastic_gears import HarmonicDrive as HarmonicDrive
 from .friction import AsymmetricFriction as AsymmetricFriction
 from .friction import BearingFriction as BearingFriction
 from .friction import CoulombFriction as CoulombFriction
@@ -32,6 +44,7 @@ from .friction import LoadedFriction as LoadedFriction
 from .friction import PositionDependentFriction as PositionDependentFriction
 from .friction import StribeckFriction as StribeckFriction
 from .friction import TabulatedFriction as TabulatedFriction
+from .gearbox import Gearbox as Gearbox
 from .gears import GearMesh as GearMesh
 from .gears import IdealGear as IdealGear
 from .gears import IdealPlanetary as IdealPlanetary
@@ -39,15 +52,28 @@ from .gears import LossyGear as LossyGear
 from .inertias import Disc as Disc
 from .inertias import Fixed as Fixed
 from .inertias import Inertia as Inertia
+from .joints import Differential as Differential
+from .joints import UniversalJoint as UniversalJoint
+from .motors import DCMotor as DCMotor
+from .motors import ShuntedMotor as ShuntedMotor
 from .sensors import AccelerationSensor as AccelerationSensor
 from .sensors import AngleSensor as AngleSensor
+from .sensors import MultiSensor as MultiSensor
+from .sensors import PowerSensor as PowerSensor
 from .sensors import RelativeAccelerationSensor as RelativeAccelerationSensor
 from .sensors import RelativeAngleSensor as RelativeAngleSensor
 from .sensors import RelativeSpeedSensor as RelativeSpeedSensor
 from .sensors import SpeedSensor as SpeedSensor
 from .sensors import TorqueSensor as TorqueSensor
+from .shafts import LumpedShaft as LumpedShaft
+from .shafts import ModalShaft as ModalShaft
 from .sources import Accelerate as Accelerate
 from .sources import ConstantTorque as ConstantTorque
 from .sources import Position as Position
 from .sources import Speed as Speed
 from .sources import Torque as Torque
+from .tabulated import TabulatedDamper as TabulatedDamper
+from .tabulated import TabulatedSpring as TabulatedSpring
+from .thermal_laws import EddyCurrentBrake as EddyCurrentBrake
+from .thermal_laws import TemperatureDependentFriction as TemperatureDependentFriction
+from .worms import WormGear as WormGear

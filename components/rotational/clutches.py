@@ -2,7 +2,19 @@
 
 import casadi as ca
 
-from ..language import Expression, RotationalFlange, Shock, Stated, der, impulse, mode, parameter, variable
+from ..language import (
+    Expression,
+    RotationalFlange,
+    Shock,
+    Stated,
+    der,
+    dissipation,
+    impulse,
+    mode,
+    parameter,
+    variable,
+)
+from ..lossy import Lossy
 from ..pressed import Pressed, PressedStickSlip
 from ..stickslip import REST_SPEED
 from ..tables import interpolated
@@ -49,7 +61,7 @@ class Brake(_Discs, PressedStickSlip):
         yield self.support.tau == -self.tau
 
 
-class OneWayClutch(Compliant, _Discs):
+class OneWayClutch(Compliant, _Discs, Lossy):
     """A freewheel and a clutch in parallel: flange_b may run ahead of flange_a, never fall behind.
 
     w_rel >= 0; tau = mu(w_rel) cgeo fn while b runs ahead, fn = fn_max max(f_normalized, 0). Stuck,
@@ -70,6 +82,7 @@ class OneWayClutch(Compliant, _Discs):
     a_rel = variable("rad/s2", "relative acceleration of the flanges")
 
     least = 1e-4
+    lossPower = dissipation(lambda self: self.tau * self.w_rel)
 
     def equations(self) -> Stated:
         yield self.w_rel == der(self.phi_rel)

@@ -4,9 +4,20 @@ from math import pi
 
 import casadi as ca
 
-from ..language import Component, Expression, RealInput, RotationalFlange, Stated, der, parameter, variable
-
-LEAST_HYSTERESIS = 1e-300  # [rad]
+from ..hysteresis import HystereticSpring
+from ..language import (
+    Component,
+    Expression,
+    RealInput,
+    RotationalFlange,
+    Stated,
+    der,
+    dissipation,
+    energy,
+    parameter,
+    variable,
+)
+from ..lossy import Lossy
 
 
 class TwoFlanges(Component):
@@ -39,6 +50,12 @@ class CompliantWithSpeed(Compliant):
         yield self.w_rel == der(self.phi_rel)
 
 
+class Dissipative(CompliantWithSpeed, Lossy):
+    """A compliant element that turns all its work into heat, unless it states otherwise."""
+
+    lossPower = dissipation(lambda self: self.tau * self.w_rel)
+
+
 class Spring(Compliant):
     """Linear spring: tau = c (phi_rel - phi_rel0).
 
@@ -47,12 +64,13 @@ class Spring(Compliant):
 
     c = parameter("N.m/rad", "stiffness", min=0)
     phi_rel0 = parameter("rad", "unstretched angle", default=0.0)
+    potential = energy(lambda self: self.c * (self.phi_rel - self.phi_rel0) ** 2 / 2)
 
     def equations(self) -> Stated:
         yield self.tau == self.c * (self.phi_rel - self.phi_rel0)
 
 
-class Damper(CompliantWithSpeed):
+class Damper(Dissipative):
     """Linear damper: tau = d w_rel.
 
     Source: MSL Rotational.Components.Damper.
@@ -64,7 +82,7 @@ class Damper(CompliantWithSpeed):
         yield self.tau == self.d * self.w_rel
 
 
-class VariableDamper(CompliantWithSpeed):
+class VariableDamper(Dissipative):
     """Damper whose constant follows a signal: tau = (d + d_u u) w_rel."""
 
     u = RealInput("1", "what the damping follows")
@@ -75,7 +93,7 @@ class VariableDamper(CompliantWithSpeed):
         yield self.tau == (self.d + self.d_u * self.u) * self.w_rel
 
 
-class SpringDamper(CompliantWithSpeed):
+class SpringDamper(Dissipative):
     """Linear spring and damper in parallel: tau = c (phi_rel - phi_rel0) + d w_rel.
 
     Source: MSL Rotational.Components.SpringDamper.
@@ -84,6 +102,8 @@ class SpringDamper(CompliantWithSpeed):
     c = parameter("N.m/rad", "stiffness", min=0)
     d = parameter("N.m.s/rad", "damping constant", min=0)
     phi_rel0 = parameter("rad", "unstretched angle", default=0.0)
+    potential = energy(lambda self: self.c * (self.phi_rel - self.phi_rel0) ** 2 / 2)
+    lossPower = dissipation(lambda self: self.d * self.w_rel**2)
 
     def equations(self) -> Stated:
         yield self.tau == self.c * (self.phi_rel - self.phi_rel0) + self.d * self.w_rel
@@ -95,10 +115,11 @@ class CubicSpring(Compliant):
     c = parameter("N.m/rad", "linear stiffness", min=0)
     c3 = parameter("N.m/rad3", "cubic stiffness; negative softens")
     phi_rel0 = parameter("rad", "unstretched angle", default=0.0)
+    e = property(lambda self: self.phi_rel - self.phi_rel0)
+    potential = energy(lambda self: self.c * self.e**2 / 2 + self.c3 * self.e**4 / 4)
 
     def equations(self) -> Stated:
-        e = self.phi_rel - self.phi_rel0
-        yield self.tau == self.c * e + self.c3 * e**3
+        yield self.tau == self.c * self.e + self.c3 * self.e**3
 
 
 class BilinearSpring(Compliant):
@@ -110,10 +131,12 @@ class BilinearSpring(Compliant):
     c_pull = parameter("N.m/rad", "stiffness when pulled", min=0)
     c_push = parameter("N.m/rad", "stiffness when pushed", min=0)
     phi_rel0 = parameter("rad", "unstretched angle", default=0.0)
+    pull = property(lambda self: ca.fmax(self.phi_rel - self.phi_rel0, 0))
+    push = property(lambda self: ca.fmin(self.phi_rel - self.phi_rel0, 0))
+    potential = energy(lambda self: self.c_pull * self.pull**2 / 2 + self.c_push * self.push**2 / 2)
 
     def equations(self) -> Stated:
-        e = self.phi_rel - self.phi_rel0
-        yield self.tau == self.c_pull * ca.fmax(e, 0) + self.c_push * ca.fmin(e, 0)
+        yield self.tau == self.c_pull * self.pull + self.c_push * self.push
 
 
 class Ripple(Compliant):
@@ -122,13 +145,16 @@ class Ripple(Compliant):
     tau_sin = parameter("N.m", "amplitude of the sine")
     tau_cos = parameter("N.m", "amplitude of the cosine", default=0.0)
     period = parameter("rad", "angle after which the torque comes back", above=0)
+    waves = property(lambda self: 2 * pi / self.period)
+    angle = property(lambda self: self.waves * self.phi_rel)
+    wave = property(lambda self: self.tau_sin * (1 - ca.cos(self.angle)) + self.tau_cos * ca.sin(self.angle))
+    potential = energy(lambda self: self.wave / self.waves)
 
     def equations(self) -> Stated:
-        angle = 2 * pi * self.phi_rel / self.period
-        yield self.tau == self.tau_sin * ca.sin(angle) + self.tau_cos * ca.cos(angle)
+        yield self.tau == self.tau_sin * ca.sin(self.angle) + self.tau_cos * ca.cos(self.angle)
 
 
-class BoucWen(CompliantWithSpeed):
+class BoucWen(CompliantWithSpeed, HystereticSpring):
     """Hysteretic spring: tau = alpha c phi_rel + (1 - alpha) c z.
 
     z' = A w_rel - beta |w_rel| |z|^(n-1) z - gamma w_rel |z|^n, with z [rad] the hysteretic angle.
@@ -137,20 +163,24 @@ class BoucWen(CompliantWithSpeed):
     """
 
     c = parameter("N.m/rad", "initial stiffness", min=0)
-    alpha = parameter("1", "share of stiffness after yield", min=0, max=1, default=0.1)
-    A = parameter("1", "scale of the hysteretic angle", above=0, default=1.0)
     beta = parameter("1/rad^n", "loop shape against the motion", min=0)
     gamma = parameter("1/rad^n", "loop shape along the motion")
-    n = parameter("1", "sharpness of yield", min=1, default=2.0)
     z = variable("rad", "hysteretic angle")
 
+    @property
+    def stretch(self) -> Expression:
+        return self.phi_rel
+
+    @property
+    def speed(self) -> Expression:
+        return self.w_rel
+
+    @property
+    def stiffness(self) -> Expression:
+        return self.c
+
     def equations(self) -> Stated:
-        w, z = self.w_rel, self.z
-        size = ca.fmax(ca.fabs(z), LEAST_HYSTERESIS)  # above 0, where x^n has a slope in n
-        yield self.tau == self.alpha * self.c * self.phi_rel + (1 - self.alpha) * self.c * z
-        yield der(z) == (
-            self.A * w - self.beta * ca.fabs(w) * size ** (self.n - 1) * z - self.gamma * w * size**self.n
-        )
+        yield self.tau == self.restoring
 
 
 class HarmonicRipple(Compliant):
@@ -170,12 +200,27 @@ class HarmonicRipple(Compliant):
     tau_cos_3 = parameter("N.m", "amplitude of the cosine of a third of the period", default=0.0)
     period = parameter("rad", "angle after which the torque comes back", above=0)
 
-    def equations(self) -> Stated:
+    @property
+    def harmonics(self) -> list[tuple[int, Expression, Expression, Expression]]:
+        """Order, angle, and amplitudes of sine and cosine of each."""
         x = 2 * pi * self.phi_rel / self.period
-        first = self.tau_sin * ca.sin(x) + self.tau_cos * ca.cos(x)
-        second = self.tau_sin_2 * ca.sin(2 * x) + self.tau_cos_2 * ca.cos(2 * x)
-        third = self.tau_sin_3 * ca.sin(3 * x) + self.tau_cos_3 * ca.cos(3 * x)
-        yield self.tau == first + second + third
+        amplitudes = (
+            (self.tau_sin, self.tau_cos),
+            (self.tau_sin_2, self.tau_cos_2),
+            (self.tau_sin_3, self.tau_cos_3),
+        )
+        return [(h, h * x, *pair) for h, pair in enumerate(amplitudes, 1)]
+
+    @property
+    def store(self) -> Expression:
+        """Energy stored."""
+        waves = sum((s * (1 - ca.cos(x)) + c * ca.sin(x)) / h for h, x, s, c in self.harmonics)
+        return waves * self.period / (2 * pi)
+
+    potential = energy(lambda self: self.store)
+
+    def equations(self) -> Stated:
+        yield self.tau == sum(s * ca.sin(x) + c * ca.cos(x) for _, x, s, c in self.harmonics)
 
 
 class ArmGravity(Compliant):
@@ -187,12 +232,15 @@ class ArmGravity(Compliant):
 
     tau_sin = parameter("N.m", "torque a quarter of a turn from phi_rel = 0", default=0.0)
     tau_cos = parameter("N.m", "torque at phi_rel = 0", default=0.0)
+    potential = energy(
+        lambda self: self.tau_sin * (1 - ca.cos(self.phi_rel)) + self.tau_cos * ca.sin(self.phi_rel)
+    )
 
     def equations(self) -> Stated:
         yield self.tau == self.tau_sin * ca.sin(self.phi_rel) + self.tau_cos * ca.cos(self.phi_rel)
 
 
-class CubicDamper(CompliantWithSpeed):
+class CubicDamper(Dissipative):
     """Damper with torque growing with the cube of speed: tau = d3 w_rel^3."""
 
     d3 = parameter("N.m.s3/rad3", "cubic damping constant", min=0)
@@ -201,7 +249,7 @@ class CubicDamper(CompliantWithSpeed):
         yield self.tau == self.d3 * self.w_rel**3
 
 
-class ShearThinningDamper(CompliantWithSpeed):
+class ShearThinningDamper(Dissipative):
     """Damper whose oil thins where it is sheared fast: tau = d w_e asinh(w_rel/w_e).
 
     Viscous at speeds far below w_e; from there on it grows with the logarithm of the speed.
@@ -216,7 +264,7 @@ class ShearThinningDamper(CompliantWithSpeed):
         yield self.tau == self.d * self.w_e * ca.asinh(self.w_rel / self.w_e)
 
 
-class QuadraticDamper(CompliantWithSpeed):
+class QuadraticDamper(Dissipative):
     """Damper with torque growing with the square of speed (a fan): tau = k w_rel |w_rel|."""
 
     k = parameter("N.m.s2/rad2", "quadratic damping constant", min=0)
@@ -233,33 +281,8 @@ class Inerter(CompliantWithSpeed):
 
     J = parameter("kg.m2", "rotational inertance", min=0)
     a_rel = variable("rad/s2", "relative acceleration of the flanges")
+    kinetic = energy(lambda self: self.J * self.w_rel**2 / 2)
 
     def equations(self) -> Stated:
         yield self.a_rel == der(self.w_rel)
         yield self.tau == self.J * self.a_rel
-
-
-class ElastoBacklash(CompliantWithSpeed):
-    """Backlash b between elastic flanks that only ever press.
-
-    With x = phi_rel - phi_rel0 and the spring torque tau_c = c max(|x| - b/2, 0) of the flank in
-    contact, tau = sgn(x) max(tau_c + min(tau_c, sgn(x) d w_rel), 0): damping adds at most tau_c as
-    the flank is pressed, and takes away at most tau_c as it is released, so tau is continuous.
-
-    Source: MSL Rotational.Components.ElastoBacklash, whose law with b = 0 is the plain spring and
-    damper instead.
-    """
-
-    c = parameter("N.m/rad", "stiffness in contact", above=0)
-    d = parameter("N.m.s/rad", "damping constant in contact", min=0)
-    b = parameter("rad", "total backlash", min=0, default=0.0)
-    phi_rel0 = parameter("rad", "angle in the middle of the backlash", default=0.0)
-
-    def pressed(self, depth: Expression, speed: Expression) -> Expression:
-        """Torque of one flank, from how deep and how fast it is pressed."""
-        spring = self.c * ca.fmax(depth, 0)
-        return ca.fmax(spring + ca.fmin(spring, self.d * speed), 0)
-
-    def equations(self) -> Stated:
-        x, w, half = self.phi_rel - self.phi_rel0, self.w_rel, self.b / 2
-        yield self.tau == self.pressed(x - half, w) - self.pressed(-x - half, -w)

@@ -3,10 +3,21 @@
 import casadi as ca
 
 from ..elastoplastic import ElastoPlastic
-from ..language import Component, Expression, RealInput, RotationalFlange, Stated, der, parameter, variable
+from ..language import (
+    Component,
+    Expression,
+    RealInput,
+    RotationalFlange,
+    Stated,
+    der,
+    dissipation,
+    energy,
+    parameter,
+    variable,
+)
 from ..stickslip import StickSlip
 from ..tables import interpolated, over_speed
-from .compliances import Compliant, CompliantWithSpeed
+from .compliances import Compliant, CompliantWithSpeed, Dissipative
 
 
 class Friction(Compliant, StickSlip):
@@ -84,6 +95,10 @@ class Jenkins(CompliantWithSpeed, ElastoPlastic):
     @property
     def speed(self) -> Expression:
         return self.w_rel
+
+    @property
+    def stiffness(self) -> Expression:
+        return self.c
 
     @property
     def slip_stretch(self) -> Expression:
@@ -191,7 +206,7 @@ class PositionDependentFriction(Friction):
         return self.tau_c + self.tau_1 * e + self.tau_2 * e**2 + waves + 0 * speed
 
 
-class DahlFriction(CompliantWithSpeed):
+class DahlFriction(Dissipative):
     """Dry friction that builds up elastically before it slips: tau = tau_c z.
 
     phi_p z' = w_rel - |w_rel| z: the share z of tau_c grows by angle/phi_p at first, and comes within
@@ -203,6 +218,8 @@ class DahlFriction(CompliantWithSpeed):
     tau_c = parameter("N.m", "friction torque once it slips", min=0)
     phi_p = parameter("rad", "presliding angle", above=0)
     z = variable("1", "share of the friction torque that has built up")
+    potential = energy(lambda self: self.tau_c * self.phi_p * self.z**2 / 2)
+    lossPower = dissipation(lambda self: self.tau_c * ca.fabs(self.w_rel) * self.z**2)
 
     def equations(self) -> Stated:
         yield self.tau == self.tau_c * self.z

@@ -2,8 +2,21 @@
 
 import casadi as ca
 
-from ..contact import past_clearance
-from ..language import Component, Expression, RotationalFlange, Stated, der, mode, option, parameter, variable
+from ..contact import clearance_energy, past_clearance
+from ..language import (
+    Component,
+    Expression,
+    RotationalFlange,
+    Stated,
+    der,
+    dissipation,
+    energy,
+    mode,
+    option,
+    parameter,
+    variable,
+)
+from ..lossy import Lossy
 from ..stickslip import Sticking
 from ..tables import interpolated, over_speed_with_losses
 
@@ -48,7 +61,7 @@ class IdealPlanetary(Component):
         yield carrier.tau == -(1 + self.ratio) * sun.tau
 
 
-class GearMesh(Component):
+class GearMesh(Lossy):
     """Two gears meshing with stiffness, damping and clearance along the line of action.
 
     s_rel = r_a (phi_a - phi_c) + r_b (phi_b - phi_c), with -r_b when gear b is a ring around gear a,
@@ -71,6 +84,9 @@ class GearMesh(Component):
     s_rel = variable("m", "approach of the flanks along the line of action", state="avoid")
     v_rel = variable("m/s", "speed of approach", state="avoid")
     f = variable("N", "force along the line of action, positive against positive angles of gear a")
+    elastic = property(lambda self: past_clearance(self.k * self.s_rel, self.k * self.g))
+    potential = energy(lambda self: clearance_energy(self.s_rel, self.k, self.g))
+    lossPower = dissipation(lambda self: (self.f - self.elastic) * self.v_rel)
 
     def equations(self) -> Stated:
         a, b, axes = self.flange_a, self.flange_b, self.support
@@ -105,7 +121,7 @@ class LossyGear(Sticking):
     flange_b = RotationalFlange("right shaft")
     support = RotationalFlange("housing", optional=True)
     ratio = parameter("1", "turns of flange_a for one of flange_b", nonzero=True)
-    lossTable = option(  # noqa: N815
+    lossTable = option(
         "rows (speed, eta1, eta2, tau_bf1, tau_bf2)",
         default=((0.0, 1.0, 1.0, 0.0, 0.0),),
         check=over_speed_with_losses,

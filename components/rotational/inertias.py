@@ -2,7 +2,7 @@
 
 from math import pi
 
-from ..language import Component, Expression, RotationalFlange, Stated, der, parameter, variable
+from ..language import Component, Expression, RotationalFlange, Stated, der, energy, parameter, variable
 
 
 class Fixed(Component):
@@ -30,6 +30,7 @@ class Inertia(Component):
     phi = variable("rad", "angle")
     w = variable("rad/s", "speed")
     a = variable("rad/s2", "acceleration")
+    kinetic = energy(lambda self: self.J * self.w**2 / 2)
 
     def equations(self) -> Stated:
         yield self.flange.phi == self.phi

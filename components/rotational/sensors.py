@@ -105,3 +105,28 @@ class TorqueSensor(Component):
         yield self.flange_a.phi == self.flange_b.phi
         yield self.tau == self.flange_a.tau
         yield self.flange_a.tau == -self.flange_b.tau
+
+
+class PowerSensor(TorqueSensor):
+    """Power as a signal, between flanges that move as one: power = tau der(flange_a.phi).
+
+    It is positive where what is joined to flange_a drives what is joined to flange_b.
+
+    Source: MSL Rotational.Sensors.PowerSensor.
+    """
+
+    power = RealOutput("W", "power from flange_a to flange_b")
+    w = variable("rad/s", "angular velocity of the flanges", state="avoid")
+
+    def equations(self) -> Stated:
+        yield self.w == der(self.flange_a.phi)
+        yield self.power == self.tau * self.w
+
+
+class MultiSensor(PowerSensor):
+    """Angular velocity, torque and power as signals: w, tau and power = tau w.
+
+    Source: MSL Rotational.Sensors.MultiSensor.
+    """
+
+    w = RealOutput("rad/s", "angular velocity of the flanges")

@@ -4,7 +4,9 @@ from ..filtered import Filtered
 from ..language import Component, RealInput, RotationalFlange, Stated, der, parameter, variable
 
 
-class _Driven(Component):
+class DrivenFlange(Component):
+    """A flange that is driven, and the support that takes the reaction."""
+
     has_law = False
     flange = RotationalFlange("what is driven")
     support = RotationalFlange("what reacts", optional=True)
@@ -13,7 +15,7 @@ class _Driven(Component):
         yield self.support.tau == -self.flange.tau
 
 
-class Torque(_Driven):
+class Torque(DrivenFlange):
     """A torque that acts on a flange: flange.tau = -tau, so positive tau accelerates it.
 
     Source: MSL Rotational.Sources.Torque.
@@ -25,7 +27,7 @@ class Torque(_Driven):
         yield self.flange.tau == -self.tau
 
 
-class ConstantTorque(_Driven):
+class ConstantTorque(DrivenFlange):
     """A constant torque: flange.tau = -tau_constant.
 
     Source: MSL Rotational.Sources.ConstantTorque.
@@ -37,7 +39,7 @@ class ConstantTorque(_Driven):
         yield self.flange.tau == -self.tau_constant
 
 
-class Position(Filtered, _Driven):
+class Position(Filtered, DrivenFlange):
     """A prescribed angle: flange.phi - support.phi = phi_ref. Its speed and acceleration follow.
 
     Where phi_ref bends or jumps, what that takes acts as a shock, whose impulse is an event of the run; a
@@ -57,7 +59,7 @@ class Position(Filtered, _Driven):
         yield from self.follow_position(self.phi_ref, self.phi, self.lead)
 
 
-class Speed(Filtered, _Driven):
+class Speed(Filtered, DrivenFlange):
     """A prescribed speed: der(phi) = w_ref, from the start angle phi.
 
     Where w_ref jumps, what that takes acts as a shock, whose impulse is an event of the run. With
@@ -76,7 +78,7 @@ class Speed(Filtered, _Driven):
         yield from self.follow_speed(self.w_ref, self.w)
 
 
-class Accelerate(_Driven):
+class Accelerate(DrivenFlange):
     """A prescribed acceleration: der(w) = a_ref, from the start angle phi and speed w.
 
     Source: MSL Rotational.Sources.Accelerate.

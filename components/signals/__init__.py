@@ -1,5 +1,9 @@
 """Signals: sources over time and the blocks that close a loop."""
 
+from .algebra import Abs as Abs
+from .algebra import Feedback as Feedback
+from .algebra import Max as Max
+from .algebra import Min as Min
 from .blocks import Add as Add
 from .blocks import Delay as Delay
 from .blocks import Derivative as Derivative
@@ -8,10 +12,19 @@ from .blocks import Gain as Gain
 from .blocks import Integrator as Integrator
 from .blocks import Limiter as Limiter
 from .blocks import Product as Product
+from .chirp import Chirp as Chirp
 from .controllers import PI as PI
 from .controllers import PID as PID
 from .controllers import LimPI as LimPI
 from .controllers import LimPID as LimPID
+from .digital import DeadZone as DeadZone
+from .digital import SampleHold as SampleHold
+from .logic import Hysteresis as Hysteresis
+from .logic import Sign as Sign
+from .logic import Switch as Switch
+from .lookup import CombiTable1D as CombiTable1D
+from .lookup import CombiTable2D as CombiTable2D
+from .lookup import CombiTimeTable as CombiTimeTable
 from .periodic import Pulse as Pulse
 from .periodic import Trapezoid as Trapezoid
 from .sources import Clock as Clock
@@ -20,3 +33,5 @@ from .sources import Ramp as Ramp
 from .sources import Sine as Sine
 from .sources import Step as Step
 from .sources import TimeTable as TimeTable
+from .transfer import SecondOrder as SecondOrder
+from .transfer import TransferFunction as TransferFunction

@@ -2,7 +2,7 @@
 
 # Made by docs/make_stubs.py from the classes; do not edit.
 
-from typing import Any
+from typing import Any, Literal
 
 import numpy as np
 
@@ -37,6 +37,68 @@ class Add(Component):
         u2: SignalValue = ...,
         k1: ParameterValue = 1.0,
         k2: ParameterValue = 1.0,
+    ) -> None: ...
+
+class CombiTable2D(Component):
+    """A map over two inputs, bilinear between its points. Continuous, so it makes no event.
+
+    Source: MSL Blocks.Tables.CombiTable2Ds with LinearSegments.
+
+    Example:
+        >>> from inertance import signals
+        >>> engine = signals.CombiTable2D(table=((0, 0, 1), (100, 10, 80), (300, 5, 120)))
+
+    Args:
+        u1: input down the first column, a number, a function of time or Sampled data.
+        u2: input along the first row, a number, a function of time or Sampled data.
+        table: rows (0, u2, ...), (u1, y, ...), ....
+        extrapolation: what it is beyond its ends: straight on, or the last value.
+    """
+
+    u1: Any
+    """input down the first column, a number, a function of time or Sampled data"""
+    u2: Any
+    """input along the first row, a number, a function of time or Sampled data"""
+    y: Any
+    """output"""
+    table: Any
+    """rows (0, u2, ...), (u1, y, ...), ..."""
+    extrapolation: Any
+    """what it is beyond its ends: straight on, or the last value"""
+    def __init__(
+        self,
+        *,
+        u1: SignalValue = ...,
+        u2: SignalValue = ...,
+        table: Any = ...,
+        extrapolation: Literal['linear', 'hold'] = 'linear',
+    ) -> None: ...
+
+class CombiTimeTable(Component):
+    """Several signals of time from one table: part `column1` has the first in its `y`, and so on.
+
+    Each is linear between rows; two rows of equal time make a jump. Before the first row they have their
+    first values, after the last row the last ones.
+
+    Source: MSL Blocks.Sources.CombiTimeTable with extrapolation HoldLastPoint; its y[1] is `column1.y`.
+
+    Example:
+        >>> from inertance import signals
+        >>> weather = signals.CombiTimeTable(table=((0.0, 1.0, 5.0), (2.0, 3.0, 4.0)))
+        >>> [name for name in ("column1", "column2", "column3") if hasattr(weather, name)]
+        ['column1', 'column2']
+
+    Args:
+        table: rows (time [s], value, value, ...), times not decreasing.
+    """
+
+    table: Any
+    """rows (time [s], value, value, ...), times not decreasing"""
+    def __init__(
+        self,
+        *,
+        table: Any = ...,
+        **parts: Component,
     ) -> None: ...
 
 class LimPI(Component):
@@ -137,6 +199,104 @@ class Source(Component):
     """signal"""
     def __init__(self, **values: Any) -> None: ...
 
+class Switch(Component):
+    """One signal or another: y = u1 while u2 > threshold, else u3.
+
+    Source: MSL Blocks.Logical.Switch, whose u2 is Boolean: here it is on above `threshold`.
+
+    Args:
+        u1: passed on while u2 is on, a number, a function of time or Sampled data.
+        u2: what switches, a number, a function of time or Sampled data.
+        u3: passed on while u2 is off, a number, a function of time or Sampled data.
+        threshold: value of u2 above which it is on.
+    """
+
+    u1: Any
+    """passed on while u2 is on, a number, a function of time or Sampled data"""
+    u2: Any
+    """what switches, a number, a function of time or Sampled data"""
+    u3: Any
+    """passed on while u2 is off, a number, a function of time or Sampled data"""
+    y: Any
+    """output"""
+    threshold: Any
+    """value of u2 above which it is on"""
+    mode: Any
+    """u3 or u1"""
+    def __init__(
+        self,
+        *,
+        u1: SignalValue = ...,
+        u2: SignalValue = ...,
+        u3: SignalValue = ...,
+        threshold: ParameterValue = 0.5,
+    ) -> None: ...
+
+class _OfTwo(Component):
+    u1: Any
+    """first input, a number, a function of time or Sampled data"""
+    u2: Any
+    """second input, a number, a function of time or Sampled data"""
+    y: Any
+    """output"""
+    def __init__(self, **values: Any) -> None: ...
+
+class Abs(SISO):
+    """Size: y = |u|. Continuous, so it makes no event.
+
+    Source: MSL Blocks.Math.Abs.
+
+    Args:
+        u: input, a number, a function of time or Sampled data.
+    """
+
+    def __init__(
+        self,
+        *,
+        u: SignalValue = ...,
+    ) -> None: ...
+
+class Chirp(Source):
+    """A sine whose frequency changes evenly from f_min to f_max, a linear chirp.
+
+    y = offset + amplitude sin(2 pi (f_min t + (f_max - f_min) t^2/(2 T))), where t counts from start_time,
+    T is `duration`; before it begins y = offset, after T it goes on at f_max. A frequency that falls has
+    f_max below f_min.
+
+    Args:
+        f_min: frequency at its beginning [Hz], at least 0.
+        f_max: frequency after its duration [Hz], at least 0.
+        duration: how long the frequency changes [s], above 0.
+        amplitude: amplitude.
+        offset: mean.
+        start_time: when it begins [s].
+    """
+
+    amplitude: Any
+    """amplitude"""
+    f_min: Any
+    """frequency at its beginning [Hz], at least 0"""
+    f_max: Any
+    """frequency after its duration [Hz], at least 0"""
+    duration: Any
+    """how long the frequency changes [s], above 0"""
+    offset: Any
+    """mean"""
+    start_time: Any
+    """when it begins [s]"""
+    mode: Any
+    """before, while or after the frequency changes"""
+    def __init__(
+        self,
+        *,
+        f_min: ParameterValue,
+        f_max: ParameterValue,
+        duration: ParameterValue,
+        amplitude: ParameterValue = 1.0,
+        offset: ParameterValue = 0.0,
+        start_time: ParameterValue = 0.0,
+    ) -> None: ...
+
 class Clock(Source):
     """Time as a signal: y = offset + time [s].
 
@@ -156,6 +316,33 @@ class Clock(Source):
         offset: ParameterValue = 0.0,
     ) -> None: ...
 
+class CombiTable1D(SISO):
+    """A table over one input, straight lines between its rows. Continuous, so it makes no event.
+
+    Source: MSL Blocks.Tables.CombiTable1Ds with one column and LinearSegments.
+
+    Example:
+        >>> from inertance import signals
+        >>> valve = signals.CombiTable1D(table=((0.0, 0.0), (1.0, 2.0), (3.0, 2.5)))
+
+    Args:
+        u: input, a number, a function of time or Sampled data.
+        table: rows (u, y), u increasing.
+        extrapolation: what it is beyond its ends: straight on, or the last value.
+    """
+
+    table: Any
+    """rows (u, y), u increasing"""
+    extrapolation: Any
+    """what it is beyond its ends: straight on, or the last value"""
+    def __init__(
+        self,
+        *,
+        u: SignalValue = ...,
+        table: Any = ...,
+        extrapolation: Literal['linear', 'hold'] = 'linear',
+    ) -> None: ...
+
 class Constant(Source):
     """A constant signal: y = k.
 
@@ -171,6 +358,29 @@ class Constant(Source):
         self,
         *,
         k: ParameterValue,
+    ) -> None: ...
+
+class DeadZone(SISO):
+    """Dead zone: y = u - u_max above u_max, u - u_min below u_min, 0 between: continuous, without events.
+
+    Source: MSL Blocks.Nonlinear.DeadZone.
+
+    Args:
+        u_max: upper end of the zone, at least 0.
+        u: input, a number, a function of time or Sampled data.
+        u_min: lower end of the zone, at most 0.
+    """
+
+    u_max: Any
+    """upper end of the zone, at least 0"""
+    u_min: Any
+    """lower end of the zone, at most 0"""
+    def __init__(
+        self,
+        *,
+        u_max: ParameterValue,
+        u: SignalValue = ...,
+        u_min: ParameterValue = ...,
     ) -> None: ...
 
 class Delay(SISO):
@@ -236,6 +446,23 @@ class Derivative(SISO):
         x: Number = ...,
     ) -> None: ...
 
+class Feedback(_OfTwo):
+    """What is wanted less what is measured: y = u1 - u2.
+
+    Source: MSL Blocks.Math.Feedback.
+
+    Args:
+        u1: first input, a number, a function of time or Sampled data.
+        u2: second input, a number, a function of time or Sampled data.
+    """
+
+    def __init__(
+        self,
+        *,
+        u1: SignalValue = ...,
+        u2: SignalValue = ...,
+    ) -> None: ...
+
 class FirstOrder(SISO):
     """First-order lag: T y' + y = k u, with the state x = y.
 
@@ -280,6 +507,33 @@ class Gain(SISO):
         *,
         u: SignalValue = ...,
         k: ParameterValue = 1.0,
+    ) -> None: ...
+
+class Hysteresis(SISO):
+    """Two-point switch: y goes from 0 to 1 as u rises above uHigh, and back as u falls below uLow.
+
+    It starts at 0, or at 1 if u is above uHigh there.
+
+    Source: MSL Blocks.Logical.Hysteresis, whose y is Boolean.
+
+    Args:
+        u: input, a number, a function of time or Sampled data.
+        uLow: input below which it switches off.
+        uHigh: input above which it switches on, above uLow.
+    """
+
+    uLow: Any
+    """input below which it switches off"""
+    uHigh: Any
+    """input above which it switches on, above uLow"""
+    mode: Any
+    """y = 0 or 1"""
+    def __init__(
+        self,
+        *,
+        u: SignalValue = ...,
+        uLow: ParameterValue = 0.0,
+        uHigh: ParameterValue = 1.0,
     ) -> None: ...
 
 class Integrator(SISO):
@@ -379,6 +633,40 @@ class Limiter(SISO):
         y_max: ParameterValue,
         u: SignalValue = ...,
         y_min: ParameterValue = ...,
+    ) -> None: ...
+
+class Max(_OfTwo):
+    """The larger of two signals: y = max(u1, u2). Continuous, so it makes no event.
+
+    Source: MSL Blocks.Math.Max.
+
+    Args:
+        u1: first input, a number, a function of time or Sampled data.
+        u2: second input, a number, a function of time or Sampled data.
+    """
+
+    def __init__(
+        self,
+        *,
+        u1: SignalValue = ...,
+        u2: SignalValue = ...,
+    ) -> None: ...
+
+class Min(_OfTwo):
+    """The smaller of two signals: y = min(u1, u2). Continuous, so it makes no event.
+
+    Source: MSL Blocks.Math.Min.
+
+    Args:
+        u1: first input, a number, a function of time or Sampled data.
+        u2: second input, a number, a function of time or Sampled data.
+    """
+
+    def __init__(
+        self,
+        *,
+        u1: SignalValue = ...,
+        u2: SignalValue = ...,
     ) -> None: ...
 
 class PI(SISO):
@@ -501,6 +789,107 @@ class Ramp(Source):
         start_time: ParameterValue = 0.0,
     ) -> None: ...
 
+class SampleHold(SISO):
+    """Sampler: u is read at start_time + k period, and put out after a delay, to be held until the next is.
+
+    Before the first sample y is y_0. Each sample, and each delayed output, is an event.
+
+    Limits: the delay must be shorter than the period; longer ones are several blocks one after the other.
+
+    Source: MSL Blocks.Discrete.Sampler, and with a delay UnitDelay.
+
+    Args:
+        period: time between samples [s], above 0.
+        u: input, a number, a function of time or Sampled data.
+        delay: from sample to output, shorter than the period [s], at least 0.
+        start_time: time of the first sample [s].
+        y_0: output before the first sample.
+        count: samples taken, fixed start value.
+        sample: sample taken last, fixed start value.
+        held: what is put out, less y_0, fixed start value.
+    """
+
+    period: Any
+    """time between samples [s], above 0"""
+    delay: Any
+    """from sample to output, shorter than the period [s], at least 0"""
+    start_time: Any
+    """time of the first sample [s]"""
+    y_0: Any
+    """output before the first sample"""
+    state: Any
+    """before the next sample, or before its output"""
+    count: Any
+    """samples taken, fixed start value"""
+    sample: Any
+    """sample taken last, fixed start value"""
+    held: Any
+    """what is put out, less y_0, fixed start value"""
+    def __init__(
+        self,
+        *,
+        period: ParameterValue,
+        u: SignalValue = ...,
+        delay: ParameterValue = 0.0,
+        start_time: ParameterValue = 0.0,
+        y_0: ParameterValue = 0.0,
+        count: Number = ...,
+        sample: Number = ...,
+        held: Number = ...,
+    ) -> None: ...
+
+class SecondOrder(SISO):
+    """Second-order lag: y'' + 2 D w y' + w^2 y = k w^2 u.
+
+    Source: MSL Blocks.Continuous.SecondOrder.
+
+    Args:
+        w: angular frequency [rad/s], above 0.
+        D: damping ratio, at least 0.
+        u: input, a number, a function of time or Sampled data.
+        k: gain.
+        x: output, fixed start value.
+        yd: rate of the output, fixed start value.
+    """
+
+    k: Any
+    """gain"""
+    w: Any
+    """angular frequency [rad/s], above 0"""
+    D: Any
+    """damping ratio, at least 0"""
+    x: Any
+    """output, fixed start value"""
+    yd: Any
+    """rate of the output, fixed start value"""
+    def __init__(
+        self,
+        *,
+        w: ParameterValue,
+        D: ParameterValue,
+        u: SignalValue = ...,
+        k: ParameterValue = 1.0,
+        x: Number = ...,
+        yd: Number = ...,
+    ) -> None: ...
+
+class Sign(SISO):
+    """Sign: y = 1 for u > 0, -1 for u < 0; 0 where it begins at u = 0.
+
+    Source: MSL Blocks.Math.Sign with generateEvent.
+
+    Args:
+        u: input, a number, a function of time or Sampled data.
+    """
+
+    mode: Any
+    """sign of the input"""
+    def __init__(
+        self,
+        *,
+        u: SignalValue = ...,
+    ) -> None: ...
+
 class Sine(Source):
     """A sine: y = offset + amplitude sin(2 pi f (time - start_time) + phase).
 
@@ -585,6 +974,36 @@ class TimeTable(Source):
         self,
         *,
         table: Any = ...,
+        **parts: Component,
+    ) -> None: ...
+
+class TransferFunction(SISO):
+    """Transfer function: y = (b[0] s^m + ... + b[m])/(a[0] s^n + ... + a[n]) u, with m <= n.
+
+    States in controller canonical form: a[0] x1' = u - a[1] x1 - ... - a[n] xn, xk' = x(k-1).
+
+    Source: MSL Blocks.Continuous.TransferFunction, whose states are scaled.
+
+    Example:
+        >>> from inertance import signals
+        >>> plant = signals.TransferFunction(b=(2.0, 3.0), a=(4.0, 5.0, 6.0))  # (2 s + 3)/(4 s^2 + 5 s + 6)
+
+    Args:
+        u: input, a number, a function of time or Sampled data.
+        b: coefficients of the numerator, highest power first.
+        a: coefficients of the denominator, highest power first.
+    """
+
+    b: Any
+    """coefficients of the numerator, highest power first"""
+    a: Any
+    """coefficients of the denominator, highest power first"""
+    def __init__(
+        self,
+        *,
+        u: SignalValue = ...,
+        b: Any = ...,
+        a: Any = ...,
         **parts: Component,
     ) -> None: ...
 

@@ -1,9 +1,8 @@
 """Blocks: without memory, and with states."""
 
-import casadi as ca
-
 from ...base import counting
-from ..language import Component, Expression, RealInput, RealOutput, Stated, der, option, parameter, variable
+from ..language import Component, RealInput, RealOutput, Stated, der, option, parameter, variable
+from ..limits import limited
 
 
 class SISO(Component):
@@ -66,11 +65,6 @@ class Product(Component):
 
     def equations(self) -> Stated:
         yield self.y == self.u1 * self.u2
-
-
-def limited(value: Expression, low: Expression, high: Expression) -> Expression:
-    """Return a value brought between two limits."""
-    return ca.fmin(ca.fmax(value, low), high)
 
 
 class FirstOrder(SISO):

@@ -1,7 +1,8 @@
 """Controllers."""
 
 from ..language import Component, Expression, RealInput, RealOutput, Stated, der, parameter, variable
-from .blocks import SISO, limited
+from ..limits import limited
+from .blocks import SISO
 
 
 class PI(SISO):

@@ -1,5 +1,7 @@
 """Elements that slide."""
 
+from .backlash import ElastoBacklash as ElastoBacklash
+from .bristles import LuGreFriction as LuGreFriction
 from .compliances import BilinearSpring as BilinearSpring
 from .compliances import BoucWen as BoucWen
 from .compliances import Compliant as Compliant
@@ -7,6 +9,7 @@ from .compliances import CompliantWithSpeed as CompliantWithSpeed
 from .compliances import CubicDamper as CubicDamper
 from .compliances import CubicSpring as CubicSpring
 from .compliances import Damper as Damper
+from .compliances import Dissipative as Dissipative
 from .compliances import HarmonicRipple as HarmonicRipple
 from .compliances import Inerter as Inerter
 from .compliances import QuadraticDamper as QuadraticDamper
@@ -16,6 +19,12 @@ from .compliances import Spring as Spring
 from .compliances import SpringDamper as SpringDamper
 from .compliances import TwoFlanges as TwoFlanges
 from .compliances import VariableDamper as VariableDamper
+from .drives import ConstantSpeed as ConstantSpeed
+from .drives import InverseSpeedDependentForce as InverseSpeedDependentForce
+from .drives import LinearSpeedDependentForce as LinearSpeedDependentForce
+from .drives import Move as Move
+from .drives import QuadraticSpeedDependentForce as QuadraticSpeedDependentForce
+from .drives import SpeedDependentForce as SpeedDependentForce
 from .friction import AsymmetricFriction as AsymmetricFriction
 from .friction import Brake as Brake
 from .friction import CoulombFriction as CoulombFriction
@@ -28,15 +37,29 @@ from .friction import PositionDependentFriction as PositionDependentFriction
 from .friction import StribeckFriction as StribeckFriction
 from .friction import SupportFriction as SupportFriction
 from .friction import TabulatedFriction as TabulatedFriction
+from .hydropneumatic import AirSpring as AirSpring
+from .hydropneumatic import MonotubeDamper as MonotubeDamper
+from .inerters import FluidInerter as FluidInerter
+from .inerters import VariableInerter as VariableInerter
+from .isolators import ObliqueSprings as ObliqueSprings
+from .isolators import Rope as Rope
+from .isolators import WireRope as WireRope
 from .lengths import MassWithLength as MassWithLength
+from .magnetorheological import BoucWenDamper as BoucWenDamper
+from .magnetorheological import SpencerDamper as SpencerDamper
 from .masses import Fixed as Fixed
 from .masses import LargeAngleLever as LargeAngleLever
 from .masses import Lever as Lever
 from .masses import Mass as Mass
 from .masses import Rod as Rod
+from .rods import LumpedRod as LumpedRod
+from .rods import ModalRod as ModalRod
+from .rolling import RollingResistance as RollingResistance
 from .sensors import AccelerationSensor as AccelerationSensor
 from .sensors import ForceSensor as ForceSensor
+from .sensors import MultiSensor as MultiSensor
 from .sensors import PositionSensor as PositionSensor
+from .sensors import PowerSensor as PowerSensor
 from .sensors import RelativeAccelerationSensor as RelativeAccelerationSensor
 from .sensors import RelativePositionSensor as RelativePositionSensor
 from .sensors import RelativeSpeedSensor as RelativeSpeedSensor
@@ -50,3 +73,12 @@ from .stops import Backlash as Backlash
 from .stops import ElastoGap as ElastoGap
 from .stops import HardStop as HardStop
 from .stops import MassWithStopAndFriction as MassWithStopAndFriction
+from .tabulated import MapSpringDamper as MapSpringDamper
+from .tabulated import TabulatedDamper as TabulatedDamper
+from .tabulated import TabulatedSpring as TabulatedSpring
+from .thermal_laws import EddyCurrentBrake as EddyCurrentBrake
+from .thermal_laws import TemperatureDependentFriction as TemperatureDependentFriction
+from .viscoelastic import FractionalDamper as FractionalDamper
+from .viscoelastic import Maxwell as Maxwell
+from .viscoelastic import Zener as Zener
+from .voice_coils import VoiceCoil as VoiceCoil

@@ -4,9 +4,20 @@ from math import pi
 
 import casadi as ca
 
-from ..language import Component, RealInput, Stated, TranslationalFlange, der, parameter, variable
-
-LEAST_HYSTERESIS = 1e-300  # [m]
+from ..hysteresis import HystereticSpring
+from ..language import (
+    Component,
+    Expression,
+    RealInput,
+    Stated,
+    TranslationalFlange,
+    der,
+    dissipation,
+    energy,
+    parameter,
+    variable,
+)
+from ..lossy import Lossy
 
 
 class TwoFlanges(Component):
@@ -39,6 +50,12 @@ class CompliantWithSpeed(Compliant):
         yield self.v_rel == der(self.s_rel)
 
 
+class Dissipative(CompliantWithSpeed, Lossy):
+    """A compliant element that turns all its work into heat, unless it states otherwise."""
+
+    lossPower = dissipation(lambda self: self.f * self.v_rel)
+
+
 class Spring(Compliant):
     """Linear spring: f = k (s_rel - s_rel0).
 
@@ -47,12 +64,13 @@ class Spring(Compliant):
 
     k = parameter("N/m", "stiffness", min=0)
     s_rel0 = parameter("m", "unstretched length", default=0.0)
+    potential = energy(lambda self: self.k * (self.s_rel - self.s_rel0) ** 2 / 2)
 
     def equations(self) -> Stated:
         yield self.f == self.k * (self.s_rel - self.s_rel0)
 
 
-class Damper(CompliantWithSpeed):
+class Damper(Dissipative):
     """Linear damper: f = d v_rel.
 
     Source: MSL Translational.Components.Damper.
@@ -64,7 +82,7 @@ class Damper(CompliantWithSpeed):
         yield self.f == self.d * self.v_rel
 
 
-class VariableDamper(CompliantWithSpeed):
+class VariableDamper(Dissipative):
     """Damper whose constant follows a signal: f = (d + d_u u) v_rel.
 
     u is what it depends on: the current of a valve or a coil, a temperature, time. A constant below 0 stands
@@ -79,7 +97,7 @@ class VariableDamper(CompliantWithSpeed):
         yield self.f == (self.d + self.d_u * self.u) * self.v_rel
 
 
-class SpringDamper(CompliantWithSpeed):
+class SpringDamper(Dissipative):
     """Linear spring and damper in parallel: f = k (s_rel - s_rel0) + d v_rel.
 
     Source: MSL Translational.Components.SpringDamper.
@@ -88,6 +106,8 @@ class SpringDamper(CompliantWithSpeed):
     k = parameter("N/m", "stiffness", min=0)
     d = parameter("N.s/m", "damping constant", min=0)
     s_rel0 = parameter("m", "unstretched length", default=0.0)
+    potential = energy(lambda self: self.k * (self.s_rel - self.s_rel0) ** 2 / 2)
+    lossPower = dissipation(lambda self: self.d * self.v_rel**2)
 
     def equations(self) -> Stated:
         yield self.f == self.k * (self.s_rel - self.s_rel0) + self.d * self.v_rel
@@ -101,6 +121,7 @@ class Inerter(CompliantWithSpeed):
 
     b = parameter("kg", "inertance", min=0)
     a_rel = variable("m/s2", "relative acceleration of the flanges")
+    kinetic = energy(lambda self: self.b * self.v_rel**2 / 2)
 
     def equations(self) -> Stated:
         yield self.a_rel == der(self.v_rel)
@@ -116,10 +137,11 @@ class CubicSpring(Compliant):
     k = parameter("N/m", "linear stiffness", min=0)
     k3 = parameter("N/m3", "cubic stiffness; negative softens")
     s_rel0 = parameter("m", "unstretched length", default=0.0)
+    e = property(lambda self: self.s_rel - self.s_rel0)
+    potential = energy(lambda self: self.k * self.e**2 / 2 + self.k3 * self.e**4 / 4)
 
     def equations(self) -> Stated:
-        e = self.s_rel - self.s_rel0
-        yield self.f == self.k * e + self.k3 * e**3
+        yield self.f == self.k * self.e + self.k3 * self.e**3
 
 
 class BilinearSpring(Compliant):
@@ -131,10 +153,12 @@ class BilinearSpring(Compliant):
     k_pull = parameter("N/m", "stiffness when pulled", min=0)
     k_push = parameter("N/m", "stiffness when pushed", min=0)
     s_rel0 = parameter("m", "unstretched length", default=0.0)
+    pull = property(lambda self: ca.fmax(self.s_rel - self.s_rel0, 0))
+    push = property(lambda self: ca.fmin(self.s_rel - self.s_rel0, 0))
+    potential = energy(lambda self: self.k_pull * self.pull**2 / 2 + self.k_push * self.push**2 / 2)
 
     def equations(self) -> Stated:
-        e = self.s_rel - self.s_rel0
-        yield self.f == self.k_pull * ca.fmax(e, 0) + self.k_push * ca.fmin(e, 0)
+        yield self.f == self.k_pull * self.pull + self.k_push * self.push
 
 
 class Ripple(Compliant):
@@ -146,10 +170,13 @@ class Ripple(Compliant):
     f_sin = parameter("N", "amplitude of the sine")
     f_cos = parameter("N", "amplitude of the cosine", default=0.0)
     period = parameter("m", "travel after which the force comes back", above=0)
+    waves = property(lambda self: 2 * pi / self.period)
+    angle = property(lambda self: self.waves * self.s_rel)
+    wave = property(lambda self: self.f_sin * (1 - ca.cos(self.angle)) + self.f_cos * ca.sin(self.angle))
+    potential = energy(lambda self: self.wave / self.waves)
 
     def equations(self) -> Stated:
-        angle = 2 * pi * self.s_rel / self.period
-        yield self.f == self.f_sin * ca.sin(angle) + self.f_cos * ca.cos(angle)
+        yield self.f == self.f_sin * ca.sin(self.angle) + self.f_cos * ca.cos(self.angle)
 
 
 class HarmonicRipple(Compliant):
@@ -169,15 +196,30 @@ class HarmonicRipple(Compliant):
     f_cos_3 = parameter("N", "amplitude of the cosine of a third of the period", default=0.0)
     period = parameter("m", "travel after which the force comes back", above=0)
 
-    def equations(self) -> Stated:
+    @property
+    def harmonics(self) -> list[tuple[int, Expression, Expression, Expression]]:
+        """Order, angle, and amplitudes of sine and cosine of each."""
         x = 2 * pi * self.s_rel / self.period
-        first = self.f_sin * ca.sin(x) + self.f_cos * ca.cos(x)
-        second = self.f_sin_2 * ca.sin(2 * x) + self.f_cos_2 * ca.cos(2 * x)
-        third = self.f_sin_3 * ca.sin(3 * x) + self.f_cos_3 * ca.cos(3 * x)
-        yield self.f == first + second + third
+        amplitudes = (
+            (self.f_sin, self.f_cos),
+            (self.f_sin_2, self.f_cos_2),
+            (self.f_sin_3, self.f_cos_3),
+        )
+        return [(h, h * x, *pair) for h, pair in enumerate(amplitudes, 1)]
+
+    @property
+    def store(self) -> Expression:
+        """Energy stored."""
+        waves = sum((s * (1 - ca.cos(x)) + c * ca.sin(x)) / h for h, x, s, c in self.harmonics)
+        return waves * self.period / (2 * pi)
+
+    potential = energy(lambda self: self.store)
+
+    def equations(self) -> Stated:
+        yield self.f == sum(s * ca.sin(x) + c * ca.cos(x) for _, x, s, c in self.harmonics)
 
 
-class CubicDamper(CompliantWithSpeed):
+class CubicDamper(Dissipative):
     """Damper with force growing with the cube of speed: f = d3 v_rel^3.
 
     Source: A. H. Nayfeh, D. T. Mook, Nonlinear Oscillations (1979).
@@ -189,7 +231,7 @@ class CubicDamper(CompliantWithSpeed):
         yield self.f == self.d3 * self.v_rel**3
 
 
-class ShearThinningDamper(CompliantWithSpeed):
+class ShearThinningDamper(Dissipative):
     """Damper whose oil thins where it is sheared fast: f = d v_e asinh(v_rel/v_e).
 
     Viscous at speeds far below v_e; from there on it grows with the logarithm of the speed.
@@ -204,7 +246,7 @@ class ShearThinningDamper(CompliantWithSpeed):
         yield self.f == self.d * self.v_e * ca.asinh(self.v_rel / self.v_e)
 
 
-class QuadraticDamper(CompliantWithSpeed):
+class QuadraticDamper(Dissipative):
     """Damper with force growing with the square of speed: f = c v_rel |v_rel|."""
 
     c = parameter("N.s2/m2", "quadratic damping constant", min=0)
@@ -213,7 +255,7 @@ class QuadraticDamper(CompliantWithSpeed):
         yield self.f == self.c * self.v_rel * ca.fabs(self.v_rel)
 
 
-class BoucWen(CompliantWithSpeed):
+class BoucWen(CompliantWithSpeed, HystereticSpring):
     """Hysteretic spring: f = alpha k s_rel + (1 - alpha) k z.
 
     z' = A v_rel - beta |v_rel| |z|^(n-1) z - gamma v_rel |z|^n, with z [m] the hysteretic displacement.
@@ -222,17 +264,21 @@ class BoucWen(CompliantWithSpeed):
     """
 
     k = parameter("N/m", "initial stiffness", min=0)
-    alpha = parameter("1", "share of stiffness after yield", min=0, max=1, default=0.1)
-    A = parameter("1", "scale of the hysteretic displacement", above=0, default=1.0)
     beta = parameter("1/m^n", "loop shape against the motion", min=0)
     gamma = parameter("1/m^n", "loop shape along the motion")
-    n = parameter("1", "sharpness of yield", min=1, default=2.0)
     z = variable("m", "hysteretic displacement")
 
+    @property
+    def stretch(self) -> Expression:
+        return self.s_rel
+
+    @property
+    def speed(self) -> Expression:
+        return self.v_rel
+
+    @property
+    def stiffness(self) -> Expression:
+        return self.k
+
     def equations(self) -> Stated:
-        v, z = self.v_rel, self.z
-        size = ca.fmax(ca.fabs(z), LEAST_HYSTERESIS)  # above 0, where x^n has a slope in n
-        yield self.f == self.alpha * self.k * self.s_rel + (1 - self.alpha) * self.k * z
-        yield der(z) == (
-            self.A * v - self.beta * ca.fabs(v) * size ** (self.n - 1) * z - self.gamma * v * size**self.n
-        )
+        yield self.f == self.restoring

@@ -3,11 +3,22 @@
 import casadi as ca
 
 from ..elastoplastic import ElastoPlastic
-from ..language import Component, Expression, RealInput, Stated, TranslationalFlange, der, parameter, variable
+from ..language import (
+    Component,
+    Expression,
+    RealInput,
+    Stated,
+    TranslationalFlange,
+    der,
+    dissipation,
+    energy,
+    parameter,
+    variable,
+)
 from ..pressed import PressedStickSlip
 from ..stickslip import StickSlip
 from ..tables import interpolated, over_speed
-from .compliances import Compliant, CompliantWithSpeed
+from .compliances import Compliant, CompliantWithSpeed, Dissipative
 
 
 class Friction(Compliant, StickSlip):
@@ -83,6 +94,10 @@ class Jenkins(CompliantWithSpeed, ElastoPlastic):
     @property
     def speed(self) -> Expression:
         return self.v_rel
+
+    @property
+    def stiffness(self) -> Expression:
+        return self.k
 
     @property
     def slip_stretch(self) -> Expression:
@@ -187,7 +202,7 @@ class PositionDependentFriction(Friction):
         return self.f_c + self.f_1 * e + self.f_2 * e**2 + waves + 0 * speed
 
 
-class DahlFriction(CompliantWithSpeed):
+class DahlFriction(Dissipative):
     """Dry friction that builds up elastically before it slips: f = f_c z.
 
     s_p z' = v_rel - |v_rel| z: the share z of f_c grows by displacement/s_p at first, and comes within
@@ -199,6 +214,8 @@ class DahlFriction(CompliantWithSpeed):
     f_c = parameter("N", "friction force once it slips", min=0)
     s_p = parameter("m", "presliding displacement", above=0)
     z = variable("1", "share of the friction force that has built up")
+    potential = energy(lambda self: self.f_c * self.s_p * self.z**2 / 2)
+    lossPower = dissipation(lambda self: self.f_c * ca.fabs(self.v_rel) * self.z**2)
 
     def equations(self) -> Stated:
         yield self.f == self.f_c * self.z

@@ -2,7 +2,7 @@
 
 import casadi as ca
 
-from ..language import Component, Stated, TranslationalFlange, der, parameter, variable
+from ..language import Component, Stated, TranslationalFlange, der, energy, parameter, variable
 
 
 class Fixed(Component):
@@ -46,6 +46,7 @@ class Mass(Component):
     s = variable("m", "position")
     v = variable("m/s", "velocity")
     a = variable("m/s2", "acceleration")
+    kinetic = energy(lambda self: self.m * self.v**2 / 2)
 
     def equations(self) -> Stated:
         yield self.flange.s == self.s

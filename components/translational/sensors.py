@@ -105,3 +105,28 @@ class ForceSensor(Component):
         yield self.flange_a.s == self.flange_b.s
         yield self.f == self.flange_a.f
         yield self.flange_a.f == -self.flange_b.f
+
+
+class PowerSensor(ForceSensor):
+    """Power as a signal, between flanges that move as one: power = f der(flange_a.s).
+
+    It is positive where what is joined to flange_a drives what is joined to flange_b.
+
+    Source: MSL Translational.Sensors.PowerSensor.
+    """
+
+    power = RealOutput("W", "power from flange_a to flange_b")
+    v = variable("m/s", "velocity of the flanges", state="avoid")
+
+    def equations(self) -> Stated:
+        yield self.v == der(self.flange_a.s)
+        yield self.power == self.f * self.v
+
+
+class MultiSensor(PowerSensor):
+    """Velocity, force and power as signals: v, f and power = f v.
+
+    Source: MSL Translational.Sensors.MultiSensor.
+    """
+
+    v = RealOutput("m/s", "velocity of the flanges")

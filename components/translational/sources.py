@@ -4,7 +4,9 @@ from ..filtered import Filtered
 from ..language import Component, RealInput, Stated, TranslationalFlange, der, parameter, variable
 
 
-class _Driven(Component):
+class DrivenFlange(Component):
+    """A flange that is driven, and the support that takes the reaction."""
+
     has_law = False
     flange = TranslationalFlange("what is driven")
     support = TranslationalFlange("what reacts", optional=True)
@@ -13,7 +15,7 @@ class _Driven(Component):
         yield self.support.f == -self.flange.f
 
 
-class Force(_Driven):
+class Force(DrivenFlange):
     """A force that acts on a flange: flange.f = -f, so positive f accelerates it.
 
     Source: MSL Translational.Sources.Force.
@@ -25,7 +27,7 @@ class Force(_Driven):
         yield self.flange.f == -self.f
 
 
-class Position(Filtered, _Driven):
+class Position(Filtered, DrivenFlange):
     """A prescribed position: flange.s - support.s = s_ref. Its velocity and acceleration follow.
 
     Where s_ref bends or jumps, what that takes acts as a shock, whose impulse is an event of the run; a
@@ -45,7 +47,7 @@ class Position(Filtered, _Driven):
         yield from self.follow_position(self.s_ref, self.s, self.lead)
 
 
-class Speed(Filtered, _Driven):
+class Speed(Filtered, DrivenFlange):
     """A prescribed velocity: der(s) = v_ref, from the start position s.
 
     Where v_ref jumps, what that takes acts as a shock, whose impulse is an event of the run. With
@@ -64,7 +66,7 @@ class Speed(Filtered, _Driven):
         yield from self.follow_speed(self.v_ref, self.v)
 
 
-class Accelerate(_Driven):
+class Accelerate(DrivenFlange):
     """A prescribed acceleration: der(v) = a_ref, from the start position s and velocity v.
 
     Source: MSL Translational.Sources.Accelerate.
@@ -80,7 +82,7 @@ class Accelerate(_Driven):
         yield der(self.v) == self.a_ref
 
 
-class ConstantForce(_Driven):
+class ConstantForce(DrivenFlange):
     """A constant force, such as weight: flange.f = -f_constant.
 
     Source: MSL Translational.Sources.ConstantForce.

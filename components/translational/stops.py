@@ -2,9 +2,23 @@
 
 import casadi as ca
 
-from ..contact import past_clearance
-from ..language import Component, Shock, Stated, TranslationalFlange, der, impulse, mode, parameter, variable
-from .compliances import Compliant, CompliantWithSpeed
+from ..contact import clearance_energy, past_clearance
+from ..language import (
+    Component,
+    Shock,
+    Stated,
+    TranslationalFlange,
+    der,
+    dissipation,
+    energy,
+    impulse,
+    mode,
+    parameter,
+    variable,
+)
+from ..limits import limited
+from ..lossy import Lossy
+from .compliances import Compliant, Dissipative
 from .friction import StribeckFriction
 from .masses import Mass
 
@@ -13,12 +27,13 @@ LOWEST_REBOUND = 1e-12  # [m]
 LEAST_DEPTH = 1e-300  # [m]
 
 
-class HardStop(Compliant):
+class HardStop(Compliant, Lossy):
     """Two flanges that cannot come closer than s_rel = s_min.
 
     A shock reverses the relative velocity, v_rel+ = -e v_rel-, by the impulse J that this takes.
     Slower than `v_rest` afterwards, or too slow for a rebound of 1e-12 m against what presses them
-    together, they stay in contact until they are pulled apart.
+    together, they stay in contact until they are pulled apart. `lossPower` is zero: shocks take no time, and
+    what they lose is told by `run.energy()`.
 
     Source: I. Newton's law of restitution.
     """
@@ -31,6 +46,7 @@ class HardStop(Compliant):
     s_rel = variable("m", "distance of the flanges", state="prefer")
     v_rel = variable("m/s", "relative velocity of the flanges", state="prefer")
     a_rel = variable("m/s2", "relative acceleration of the flanges")
+    lossPower = dissipation(lambda self: self.f * self.v_rel)
 
     def equations(self) -> Stated:
         yield self.v_rel == der(self.s_rel)
@@ -92,7 +108,7 @@ class MassWithStopAndFriction(Component):
         yield self.support, self.friction.flange_a, self.lower.flange_a, self.upper.flange_b
 
 
-class ElastoGap(CompliantWithSpeed):
+class ElastoGap(Dissipative):
     """Spring and damper that touch only while s_rel < s_rel0.
 
     f = f_c + f_d with f_c = -k (s_rel0 - s_rel)^n and f_d = min(max(d v_rel, f_c), -f_c); f = 0 apart.
@@ -105,15 +121,17 @@ class ElastoGap(CompliantWithSpeed):
     d = parameter("N.s/m", "damping constant", min=0)
     s_rel0 = parameter("m", "distance at which the contact begins", default=0.0)
     n = parameter("1", "exponent of the spring", min=1, default=1.0)
+    depth = property(lambda self: ca.fmax(self.s_rel0 - self.s_rel, LEAST_DEPTH))  # x^n has a slope in n
+    spring = property(lambda self: -self.k * (self.depth**self.n - LEAST_DEPTH**self.n))
+    damping = property(lambda self: limited(self.d * self.v_rel, self.spring, -self.spring))
+    potential = energy(lambda self: self.k * self.depth ** (self.n + 1) / (self.n + 1))
+    lossPower = dissipation(lambda self: self.damping * self.v_rel)
 
     def equations(self) -> Stated:
-        pressed = ca.fmax(self.s_rel0 - self.s_rel, LEAST_DEPTH)  # above 0, where x^n has a slope in n
-        spring = -self.k * (pressed**self.n - LEAST_DEPTH**self.n)
-        damping = ca.fmin(ca.fmax(self.d * self.v_rel, spring), -spring)
-        yield self.f == spring + damping
+        yield self.f == self.spring + self.damping
 
 
-class Backlash(CompliantWithSpeed):
+class Backlash(Dissipative):
     """Spring and damper with clearance: a dead zone of half-width k eps on P + D.
 
     f = u - k eps where u = P + D >= k eps, u + k eps where u <= -k eps, else 0, with
@@ -129,6 +147,9 @@ class Backlash(CompliantWithSpeed):
     d = parameter("N.s/m", "damping constant", min=0)
     eps = parameter("m", "half of the clearance", min=0)
     s_rel0 = parameter("m", "distance at the middle of the clearance", default=0.0)
+    elastic = property(lambda self: past_clearance(self.k * (self.s_rel - self.s_rel0), self.k * self.eps))
+    potential = energy(lambda self: clearance_energy(self.s_rel - self.s_rel0, self.k, self.eps))
+    lossPower = dissipation(lambda self: (self.f - self.elastic) * self.v_rel)
 
     def equations(self) -> Stated:
         contact = self.k * (self.s_rel - self.s_rel0) + self.d * self.v_rel

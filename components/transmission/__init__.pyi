@@ -6,7 +6,9 @@ from typing import Any
 
 import numpy as np
 
-from ..language import Component, Number, ParameterValue
+from ..flanks import SlidingFlanks
+from ..language import Component, Number, ParameterValue, SignalValue
+from ..lossy import Lossy
 from ..stickslip import StickSlip
 
 class CompliantNutScrew(Component):
@@ -152,8 +154,141 @@ class Transmission(Component):
     """housing, against sliding"""
     phi: Any
     """angle against the housing [rad], fixed start value"""
+    w: Any
+    """speed of turning against the housing [rad/s], fixed start value"""
     s: Any
     """travel against the housing [m], fixed start value"""
+    def __init__(self, **values: Any) -> None: ...
+
+class Vehicle(Component):
+    """A vehicle on a road: (m + J/R^2) a = tau/R + f - air - rolling - m g sin(alpha), s = R phi.
+
+    air = Cd A rho/2 (v - vWind) |v - vWind|, rolling = Cr m g cos(alpha) with the sign of v, which goes
+    through zero in a straight line between -vReg and vReg; tan(alpha) is the inclination. It is driven at
+    flangeR, and may be coupled at flangeT; each may stay free.
+
+    Source: MSL Translational.Components.Vehicle.
+
+    Example:
+        >>> from inertance import Vehicle
+        >>> car = Vehicle(m=1200.0, J=2.0, R=0.3, A=2.0, Cd=0.3)
+
+    Args:
+        m: mass [kg], above 0.
+        J: inertia of what turns with the wheels [kg.m2], above 0.
+        R: rolling radius [m], above 0.
+        g: gravity [m/s2], at least 0.
+        A: cross-section [m2], at least 0.
+        Cd: drag coefficient, at least 0.
+        rho: density of the air [kg/m3], at least 0.
+        useWindInput: whether the wind comes in as vWind.
+        vWind: speed of the wind [m/s], a number, a function of time or Sampled data.
+        vWindConstant: speed of the wind [m/s].
+        useCrInput: whether Cr comes in as cr.
+        cr: rolling resistance coefficient, a number, a function of time or Sampled data.
+        CrConstant: rolling resistance coefficient, at least 0.
+        vReg: speed below which rolling resistance is rounded [m/s], above 0.
+        useInclinationInput: whether the slope comes in as inclination.
+        inclination: tangent of the slope, a number, a function of time or Sampled data.
+        inclinationConstant: tangent of the slope.
+        mass: Mass.
+        inertia: Inertia.
+        wheel: RollingWheel.
+        drag: QuadraticDamper.
+        s: position [m], fixed start value.
+        v: speed [m/s], fixed start value.
+        a: acceleration [m/s2], fixed start value.
+    """
+
+    flangeR: Any
+    """the wheel"""
+    flangeT: Any
+    """the vehicle"""
+    m: Any
+    """mass [kg], above 0"""
+    g: Any
+    """gravity [m/s2], at least 0"""
+    J: Any
+    """inertia of what turns with the wheels [kg.m2], above 0"""
+    R: Any
+    """rolling radius [m], above 0"""
+    A: Any
+    """cross-section [m2], at least 0"""
+    Cd: Any
+    """drag coefficient, at least 0"""
+    rho: Any
+    """density of the air [kg/m3], at least 0"""
+    useWindInput: Any
+    """whether the wind comes in as vWind"""
+    vWind: Any
+    """speed of the wind [m/s], a number, a function of time or Sampled data"""
+    vWindConstant: Any
+    """speed of the wind [m/s]"""
+    useCrInput: Any
+    """whether Cr comes in as cr"""
+    cr: Any
+    """rolling resistance coefficient, a number, a function of time or Sampled data"""
+    CrConstant: Any
+    """rolling resistance coefficient, at least 0"""
+    vReg: Any
+    """speed below which rolling resistance is rounded [m/s], above 0"""
+    useInclinationInput: Any
+    """whether the slope comes in as inclination"""
+    inclination: Any
+    """tangent of the slope, a number, a function of time or Sampled data"""
+    inclinationConstant: Any
+    """tangent of the slope"""
+    s: Any
+    """position [m], fixed start value"""
+    v: Any
+    """speed [m/s], fixed start value"""
+    a: Any
+    """acceleration [m/s2], fixed start value"""
+    mass: Any
+    """Mass"""
+    inertia: Any
+    """Inertia"""
+    wheel: Any
+    """RollingWheel"""
+    drag: Any
+    """QuadraticDamper"""
+    def __init__(
+        self,
+        *,
+        m: ParameterValue,
+        J: ParameterValue,
+        R: ParameterValue,
+        g: ParameterValue = 9.80665,
+        A: ParameterValue = 1.0,
+        Cd: ParameterValue = 0.5,
+        rho: ParameterValue = 1.2,
+        useWindInput: bool = False,
+        vWind: SignalValue = ...,
+        vWindConstant: ParameterValue = 0.0,
+        useCrInput: bool = False,
+        cr: SignalValue = ...,
+        CrConstant: ParameterValue = 0.015,
+        vReg: ParameterValue = 0.001,
+        useInclinationInput: bool = False,
+        inclination: SignalValue = ...,
+        inclinationConstant: ParameterValue = 0.0,
+        mass: Component = ...,
+        inertia: Component = ...,
+        wheel: Component = ...,
+        drag: Component = ...,
+        s: Number = ...,
+        v: Number = ...,
+        a: Number = ...,
+        **parts: Component,
+    ) -> None: ...
+
+class Crank(Transmission):
+    """A shaft that drives a slider to and fro without loss, by its angle and speed."""
+
+    w: Any
+    """speed against the housing [rad/s], fixed start value"""
+    lossPower: Any
+    """dissipated power [W]"""
     def __init__(self, **values: Any) -> None: ...
 
 class DiskFlywheel(Flywheel):
@@ -175,6 +310,10 @@ class DiskFlywheel(Flywheel):
     """radius [m], above 0"""
     J_s: Any
     """inertia of the screw that turns with it [kg.m2], at least 0"""
+    kinetic: Any
+    """stored energy [J]"""
+    @property
+    def J_e(self) -> Any: ...
     def __init__(
         self,
         *,
@@ -191,7 +330,7 @@ class IdealPlanetaryFlywheel(Flywheel):
     J_e = J_s + N (J_p ((R - r)/r)^2 + J_r). The ring, fixed to the housing, turns planets by
     J_p ((R - r)/r) (R/r) a each.
 
-    Limits: the housing may move but must not accelerate in turning.
+    Limits: the housing may move but must not accelerate in turning; `kinetic` holds where it does not turn.
 
     Source: Ge & Wang on the planetary flywheel inerter (see `machines.ge_wang`), eqs. (5), (7).
 
@@ -218,6 +357,12 @@ class IdealPlanetaryFlywheel(Flywheel):
     """inertia of a planet in spin [kg.m2], at least 0"""
     J_r: Any
     """inertia of a planet in revolution [kg.m2], at least 0"""
+    kinetic: Any
+    """stored energy [J]"""
+    @property
+    def spin(self) -> Any: ...
+    @property
+    def J_e(self) -> Any: ...
     def __init__(
         self,
         *,
@@ -241,6 +386,7 @@ class NutScrew(Transmission):
     Args:
         lead: travel of the nut for one turn of the screw [m], above 0.
         phi: angle against the housing [rad], fixed start value.
+        w: speed of turning against the housing [rad/s], fixed start value.
         s: travel against the housing [m], fixed start value.
     """
 
@@ -251,6 +397,7 @@ class NutScrew(Transmission):
         *,
         lead: ParameterValue,
         phi: Number = ...,
+        w: Number = ...,
         s: Number = ...,
     ) -> None: ...
 
@@ -326,6 +473,7 @@ class RollingWheel(Transmission):
     Args:
         R: rolling radius [m], above 0.
         phi: angle against the housing [rad], fixed start value.
+        w: speed of turning against the housing [rad/s], fixed start value.
         s: travel against the housing [m], fixed start value.
     """
 
@@ -336,6 +484,31 @@ class RollingWheel(Transmission):
         *,
         R: ParameterValue,
         phi: Number = ...,
+        w: Number = ...,
+        s: Number = ...,
+    ) -> None: ...
+
+class Cam(Crank):
+    """Grooved cam: s = h(phi) by points over one turn, no loss: tau + h'(phi) f = 0.
+
+    Between the points h is a cubic curve whose second derivative is steady, also from turn to turn, so that
+    accelerations do not jump. A follower that may lift off is an `ElastoGap` or `HardStop` behind it.
+
+    Args:
+        table: rows (angle [rad], lift [m]) over one turn.
+        phi: angle against the housing [rad], fixed start value.
+        w: speed against the housing [rad/s], fixed start value.
+        s: travel against the housing [m], fixed start value.
+    """
+
+    table: Any
+    """rows (angle [rad], lift [m]) over one turn"""
+    def __init__(
+        self,
+        *,
+        table: Any = ...,
+        phi: Number = ...,
+        w: Number = ...,
         s: Number = ...,
     ) -> None: ...
 
@@ -347,6 +520,7 @@ class RackPinion(RollingWheel):
     Args:
         R: rolling radius [m], above 0.
         phi: angle against the housing [rad], fixed start value.
+        w: speed of turning against the housing [rad/s], fixed start value.
         s: travel against the housing [m], fixed start value.
     """
 
@@ -355,7 +529,173 @@ class RackPinion(RollingWheel):
         *,
         R: ParameterValue,
         phi: Number = ...,
+        w: Number = ...,
         s: Number = ...,
+    ) -> None: ...
+
+class SliderCrank(Crank):
+    """Crank and connecting rod at any angle: s = r cos(phi) + sqrt(l^2 - (r sin(phi) - e)^2), no loss.
+
+    s is the distance of the slider from the crank's axis, largest at phi = 0 without offset e;
+    tau + ds/dphi f = 0, so that power is kept.
+
+    Limits: l must exceed r + |e|. In the dead centres the slider cannot turn the crank.
+
+    Args:
+        r: radius of the crank [m], above 0.
+        l: length of the connecting rod [m], above 0.
+        e: offset of the slider's line from the crank's axis [m].
+        phi: angle against the housing [rad], fixed start value.
+        w: speed against the housing [rad/s], fixed start value.
+        s: travel against the housing [m], fixed start value.
+    """
+
+    r: Any
+    """radius of the crank [m], above 0"""
+    l: Any
+    """length of the connecting rod [m], above 0"""
+    e: Any
+    """offset of the slider's line from the crank's axis [m]"""
+    def __init__(
+        self,
+        *,
+        r: ParameterValue,
+        l: ParameterValue,
+        e: ParameterValue = 0.0,
+        phi: Number = ...,
+        w: Number = ...,
+        s: Number = ...,
+    ) -> None: ...
+
+class Tyre(Transmission, Lossy):
+    """Tyre that slips along the road: f_x = D sin(C atan(B kappa - E (B kappa - atan(B kappa)))), D = mu F_z.
+
+    The slip kappa builds up over the relaxation length: sigma kappa' = R w - v - |v| kappa, also at rest.
+    f_x drives `flange_t`, the hub, forward and brakes `flange_r`, the rim, with R f_x. A rigid ring is a
+    `rotational.Inertia` at flange_r, on a `rotational.SpringDamper` of the side walls.
+
+    The carcass stores sigma times the integral of f_x over kappa; what is lost is f_x |v| kappa.
+
+    Limits: no camber, no side slip, no rolling resistance; F_z is constant.
+
+    Source: H. B. Pacejka, Tyre and Vehicle Dynamics, 3rd ed. (2012), the magic formula and transient slip.
+
+    Args:
+        R: effective rolling radius [m], above 0.
+        F_z: load on the tyre [N], at least 0.
+        mu: largest f_x over F_z, at least 0.
+        B: stiffness factor, above 0.
+        C: shape factor, above 0.
+        sigma: relaxation length [m], above 0.
+        useHeatPort: whether its losses leave as heat through heatPort.
+        E: curvature factor, at most 1.
+        phi: angle against the housing [rad], fixed start value.
+        w: speed of the rim [rad/s], fixed start value.
+        s: travel over the road [m], fixed start value.
+        v: speed over the road [m/s], fixed start value.
+        kappa: slip, fixed start value.
+        f_x: driving force [N], fixed start value.
+    """
+
+    R: Any
+    """effective rolling radius [m], above 0"""
+    F_z: Any
+    """load on the tyre [N], at least 0"""
+    mu: Any
+    """largest f_x over F_z, at least 0"""
+    B: Any
+    """stiffness factor, above 0"""
+    C: Any
+    """shape factor, above 0"""
+    E: Any
+    """curvature factor, at most 1"""
+    sigma: Any
+    """relaxation length [m], above 0"""
+    w: Any
+    """speed of the rim [rad/s], fixed start value"""
+    v: Any
+    """speed over the road [m/s], fixed start value"""
+    s: Any
+    """travel over the road [m], fixed start value"""
+    kappa: Any
+    """slip, fixed start value"""
+    f_x: Any
+    """driving force [N], fixed start value"""
+    potential: Any
+    """stored energy [J]"""
+    lossPower: Any
+    """dissipated power [W]"""
+    def force(self, kappa: Any) -> Any: ...
+    @property
+    def area(self) -> Any: ...
+    def __init__(
+        self,
+        *,
+        R: ParameterValue,
+        F_z: ParameterValue,
+        mu: ParameterValue,
+        B: ParameterValue,
+        C: ParameterValue,
+        sigma: ParameterValue,
+        useHeatPort: bool = False,
+        E: ParameterValue = 0.0,
+        phi: Number = ...,
+        w: Number = ...,
+        s: Number = ...,
+        v: Number = ...,
+        kappa: Number = ...,
+        f_x: Number = ...,
+    ) -> None: ...
+
+class LeadScrew(SlidingFlanks, Transmission):
+    """Screw whose flanks slide under load: phi = (2 pi/lead) s; where mu > lead/(pi d_m) it locks itself.
+
+    f + (2 pi/lead) (tau - tau_loss) = 0. Screw driving, the efficiency is tan(lambda)/tan(lambda + rho) with
+    tan(lambda) = lead/(pi d_m) and tan(rho) = mu. At rest the load is truly held. With a flank angle alpha,
+    mu is the friction coefficient over cos(alpha).
+
+    Limits: as for `SlidingFlanks`: mu tan(lambda) below 1, no locking by inertia alone.
+
+    Source: mechanics of the inclined plane, J. E. Shigley, Mechanical Engineering Design.
+
+    Args:
+        mu: friction coefficient of the flanks, at least 0.
+        lead: travel of the nut for one turn of the screw [m], above 0.
+        d_m: mean diameter of the thread [m], above 0.
+        useHeatPort: whether its losses leave as heat through heatPort.
+        tau_bf: friction torque of the bearings [N.m], at least 0.
+        phi: angle against the housing [rad], fixed start value.
+        w: speed of the screw against the housing [rad/s], fixed start value.
+        s: travel against the housing [m], fixed start value.
+        tau_loss: torque lost, seen where it is driven [N.m], fixed start value.
+        a: acceleration of the screw against the housing [rad/s2], fixed start value.
+    """
+
+    lead: Any
+    """travel of the nut for one turn of the screw [m], above 0"""
+    d_m: Any
+    """mean diameter of the thread [m], above 0"""
+    w: Any
+    """speed of the screw against the housing [rad/s], fixed start value"""
+    a: Any
+    """acceleration of the screw against the housing [rad/s2], fixed start value"""
+    @property
+    def load_torque(self) -> Any: ...
+    @property
+    def slope(self) -> Any: ...
+    def __init__(
+        self,
+        *,
+        mu: ParameterValue,
+        lead: ParameterValue,
+        d_m: ParameterValue,
+        useHeatPort: bool = False,
+        tau_bf: ParameterValue = 0.0,
+        phi: Number = ...,
+        w: Number = ...,
+        s: Number = ...,
+        tau_loss: Number = ...,
+        a: Number = ...,
     ) -> None: ...
 
 class Planet(PlanetGear, StickSlip):
@@ -380,6 +720,7 @@ class Planet(PlanetGear, StickSlip):
         J_r: inertia of the planet in revolution [kg.m2], at least 0.
         k_r: mesh stiffness [N/m], at least 0.
         c_r: mesh damping [N.s/m], at least 0.
+        useHeatPort: whether its losses leave as heat through heatPort.
         peak: break-away resistance over sliding resistance at rest, at least 1.
         regularised: speed over which the sign of the motion is smoothed (no events, but creeps when it should
             stick).
@@ -432,7 +773,15 @@ class Planet(PlanetGear, StickSlip):
     """mesh force along the line of action [N], fixed start value"""
     T_fp: Any
     """friction torque on the planet [N.m], fixed start value"""
+    kinetic: Any
+    """stored energy [J]"""
+    potential: Any
+    """stored energy [J]"""
+    lossPower: Any
+    """dissipated power [W]"""
     quantities: Any
+    @property
+    def elastic(self) -> Any: ...
     def sliding(self, speed: Any) -> Any: ...
     def __init__(
         self,
@@ -443,6 +792,7 @@ class Planet(PlanetGear, StickSlip):
         J_r: ParameterValue,
         k_r: ParameterValue,
         c_r: ParameterValue,
+        useHeatPort: bool = False,
         peak: ParameterValue = 1.0,
         regularised: Any = None,
         alpha: ParameterValue = 0.3490658503988659,

@@ -2,7 +2,7 @@
 
 from math import pi
 
-from ..language import Component, RotationalFlange, Stated, TranslationalFlange, parameter, variable
+from ..language import Component, RotationalFlange, Stated, TranslationalFlange, der, parameter, variable
 from ..rotational import Damper
 from ..translational import Backlash, Mass
 
@@ -15,10 +15,12 @@ class Transmission(Component):
     support_r = RotationalFlange("housing, against turning", optional=True)
     support_t = TranslationalFlange("housing, against sliding", optional=True)
     phi = variable("rad", "angle against the housing", state="prefer")
+    w = variable("rad/s", "speed of turning against the housing", state="prefer")
     s = variable("m", "travel against the housing", state="avoid")
 
     def equations(self) -> Stated:
         yield self.phi == self.flange_r.phi - self.support_r.phi
+        yield self.w == der(self.phi)
         yield self.s == self.flange_t.s - self.support_t.s
         yield self.support_r.tau == -self.flange_r.tau
         yield self.support_t.f == -self.flange_t.f

@@ -5,8 +5,19 @@ from math import pi
 import casadi as ca
 
 from ...base import counting, smoothing
-from ..contact import past_clearance
-from ..language import Component, Expression, RotationalFlange, Stated, der, option, parameter, variable
+from ..contact import clearance_energy, past_clearance
+from ..language import (
+    Component,
+    Expression,
+    RotationalFlange,
+    Stated,
+    der,
+    dissipation,
+    energy,
+    option,
+    parameter,
+    variable,
+)
 from ..rotational import Inertia
 from ..stickslip import StickSlip
 
@@ -33,9 +44,11 @@ class DiskFlywheel(Flywheel):
     m = parameter("kg", "mass", above=0)
     R = parameter("m", "radius", above=0)
     J_s = parameter("kg.m2", "inertia of the screw that turns with it", min=0, default=0.0)
+    J_e = property(lambda self: self.m * self.R**2 / 2 + self.J_s)
+    kinetic = energy(lambda self: self.J_e * self.w**2 / 2)
 
     def equations(self) -> Stated:
-        yield self.flange.tau == (self.m * self.R**2 / 2 + self.J_s) * self.a
+        yield self.flange.tau == self.J_e * self.a
         yield self.support.tau == 0
 
 
@@ -45,7 +58,7 @@ class IdealPlanetaryFlywheel(Flywheel):
     J_e = J_s + N (J_p ((R - r)/r)^2 + J_r). The ring, fixed to the housing, turns planets by
     J_p ((R - r)/r) (R/r) a each.
 
-    Limits: the housing may move but must not accelerate in turning.
+    Limits: the housing may move but must not accelerate in turning; `kinetic` holds where it does not turn.
 
     Source: Ge & Wang on the planetary flywheel inerter (see `machines.ge_wang`), eqs. (5), (7).
     """
@@ -56,12 +69,13 @@ class IdealPlanetaryFlywheel(Flywheel):
     J_s = parameter("kg.m2", "inertia of bracket and screw", min=0)
     J_p = parameter("kg.m2", "inertia of a planet in spin", min=0)
     J_r = parameter("kg.m2", "inertia of a planet in revolution", min=0)
+    spin = property(lambda self: (self.R - self.r) / self.r)
+    J_e = property(lambda self: self.J_s + self.N * (self.J_p * self.spin**2 + self.J_r))
+    kinetic = energy(lambda self: self.J_e * self.w**2 / 2)
 
     def equations(self) -> Stated:
-        spin = (self.R - self.r) / self.r
-        J_e = self.J_s + self.N * (self.J_p * spin**2 + self.J_r)
-        yield self.flange.tau == J_e * self.a
-        yield self.support.tau == -self.N * self.J_p * spin * self.R / self.r * self.a
+        yield self.flange.tau == self.J_e * self.a
+        yield self.support.tau == -self.N * self.J_p * self.spin * self.R / self.r * self.a
 
 
 class PlanetGear(Component):
@@ -112,6 +126,18 @@ class Planet(PlanetGear, StickSlip):
     T_fp = variable("N.m", "friction torque on the planet")
 
     quantities = "T_fp", "w_p", "a_p"
+    elastic = property(lambda self: past_clearance(self.k_r * self.s_rel, self.k_r * self.g_r))
+    kinetic = energy(
+        lambda self: (
+            self.count
+            * (self.J_p * (self.w_p - self.w_ring) ** 2 + self.J_r * (self.w_s + self.w_ring) ** 2)
+            / 2
+        )
+    )
+    potential = energy(lambda self: self.count * clearance_energy(self.s_rel, self.k_r, self.g_r))
+    lossPower = dissipation(
+        lambda self: self.count * (self.T_fp * self.w_p + (self.F_p - self.elastic) * self.v_rel)
+    )
 
     def sliding(self, speed: Expression) -> Expression:
         """Friction torque at a speed of spin."""

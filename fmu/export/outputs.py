@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 
 from ...base import ModelError
-from ...components.language import Port, RealInput, RealOutput
+from ...components.language import Field, Port, RealInput, RealOutput, fields_of
 from ...networks import DAE, matching_signals
 
 
@@ -51,7 +51,7 @@ def _signals(dae: DAE) -> list[str]:
     measured: dict[int, str] = {}
     instances = dae.flat.instances.items()
     for path, instance in sorted(instances, key=lambda item: item[0].count(".")):
-        fields = type(instance.component).fields.values()
+        fields = fields_of(instance.component, Field)
         sensor = any(isinstance(f, Port) for f in fields) and not any(
             isinstance(f, RealInput) for f in fields
         )
@@ -68,7 +68,8 @@ def _signals(dae: DAE) -> list[str]:
 def locals_of(dae: DAE, shown: Iterable[str]) -> list[str]:
     """Return the declared variables that are not shown yet, each joined variable once."""
     names = dae.declared
-    seen = {dae.root(name)[0] for name in shown if name not in dae.switching.mode_names}
+    moving = [name for name in shown if name not in dae.switching.mode_names and not dae.derived.unit(name)]
+    seen = {dae.root(name)[0] for name in moving}
     seen |= {declared.variable for declared in dae.inputs}
     best = [number for root, number in names.best.items() if root not in seen]
     found = (names.full_name(number) for number in best if names.facts[number].rank >= 2)

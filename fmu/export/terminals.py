@@ -96,7 +96,10 @@ def _flange(network: Network, path: str) -> tuple[PortRef, Domain]:
     flanges = {n: f for n, f in type(owner).fields.items() if isinstance(f, Port)}
     if last not in flanges:
         raise UnknownNameError(f"there is no flange '{path}'{nearest(last, flanges)}")
-    return PortRef(owner, last), flanges[last].domain
+    domain = flanges[last].domain
+    if not isinstance(domain, Domain):
+        raise ModelError(f"'{path}' is a {domain} port; a terminal is a flange that slides or turns")
+    return PortRef(owner, last), domain
 
 
 def _part(domain: Domain, causality: str) -> tuple[Network, list[PortRef], dict[str, str]]:

@@ -72,7 +72,7 @@ def interface(
     first = list(accumulate(counts, initial=1))  # value reference of each kind; time has 0
     scalars = [Scalar("time", 0, "independent", initial=None, unit="s", doc="simulation time")]
     scalars += [_state(dae, name, first[0] + k, start, k) for k, name in enumerate(names)]
-    scalars += [_rate(dae, name, first[1] + k, first[0] + k) for k, name in enumerate(names)]
+    scalars += [_rate(dae, name, first[1] + k, first[0] + k, names) for k, name in enumerate(names)]
     scalars += [_input(dae, dae.inputs[place], first[2] + k) for k, place in enumerate(free)]
     scalars += [_parameter(dae, name, value, first[3] + k) for k, (name, value) in enumerate(values.items())]
     scalars += [_other(dae, name, first[4] + k) for k, name in enumerate(variables)]
@@ -111,9 +111,10 @@ def _state(dae: DAE, name: str, reference: int, start: Start, k: int) -> Scalar:
     )  # fmt: skip
 
 
-def _rate(dae: DAE, name: str, reference: int, state: int) -> Scalar:
-    unit = rate_unit(dae.unit(name))
-    return Scalar(f"der({name})", reference, unit=unit, doc=f"rate of {name}", derivative_of=state)
+def _rate(dae: DAE, name: str, reference: int, state: int, states: Sequence[str]) -> Scalar:
+    unit, told = rate_unit(dae.unit(name)), f"der({name})"
+    told = f"der({name},1)" if told in states else told  # which is a state itself, and another variable
+    return Scalar(told, reference, unit=unit, doc=f"rate of {name}", derivative_of=state)
 
 
 def _input(dae: DAE, declared: Input, reference: int) -> Scalar:
@@ -157,6 +158,8 @@ def _indicator(dae: DAE, k: int, reference: int) -> Scalar:
 
 def _described(dae: DAE, path: str) -> str:
     """Return what the declaration of a variable says of it."""
+    if dae.derived.unit(path) is not None:
+        return dae.derived.doc(path)
     inner = path.removeprefix("der(").removesuffix(")")
     told = dae.declared.facts[dae.flat.variable(inner)].doc
     return told if inner == path else f"rate of {inner}"

@@ -7,7 +7,7 @@ from typing import Any
 
 from ...base import ModelError, nearest, shown
 from ...components import FAMILIES, Component, Domain
-from ...components.language import Port, PortRef, RealInput, parts_of
+from ...components.language import Field, Port, PortRef, RealInput, fields_of, parts_of
 from ..given import element_of
 from ..network import Network
 from .linearise import linearise
@@ -71,7 +71,7 @@ def _probed(network: Component, flange_a: str, flange_b: str, how: str) -> tuple
         net = Network("element", element=network.clone())
         flange_a, flange_b = f"element.{flange_a}", f"element.{flange_b}"
     a, b = (port(net, path) for path in (flange_a, flange_b))
-    if a.domain is None or a.domain != b.domain:
+    if not isinstance(a.domain, Domain) or a.domain != b.domain:
         raise ModelError(f"'{flange_a}' and '{flange_b}' must be two flanges that both slide or both turn")
     family = FAMILIES[a.domain]
     if not isinstance(network, Network):
@@ -97,7 +97,7 @@ def port(net: Network, path: str) -> PortRef:
         if step not in parts_of(part):
             raise ModelError(f"'{net.name}' has no part '{step}' in '{path}'{nearest(step, parts_of(part))}")
         part = parts_of(part)[step]
-    ports = [n for n, field in type(part).fields.items() if isinstance(field, Port | RealInput)]
+    ports = [field.name for field in fields_of(part, Field) if isinstance(field, Port | RealInput)]
     if name not in ports:
         raise ModelError(f"'{path}': there is no such flange{nearest(name, ports)}")
     return PortRef(part, name)

@@ -6,7 +6,16 @@ from collections import defaultdict
 from dataclasses import dataclass, field
 from typing import Any
 
-from ...components.language import Domain, Port, PortRef, RealInput, RealOutput, fields_of, values_of
+from ...components.language import (
+    Domain,
+    Port,
+    PortRef,
+    RealInput,
+    RealOutput,
+    fields_of,
+    is_there,
+    values_of,
+)
 from .flat import FatalProblem, Flat, Instance
 
 _Member = tuple[Instance, str, int]
@@ -67,6 +76,11 @@ def _members(
             told = f"{port!r} is connected in {owner if owner.path else 'the network'}"
             remedy = "but belongs to no component of it; add the component, or connect it where it lives"
             problems.append(FatalProblem(f"{told} {remedy}"))
+            continue
+        declared = port_of(instance, port.name)
+        if not is_there(instance.component, declared):
+            told = f"{instance}: {port.name} is there with {declared.when}=True only"
+            problems.append(FatalProblem(told))
             continue
         members.append((instance, port.name, -1 if instance is owner else 1))
     return members
@@ -177,7 +191,7 @@ def find_inputs(flat: Flat, nodes: list[Node]) -> None:
             declared = port_of(instance, name)
             source = RealOutput if sign > 0 else RealInput
             if isinstance(declared, source) and (sign > 0 or instance.parent is not None):
-                driven.update((id(i), n) for i, n, _ in node.ports)
+                driven.update((id(i), n) for i, n, inner in node.ports if inner > 0)
     for instance in flat.instances.values():
         for declared in fields_of(instance.component, RealInput):
             if (id(instance), declared.name) not in driven:

@@ -9,6 +9,7 @@ from typing import Any
 import casadi as ca
 import numpy as np
 
+from ...base import Ints
 from .connections import Node
 from .families import Family, sum_family
 from .flat import Flat, Instance
@@ -29,6 +30,22 @@ def local_arguments(flat: Flat, group: list[Instance]) -> tuple[Any, Any]:
     arguments = ca.vertcat(parameters, *discrete) if discrete else parameters
     symbols = [*template.parameters.values(), *template.modes.values(), *template.impulses.values()]
     return column(symbols), arguments
+
+
+def local_values(flat: Flat, group: list[Instance], rows: Ints, expression: Any, values: Any) -> Any:
+    """Return an expression of local symbols for some of like instances, as SX columns.
+
+    `values` are all joined variables as `padded` returns them.
+    """
+    template = group[0].template
+    locals_ = ca.vertcat(*template.variables.values())
+    size, chosen = locals_.numel(), [group[row] for row in rows.tolist()]
+    found = np.array([flat.joined.find(i.base + k) for i in chosen for k in range(size)])
+    columns, signs = (found[:, k].reshape(len(chosen), size) for k in (0, 1))
+    given, arguments = local_arguments(flat, chosen)
+    form = Form(ca.SX(0), locals_, given, time=template.time)
+    family = Family(form, columns, signs, arguments, str)
+    return family.evaluate(expression, np.arange(len(chosen)), values, flat.time)
 
 
 def _label(members: Sequence[Instance | Node]) -> Callable[[int], str]:

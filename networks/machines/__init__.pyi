@@ -1,4 +1,5 @@
 from . import ge_wang as ge_wang
+from .absorbers import NES as NES
 from .absorbers import TMD as TMD
 from .absorbers import TMDI as TMDI
 from .absorbers import tid as tid
@@ -8,10 +9,14 @@ from .dampers import BilinearDamper as BilinearDamper
 from .dampers import BumpStop as BumpStop
 from .dampers import DigressiveDamper as DigressiveDamper
 from .drivetrains import clutch_drivetrain as clutch_drivetrain
+from .electric import Servo as Servo
+from .electric import Shaker as Shaker
 from .frames import isolated_machine as isolated_machine
 from .frames import shear_frame as shear_frame
 from .frames import taut_cable as taut_cable
 from .inerters import BallScrewInerter as BallScrewInerter
+from .inerters import CrankInerter as CrankInerter
+from .inerters import MechatronicInerter as MechatronicInerter
 from .inerters import PlanetaryFlywheelInerter as PlanetaryFlywheelInerter
 from .inerters import RackPinionInerter as RackPinionInerter
 from .interconnected import InterconnectedStruts as InterconnectedStruts
@@ -32,6 +37,8 @@ from .shaken import Unbalance as Unbalance
 from .shaken import machine_foundation as machine_foundation
 from .shaken import sieve as sieve
 from .suspensions import suspension as suspension
+from .torsional import DualMassFlywheel as DualMassFlywheel
+from .torsional import TorsionalDamper as TorsionalDamper
 from .vehicles import PitchingBody as PitchingBody
 from .vehicles import RigidBody as RigidBody
 from .vehicles import full_car as full_car

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Any
 
-from ...components import Damper, Inerter, Mass, Spring, SpringDamper, TwoFlanges
+from ...components import CubicSpring, Damper, Inerter, Mass, Spring, SpringDamper, TwoFlanges
 from ...components.language import Component, Stated, parameter, variable
 from ..two_terminal import parallel, series
 
@@ -58,6 +58,39 @@ class TMDI(_TunedMass):
         yield from super().connections()
         yield self.mass.flange, self.inerter.flange_b
         yield self.inerter.flange_a, self.flange_a
+
+
+class NES(TwoFlanges):
+    """Nonlinear energy sink: a mass at flange_b on a damper and a cubic spring; nothing acts on flange_a.
+
+    Without a frequency of its own it resonates with any, once the motion is large enough, and takes the
+    energy.
+
+    Args:
+        m: mass [kg]; k3: cubic stiffness [N/m3]; d: damping constant [N.s/m]; k: linear stiffness [N/m],
+        small.
+
+    Source: A. F. Vakakis, O. V. Gendelman, Energy pumping in nonlinear mechanical oscillators: Part II,
+    J. Appl. Mech. 68 (2001) 42-48.
+    """
+
+    m = parameter("kg", "mass", above=0)
+    k3 = parameter("N/m3", "cubic stiffness", above=0)
+    d = parameter("N.s/m", "damping constant", min=0)
+    k = parameter("N/m", "linear stiffness", min=0, default=0.0)
+    f = variable("N", "force on the structure")
+
+    mass = Mass(m=m)
+    spring = CubicSpring(k=k, k3=k3)
+    damper = Damper(d=d)
+
+    def equations(self) -> Stated:
+        yield self.f == self.flange_b.f
+        yield self.flange_a.f == 0.0
+
+    def connections(self) -> Stated:
+        yield self.flange_b, self.spring.flange_a, self.damper.flange_a
+        yield self.spring.flange_b, self.damper.flange_b, self.mass.flange
 
 
 def tid(k: float, d: float, b: float | Component) -> Any:

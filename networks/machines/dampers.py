@@ -2,10 +2,10 @@
 
 import casadi as ca
 
-from ...components import Compliant, CompliantWithSpeed, Stated, parameter
+from ...components import Compliant, Dissipative, Stated, energy, parameter
 
 
-class BilinearDamper(CompliantWithSpeed):
+class BilinearDamper(Dissipative):
     """Damper with different slopes in bump and rebound: f = d_r v_rel apart, d_c v_rel together.
 
     Source: J. C. Dixon, The Shock Absorber Handbook, 2nd ed. (2007), section 7.6.
@@ -18,7 +18,7 @@ class BilinearDamper(CompliantWithSpeed):
         yield self.f == self.d_r * ca.fmax(self.v_rel, 0.0) + self.d_c * ca.fmin(self.v_rel, 0.0)
 
 
-class DigressiveDamper(CompliantWithSpeed):
+class DigressiveDamper(Dissipative):
     """Damper whose slope falls from d to d_h as its valves open: f = d_h v + (d - d_h) v/(1 + |v|/v_k).
 
     Limits: alike in bump and rebound.
@@ -45,7 +45,8 @@ class BumpStop(Compliant):
     k3 = parameter("N/m3", "stiffening", min=0, default=0.0)
     s_min = parameter("m", "distance at which it is compressed")
     s_max = parameter("m", "distance at which it is drawn out")
+    e = property(lambda self: ca.fmax(self.s_rel - self.s_max, 0.0) + ca.fmin(self.s_rel - self.s_min, 0.0))
+    potential = energy(lambda self: self.k * self.e**2 / 2 + self.k3 * self.e**4 / 4)
 
     def equations(self) -> Stated:
-        e = ca.fmax(self.s_rel - self.s_max, 0.0) + ca.fmin(self.s_rel - self.s_min, 0.0)
-        yield self.f == self.k * e + self.k3 * e**3
+        yield self.f == self.k * self.e + self.k3 * self.e**3

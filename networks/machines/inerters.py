@@ -2,7 +2,16 @@
 
 from typing import Any
 
-from ...components import CompliantNutScrew, DiskFlywheel, NutScrew, PlanetaryFlywheel, RackPinion, TwoFlanges
+from ...components import (
+    CompliantNutScrew,
+    DiskFlywheel,
+    NutScrew,
+    PlanetaryFlywheel,
+    RackPinion,
+    SliderCrank,
+    TwoFlanges,
+    rotational,
+)
 from ...components.language import Component, RotationalFlange, Stated, variable
 
 
@@ -76,3 +85,48 @@ class RackPinionInerter(FlywheelInerter):
 
     def connections(self) -> Stated:
         yield from self.joined(self.pinion)
+
+
+class CrankInerter(FlywheelInerter):
+    """A rod that turns a flywheel by a crank: an inertance that grows towards the dead centres.
+
+    f = b a_rel + b' v_rel^2/2 with b = J/(ds/dphi)^2, which is J/r^2 where the crank stands across, phi =
+    pi/2, and the rod is long. Start it there: `start={"...crank.phi": pi/2}`.
+
+    Args:
+        crank: the `SliderCrank`.
+        flywheel: `DiskFlywheel` or any other, on the crank's shaft.
+
+    Limits: between the dead centres, which stop the rod.
+    """
+
+    crank = SliderCrank()
+    flywheel: Component = DiskFlywheel()
+
+    def connections(self) -> Stated:
+        yield from self.joined(self.crank)
+
+
+class MechatronicInerter(FlywheelInerter):
+    """A ball screw that turns a flywheel and a motor, whose terminals a circuit joins.
+
+    b = (2 pi/lead)^2 (J + k^2 C) at low frequencies: the capacitor acts as an inertia, resistance and
+    inductance in series with it.
+
+    Args:
+        screw: `NutScrew` or `CompliantNutScrew`.
+        flywheel: rotor and disk.
+        motor: `rotational.ShuntedMotor`, with the circuit.
+
+    Source: F.-C. Wang, H.-A. Chan, Vehicle suspensions with a mechatronic network strut, Vehicle System
+    Dynamics 49 (2011) 811-830.
+    """
+
+    screw: Component = NutScrew()
+    flywheel: Component = DiskFlywheel()
+    motor = rotational.ShuntedMotor()
+
+    def connections(self) -> Stated:
+        yield from self.joined(self.screw)
+        yield self.screw.flange_r, self.motor.flange_b
+        yield self.support, self.motor.flange_a

@@ -3,13 +3,25 @@
 from __future__ import annotations
 
 from ...base import above, demand
-from ...components import Component, SpringDamper, TranslationalFlange, parameter, variable
+from ...components import (
+    Component,
+    Expression,
+    Lossy,
+    SpringDamper,
+    TranslationalFlange,
+    dissipation,
+    energy,
+    gas_energy,
+    gas_pressure,
+    parameter,
+    variable,
+)
 from ...components.language import Stated, der
 from ..network import Network
 from .vehicles import PitchingBody, add_corner
 
 
-class InterconnectedStruts(Component):
+class InterconnectedStruts(Lossy):
     """Two double-acting cylinders joined crosswise by two lines, each with a gas accumulator behind a valve.
 
         V_1 = A_r e_right - A_b e_left,   p_1 = p_0 (V_0/(V_0 - V_1))^n + R der(V_1),   line 2 the other way
@@ -42,6 +54,16 @@ class InterconnectedStruts(Component):
     q_2 = variable("m3/s", "flow into it")
     p_1 = variable("Pa", "pressure in line 1: left bore and right rod side", nominal=1e6)
     p_2 = variable("Pa", "pressure in line 2: right bore and left rod side", nominal=1e6)
+    potential = energy(lambda self: self.stored(self.V_1) + self.stored(self.V_2))
+    lossPower = dissipation(lambda self: self.R * (self.q_1**2 + self.q_2**2))
+
+    def stored(self, pressed: Expression) -> Expression:
+        """Return what an accumulator stores beyond what p_0 puts in."""
+        return gas_energy(self.V_0 - pressed, self.p_0, self.V_0, self.n) - self.p_0 * pressed
+
+    def pressure(self, pressed: Expression) -> Expression:
+        """Return the gas pressure of an accumulator."""
+        return gas_pressure(self.V_0 - pressed, self.p_0, self.V_0, self.n)
 
     def equations(self) -> Stated:
         left = self.left_b.s - self.left_a.s - self.s_rel0
@@ -50,8 +72,8 @@ class InterconnectedStruts(Component):
         yield self.A_r * left - self.A_b * right == self.V_2
         yield self.q_1 == der(self.V_1)
         yield self.q_2 == der(self.V_2)
-        yield self.p_1 == self.p_0 * (self.V_0 / (self.V_0 - self.V_1)) ** self.n + self.R * self.q_1
-        yield self.p_2 == self.p_0 * (self.V_0 / (self.V_0 - self.V_2)) ** self.n + self.R * self.q_2
+        yield self.p_1 == self.pressure(self.V_1) + self.R * self.q_1
+        yield self.p_2 == self.pressure(self.V_2) + self.R * self.q_2
         over_1, over_2 = self.p_1 - self.p_0, self.p_2 - self.p_0
         yield self.left_b.f == self.A_r * over_2 - self.A_b * over_1
         yield self.right_b.f == self.A_r * over_1 - self.A_b * over_2

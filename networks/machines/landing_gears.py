@@ -5,15 +5,25 @@ from __future__ import annotations
 import casadi as ca
 
 from ...base import above, at_least, between, demand
-from ...components import ConstantForce, ElastoGap, Fixed, HardStop, Mass
+from ...components import (
+    ConstantForce,
+    Dissipative,
+    ElastoGap,
+    Fixed,
+    HardStop,
+    Mass,
+    dissipation,
+    energy,
+    gas_energy,
+    gas_pressure,
+)
 from ...components.language import Component, Stated, parameter
-from ...components.translational import CompliantWithSpeed
 from ..network import Network
 
 GRAVITY = 9.80665  # [m/s2]
 
 
-class OleoStrut(CompliantWithSpeed):
+class OleoStrut(Dissipative):
     """Oleo-pneumatic shock strut: a gas spring, and oil pressed through an orifice.
 
         f = -p_0 A_a (V_0/(V_0 - A_a s))^n - rho A_h^3/(2 (C_d A_o)^2) der(s) |der(s)|,   s = s_rel0 - s_rel
@@ -34,12 +44,15 @@ class OleoStrut(CompliantWithSpeed):
     C_d = parameter("1", "coefficient of discharge", above=0)
     rho = parameter("kg/m3", "density of the oil", above=0)
     s_rel0 = parameter("m", "length when fully drawn out", default=0.0)
+    V = property(lambda self: self.V_0 + self.A_a * (self.s_rel - self.s_rel0))
+    resistance = property(lambda self: self.rho * self.A_h**3 / (2 * (self.C_d * self.A_o) ** 2))
+    oil = property(lambda self: self.resistance * self.v_rel * ca.fabs(self.v_rel))
+    potential = energy(lambda self: gas_energy(self.V, self.p_0, self.V_0, self.n))
+    lossPower = dissipation(lambda self: self.oil * self.v_rel)
 
     def equations(self) -> Stated:
-        stroke, speed = self.s_rel0 - self.s_rel, -self.v_rel
-        gas = self.p_0 * self.A_a * (self.V_0 / (self.V_0 - self.A_a * stroke)) ** self.n
-        oil = self.rho * self.A_h**3 / (2 * (self.C_d * self.A_o) ** 2) * speed * ca.fabs(speed)
-        yield self.f == -gas - oil
+        gas = self.A_a * gas_pressure(self.V, self.p_0, self.V_0, self.n)
+        yield self.f == self.oil - gas
 
 
 def landing_gear(

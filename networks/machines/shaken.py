@@ -8,7 +8,15 @@ import casadi as ca
 
 from ...base import above, between, demand
 from ...components import Component, Fixed, Mass, SpringDamper, rotational
-from ...components.language import RotationalFlange, Stated, TranslationalFlange, der, parameter, variable
+from ...components.language import (
+    RotationalFlange,
+    Stated,
+    TranslationalFlange,
+    der,
+    energy,
+    parameter,
+    variable,
+)
 from ..network import Network
 
 MOST = 1e60  # of what is squared
@@ -34,6 +42,9 @@ class Unbalance(Component):
     phi = variable("rad", "angle of the rotor")
     w = variable("rad/s", "speed of the rotor")
     alpha = variable("rad/s2", "angular acceleration of the rotor")
+    turning = property(lambda self: self.e * self.w)
+    sliding = property(lambda self: self.v + self.turning * ca.cos(self.phi))
+    kinetic = energy(lambda self: self.m * (self.sliding**2 + (self.turning * ca.sin(self.phi)) ** 2) / 2)
 
     def equations(self) -> Stated:
         across, along = ca.cos(self.phi), ca.sin(self.phi)

@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import Any
 
 from ...components import Force, Mass, Position, Spring, SpringDamper
-from ...components.language import Component, Stated, TranslationalFlange, der, parameter, variable
+from ...components.language import Component, Stated, TranslationalFlange, der, energy, parameter, variable
 from ..given import element_of
 from ..network import Network
 
@@ -52,6 +52,7 @@ class PitchingBody(_HeavingBody):
     rear = TranslationalFlange("rear axle", free=True)
     centre = TranslationalFlange("centre of mass", free=True)
     J = parameter("kg.m2", "moment of inertia in pitch", above=0)
+    kinetic = energy(lambda self: (self.m * self.v**2 + self.J * self.q**2) / 2)
 
     def equations(self) -> Stated:
         yield self.front.s == self.s - self.l_f * self.theta
@@ -107,6 +108,7 @@ class RigidBody(_HeavingBody):
     w = parameter("m", "track", above=0)
     phi = variable("rad", "roll", state="prefer")
     p = variable("rad/s", "roll rate", state="prefer")
+    kinetic = energy(lambda self: (self.m * self.v**2 + self.J_y * self.q**2 + self.J_x * self.p**2) / 2)
 
     def equations(self) -> Stated:
         half = self.w / 2

@@ -13,15 +13,23 @@ import numpy as np
 
 from ...base import ModelError
 from ...components import Fixed
-from ...components.language import Parameter, Port, RealOutput, Variable
+from ...components.language import Field, Parameter, Port, RealOutput, Variable, fields_of
 from ...components.rotational import Fixed as RotationalFixed
 from ..flattening.flat import Instance
 from ..flattening.union import SignedUnion
 from .pantelides import Equation, System, counted
 
 _T = TypeVar("_T")
-_GIVES_WAY = {"translational": "a Spring", "rotational": "a rotational.Spring"}
-_HAS_INERTIA = {"translational": "a Mass or a Fixed", "rotational": "an Inertia or a rotational.Fixed"}
+_GIVES_WAY = {
+    "translational": "a Spring",
+    "rotational": "a rotational.Spring",
+    "thermal": "a ThermalConductor",
+}
+_HAS_INERTIA = {
+    "translational": "a Mass or a Fixed",
+    "rotational": "an Inertia or a rotational.Fixed",
+    "thermal": "a HeatCapacitor or a FixedTemperature",
+}
 
 
 def check_structure(system: System) -> None:
@@ -92,9 +100,8 @@ class _Place:
     def ports(self, instances: Iterable[Instance]) -> Iterator[tuple[Instance, Port]]:
         """Yield the ports of components."""
         for instance in instances:
-            for declared in type(instance.component).fields.values():
-                if isinstance(declared, Port):
-                    yield instance, declared
+            for declared in fields_of(instance.component, Port):
+                yield instance, declared
 
     def number(self, instance: Instance, port: Port, kind: str) -> int:
         """Return the unknown that a port's across or through variable is."""
@@ -155,7 +162,7 @@ def _speaker(instance: Instance) -> Instance:
 def _unknowns(instance: Instance) -> list[str]:
     component = instance.component
     inside = {p.name for ports in component.connections() for p in ports if p.component is component}
-    fields = [f for f in type(component).fields.values() if f.name not in inside]
+    fields = [f for f in fields_of(component, Field) if f.name not in inside]
     variables = [f.name for f in fields if isinstance(f, Variable | RealOutput)]
     return variables + [f"{f.name}.{f.through}" for f in fields if isinstance(f, Port)]
 
@@ -166,7 +173,7 @@ def _conflict(place: _Place, instances: list[Instance]) -> str:
     rigid = [str(i) for i, end in zip(instances, ends, strict=True) if len(end) > 1]
     if len(holders) < 2:
         return closed_loop(map(str, instances))
-    yielding = _GIVES_WAY[holders[0][1].domain]
+    yielding = _GIVES_WAY.get(holders[0][1].domain, "something that yields")
     grounds = all(isinstance(i.component, Fixed | RotationalFixed) for i, _ in holders)
     held = [_position(place.system, i) if grounds else "" for i, _ in holders]
     told = _listed(f"{i}{where}" for (i, _), where in zip(holders, held, strict=True))
@@ -202,7 +209,7 @@ def _undetermined(place: _Place, unknowns: list[int]) -> str:
         told = " and of ".join(_listed(place.node(unknown)) for unknown in nodes[:4])
         return (
             f"nothing determines where the node of {told} is: nothing there has inertia or is held; "
-            f"join {_HAS_INERTIA[place.domain(nodes[0])]}"
+            f"join {_HAS_INERTIA.get(place.domain(nodes[0]), 'something that determines it')}"
         )
     forces = {i for i, p in place.ports(place.by_label.values()) if place.number(i, p, "through") in unknowns}
     if forces:

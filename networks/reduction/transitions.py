@@ -11,10 +11,8 @@ import casadi as ca
 import numpy as np
 
 from ...components.language import Template
-from ..flattening.equations import local_arguments
-from ..flattening.families import Family
+from ..flattening.equations import local_values
 from ..flattening.flat import Instance
-from ..flattening.forms import Form
 from ..flattening.vectors import column
 from .pantelides import System
 
@@ -69,7 +67,8 @@ def switching(system: System, values: Any) -> Switching:
         if not template.transitions:
             continue
         listed = _listed(template)
-        rows = _evaluate(system, group, ca.vertcat(*listed), values)
+        every = np.arange(len(group))
+        rows = local_values(flat, group, every, ca.vertcat(*listed), values)
         for instance, listing in zip(group, ca.horzsplit(rows), strict=True):
             expressions.append(listing)
             changes += _changes(system, instance, start, mode_of, impulse_of)
@@ -115,16 +114,3 @@ def _changes(
             change.impulse = impulse_of[id(instance), shock_names[id(transition.shock.impulse)]]
             change.velocity, change.after = next(place), next(place)
         yield change
-
-
-def _evaluate(system: System, group: list[Instance], expression: Any, values: Any) -> Any:
-    """Return an expression of local symbols for all instances, as SX columns."""
-    flat, template = system.flat, group[0].template
-    locals_ = ca.vertcat(*template.variables.values())
-    size = locals_.numel()
-    found = np.array([flat.joined.find(i.base + k) for i in group for k in range(size)])
-    columns, signs = (found[:, k].reshape(len(group), size) for k in (0, 1))
-    given, arguments = local_arguments(flat, group)
-    form = Form(ca.SX(0), locals_, given, time=template.time)
-    family = Family(form, columns, signs, arguments, str)
-    return family.evaluate(expression, np.arange(len(group)), values, flat.time)

@@ -6,11 +6,17 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
 from html import escape
 
-from ...components.language import Component, Port, PortRef, parts_of
+from ...components.language import Component, Port, PortRef, fields_of, parts_of
 
 MOST_BOXES = 60
 ROW, GAP, BOX = 52, 46, 36
-COLOURS = {"translational": "#4477aa", "rotational": "#ee6677", "both": "#aa3377", "": "#228833"}
+COLOURS = {
+    "translational": "#4477aa",
+    "rotational": "#ee6677",
+    "both": "#aa3377",
+    "thermal": "#ccbb44",
+    "": "#228833",
+}
 MARK_COLOUR = "#cc3311"
 
 
@@ -129,8 +135,8 @@ def _key(port: PortRef) -> tuple[int, str]:
 
 
 def _colour(component: Component) -> str:
-    domains = {f.domain for f in type(component).fields.values() if isinstance(f, Port)}
-    return COLOURS["both" if len(domains) > 1 else "".join(domains)]
+    domains = {port.domain for port in fields_of(component, Port)}
+    return COLOURS["both" if len(domains) > 1 else "".join(domains & COLOURS.keys())]
 
 
 def _lay_out(boxes: list[_Box]) -> None:

@@ -25,6 +25,7 @@ if TYPE_CHECKING:
     from ..simulation.dense_output import DenseOutput
     from ..simulation.events.switcher import Event
     from ..simulation.initialization import StartReport
+    from .energy import EnergyBook
 
 
 @dataclass(eq=False)
@@ -92,6 +93,7 @@ class Result(OverTime):
     _sensitivities: dict[str, Array]
     _limiting: Callable[[], str]
     _dense_output: Callable[[Points], DenseOutput]
+    _bookkeeping: Callable[[Result, DenseOutput], EnergyBook]
 
     def __post_init__(self) -> None:
         self.dae = self.closed.dae
@@ -131,7 +133,10 @@ class Result(OverTime):
 
     def _state(self, name: str) -> Array | None:
         """Return what was recorded, if a name stands for a state."""
-        if name in self.dae.switching.mode_names or self.dae.parameters.field(name) is not None:
+        dae = self.dae
+        if name in dae.switching.mode_names or dae.parameters.field(name) is not None:
+            return None
+        if dae.derived.unit(name) is not None:
             return None
         root, sign = self.dae.root(name)
         if root not in self.dae.states:
@@ -153,7 +158,7 @@ class Result(OverTime):
 
     def names(self) -> list[str]:
         """Return the names of all signals."""
-        return ["time", *self.dae.names(), *self.dae.switching.mode_names]
+        return ["time", *self.dae.names(), *self.dae.switching.mode_names, *self.dae.derived.names()]
 
     def unit(self, name: str) -> str:
         """Return the unit of a signal."""
@@ -191,6 +196,18 @@ class Result(OverTime):
         column = pick(self.dae.p, [self.dae.parameters.index[parameter]])
         of_x, of_p, _ = Slopes(self.dae, self.dae.expression(name), column)(self.points)
         return np.ravel(of_x @ self._sensitivities[parameter][:, :, None] + of_p)
+
+    @cached_property
+    def _energy(self) -> EnergyBook:
+        return self._bookkeeping(self, self._follow_again)
+
+    def energy(self) -> EnergyBook:
+        """Return what was stored, dissipated and supplied, element by element, and how far that closes.
+
+        Raises:
+            ModelError: where a prescribed position jumps against a force that grows with speed.
+        """
+        return self._energy
 
     def to_dataframe(self, *names: str) -> pd.DataFrame:
         """Return signals as a pandas DataFrame indexed by time; the states if no names are given.
@@ -289,7 +306,7 @@ def matching_signals(dae: DAE, names: Iterable[str]) -> list[str]:
     for name in names:
         matches = [name]
         if not text(name) and "*" in name:
-            known = (*dae.names(), *dae.switching.mode_names)
+            known = (*dae.names(), *dae.switching.mode_names, *dae.derived.names())
             matches = [other for other in known if fnmatchcase(other, name)]
             if not matches:
                 raise UnknownNameError(f"'{dae.name}' has no variable like '{name}'")

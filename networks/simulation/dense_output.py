@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from typing import Any
@@ -95,6 +95,25 @@ class DenseOutput:
         whole = course.straight(doubtful).merged(*done)
         self._tell(name, course[doubtful], float(self._size(known) * whole.length.sum()))
         return whole
+
+    def integrals(self, over: Callable[[Gaps], tuple[Array, Flags]]) -> tuple[Array, Array]:
+        """Return where pieces of the whole run begin, and integrals over each, (pieces, integrals).
+
+        `over` returns the integrals over pieces, and in which of them points are too far apart for it.
+        """
+        ranges, budget, level = self._ranges, MOST_PIECES, 0
+        gaps, done = Gaps.of(self.points, self._pieces(-np.inf, np.inf)), list[tuple[Array, Array]]()
+        while True:
+            found, doubtful = over(gaps)
+            ranges = _extremes(ranges, gaps.last.x)
+            wanted = doubtful | self._stray(gaps, ranges) | self._hidden(gaps, FINE_STEPS if level else 1.0)
+            budget -= int(np.count_nonzero(wanted))
+            if level == MOST_LEVELS or budget < 0 or not wanted.any():
+                break
+            done.append((gaps.first.t[~wanted], found[~wanted]))
+            gaps, level = self._again(gaps.only(wanted)), level + 1
+        begins, integrals = zip(*done, (gaps.first.t, found), strict=True)
+        return np.concatenate(begins), np.concatenate(integrals)
 
     @cached_property
     def _ranges(self) -> Array:

@@ -145,7 +145,7 @@ def initial_values(closed: BoundDAE, q: Array, t: float, wanted: StartValues) ->
         InitialConditionError: if no start satisfies the fixed values.
     """
     dae = closed.dae
-    wanted = _following(closed, q, t, wanted)
+    wanted = following(closed, q, t, wanted)
     point = Point(t, *guessed(dae, wanted), q)
     states = set(dae.states)
     hard = {v: value for v, (_, value) in wanted.fixed.items() if v not in states}
@@ -212,7 +212,7 @@ def guessed(dae: DAE, wanted: StartValues) -> tuple[Array, Array]:
     return np.array([*map(value, dae.states)]), np.array([*map(value, dae.algebraic)])
 
 
-def _following(closed: BoundDAE, q: Array, t: float, wanted: StartValues) -> StartValues:
+def following(closed: BoundDAE, q: Array, t: float, wanted: StartValues) -> StartValues:
     """Return start values with guesses for what starts where an input does."""
     known = {*wanted.fixed, *wanted.guesses}
     followed = {v: leader for v, leader in closed.dae.followed.items() if v not in known}

@@ -20,6 +20,7 @@ from .bound_dae import bound
 from .consistent_start import started
 from .coverage import check_covered, data_notes
 from .dense_output import DenseOutput
+from .energy import energy_book
 from .events.hybrid import MOST_STEPS, NODES, run_hybrid
 from .initialization import StartValues, start_values
 from .progress import Progress
@@ -153,4 +154,6 @@ def collected(run: Run, solver: str, began: float, follow: Sensitivities | None)
     followed = follow.collected(sum(map(len, run.segments))) if follow else {}
     limiting = partial(limiting_state, run)
     between = partial(DenseOutput, run.legs, solver, settings.tolerance)
-    return Result(closed, run.segments, run.events, stats, run.initial, notes, followed, limiting, between)
+    return Result(
+        closed, run.segments, run.events, stats, run.initial, notes, followed, limiting, between, energy_book
+    )

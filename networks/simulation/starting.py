@@ -15,7 +15,7 @@ from ..flattening.vectors import column
 from .bound_dae import bound
 from .consistent_start import begun
 from .coverage import check_covered
-from .initialization import StartValues, guessed, leading, start_values
+from .initialization import StartValues, following, guessed, leading, start_values
 from .integrator import nominal_sizes
 
 MOST_SOUGHT = 400
@@ -77,7 +77,7 @@ def starting_point(dae: DAE, inputs: Mapping[str, Any], start: Mapping[str, floa
     closed = bound(dae, inputs)
     check_covered(dae.name, closed.signals, 0.0, 0.0)
     numbers = dae.parameters.values({})
-    wanted = start_values(dae, start, {})
+    wanted = following(closed, closed.blank(numbers), 0.0, start_values(dae, start, {}))
     run = begun(closed, closed.blank(numbers), 0.0, wanted)
     modes, sizes = run.tried[len(numbers) :][: dae.modes.numel()], nominal_sizes(dae, dae.states)
     aims, names = _aims(dae, wanted), [name for name, _ in wanted.fixed.values()]

@@ -115,9 +115,12 @@ class TimeSignals:
 
     @cached_property
     def _of_time(self) -> Any:
-        """The signals with formulas put in."""
+        """The signals with formulas put in, of which a difference of equal ones is 0 at all times.
+
+        An enclosure cannot see that two formulas are equal, and would look for a pulse in their difference.
+        """
         inputs = pick(self._dae.u, [*self._formulas])
-        return ca.substitute(self._rows, inputs, column([*self._formulas.values()]))
+        return ca.cse(ca.substitute(self._rows, inputs, column([*self._formulas.values()])))
 
     def _enclosed(self, what: str) -> Enclosure:
         """Return an enclosure of all "signals", of "formulas" alone, or of the "slopes" of all in time."""

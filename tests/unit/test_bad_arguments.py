@@ -240,6 +240,7 @@ GOOD: dict[str, Callable[[], Any]] = {
     "pareto_front.first": lambda: lambda dae, *, parameters: parameters["spring.k"],
     "read_record.path": lambda: "none.csv", "load_signal.path": lambda: "none.csv",
     "load_table.path": lambda: "none.csv",
+    "load_points.path": lambda: "none.csv", "load_points.columns": lambda: {"x": "m"},
     "read_ssp.path": lambda: "none.ssp", "FMU.path": lambda: "none.fmu",
     "Result.save.path": lambda: "none.txt",
     "export_fmu.path": lambda: "none.txt", "check_fmu.model": lambda: "none.fmu",
@@ -290,8 +291,8 @@ OTHERS = {
     "ForeignEvent", "ForeignRun", "Mode", "OperatingPoint", "PositiveReal", "Prediction", "Shock", "Split",
     "Sweep", "SystemRun", "SystemStructure", "Tuned", "Verdict", "Channel", "Varied", "write_report",
     # what a declaration of a component takes is tried where components are
-    "RealInput", "RealOutput", "RotationalFlange", "TranslationalFlange", "der", "impulse", "mode", "option",
-    "parameter", "variable",
+    "RealInput", "RealOutput", "RotationalFlange", "TranslationalFlange", "der", "derived", "dissipation",
+    "energy", "impulse", "mode", "option", "parameter", "supply", "variable",
 }  # fmt: skip
 
 

@@ -131,7 +131,7 @@ class Switcher:
 
     def _strike(self, point: Point, shocks: list[Change]) -> dict[int, float]:
         """Find the impulses that give the velocities wanted, and let them act."""
-        everything, during = self._everything(point), self._during(point)
+        everything, during = self._everything(point), self.during(point)
         assert self.functions.shock is not None
         response, slopes = self.functions.shock(point.x, point.z, during.q, point.t)
         response = response.reshape(len(self.switching.impulse_names), -1).T
@@ -140,7 +140,7 @@ class Switcher:
         point.x = point.x + step
         return impulses
 
-    def _during(self, point: Point) -> Point:
+    def during(self, point: Point) -> Point:
         """Return a point with the modes that hold while an impulse acts."""
         during = Point(point.t, point.x, point.z, point.q.copy())
         modes = self.indicators.modes(during.q)
@@ -154,7 +154,7 @@ class Switcher:
         size = self.shocks.since(seen, point, resets)
         if not size.any():
             return []
-        before, during = self._everything(point), self._during(point)
+        before, during = self._everything(point), self.during(point)
         self._check_modes(during, size)
         pushes = self.shocks.act(during, size)
         if np.array_equal(during.x, point.x) and not pushes.any():

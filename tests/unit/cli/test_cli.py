@@ -150,8 +150,8 @@ def listed() -> list[str]:
 
 def test_all_families_are_listed_with_a_line_each() -> None:
     text = good("components")
-    for family in ("machines", "rotational", "signals", "translational", "transmission"):
-        assert f"\n{family}\n" in f"\n{text}"
+    for family in ("machines", "rotational", "signals", "thermal", "translational", "transmission"):
+        assert f"\n{family}: " in f"\n{text}"
     assert "  Spring  " in text
     assert "Linear spring: f = k (s_rel - s_rel0)." in text
     assert "  rotational.Spring  " in text

@@ -129,7 +129,7 @@ def test_unset_fields_read_as_what_they_declare() -> None:
     assert (spring.k, spring.s_rel0) == (3.0, 0.0)
     assert repr(spring) == "Spring(k=3.0)"
     assert repr(spring.flange_a) == "<flange_a of Spring>"
-    assert set(ia.Spring.fields) == {"flange_a", "flange_b", "s_rel", "f", "k", "s_rel0"}
+    assert set(ia.Spring.fields) == {"flange_a", "flange_b", "s_rel", "f", "k", "s_rel0", "potential"}
     with pytest.raises(AttributeError, match=r"Spring has no 'kk'; did you mean 'k'\?"):
         _ = spring.kk
 

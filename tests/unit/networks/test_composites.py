@@ -213,3 +213,25 @@ def test_a_clone_of_a_network_is_independent() -> None:
     assert end(twin) == pytest.approx(0.1 * np.cos(10.0 / np.sqrt(6.0)), abs=1e-7)
     changed = net.with_values(element=ia.Spring(k=25.0))
     assert end(changed) == pytest.approx(0.1 * np.cos(5.0), abs=1e-7)
+
+
+def test_an_input_of_a_composite_that_a_part_takes_is_one_of_the_network() -> None:
+    class Pusher(ia.Component):
+        flange = ia.TranslationalFlange("what is pushed")
+        u = ia.RealInput("N", "force")
+        push = ia.Force()
+
+        def connections(self) -> Any:
+            yield self.u, self.push.f
+            yield self.flange, self.push.flange
+
+    def pushed(**values: float) -> ia.Network:
+        net = ia.Network("pushed", pusher=Pusher(**values), mass=ia.Mass(m=2.0))
+        return net.connect(net.pusher.flange, net.mass.flange)
+
+    given = pushed().simulate(1.0, inputs={"pusher.u": lambda t: 4 + 0 * t})
+    assert given["mass.a"][-1] == pytest.approx(2.0)
+    assert pushed(u=6.0).simulate(1.0)["mass.a"][-1] == pytest.approx(3.0)
+    joined = pushed().add(gain=ia.signals.Gain(k=8.0))
+    joined.connect(joined.gain.y, joined.pusher.u)
+    assert [signal.path for signal in joined.dae().inputs] == ["gain.u"]

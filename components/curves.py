@@ -1,0 +1,186 @@
+"""Curves and maps through points: straight or smooth in between, straight beyond their ends."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any, Literal
+
+import casadi as ca
+import numpy as np
+
+from ..base import Array, rows
+from .language import Expression, option
+from .tables import increasing
+
+Slopes = Callable[[Array, Array], Array]
+
+
+class PiecewisePolynomial:
+    """The curve through points by straight or, with slopes there, cubic pieces, straight beyond its ends."""
+
+    def __init__(self, x: Array, y: Array, slopes: Slopes | None = None) -> None:
+        h, rise = np.diff(x), np.diff(y) / np.diff(x)
+        begin, end = slopes(x, y)[[0, -1]] if slopes else rise[[0, -1]]
+        inner = [y[:-1], rise]
+        if slopes:
+            first, last = slopes(x, y)[:-1], slopes(x, y)[1:]
+            inner = [y[:-1], first, (3 * rise - 2 * first - last) / h, (first + last - 2 * rise) / h**2]
+        beyond = np.zeros((2, len(inner)))
+        beyond[:, :2] = (y[0], begin), (y[-1], end)
+        self._powers = np.column_stack([beyond[0], np.array(inner), beyond[1]])  # from the left end of each
+        self._x = x
+
+    def value(self, at: Expression) -> Expression:
+        """Return its value."""
+        return self._polynomial(self._powers, at)
+
+    def area(self, at: Expression) -> Expression:
+        """Return the area below it, from 0."""
+        orders = np.arange(1, len(self._powers) + 1)[:, None]
+        powers = np.vstack([np.zeros(self._powers.shape[1]), self._powers / orders])
+        passed = (powers[1:, 1:-1] * np.diff(self._x) ** orders).sum(axis=0)
+        powers[0, 2:] = np.cumsum(passed)
+        return self._polynomial(powers, at) - self._polynomial(powers, 0.0)
+
+    def _polynomial(self, powers: Array, at: Expression) -> Expression:
+        at, value = ca.SX(at), ca.SX(0)
+        past = at - ca.pw_const(at, ca.DM(self._x), ca.DM(np.append(self._x[0], self._x)))
+        for power in powers[::-1]:
+            value = value * past + ca.pw_const(at, ca.DM(self._x), ca.DM(power))
+        return value
+
+
+def curve(columns: str) -> Any:
+    """Declare rows (x, y), whose columns are told with units; the default is a straight line of slope 1."""
+    what = "takes at least two rows (x, y) of finite numbers, x increasing"
+    check = rows(what, 2, lambda given: len(given) > 1 and increasing(given))
+    return option(f"rows ({columns}), the first increasing", default=((0.0, 0.0), (1.0, 1.0)), check=check)
+
+
+def surface(columns: str) -> Any:
+    """Declare rows (x, y, value) that fill a grid, in any order; the default is the plane x + y."""
+    what = "takes rows (x, y, value) of finite numbers, one for each pair of at least two x and two y"
+    plane = ((0.0, 0.0, 0.0), (0.0, 1.0, 1.0), (1.0, 0.0, 1.0), (1.0, 1.0, 2.0))
+    return option(f"rows ({columns}) that fill a grid", default=plane, check=rows(what, 3, _fill_a_grid))
+
+
+def curve_over_a_turn() -> Any:
+    """Declare rows (angle, lift) within one turn, at least three; by default it lifts nothing."""
+    what = "takes at least three rows (angle, lift) of finite numbers, angles increasing within one turn"
+
+    def good(given: list[tuple[float, ...]]) -> bool:
+        return len(given) > 2 and increasing(given) and given[-1][0] - given[0][0] < 2 * np.pi
+
+    still = ((0.0, 0.0), (2.0, 0.0), (4.0, 0.0))
+    return option("rows (angle [rad], lift [m]) over one turn", default=still, check=rows(what, 2, good))
+
+
+def smoothness() -> Any:
+    """Declare whether a curve is straight or smooth between its points."""
+    told = "whether it is straight (linear) or smooth, with a steady slope, between the points"
+    return option(told, default="linear", choices=("linear", "smooth"))
+
+
+def between(points: Any, at: Expression, how: str) -> Expression:
+    """Return the value of a curve; smooth, it never overshoots its points."""
+    return _pieces(points, how).value(at)
+
+
+def area(points: Any, at: Expression, how: str) -> Expression:
+    """Return the area below a curve, from 0."""
+    return _pieces(points, how).area(at)
+
+
+class Map:
+    """Values over a grid: bilinear, or smooth by cubic pieces in either direction."""
+
+    def __init__(self, x: Any, y: Any, values: Any, how: str = "linear") -> None:
+        self.x, self.y, self.values = (np.asarray(given, dtype=float) for given in (x, y, values))
+        self.how = how
+
+    def value(self, at_x: Expression, at_y: Expression) -> Expression:
+        """Return the value at a place."""
+        hats = (
+            ca.vertcat(*(curve.value(at) for curve in self._cardinal(points)))
+            for points, at in ((self.x, at_x), (self.y, at_y))
+        )
+        return ca.bilin(ca.DM(self.values), *hats)
+
+    def area(self, at_x: Expression, at_y: float) -> Expression:
+        """Return the area below it over x, from 0, along a line y."""
+        hats = ca.vertcat(*(curve.value(at_y) for curve in self._cardinal(self.y)))
+        below = ca.vertcat(*(curve.area(at_x) for curve in self._cardinal(self.x)))
+        return ca.bilin(ca.DM(self.values), below, hats)
+
+    def _cardinal(self, points: Array) -> list[PiecewisePolynomial]:
+        """Return for each point the curve that is 1 there and 0 at the others."""
+        order: Literal[1, 2] = 2 if len(points) > 2 else 1
+        slopes = (lambda x, y: np.gradient(y, x, edge_order=order)) if self.how == "smooth" else None
+        return [PiecewisePolynomial(points, unit, slopes) for unit in np.eye(len(points))]
+
+
+def over_grid(points: Any, how: str) -> Map:
+    """Return the map of rows (x, y, value) that fill a grid."""
+    x, y, values = _columns(sorted(points))
+    x, y = np.unique(x), np.unique(y)
+    return Map(x, y, values.reshape(len(x), len(y)), how)
+
+
+def periodic(points: Any, at: Expression, period: float) -> Expression:
+    """Return the value of a curve that comes back with a period, its second derivative steady everywhere."""
+    x, y = _columns(points)
+    x, y = np.append(x, x[0] + period), np.append(y, y[0])
+    turned = at - period * ca.floor((at - x[0]) / period)
+    return PiecewisePolynomial(x, y, _periodic_slopes).value(turned)
+
+
+def monotone_slopes(x: Array, y: Array) -> Array:
+    """Return slopes of a cubic Hermite curve that keeps to the rise and fall of its points.
+
+    Source: F. N. Fritsch, J. Butland, SIAM J. Sci. Stat. Comput. 5 (1984) 300-304, ends by three points.
+    """
+    h, rise = np.diff(x), np.diff(y) / np.diff(x)
+    if len(x) == 2:
+        return np.array([rise[0], rise[0]])
+    left, right = h[1:] + 2 * h[:-1], 2 * h[1:] + h[:-1]
+    same = rise[1:] * rise[:-1] > 0
+    before, after = np.where(same, rise[:-1], 1.0), np.where(same, rise[1:], 1.0)
+    inner = np.where(same, (left + right) / (right / before + left / after), 0.0)
+    return np.array([_end(h[0], h[1], rise[0], rise[1]), *inner, _end(h[-1], h[-2], rise[-1], rise[-2])])
+
+
+def _columns(points: Any) -> Array:
+    return np.array([tuple(map(float, row)) for row in points]).T
+
+
+def _pieces(points: Any, how: str) -> PiecewisePolynomial:
+    x, y = _columns(points)
+    return PiecewisePolynomial(x, y, monotone_slopes if how == "smooth" else None)
+
+
+def _fill_a_grid(given: list[tuple[float, ...]]) -> bool:
+    pairs = {row[:2] for row in given}
+    x, y = {a for a, _ in pairs}, {b for _, b in pairs}
+    return len(given) == len(pairs) == len(x) * len(y) and min(len(x), len(y)) > 1
+
+
+def _end(h: float, next_h: float, rise: float, next_rise: float) -> float:
+    slope = ((2 * h + next_h) * rise - h * next_rise) / (h + next_h)
+    if slope * rise <= 0:
+        return 0.0
+    return 3 * rise if rise * next_rise <= 0 and abs(slope) > 3 * abs(rise) else slope
+
+
+def _periodic_slopes(x: Array, y: Array) -> Array:
+    """Return the slopes at which the second derivative is steady at every point, the ends being one."""
+    h, rise = np.diff(x), np.diff(y) / np.diff(x)
+    count = len(h)
+    matrix, right = np.zeros((count, count)), np.zeros(count)
+    for i in range(count):
+        before, after = h[i - 1], h[i]
+        matrix[i, i - 1] += after
+        matrix[i, i] += 2 * (before + after)
+        matrix[i, (i + 1) % count] += before
+        right[i] = 3 * (after * rise[i - 1] + before * rise[i])
+    slopes = np.linalg.solve(matrix, right)
+    return np.append(slopes, slopes[0])

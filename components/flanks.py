@@ -1,0 +1,54 @@
+"""Friction of flanks that slide on each other under load: worms and screws, which may lock themselves."""
+
+from .language import Expression, Stated, mode, parameter, variable
+from .stickslip import Sticking
+
+
+class SlidingFlanks(Sticking):
+    """A wedge that turning drives: what it loses follows its load, and at rest it holds as much.
+
+    tau_loss = +-c |T| +- tau_bf against the motion, T the torque that the load takes without loss, and with
+    t the tangent of the lead angle: c = mu (1 + t^2)/(t (1 - mu t)) against the load, mu (1 + t^2)/(t (1 +
+    mu t)) along with it. Where mu > t no load drives it: it locks itself.
+
+    A subclass gives `load_torque` T and `slope` t, declares phi, w and a of what turns, and uses tau_loss.
+
+    Limits: mu t must stay below 1. Locking by inertia alone, where the driven side is too heavy for the
+    flanks to brake, has no solution in finite forces and ends the run.
+    """
+
+    mu = parameter("1", "friction coefficient of the flanks", min=0)
+    tau_bf = parameter("N.m", "friction torque of the bearings", min=0, default=0.0)
+    side = mode("against", "along", doc="whether the load resists turning forward or helps it")
+    tau_loss = variable("N.m", "torque lost, seen where it is driven")
+
+    quantities = "tau_loss", "w", "a"
+
+    @property
+    def load_torque(self) -> Expression:
+        """The torque that the load takes, positive against turning forward."""
+        raise NotImplementedError
+
+    @property
+    def slope(self) -> Expression:
+        """Tangent of the lead angle."""
+        raise NotImplementedError
+
+    @property
+    def limits(self) -> tuple[Expression, Expression]:
+        """Loss torques forward and backward."""
+        t, mu, torque = self.slope, self.mu, self.load_torque
+        uphill = mu * (1 + t**2) / (t * (1 - mu * t)) * torque
+        downhill = mu * (1 + t**2) / (t * (1 + mu * t)) * torque
+        forward = self.side.choose(against=uphill, along=-downhill)
+        backward = self.side.choose(against=downhill, along=-uphill)
+        return self.tau_bf + forward, self.tau_bf + backward
+
+    def equations(self) -> Stated:
+        forward, backward = self.limits
+        held = {"stuck": self.a, "forward": self.tau_loss - forward, "backward": self.tau_loss + backward}
+        yield self.mode.choose(**held) == 0
+
+    def transitions(self) -> Stated:
+        yield self.side.goes("against", "along", when=self.load_torque < 0)
+        yield self.side.goes("along", "against", when=self.load_torque > 0)
