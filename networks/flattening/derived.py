@@ -8,6 +8,7 @@ from typing import Any
 import casadi as ca
 import numpy as np
 
+from ...base import Symbolic
 from ...components.language import KINETIC, LOSS_POWER, POTENTIAL, SUPPLY_POWER, Derived
 from .equations import local_values
 from .families import padded
@@ -55,10 +56,11 @@ class DerivedTable:
         field = type(self.flat.instances[owner].component).fields.get(name)
         return field.doc if isinstance(field, Derived) else f"sum of {name} over the elements in it"
 
-    def expression(self, path: str, variables: Any) -> Any:
+    def expression(self, path: str, variables: Any) -> Symbolic:
         """Return a quantity that there is by its full name, in terms of the joined variables."""
         owner, _, name = path.rpartition(".")
-        return ca.sum2(self.row(name, self.declaring(name, owner), variables))
+        found: Symbolic = ca.sum2(self.row(name, self.declaring(name, owner), variables))
+        return found
 
     def row(self, name: str, instances: list[Instance], variables: Any) -> Any:
         """Return a quantity of several elements, as an SX row in their order."""

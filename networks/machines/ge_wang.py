@@ -23,7 +23,7 @@ LEAD = 0.010
 GEARS: dict[str, Any] = {"R": 0.050, "r": 0.017, "J_s": 2.89e-4 + J_SCREW, "J_p": 1.66e-5, "J_r": 1.02e-4}
 GEOMETRY = PlanetaryGeometry(N=4, lam=17 / 50, beta=9.5 / 17, tau=15 / 7.5, R=0.050, L=0.0075)
 
-FRICTION = {"tau_c": 0.1975, "tau_s": 0.2231, "w_s": 5.437e8, "d": 2.703e-3}
+FRICTION: dict[str, Any] = {"tau_c": 0.1975, "tau_s": 0.2231, "w_s": 5.437e8, "d": 2.703e-3}
 SCREW: dict[str, Any] = {"lead": LEAD, "m_r": 1.701, "k": 1.168e7, "d": 1.223e3, "eps": 1.006e-7}
 MESH: dict[str, Any] = {"k_r": 1.353e9, "c_r": 4.671e4, "g_r": 1.838e-9, "T_pm": 8.067e-4, "T_pv": 1.366e-4}
 

@@ -100,8 +100,8 @@ class CrankInerter(FlywheelInerter):
     Limits: between the dead centres, which stop the rod.
     """
 
-    crank = SliderCrank()
-    flywheel: Component = DiskFlywheel()
+    crank = SliderCrank()  # type: ignore[call-arg]
+    flywheel: Component = DiskFlywheel()  # type: ignore[call-arg]
 
     def connections(self) -> Stated:
         yield from self.joined(self.crank)
@@ -122,9 +122,9 @@ class MechatronicInerter(FlywheelInerter):
     Dynamics 49 (2011) 811-830.
     """
 
-    screw: Component = NutScrew()
-    flywheel: Component = DiskFlywheel()
-    motor = rotational.ShuntedMotor()
+    screw: Component = NutScrew()  # type: ignore[call-arg]
+    flywheel: Component = DiskFlywheel()  # type: ignore[call-arg]
+    motor = rotational.ShuntedMotor()  # type: ignore[call-arg]
 
     def connections(self) -> Stated:
         yield from self.joined(self.screw)
