@@ -22,7 +22,7 @@ from .settings import Tolerance
 BEND_SHARE, STRAY_SHARE = 0.03, 0.6  # of half a range: a signal that bends more, a state that strays more
 DOUBTFUL_SHARE = 0.2  # of the pieces, above which none is trusted
 LOST_SHARE = 0.01  # of a range over a window, above which a loss is told
-PIECES_AROUND, MOST_PIECES, MOST_LEVELS, MOST_STEPS = 8, 10_000, 3, 500
+PIECES_AROUND, MOST_PIECES, MOST_LEVELS, MOST_STEPS = 8, 10_000, 3, 5_000
 FINE_STEPS = 8.0  # longest steps that a piece integrated again may last
 ROUNDING, ULPS = 1e-9, 4
 

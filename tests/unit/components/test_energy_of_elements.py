@@ -106,3 +106,14 @@ def test_a_gas_stores_the_work_that_compressed_it(n: float) -> None:
         assert run["element.potential"][k] == pytest.approx(
             quad(force, 0, run["element.s_rel"][k])[0], abs=1e-7
         )
+
+
+@pytest.mark.parametrize("rtol", [1e-6, 1e-10, 1e-12])
+def test_what_is_lost_within_a_microsecond_is_in_the_book(rtol: float) -> None:
+    """v = v_0/(1 + c v_0 t/m): nearly all is lost long before the first point after the start."""
+    net = ia.Network("stopped", wall=ia.Fixed(), oil=ia.QuadraticDamper(c=3e6), mass=ia.Mass(m=1.0, v=-2.0))
+    net.connect(net.wall.flange, net.oil.flange_a).connect(net.oil.flange_b, net.mass.flange)
+    book = net.simulate(1.5, begin=0.5, step=2e-3, rtol=rtol).energy()
+    speed = 2.0 / (1 + 3e6 * 2.0 * (book.time - 0.5))
+    assert book.dissipated["oil"] == pytest.approx(2.0 - speed**2 / 2, abs=2e-4)
+    assert book.closes < 1e-4
