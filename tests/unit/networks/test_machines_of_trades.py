@@ -122,9 +122,11 @@ def test_interconnected_struts_store_and_lose_what_goes_in(
     lost = np.zeros(len(run.time))
     for line in ("1", "2"):
         V = run[f"struts.V_{line}"]
-        left = 1 - V / V_0
-        stored += p_0 * V_0 * (-np.log(left) if n == 1 else (left ** (1 - n) - 1) / (n - 1)) - p_0 * V
+        logarithm = -np.log(1 - V / V_0)
+        stored += p_0 * V_0 * (logarithm if n == 1 else np.expm1((n - 1) * logarithm) / (n - 1)) - p_0 * V
         lost += R * run[f"struts.q_{line}"] ** 2
+    assert run["struts.potential"] == pytest.approx(stored, abs=1e-9 * max(stored) + 1e-12)
+    assert run["struts.lossPower"] == pytest.approx(lost, rel=1e-9)
     t = run.time
     speeds = {"left": 9 * size * np.cos(9 * t), "right": -8.4 * size * np.cos(14 * t)}
     work = sum(run[f"struts.{side}_b.f"] * v for side, v in speeds.items())

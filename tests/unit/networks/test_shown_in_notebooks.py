@@ -154,6 +154,7 @@ def test_patterns_name_signals_at_equal_steps(run: ia.Result) -> None:
         "mass.a",
         "mass.flange.f",
         "mass.flange.s",
+        "mass.kinetic",
         "mass.s",
         "mass.v",
         "spring.f",
