@@ -13,7 +13,7 @@ from ...identification import Campaign, Experiment
 from ...networks import Network
 from ..criteria import LEAST_SIZE_RATIO, PARAMETER_STEP_RATIO
 from .edits import AddPart, Edit, edited
-from .effect import Effect, Quantity
+from .effect import Effect, Quantity, Values
 from .sites import Site
 
 
@@ -121,8 +121,24 @@ def driven(experiment: Experiment, effects: Sequence[Hypothesis]) -> Experiment:
     for placed in effects:
         if placed.effect.change and placed.effect.drives:
             name = placed.site.path
-            values[name] = placed.effect.change(elapsed, values[name], placed.values)
+            values[name] = acted(placed.effect, experiment, elapsed, values[name], placed.values)
     return replace(experiment, record=replace(record, values=values))
+
+
+def acted(effect: Effect, experiment: Experiment, elapsed: Array, signal: Array, values: Values) -> Array:
+    """Return an input as an actuator passes it on.
+
+    What a record in motion cannot tell, how the input moved before it, is taken for the parabola through its
+    first sample and those once and twice as late.
+    """
+    assert effect.change is not None
+    if experiment.initial == "rest":
+        return effect.change(elapsed, signal, values)
+    count = (len(signal) - 1) // 2
+    past = 3 * signal[0] - 3 * signal[1 : count + 1] + signal[2 : 2 * count + 1 : 2]
+    before = 2 * elapsed[0] - elapsed[1 : count + 1]
+    passed: Array = effect.change(np.append(before[::-1], elapsed), np.append(past[::-1], signal), values)
+    return passed[count:]
 
 
 def sensed(elapsed: Array, channel: str, values: Array, effects: Sequence[Hypothesis]) -> Array:

@@ -177,9 +177,7 @@ def _channel_changes(
             small = {"s": 1 / record.measured.rate, "unit": part}.get(quantity.unit, 1.0)
             site = Site(name, "channel", path, "", frozenset({"channel"}), travel=reach[name])
             for shape in effect.shaped("channel", site):
-                change = (
-                    effect.change(record.elapsed, signal, {quantity.name: small, **shape}) - signal
-                ) / small
+                change = (record.passed_on(effect, signal, {quantity.name: small, **shape}) - signal) / small
                 if effect.drives:
                     own = record.to_inputs({path: record.acting(name, change)[:, None]})
                 else:

@@ -11,8 +11,8 @@ import numpy as np
 from ...base import Array
 from ...identification import Experiment
 from ..criteria import START_SINGULAR_VALUE_RATIO
-from ..effects.effect import Motion
-from ..effects.hypothesis import Hypothesis, driven, sensed
+from ..effects.effect import Effect, Motion, Values
+from ..effects.hypothesis import Hypothesis, acted, driven, sensed
 from ..effects.sites import Site
 from ..models.study import Predicted, Predictor, Study
 from .own_values import weighed
@@ -68,10 +68,13 @@ class WhitenedRecord:
         self.residual = self.off(missed)
         self.slopes = self.off(np.concatenate([found.slopes[n] / sigma[n] for n in self.outputs]))
 
-    @property
-    def elapsed(self) -> Array:
-        """How long the run has lasted at the instants of the record [s]."""
-        return self._experiment.elapsed(self.measured.time)
+    def passed_on(self, effect: Effect, signal: Array, values: Values) -> Array:
+        """Return a channel at the instants of the record as a sensor or an actuator passes it on."""
+        assert effect.change is not None
+        elapsed = self._experiment.elapsed(self.measured.time)
+        if effect.drives:
+            return acted(effect, self._experiment, elapsed, signal, values)
+        return effect.change(elapsed, signal, values)
 
     def motion(self, number: int, site: Site) -> Motion:
         """Return how one of the predictor's sites moves."""
