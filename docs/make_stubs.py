@@ -107,6 +107,10 @@ def _fields(kind: Kind) -> Iterator[str]:
             yield f'{name}: Any\n"""{told(field)}"""'
 
 
+def _taken(given: inspect.Parameter) -> str:
+    return f"{given.name}: Any" + ("" if given.default is given.empty else " = ...")
+
+
 def _members(kind: Kind) -> Iterator[str]:
     """Yield what a class has besides fields and what components have, under the types that equations have."""
     for name, value in vars(kind).items():
@@ -115,7 +119,7 @@ def _members(kind: Kind) -> Iterator[str]:
         if isinstance(value, property):
             yield f"@property\ndef {name}(self) -> Any: ..."
         elif isinstance(value, FunctionType):
-            taken = (f"{p}: Any" for p in list(inspect.signature(value).parameters)[1:])
+            taken = map(_taken, list(inspect.signature(value).parameters.values())[1:])
             yield f"def {name}({', '.join(['self', *taken])}) -> Any: ..."
         else:
             yield f"{name}: Any"

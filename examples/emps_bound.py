@@ -13,7 +13,7 @@ from __future__ import annotations
 
 import argparse
 import sys
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from itertools import pairwise
 from pathlib import Path
 
@@ -54,7 +54,7 @@ class Motion:
     def columns(self, parts: Sequence[str]) -> Array:
         """Return what a law is linear in, each column with mean square 1."""
         side = np.tanh(self.v / REST_SPEED)[:, None]
-        of = {
+        of: dict[str, Callable[[], Array]] = {
             "dry": lambda: side,
             "built": lambda: built(self.q),
             "speed": lambda: splines(self.v, *SPEED, 60),

@@ -57,7 +57,7 @@ def backlash() -> Network:
 
 
 def coupled_clutches() -> Network:
-    clutch = {"peak": 1.1, "fn_max": 20}
+    clutch: dict[str, Any] = {"peak": 1.1, "fn_max": 20}
     net = Network(
         "CoupledClutches",
         fixed=rotational.Fixed(),

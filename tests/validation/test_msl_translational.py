@@ -47,7 +47,7 @@ def test_brake(switches: Switches) -> None:
 
 
 def preloaded_valve() -> Network:
-    contact = {"k": 1e6, "d": 250}
+    contact: dict[str, Any] = {"k": 1e6, "d": 250}
     plate = {"m": 0.010, "v": 0}
     net = Network(
         "PreLoad",

@@ -239,7 +239,7 @@ def test_a_tyre_rolls_with_the_slip_that_its_force_takes() -> None:
     assert run["tyre.f_x"][-1] == pytest.approx(magic(kappa), rel=1e-6)
 
 
-MOTOR: dict[str, float] = {"k": 0.05, "R": 0.5, "L": 1e-3, "u_max": 12.0, "i_max": 15.0}
+MOTOR: dict[str, Any] = {"k": 0.05, "R": 0.5, "L": 1e-3, "u_max": 12.0, "i_max": 15.0}
 
 
 def motor(u: Any, **start: float) -> ia.Network:

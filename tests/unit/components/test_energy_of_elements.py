@@ -20,7 +20,7 @@ def driven(element: Any, motion: Any, **options: Any) -> ia.Result:
 
 @pytest.mark.parametrize("interpolation", ["linear", "smooth"])
 @pytest.mark.parametrize("map_", [False, True])
-def test_a_curve_stores_its_area(map_: bool, interpolation: str) -> None:
+def test_a_curve_stores_its_area(map_: bool, interpolation: Any) -> None:
     kind, table = (ia.MapSpringDamper, GRID) if map_ else (ia.TabulatedSpring, CURVE)
     element: Any = kind(table=table, interpolation=interpolation, s_rel0=0.002)
     slow = driven(element, lambda t: 0.02 * (t - 2.5))  # from -0.04 to 0.04 m, beyond both ends
@@ -75,7 +75,7 @@ def test_an_actuator_pulls_the_masses_of_a_flywheel_in() -> None:
 @pytest.mark.parametrize("far", [0.05, 30.0])
 def test_a_tyre_stores_the_area_below_its_force(far: float) -> None:
     """Its wheel spins against a car that is held: slip grows without end, nothing is lost on the road."""
-    values = {"mu": 0.9, "F_z": 800.0, "B": 10.0, "C": 1.6, "E": 0.3}
+    values: dict[str, Any] = {"mu": 0.9, "F_z": 800.0, "B": 10.0, "C": 1.6, "E": 0.3}
     net = ia.Network(
         "spin", tyre=ia.Tyre(R=0.3, sigma=0.3, **values), car=ia.Fixed(), rim=rotational.Position()
     )

@@ -68,7 +68,16 @@ def lugre(v: Any, z: Any) -> Any:
     return v - 2e4 * np.abs(v) * z / (20 + 10 * np.exp(-((v / 0.02) ** 2)))
 
 
-FLUID = {"A_p": 1e-3, "D": 0.012, "L": 4.0, "D_h": 0.2, "rho": 800.0, "mu": 0.002, "zeta": 1.0, "L_p": 0.3}
+FLUID: dict[str, Any] = {
+    "A_p": 1e-3,
+    "D": 0.012,
+    "L": 4.0,
+    "D_h": 0.2,
+    "rho": 800.0,
+    "mu": 0.002,
+    "zeta": 1.0,
+    "L_p": 0.3,
+}
 
 
 def gas_pressure(e: Any, q: Any) -> Any:

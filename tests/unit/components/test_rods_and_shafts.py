@@ -14,9 +14,9 @@ M, K = 2.0, 8e4
 def bar(kind: str, turning: bool, count: int, d: float = 0.0) -> Any:
     options = {"modes" if kind == "Modal" else "segments": count}
     if turning:
-        shaft: Any = {"Modal": rotational.ModalShaft, "Lumped": rotational.LumpedShaft}[kind]
+        shaft: Any = rotational.ModalShaft if kind == "Modal" else rotational.LumpedShaft
         return shaft(J=M, c=K, d=d, **options)
-    rod: Any = {"Modal": ia.ModalRod, "Lumped": ia.LumpedRod}[kind]
+    rod: Any = ia.ModalRod if kind == "Modal" else ia.LumpedRod
     return rod(m=M, k=K, d=d, L=0.7, **options)
 
 

@@ -1,6 +1,6 @@
 """Blocks that choose, switch, look up and filter, against NumPy's and SciPy's own."""
 
-from typing import Any
+from typing import Any, Literal
 
 import inertance as ia
 import numpy as np
@@ -80,7 +80,7 @@ def test_a_table_goes_straight_on_or_holds() -> None:
 
 
 @pytest.mark.parametrize("extrapolation", ["linear", "hold"])
-def test_a_map_is_bilinear(extrapolation: str) -> None:
+def test_a_map_is_bilinear(extrapolation: Literal["linear", "hold"]) -> None:
     table = ((0, 0, 1, 4), (100, 10, 80, 3), (300, 5, 120, 7), (400, 1, 2, 3))
     block = signals.CombiTable2D(table=table, extrapolation=extrapolation)
     run = fed(block, u1=sine(1.0, 300.0, 250.0), u2=sine(1.7, 4.0, 2.0)).simulate(2.0)

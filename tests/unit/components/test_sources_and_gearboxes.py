@@ -146,7 +146,7 @@ def test_power_is_what_a_body_gains(kind: str, domain: str) -> None:
         ("CoSine", lambda x: np.where(np.abs(x) >= 1, np.sign(x), np.sign(x) * (1 - np.cos(np.pi / 2 * x)))),
     ],
 )
-def test_rolling_resistance_is_rounded_as_told(reg: str, law: Any) -> None:
+def test_rolling_resistance_is_rounded_as_told(reg: Any, law: Any) -> None:
     net = ia.Network(
         "rolling",
         drive=ia.Position(s_ref=lambda t: 0.3 * np.sin(t)),
@@ -221,7 +221,7 @@ def test_a_flank_strikes_with_its_whole_damping_and_lets_go_where_it_would_pull(
 
 def test_a_gearbox_is_a_lossy_gear_and_an_elastic_shaft() -> None:
     losses = ((0.0, 0.95, 0.9, 0.2, 0.3), (10.0, 0.9, 0.85, 0.4, 0.5))
-    shaft: dict[str, float] = {"c": 80.0, "d": 0.5, "b": 0.05}
+    shaft: dict[str, Any] = {"c": 80.0, "d": 0.5, "b": 0.05}
     one = ia.Network("one", box=rotational.Gearbox(ratio=3.0, lossTable=losses, **shaft))
     two = ia.Network(
         "two", gear=rotational.LossyGear(ratio=3.0, lossTable=losses), link=rotational.ElastoBacklash(**shaft)
@@ -246,7 +246,7 @@ def test_a_gearbox_is_a_lossy_gear_and_an_elastic_shaft() -> None:
 
 
 def test_backlash_is_alike_in_both_domains() -> None:
-    numbers = {"d": 3.0}
+    numbers: dict[str, Any] = {"d": 3.0}
     pairs: list[tuple[Any, Any]] = [
         (
             ia.Backlash(k=50.0, eps=0.1, s_rel0=0.2, **numbers),

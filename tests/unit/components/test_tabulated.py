@@ -156,7 +156,7 @@ def test_files_without_what_is_wanted_are_told(tmp_path: Path) -> None:
         (ia.MapSpringDamper(table=[(0, 0, 1), (1, 1, 1), (0, 1, 1)]), "one for each pair"),
         (ia.MapSpringDamper(table=[(0, 0, 1), (0, 1, 1)]), "one for each pair"),
         (ia.Cam(table=[(0, 0), (1, 1), (7, 0)]), "within one turn"),
-        (ia.TabulatedDamper(interpolation="spline"), "must be one of"),
+        (ia.TabulatedDamper().with_values(interpolation="spline"), "must be one of"),
     ],
     ids=["one row", "no width", "a hole", "a line", "two turns", "another way"],
 )

@@ -64,7 +64,7 @@ def test_force_of_a_prescribed_motion(element: ia.Component, law: Any) -> None:
 
 
 def test_bouc_wen_is_a_spring_while_small_and_slips_at_its_limit() -> None:
-    parameters = {"k": 100.0, "alpha": 0.2, "beta": 30.0, "gamma": 20.0, "n": 2.0}
+    parameters: dict[str, Any] = {"k": 100.0, "alpha": 0.2, "beta": 30.0, "gamma": 20.0, "n": 2.0}
     small = driven(ia.BoucWen(**parameters), lambda t: 1e-4 * ca.sin(t), **EXACT)
     bent = 80.0 * 50.0 * 1e-4**3 / 3
     assert small["element.f"] == pytest.approx(100.0 * small["element.s_rel"], abs=1.2 * bent)

@@ -144,7 +144,7 @@ def test_stuck_friction_that_has_not_slipped_is_a_spring() -> None:
 
 
 def test_turning_hysteresis_is_the_sliding_one_in_other_units() -> None:
-    shape = {"alpha": 0.2, "beta": 3.0, "gamma": 1.0, "n": 2.0}
+    shape: dict[str, Any] = {"alpha": 0.2, "beta": 3.0, "gamma": 1.0, "n": 2.0}
     slid = driven(ia.BoucWen(k=4.0, **shape)).simulate(6.0)
     turned = driven(rotational.BoucWen(c=4.0, **shape), turning=True).simulate(6.0)
     assert turned["element.tau"] == pytest.approx(slid["element.f"], abs=1e-6)

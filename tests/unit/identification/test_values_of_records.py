@@ -27,7 +27,7 @@ OWN: dict[str, Any] = {
 
 
 def model(settled: bool = False) -> ia.Network:
-    free: dict[str, float] = {"f": 0.0} if settled else {}
+    free: dict[str, Any] = {"f": 0.0} if settled else {}
     net = ia.Network("rig", wall=ia.Fixed(), near=ia.SpringDamper(k=1000.0, d=D1, **free))
     net.add(slide=ia.Mass(m=M1), tip=ia.Mass(m=M2), push=ia.Force())
     net.add(far=ia.SpringDamper(k=430.0, d=D2, s_rel0=0.1, **free))

@@ -18,7 +18,7 @@ def motion(t: Any) -> Any:
     return 0.015 * (np.sin(5 * t) + 1)
 
 
-def between(element: ia.Component, first: object, second: object) -> ia.Network:
+def between(element: ia.Component, first: Any, second: Any) -> ia.Network:
     net = ia.Network(
         "between", element=element.clone(), a=ia.Position(s_ref=first), b=ia.Position(s_ref=second)
     )
