@@ -72,7 +72,9 @@ class ModalBar(Bar):
 
     modes = option("number of modes", default=4, check=counting)
 
-    shapes = property(lambda self: self.modes)
+    @property
+    def shapes(self) -> int:
+        return int(self.modes)
 
     def frequency_error(self, mode: int) -> float:
         """Return by what share a natural frequency, both ends free, is too high.
@@ -117,7 +119,9 @@ class LumpedBar(Bar):
 
     segments = option("number of springs", default=8, check=counting)
 
-    shapes = property(lambda self: self.segments - 1)
+    @property
+    def shapes(self) -> int:
+        return int(self.segments) - 1
 
     def frequency_error(self, mode: int) -> float:
         """Return by what share a natural frequency, both ends free, is off: below 0, as it is too low.

@@ -1,6 +1,6 @@
 """Elastic shafts with inertia."""
 
-from ..bars import Bar, LumpedBar, ModalBar, Moving
+from ..bars import Bar, LumpedBar, ModalBar, Moving, Triple
 from ..language import Component, RotationalFlange, Stated, der, parameter, variable
 
 
@@ -29,7 +29,10 @@ class ElasticShaft(Bar):
     a_a = variable("rad/s2", "acceleration of the left end")
     a_b = variable("rad/s2", "acceleration of the right end")
     shape = ShaftShape
-    solid = property(lambda self: (self.J, self.c, self.d))
+
+    @property
+    def solid(self) -> Triple:
+        return self.J, self.c, self.d
 
     @property
     def ends(self) -> tuple[Moving, Moving]:

@@ -1,6 +1,6 @@
 """Elastic rods with mass."""
 
-from ..bars import Bar, LumpedBar, ModalBar, Moving
+from ..bars import Bar, LumpedBar, ModalBar, Moving, Triple
 from ..language import Component, Stated, TranslationalFlange, der, parameter, variable
 
 
@@ -30,7 +30,10 @@ class ElasticRod(Bar):
     a_a = variable("m/s2", "acceleration of the left end")
     a_b = variable("m/s2", "acceleration of the right end")
     shape = RodShape
-    solid = property(lambda self: (self.m, self.k, self.d))
+
+    @property
+    def solid(self) -> Triple:
+        return self.m, self.k, self.d
 
     @property
     def ends(self) -> tuple[Moving, Moving]:

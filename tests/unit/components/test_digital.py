@@ -63,7 +63,7 @@ def test_a_servo_against_a_loop_written_apart() -> None:
     net.connect(net.servo.flange, net.arm.flange)
     net.servo.reference = lambda t: 0.8 * np.sin(4 * t)
     run = net.simulate(1.0, step=5e-3, rtol=1e-8)
-    phi = w = i = voltage = 0.0
+    phi = w = i = voltage = pending = 0.0
     step, inertia, course = 1e-5, 0.02 + 1e-7 * 200**2, []
     for n in range(100_000):
         if n % 500 == 0:

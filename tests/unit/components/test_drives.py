@@ -318,7 +318,7 @@ def test_a_voice_coil_lags_and_brakes() -> None:
 
 
 def test_what_a_worm_takes_at_a_speed_is_its_torque_times_that() -> None:
-    root = brentq(lambda rho: np.tan(0.15 + rho) / np.tan(0.15) - 2, 0.0, 0.5)
+    root: Any = brentq(lambda rho: np.tan(0.15 + rho) / np.tan(0.15) - 2, 0.0, 0.5)
     run = worm(float(np.tan(root)), w=10.0).simulate(0.1, inputs={"motor.tau": lambda t: 4.02 + 0 * t})
     assert run["gear.lossPower"] == pytest.approx(
         np.full(len(run.time), 20.2), rel=1e-6

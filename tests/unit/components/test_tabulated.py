@@ -39,7 +39,7 @@ CURVES = {
 
 @pytest.mark.parametrize("turning", [False, True])
 @pytest.mark.parametrize("how", CURVES)
-def test_a_spring_by_points(how: str, turning: bool) -> None:
+def test_a_spring_by_points(how: Any, turning: bool) -> None:
     kind = rotational if turning else ia
     rest = {"phi_rel0" if turning else "s_rel0": 0.002}
     net = driven(kind.TabulatedSpring(table=np.array(TABLE), interpolation=how, **rest), turning)
@@ -53,7 +53,7 @@ def test_a_spring_by_points(how: str, turning: bool) -> None:
 
 @pytest.mark.parametrize("turning", [False, True])
 @pytest.mark.parametrize("how", CURVES)
-def test_a_damper_by_points(how: str, turning: bool) -> None:
+def test_a_damper_by_points(how: Any, turning: bool) -> None:
     kind = rotational if turning else ia
     net = driven(kind.TabulatedDamper(table=TABLE, interpolation=how), turning, 0.006)
     run = net.simulate(2.0, step=1e-3)
