@@ -182,5 +182,5 @@ def _periodic_slopes(x: Array, y: Array) -> Array:
         matrix[i, i] += 2 * (before + after)
         matrix[i, (i + 1) % count] += before
         right[i] = 3 * (after * rise[i - 1] + before * rise[i])
-    slopes: Array = np.linalg.solve(matrix, right)
+    slopes = np.asarray(np.linalg.solve(matrix, right), dtype=float)
     return np.append(slopes, slopes[0])

@@ -88,7 +88,8 @@ def test_a_map_is_bilinear(extrapolation: Literal["linear", "hold"]) -> None:
     if extrapolation == "hold":
         u1, u2 = np.clip(u1, 100, 400), np.clip(u2, 0, 4)
     values = np.array([row[1:] for row in table[1:]], dtype=float)
-    beyond: Any = None  # goes on straight
+    beyond: Any = {"bounds_error": False, "fill_value": None}
+    known = RegularGridInterpolator(([100, 300, 400], [0, 1, 4]), values, **beyond)
     known = RegularGridInterpolator(
         ([100, 300, 400], [0, 1, 4]), values, bounds_error=False, fill_value=beyond
     )
