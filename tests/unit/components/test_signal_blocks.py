@@ -90,9 +90,6 @@ def test_a_map_is_bilinear(extrapolation: Literal["linear", "hold"]) -> None:
     values = np.array([row[1:] for row in table[1:]], dtype=float)
     beyond: Any = {"bounds_error": False, "fill_value": None}
     known = RegularGridInterpolator(([100, 300, 400], [0, 1, 4]), values, **beyond)
-    known = RegularGridInterpolator(
-        ([100, 300, 400], [0, 1, 4]), values, bounds_error=False, fill_value=beyond
-    )
     assert run["block.y"] == pytest.approx(known(np.column_stack([u1, u2])))
 
 
