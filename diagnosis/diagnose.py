@@ -19,9 +19,11 @@ from . import criteria
 from .effects.hypothesis import Hypothesis
 from .models.fmu_network import read_model
 from .models.study import Report, Study, study_of, thinned
+from .search.crew import LATE
 from .search.joint_fit import JointFit
 from .search.model_comparison import Refit, are_alike, clearness, unexplained, with_residual_floors
-from .search.round import LATE, Round, run_round
+from .search.revision import Rivals, exchanged
+from .search.round import Round, run_round
 from .verdict.decide import decided
 from .verdict.verdict import DiagnosisInterruptedError, Verdict
 
@@ -78,7 +80,7 @@ def diagnose(
         start, base = _refitted(study, base.parameters, base)
     rounds: list[Round] = []
     notes = study.limits()
-    best = base
+    best, rivals = base, Rivals()
     try:
         while _may_go_on(best, base, study):
             chosen = _chosen(run_round(study, best, rounds), base)
@@ -90,10 +92,11 @@ def diagnose(
                 best, base = without, base if best.effects else without
                 rounds.pop()
                 continue
-            best = _pruned(chosen, study)
-        return decided(study, start, base, best, rounds, [*notes, *_left_out(study, budget, rounds)])
+            best, rivals = _revised(_pruned(chosen, study), rounds, study)
+        told = [*notes, *_left_out(study, budget, rounds)]
+        return decided(study, start, base, best, rounds, told, rivals)
     except KeyboardInterrupt:
-        verdict = decided(replace(study, deadline=-inf), start, base, best, rounds, notes)
+        verdict = decided(replace(study, deadline=-inf), start, base, best, rounds, notes, rivals)
         told = "interrupted; what is known so far is the error's `verdict`"
         raise DiagnosisInterruptedError(told, verdict) from None
 
@@ -189,7 +192,7 @@ def _simplest(best: Refit, clear: Sequence[Refit]) -> Refit:
 
     def price(model: Refit) -> float:
         missed = (model.cost + float(model.blocks.sum())) / noise
-        return missed + criteria.PART_CHI_SQUARED * len(model.effects[-1].quantities)
+        return missed + criteria.PART_CHI_SQUARED * sum(len(p.quantities) for p in model.effects)
 
     return min((f for f in clear if f is best or are_alike(f, best)), key=price)
 
@@ -232,6 +235,22 @@ def _pruned(best: Refit, study: Study) -> Refit:
         if less is not None and (needless or clearness(less, best) < criteria.CLEAR_STANDARD_ERRORS):
             best = less
     return best
+
+
+def _revised(best: Refit, rounds: Sequence[Round], study: Study) -> tuple[Refit, Rivals]:
+    """Return the model with effects exchanged for what does better beside the others, and the rivals."""
+    for _ in range(criteria.MOST_EFFECTS):
+        rivals: Rivals = {}
+        for placed, others in exchanged(study, best, rounds):
+            rivals[placed.label] = others
+            models = (best, *others)
+            better = _simplest(min(models, key=lambda f: f.blocks.sum()), models)
+            if better is not best:
+                best = better
+                break
+        else:
+            return best, rivals
+    return best, {}
 
 
 def _without(placed: Hypothesis, model: Refit, study: Study) -> Refit | None:

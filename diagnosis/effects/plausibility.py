@@ -72,7 +72,8 @@ def _ripple(placed: Hypothesis, _: Campaign) -> Iterator[_Doubt]:
 
 
 def _spring_on_a_shaft(placed: Hypothesis, _: Campaign) -> Iterator[_Doubt]:
-    stiff = any(quantity.unit.startswith("N.m/rad") for quantity in placed.effect.sizes(placed.site.domain))
+    sizes = placed.effect.sizes(placed.site.domain)
+    stiff = any(q.unit.startswith("N.m/rad") and not q.name.startswith("d") for q in sizes)
     turns = placed.site.travel / pi
     if stiff and not placed.effect.memory and not _is_dry(placed):
         yield _Doubt(turns, criteria.TURNS_OF_A_SPRING, f"it holds a shaft that turns {turns:.3g} times")

@@ -2,26 +2,17 @@
 
 from __future__ import annotations
 
-import pickle
 from collections import deque
-from collections.abc import Callable, Collection, Sequence
+from collections.abc import Collection, Sequence
 from dataclasses import dataclass, field
-from functools import lru_cache, partial
 
-from ...base import computing
-from ...components import InertanceError
-from ...identification import Accuracy, Campaign
+from ...identification import Campaign
 from .. import criteria
-from ..effects.hypothesis import Hypothesis
-from ..effects.plausibility import implausible
-from ..models.study import Study, study_of, thinned
-from .joint_fit import FitStart, JointFit
+from ..models.study import Study
+from .crew import LATE, Crew, Fit, Outcome
 from .model_comparison import Refit, unexplained
 from .needless import needless
 from .score_test import Candidate, screen
-
-LATE = "the time that was granted had passed"
-Outcome = Callable[[], Refit | str]  # of a fit: the model, or why there is none
 
 
 @dataclass(frozen=True, eq=False)
@@ -42,7 +33,7 @@ def run_round(study: Study, base: Refit, rounds: list[Round]) -> Round:
     """Screen all effects on top of a model and fit the leading ones; what is known stands in `rounds`."""
     told = " on top of what was found" if base.effects else ""
     study.tell(f"screening effects{told}")
-    crew = _Crew(study)
+    crew = Crew(study)
     candidates = screen(study, base.parameters, base.effects)
     waiting = _leading(candidates, {placed.label for placed in base.effects})
     tried, fitted, kept = list[Candidate](), list[Refit](), 0.0
@@ -55,7 +46,7 @@ def run_round(study: Study, base: Refit, rounds: list[Round]) -> Round:
         if ready is not None and len(under_way) < criteria.FITS_UNDER_WAY and not study.late():
             waiting.remove(ready)
             tried.append(ready)
-            fit = _Fit.of(ready, base, fitted)
+            fit = Fit.of(ready, base, fitted)
             if why := needless(study, fit.placed, base, fitted):
                 failed[ready.label] = why
             else:
@@ -117,92 +108,6 @@ def _ready(waiting: Sequence[Candidate], under_way: Sequence[Candidate]) -> Cand
     """Return the first candidate that does not start from what a fit to come or under way will give."""
     first = (c for c in waiting if not any(c.generalises(other) for other in (*under_way, *waiting)))
     return next(first, None)
-
-
-@dataclass(frozen=True, eq=False)
-class _Fit:
-    """What a fit of a candidate needs: the model so far, and values to start from."""
-
-    candidate: Candidate
-    base: Refit
-    starts: Sequence[FitStart]
-
-    @property
-    def placed(self) -> Hypothesis:
-        """The candidate with a name of its own beside the effects so far."""
-        name = f"{self.candidate.effect.kind}_{len(self.base.effects) + 1}"
-        return Hypothesis(self.candidate.effect, self.candidate.site, name, self.candidate.values)
-
-    @classmethod
-    def of(cls, candidate: Candidate, base: Refit, fitted: Sequence[Refit]) -> _Fit:
-        """Return it by what is known now, whoever makes it, and when."""
-        return cls(candidate, base, _starts(candidate, fitted))
-
-
-class _Crew:
-    """Who makes fits: the executor of a study, or whoever asks for the outcome."""
-
-    def __init__(self, study: Study) -> None:
-        self.study = study
-        self.payload = b"" if study.executor is None else _sent(study.campaign)
-
-    def begin(self, fit: _Fit) -> Outcome:
-        """Return what gives the fitted model, or why there is none, once it is called."""
-        study = self.study
-        if study.executor is None:
-            return partial(_made, study, fit)
-        return study.executor.submit(_job, self.payload, study.accuracy, study.deadline, fit).result
-
-
-def _job(payload: bytes, accuracy: Accuracy, deadline: float, fit: _Fit) -> Refit | str:
-    return _made(study_of(_received(payload), accuracy, deadline=deadline), fit)
-
-
-def _sent(campaign: Campaign) -> bytes:
-    """Return a campaign for other processes, with the noise that was found here."""
-    return pickle.dumps((campaign.pickled(), [experiment.floors for experiment in campaign.experiments]))
-
-
-@lru_cache(maxsize=1)
-def _received(payload: bytes) -> Campaign:
-    """Return a campaign in the process that it was sent to, with what is compared there again."""
-    campaign, floors = pickle.loads(payload)
-    return thinned(pickle.loads(campaign).with_floors(floors))
-
-
-def _made(study: Study, fit: _Fit) -> Refit | str:
-    """Return the model with a candidate, fitted, or why there is none."""
-    if study.late():
-        return LATE
-    placed = fit.placed
-    try:
-        with computing(placed.label):
-            effects = [*fit.base.effects, placed]
-            found = JointFit(study, fit.base.parameters, effects, fit.base).fitted(fit.starts)
-    except InertanceError as error:
-        return f"its fit ended early: {str(error).partition(chr(10))[0]}"
-    values = found.effects[-1].values
-    if not placed.effect.credible(values):
-        return f"no such machine: {', '.join(f'{name} = {value:.3g}' for name, value in values.items())}"
-    odd = implausible(found.effects[-1], study.campaign)
-    return found if odd is None else f"no such machine: {odd}"
-
-
-def _starts(candidate: Candidate, fitted: Sequence[Refit]) -> list[FitStart]:
-    """Return parameters and values to fit a candidate from: as screened, or as its special case."""
-    effect, site = candidate.effect, candidate.site
-    if effect.place == "series":
-        return [
-            (candidate.parameters, {k: size * v for k, v in candidate.values.items()})
-            for size in criteria.SERIES_START_SIZES
-        ]
-    starts: list[FitStart] = [(candidate.parameters, candidate.values)]
-    for plain in fitted:
-        last = plain.effects[-1]
-        if effect.plain and candidate.generalises(last):
-            widened = effect.widened(site.domain, site, last.effect, last.values)
-            starts += [(plain.parameters, values) for values in widened]
-    return starts
 
 
 def _leading(candidates: Sequence[Candidate], found: Collection[str]) -> list[Candidate]:

@@ -11,6 +11,7 @@ from ..criteria import CERTAIN_RESIDUAL_SHARE, COLOURED_MISFIT, EXPLAINED_GAP_SH
 from ..effects.hypothesis import Hypothesis
 from ..models.study import Study
 from ..search.model_comparison import Refit, are_alike, clearness
+from ..search.revision import Rivals
 from ..search.round import Round, same_motion
 from .cautions import cautions, led_astray, suspicions
 from .gap import Gap, gaps
@@ -33,8 +34,11 @@ def decided(
     best: Refit,
     rounds: Sequence[Round],
     notes: Sequence[str],
+    rivals: Rivals,
 ) -> Verdict:
     """Return the verdict on the model: nominal as `start`, refitted as `base`, with effects as `best`.
+
+    Each of several effects may have `rivals`.
 
     Where the time of the study is over, nothing is said of what was not looked for.
     """
@@ -47,12 +51,11 @@ def decided(
     word = _word(evidence)
     if study.late() and (best.effects or best.misfit > NOISE_MISFIT):
         word = "interrupted"
-    own = _fit_of(first, best.effects[0]) if best.effects else None
-    alike = _alike(first, own, best.effects) if own is not None else []
-    others = {f.effects[-1].effect.kind for f in alike} - {p.effect.kind for p in best.effects}
+    alike = _alike(best, rounds, rivals)
+    others = {_other(f, best).effect.kind for f in alike} - {p.effect.kind for p in best.effects}
     further = None
-    if word == "effect" and own is not None and others:
-        word, further = "ambiguous", separating(study, own, alike[0]) or NOT_BY_SINES
+    if word == "effect" and others:
+        word, further = "ambiguous", separating(study, best, alike[0]) or NOT_BY_SINES
     open_end = word in ("partial", "unknown")
     astray = led_astray(study.campaign, base) if best is not base else ()
     doubts = () if study.late() else unresolved(alone, best)
@@ -60,8 +63,8 @@ def decided(
     return Verdict(
         verdict=word,
         effects=best.effects,
-        confidence=tuple(_confidence(done, p) for done, p in zip(rounds, best.effects, strict=False)),
-        equivalent=_class(first, own, alike) if own is not None else (),
+        confidence=tuple(_confidence(best, n, rounds, rivals) for n in range(len(best.effects))),
+        equivalent=_class(best, first, alike),
         next_experiment=further,
         where=shares(first.candidates),
         windows=located(study, best, (rounds[-1] if rounds else first).candidates) if open_end else {},
@@ -151,37 +154,49 @@ def _noises(evidence: Evidence, gaps: Mapping[str, Gap]) -> Iterator[str]:
             )
 
 
-def _fit_of(done: Round, placed: Hypothesis) -> Refit | None:
-    """Return what a round has fitted of an effect at its site."""
-    return next((f for f in done.fitted if f.effects[-1].label == placed.label), None)
+def _labels(model: Refit) -> list[str]:
+    return [placed.label for placed in model.effects]
 
 
-def _alike(first: Round, own: Refit, effects: Sequence[Hypothesis]) -> list[Refit]:
-    """Return the fitted effects that the data cannot tell from the first of those found, the likest first."""
-    kind, found = own.effects[-1].effect.kind, {placed.label for placed in effects}
-    others = (
-        f
-        for f in first.fitted
-        if f.effects[-1].label not in found and not f.effects[-1].effect.generalises(kind)
-    )
-    return sorted((f for f in others if are_alike(f, own)), key=lambda other: abs(clearness(other, own)))
+def _alike(best: Refit, rounds: Sequence[Round], rivals: Rivals) -> list[Refit]:
+    """Return models with another effect for one of those found that are as good, the likest first."""
+    if not best.effects:
+        return []
+    *earlier, last = best.effects
+    models = [f for placed in earlier for f in rivals.get(placed.label, ())]
+    for done in rounds:
+        if _labels(done.base) == [placed.label for placed in earlier]:
+            models += [f for f in done.fitted if not f.effects[-1].effect.generalises(last.effect.kind)]
+    others = [f for f in models if len(f.effects) == len(best.effects) and {*_labels(f)} != {*_labels(best)}]
+    return sorted((f for f in others if are_alike(f, best)), key=lambda f: abs(clearness(f, best)))
 
 
-def _class(first: Round, own: Refit, alike: Sequence[Refit]) -> tuple[tuple[str, str], ...]:
+def _other(model: Refit, best: Refit) -> Hypothesis:
+    """Return the effect that a model has and another has not."""
+    return next(placed for placed in model.effects if placed.label not in _labels(best))
+
+
+def _class(best: Refit, first: Round, alike: Sequence[Refit]) -> tuple[tuple[str, str], ...]:
     """Return kind and site of what cannot be told from an effect: by its fit, or by screening already."""
-    chosen = next(c for c in first.candidates if c.label == own.effects[-1].label)
-    moved = [c.key for c in first.candidates if c is not chosen and same_motion(c, chosen)]
-    return tuple(dict.fromkeys([*(f.effects[-1].key for f in alike), *moved]))
+    labels = _labels(best)[:1]
+    chosen = next((c for c in first.candidates if c.label in labels), None)
+    moved = [c.key for c in first.candidates if chosen and c is not chosen and same_motion(c, chosen)]
+    return tuple(dict.fromkeys([*(_other(f, best).key for f in alike), *moved]))
 
 
-def _confidence(done: Round, placed: Hypothesis) -> float:
+def _confidence(best: Refit, position: int, rounds: Sequence[Round], rivals: Rivals) -> float:
     """Return the chance that no other fitted effect is better on further data, a half of what is alike."""
     from scipy.stats import norm
 
-    own = _fit_of(done, placed)
-    if own is None:
-        return 0.5
-    last = own.effects[-1]
-    others = [f for f in done.fitted if f is not own and not f.effects[-1].generalises(last)]
-    margins = [clearness(f, own) for f in (done.base, *others)]
-    return float(norm.cdf(max(0.0, min(margins))))
+    placed = best.effects[position]
+    done = rounds[position]
+    own = next((f for f in done.fitted if f.effects[-1].label == placed.label), None)
+    margins = [
+        clearness(f, best) for f in rivals.get(placed.label, ()) if not _other(f, best).generalises(placed)
+    ]
+    if own is not None:
+        margins.append(clearness(done.base, own))
+        if placed.label not in rivals:
+            rest = (f for f in done.fitted if f is not own and not f.effects[-1].generalises(placed))
+            margins += [clearness(f, own) for f in rest]
+    return float(norm.cdf(max(0.0, min(margins, default=0.0))))

@@ -23,6 +23,7 @@ FEWEST_DENSITIES = 8  # of a spectrum that are looked at
 PASSED_BAND = (0.3, 0.7)  # of what a filter has left
 FLAT_RATIO = 1.2  # of the density in that band, up to which there is no more elsewhere
 WEAK_POWER_SHARE = 0.02  # of a signal's power that may lie, beyond what is missed, in the upper half of that
+MEAN_POWER_SHARE = 0.02  # of what is missed that may lie in its mean
 EVEN_DEVIATIONS = 2.0  # of the scatter that the power of noise has from stretch to stretch
 QUIET_RANGE_SHARE = 1e-5  # below which no sensor's noise lies: the top of the spectrum was filtered away
 FILTERED_DENSITY_RATIO = 100.0  # of the density at the top, above which a channel passes what it measures
@@ -97,7 +98,7 @@ def residual_floor(residual: Array, rate: float, floor: NoiseFloor) -> NoiseFloo
 def is_noise(residual: Array, signal: Array, rate: float, stretches: int) -> bool:
     """Tell whether something is as strong at all frequencies that a filter may have left, and at all times.
 
-    If it is weak above a frequency, it must be strong where the signal is weak, too.
+    Its mean is small. If it is weak above a frequency, it must be strong where the signal is weak, too.
 
     Args:
         residual: what a model misses.
@@ -111,6 +112,8 @@ def is_noise(residual: Array, signal: Array, rate: float, stretches: int) -> boo
     known = np.maximum(moving - density, 0.0)[end // 2 :].sum()
     follows = end < len(density) and known > WEAK_POWER_SHARE * moving.sum()
     if follows or 0.5 * float(np.mean(density[1:end])) > FLAT_RATIO * noise.white(rate) ** 2:
+        return False
+    if np.mean(residual) ** 2 > MEAN_POWER_SHARE * np.mean(residual**2):
         return False
     power = np.array([float(np.mean(part**2)) for part in np.array_split(residual, stretches)])
     samples = noise.share(rate) * len(residual) / stretches

@@ -98,7 +98,7 @@ def test_fits_follow_each_other_alike_whenever_they_are_made(
         return crew.submit(made, b"", given.accuracy, given.deadline, fit.candidate.site.path).result
 
     monkeypatch.setattr(searched, "screen", lambda *given: list(candidates))
-    monkeypatch.setattr(searched._Crew, "begin", begin)
+    monkeypatch.setattr(Crew, "begin", begin)
     base = replace(left(rail("a"), 2.0), effects=(), cost=10_000.0)
     done = searched.run_round(given, base, [])
     assert [f.effects[-1].site.path for f in done.fitted] == list(gains)

@@ -1,0 +1,104 @@
+"""Who fits effects on top of a model: this process, or others."""
+
+from __future__ import annotations
+
+import pickle
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from functools import lru_cache, partial
+
+from ...base import computing
+from ...components import InertanceError
+from ...identification import Accuracy, Campaign
+from .. import criteria
+from ..effects.hypothesis import Hypothesis
+from ..effects.plausibility import implausible
+from ..models.study import Study, study_of, thinned
+from .joint_fit import FitStart, JointFit
+from .model_comparison import Refit
+from .score_test import Candidate
+
+LATE = "the time that was granted had passed"
+Outcome = Callable[[], Refit | str]  # of a fit: the model, or why there is none
+
+
+@dataclass(frozen=True, eq=False)
+class Fit:
+    """What a fit of an effect needs: the model so far, and values to start from."""
+
+    placed: Hypothesis
+    base: Refit
+    starts: Sequence[FitStart]
+
+    @classmethod
+    def of(cls, candidate: Candidate, base: Refit, fitted: Sequence[Refit]) -> Fit:
+        """Return that of a candidate by what is known now, whoever makes it, and when."""
+        name = f"{candidate.effect.kind}_{len(base.effects) + 1}"
+        placed = Hypothesis(candidate.effect, candidate.site, name, candidate.values)
+        return cls(placed, base, _starts(candidate, fitted))
+
+
+class Crew:
+    """Who makes fits: the executor of a study, or whoever asks for the outcome."""
+
+    def __init__(self, study: Study) -> None:
+        self.study = study
+        self.payload = b"" if study.executor is None else _sent(study.campaign)
+
+    def begin(self, fit: Fit) -> Outcome:
+        """Return what gives the fitted model, or why there is none, once it is called."""
+        study = self.study
+        if study.executor is None:
+            return partial(_made, study, fit)
+        return study.executor.submit(_job, self.payload, study.accuracy, study.deadline, fit).result
+
+
+def _job(payload: bytes, accuracy: Accuracy, deadline: float, fit: Fit) -> Refit | str:
+    return _made(study_of(_received(payload), accuracy, deadline=deadline), fit)
+
+
+def _sent(campaign: Campaign) -> bytes:
+    """Return a campaign for other processes, with the noise that was found here."""
+    return pickle.dumps((campaign.pickled(), [experiment.floors for experiment in campaign.experiments]))
+
+
+@lru_cache(maxsize=1)
+def _received(payload: bytes) -> Campaign:
+    """Return a campaign in the process that it was sent to, with what is compared there again."""
+    campaign, floors = pickle.loads(payload)
+    return thinned(pickle.loads(campaign).with_floors(floors))
+
+
+def _made(study: Study, fit: Fit) -> Refit | str:
+    """Return the model with a candidate, fitted, or why there is none."""
+    if study.late():
+        return LATE
+    placed = fit.placed
+    try:
+        with computing(placed.label):
+            effects = [*fit.base.effects, placed]
+            found = JointFit(study, fit.base.parameters, effects, fit.base).fitted(fit.starts)
+    except InertanceError as error:
+        return f"its fit ended early: {str(error).partition(chr(10))[0]}"
+    values = found.effects[-1].values
+    if not placed.effect.credible(values):
+        return f"no such machine: {', '.join(f'{name} = {value:.3g}' for name, value in values.items())}"
+    odd = implausible(found.effects[-1], study.campaign)
+    return found if odd is None else f"no such machine: {odd}"
+
+
+def _starts(candidate: Candidate, fitted: Sequence[Refit]) -> list[FitStart]:
+    """Return parameters and values to fit a candidate from: as screened, or as its special case."""
+    effect, site = candidate.effect, candidate.site
+    if effect.place == "series":
+        return [
+            (candidate.parameters, {k: size * v for k, v in candidate.values.items()})
+            for size in criteria.SERIES_START_SIZES
+        ]
+    starts: list[FitStart] = [(candidate.parameters, candidate.values)]
+    for plain in fitted:
+        last = plain.effects[-1]
+        if effect.plain and candidate.generalises(last):
+            widened = effect.widened(site.domain, site, last.effect, last.values)
+            starts += [(plain.parameters, values) for values in widened]
+    return starts
