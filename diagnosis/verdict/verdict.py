@@ -96,7 +96,7 @@ class Verdict:
         verdict: "effect", "parameters", "none", "ambiguous", "partial", "unknown" or "interrupted".
         effects: what is missing, with its parameters; for "partial", what certainly explains a part of it.
         confidence: of each effect.
-        equivalent: (kind, site) of what these data cannot tell from it.
+        equivalent: (kind, site) of what these data cannot tell from one of them.
         next_experiment: the excitation that would tell them apart, in words.
         where: shares of the gap by site.
         windows: for "partial" and "unknown": when, in which band, in which motion the gap is that is left.

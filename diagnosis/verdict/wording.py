@@ -38,6 +38,8 @@ def sentence_of(verdict: Verdict) -> str:
 def _others(verdict: Verdict) -> str:
     """Return what the data cannot tell from what was found."""
     others = ", ".join(told(*key) for key in verdict.equivalent)
+    if len(verdict.effects) > 1 and others:
+        return f" In the place of one of these, the data would allow {others} as well."
     return f" These data cannot tell it from {others}." if others else ""
 
 

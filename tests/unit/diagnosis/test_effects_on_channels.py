@@ -4,10 +4,10 @@ import inertance as ia
 import numpy as np
 import pytest
 from inertance.diagnosis.effects.effect import effect_of
-from inertance.diagnosis.effects.hypothesis import Hypothesis
+from inertance.diagnosis.effects.hypothesis import Hypothesis, acted
 from inertance.diagnosis.effects.shaping import Shapes
 from inertance.diagnosis.effects.sites import Site
-from inertance.identification import Campaign, Record
+from inertance.identification import Campaign, Experiment, Record
 from numpy.typing import NDArray
 
 Array = NDArray[np.float64]
@@ -63,6 +63,33 @@ def test_play_is_crossed_wherever_a_command_turns() -> None:
     assert followed[205] == followed[199]
     assert followed[399] == pytest.approx(-1.7)
     assert changed("actuator_backlash", course, width=0.0) == pytest.approx(course)
+
+
+def acted_on(kind: str, initial: str, values: Array, **sizes: float) -> Array:
+    record = Record("cut", TIME, {"u": values, "x": values})
+    experiment = Experiment(record, "cut", initial)
+    return acted(effect_of(kind), experiment, TIME, values, sizes)
+
+
+@pytest.mark.parametrize("phase", [0.0, 0.4, 1.6, 3.0])
+@pytest.mark.parametrize("T", [0.0007, 0.004, 0.012])
+def test_an_actuator_lags_from_the_first_sample_of_a_record_in_motion(T: float, phase: float) -> None:
+    """What it follows was moving before; at rest it was not."""
+    w = 2 * np.pi * 3.0
+    course = np.sin(w * (TIME - TIME[0]) + phase)
+    true = np.sin(w * (TIME - TIME[0]) + phase - np.arctan(w * T)) / np.hypot(1, w * T)
+    assert acted_on("actuator_lag", "fit", course, T=T) == pytest.approx(true, abs=6 * (w * T) ** 3 + 2e-3)
+    rested = acted_on("actuator_lag", "rest", course, T=T)
+    assert rested[0] == course[0]
+    assert rested[TIME[0] + 10 * T + 0.1 < TIME] == pytest.approx(
+        true[TIME[0] + 10 * T + 0.1 < TIME], abs=2e-3
+    )
+
+
+def test_the_play_of_a_command_that_rises_is_taken_up_from_the_first_sample() -> None:
+    rising = 5.0 + 2.0 * (TIME - TIME[0])
+    assert acted_on("actuator_backlash", "fit", rising, width=0.3) == pytest.approx(rising - 0.3)
+    assert acted_on("actuator_backlash", "rest", rising, width=0.3)[0] == rising[0]
 
 
 def test_limits_are_looked_for_where_the_input_goes() -> None:

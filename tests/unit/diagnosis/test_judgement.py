@@ -12,6 +12,8 @@ import pytest
 from inertance.cli import app
 from inertance.cli.diagnose import show
 from inertance.diagnosis import Gap, Ranked, Verdict, write_report
+from inertance.diagnosis.diagnose import _revised
+from inertance.diagnosis.effects.effect import effect_of
 from inertance.diagnosis.effects.hypothesis import Hypothesis
 from inertance.diagnosis.models.study import Study
 from inertance.diagnosis.report.text import conclusion, ruled_out
@@ -72,13 +74,15 @@ class Case:
         self.friction = self.fitted("coulomb_friction")
         self.weak = self.fitted("sensor_gain")
 
-    def fitted(self, kind: str) -> Refit:
-        found = next(c for c in self.candidates if c.effect.kind == kind)
-        placed = Hypothesis(found.effect, found.site, f"{kind}_1", found.values)
-        return JointFit(self.study, self.base.parameters, [placed]).fitted()
+    def fitted(self, *kinds: str) -> Refit:
+        placed = []
+        for kind in kinds:
+            found = next(c for c in self.candidates if c.effect.kind == kind)
+            placed.append(Hypothesis(found.effect, found.site, f"{kind}_1", found.values))
+        return JointFit(self.study, self.base.parameters, placed).fitted()
 
     def verdict(self, best: Refit, *rounds: Round) -> Verdict:
-        return decided(self.study, self.start, self.base, best, rounds, [])
+        return decided(self.study, self.start, self.base, best, rounds, [], {})
 
     def round(self, base: Refit, *fitted: Refit) -> Round:
         return Round(base, list[Candidate](self.candidates), list(fitted))
@@ -171,7 +175,7 @@ def test_what_is_left_is_partial_however_little_of_the_signal(case: Case, effect
     for share in (0.008, 0.05):
         size = np.sqrt(2) * share / effect.gap["x"].floor
         friction, base = with_more(case.friction, size), with_more(case.friction, 5 * size)
-        found = decided(case.study, case.start, base, friction, [case.round(base, friction)], [])
+        found = decided(case.study, case.start, base, friction, [case.round(base, friction)], [], {})
         assert found.gap["x"].over_noise > 3
         assert found.closed < 0.93
         assert found.verdict == "partial"
@@ -258,7 +262,7 @@ def test_a_refit_that_runs_away_is_told(case: Case) -> None:
     assert len(told) == 1
     assert "moves spring.k by 25 standard deviations" in told[0]
     assert not list(led_astray(case.campaign, case.base))
-    found = decided(case.study, case.start, away, case.friction, [case.round(away, case.friction)], [])
+    found = decided(case.study, case.start, away, case.friction, [case.round(away, case.friction)], [], {})
     assert told[0] in found.notes
 
 
@@ -325,3 +329,41 @@ def test_each_effect_of_a_partial_verdict_takes_most_of_what_was_left(
     best: Any = ([base, *further])[-1]
     study: Any = SimpleNamespace(judged=[])
     assert len(certain_part(best, cast(Any, base), rounds, study).effects) == named
+
+
+def test_what_was_found_first_is_held_against_its_rivals_beside_what_was_found_since(case: Case) -> None:
+    """Damping was taken for friction first; beside a gain it is exchanged, and the gain stays second."""
+    damping = case.fitted("viscous_damping")
+    both = case.fitted("viscous_damping", "sensor_gain")
+    rounds = [case.round(case.base, damping, case.friction), case.round(damping, both)]
+    revised, _ = _revised(both, rounds, case.study)
+    assert [placed.effect.kind for placed in revised.effects] == ["coulomb_friction", "sensor_gain"]
+    assert len({placed.name for placed in revised.effects}) == 2
+    assert revised.misfit < 1.1 < both.misfit
+    kept, rivals = _revised(revised, [case.round(case.base, damping, case.friction)], case.study)
+    assert kept is revised
+    named = {label: [_kinds(model) for model in models] for label, models in rivals.items()}
+    assert named == {revised.effects[0].label: []} or all(
+        kinds == [["viscous_damping", "sensor_gain"]] for kinds in named.values()
+    )
+
+
+def _kinds(model: Refit) -> list[str]:
+    return [placed.effect.kind for placed in model.effects]
+
+
+def test_a_class_holds_what_is_as_good_in_the_place_of_either_effect(case: Case) -> None:
+    both = case.fitted("coulomb_friction", "sensor_gain")
+    gain = both.effects[1]
+    rival = replace(
+        both, effects=(replace(both.effects[0], effect=effect_of("shear_thinning_damping")), gain)
+    )
+    rounds = [case.round(case.base, case.friction), case.round(case.friction, both)]
+    label = both.effects[0].label
+    told = decided(case.study, case.start, case.base, both, rounds, [], {label: [rival]})
+    assert told.verdict == "ambiguous"
+    assert told.equivalent[0][0] == "shear_thinning_damping"
+    worse = with_more(rival, 3.0)
+    told = decided(case.study, case.start, case.base, both, rounds, [], {label: [worse]})
+    assert told.verdict == "effect"
+    assert told.equivalent == ()

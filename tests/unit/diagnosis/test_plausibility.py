@@ -82,6 +82,9 @@ ALLOWED = {
     "a ripple of some periods": ("position_ripple", at(), {"tau_sin": 1.0, "tau_cos": 0.5, "period": 1.0}),
     "a stiffness on a shaft that swings": ("linear_stiffness", at(travel=3.0), {"c": 2.0}),
     "hysteresis on a shaft that turns": ("hysteresis", at(travel=600 * np.pi), {"c": 10.0, "phi_y": 0.01}),
+    "damping that grows on a shaft that turns": (
+        "viscous_drift", at(travel=600 * np.pi), {"d": 0.1, "d_u": 1e-3},
+    ),
     "a stiffness on a long way": ("linear_stiffness", at(SLIDING, travel=600 * np.pi), {"k": 2.0}),
     "friction below the largest force": ("coulomb_friction", at(force=1e-6), {"tau_c": 4.0}),
     "friction where no force is known": ("coulomb_friction", at(largest=np.inf), {"tau_c": 1e4}),
@@ -92,7 +95,7 @@ ALLOWED = {
     "a bias of many radians": ("sensor_bias", on("angle"), {"bias": -40.0}),
     "a wheel as heavy": ("added_inertia", at(places="node"), {"J": 0.2}),
     "a narrow dead zone": ("actuator_dead_zone", on("u"), {"width": 0.3}),
-}
+}  # fmt: skip
 
 
 @pytest.fixture(scope="module")

@@ -72,3 +72,12 @@ def test_noise_about_a_motion_as_small_as_itself_is_noise(size: float) -> None:
 def test_noise_about_a_channel_that_rests_is_noise() -> None:
     noise = np.random.default_rng(8).standard_normal(COUNT)
     assert is_noise(noise, np.zeros(COUNT), RATE, 16)
+
+
+def test_what_has_a_mean_is_no_noise() -> None:
+    """A sensor's zero, or a force that is always there, is as even in time and frequency as noise."""
+    noise = np.random.default_rng(5).normal(size=COUNT)
+    signal = 50 * low_passed(np.random.default_rng(6), 6, 8.0)
+    assert is_noise(noise, signal, RATE, 16)
+    assert is_noise(noise + 0.05, signal, RATE, 16)
+    assert not is_noise(noise + 0.5, signal, RATE, 16)
