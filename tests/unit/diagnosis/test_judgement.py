@@ -13,7 +13,6 @@ from inertance.cli import app
 from inertance.cli.diagnose import show
 from inertance.diagnosis import Gap, Ranked, Verdict, write_report
 from inertance.diagnosis.diagnose import _revised
-from inertance.diagnosis.effects.effect import effect_of
 from inertance.diagnosis.effects.hypothesis import Hypothesis
 from inertance.diagnosis.models.study import Study
 from inertance.diagnosis.report.text import conclusion, ruled_out
@@ -354,15 +353,12 @@ def _kinds(model: Refit) -> list[str]:
 
 def test_a_class_holds_what_is_as_good_in_the_place_of_either_effect(case: Case) -> None:
     both = case.fitted("coulomb_friction", "sensor_gain")
-    gain = both.effects[1]
-    rival = replace(
-        both, effects=(replace(both.effects[0], effect=effect_of("shear_thinning_damping")), gain)
-    )
+    rival = replace(case.fitted("viscous_damping", "sensor_gain"), train=both.train, test=both.test)
     rounds = [case.round(case.base, case.friction), case.round(case.friction, both)]
     label = both.effects[0].label
     told = decided(case.study, case.start, case.base, both, rounds, [], {label: [rival]})
     assert told.verdict == "ambiguous"
-    assert told.equivalent[0][0] == "shear_thinning_damping"
+    assert told.equivalent[0][0] == "viscous_damping"
     worse = with_more(rival, 3.0)
     told = decided(case.study, case.start, case.base, both, rounds, [], {label: [worse]})
     assert told.verdict == "effect"

@@ -95,10 +95,10 @@ def test_fits_follow_each_other_alike_whenever_they_are_made(
         return replace(left(rail(path, "linear_stiffness", k=1.0), 1.0), cost=10_000.0 - gains[path])
 
     def begin(self: Any, fit: Any) -> Any:
-        return crew.submit(made, b"", given.accuracy, given.deadline, fit.candidate.site.path).result
+        return crew.submit(made, b"", given.accuracy, given.deadline, fit.placed.site.path).result
 
     monkeypatch.setattr(searched, "screen", lambda *given: list(candidates))
-    monkeypatch.setattr(Crew, "begin", begin)
+    monkeypatch.setattr(searched.Crew, "begin", begin)
     base = replace(left(rail("a"), 2.0), effects=(), cost=10_000.0)
     done = searched.run_round(given, base, [])
     assert [f.effects[-1].site.path for f in done.fitted] == list(gains)
