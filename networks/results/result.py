@@ -11,9 +11,10 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from ...base import Array, UnknownNameError, path_of, text
+from ...base import Array, UnknownNameError, path_of
 from ..evaluation.jacobians import Points, Slopes
 from ..flattening.vectors import pick
+from .averages import is_pattern
 from .over_time import OverTime
 from .pieces import Pieces
 
@@ -305,7 +306,7 @@ def matching_signals(dae: DAE, names: Iterable[str]) -> list[str]:
     chosen: dict[str, None] = {}
     for name in names:
         matches = [name]
-        if not text(name) and "*" in name:
+        if is_pattern(name):
             known = (*dae.names(), *dae.switching.mode_names, *dae.derived.names())
             matches = [other for other in known if fnmatchcase(other, name)]
             if not matches:
