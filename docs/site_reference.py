@@ -78,7 +78,7 @@ def _index(pages: dict[str, tuple[str, dict[str, Any]]]) -> str:
         "# Reference",
         "",
         "Every public name: what it is, its equation, what it takes in which unit, its source. Elements that",
-        "slide or convert, and what every user needs, are imported from `inertance` itself, a name with a dot",
+        "slide or convert, and what every user needs, are imported from `inertance`, a name with a dot",
         "from its module: `from inertance import Mass`, `from inertance.rotational import Inertia`.",
     ]
     for title, (page, names) in pages.items():
