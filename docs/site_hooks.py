@@ -1,6 +1,6 @@
 """What MkDocs does not find below docs/: pages from elsewhere in the tree, the reference, source files.
 
-MkDocs calls `on_files` before it reads pages, and `on_page_markdown` with each; see mkdocs.yml.
+MkDocs calls `on_config` and `on_files` before it reads pages, the others with each; see mkdocs.yml.
 """
 
 from __future__ import annotations
@@ -24,6 +24,7 @@ ELSEWHERE = {
     "benchmarks/blind/README.md": "blind-benchmark.md",
     "examples/README.md": "examples.md",
 }
+ASKED = re.compile(r'<(?:script|img|iframe)[^>]*src="?http|<link[^>]*stylesheet[^>]*href="?http')
 LINK = re.compile(r"(!?)\[((?:[^\[\]]|\[[^\]]*\])*)\]\((?!\w+:|#)([^)#\s]+)(#[^)\s]*)?\)")
 TITLE = re.compile(r"^# .+\n", re.MULTILINE)
 TIMED = re.compile(r"^\| \[.*?\]\((\S+\.md)\) \|.*\| (\d+) \|$", re.MULTILINE)
@@ -63,6 +64,13 @@ def on_page_markdown(markdown: str, page: Page, config: MkDocsConfig, files: Fil
         return linked
     told = f'\n!!! info "The Python lines of this page ran in {_seconds[uri]} s; every test runs them."\n'
     return TITLE.sub(lambda title: title[0] + told, linked, count=1)
+
+
+def on_post_page(output: str, page: Page, config: MkDocsConfig) -> str:
+    """Warn of a page that a browser could not show without a network."""
+    if asked := ASKED.search(output):
+        log.warning("%s asks another host: %s", page.file.src_uri, asked[0])
+    return output
 
 
 def _from(page: str) -> PurePosixPath:

@@ -75,7 +75,7 @@ def test_check_tells_by_its_exit_code(folder: Path, monkeypatch: pytest.MonkeyPa
         (["check", "model.py:built"], 2, "did you mean 'build'"),
         (["check", "model.py:build", "--stop=-1"], 2, "stop must be finite and at least 1e-06 s"),
         (["check", "model.py:build", "--input", "x"], 2, "tables end in .csv"),
-            (["check", "it.fmu", "--input", "x=a"], 2, "NAME=VALUE"),
+        (["check", "it.fmu", "--input", "x=a"], 2, "NAME=VALUE"),
         (["export", "model.py:build", "it.zip"], 2, "ends in '.fmu'"),
         (["export", "model.py:build", "it.fmu", "--fmi", "1.0"], 2, "fmi_version must be one of"),
         (["export", "model.py:build", "it.fmu", "--terminal", "mass.flange"], 2, "FLANGE=CAUSALITY"),
