@@ -7,34 +7,33 @@ import re
 from importlib.metadata import Distribution, PackageNotFoundError, distribution, requires
 from pathlib import Path
 
+from packaging.requirements import Requirement
+from packaging.utils import canonicalize_name
+
 PAGE = Path(__file__).with_name("licences.md")
-NAME = re.compile(r"[\w.-]+")
 LONGEST = 60
 SPELT = {"Apache 2.0": "Apache-2.0", "BSD License": "BSD", "MIT License": "MIT"}
 
 
-def needed(name: str, extra: str = "") -> dict[str, Distribution]:
-    """Return what a package needs, directly or not, and is installed, by name."""
+def needed(name: str, *extras: str) -> dict[str, Distribution]:
+    """Return what a package with extras needs here, directly or not, and is installed, by name."""
     found: dict[str, Distribution] = {}
-    waiting = [(name, extra)]
+    waiting, seen = [(name, extras)], set()
     while waiting:
-        name, extra = waiting.pop()
-        for line in requires(name) or ():
-            requirement, _, marker = line.partition(";")
-            if "extra" in marker and not (extra and re.search(rf"extra == ['\"]{extra}['\"]", marker)):
+        here, wanted = waiting.pop()
+        if (here, wanted) in seen:
+            continue
+        seen.add((here, wanted))
+        for requirement in map(Requirement, requires(here) or ()):
+            marker = requirement.marker
+            if marker and not any(marker.evaluate({"extra": extra}) for extra in wanted or ("",)):
                 continue
-            other = NAME.match(requirement)
-            assert other
-            inner = re.search(r"\[(.*?)\]", requirement)
             try:
-                package = distribution(other[0])
+                found[canonicalize_name(requirement.name)] = distribution(requirement.name)
             except PackageNotFoundError:
                 continue
-            key = re.sub(r"[-_.]+", "-", package.metadata["Name"]).lower()
-            waiting += [(other[0], e.strip()) for e in (inner[1].split(",") if inner else [])]
-            if key not in found and key != "inertance":
-                found[key] = package
-                waiting.append((other[0], ""))
+            waiting.append((requirement.name, tuple(sorted(requirement.extras))))
+    found.pop("inertance", None)
     return dict(sorted(found.items()))
 
 

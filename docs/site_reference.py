@@ -15,9 +15,9 @@ from inertance.cli.catalogue import first_line, is_base
 from inertance.cli.sketch import sketch
 from inertance.cli.usage import usage
 from inertance.components import Component
-from inertance.components.language import given_fields, told
+from inertance.networks.machines import elements
 
-STUBBED = re.compile(r"inertance\.components\.(translational|rotational|transmission|signals|thermal)\b")
+FAMILIES = ("translational", "rotational", "transmission", "signals", "thermal")
 PAGES = {
     "networks": "Networks, runs, records",
     "language": "Elements of your own",
@@ -30,6 +30,7 @@ PAGES = {
     "fmu": "FMUs",
     "errors": "Errors",
 }
+STUBBED = re.compile(rf"inertance\.components\.({'|'.join(FAMILIES)})\b")
 
 
 def public() -> dict[str, Any]:
@@ -56,7 +57,7 @@ def reference_pages() -> dict[str, str]:
     for name, value in names.items():
         pages.setdefault(_page(name, value), {})[name] = value
     titles = {page: PAGES.get(page, f"Elements: {page}") for page in pages}
-    ordered = sorted(pages, key=lambda page: (page in PAGES, [*PAGES, page].index(page), page))
+    ordered = sorted(pages, key=[*FAMILIES, *PAGES].index)
     texts = {f"reference/{page}.md": _text(titles[page], pages[page]) for page in ordered}
     return {"reference/index.md": _index({titles[page]: (page, pages[page]) for page in ordered})} | texts
 
@@ -104,19 +105,14 @@ def _lines(group: str, names: dict[str, Any]) -> Iterator[str]:
         yield f"::: {_path(value)}"
         yield f"    options:\n      heading: {name}\n      toc_label: {name}"
         yield f"      heading_level: {3 if group else 2}"
-        yield f"      members: {str(not element).lower()}\n" if element else ""
+        yield f"      {'members' if element else 'inherited_members'}: {str(not element).lower()}\n"
         if element:
             yield from _element(name, value)
 
 
 def _element(name: str, kind: type[Component]) -> Iterator[str]:
-    """Yield what the docstring of an element does not tell: its picture, values, an example, its lines."""
+    """Yield what the docstring of an element does not tell: its picture, an example, its lines."""
     yield f"```text\n{sketch(kind)}\n```\n"
-    given = given_fields(kind)
-    if given and not STUBBED.match(kind.__module__):
-        yield "| value | |\n|---|---|"
-        yield from (f"| `{field.name}` | {told(field)} |" for field in given)
-        yield ""
     if not is_base(kind):
         yield f'??? example "{name} in a network"\n\n{_fenced(usage(kind))}'
     file = kind.__module__.removeprefix("inertance.").replace(".", "/")
@@ -128,8 +124,10 @@ def _fenced(code: str) -> str:
 
 
 def _path(value: Any) -> str:
-    """Return where mkdocstrings finds a name: an element in the stub of its family, which has its values."""
+    """Return where mkdocstrings finds a name: an element in the stub, which has its values."""
     family = STUBBED.match(value.__module__)
+    if isinstance(value, type) and getattr(elements, value.__name__, None) is value:
+        return f"{elements.__name__}.{value.__name__}"
     return f"{family[0] if family else value.__module__}.{value.__qualname__}"
 
 

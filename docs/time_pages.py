@@ -12,7 +12,7 @@ from time import perf_counter
 
 FOLDER = Path(__file__).parent
 LIST = FOLDER / "tutorials.md"
-ROW = re.compile(r"^(\| \[.*?\]\((\S+?\.md)\) \|.*\|) [\d.]* \|$", re.MULTILINE)
+ROW = re.compile(r"^(\| \[.*?\]\((\S+?\.md)\) \|.*\|) [\d.]* ?\|$", re.MULTILINE)
 LINES = re.compile(r"^```python\n(.*?)^```$", re.MULTILINE | re.DOTALL)
 
 
