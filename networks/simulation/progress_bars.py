@@ -5,6 +5,8 @@ from __future__ import annotations
 import sys
 import time
 from html import escape
+from importlib import import_module
+from typing import Any
 
 
 def in_notebook() -> bool:
@@ -42,11 +44,10 @@ class NotebookBar:
     """A bar below the cell that computes."""
 
     def __init__(self, name: str, total: float, digits: int, unit: str) -> None:
-        from IPython.display import HTML, display
-
+        shown: Any = import_module("IPython.display")  # there is one in a notebook
         self._name, self._total, self._digits, self._unit = name, total, digits, unit
-        self._html, self._begun = HTML, time.perf_counter()
-        self._shown = display(HTML(""), display_id=True)
+        self._html, self._begun = shown.HTML, time.perf_counter()
+        self._shown = shown.display(shown.HTML(""), display_id=True)
 
     def to(self, done: float) -> None:
         """Fill it."""
