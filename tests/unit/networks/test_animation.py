@@ -1,6 +1,7 @@
 """The sketch of a machine moves as the machine did."""
 
 import re
+from collections.abc import Callable
 from pathlib import Path
 
 import inertance as ia
@@ -72,7 +73,7 @@ def test_it_is_kept_as_a_picture_and_as_a_page_of_its_own(tmp_path: Path) -> Non
 
 @pytest.mark.parametrize("name", ["quarter_car", "half_car", "shear_frame", "bogie"])
 def test_ready_machines_are_laid_out(name: str) -> None:
-    given = {
+    given: dict[str, Callable[[], ia.Network]] = {
         "quarter_car": lambda: machines.quarter_car(machines.suspension("S4", 6e4, 3e3, 200.0)),
         "half_car": lambda: machines.half_car(*(machines.suspension("S1", 6e4, 3e3) for _ in range(2))),
         "shear_frame": lambda: machines.shear_frame([1e3] * 3, [1e6] * 3),

@@ -16,8 +16,8 @@ from scipy.integrate import solve_ivp
 
 Array = NDArray[np.float64]
 FEW = settings(max_examples=8, deadline=None, suppress_health_check=[HealthCheck.too_slow])
-STRUTS = {"A_b": 8e-4, "A_r": 5e-4, "p_0": 2e6, "V_0": 2e-4, "R": 2e9}
-OLEO = {
+STRUTS: dict[str, Any] = {"A_b": 8e-4, "A_r": 5e-4, "p_0": 2e6, "V_0": 2e-4, "R": 2e9}
+OLEO: dict[str, Any] = {
     "s_rel0": 0.8, "A_a": 2e-3, "A_h": 1.6e-3, "A_o": 3e-5, "p_0": 1.5e6, "V_0": 8e-4, "n": 1.3, "C_d": 0.9,
     "rho": 870.0,
 }  # fmt: skip

@@ -32,14 +32,14 @@ def test_a_pattern_gives_what_each_name_gives(run: ia.Result, what: str) -> None
     assert list(measure(["tail.v", "body.v", "tail.v"]).index) == ["tail.v", "body.v"]
 
 
-def test_a_pattern_leaves_out_modes_but_a_list_of_names_does_not(run: ia.Result) -> None:
+def test_a_pattern_leaves_out_modes_but_a_list_of_names_does_not(run: Any) -> None:
     assert "rub.mode" not in run.rms("*").index
     assert "rub.f" in run.rms("rub.*").index
     with pytest.raises(ia.ModelError, match=r"'rub\.mode' of 'two' is a mode"):
         run.rms(["rub.f", "rub.mode"])
 
 
-def test_shares_of_all_modes(run: ia.Result) -> None:
+def test_shares_of_all_modes(run: Any) -> None:
     shares = run.share("*.mode", "stuck")
     assert dict(shares) == {"rub.mode": run.share("rub.mode", "stuck")}
     assert list(run.share("rub.*", "stuck").index) == ["rub.mode"]
@@ -57,7 +57,7 @@ def test_values_at_instants(run: ia.Result) -> None:
 
 
 def test_records_take_patterns_too() -> None:
-    record = ia.Recorded(
+    record: Any = ia.Recorded(
         pd.DataFrame({"a.f": [1.0, 3.0], "b.f": [0.0, 0.0], "a.s": [0.0, 1.0]}, index=[0.0, 2.0])
     )
     assert dict(record.mean("*.f")) == {"a.f": 2.0, "b.f": 0.0}

@@ -6,7 +6,6 @@ from typing import Any
 
 import inertance as ia
 import pytest
-from inertance.networks.simulation import progress
 from inertance.networks.simulation.progress import Progress
 from inertance.sweeps import sweep
 
@@ -27,7 +26,7 @@ def cell(monkeypatch: pytest.MonkeyPatch) -> list[str]:
 
 def test_a_notebook_shows_a_bar_that_fills_and_goes(cell: list[str], monkeypatch: pytest.MonkeyPatch) -> None:
     now = 0.0
-    monkeypatch.setattr(progress.time, "perf_counter", lambda: now)
+    monkeypatch.setattr("time.perf_counter", lambda: now)
     with Progress("<run>", 1.0, 5.0, None) as show:
         show.at(1.5)
         assert cell == []  # not before a second
@@ -49,7 +48,7 @@ def test_nothing_is_shown_where_nobody_looks(capsys: pytest.CaptureFixture[str])
 
 def test_a_sweep_shows_one_bar_and_none_of_its_runs(cell: list[str], monkeypatch: pytest.MonkeyPatch) -> None:
     ticks = iter(range(10**6))
-    monkeypatch.setattr(progress.time, "perf_counter", lambda: float(next(ticks)))
+    monkeypatch.setattr("time.perf_counter", lambda: float(next(ticks)))
     net = ia.Network("swing", wall=ia.Fixed(), spring=ia.Spring(k=90.0), mass=ia.Mass(m=1.0, s=0.1))
     net.connect(net.wall.flange, net.spring.flange_a).connect(net.spring.flange_b, net.mass.flange)
 
