@@ -40,9 +40,13 @@ def needed(name: str, *extras: str) -> dict[str, Distribution]:
 def licence(package: Distribution) -> str:
     """Return what a package says of its licence."""
     data = package.metadata
-    told = data.get("License-Expression") or ""
+    told = (data.get_all("License-Expression") or [""])[0]
     classified = [c.split(" :: ")[-1] for c in data.get_all("Classifier") or () if c.startswith("License ::")]
-    told = told or ", ".join(c for c in classified if c != "OSI Approved") or data.get("License") or ""
+    told = (
+        told
+        or ", ".join(c for c in classified if c != "OSI Approved")
+        or (data.get_all("License") or [""])[0]
+    )
     first = told.strip().partition("\n")[0]
     return (SPELT.get(first, first) if first and len(first) <= LONGEST else "") or "see its files"
 

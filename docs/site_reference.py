@@ -36,7 +36,7 @@ STUBBED = re.compile(rf"inertance\.components\.({'|'.join(FAMILIES)})\b")
 def public() -> dict[str, Any]:
     """Return every public class and function by the shortest name under which a user finds it."""
     found: dict[str, Any] = {}
-    for name in inertance.__all__:
+    for name in dir(inertance):
         value = getattr(inertance, name)
         if isinstance(value, ModuleType):
             inner = getattr(value, "__all__", None) or [n for n in dir(value) if n[0] != "_"]

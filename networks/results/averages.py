@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable
+from collections.abc import Callable
 from fnmatch import fnmatchcase
 from typing import TYPE_CHECKING, Any, overload
 
@@ -16,6 +16,7 @@ if TYPE_CHECKING:
     import pandas as pd
 
 TIME_SLACK = 1e-6
+Names = list[str] | tuple[str, ...] | set[str]
 
 
 def is_pattern(name: Any) -> bool:
@@ -51,9 +52,7 @@ class Averages:
     @overload
     def mean(self, name: str, *, begin: float | None = None, end: float | None = None) -> float: ...
     @overload
-    def mean(
-        self, name: Iterable[str], *, begin: float | None = None, end: float | None = None
-    ) -> pd.Series[float]: ...
+    def mean(self, name: Names, *, begin: float | None = None, end: float | None = None) -> pd.Series: ...
     def mean(self, name: Any, *, begin: float | None = None, end: float | None = None) -> Any:
         """Return the average of a signal over time; of several, or of a pattern (`mass.*`), a Series by name.
 
@@ -68,9 +67,7 @@ class Averages:
     @overload
     def rms(self, name: str, *, begin: float | None = None, end: float | None = None) -> float: ...
     @overload
-    def rms(
-        self, name: Iterable[str], *, begin: float | None = None, end: float | None = None
-    ) -> pd.Series[float]: ...
+    def rms(self, name: Names, *, begin: float | None = None, end: float | None = None) -> pd.Series: ...
     def rms(self, name: Any, *, begin: float | None = None, end: float | None = None) -> Any:
         """Return the root of the average over time of a signal's square; names and errors as for `mean`."""
         return self._each(name, lambda one: float(np.sqrt(self._moment(one, begin, end, 2, 0.0))))
@@ -78,9 +75,7 @@ class Averages:
     @overload
     def std(self, name: str, *, begin: float | None = None, end: float | None = None) -> float: ...
     @overload
-    def std(
-        self, name: Iterable[str], *, begin: float | None = None, end: float | None = None
-    ) -> pd.Series[float]: ...
+    def std(self, name: Names, *, begin: float | None = None, end: float | None = None) -> pd.Series: ...
     def std(self, name: Any, *, begin: float | None = None, end: float | None = None) -> Any:
         """Return the rms over time of a signal's distance from its mean; names and errors as for `mean`."""
 
@@ -93,9 +88,7 @@ class Averages:
     @overload
     def peak(self, name: str, *, begin: float | None = None, end: float | None = None) -> float: ...
     @overload
-    def peak(
-        self, name: Iterable[str], *, begin: float | None = None, end: float | None = None
-    ) -> pd.Series[float]: ...
+    def peak(self, name: Names, *, begin: float | None = None, end: float | None = None) -> pd.Series: ...
     def peak(self, name: Any, *, begin: float | None = None, end: float | None = None) -> Any:
         """Return the largest size |y| of a signal, also between points; names and errors as for `mean`."""
         return self._each(name, lambda one: self._peak(one, begin, end))
@@ -115,9 +108,9 @@ class Averages:
     ) -> float: ...  # fmt: skip
     @overload
     def share(
-        self, name: Iterable[str], value: str | float | None = None,
+        self, name: Names, value: str | float | None = None,
         *, begin: float | None = None, end: float | None = None,
-    ) -> pd.Series[float]: ...  # fmt: skip
+    ) -> pd.Series: ...  # fmt: skip
     def share(
         self, name: Any, value: str | float | None = None,
         *, begin: float | None = None, end: float | None = None,

@@ -17,7 +17,7 @@ BAR = 0.09  # half the width of a body, in columns
 SPRING, DAMPER, OTHER, BODY, TURNING = "#4477aa", "#228833", "#aa3377", "#bbccee", "#ffccbb"
 ZIGZAG = np.array([0, 0, 1, -1, 1, -1, 1, -1, 0, 0]) * 0.13
 ALONG = np.array([0, 0.15, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.75, 1]) + np.array([0] * 2 + [0.05] * 6 + [0.1, 0])
-POT = np.array([-0.1 - 0.12j, 0.12 - 0.12j, 0.12 + 0.12j, -0.1 + 0.12j])
+POT = np.array([[-0.1, 0.12, 0.12, -0.1], [-0.12, -0.12, 0.12, 0.12]])
 
 
 class Sketch:
@@ -68,10 +68,10 @@ class Sketch:
         )
         if place.turns:
             middle, angle = (top + bottom) / 2, float(self.motions[place][number])
-            dial = np.exp(1j * np.linspace(0, 2 * pi, 33))
+            dial = np.linspace(0, 2 * pi, 33)
             ratio = COLUMN_INCHES / ROW_INCHES
             self.ax.fill(
-                x + 0.15 * dial.real, middle + 0.15 * ratio * dial.imag, fc="white", ec="0.2", zorder=5
+                x + 0.15 * np.cos(dial), middle + 0.15 * ratio * np.sin(dial), fc="white", ec="0.2", zorder=5
             )
             hand = 0.15 * np.exp(1j * angle)
             self.ax.plot(
@@ -92,7 +92,7 @@ def draw_link(ax: Any, link: Link, left: float, right: float) -> None:
             middle = (left + right) / 2
             ax.plot([left, middle + 0.04], [y, y], color=DAMPER, lw=1.4)
             ax.plot([middle + 0.04] * 2, [y - 0.08, y + 0.08], color=DAMPER, lw=2)
-            ax.plot(middle + POT.real, y + POT.imag, color=DAMPER, lw=1.4)
+            ax.plot(middle + POT[0], y + POT[1], color=DAMPER, lw=1.4)
             ax.plot([middle + 0.12, right], [y, y], color=DAMPER, lw=1.4)
     if not shown:
         a, b = left + 0.25 * (right - left), right - 0.25 * (right - left)

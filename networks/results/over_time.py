@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
 from typing import TYPE_CHECKING, Any, overload
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from ...base import Array, ModelError, above, demand, finite, instance
-from .averages import Averages, several
+from .averages import Averages, Names, several
 from .pieces import Pieces
 
 if TYPE_CHECKING:
@@ -48,9 +47,9 @@ class OverTime(Averages):
     @overload
     def at(self, name: str, time: float) -> float: ...
     @overload
-    def at(self, name: Iterable[str], time: float) -> pd.Series[float]: ...
+    def at(self, name: Names, time: float) -> pd.Series: ...
     @overload
-    def at(self, name: str | Iterable[str], time: ArrayLike) -> Any: ...
+    def at(self, name: str | Names, time: ArrayLike) -> Any: ...
     def at(self, name: Any, time: ArrayLike) -> Any:
         """Return a signal at one instant or at an array of them [s]; after the event if there is one.
 
