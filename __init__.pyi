@@ -142,6 +142,7 @@ from .fmu import export_fmu as export_fmu
 from .identification import fit as fit
 from .networks import DAE as DAE
 from .networks import Event as Event
+from .networks import Motion as Motion
 from .networks import Network as Network
 from .networks import OverTime as OverTime
 from .networks import Polynomial as Polynomial

@@ -22,6 +22,7 @@ from .checks import listed as listed
 from .checks import named as named
 from .checks import number as number
 from .checks import numbers as numbers
+from .checks import one_name as one_name
 from .checks import one_of as one_of
 from .checks import optional as optional
 from .checks import quantity as quantity

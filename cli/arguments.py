@@ -23,9 +23,11 @@ GivenInputs = Annotated[
         help="Table with a column 'time' and one named after each input; or a constant input.",
     ),
 ]  # fmt: skip
-ConstantInputs = Annotated[
-    list[str] | None, typer.Option("--input", metavar="NAME=VALUE", help="A constant input.")
-]
+
+
+def told(page: str) -> str:
+    """Return where the documentation tells more of a command."""
+    return f"`inertance docs {page}` tells more."
 
 
 def load_network(model: str) -> Network:

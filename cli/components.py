@@ -13,7 +13,9 @@ Examples:
   inertance components
   inertance components Spring
   inertance components --search friction
-  inertance components rotational.Inertia"""
+  inertance components rotational.Inertia
+
+`inertance docs components` tells more."""
 
 
 def components(

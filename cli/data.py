@@ -5,6 +5,7 @@ from __future__ import annotations
 import fnmatch
 from collections.abc import Callable, Collection, Container, Iterable, Mapping, Sequence
 from dataclasses import dataclass
+from functools import reduce
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -13,7 +14,7 @@ import numpy as np
 from ..base import Array, ModelError
 from ..base.tables import Table, read_table
 from ..components import Sampled, nearest
-from ..networks import DAE
+from ..networks import DAE, Network
 from .arguments import pairs
 
 if TYPE_CHECKING:
@@ -68,6 +69,23 @@ def given_inputs(texts: Iterable[str], inputs: Inputs) -> tuple[dict[str, float]
     if len(files) > 1:
         raise ModelError(f"--input takes one file, got {' and '.join(files)}; put all columns into one table")
     return constant, Path(files[0]) if files else None
+
+
+def driven(network: Network, texts: Iterable[str]) -> tuple[dict[str, float], float | None]:
+    """Give a network the signals of a file as its own; return the constants, and the end of the file [s].
+
+    Raises:
+        ModelError: as `given_inputs` and `read_inputs` do.
+    """
+    inputs = Inputs.of_network(network.dae())
+    constant, path = given_inputs(texts, inputs)
+    if path is None:
+        return constant, None
+    signals = read_inputs(path, inputs, others=constant)
+    for name, signal in signals.items():
+        *owners, own = name.split(".")
+        setattr(reduce(getattr, owners, network), own, signal)
+    return constant, float(next(iter(signals.values())).time[-1])
 
 
 def read_inputs(

@@ -23,7 +23,9 @@ from .terminal import CommandConsole, table_of
 EXAMPLES = """\b
 Examples:
   inertance demo
-  inertance demo --out pictures"""
+  inertance demo --out pictures
+
+`inertance docs machines` tells more."""
 
 TESTS = (Sinusoid(0.020, 0.1), Sinusoid(0.010, 3.0), Sinusoid(0.007, 5.0), Sinusoid(0.0015, 10.0))
 INERTERS = {"planetary": ge_wang.planetary_inerter, "disk": ge_wang.disk_inerter}

@@ -11,8 +11,9 @@ import typer
 
 from ..base import write_text, writing
 from ..components import ModelError
-from .arguments import ConstantInputs, GivenInputs, Model, StartValues, load_network, pairs
-from .data import Inputs, given_inputs, read_inputs
+from ..networks import Network
+from .arguments import GivenInputs, Model, StartValues, load_network, pairs, told
+from .data import Inputs, driven, given_inputs, read_inputs
 from .failure import FAILED, WRONG_USE, clean, fail, failing
 from .outputs import JSON, expect
 from .terminal import progress
@@ -23,12 +24,14 @@ Examples:
   inertance fmu export car.py:build car.fmu --stop 10 --step 0.01 --output 'body.*'
   inertance fmu export car.py:build car.fmu --platform x86_64-windows --platform native
   inertance fmu check car.py:build --stop 2
+  inertance fmu check car.py:build --input road.csv
   inertance fmu check pump.fmu
   inertance fmu info pump.fmu
   inertance fmu import-test pump.fmu --stop 5 --input speed=150 --out pump.csv
   inertance fmu import-test pump.fmu --input record.csv
 
-MODEL is path/to/file.py:function that returns a Network. Values are in SI units."""
+MODEL is path/to/file.py:function that returns a Network. Values are in SI units.
+`inertance docs fmu` and `inertance docs fmu-import` tell more."""
 
 app = typer.Typer(
     no_args_is_help=True,
@@ -99,19 +102,35 @@ def check(
         float | None, typer.Option(help="How far variables may differ, as a share of their size.")
     ] = None,
     start: StartValues = None,
-    data: ConstantInputs = None,
+    data: GivenInputs = None,
     fmi: Annotated[list[str] | None, typer.Option(help="Versions to check a network as; both.")] = None,
     isolated: Annotated[bool, typer.Option(help="Run the binary of a file in a process of its own.")] = True,
     timeout: Timeout = 300.0,
     report: Annotated[Path | None, typer.Option("--json", help="Write the findings as JSON.")] = None,
 ) -> None:
-    """Check a network against its FMUs, or any FMU against itself; the exit code tells."""
+    """Check a network against its FMUs, or any FMU against itself; the exit code tells.
+
+    A table of --input becomes the signals of a network, in its FMUs as well; an FMU alone takes constants.
+    """
     from ..fmu import VERSIONS
     from ..fmu import check_fmu as look
 
-    starts, inputs = pairs("--start", start), pairs("--input", data)
+    starts = pairs("--start", start)
     expect("--json", report, JSON)
-    model = Path(subject) if subject.endswith(".fmu") else load_network(subject)
+    model: Path | Network
+    if subject.endswith(".fmu"):
+        if tables := [text for text in data or () if "=" not in text]:
+            fail(
+                f"--input {tables[0]}: an FMU alone is checked under constants, NAME=VALUE; "
+                f"`inertance fmu import-test {subject} --input {tables[0]}` runs it on a table",
+                WRONG_USE,
+            )
+        model, inputs = Path(subject), pairs("--input", data)
+    else:
+        model = load_network(subject)
+        with failing(WRONG_USE, ModelError):
+            inputs, end = driven(model, data or ())
+        stop = end if stop is None else stop
     with failing(WRONG_USE, ModelError):
         result = look(
             model, stop, step=step, tolerance=tolerance, limit=limit, start=starts, inputs=inputs,
@@ -188,7 +207,7 @@ def _texts(option: str, texts: Iterable[str] | None) -> Iterable[tuple[str, str]
         yield name.strip(), value.strip()
 
 
-app.command("export")(clean(export))
-app.command("check")(clean(check))
-app.command("info")(clean(info))
-app.command("import-test")(clean(import_test))
+app.command("export", epilog=told("fmu"))(clean(export))
+app.command("check", epilog=told("fmu"))(clean(check))
+app.command("info", epilog=told("fmu-import"))(clean(info))
+app.command("import-test", epilog=told("fmu-import"))(clean(import_test))

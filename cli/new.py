@@ -12,6 +12,7 @@ import typer
 from ..base import check_output, write_text
 from ..components import ModelError, Sampled
 from ..networks import load_model
+from .arguments import told
 from .failure import WRONG_USE, clean, fail, failing
 
 TEMPLATES = Path(__file__).with_name("templates")
@@ -21,7 +22,9 @@ Examples:
   inertance new campaign bench    measurements of a rig, to be fitted and diagnosed
   inertance new component strut   an element of your own, tried and checked
 
-Files that are there already are left alone."""
+Files that are there already are left alone.
+
+`inertance docs tutorials` tells more."""
 
 app = typer.Typer(
     no_args_is_help=True,
@@ -88,6 +91,6 @@ def _record(folder: Path, seed: int) -> str:
     return "\n".join(["time,x [mm],a [m/s2]", *rows, ""])
 
 
-app.command("rig")(clean(rig))
-app.command("campaign")(clean(campaign))
-app.command("component")(clean(component))
+app.command("rig", epilog=told("networks"))(clean(rig))
+app.command("campaign", epilog=told("identification"))(clean(campaign))
+app.command("component", epilog=told("write-your-own-component"))(clean(component))

@@ -29,7 +29,9 @@ NAMES are separated by commas; a * stands for any part of a name. Values are in 
 
 A file for --input has a header such as "time,road.s_ref" (or "time [s],road.s_ref [m]") and lines of
 numbers; its time increases. Through them goes a smooth curve; what a digital controller
-sends and holds is named in --hold, '*' for all."""
+sends and holds is named in --hold, '*' for all.
+
+`inertance docs networks` tells more."""
 
 
 def run(

@@ -93,8 +93,8 @@ def diagnose(
                 rounds.pop()
                 continue
             best, rivals = _revised(_pruned(chosen, study), rounds, study)
-        told = [*notes, *_left_out(study, budget, rounds)]
-        return decided(study, start, base, best, rounds, told, rivals)
+        notes = [*notes, *_left_out(study, budget, rounds)]
+        return decided(study, start, base, best, rounds, notes, rivals)
     except KeyboardInterrupt:
         verdict = decided(replace(study, deadline=-inf), start, base, best, rounds, notes, rivals)
         told = "interrupted; what is known so far is the error's `verdict`"

@@ -1,4 +1,4 @@
-"""Make the stubs of the families of components: what type checkers and editors know of each element.
+"""Make the stubs of components, families and machines: what type checkers and editors know of each element.
 
 python docs/make_stubs.py [--check]
 
@@ -32,9 +32,16 @@ from inertance.components.language import (
     told,
 )
 
-FAMILIES = ["rotational", "signals", "thermal", "translational", "transmission"]
 PACKAGE = "inertance.components"
+MODULES = [
+    *(
+        f"{PACKAGE}.{family}"
+        for family in ("rotational", "signals", "thermal", "translational", "transmission")
+    ),
+    "inertance.networks.machines.elements",
+]
 WIDTH = 110
+OWN_ARGUMENTS = re.compile(r"\n\nArgs:(?:\n {4}.*)+")
 HEAD = '''"""{doc}"""
 
 # Made by docs/make_stubs.py from the classes; do not edit.
@@ -45,24 +52,24 @@ HEAD = '''"""{doc}"""
 Kind = type[Component]
 
 
-def stub(family: str) -> str:
-    """Return the stub of a family."""
-    module = import_module(f"{PACKAGE}.{family}")
+def stub(name: str) -> str:
+    """Return the stub of a module."""
+    module = import_module(name)
     shown = {value for value in vars(module).values() if _is_own(value, module)}
     kinds = sorted(_with_bases(shown, module), key=lambda kind: (len(kind.__mro__), kind.__name__))
-    classes = "\n".join(_class(kind) for kind in kinds)
+    classes = "\n".join(_class(kind, module) for kind in kinds)
     return HEAD.format(doc=module.__doc__, imports=_imports(kinds, module, classes)) + classes
 
 
-def path_of(family: str) -> Path:
-    """Return where the stub of a family stands."""
-    return Path(import_module(f"{PACKAGE}.{family}").__file__ or "").with_suffix(".pyi")
+def path_of(name: str) -> Path:
+    """Return where the stub of a module stands."""
+    return Path(import_module(name).__file__ or "").with_suffix(".pyi")
 
 
 def _is_own(value: Any, module: ModuleType) -> bool:
     """Return whether a value is a class of components that lives in a package."""
     own = isinstance(value, type) and issubclass(value, Component)
-    return own and value.__module__.startswith(f"{module.__name__}.")
+    return own and value.__module__.startswith(f"{module.__package__}.")
 
 
 def _with_bases(kinds: set[Kind], module: ModuleType) -> set[Kind]:
@@ -76,15 +83,31 @@ def _imports(kinds: list[Kind], module: ModuleType, classes: str) -> str:
     places = {"language": {name for name in language if re.search(rf"\b{name}\b", classes)}}
     for base in {base for kind in kinds for base in kind.__bases__}:
         if base is not Component and not _is_own(base, module):
-            place = base.__module__.removeprefix(f"{PACKAGE}.").split(".")[0]
-            places.setdefault(place, set()).add(base.__name__)
-    own = (f"from ..{place} import {', '.join(sorted(names))}" for place, names in sorted(places.items()))
+            places.setdefault(_place(base), set()).add(base.__name__)
+    inside = (module.__package__ or "").startswith(PACKAGE)
+    if not inside and "rotational" in places:  # whose names are those of what slides
+        places[""] = {"rotational"}
+        del places["rotational"]
+    above = ".." if inside else "...components."
+    own = (
+        f"from {(above + place).rstrip('.')} import {', '.join(sorted(names))}"
+        for place, names in sorted(places.items())
+    )
     numpy = ["import numpy as np", ""] if "np." in classes else []
     return "\n".join([f"from typing import {', '.join(typing)}", "", *numpy, *own])
 
 
-def _class(kind: Kind) -> str:
-    bases = ", ".join(base.__name__ for base in kind.__bases__)
+def _place(kind: Kind) -> str:
+    """Return the family, or the file, in which a component stands."""
+    return kind.__module__.removeprefix(f"{PACKAGE}.").split(".")[0]
+
+
+def _class(kind: Kind, module: ModuleType) -> str:
+    turning = not (module.__package__ or "").startswith(PACKAGE)
+    bases = ", ".join(
+        f"rotational.{base.__name__}" if turning and _place(base) == "rotational" else base.__name__
+        for base in kind.__bases__
+    )
     parts = [_docstring(kind), *_fields(kind), *_members(kind), _constructor(kind)]
     return f"class {kind.__name__}({bases}):\n{indent(chr(10).join(filter(None, parts)), '    ')}\n"
 
@@ -93,6 +116,7 @@ def _docstring(kind: Kind) -> str:
     doc = inspect.cleandoc(kind.__doc__ or "")
     given = [] if _is_open(kind) else given_fields(kind)
     if given:
+        doc = OWN_ARGUMENTS.sub("", doc)
         lines = [f"    {field.name}: {told(field)}." for field in given]
         lines = [fill(line, WIDTH - 4, subsequent_indent=" " * 8) for line in lines]
         doc += "\n".join(["\n", "Args:", *lines, ""])
@@ -162,7 +186,7 @@ def _default(field: Field) -> str:
 
 def main() -> int:
     """Write the stubs, or tell which are old."""
-    wanted = {path_of(family): stub(family) for family in FAMILIES}
+    wanted = {path_of(name): stub(name) for name in MODULES}
     old = [path for path, text in wanted.items() if not path.exists() or path.read_text("utf-8") != text]
     for path in old:
         print(f"old: {path}" if "--check" in sys.argv else f"wrote {path}")

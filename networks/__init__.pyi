@@ -13,6 +13,7 @@ from .given import network_of as network_of
 from .model_file import UserCodeError as UserCodeError
 from .model_file import load_model as load_model
 from .network import Network as Network
+from .results.animation import Motion as Motion
 from .results.network_drawing import svg_sketch as svg_sketch
 from .results.over_time import OverTime as OverTime
 from .results.pieces import Pieces as Pieces

@@ -105,7 +105,7 @@ def _course(run: OverTime | ArrayLike, acceleration: str | ArrayLike) -> tuple[A
     if not isinstance(run, OverTime):
         demand("weighted_rms()", time=(run, numbers(number)), acceleration=(acceleration, numbers(number)))
         return np.asarray(run, dtype=float), np.asarray(acceleration, dtype=float)
-    if not isinstance(acceleration, str):
+    if not isinstance(acceleration, str) or "*" in acceleration:
         raise ModelError(f"name the acceleration of '{run.name}': weighted_rms(run, 'body.a')")
     try:
         unit = unit_for(run.unit(acceleration) or "m/s2", "m/s2")

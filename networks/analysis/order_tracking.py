@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from ...base import Array, ModelError, above, at_least, demand, instance
+from ...base import Array, ModelError, above, at_least, demand, instance, one_name
 from ..results.over_time import OverTime
 from .spectrograms import MOST_SAMPLES, ChangingSpectrum, amplitudes_in_windows, drawn, strongest_part
 
@@ -90,6 +90,8 @@ def order_tracking(
     demand(
         "order_tracking()",
         run=(run, instance(OverTime)),
+        name=(name, one_name),
+        shaft=(shaft, one_name),
         turns=(turns, above(0)),
         highest=(highest, above(0)),
     )

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from ...base import Array, ModelError, above, demand, instance, shown
+from ...base import Array, ModelError, above, demand, instance, one_name, shown
 from ..results.over_time import OverTime
 from ..results.plotting import pretty_unit
 
@@ -74,6 +74,7 @@ def power_spectrum(run: OverTime, name: str, window: float, *, rate: float) -> P
     demand(
         "power_spectrum()",
         run=(run, instance(OverTime)),
+        name=(name, one_name),
         window=(window, above(0, "s")),
         rate=(rate, above(0, "Hz")),
     )

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from ...base import Array, ModelError, above, demand, instance, optional, shown
+from ...base import Array, ModelError, above, demand, instance, one_name, optional, shown
 from ..results.over_time import OverTime
 from ..results.plotting import pretty_unit
 
@@ -81,6 +81,7 @@ def spectrogram(run: OverTime, name: str, window: float, *, rate: float | None =
     demand(
         "spectrogram()",
         run=(run, instance(OverTime)),
+        name=(name, one_name),
         window=(window, above(0, "s")),
         rate=(rate, optional(above(0, "Hz"))),
     )

@@ -67,8 +67,10 @@ class NES(TwoFlanges):
     energy.
 
     Args:
-        m: mass [kg]; k3: cubic stiffness [N/m3]; d: damping constant [N.s/m]; k: linear stiffness [N/m],
-        small.
+        m: mass [kg].
+        k3: cubic stiffness [N/m3].
+        d: damping constant [N.s/m].
+        k: linear stiffness [N/m], small.
 
     Source: A. F. Vakakis, O. V. Gendelman, Energy pumping in nonlinear mechanical oscillators: Part II,
     J. Appl. Mech. 68 (2001) 42-48.

@@ -14,7 +14,7 @@ from typing import Any
 
 from ...components import CompliantNutScrew, DiskFlywheel, IdealPlanetaryFlywheel, NutScrew, PlanetaryFlywheel
 from ...components.rotational import StribeckFriction
-from .inerters import BallScrewInerter, PlanetaryFlywheelInerter
+from .elements import BallScrewInerter, PlanetaryFlywheelInerter
 from .planetary_design import PlanetaryGeometry, disk_mass, equivalent_inertia, screw_inertance
 
 J_SCREW = 2.80e-5

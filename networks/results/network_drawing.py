@@ -68,11 +68,11 @@ def _graph(component: Component, marks: Mapping[str, str]) -> tuple[list[_Box], 
         name: _Box(name, type(part).__name__, _colour(part), marks.get(name, ""))
         for name, part in parts_of(component).items()
     }
-    paths = {id(part): path for path, part in _inner(component, "")}
+    paths = {id(part): path for path, part in inner_parts(component, "")}
     outer: dict[str, _Box] = {}
     nodes: list[_Box] = []
     lines: list[_Wire] = []
-    for ports in _nodes(component):
+    for ports in joined_nodes(component):
         told = " — ".join(f"{paths.get(id(p.component), '')}.{p.name}".lstrip(".") for p in ports)
         ends: list[_Box] = []
         for port in ports:
@@ -92,14 +92,14 @@ def _graph(component: Component, marks: Mapping[str, str]) -> tuple[list[_Box], 
     return [*outer.values(), *parts.values(), *nodes], lines
 
 
-def _inner(component: Component, path: str) -> Iterator[tuple[str, Component]]:
+def inner_parts(component: Component, path: str) -> Iterator[tuple[str, Component]]:
     """Yield parts at any depth with their paths: a node may reach into a part."""
     for name, part in parts_of(component).items():
         yield f"{path}{name}", part
-        yield from _inner(part, f"{path}{name}.")
+        yield from inner_parts(part, f"{path}{name}.")
 
 
-def _nodes(component: Component) -> list[list[PortRef]]:
+def joined_nodes(component: Component) -> list[list[PortRef]]:
     """Return the ports of each node; connections that share a port make one node."""
     node_of: dict[tuple[int, str], dict[tuple[int, str], PortRef]] = {}
     for ports in _joined(component):

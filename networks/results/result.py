@@ -11,9 +11,10 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from ...base import Array, UnknownNameError, path_of, text
+from ...base import Array, UnknownNameError, path_of
 from ..evaluation.jacobians import Points, Slopes
 from ..flattening.vectors import pick
+from .averages import is_pattern
 from .over_time import OverTime
 from .pieces import Pieces
 
@@ -25,6 +26,7 @@ if TYPE_CHECKING:
     from ..simulation.dense_output import DenseOutput
     from ..simulation.events.switcher import Event
     from ..simulation.initialization import StartReport
+    from .animation import Motion
     from .energy import EnergyBook
 
 
@@ -270,6 +272,23 @@ class Result(OverTime):
 
         return plot_phase(self, x, y, axes)
 
+    def animate(self, frames: int = 100, *, slower: float = 1.0) -> Motion:
+        """Return the machine in motion: its sketch, in which bodies slide and discs turn as they did.
+
+        What slides moves about the middle of its range, all at one scale. A notebook plays it;
+        `.save("run.gif")` keeps it as a picture, `.save("run.html")` as a page that needs nothing else.
+
+        Args:
+            frames: number of pictures, evenly over the run.
+            slower: how many times slower than in reality it is shown.
+
+        Raises:
+            ModelError: if nothing slides or turns, or more than 60 components would have to be drawn.
+        """
+        from .animation import animated
+
+        return animated(self, frames, slower)
+
     def save(self, path: str | Path, *names: str) -> Path:
         """Write signals (`mass.*` for several) to .csv, .parquet or .npz, which `load_table` reads back.
 
@@ -305,7 +324,7 @@ def matching_signals(dae: DAE, names: Iterable[str]) -> list[str]:
     chosen: dict[str, None] = {}
     for name in names:
         matches = [name]
-        if not text(name) and "*" in name:
+        if is_pattern(name):
             known = (*dae.names(), *dae.switching.mode_names, *dae.derived.names())
             matches = [other for other in known if fnmatchcase(other, name)]
             if not matches:

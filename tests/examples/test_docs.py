@@ -34,7 +34,7 @@ def blocks(page: Path) -> Iterator[tuple[str, str | None]]:
     """Yield each Python block, its line numbers kept, and the text block right below it, if any."""
     text = page.read_text(encoding="utf-8")
     fences = list(FENCE.finditer(text))
-    for fence, below in zip(fences, [*fences[1:], None], strict=True):
+    for fence, below in zip(fences, [*fences[1:], None], strict=False):
         if fence[1] != "python":
             continue
         told = below is not None and below[1] == "text" and not text[fence.end() : below.start()].strip()

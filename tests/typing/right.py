@@ -6,7 +6,7 @@ from math import pi
 import casadi as ca
 import inertance as ia
 import numpy as np
-from inertance import parameter, rotational, signals
+from inertance import machines, parameter, rotational, signals
 from inertance.components import Stated
 
 mass = ia.Mass(m=1, s=0.1, v=np.float64(0.2))
@@ -57,3 +57,10 @@ run = net.simulate(
 )
 dae = net.dae()
 energy = ca.Function("energy", [dae.x, dae.p], [dae.expression("mass.v") ** 2 / 2])
+absorbers: list[ia.Component] = [machines.TMD(m=10.0, k=1e3, d=5.0), machines.NES(m=1, k3=1e6, d=2.0)]
+absorbers += [machines.TMDI(m=10.0, k=1e3, d=5.0, b=2.0, inerter=ia.Inerter(b=2.0))]
+largest: float = run.peak("mass.s", begin=0.2)
+several = run.rms(["mass.*", "strut.spring.f"])
+sizes: list[float] = several.to_list()
+stuck: float = run.at("mass.s", 0.5)
+picture = run.animate(10, slower=2.0).save

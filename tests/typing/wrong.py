@@ -1,7 +1,7 @@
 """Wrong calls: type checkers refuse every line that ends in a comment, which says why."""
 
 import inertance as ia
-from inertance import rotational, signals
+from inertance import machines, rotational, signals
 
 net = ia.Network("oscillator", wall=ia.Fixed())
 ia.Mass(mass=1.0)  # the parameter is m
@@ -24,3 +24,8 @@ net.simulate("1 s")  # a number
 net.simulate(1.0, solver=5)  # a name
 net.dae().x.nummel()  # states are symbols of CasADi
 ia.simulat(net, 1.0)  # no such function
+machines.TMD(m=10.0, k=1e3, b=1.0)  # it has no inertance
+machines.BallScrewInerter(screw=0.01)  # a part is a component
+machines.DualMassFlywheel(J=1.0)  # there are J_1 and J_2
+net.simulate(1.0).rms(3)  # signals have names
+net.simulate(1.0).animate(frames="all")  # a whole number

@@ -176,9 +176,13 @@ def line() -> RationalFunction:
     return RationalFunction([1.0], [1.0, 1.0])
 
 
+def inerter() -> BallScrewInerter:
+    return BallScrewInerter(screw=ia.NutScrew(lead=0.01), flywheel=ia.DiskFlywheel(m=0.78, R=0.05))
+
+
 GOOD: dict[str, Callable[[], Any]] = {
     "network": dae, "dae": dae, "car": car, "frame": frame, "system": linear, "model": oscillator,
-    "admittance": line, "impedance": line, "inerter": lambda: BallScrewInerter(lead=0.01, J=1e-4),
+    "admittance": line, "impedance": line, "inerter": inerter,
     "strut": strut, "front": strut, "rear": strut, "mount": strut, "seat": strut, "element": strut,
     "elements": strut, "campaign": campaign, "done": swept, "result": run, "after": linear, "effect": object,
     "inputs": lambda: ["push.f"], "outputs": lambda: ["mass.s"], "signals": lambda: ["mass.s"],

@@ -74,7 +74,8 @@ def test_check_tells_by_its_exit_code(folder: Path, monkeypatch: pytest.MonkeyPa
         (["check", "absent.fmu"], 1, "there is no file 'absent.fmu'"),
         (["check", "model.py:built"], 2, "did you mean 'build'"),
         (["check", "model.py:build", "--stop=-1"], 2, "stop must be finite and at least 1e-06 s"),
-        (["check", "model.py:build", "--input", "x"], 2, "NAME=VALUE"),
+        (["check", "model.py:build", "--input", "x"], 2, "tables end in .csv"),
+        (["check", "it.fmu", "--input", "x=a"], 2, "NAME=VALUE"),
         (["export", "model.py:build", "it.zip"], 2, "ends in '.fmu'"),
         (["export", "model.py:build", "it.fmu", "--fmi", "1.0"], 2, "fmi_version must be one of"),
         (["export", "model.py:build", "it.fmu", "--terminal", "mass.flange"], 2, "FLANGE=CAUSALITY"),
@@ -132,3 +133,35 @@ def test_a_model_file_may_hold_dataclasses(folder: Path) -> None:
     )
     code, told = run("export", "model.py:build", "it.fmu")
     assert (code, "wrote it.fmu" in told) == (0, True), told
+
+
+DRIVEN = """
+import inertance as ia
+
+
+def build():
+    inner = ia.Network("rig", road=ia.Position(), load=ia.Force(f=0.0))
+    net = ia.Network("driven", rig=inner, spring=ia.SpringDamper(k=100.0, d=1.0), mass=ia.Mass(m=1.0))
+    net.connect(net.rig.road.flange, net.spring.flange_a)
+    return net.connect(net.spring.flange_b, net.mass.flange, net.rig.load.flange)
+"""
+
+
+@needs_compiler
+def test_a_table_drives_a_network_and_its_fmus(folder: Path) -> None:
+    (folder / "driven.py").write_text(DRIVEN)
+    rows = [f"{t / 100},{10 * (t / 100) ** 2},{t / 50}" for t in range(41)]
+    (folder / "road.csv").write_text("\n".join(["time,rig.road.s_ref [mm],rig.load.f", *rows]))
+    code, told = run("check", "driven.py:build", "--input", "road.csv", "--fmi", "3.0", "--json", "it.json")
+    assert code == 0, told
+    assert "all good" in told
+    code, told = run("check", "driven.py:build", "--input", "road.csv", "--stop", "1")
+    assert code == 1 or code == 2
+    assert "rig.road.s_ref" in told
+    assert "0.4 s" in told
+
+
+def test_a_table_for_an_fmu_alone_is_sent_to_what_takes_it(folder: Path) -> None:
+    code, told = run("check", "it.fmu", "--input", "road.csv")
+    assert code == 2
+    assert "`inertance fmu import-test it.fmu --input road.csv` runs it on a table" in told

@@ -1,12 +1,16 @@
 """`inertance new` writes what runs; `inertance docs` shows what comes with the package."""
 
 import json
+import re
 import subprocess
 import sys
+from collections.abc import Iterator
 from pathlib import Path
+from typing import Any
 
 import inertance
 import pytest
+import typer
 from inertance.cli import app
 from typer.testing import CliRunner, Result
 
@@ -92,12 +96,48 @@ def test_an_unknown_page_gets_the_nearest() -> None:
     assert refused.stderr == "error: there is no page 'idenification'; did you mean 'identification'?\n"
 
 
-def test_help_points_to_pages_that_there_are() -> None:
-    for command in ("fit", "diagnose"):
-        told = good(command, "--help")
-        assert "docs/" not in told
-        page = " ".join(told.split()).partition("`inertance docs ")[2].partition("`")[0]
+def commands(group: Any, *names: str) -> Iterator[tuple[str, ...]]:
+    yield names
+    for name, command in getattr(group, "commands", {}).items():
+        yield from commands(command, *names, name)
+
+
+@pytest.mark.parametrize("names", [*commands(typer.main.get_command(app))], ids=" ".join)
+def test_help_of_every_command_points_to_a_page_that_there_is(names: tuple[str, ...]) -> None:
+    told = " ".join(good(*names, "--help").split())
+    assert "docs/" not in told
+    pages = re.findall(r"`inertance docs ([a-z][\w-]+)`", told)
+    assert pages or "inertance docs" in told
+    for page in pages:
         assert good("docs", page)
+
+
+def test_the_site_is_opened_at_a_page(folder: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    opened: list[str] = []
+    monkeypatch.setattr("webbrowser.open", opened.append)
+    (folder / "site" / "search").mkdir(parents=True)
+    (folder / "site" / "search" / "search_index.js").write_text("")
+    good("docs", "--site", "site")
+    good("docs", "fmu", "--site", "site")
+    assert opened == [(folder / "site" / f"{name}.html").as_uri() for name in ("index", "fmu")]
+
+
+def test_what_stands_where_the_site_should_is_left_alone(
+    folder: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr("inertance.cli.site.NEEDED", ())
+    (folder / "mine.txt").write_text("mine")
+    refused = call("docs", "--site", str(folder))
+    assert refused.exit_code == 1
+    assert "holds something else; name a folder for the site alone" in refused.stderr
+    assert (folder / "mine.txt").read_text() == "mine"
+
+
+def test_a_site_without_its_builder_says_what_to_install(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("inertance.cli.site.NEEDED", ("mkdocs_that_is_not_there",))
+    refused = call("docs", "--site", "site")
+    assert refused.exit_code == 1
+    assert "pip install 'inertance[docs]'" in refused.stderr
 
 
 def test_a_shell_can_complete() -> None:

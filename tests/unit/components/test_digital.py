@@ -52,7 +52,7 @@ def test_a_dead_zone() -> None:
     assert not run.events
 
 
-SERVO: dict[str, float] = {
+SERVO: dict[str, Any] = {
     "k_p": 40.0, "k_d": 0.6, "band": 0.01, "period": 5e-3, "delay": 2e-3, "ratio": 200.0, "J": 1e-7,
     "k": 0.01, "R": 4.0, "L": 1e-3, "u_max": 12.0, "i_max": 1.5,
 }  # fmt: skip

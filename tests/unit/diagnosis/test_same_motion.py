@@ -25,7 +25,7 @@ def test_sites_of_one_motion_are_fitted_once_and_stand_in_the_class() -> None:
     base = Refit({}, (), [], [], 0.0)
     assert [c.site.path for c in _leading(candidates, set())] == ["thread", "rail"]
     own, other = fitted(candidates[1]), fitted(candidates[2])
-    members = _class(Round(base, candidates, [own, other]), own, [other])
+    members = _class(own, Round(base, candidates, [own, other]), [other])
     assert members == (("linear_stiffness", "rail"), ("linear_stiffness", "screw"))
 
 

@@ -13,6 +13,7 @@ from inertance.diagnosis.effects.effect import effect_of
 from inertance.diagnosis.effects.hypothesis import Hypothesis
 from inertance.diagnosis.effects.sites import Site
 from inertance.diagnosis.models.study import Study, study_of
+from inertance.diagnosis.search import crew as fitters
 from inertance.diagnosis.search import round as searched
 from inertance.diagnosis.search.joint_fit import JointFit
 from inertance.diagnosis.search.model_comparison import Refit
@@ -98,7 +99,7 @@ def test_fits_follow_each_other_alike_whenever_they_are_made(
         return crew.submit(made, b"", given.accuracy, given.deadline, fit.placed.site.path).result
 
     monkeypatch.setattr(searched, "screen", lambda *given: list(candidates))
-    monkeypatch.setattr(searched.Crew, "begin", begin)
+    monkeypatch.setattr(fitters.Crew, "begin", begin)
     base = replace(left(rail("a"), 2.0), effects=(), cost=10_000.0)
     done = searched.run_round(given, base, [])
     assert [f.effects[-1].site.path for f in done.fitted] == list(gains)

@@ -16,8 +16,8 @@ from scipy.integrate import solve_ivp
 
 Array = NDArray[np.float64]
 FEW = settings(max_examples=8, deadline=None, suppress_health_check=[HealthCheck.too_slow])
-STRUTS = {"A_b": 8e-4, "A_r": 5e-4, "p_0": 2e6, "V_0": 2e-4, "R": 2e9}
-OLEO = {
+STRUTS: dict[str, Any] = {"A_b": 8e-4, "A_r": 5e-4, "p_0": 2e6, "V_0": 2e-4, "R": 2e9}
+OLEO: dict[str, Any] = {
     "s_rel0": 0.8, "A_a": 2e-3, "A_h": 1.6e-3, "A_o": 3e-5, "p_0": 1.5e6, "V_0": 8e-4, "n": 1.3, "C_d": 0.9,
     "rho": 870.0,
 }  # fmt: skip
@@ -67,6 +67,10 @@ def test_an_elastic_building_is_eigenvalues_by_hand() -> None:
 # ---- interconnected car ---------------------------------------------------------------------------------
 
 
+def changed(values: dict[str, Any], **others: float) -> dict[str, Any]:
+    return {**values, **others}
+
+
 def test_interconnected_struts_are_stiff_in_roll_and_soft_in_heave() -> None:
     """k = n p_0/V_0 (A_b -+ A_r)^2 a strut, each strut moved by hand over the static slope."""
     A_b, A_r, n = STRUTS["A_b"], STRUTS["A_r"], 1.4
@@ -87,7 +91,7 @@ def test_interconnected_struts_are_stiff_in_roll_and_soft_in_heave() -> None:
 
 
 def test_an_interconnected_car_is_four_equations_by_hand() -> None:
-    car = ia.machines.interconnected_car(InterconnectedStruts(**STRUTS | {"R": 0.0}), d=0.0)
+    car = ia.machines.interconnected_car(InterconnectedStruts(**changed(STRUTS, R=0.0)), d=0.0)
     found = sorted(2 * pi * mode.frequency for mode in linearise(car).modes())
     gas = 1.4 * STRUTS["p_0"] / STRUTS["V_0"]
     strut = {side: 15e3 + gas * (STRUTS["A_b"] + side * STRUTS["A_r"]) ** 2 for side in (-1, 1)}
@@ -109,7 +113,7 @@ def test_interconnected_struts_store_and_lose_what_goes_in(
     """Gas stores the integral of p - p_0 over V, valves lose R q^2; the two sides move differently."""
     net: Any = ia.Network(
         "rig", base=ia.Fixed(),
-        struts=InterconnectedStruts(**STRUTS | {"V_0": V_0, "R": R, "A_r": A_r, "n": n}),
+        struts=InterconnectedStruts(**changed(STRUTS, V_0=V_0, R=R, A_r=A_r, n=n)),
         left=ia.Position(), right=ia.Position(),
     )  # fmt: skip
     net.connect(net.base.flange, net.struts.left_a, net.struts.right_a)
@@ -194,7 +198,7 @@ def test_a_drop_is_that_of_an_integration_written_apart(
 def test_an_oleo_strut_stores_and_loses_what_the_airframe_brings(
     sink: float, A_o: float, n: float, m_w: float
 ) -> None:
-    values = OLEO | {"A_o": A_o, "n": n}
+    values = changed(OLEO, A_o=A_o, n=n)
     gear = ia.machines.landing_gear(OleoStrut(**values), L=0.8, sink=sink, m_w=m_w, d_t=0.0, lift=0.4)
     run = gear.simulate(0.12, step=1e-4, rtol=1e-9, atol=1e-11)
     stroke = 0.8 - run["strut.s_rel"]
