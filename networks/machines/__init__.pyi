@@ -39,6 +39,7 @@ from .shaken import sieve as sieve
 from .suspensions import suspension as suspension
 from .torsional import DualMassFlywheel as DualMassFlywheel
 from .torsional import TorsionalDamper as TorsionalDamper
+from .tyres import RigidRingTyre as RigidRingTyre
 from .vehicles import PitchingBody as PitchingBody
 from .vehicles import RigidBody as RigidBody
 from .vehicles import full_car as full_car

@@ -93,3 +93,21 @@ def test_two_masses_under_a_sudden_load() -> None:
     run = net.simulate(3.5, rtol=1e-9)
     assert run.at("first.s", 12 * 0.28) == pytest.approx(1.157, abs=5e-4)
     assert run.at("second.s", 12 * 0.28) == pytest.approx(2.489, abs=5e-4)
+
+
+def test_torsional_modes_of_the_first_benchmark_for_subsynchronous_resonance() -> None:
+    """IEEE Trans. PAS-96 (1977) 1565-1572: H [s] and stiffness [torque per electrical rad] of six rotors.
+
+    The table as others give it; the frequencies are what their program for such shafts prints for it.
+    """
+    inertias = (0.092897, 0.155589, 0.858670, 0.884215, 0.868495, 0.0342165)
+    stiffness = (19.303, 34.929, 52.038, 70.858, 2.82)
+    net: Any = ia.Network("HP, IP, LPA, LPB, generator, exciter")
+    for k, H in enumerate(inertias):
+        net.add(**{f"rotor{k}": rotational.Inertia(J=2 * H / (2 * np.pi * 60))})
+    for k, c in enumerate(stiffness):
+        net.add(**{f"shaft{k}": rotational.Spring(c=c)})
+        shaft, left, right = (getattr(net, name) for name in (f"shaft{k}", f"rotor{k}", f"rotor{k + 1}"))
+        net.connect(left.flange, shaft.flange_a).connect(shaft.flange_b, right.flange)
+    found = sorted(mode.frequency for mode in linearise(net).modes() if mode.frequency > 1.0)
+    assert found == pytest.approx([15.7119, 20.2048, 25.5470, 32.2845, 47.4563], abs=6e-5)
