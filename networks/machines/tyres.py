@@ -1,11 +1,19 @@
 """Tyres of more than one body."""
 
-from ...components import Component, Mass, RotationalFlange, SpringDamper, TranslationalFlange, Tyre, rotational
+from ...components import (
+    Component,
+    Mass,
+    RotationalFlange,
+    SpringDamper,
+    TranslationalFlange,
+    Tyre,
+    rotational,
+)
 from ...components.language import Stated, parameter
 
 
 class RigidRingTyre(Component):
-    """Tyre whose belt is a rigid ring: side walls carry it on rim and hub, and it slips on the road as a `Tyre`.
+    """Tyre whose belt is a rigid ring: side walls join it to rim and hub, and it slips as a `Tyre` does.
 
     Up to about 100 Hz the belt keeps its shape; it turns on the rim (c_phi, d_phi) and gives way to the hub
     (k_x, d_x). At rest the contact is a spring mu F_z B C/sigma, between the belt's R phi and its s.

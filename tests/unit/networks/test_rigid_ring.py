@@ -15,7 +15,9 @@ ROAD = {"R": 0.3, "F_z": 4000.0, "mu": 0.9, "B": 12.0, "C": 1.5, "E": 0.2, "sigm
 J, M = 0.5, 300.0
 
 
-def car(tyre: ia.Component, torque: Any = 0.0, v: float = 0.0, road: ia.Component | None = None) -> ia.Network:
+def car(
+    tyre: ia.Component, torque: Any = 0.0, v: float = 0.0, road: ia.Component | None = None
+) -> ia.Network:
     net: Any = ia.Network("car", tyre=tyre, rim=rotational.Inertia(J=J), body=ia.Mass(m=M, v=v))
     net.add(motor=rotational.Torque(tau=torque))
     net.connect(net.motor.flange, net.rim.flange, net.tyre.flange_r)
@@ -72,5 +74,6 @@ def test_it_drives_and_brakes_as_its_equations_say(sign: float, v_road: float) -
     names = ["rim.w", "tyre.ring.w", "tyre.belt.v", "body.v", "tyre.contact.kappa"]
     for name, values in zip(names, solved.y[2:], strict=True):
         assert run[name] == pytest.approx(values, abs=2e-6 * np.abs(values).max()), name
-    assert run["tyre.contact.f_x"].max() > 1000 and run["tyre.contact.f_x"].min() < -1000
+    assert run["tyre.contact.f_x"].max() > 1000
+    assert run["tyre.contact.f_x"].min() < -1000
     assert run.energy().closes < 1e-5
