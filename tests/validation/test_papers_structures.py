@@ -114,7 +114,7 @@ def test_torsional_modes_of_the_first_benchmark_for_subsynchronous_resonance() -
 
 
 def test_resonances_of_a_direct_driven_wind_turbine() -> None:
-    """Sopanen, Ruuskanen, Nerg & Pyrhonen, IEEE Trans. Industrial Electronics 58 (2011), a figure.
+    """Sopanen, Ruuskanen, Nerg & Pyrhonen, IEEE Trans. Ind. Electron. 58 (2011) 3859-3867.
 
     Blades, hub and generator; the cogging torque has twelve waves a period of 60 a turn. The peaks of both
     shafts' torque were read off the printed figure by the authors of openTorsion; it is 25 rpm wide and
