@@ -19,7 +19,7 @@ from matplotlib import pyplot
 
 IMAGES = Path(__file__).parent / "images"
 WIDTH, HEIGHT = 3.5, 2.7  # of a panel [in]
-STYLE = {
+STYLE: dict[str, Any] = {
     "axes.grid": True,
     "axes.titlesize": "small",
     "font.size": 8.5,
@@ -278,8 +278,8 @@ def _(ax: Axes) -> None:
     told(ax, "stroke [mm]", "force [kN]")
 
 
-MR = {"alpha_a": 14e3, "alpha_b": 69.5e3, "c_0a": 2100.0, "c_0b": 350.0, "eta": 190.0}
-SHAPE = {"A": 301.0, "beta": 3.63e6, "gamma": 3.63e6}
+MR: dict[str, Any] = {"alpha_a": 14e3, "alpha_b": 69.5e3, "c_0a": 2100.0, "c_0b": 350.0, "eta": 190.0}
+SHAPE: dict[str, Any] = {"A": 301.0, "beta": 3.63e6, "gamma": 3.63e6}
 
 
 @panel("coils", "SpencerDamper")
@@ -572,7 +572,7 @@ def _(ax: Axes) -> None:
     told(ax, "angle [°]", "s [mm]")
 
 
-ROAD = {"R": 0.3, "F_z": 4000.0, "mu": 0.9, "B": 12.0, "C": 1.5}
+ROAD: dict[str, Any] = {"R": 0.3, "F_z": 4000.0, "mu": 0.9, "B": 12.0, "C": 1.5}
 
 
 @panel("cranks", "Tyre")
@@ -839,7 +839,7 @@ def _(ax: Axes) -> None:
         ax.plot(run["block.u"], run["block.y"], label=name)
     field = signals.CombiTable2D(table=((0, 0, 1), (-1, 0, 1), (0, 1, 0), (1, 0, 1)))
     for u2 in (0.0, 0.5):
-        given = {"block.u1": lambda t: t - 1.0, "block.u2": lambda t, u2=u2: u2 + 0 * t}
+        given: dict[str, Any] = {"block.u1": lambda t: t - 1.0, "block.u2": lambda t, u2=u2: u2 + 0 * t}
         run = ia.Network("block", block=field).simulate(2.0, step=0.05, inputs=given)
         ax.plot(run["block.u1"], run["block.y"] - 2, "--", label=f"2D, u2 = {u2:g}; -2")
     told(ax, "u, u1", "y")
