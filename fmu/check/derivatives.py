@@ -79,11 +79,10 @@ class Derivatives:
         What a difference leaves open are rounding errors, and what a stride ten times as long changes: the
         bending of the law, or noise. A stride resolves a derivative if that is a tenth of the limit at most,
         or if nothing at all changes over a millionth of the known's size. Where none does, because nothing
-        depends on the known, or little near rest, what the best of them leaves open is forgiven.
+        depends on the known, or little near rest, what they leave open is forgiven.
         """
-        least = np.full(len(self.unknowns), np.inf)
-        beyond, open_at_best = least.copy(), least.copy()
-        wider = least.copy()
+        least, beyond = np.full((2, len(self.unknowns)), np.inf)
+        wider = np.full(len(self.unknowns), np.nan)
         for h in STRIDES * scale:
             try:
                 ahead, behind = (self._moved(probe, t, base + side * h * seed) for side in (1, -1))
@@ -96,9 +95,7 @@ class Derivatives:
             error, wider = np.abs(exact - difference) / size, difference
             unchanged = (error == 0) & (h >= UNCHANGED_STRIDE * scale)
             least = np.where((left_open <= LEFT_OPEN) | unchanged, np.fmin(least, error), least)
-            better = left_open < open_at_best
-            beyond = np.where(better, np.maximum(error - left_open, 0), beyond)
-            open_at_best = np.fmin(open_at_best, left_open)
+            beyond = np.fmin(beyond, np.maximum(error - left_open, 0))
         found = np.where(np.isfinite(least), least, beyond)
         worst = int(np.argmax(found))
         return float(found[worst]), worst
