@@ -18,6 +18,21 @@ SYMBOLS = {  # by the class that has it; what derives from that has it, too, unl
     "Gearbox": "O:o --[ ]/\\", "IdealPlanetary": "(o)", "GearMesh": "O/\\o", "Lever": "--^--",
     "LargeAngleLever": "--^--", "NutScrew": "~~~#~~~", "RollingWheel": "(+)__", "DrivenFlange": "==>",
     "Vehicle": "_/o--o\\_", "HeatCapacitor": "[ C ]", "ThermalConductor": "~~~>",
+    "TabulatedSpring": "/\\/\\/\\ ::", "TabulatedDamper": "--[|-- ::", "MapSpringDamper": "/\\ || [| ::",
+    "LuGreFriction": "=~~~=", "SupportFriction": "=~~~=", "BearingFriction": "=~~~=",
+    "RollingResistance": "(+)~~", "Maxwell": "/\\/\\--[|--", "Zener": "/\\/\\--[|-- || /\\/\\",
+    "FractionalDamper": "/\\ [| /\\ [|", "WireRope": "/\\/\\ || =~=", "ObliqueSprings": "/\\>--</\\",
+    "Rope": "- - /\\ - -", "AirSpring": "--[ gas |--", "MonotubeDamper": "--[ gas | oil ||--",
+    "BoucWenDamper": "--[| ~ i", "SpencerDamper": "--[| ~ i", "VoiceCoil": "--UUU--",
+    "FluidInerter": "--[| @@@", "MassWithLength": "[== m ==]", "ModalRod": "=(~)=",
+    "LumpedRod": "=[m]/\\[m]=", "ModalShaft": "=(~)=", "LumpedShaft": "=(J)/\\(J)=", "DCMotor": "( M )",
+    "ShuntedMotor": "( M )", "EddyCurrentBrake": "=]~[=", "LeadScrew": "~~~#~~~",
+    "CompliantNutScrew": "~~~#~~~ /\\/\\", "WormGear": "###O", "HarmonicDrive": "O:o /\\/\\",
+    "BeltDrive": "(o====o)", "UniversalJoint": "--X--", "Differential": "O:o -<",
+    "SliderCrank": "(o/--[]", "Cam": "(o>--[]", "Tyre": "(o)__", "RigidRingTyre": "((o))__",
+    "DiskFlywheel": "( J )", "FixedTemperature": "/////", "BallScrewInerter": "~~~#~~~( J )",
+    "RackPinionInerter": "(+)__( J )", "CrankInerter": "(o/--[]( J )",
+    "MechatronicInerter": "~~~#~~~( J )( M )",
 }  # fmt: skip
 LEFT = ("flange_a", "flange_r", "flangeR", "sun", "bracket", "front", "port_a")
 

@@ -173,14 +173,10 @@ def _end(h: float, next_h: float, rise: float, next_rise: float) -> float:
 
 def _periodic_slopes(x: Array, y: Array) -> Array:
     """Return the slopes at which the second derivative is steady at every point, the ends being one."""
-    h, rise = np.diff(x), np.diff(y) / np.diff(x)
-    count = len(h)
-    matrix, right = np.zeros((count, count)), np.zeros(count)
-    for i in range(count):
-        before, after = h[i - 1], h[i]
-        matrix[i, i - 1] += after
-        matrix[i, i] += 2 * (before + after)
-        matrix[i, (i + 1) % count] += before
-        right[i] = 3 * (after * rise[i - 1] + before * rise[i])
+    after, rise, one = np.diff(x), np.diff(y) / np.diff(x), np.eye(len(x) - 1)
+    before = np.roll(after, 1)
+    matrix = np.diag(2 * (before + after))
+    matrix += after[:, None] * np.roll(one, -1, axis=1) + before[:, None] * np.roll(one, 1, axis=1)
+    right = 3 * (after * np.roll(rise, 1) + before * rise)
     slopes = np.asarray(np.linalg.solve(matrix, right), dtype=float)
     return np.append(slopes, slopes[0])

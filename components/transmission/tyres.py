@@ -14,8 +14,8 @@ class Tyre(Transmission, Lossy):
     """Tyre that slips along the road: f_x = D sin(C atan(B kappa - E (B kappa - atan(B kappa)))), D = mu F_z.
 
     The slip kappa builds up over the relaxation length: sigma kappa' = R w - v - |v| kappa, also at rest.
-    f_x drives `flange_t`, the hub, forward and brakes `flange_r`, the rim, with R f_x. A rigid ring is a
-    `rotational.Inertia` at flange_r, on a `rotational.SpringDamper` of the side walls.
+    f_x drives `flange_t`, the hub, forward and brakes `flange_r`, the rim, with R f_x. With a belt of its own
+    it is a `machines.RigidRingTyre`.
 
     The carcass stores sigma times the integral of f_x over kappa; what is lost is f_x |v| kappa.
 

@@ -15,7 +15,7 @@ from .report import Finding, measured
 LIMIT = 1e-6
 STRIDES = 10.0 ** -np.arange(1, 11)  # of central differences, of a known's size
 ROUNDING = 64 * np.finfo(float).eps
-RESOLVED_ROUNDING = 0.1 * LIMIT
+LEFT_OPEN = 0.1 * LIMIT  # by a difference that resolves a derivative
 UNCHANGED_STRIDE = 1e-6
 SMALLEST_SIZE = 1e-3  # of a known, against which strides are long
 KNOWNS_COMPARED = 60
@@ -60,26 +60,29 @@ class Derivatives:
         for place in _spread(len(self.knowns)):
             seed = np.zeros(len(self.knowns))
             seed[place] = 1.0
+            self._set(probe, t, base)
             exact = probe.directional(self._rows, [self._columns[place]], [1.0])
             scale = max(abs(base[place]), self.nominals[place])
             error, row = self._compared(probe, t, base, seed, exact, scale)
             if error > self.forward[0]:
                 told = f"{self.unknowns[row]} by {self.knowns[place]} at {t:.6g} s"
                 self.forward = (error, told)
+        self._set(probe, t, base)
         if self.backward and self.knowns:
             self._reversed(probe, t)
-        self._set(probe, t, base)
 
     def _compared(
         self, probe: Probe, t: float, base: Array, seed: Array, exact: Array, scale: float
     ) -> tuple[float, int]:
-        """Return the least error over the strides that resolve it, of the unknown where that is greatest.
+        """Return the error at the strides that resolve it, of the unknown where that is greatest.
 
-        A stride resolves a derivative if rounding errors of the difference are a tenth of the limit at most,
-        or if nothing at all changes over a millionth of the known's size; where none does, because nothing
-        depends on the known, rounding errors are forgiven.
+        What a difference leaves open are rounding errors, and what a stride ten times as long changes: the
+        bending of the law, or noise. A stride resolves a derivative if that is a tenth of the limit at most,
+        or if nothing at all changes over a millionth of the known's size. Where none does, because nothing
+        depends on the known, or little near rest, what they leave open is forgiven.
         """
-        best = np.full((2, len(self.unknowns)), np.inf)
+        least, beyond = np.full((2, len(self.unknowns)), np.inf)
+        wider = np.full(len(self.unknowns), np.nan)
         for h in STRIDES * scale:
             try:
                 ahead, behind = (self._moved(probe, t, base + side * h * seed) for side in (1, -1))
@@ -87,14 +90,15 @@ class Derivatives:
                 continue
             difference = (ahead - behind) / (2 * h)
             size = np.maximum(np.maximum(np.abs(exact), np.abs(difference)), 1e-300)
-            rounding = ROUNDING * np.maximum(np.abs(ahead), np.abs(behind)) / h / size
-            error = np.abs(exact - difference) / size
-            resolved = (rounding <= RESOLVED_ROUNDING) | ((error == 0) & (h >= UNCHANGED_STRIDE * scale))
-            best[0] = np.where(resolved, np.fmin(best[0], error), best[0])
-            best[1] = np.fmin(best[1], np.maximum(error - rounding, 0))
-        least = np.where(np.isfinite(best[0]), best[0], best[1])
-        worst = int(np.argmax(least))
-        return float(least[worst]), worst
+            rounding = ROUNDING * np.maximum(np.abs(ahead), np.abs(behind)) / h
+            left_open = (rounding + np.abs(wider - difference)) / size
+            error, wider = np.abs(exact - difference) / size, difference
+            unchanged = (error == 0) & (h >= UNCHANGED_STRIDE * scale)
+            least = np.where((left_open <= LEFT_OPEN) | unchanged, np.fmin(least, error), least)
+            beyond = np.fmin(beyond, np.maximum(error - left_open, 0))
+        found = np.where(np.isfinite(least), least, beyond)
+        worst = int(np.argmax(found))
+        return float(found[worst]), worst
 
     def _moved(self, probe: Probe, t: float, point: Array) -> Array:
         self._set(probe, t, point)

@@ -19,6 +19,7 @@ from .elements import PitchingBody as PitchingBody
 from .elements import PlanetaryFlywheelInerter as PlanetaryFlywheelInerter
 from .elements import RackPinionInerter as RackPinionInerter
 from .elements import RigidBody as RigidBody
+from .elements import RigidRingTyre as RigidRingTyre
 from .elements import Servo as Servo
 from .elements import Shaker as Shaker
 from .elements import TorsionalDamper as TorsionalDamper

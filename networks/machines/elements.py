@@ -18,5 +18,6 @@ from .landing_gears import OleoStrut as OleoStrut
 from .shaken import Unbalance as Unbalance
 from .torsional import DualMassFlywheel as DualMassFlywheel
 from .torsional import TorsionalDamper as TorsionalDamper
+from .tyres import RigidRingTyre as RigidRingTyre
 from .vehicles import PitchingBody as PitchingBody
 from .vehicles import RigidBody as RigidBody

@@ -9,6 +9,103 @@ from ...components.language import Component, Number, ParameterValue, SignalValu
 from ...components.lossy import Lossy
 from ...components.translational import Compliant, Dissipative, TwoFlanges
 
+class RigidRingTyre(Component):
+    """Tyre whose belt is a rigid ring: side walls join it to rim and hub, and it slips as a `Tyre` does.
+
+    Up to about 100 Hz the belt keeps its shape; it turns on the rim (c_phi, d_phi) and gives way to the hub
+    (k_x, d_x). At rest the contact is a spring mu F_z B C/sigma, between the belt's R phi and its s.
+
+    Limits: those of `Tyre`, and nothing vertical.
+
+    Source: P. W. A. Zegelaar, The Dynamic Response of Tyres to Brake Torque Variations and Road
+    Unevennesses, thesis, Delft University of Technology (1998).
+
+    Args:
+        J_b: inertia of the belt [kg.m2], above 0.
+        m_b: mass of the belt [kg], above 0.
+        c_phi: stiffness of the side walls against turning [N.m/rad], above 0.
+        k_x: stiffness of the side walls along the road [N/m], above 0.
+        R: effective rolling radius [m], above 0.
+        F_z: load on the tyre [N], at least 0.
+        mu: largest f_x over F_z, at least 0.
+        B: stiffness factor, above 0.
+        C: shape factor, above 0.
+        sigma: relaxation length of the contact [m], above 0.
+        d_phi: damping constant of the side walls against turning [N.m.s/rad], at least 0.
+        d_x: damping constant of the side walls along the road [N.s/m], at least 0.
+        E: curvature factor, at most 1.
+        ring: Inertia.
+        belt: Mass.
+        turning: SpringDamper.
+        sliding: SpringDamper.
+        contact: Tyre.
+    """
+
+    flange_r: Any
+    """rim"""
+    flange_t: Any
+    """hub"""
+    support_t: Any
+    """road"""
+    J_b: Any
+    """inertia of the belt [kg.m2], above 0"""
+    m_b: Any
+    """mass of the belt [kg], above 0"""
+    c_phi: Any
+    """stiffness of the side walls against turning [N.m/rad], above 0"""
+    d_phi: Any
+    """damping constant of the side walls against turning [N.m.s/rad], at least 0"""
+    k_x: Any
+    """stiffness of the side walls along the road [N/m], above 0"""
+    d_x: Any
+    """damping constant of the side walls along the road [N.s/m], at least 0"""
+    R: Any
+    """effective rolling radius [m], above 0"""
+    F_z: Any
+    """load on the tyre [N], at least 0"""
+    mu: Any
+    """largest f_x over F_z, at least 0"""
+    B: Any
+    """stiffness factor, above 0"""
+    C: Any
+    """shape factor, above 0"""
+    E: Any
+    """curvature factor, at most 1"""
+    sigma: Any
+    """relaxation length of the contact [m], above 0"""
+    ring: Any
+    """Inertia"""
+    belt: Any
+    """Mass"""
+    turning: Any
+    """SpringDamper"""
+    sliding: Any
+    """SpringDamper"""
+    contact: Any
+    """Tyre"""
+    def __init__(
+        self,
+        *,
+        J_b: ParameterValue,
+        m_b: ParameterValue,
+        c_phi: ParameterValue,
+        k_x: ParameterValue,
+        R: ParameterValue,
+        F_z: ParameterValue,
+        mu: ParameterValue,
+        B: ParameterValue,
+        C: ParameterValue,
+        sigma: ParameterValue,
+        d_phi: ParameterValue = 0.0,
+        d_x: ParameterValue = 0.0,
+        E: ParameterValue = 0.0,
+        ring: Component = ...,
+        belt: Component = ...,
+        turning: Component = ...,
+        sliding: Component = ...,
+        contact: Component = ...,
+    ) -> None: ...
+
 class Servo(Component):
     """Servo as it is sold: a sampled PD controller with dead band and delay on a motor with a gear.
 

@@ -93,3 +93,42 @@ def test_two_masses_under_a_sudden_load() -> None:
     run = net.simulate(3.5, rtol=1e-9)
     assert run.at("first.s", 12 * 0.28) == pytest.approx(1.157, abs=5e-4)
     assert run.at("second.s", 12 * 0.28) == pytest.approx(2.489, abs=5e-4)
+
+
+def test_torsional_modes_of_the_first_benchmark_for_subsynchronous_resonance() -> None:
+    """IEEE Trans. PAS-96 (1977) 1565-1572: H [s] and stiffness [torque per electrical rad] of six rotors.
+
+    The table as others give it; the frequencies are what their program for such shafts prints for it.
+    """
+    inertias = (0.092897, 0.155589, 0.858670, 0.884215, 0.868495, 0.0342165)
+    stiffness = (19.303, 34.929, 52.038, 70.858, 2.82)
+    net: Any = ia.Network("HP, IP, LPA, LPB, generator, exciter")
+    for k, H in enumerate(inertias):
+        net.add(**{f"rotor{k}": rotational.Inertia(J=2 * H / (2 * np.pi * 60))})
+    for k, c in enumerate(stiffness):
+        net.add(**{f"shaft{k}": rotational.Spring(c=c)})
+        shaft, left, right = (getattr(net, name) for name in (f"shaft{k}", f"rotor{k}", f"rotor{k + 1}"))
+        net.connect(left.flange, shaft.flange_a).connect(shaft.flange_b, right.flange)
+    found = sorted(mode.frequency for mode in linearise(net).modes() if mode.frequency > 1.0)
+    assert found == pytest.approx([15.7119, 20.2048, 25.5470, 32.2845, 47.4563], abs=6e-5)
+
+
+def test_resonances_of_a_direct_driven_wind_turbine() -> None:
+    """Sopanen, Ruuskanen, Nerg & Pyrhonen, IEEE Trans. Ind. Electron. 58 (2011) 3859-3867.
+
+    Blades, hub and generator; the cogging torque has twelve waves a period of 60 a turn. The peaks of both
+    shafts' torque were read off the printed figure by the authors of openTorsion; it is 25 rpm wide and
+    about 1000 kN.m high, of which such reading is good for half a per cent and one.
+    """
+    net: Any = ia.Network("turbine", blades=rotational.Inertia(J=1e7), hub=rotational.Inertia(J=5770.0))
+    net.add(generator=rotational.Inertia(J=97030.0), cogging=rotational.Torque())
+    net.add(shaft=rotational.Spring(c=3.67e8), rotor=rotational.Spring(c=5.496e9))
+    net.connect(net.blades.flange, net.shaft.flange_a)
+    net.connect(net.shaft.flange_b, net.hub.flange, net.rotor.flange_a)
+    net.connect(net.rotor.flange_b, net.generator.flange, net.cogging.flange)
+    system = linearise(net, ["cogging.tau"], ["shaft.tau", "rotor.tau"])
+    speeds = sorted(mode.frequency / 12 for mode in system.modes() if mode.frequency > 1.0)  # Hz, and rpm
+    printed = (0.763 + 0.7716) / 2, (13.6456 + 13.677) / 2
+    assert speeds == pytest.approx(printed, abs=0.005 * 25)
+    at_rest = 0.0176 * 2.9e6 * np.abs(system.response([12 * 0.1338])).ravel()
+    assert at_rest == pytest.approx([53.476e3, 53.476e3], abs=0.01 * 1000e3)
