@@ -99,7 +99,7 @@ class System:
         component, kind = instance.component, type(instance.component)
         lines = element_lines(component, instance.template, str(instance))
         for shown, (inside, port) in self._shown[path].items():
-            declared = type(self._instances[inside].component).fields[port]
+            declared: Any = type(self._instances[inside].component).fields[port]
             lines.connectors[type(declared).__name__] = declared
             lines.declarations.append(f"{type(declared).__name__} {shown};")
             lines.equations.append(f"connect({shown}, {self.refer(path, inside, port)});")
