@@ -50,8 +50,8 @@ class AdaptiveMaster(JacobiMaster):
 
     With inputs held the error of a run falls with the step, with lines with its square (p = 1, 2). What a
     step adds to it is the difference of both, divided by 2^p - 1. It may be the tolerance times the share
-    that the step is of the run, of how far each state goes (each output, of an FMU that tells no states), and half
-    of that, as errors also grow. How far states go, runs with long steps tell beforehand.
+    that the step is of the run, of how far each state goes (each output, of an FMU that tells no states), and
+    half of that, as errors also grow. How far states go, runs with long steps tell beforehand.
 
     After an event, and where the run begins, there is no past to extrapolate: the step is made with inputs
     held first, and then along the line to where that led, so that the order is kept. An event that an FMU
