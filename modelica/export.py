@@ -9,7 +9,7 @@ from typing import Any
 import casadi as ca
 import numpy as np
 
-from ..base import ModelError, boolean, check_output, demand, is_number, path_of, shown, write_text
+from ..base import ModelError, boolean, check_output, demand, is_number, named, path_of, shown, write_text
 from ..base.checks import above
 from ..base.quiet import numpy_on_symbols
 from ..components.language import Port
@@ -54,7 +54,7 @@ def to_modelica(
         >>> net = Network("oscillator", wall=Fixed(), spring=Spring(k=100.0), mass=Mass(m=1.0, s=0.1))
         >>> net = net.connect(net.wall.flange, net.spring.flange_a)
         >>> net = net.connect(net.spring.flange_b, net.mass.flange)
-        >>> print(to_modelica(net).splitlines()[2].strip())
+        >>> print(to_modelica(net).splitlines()[1].strip())
         Modelica.Mechanics.Translational.Components.Fixed wall(s0=0);
     """
     demand(
@@ -64,7 +64,7 @@ def to_modelica(
         tolerance=(tolerance, above(0.0)),
     )
     dae = dae_of(network)
-    system = System(dae, msl, _starts(dae, stop, dict(start or {})))
+    system = System(dae, msl, _starts(dae, stop, named("start", start)))
     extra = Lines()
     for declared in dae.inputs:
         if declared.order == 0:

@@ -72,6 +72,7 @@ class AdaptiveMaster(JacobiMaster):
         self._tolerance, self._power = tolerance, points.order + 1
         self._span = points.stop - points.begin
         self._size = FIRST_SHARE * points.step
+        self._least = INSTANT_SHARE * tolerance * self._span
         self.stats |= {"attempts": 0, "rejected": 0, "scouting steps": 0}
         self.stats |= {"shortest step": np.inf, "longest step": 0.0}
         self.costs = np.zeros(len(links))
@@ -123,11 +124,9 @@ class AdaptiveMaster(JacobiMaster):
         while True:
             whole, mid, halves = self._tried(begin, past, self._goal(begin, target))
             length = halves.time - begin
-            if length <= LEAST_SHARE * self._span and self._power > 1 and not self._ended():
-                self._power, past = (
-                    1,
-                    past[-1:],
-                )  # the line switches at once, what is there now does not
+            at_once = whole.event and length <= LEAST_SHARE * self._span
+            if at_once and self._power > 1 and not self._ended():
+                self._power, past = 1, past[-1:]  # the line brings it about, what is there now does not
                 self._return(begin, past)
                 continue
             if mid is None:  # an event, in less than half of a step that should be good enough
@@ -137,18 +136,20 @@ class AdaptiveMaster(JacobiMaster):
             ratio = self._error(whole, halves) / (GROWING * self._tolerance * share)
             if ratio <= 1:
                 break
-            if length <= INSTANT_SHARE * self._tolerance * self._span:  # in which something jumps
-                unforeseen = True
+            if length <= self._least * (1 + LEAST_SHARE):  # in which something jumps
+                unforeseen, ratio = True, 1.0
                 break
             rejected += 1
             self._return(begin, past)
-            self._size = length * float(np.clip(SAFETY * ratio ** (-1 / self._power), SHRINK, 0.5))
+            shorter = length * float(np.clip(SAFETY * ratio ** (-1 / self._power), SHRINK, 0.5))
+            self._size = max(shorter, self._least)
         self._accept(mid, halves, whole)
         self._power = self.points.order + 1
         if unforeseen:
             del self._past[:-1]
         growth = SAFETY * max(ratio, 1e-9) ** (-1 / self._power)
-        size = length * float(np.clip(growth, SHRINK, 1.0 if rejected else GROWTH))
+        most = GROWTH if not rejected or unforeseen else 1.0
+        size = max(length * float(np.clip(growth, SHRINK, most)), GROWTH * self._least)
         self._size = min(max(size, self._size) if length < self._size else size, self.points.step)
         self.stats["rejected"] += rejected
         self.stats["shortest step"] = min(self.stats["shortest step"], length)

@@ -44,7 +44,6 @@ def icon(network: Component) -> Icon | None:
 
 
 def _png(root: Any, width: float, height: float) -> bytes:
-    from matplotlib.backends.backend_agg import FigureCanvasAgg
     from matplotlib.figure import Figure
 
     figure = Figure(figsize=(width / 72, height / 72), dpi=72 * PNG_WIDTH / width)
@@ -54,7 +53,7 @@ def _png(root: Any, width: float, height: float) -> bytes:
     for shape in root:
         _draw(axes, shape.tag.rpartition("}")[2], shape)
     target = BytesIO()
-    FigureCanvasAgg(figure).print_png(target, metadata={"Software": None})
+    figure.savefig(target, format="png", metadata={"Software": None})
     return target.getvalue()
 
 
