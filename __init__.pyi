@@ -3,6 +3,7 @@ from . import diagnosis as diagnosis
 from . import fmu as fmu
 from . import identification as identification
 from . import machines as machines
+from . import modelica as modelica
 from . import sweeps as sweeps
 from . import synthesis as synthesis
 from .components import Accelerate as Accelerate
@@ -140,6 +141,7 @@ from .fmu import FMU as FMU
 from .fmu import FMUError as FMUError
 from .fmu import export_fmu as export_fmu
 from .identification import fit as fit
+from .modelica import to_modelica as to_modelica
 from .networks import DAE as DAE
 from .networks import Event as Event
 from .networks import Motion as Motion

@@ -6,7 +6,7 @@ from typing import Annotated
 
 import typer
 
-from . import components, demo, diagnose, docs, fit, fmu, new, run
+from . import components, demo, diagnose, docs, fit, fmu, modelica, new, run
 from .failure import clean
 
 EXAMPLES = """\b
@@ -19,6 +19,7 @@ Examples:
   inertance run model.py:build --stop 5    run the network that build() returns
   inertance fmu export model.py:build a.fmu  the network for other tools
   inertance fmu check model.py:build       is the FMU what the network is?
+  inertance modelica model.py:build --out a.mo  as Modelica text
   inertance run --help                     data in, results and plots out
 
 \b
@@ -37,6 +38,7 @@ app.command(epilog=components.EXAMPLES)(clean(components.components))
 app.command(epilog=run.EXAMPLES)(clean(run.run))
 app.command(epilog=fit.EXAMPLES)(clean(fit.fit))
 app.command(epilog=diagnose.EXAMPLES)(clean(diagnose.diagnose))
+app.command(epilog=modelica.EXAMPLES)(clean(modelica.modelica))
 app.command(epilog=docs.EXAMPLES)(clean(docs.docs))
 app.add_typer(new.app, name="new", help="A commented template that runs: a rig, a campaign, a component.")
 app.add_typer(fmu.app, name="fmu", help="FMUs: export, check, look into, run.")

@@ -49,6 +49,7 @@ from .signatures import is_required as is_required
 from .signatures import told as told
 from .template import Shock as Shock
 from .template import Template as Template
+from .template import Transition as Transition
 from .values import Number as Number
 from .values import ParameterValue as ParameterValue
 from .values import SignalValue as SignalValue

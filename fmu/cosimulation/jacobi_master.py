@@ -57,7 +57,10 @@ class JacobiMaster(Master):
 
     def _exchange(self, guess: Array) -> None:
         """Let all agree on what they exchange here; iterate the events that the step ended at."""
-        agreed = self._agreed(guess)
+        self._close(self._agreed(guess))
+
+    def _close(self, agreed: Array) -> None:
+        """Record what all agree on, and iterate the events that the step ended at."""
         self._record()
         if self._settled(agreed, agreed) and not self._ended():
             self._past.clear()

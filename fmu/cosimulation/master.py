@@ -48,6 +48,7 @@ class Master(ABC):
             for target in self.points.times[1:].tolist():
                 while self.time < target and not self._ended():
                     self._step(target)
+                    self.stats["communication steps"] += 1
         finally:
             for one in self.everyone.values():
                 one.instance.close()
@@ -121,7 +122,8 @@ class Master(ABC):
         everyone = sorted(self.everyone.items(), key=lambda item: not item[1].reversible)
         reached = target
         for name, one in everyone:
-            one.stepper.advance(reached, courses[name])
+            if one.stepper.t < reached:
+                one.stepper.advance(reached, courses[name])
             reached = min(reached, one.stepper.t)
         for name, one in everyone:
             t = one.stepper.t
@@ -133,9 +135,9 @@ class Master(ABC):
                     f"another at {reached:g} s: it does not save its state; couple it in a run of its own"
                 )
             one.stepper.restore()
-            one.stepper.advance(reached, courses[name])
+            if one.stepper.t < reached:
+                one.stepper.advance(reached, courses[name])
         self.time = reached
-        self.stats["communication steps"] += 1
 
 
 def _unchanged(answer: Callable[[Array], Array], guess: Array, problem: str) -> Array:

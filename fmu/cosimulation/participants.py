@@ -55,6 +55,9 @@ class Participant:
     """One FMU in co-simulation: it is initialised, advances step by step, and switches at its events.
 
     It is given `inputs` by name, and gives the `outputs` that the others need.
+
+    Attributes:
+        row: all that is recorded of it, as read last.
     """
 
     stepper: TimeStepper
@@ -96,12 +99,12 @@ class Participant:
         return self._read(self.stepper.t, self.stepper.look(self._wanted))
 
     def _read(self, t: float, values: Values) -> Array:
-        self._row: Array = finite(self.fmu.name, "an output", t, values)
-        return np.asarray(self._row[self._places])
+        self.row: Array = finite(self.fmu.name, "an output", t, values)
+        return np.asarray(self.row[self._places])
 
     def record(self) -> None:
         """Record all that was read last."""
-        self.run.record(self.stepper.t, self._row.tolist())
+        self.run.record(self.stepper.t, self.row.tolist())
 
     def settle(self, inputs: Values, jumped: bool = False) -> bool:
         """Iterate the event that the last step ended at, or that jumps bring about; tell if there was one."""

@@ -24,6 +24,7 @@ from ...networks import (
     starting_point,
 )
 from .documentation import licences, page
+from .icon import icon
 from .model_description import ExportedModel, Rights, model_description
 from .outputs import chosen_outputs, locals_of, state_names
 from .package import build_description, library_path, write_archive
@@ -130,9 +131,12 @@ def export_fmu(
         "documentation/index.html": page(told, fmi_version).encode(),
         "documentation/licenses/license.txt": licences(rights).encode(),
     }
-    if published and fmi_version == "3.0":
+    picture = icon(dae.flat.instances[""].component)
+    if picture is not None:
+        files |= picture.files(fmi_version)
+    if fmi_version == "3.0" and (published or picture is not None):
         names = [s.name for s in face.scalars]
-        files["terminalsAndIcons/terminalsAndIcons.xml"] = terminals_xml(published, names)
+        files["terminalsAndIcons/terminalsAndIcons.xml"] = terminals_xml(published, names, picture)
     if sources:
         files |= {f"sources/{name}": text.encode() for name, text in texts.items()}
         if fmi_version == "3.0":
@@ -228,6 +232,6 @@ def _binaries(
         for platform in platforms:
             inside = library_path(identifier, fmi_version, platform)
             out = Path(folder) / Path(inside).name
-            compile_shared(compiled, out, None if platform == "native" else platform)
+            compile_shared(compiled, out, None if platform == "native" else platform, flags=("-s",))
             found[inside] = out.read_bytes()
     return found

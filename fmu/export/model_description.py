@@ -92,6 +92,7 @@ def _kinds2(root: ET.Element, model: ExportedModel) -> None:
     exchange = _kind(root, "ModelExchange", model, *able)
     stepping = ("canHandleVariableCommunicationStepSize", "canInterpolateInputs")
     steps = _kind(root, "CoSimulation", model, *able, *stepping)
+    steps.set("maxOutputDerivativeOrder", "1")
     for kind in (exchange, steps) if model.sources else ():
         listed = ET.SubElement(kind, "SourceFiles")
         for name in model.sources:
@@ -103,7 +104,8 @@ def _kinds3(root: ET.Element, model: ExportedModel) -> None:
     able += ["providesDirectionalDerivatives", "providesAdjointDerivatives"]
     _kind(root, "ModelExchange", model, *able, "needsCompletedIntegratorStep")
     stepping = ("canHandleVariableCommunicationStepSize", "hasEventMode", "mightReturnEarlyFromDoStep")
-    steps = _kind(root, "CoSimulation", model, *able, *stepping)
+    steps = _kind(root, "CoSimulation", model, *able, *stepping, "providesIntermediateUpdate")
+    steps.set("maxOutputDerivativeOrder", "1")
     if model.fixed_step:
         steps.set("fixedInternalStepSize", repr(model.fixed_step))
 

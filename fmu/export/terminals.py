@@ -7,7 +7,7 @@ One as `motion-out` only shows its motion.
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterable, Mapping
+from collections.abc import Collection, Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from xml.etree import ElementTree as ET
 
@@ -17,8 +17,10 @@ from ...base.checks import text as is_text
 from ...components import FAMILIES, Component, Domain, ModelError
 from ...components.language import Port, PortRef, parts_of
 from ...networks import Network
+from .icon import Icon
 from .model_description import text
 
+MM_PER_PIXEL = 0.1
 CAUSALITIES = ("force-in", "motion-in", "motion-out")
 
 
@@ -117,11 +119,18 @@ def _part(domain: Domain, causality: str) -> tuple[Network, list[PortRef], dict[
     return Network("terminal", **parts), [PortRef(one, "flange") for one in parts.values()], members
 
 
-def terminals_xml(terminals: Iterable[Terminal], names: Iterable[str]) -> bytes:
+def terminals_xml(terminals: Sequence[Terminal], names: Iterable[str], icon: Icon | None = None) -> bytes:
     """Return terminalsAndIcons.xml; derivatives of a prescribed motion are members where they are inputs."""
     known = set(names)
     root = ET.Element("fmiTerminalsAndIcons", fmiVersion="3.0")
-    listed = ET.SubElement(root, "Terminals")
+    if icon is not None:
+        shown = ET.SubElement(root, "GraphicalRepresentation")
+        corners = {"x1": "0", "y1": "0", "x2": repr(icon.width), "y2": repr(icon.height)}
+        ET.SubElement(
+            shown, "CoordinateSystem", corners | {"suggestedScalingFactorTo_mm": repr(MM_PER_PIXEL)}
+        )
+        ET.SubElement(shown, "Icon", corners)
+    listed = ET.SubElement(root, "Terminals") if terminals else root
     for terminal in terminals:
         kind = f"{terminal.domain} flange, {terminal.causality}"
         told = {"name": terminal.flange, "matchingRule": "plug", "terminalKind": kind}

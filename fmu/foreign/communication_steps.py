@@ -16,7 +16,7 @@ class CoSimulation(TimeStepper):
     """Steps are the FMU's own, from communication point to communication point or an event before."""
 
     dense = False
-    _standing = "t", "_arrived"
+    _standing = "t", "_arrived", "ended"
 
     def __init__(self, instance: Instance, fmu: FMUDescription, course: Course, stepping: Stepping) -> None:
         super().__init__(instance, fmu, course, stepping)

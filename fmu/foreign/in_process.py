@@ -54,7 +54,7 @@ class LocalInstance:
         self.name, self.major = self.description.modelName, self.description.fmiMajorVersion
         self._names = {role: names[self.major - 2] for role, names in NAMES.items()}
         self._inputs, self._failure = list[int](), FMICallException
-        self._kept: Any = None
+        self._kept: dict[str, Any] = {}
         self.instance: Any = None
         face = getattr(self.description, FACES[kind])
         self._steps_completed = kind == "ME" and face.needsCompletedIntegratorStep
@@ -195,7 +195,7 @@ class LocalInstance:
         """Tell the FMU that a step was accepted; return whether it wants event mode, or an end."""
         if not self._steps_completed:
             return False, False
-        enter, terminate = self._call("completedIntegratorStep", self._kept is None)
+        enter, terminate = self._call("completedIntegratorStep", not self._kept)
         return bool(enter), bool(terminate)
 
     def enter_events(self) -> None:
@@ -221,14 +221,14 @@ class LocalInstance:
             self._call("setRealInputDerivatives", self._inputs, [1] * len(self._inputs), rates)
         if self.major == 2:
             return self._step_2(t, duration)
-        event, terminate, early, reached = self._call("doStep", t, duration, self._kept is None)
+        event, terminate, early, reached = self._call("doStep", t, duration, not self._kept)
         return Stepped(reached if early else t + duration, bool(event), bool(terminate))
 
     def _step_2(self, t: float, duration: float) -> Stepped:
         from fmpy.fmi2 import fmi2Discard, fmi2LastSuccessfulTime, fmi2Terminated
 
         try:
-            self.instance.doStep(t, duration, self._kept is None)
+            self.instance.doStep(t, duration, not self._kept)
         except self._failure as error:
             if error.status != fmi2Discard:
                 raise FMUError(f"FMU '{self.name}' at t = {t:g} s: {error}{self._said()}") from error
@@ -241,15 +241,15 @@ class LocalInstance:
             ) from error
         return Stepped(t + duration, False, False)
 
-    def save(self) -> None:
-        """Keep the present state; a new one replaces it."""
-        if self._kept is not None:
-            self._call("freeFMUState", self._kept)
-        self._kept = self._call("getFMUState")
+    def save(self, place: str = "") -> None:
+        """Keep the present state; a new one replaces that of the same place."""
+        if place in self._kept:
+            self._call("freeFMUState", self._kept.pop(place))
+        self._kept[place] = self._call("getFMUState")
 
-    def restore(self) -> None:
+    def restore(self, place: str = "") -> None:
         """Go back to the state kept."""
-        self._call("setFMUState", self._kept)
+        self._call("setFMUState", self._kept[place])
 
     def close(self) -> None:
         """Free the instance and remove its files."""
@@ -257,8 +257,8 @@ class LocalInstance:
         if slave is None:
             return
         with suppress(Exception):
-            if self._kept is not None:
-                slave.freeFMUState(self._kept)
+            for state in self._kept.values():
+                slave.freeFMUState(state)
         with suppress(Exception):
             slave.terminate()
         slave.freeInstance()

@@ -31,7 +31,7 @@ class ModelExchange(TimeStepper):
     looked for at four points of the dense output of every step and bisected to rounding error.
     """
 
-    _standing = "t", "_x", "_next_event"
+    _standing = "t", "_x", "_next_event", "ended"
     _method: Any
     _next_event: float
 

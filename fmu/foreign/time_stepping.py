@@ -60,6 +60,7 @@ class TimeStepper(ABC):
         self.instance, self.name, self.course = instance, fmu.name, course
         self.t, self.event, self.ended = stepping.begin, "", False
         self._span = stepping.stop - stepping.begin
+        self._saved: dict[str, dict[str, Any]] = {}
         self._switched = deque[float](maxlen=CHATTERING_EVENTS)
         instance.started()
 
@@ -101,15 +102,15 @@ class TimeStepper(ABC):
     def look(self, groups: list[Group], t: float | None = None) -> Values:
         """Return variables where it stands, or at t within a dense step before it arrives."""
 
-    def save(self) -> None:
-        """Remember where it stands."""
-        self.instance.save()
-        self._saved = {name: getattr(self, name) for name in self._standing}
+    def save(self, place: str = "") -> None:
+        """Remember where it stands, in one of several places."""
+        self.instance.save(place)
+        self._saved[place] = {name: getattr(self, name) for name in self._standing}
 
-    def restore(self) -> None:
+    def restore(self, place: str = "") -> None:
         """Go back to what was remembered."""
-        self.instance.restore()
-        vars(self).update(self._saved, event="")
+        self.instance.restore(place)
+        vars(self).update(self._saved[place], event="")
 
     @abstractmethod
     def _update(self) -> None:

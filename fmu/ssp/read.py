@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from functools import partial
 from io import BytesIO
 from pathlib import Path
 from shutil import rmtree
@@ -14,30 +15,32 @@ from ...base import path_of
 from ..errors import FMUError
 from ..fmu import FMU
 from ..foreign.archive import read_entry
-from .system import Connection, SystemStructure
+from .bindings import bound
+from .nested import Levels
+from .system import SystemStructure
 from .write import DESCRIPTION, NAMESPACES
 
 UNSUPPORTED_ELEMENTS = {
-    "ssd:Elements/ssd:System": "a system inside the system",
-    "ssd:Elements/ssd:SignalDictionaryReference": "a signal dictionary",
-    ".//ssd:ParameterMapping": "a parameter mapping",
-    ".//ssc:BooleanMappingTransformation": "a mapping of Booleans on a connection",
-    ".//ssc:IntegerMappingTransformation": "a mapping of integers on a connection",
-    ".//ssc:EnumerationMappingTransformation": "a mapping of enumerations on a connection",
+    ".//ssd:Elements/ssd:SignalDictionaryReference": "a signal dictionary",
+    ".//ssc:BooleanMappingTransformation": "a mapping of Booleans",
+    ".//ssc:IntegerMappingTransformation": "a mapping of integers",
+    ".//ssc:EnumerationMappingTransformation": "a mapping of enumerations",
 }
 
 
 def read_ssp(path: str | Path) -> SystemStructure:
     """Read a system from an .ssp file (SSP 1.0) of any tool.
 
-    Connectors of the system itself are dropped: what they lead to is a free input.
+    Connectors of the system itself are dropped: what they lead to is a free input. Components of systems
+    inside the system become components of the whole, `wheel` of `axle` as `axle_wheel`.
 
     Args:
         path: of the file; each FMU inside is unpacked to a temporary folder, which lives as long as it.
 
     Raises:
-        FMUError: if the archive is broken or unsafe, a description invalid, a part missing; for nested
-            systems, signal dictionaries and mappings, which are not supported; if the system cannot be.
+        FMUError: if the archive is broken or unsafe, a description invalid, a part missing; for signal
+            dictionaries and mappings of what is no real number, which are not supported; if the system
+            cannot be.
 
     Example:
         >>> from inertance.fmu import read_ssp
@@ -53,21 +56,28 @@ def read_ssp(path: str | Path) -> SystemStructure:
             raise FMUError(
                 f"'{file}' has {what}, which is not supported; flatten it in the tool that wrote it"
             )
+
+    def document(name: str, schema: str) -> Any:
+        return _validated(file, name, schema)
+
     experiment = root.find("ssd:DefaultExperiment", NAMESPACES)
     told = {} if experiment is None else experiment.attrib
     begin = float(told.get("startTime", 0.0))
     stop = float(told.get("stopTime", begin + 1.0))
     system = SystemStructure(root.get("name"), {}, begin=begin, stop=stop)
-    for entry in whole.findall("ssd:Elements/ssd:Component", NAMESPACES):
-        name = entry.get("name")
-        fmu = system.components[name] = _fmu(file, entry)
-        values = {n: v for n, v in _bound(file, entry).items() if n in fmu.variables}
+    levels = Levels(whole)
+    for place, entry in levels.components.items():
+        fmu = system.components[levels.name(place)] = _fmu(file, entry)
+        values = {n: v for n, v in bound(entry, document).items() if n in fmu.variables}
         if values:  # of a set that may name more than the component has
-            system.parameters[name] = values
-    for place, value in _bound(file, whole).items():
-        component, variable = system.variable(place)
-        system.parameters.setdefault(component, {})[variable.name] = value
-    system.connections += _connections(whole)
+            given = {n: v.given(partial(fmu.converted, fmu.variables[n])) for n, v in values.items()}
+            system.parameters[levels.name(place)] = given
+    for place, entry in reversed(levels.systems.items()):  # what is given outside goes first
+        for path, value in bound(entry, document).items():
+            component, variable = system.variable(levels.variable(place, path))
+            converted = partial(system.components[component].converted, variable)
+            system.parameters.setdefault(component, {})[variable.name] = value.given(converted)
+    system.connections += levels.connections()
     system.check()
     return system
 
@@ -103,51 +113,3 @@ def _fmu(file: Path, entry: Any) -> FMU:
         raise
     finalize(fmu, rmtree, folder, ignore_errors=True)
     return fmu
-
-
-def _bound(file: Path, element: Any) -> dict[str, Any]:
-    """Return the values bound to a component, or to the system, by the names of their sets with prefix."""
-    found: dict[str, Any] = {}
-    for binding in element.findall("ssd:ParameterBindings/ssd:ParameterBinding", NAMESPACES):
-        source, prefix = binding.get("source"), binding.get("prefix", "")
-        if source is not None:
-            parameters = _validated(file, unquote(source), "SystemStructureParameterValues.xsd")
-        else:
-            parameters = binding.find("ssd:ParameterValues/ssv:ParameterSet", NAMESPACES)
-        listed = parameters.findall("ssv:Parameters/ssv:Parameter", NAMESPACES)
-        found |= {f"{prefix}{one.get('name')}": _value(one) for one in listed}
-    return found
-
-
-def _value(parameter: Any) -> Any:
-    """Return a number, (number, unit), truth or text."""
-    entry = parameter[0]
-    kind, value = entry.tag.rpartition("}")[2], entry.get("value")
-    if kind == "Real":
-        return (float(value), entry.get("unit")) if entry.get("unit") else float(value)
-    if kind == "Boolean":
-        return value in ("true", "1")
-    return int(value) if kind == "Integer" else value
-
-
-def _connections(whole: Any) -> list[Connection]:
-    """Return the connections between components; SSP lets them be written either way round."""
-    inputs = {
-        (component.get("name"), connector.get("name"))
-        for component in whole.findall("ssd:Elements/ssd:Component", NAMESPACES)
-        for connector in component.findall("ssd:Connectors/ssd:Connector", NAMESPACES)
-        if connector.get("kind") == "input"
-    }
-    found = []
-    for entry in whole.findall("ssd:Connections/ssd:Connection", NAMESPACES):
-        start, end = ((entry.get(f"{s}Element"), entry.get(f"{s}Connector")) for s in ("start", "end"))
-        if None in (start[0], end[0]):
-            continue
-        if start in inputs and end not in inputs:
-            start, end = end, start
-        linear = entry.find("ssc:LinearTransformation", NAMESPACES)
-        told = {} if linear is None else linear.attrib
-        factor, offset = float(told.get("factor", 1.0)), float(told.get("offset", 0.0))
-        convert = entry.get("suppressUnitConversion") not in ("true", "1")
-        found.append(Connection(".".join(start), ".".join(end), factor, offset, convert))
-    return found

@@ -11,6 +11,7 @@ import numpy as np
 
 from ...base import Unit
 from ...components import nearest
+from ..cosimulation.adaptive_master import AdaptiveMaster
 from ..cosimulation.jacobi_master import JacobiMaster, Link
 from ..cosimulation.participants import CommunicationPoints, Member, Signal
 from ..cosimulation.step_error import compare
@@ -18,6 +19,9 @@ from ..errors import FMUError
 from ..fmu import FMU
 from ..foreign.variable import ForeignVariable
 from .run import SystemRun
+
+FINEST_TOLERANCE, COARSEST_TOLERANCE = 1e-8, 0.1
+LONGEST_STEPS = 20  # at least, in a run that keeps a tolerance
 
 
 @dataclass(frozen=True)
@@ -149,7 +153,8 @@ class SystemStructure:
         self,
         stop: float | None = None,
         *,
-        communication_step: float,
+        communication_step: float | None = None,
+        tolerance: float | None = None,
         order: int = 1,
         halving: bool = True,
         inputs: Mapping[str, Any] | None = None,
@@ -165,12 +170,17 @@ class SystemStructure:
 
         Args:
             stop: end time [s]; that of the default experiment if not given.
-            communication_step: time between exchanges [s].
+            communication_step: time between exchanges [s]; with a tolerance the longest, a twentieth of the
+                run if not given.
+            tolerance: error asked for, as a share of how far each signal goes: steps are then as long as that
+                allows, and each is made once whole and once in halves. FMUs must save their states.
+                `step_error` has the sum of what all steps were estimated to add, and `stats` what it cost.
             order: of the extrapolation, 0 or 1.
-            halving: run again with half the step, to tell what the step costs (`step_error`).
+            halving: without a tolerance, run again with half the step, to tell what the step costs
+                (`step_error`).
             inputs: numbers or functions of time by "component.input", for inputs without connection.
             kind: "CS" or "ME", where an FMU has both.
-            rtol: relative tolerance of the FMUs.
+            rtol: relative tolerance of the FMUs; with a tolerance it is a thousandth of that.
 
         Raises:
             FMUError: if the system cannot be, an FMU fails, or half the step makes another run of it.
@@ -178,10 +188,16 @@ class SystemStructure:
         self.check()
         stop = self.stop if stop is None else stop
         span = stop - self.begin
-        if not 0 < communication_step <= span < np.inf or order not in (0, 1):
+        if communication_step is None and tolerance is None:
+            raise FMUError(f"system '{self.name}' needs a communication_step [s] or a tolerance to run")
+        if tolerance is not None and not FINEST_TOLERANCE <= tolerance <= COARSEST_TOLERANCE:
+            told = f"between {FINEST_TOLERANCE:g} and {COARSEST_TOLERANCE:g}"
+            raise FMUError(f"system '{self.name}': tolerance must lie {told}, got {tolerance}")
+        step = span / LONGEST_STEPS if communication_step is None else communication_step
+        if not 0 < step <= span < np.inf or order not in (0, 1):
             raise FMUError(
                 f"system '{self.name}' cannot run from {self.begin:g} s to {stop:g} s with "
-                f"communication_step={communication_step:g} and order={order} (0 or 1)"
+                f"communication_step={step:g} and order={order} (0 or 1)"
             )
         members = self._members(dict(inputs or {}), kind)
         links = [self._link(connection) for connection in self.connections]
@@ -191,11 +207,22 @@ class SystemStructure:
             fmus = master.march()
             return SystemRun(fmus, points.step, order, self.name, notes=master.notes, stats=master.stats)
 
-        points = CommunicationPoints(self.begin, stop, communication_step, order)
+        points = CommunicationPoints(self.begin, stop, step, order)
+        if tolerance is not None:
+            return self._kept(AdaptiveMaster(members, links, points, tolerance))
         result = run(points)
         if halving:
             compare(result, run(points.halved), [connection.start for connection in self.connections])
         return result
+
+    def _kept(self, master: AdaptiveMaster) -> SystemRun:
+        """Return a run that keeps a tolerance, with what its steps were estimated to add."""
+        points, fmus = master.points, master.march()
+        run = SystemRun(fmus, points.step, points.order, self.name, notes=master.notes, stats=master.stats)
+        for connection, cost in zip(self.connections, master.costs.tolist(), strict=True):
+            factor = abs(self._link(connection).factor)
+            run.step_error[connection.start] = cost / factor if factor else 0.0
+        return run
 
     def _members(self, inputs: dict[str, Any], kind: str) -> dict[str, Member]:
         free = self.free_inputs()

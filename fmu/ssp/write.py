@@ -21,6 +21,7 @@ if TYPE_CHECKING:
 NAMESPACES = {
     "ssd": "http://ssp-standard.org/SSP1/SystemStructureDescription",
     "ssc": "http://ssp-standard.org/SSP1/SystemStructureCommon",
+    "ssm": "http://ssp-standard.org/SSP1/SystemStructureParameterMapping",
     "ssv": "http://ssp-standard.org/SSP1/SystemStructureParameterValues",
 }
 DESCRIPTION = "SystemStructure.ssd"

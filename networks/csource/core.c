@@ -246,6 +246,11 @@ CoreStatus core_due(Core *c, int *due) {
 
 CoreStatus core_advance(Core *c, double stop, double rtol, double atol, double fixed_step, int return_early,
                         CoreStop *reached) {
+    return core_advance_told(c, stop, rtol, atol, fixed_step, return_early, 0, reached);
+}
+
+CoreStatus core_advance_told(Core *c, double stop, double rtol, double atol, double fixed_step,
+                             int return_early, const Observer *told, CoreStop *reached) {
     int happened, changed, due = core_any_due(c); /* what is given may have jumped since the last step */
     if (due < 0) return impossible(c, "indicators are not finite");
     *reached = CORE_EVENT;
@@ -253,5 +258,5 @@ CoreStatus core_advance(Core *c, double stop, double rtol, double atol, double f
     CoreStatus status = due ? core_fire(c, c->pending - 1, 0, 0, &happened, &changed) : CORE_OK;
     if (status != CORE_OK) return status;
     c->interval = stop - c->t;
-    return core_travel(c, stop, rtol, atol, fixed_step, return_early, 0, reached);
+    return core_travel(c, stop, rtol, atol, fixed_step, return_early, told, reached);
 }

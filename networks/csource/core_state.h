@@ -217,6 +217,8 @@ int core_locate(Core *c, Crossing *crossing);
 CoreStatus core_land(Core *c, Crossing *crossing, int *reached);
 
 /* stepper.c */
+CoreStatus core_advance_told(Core *c, double stop, double rtol, double atol, double fixed_step,
+                             int return_early, const Observer *told, CoreStop *reached);
 CoreStatus core_travel(Core *c, double stop, double rtol, double atol, double fixed_step, int return_early,
                        const Observer *told, CoreStop *reached);
 

@@ -30,7 +30,7 @@ fmi3Instance fmi3InstantiateModelExchange(fmi3String instanceName, fmi3String in
                                           fmi3String resourcePath, fmi3Boolean visible, fmi3Boolean loggingOn,
                                           fmi3InstanceEnvironment instanceEnvironment,
                                           fmi3LogMessageCallback logMessage) {
-    return instantiate(instanceName, instantiationToken, (Host){instanceEnvironment, logMessage},
+    return instantiate(instanceName, instantiationToken, (Host){instanceEnvironment, logMessage, NULL},
                        MODEL_EXCHANGE);
 }
 
@@ -42,12 +42,12 @@ fmi3Instance fmi3InstantiateCoSimulation(fmi3String instanceName, fmi3String ins
                                          fmi3InstanceEnvironment instanceEnvironment,
                                          fmi3LogMessageCallback logMessage,
                                          fmi3IntermediateUpdateCallback intermediateUpdate) {
-    Host host = {instanceEnvironment, logMessage};
+    Host host = {instanceEnvironment, logMessage, intermediateUpdate};
     Instance *c = instantiate(instanceName, instantiationToken, host, CO_SIMULATION);
     if (!c) return NULL;
-    if (nRequiredIntermediateVariables) {
+    if (nRequiredIntermediateVariables && !intermediateUpdate) {
         c->function = __func__;
-        face_refuse(c, "intermediate update is not provided");
+        face_refuse(c, "intermediate variables are wanted, but there is nowhere to tell of them");
         free(c);
         return NULL;
     }
@@ -123,6 +123,36 @@ fmi3Status fmi3GetAdjointDerivative(fmi3Instance instance, const fmi3ValueRefere
     ENTER(READABLE, EITHER);
     if (odd(c, nSeed, nUnknowns) || odd(c, nSensitivity, nKnowns)) return fmi3Error;
     return face_sensitivities(c, 1, unknowns, nUnknowns, seed, knowns, nKnowns, sensitivity);
+}
+
+fmi3Status fmi3GetOutputDerivatives(fmi3Instance instance, const fmi3ValueReference valueReferences[],
+                                    size_t nValueReferences, const fmi3Int32 orders[], fmi3Float64 values[],
+                                    size_t nValues) {
+    ENTER(READABLE, CO_SIMULATION);
+    if (odd(c, nValues, nValueReferences)) return fmi3Error;
+    return face_output_derivatives(c, valueReferences, orders, nValueReferences, values);
+}
+
+/* After each step of the integrator variables may be read. */
+static int stepped(void *context, Core *core, double t) {
+    Instance *c = context;
+    fmi3Boolean asked = fmi3False;
+    fmi3Float64 when = t;
+    int phase = c->now.phase;
+    (void)core;
+    c->now.phase = INTERMEDIATE;
+    c->host.update(c->host.environment, t, fmi3False, fmi3True, fmi3True, fmi3False, &asked, &when);
+    if (c->now.phase == FAILED) return 1;
+    c->now.phase = phase;
+    return 0;
+}
+
+const Observer *face_observer(Instance *c, Observer *room) {
+    if (!c->host.update) return NULL;
+    memset(room, 0, sizeof *room);
+    room->context = c;
+    room->stepped = stepped;
+    return room;
 }
 
 fmi3Status fmi3UpdateDiscreteStates(fmi3Instance instance, fmi3Boolean *discreteStatesNeedUpdate,

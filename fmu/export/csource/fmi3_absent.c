@@ -82,13 +82,6 @@ fmi3Status fmi3EvaluateDiscreteStates(fmi3Instance instance) {
     return face_refuse(c, "is not provided; call fmi3UpdateDiscreteStates");
 }
 
-fmi3Status fmi3GetOutputDerivatives(fmi3Instance instance, const fmi3ValueReference valueReferences[],
-                                    size_t nValueReferences, const fmi3Int32 orders[], fmi3Float64 values[],
-                                    size_t nValues) {
-    ENTER(READABLE, CO_SIMULATION);
-    return nValueReferences + nValues ? face_refuse(c, "derivatives of outputs are not provided") : fmi3OK;
-}
-
 fmi3Status fmi3ActivateModelPartition(fmi3Instance instance, fmi3ValueReference clockReference,
                                       fmi3Float64 activationTime) {
     ENTER(0, EITHER);

@@ -10,6 +10,7 @@
 typedef struct {
     fmi3InstanceEnvironment environment;
     fmi3LogMessageCallback log;
+    fmi3IntermediateUpdateCallback update;
 } Host;
 
 #endif

@@ -56,6 +56,7 @@ static const char *phase_name(int phase) {
     case STEP_MODE: return "in step mode";
     case STEP_FAILED: return "in the middle of a failed step";
     case TERMINATED: return "terminated";
+    case INTERMEDIATE: return "in intermediate update mode";
     default: return "in error";
     }
 }
@@ -135,8 +136,11 @@ Status face_step(Instance *c, double point, double size, CoreStop *reached) {
     if (!(size > 0) || !isfinite(stop)) return face_refuse(c, "the step must be positive and finite");
     if (face_untold_rate(c) != FMI(OK)) return FMI(Error);
     if (stop > c->now.stop + slack(c->now.stop)) return face_refuse(c, "the step leads beyond the stop time");
-    CoreStatus status = core_advance(&c->now.core, stop, rtol, ABSOLUTE_SHARE * rtol, FMU_FIXED_STEP,
-                                     c->event_mode_used && c->may_return_early, reached);
+    Observer room;
+    CoreStatus status =
+        core_advance_told(&c->now.core, stop, rtol, ABSOLUTE_SHARE * rtol, FMU_FIXED_STEP,
+                          c->event_mode_used && c->may_return_early, face_observer(c, &room), reached);
+    if (c->now.phase == FAILED) return FMI(Error);
     /* With error control smaller steps were tried already: no other step of communication would help. */
     return face_outcome(c, status == CORE_DISCARD && !(FMU_FIXED_STEP > 0) ? CORE_ERROR : status);
 }

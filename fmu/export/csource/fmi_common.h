@@ -30,13 +30,14 @@ typedef enum {
     STEP_MODE = 16,
     STEP_FAILED = 32,
     TERMINATED = 64,
-    FAILED = 128
+    FAILED = 128,
+    INTERMEDIATE = 256
 } Phase;
 
 #define RUNNING (EVENT_MODE | CONTINUOUS_TIME | STEP_MODE)
 #define SETTABLE (INSTANTIATED | INITIALIZATION | RUNNING)
-#define READABLE (INITIALIZATION | RUNNING | STEP_FAILED | TERMINATED | FAILED)
-#define ANY_PHASE (INSTANTIATED | READABLE)
+#define READABLE (INITIALIZATION | RUNNING | STEP_FAILED | TERMINATED | FAILED | INTERMEDIATE)
+#define ANY_PHASE (INSTANTIATED | (READABLE & ~INTERMEDIATE))
 
 typedef enum { MODEL_EXCHANGE = 1, CO_SIMULATION = 2, EITHER = 3 } Kind;
 
@@ -106,6 +107,13 @@ Status face_get_mode(Instance *c, uint32_t ref, int *value);
  */
 Status face_sensitivities(Instance *c, int adjoint, const uint32_t from[], size_t n, const double seed[],
                           const uint32_t to[], size_t m, double sensitivity[]);
+
+/* Rates of states, rates and other variables, as time goes on and inputs with it. */
+Status face_output_derivatives(Instance *c, const uint32_t refs[], const int32_t orders[], size_t n,
+                               double values[]);
+
+/* Whom to tell of each step of the integrator within a step of communication, or NULL. */
+const Observer *face_observer(Instance *c, Observer *room);
 
 Status face_experiment(Instance *c, int tolerance_defined, double tolerance, double start, int stop_defined,
                        double stop);

@@ -19,6 +19,7 @@ GOOD = {
     "fit": ["none.toml"],
     "diagnose": ["none.toml"],
     "docs": ["cli"],
+    "modelica": ["model.py:free"],
     "new rig": ["rig"],
     "new campaign": ["campaign"],
     "new component": ["component"],

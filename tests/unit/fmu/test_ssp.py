@@ -336,7 +336,6 @@ SSD = """<ssd:SystemStructureDescription version="1.0" name="n"
         ({}, r"has no SystemStructure.ssd: it is no SSP"),
         ({"SystemStructure.ssd": "<a>"}, r"SystemStructure.ssd is invalid"),
         ({"SystemStructure.ssd": SSD.format("<ssd:Part/>")}, r"SystemStructure.ssd is invalid: .*Part"),
-        ({"SystemStructure.ssd": SSD.format('<ssd:System name="t"/>')}, r"a system inside the system"),
         (
             {"SystemStructure.ssd": SSD.format('<ssd:Component name="c" source="../../c.fmu"/>')},
             r"has no \.\./\.\./c\.fmu",
