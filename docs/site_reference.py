@@ -28,6 +28,7 @@ PAGES = {
     "identification": "Identification",
     "diagnosis": "Diagnosis",
     "fmu": "FMUs",
+    "modelica": "Modelica",
     "errors": "Errors",
 }
 STUBBED = re.compile(rf"inertance\.components\.({'|'.join(FAMILIES)})\b")
