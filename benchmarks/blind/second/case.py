@@ -24,7 +24,6 @@ from stepper import Array, Drive
 WANTED = {"effect": 1, "unknown": 1, "pair": 2, "twice": 2, "triple": 3}
 RELS = (0.05, 0.1, 0.2, 0.4)
 INPUT_NOISE = 5e-4  # of a measured force, over its root mean square
-TRIED = 60
 Placed = tuple[Sized, list[tuple[str, str]]]
 
 
@@ -74,7 +73,7 @@ def make(draft: Draft, folder: Path) -> dict[str, Any]:
 def true_case(draft: Draft, rng: np.random.Generator) -> Truth:
     """Return the first option of a draft whose effects leave the wanted gap."""
     wanted = WANTED.get(draft.verdict, 0)
-    for option in draft.options[:TRIED]:
+    for option in draft.options:
         rig = RIGS[option[0]]
         rel = {name: float(rng.choice(RELS)) for name in rig.parameters}
         values = _true_values(rig, rel, draft.verdict, rng)
