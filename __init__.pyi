@@ -107,6 +107,7 @@ from .components import SpringDamper as SpringDamper
 from .components import StribeckFriction as StribeckFriction
 from .components import SupportFriction as SupportFriction
 from .components import TabulatedDamper as TabulatedDamper
+from .components import TabulatedForce as TabulatedForce
 from .components import TabulatedFriction as TabulatedFriction
 from .components import TabulatedSpring as TabulatedSpring
 from .components import TemperatureDependentFriction as TemperatureDependentFriction
