@@ -137,6 +137,7 @@ from .components import supply as supply
 from .components import thermal as thermal
 from .components import variable as variable
 from .diagnosis import diagnose as diagnose
+from .diagnosis import missing_force as missing_force
 from .fmu import FMU as FMU
 from .fmu import FMUError as FMUError
 from .fmu import export_fmu as export_fmu

@@ -16,8 +16,8 @@ def law(position: str, speed: str, force: str) -> Any:
     """Declare rows (x, force) or (position, speed, force); the default is no force."""
     columns = f"({position}, {force}), ({speed}, {force}) or ({position}, {speed}, {force})"
     what = (
-        "takes at least two rows (x, force) of finite numbers, x increasing, or rows (position, speed, force) "
-        "that fill a grid of at least two of each"
+        "takes at least two rows (x, force) of finite numbers, x increasing, or rows (position, speed, "
+        "force) that fill a grid of at least two of each"
     )
     check = of_equal_length(what, 2, _is_law)
     return option(f"rows {columns}", default=((0.0, 0.0), (1.0, 0.0)), check=check)

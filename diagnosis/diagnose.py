@@ -17,6 +17,7 @@ from ..identification import Accuracy, Campaign
 from ..networks import COARSEST, FINEST, SOLVERS, chosen_solver
 from . import criteria
 from .effects.hypothesis import Hypothesis
+from .law.verdict import with_law
 from .models.fmu_network import read_model
 from .models.study import Report, Study, study_of, thinned
 from .search.joint_fit import JointFit
@@ -91,7 +92,8 @@ def diagnose(
                 rounds.pop()
                 continue
             best = _pruned(chosen, study)
-        return decided(study, start, base, best, rounds, [*notes, *_left_out(study, budget, rounds)])
+        notes = [*notes, *_left_out(study, budget, rounds)]
+        return with_law(decided(study, start, base, best, rounds, notes), study)
     except KeyboardInterrupt:
         verdict = decided(replace(study, deadline=-inf), start, base, best, rounds, notes)
         told = "interrupted; what is known so far is the error's `verdict`"

@@ -38,10 +38,10 @@ class TabulatedDamper(Dissipative):
 
 
 class TabulatedForce(Dissipative):
-    """Torque that is any law of position, speed or both: tau = F(phi_rel - phi_rel0, w_rel), given by points.
+    """Torque by any law of angle, speed or both: tau = F(phi_rel - phi_rel0, w_rel), given by points.
 
-    What it has at rest is stored, the rest lost: below 0 where the points give power. `interpolation="smooth"`
-    never overshoots points of one variable, so that the law is monotone where they are.
+    What it has at rest is stored, the rest lost: below 0 where the points give power. Of one variable
+    interpolation="smooth" never overshoots its points, so that the law is monotone where they are.
 
     Limits: beyond the points it goes on straight. A step is a steep line: nothing sticks.
     """

@@ -6,7 +6,7 @@ import json
 from collections.abc import Mapping
 from dataclasses import asdict, dataclass, field
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from ...base import Array, check_output, write_text
 from ...identification import Campaign
@@ -19,6 +19,10 @@ from ..search.score_test import Candidate
 from .gap import Gap as Gap
 from .ranked import Ranked as Ranked
 from .wording import remainder_of, sentence_of, sure
+
+if TYPE_CHECKING:
+    from ..law.law import Law
+    from ..law.missing_force import MissingForce
 
 
 @dataclass(frozen=True, eq=False)
@@ -93,7 +97,8 @@ class Verdict:
     """What a diagnosis found.
 
     Attributes:
-        verdict: "effect", "parameters", "none", "ambiguous", "partial", "unknown" or "interrupted".
+        verdict: "effect", "parameters", "none", "ambiguous", "partial", "law", "unknown" or
+            "interrupted".
         effects: what is missing, with its parameters; for "partial", what certainly explains a part of it.
         confidence: of each effect.
         equivalent: (kind, site) of what these data cannot tell from it.
@@ -108,6 +113,8 @@ class Verdict:
         evidence: the records, the fitted models and what was screened, for the report.
         notes: what limits the verdict.
         further: those that were fitted on top of the effects, and not accepted.
+        law: for "law", what the missing force depends on, and how.
+        missing: for "law" and "unknown", that force over time.
     """
 
     verdict: str
@@ -125,6 +132,8 @@ class Verdict:
     evidence: Evidence = field(repr=False)
     notes: tuple[str, ...] = ()
     further: tuple[Ranked, ...] = ()
+    law: Law | None = None
+    missing: MissingForce | None = None
 
     @property
     def sentence(self) -> str:
@@ -186,6 +195,7 @@ class Verdict:
             "closed": self.closed,
             "parameters": dict(self.parameters),
             "record_values": [one.to_dict() for one in self.evidence.own_values],
+            "law": self.law.to_dict() if self.law is not None else None,
             "notes": list(self.notes),
         }
 

@@ -19,6 +19,7 @@ ALONE = {
     "interrupted": "The diagnosis was stopped before its end; no effect had been accepted by then.",
 }
 NAMED = {
+    "law": "No known effect is missing, but a force with a {}.",
     "partial": "Part of what is missing is {}; what is left stays unexplained.",
     "interrupted": "The diagnosis was stopped before its end; what had been accepted by then is {}.",
 }

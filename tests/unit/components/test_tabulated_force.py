@@ -71,7 +71,7 @@ def test_an_odd_law_needs_one_half(half: tuple[tuple[float, float], ...]) -> Non
 
 def test_an_odd_map_needs_one_quarter() -> None:
     quarter = [(x, v, 7 * x + v) for x in (0.0, 0.03) for v in (0.0, 0.2)]
-    with pytest.raises(ia.ModelError, match="one for each|fill a grid"):
+    with pytest.raises(ia.ModelError, match="fill a grid"):
         ia.Network("one", force=ia.TabulatedForce(table=[*quarter[:3]])).dae()
     half = [(x, v, 7 * x + v) for x in (0.0, 0.03) for v in (-0.2, 0.2)]
     run = driven(ia.TabulatedForce(table=half, odd=True))
