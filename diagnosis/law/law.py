@@ -136,9 +136,9 @@ class Law:
 def element_of(site: Site, grid: Grid, values: Array, origin: float) -> Component:
     """Return a `TabulatedForce` with values at the points of a grid."""
     if grid.variables not in STATIC:
-        over = " and ".join(grid.variables)
+        told = " and ".join(grid.variables)
         raise ModelError(
-            f"a law over {over} is no component; draw one over position, speed, or both: "
+            f"a law over {told} is no component; draw one over position, speed, or both: "
             "law(variables=('position', 'speed'))"
         )
     over: dict[str, Any] = {"over": grid.variables[0]} if len(grid.axes) == 1 else {}

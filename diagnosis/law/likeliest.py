@@ -28,7 +28,7 @@ def _likeliest(courses: Sequence[Course], sizes: Array, order: int, ends: Array)
     def evidence(times: Array) -> Array:
         return filtered(courses, of(times), keep=False).evidence
 
-    return of(highest(evidence, *ends, len(sizes)))
+    return of(highest(evidence, float(ends[0]), float(ends[1]), len(sizes)))
 
 
 def highest(value: Callable[[Array], Array], low: float, high: float, count: int) -> Array:

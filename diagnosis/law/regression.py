@@ -97,7 +97,7 @@ class Fitted:
     Attributes:
         grid: its points; None for no law.
         values: at them.
-        covariance: of the values, for what is left.
+        covariance: of the values beside the parameters as they are, for what is left.
         moved: how far the parameters are from the centers of their priors.
         misfit: root mean square of what is left of what was fitted, in units of noise.
         foreseen: the same of what was left out, one fold after another.
@@ -144,7 +144,9 @@ def fitted(
     total = grams.sum(axis=0)
     solution, inverse = _solved(total, shared, bends, mu, weight)
     left = max(_left(total, solution), 0.0) / count
-    values, covariance = tie @ solution[shared:], tie @ inverse[shared:, shared:] @ tie.T
+    of_both, of_parameters = inverse[shared:, :shared], inverse[:shared, :shared]
+    beside = inverse[shared:, shared:] - of_both @ np.linalg.inv(of_parameters) @ of_both.T
+    values, covariance = tie @ solution[shared:], tie @ beside @ tie.T
     foreseen = float(np.sqrt(max(tried[best].sum() / count, 0.0)))
     return Fitted(
         grid,
@@ -201,5 +203,5 @@ def _solved(gram: Array, shared: int, bends: Array, mu: float, weight: float = 1
     size = float(np.trace(inner[points, points])) / max(len(inner) - shared, 1)
     inner[points, points] += mu * size * bends.T @ bends
     inner[points, points] += LAW_WEAKEST_PRIOR * size * np.eye(len(inner) - shared)
-    inverse = np.linalg.inv(inner)
+    inverse: Array = np.asarray(np.linalg.inv(inner), dtype=float)
     return inverse @ gram[1:, 0], inverse

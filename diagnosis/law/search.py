@@ -123,15 +123,15 @@ class Search:
     ) -> list[tuple[int, float, Roughness]]:
         """Return sites with evidence and roughness, the likeliest first, along runs that may have a force."""
         courses = [beside.course(numbers) for beside in runs]
-        found = []
+        found: list[tuple[int, float, Roughness]] = []
         for roughness in likeliest(courses, sizes):
             evidence = filtered(courses, roughness, keep=False).evidence
             for place, number in enumerate(numbers):
                 found.append((number, float(evidence[place]), roughness.of(place)))
         found.sort(key=lambda one: -one[1])
         best: dict[int, tuple[int, float, Roughness]] = {}
-        for number, evidence, rough in found:
-            best.setdefault(number, (number, evidence, rough))
+        for one in found:
+            best.setdefault(one[0], one)
         return list(best.values())
 
     def settled(self, number: int, rough: Roughness, runs: Sequence[Beside] | None = None) -> Settled:
@@ -186,7 +186,6 @@ class Search:
         for name, away in zip(self.bench.names, unknown.tolist(), strict=False):
             prior = self.study.campaign.priors[name]
             at = (before[name] - prior.center) / prior.scale
-            given[name] = prior.at(
-                at + float(np.clip(away - at, -FORCE_PARAMETER_STEP, FORCE_PARAMETER_STEP))
-            )
+            low, high = min(at - FORCE_PARAMETER_STEP, 0.0), max(at + FORCE_PARAMETER_STEP, 0.0)
+            given[name] = prior.at(min(max(away, low), high))
         return given

@@ -18,6 +18,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 
@@ -151,7 +152,7 @@ def filtered(courses: Sequence[Course], roughness: Roughness, keep: bool = True)
             Z = T @ Z
             P = T @ P @ np.swapaxes(T, 2, 3) + Q
             P = 0.5 * (P + np.swapaxes(P, 2, 3))
-    seen = np.moveaxis(stack.weight < UNSEEN, 1, 1)[:, :, None, :]
+    seen: Any = (stack.weight < UNSEEN)[:, :, None, :]
     weighted = innovations * np.sqrt(np.where(seen, 1.0, 0.0) / spreads)[..., None]
     gram = np.einsum("krsjc,krsjd->rscd", weighted, weighted, optimize=True)
     unknown, squares = _solved(gram, courses)
@@ -223,7 +224,7 @@ class _Stack:
         self.weight = np.full((self.points, len(courses), self.outputs), 2 * UNSEEN)
         for number, weight in enumerate(weights):
             self.weight[: len(weight), number] = weight
-        self.measured = (self.weight < UNSEEN).any(axis=1)
+        self.measured: Any = (self.weight < UNSEEN).any(axis=1)
         steps = stacked([np.diff(c.t) for c in courses])
         kept, added = zip(*(roughness.over(step) for step in steps.T), strict=True)
         self.kept, self.added = np.stack(kept, 1), np.stack(added, 1)
@@ -267,7 +268,7 @@ def _solved(gram: Array, courses: Sequence[Course]) -> tuple[Array, Array]:
             inner = _inverse(G[first:, first:] + np.diag(prior**2))
             own.append(inner @ G[first:, :first])
             total += G[:first, :first] - G[:first, first:] @ own[-1]
-        inner = np.linalg.inv(total[1:, 1:] + np.eye(shared))
+        inner = np.asarray(np.linalg.inv(total[1:, 1:] + np.eye(shared)), dtype=float)
         moved = inner @ total[1:, 0]
         squares[site] = total[0, 0] - total[0, 1:] @ moved
         for number in range(records):

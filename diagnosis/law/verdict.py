@@ -18,11 +18,11 @@ from .polish import placed, polished
 
 
 def with_law(verdict: Verdict, study: Study) -> Verdict:
-    """Return an "unknown" verdict with the missing force, a "law" where one explains it.
+    """Return an "unknown" or "partial" verdict with the missing force, a "law" where one explains it.
 
     The law is fitted to the training records, and judged by the test records as any effect is.
     """
-    if verdict.verdict != "unknown" or study.late() or isinstance(study, FMUStudy):
+    if verdict.verdict not in ("unknown", "partial") or study.late() or isinstance(study, FMUStudy):
         return verdict
     study.tell("looking for a law of its own")
     try:
@@ -41,8 +41,8 @@ def _judged(verdict: Verdict, missing: MissingForce, study: Study) -> Verdict:
     evidence, base = verdict.evidence, verdict.evidence.refit
     law, found = polished(study, Drawing(missing.site, missing.settled).law(among=STATIC))
     closed = (base.misfit - found.misfit) / max(base.misfit - 1.0, 1e-9)
-    clear = clearness(base, found)
-    if closed < LAW_GAP_SHARE or clear < CLEAR_STANDARD_ERRORS:
+    clear = clearness(evidence.after, found)
+    if closed < max(LAW_GAP_SHARE, verdict.closed) or clear < CLEAR_STANDARD_ERRORS:
         over = " and ".join(law.variables)
         note = (
             f"no law of position and speed at {law.site.path} explains it: over {over} it closes {closed:.0%}"
