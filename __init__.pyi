@@ -108,6 +108,7 @@ from .components import SpringDamper as SpringDamper
 from .components import StribeckFriction as StribeckFriction
 from .components import SupportFriction as SupportFriction
 from .components import TabulatedDamper as TabulatedDamper
+from .components import TabulatedForce as TabulatedForce
 from .components import TabulatedFriction as TabulatedFriction
 from .components import TabulatedSpring as TabulatedSpring
 from .components import TemperatureDependentFriction as TemperatureDependentFriction
@@ -137,6 +138,7 @@ from .components import supply as supply
 from .components import thermal as thermal
 from .components import variable as variable
 from .diagnosis import diagnose as diagnose
+from .diagnosis import missing_force as missing_force
 from .fmu import FMU as FMU
 from .fmu import FMUError as FMUError
 from .fmu import export_fmu as export_fmu

@@ -11,6 +11,9 @@ from .effects.edits import between as between
 from .effects.effect import Effect as Effect
 from .effects.effect import Quantity as Quantity
 from .effects.effect import register as register
+from .law.law import Law as Law
+from .law.missing_force import MissingForce as MissingForce
+from .missing_force import missing_force as missing_force
 from .models.fmu_network import read_model as read_model
 from .report.report import write_report as write_report
 from .verdict.verdict import DiagnosisInterruptedError as DiagnosisInterruptedError
@@ -22,6 +25,8 @@ __all__ = [
     "DiagnosisInterruptedError",
     "Effect",
     "Gap",
+    "Law",
+    "MissingForce",
     "Quantity",
     "Ranked",
     "Verdict",
@@ -30,6 +35,7 @@ __all__ = [
     "diagnose",
     "dry_friction",
     "in_series",
+    "missing_force",
     "on_channels",
     "read_model",
     "register",

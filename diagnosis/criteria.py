@@ -155,3 +155,39 @@ SITE_SHARE_TOLD = 0.01  # [1] of the gap below which a site is not told; telling
 SITES_TOLD = 8  # [1]; telling
 WINDOWS_TOLD = 8  # [1]; telling
 WINDOW_SHARE_TOLD = 0.01  # [1] of what is left below which a stretch is not told; telling
+
+# The missing force and its law
+FORCE_SIZE_RATIO = 10.0  # [size that would explain what is missed] that a force may have; effort: it is free
+FORCE_TIMES_AT_FIRST, FORCE_TIMES = 6, 14  # [1] tried for how fast a force changes; effort
+FORCE_RUNS = 6  # [1] with the force so far, along which it is sought anew; effort
+FORCE_HALVINGS = 4  # [1] of a force that a run cannot take; effort
+FORCE_SETTLED = 1.02  # [what smoothing promises] that a run with the force may miss; data
+LAW_POINTS = {
+    "position": 48,
+    "speed": 41,
+    "acceleration": 24,
+    "load": 24,
+    "time": 24,
+}  # [1] of a curve; effort
+LAW_POINTS_OF_PAIRS = {
+    "position": 12,
+    "speed": 15,
+    "acceleration": 9,
+    "load": 9,
+    "time": 9,
+}  # [1] of a map; effort
+LAW_SLOW_SHARE = 0.01  # [largest speed] about which points of speed lie close; data
+LAW_FOLDS = 4  # [1] into which a single record is divided to see what a law foresees; effort
+LAW_STIFFNESSES = tuple(10.0**n for n in range(-8, 3))  # [1] of a law against bending, tried; effort
+LAW_WEAKEST_PRIOR = 1e-9  # [1] against values that nothing tells of; data
+LAW_PAIR_SHARE = 0.5  # [1] of what a law of one variable leaves that one of two must come below; effort
+LAW_FINER = 4  # [1] rows of a table for each point of a smooth law; data
+LAW_POLISHES = 6  # [1] runs with a law in the model, along which it is fitted anew; effort
+LAW_STEP_SHARE, LAW_STEP_WITHIN = 0.3, 0.03  # [range of force], [largest speed] of a step at rest; telling
+LAW_EVEN_SHARE = 0.03  # [range of force] by which a law may miss a symmetry; telling
+LAW_WAVES = 4  # [1] turns from which a law is called a wave; telling
+LAW_MEMORY_SHARE = 0.1  # [1] of what is missing that no law of position and speed foresees; telling
+LAW_POINTS_DRAWN = 4000  # [1] of a record; telling
+FORCE_PARAMETER_STEP = 1.0  # [scale of the prior] by which a parameter may move from run to run; data
+FORCE_LAW_STIFFNESS = 1e-4  # [1] of a law drawn through the force before it is fitted to runs; effort
+LAW_LEAST_GAIN = 0.01  # [1] of what is missing that a richer law must foresee more; effort

@@ -44,6 +44,8 @@ COILED = {
     "gamma": 1.0,
 }
 VALUES: dict[str, dict[str, Any]] = {
+    "TabulatedForce": {"table": CURVE, "over": "speed", "interpolation": "smooth"},
+    "rotational.TabulatedForce": {"table": CURVE, "over": "position", "phi_rel0": -0.1},
     "DahlFriction": {"f_c": 2.0, "s_p": 0.05},
     "rotational.DahlFriction": {"tau_c": 2.0, "phi_p": 0.05},
     "LargeAngleLever": {"l_a": 10.0, "l_b": 12.0, "alpha": 0.3},

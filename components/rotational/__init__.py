@@ -73,6 +73,7 @@ from .sources import Position as Position
 from .sources import Speed as Speed
 from .sources import Torque as Torque
 from .tabulated import TabulatedDamper as TabulatedDamper
+from .tabulated import TabulatedForce as TabulatedForce
 from .tabulated import TabulatedSpring as TabulatedSpring
 from .thermal_laws import EddyCurrentBrake as EddyCurrentBrake
 from .thermal_laws import TemperatureDependentFriction as TemperatureDependentFriction

@@ -1991,6 +1991,59 @@ class TabulatedDamper(Dissipative):
         w_rel: Number = ...,
     ) -> None: ...
 
+class TabulatedForce(Dissipative):
+    """Torque by any law of angle, speed or both: tau = F(phi_rel - phi_rel0, w_rel), given by points.
+
+    What it has at rest is stored, the rest lost: below 0 where the points give power. Of one variable
+    interpolation="smooth" never overshoots its points, so that the law is monotone where they are.
+
+    Limits: beyond the points it goes on straight. A step is a steep line: nothing sticks.
+
+    Args:
+        useHeatPort: whether its losses leave as heat through heatPort.
+        table: rows (twist [rad], torque [N.m]), (speed [rad/s], torque [N.m]) or (twist [rad], speed [rad/s],
+            torque [N.m]).
+        over: what rows of two numbers are over.
+        interpolation: whether it is straight (linear) or smooth, with a steady slope, between the points.
+        odd: whether the points are one half, and F(-x) = -F(x) the other.
+        phi_rel0: unstretched angle [rad].
+        phi_rel: angle between the flanges [rad], fixed start value.
+        tau: torque between the flanges, positive when it turns b back towards a [N.m], fixed start value.
+        w_rel: relative speed of the flanges [rad/s], fixed start value.
+    """
+
+    table: Any
+    """rows (twist [rad], torque [N.m]), (speed [rad/s], torque [N.m]) or (twist [rad], speed [rad/s], torque [N.m])"""
+    over: Any
+    """what rows of two numbers are over"""
+    interpolation: Any
+    """whether it is straight (linear) or smooth, with a steady slope, between the points"""
+    odd: Any
+    """whether the points are one half, and F(-x) = -F(x) the other"""
+    phi_rel0: Any
+    """unstretched angle [rad]"""
+    potential: Any
+    """stored energy [J]"""
+    lossPower: Any
+    """dissipated power [W]"""
+    @property
+    def e(self) -> Any: ...
+    @property
+    def points(self) -> Any: ...
+    def __init__(
+        self,
+        *,
+        useHeatPort: bool = False,
+        table: Any = ...,
+        over: Literal['position', 'speed'] = 'speed',
+        interpolation: Literal['linear', 'smooth'] = 'linear',
+        odd: bool = False,
+        phi_rel0: ParameterValue = 0.0,
+        phi_rel: Number = ...,
+        tau: Number = ...,
+        w_rel: Number = ...,
+    ) -> None: ...
+
 class VariableDamper(Dissipative):
     """Damper whose constant follows a signal: tau = (d + d_u u) w_rel.
 

@@ -75,6 +75,7 @@ from .stops import HardStop as HardStop
 from .stops import MassWithStopAndFriction as MassWithStopAndFriction
 from .tabulated import MapSpringDamper as MapSpringDamper
 from .tabulated import TabulatedDamper as TabulatedDamper
+from .tabulated import TabulatedForce as TabulatedForce
 from .tabulated import TabulatedSpring as TabulatedSpring
 from .thermal_laws import EddyCurrentBrake as EddyCurrentBrake
 from .thermal_laws import TemperatureDependentFriction as TemperatureDependentFriction

@@ -2381,6 +2381,59 @@ class TabulatedDamper(Dissipative):
         v_rel: Number = ...,
     ) -> None: ...
 
+class TabulatedForce(Dissipative):
+    """Force that is any law of position, speed or both: f = F(s_rel - s_rel0, v_rel), given by points.
+
+    What it has at rest is stored, the rest lost: below 0 where the points give power. Of one variable
+    interpolation="smooth" never overshoots its points, so that the law is monotone where they are.
+
+    Limits: beyond the points it goes on straight. A step is a steep line: nothing sticks.
+
+    Args:
+        useHeatPort: whether its losses leave as heat through heatPort.
+        table: rows (stretch [m], force [N]), (speed [m/s], force [N]) or (stretch [m], speed [m/s], force
+            [N]).
+        over: what rows of two numbers are over.
+        interpolation: whether it is straight (linear) or smooth, with a steady slope, between the points.
+        odd: whether the points are one half, and F(-x) = -F(x) the other.
+        s_rel0: unstretched length [m].
+        s_rel: distance of the flanges [m], fixed start value.
+        f: force between the flanges, positive when it pulls them together [N], fixed start value.
+        v_rel: relative velocity of the flanges [m/s], fixed start value.
+    """
+
+    table: Any
+    """rows (stretch [m], force [N]), (speed [m/s], force [N]) or (stretch [m], speed [m/s], force [N])"""
+    over: Any
+    """what rows of two numbers are over"""
+    interpolation: Any
+    """whether it is straight (linear) or smooth, with a steady slope, between the points"""
+    odd: Any
+    """whether the points are one half, and F(-x) = -F(x) the other"""
+    s_rel0: Any
+    """unstretched length [m]"""
+    potential: Any
+    """stored energy [J]"""
+    lossPower: Any
+    """dissipated power [W]"""
+    @property
+    def e(self) -> Any: ...
+    @property
+    def points(self) -> Any: ...
+    def __init__(
+        self,
+        *,
+        useHeatPort: bool = False,
+        table: Any = ...,
+        over: Literal['position', 'speed'] = 'speed',
+        interpolation: Literal['linear', 'smooth'] = 'linear',
+        odd: bool = False,
+        s_rel0: ParameterValue = 0.0,
+        s_rel: Number = ...,
+        f: Number = ...,
+        v_rel: Number = ...,
+    ) -> None: ...
+
 class VariableDamper(Dissipative):
     """Damper whose constant follows a signal: f = (d + d_u u) v_rel.
 

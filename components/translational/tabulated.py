@@ -2,6 +2,7 @@
 
 from ..curves import area, between, curve, over_grid, smoothness, surface
 from ..language import Stated, dissipation, energy, parameter
+from ..point_laws import PointLaw, law, oddness, variable_of_law
 from .compliances import Compliant, Dissipative
 
 
@@ -58,3 +59,26 @@ class MapSpringDamper(Dissipative):
 
     def equations(self) -> Stated:
         yield self.f == self.map.value(self.e, self.v_rel)
+
+
+class TabulatedForce(Dissipative):
+    """Force that is any law of position, speed or both: f = F(s_rel - s_rel0, v_rel), given by points.
+
+    What it has at rest is stored, the rest lost: below 0 where the points give power. Of one variable
+    interpolation="smooth" never overshoots its points, so that the law is monotone where they are.
+
+    Limits: beyond the points it goes on straight. A step is a steep line: nothing sticks.
+    """
+
+    table = law("stretch [m]", "speed [m/s]", "force [N]")
+    over = variable_of_law()
+    interpolation = smoothness()
+    odd = oddness()
+    s_rel0 = parameter("m", "unstretched length", default=0.0)
+    e = property(lambda self: self.s_rel - self.s_rel0)
+    points = property(lambda self: PointLaw(self.table, self.over, self.interpolation, self.odd))
+    potential = energy(lambda self: self.points.stored(self.e))
+    lossPower = dissipation(lambda self: (self.f - self.points.at_rest(self.e)) * self.v_rel)
+
+    def equations(self) -> Stated:
+        yield self.f == self.points.force(self.e, self.v_rel)

@@ -202,7 +202,7 @@ def study_of(
     return kind(campaign, accuracy, executor, report, deadline)
 
 
-def thinned(campaign: Campaign) -> Campaign:
+def thinned(campaign: Campaign, rate: float = COMPARISON_RATE_HZ) -> Campaign:
     """Return a campaign whose outputs are compared as often as machines need, and no more often.
 
     Inputs lose what is too fast to be compared where that is noise, which their second derivatives feel. Held
@@ -211,15 +211,15 @@ def thinned(campaign: Campaign) -> Campaign:
     smooth = [name for name in campaign.inputs if not campaign.measured[name].held]
     thin = copy(campaign)
     thin.training, thin.testing = (
-        [_slowed(experiment, smooth) for experiment in experiments]
+        [_slowed(experiment, smooth, rate) for experiment in experiments]
         for experiments in (campaign.training, campaign.testing)
     )
     return thin
 
 
-def _slowed(experiment: Experiment, driven: Sequence[str]) -> Experiment:
+def _slowed(experiment: Experiment, driven: Sequence[str], rate: float) -> Experiment:
     record = experiment.record
-    every = max(1, int(record.rate / COMPARISON_RATE_HZ))
+    every = max(1, int(record.rate / rate))
     if every > 1:
         smooth = Filter(cutoff=0.5 * record.rate / every)
         calm = {name: quiet(record.values[name], smooth, record.rate) for name in driven}

@@ -32,6 +32,7 @@ from ..results.result import Result, Segment
 from ..simulation.events.switcher import Point
 from ..simulation.initialization import start_values
 from ..simulation.sensitivity import start_slopes
+from .forced import Forced
 from .saltation import SaltationMatrices, passages
 from .transition_matrices import Steps, steps_along
 
@@ -153,6 +154,33 @@ class Variations:
             added[line.switched] = line.crossed_by_u[:, :, rows] @ weights[line.switched]
         states = line.steps.carry(np.zeros((nx, weights.shape[2])), added)
         return np.asarray(line.to_x[:, nx:] @ states + by_u[:, nx:] @ weights)
+
+    def forced(self, result: Result, names: Sequence[str]) -> Forced:
+        """Return what changes of states, and of some inputs, become from point to point along a run.
+
+        Raises:
+            ModelError: for unknown inputs, and for those whose derivatives the network uses.
+        """
+        nx, known = self.dae.x.numel(), self.dae.input_names
+        demand("Variations", result=(result, instance(Result)))
+        names = listed("names", names)
+        told = [f"there is no input '{name}'{nearest(name, known)}" for name in names if name not in known]
+        told += [
+            f"the derivatives of '{declared.path}' act, too"
+            for declared in self.dae.inputs
+            if declared.path in names and declared.order
+        ]
+        if told:
+            raise ModelError("their changes cannot be followed:", told)
+        line = self._linearised(result)
+        row_of = {declared.path: row for row, declared in enumerate(self.dae.inputs)}
+        rows = [row_of[name] for name in names]
+        signs = np.array([self.dae.inputs[row].sign for row in rows])
+        by_u = line.to_u[:, :, rows] * signs
+        here, there = (0.5 * line.steps.weight @ part for part in (by_u[:-1, :nx], by_u[1:, :nx]))
+        if len(line.switched):
+            here[line.switched] = line.crossed_by_u[:, :, rows] * signs
+        return Forced(line.steps.map, here, there, line.to_x[:, nx:], by_u[:, nx:])
 
     def adjoint(self, result: Result, weights: Array, name: str) -> Array | None:
         """Return d(sum of weights times signals)/d(an input at the points), (points,): `pushed`, transposed.

@@ -37,6 +37,8 @@ def rubber() -> tuple[ia.Network, dict[str, float]]:
         ia.TabulatedSpring(table=CURVE, interpolation="smooth"),
         ia.TabulatedDamper(table=tuple((s * 50, f / 10) for s, f in CURVE), interpolation="smooth"),
         ia.MapSpringDamper(table=GRID, interpolation="smooth"),
+        ia.TabulatedForce(table=GRID, odd=True),
+        ia.TabulatedForce(table=CURVE, over="position", interpolation="smooth"),
         ia.Maxwell(k=500.0, d=10.0),
         ia.Zener(k_0=200.0, k=300.0, d=8.0),
         ia.FractionalDamper(c=100.0, alpha=0.4, w_low=0.1, decades=4.0, n=3),

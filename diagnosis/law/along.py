@@ -1,0 +1,194 @@
+"""A record beside a run of the model with a force at a site, and the linear machine along it."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from ...base import Array
+from ...identification import Experiment, Prediction, RecordModel
+from ...identification.records.record import Channel
+from ..effects.effect import Motion
+from ..effects.hypothesis import Hypothesis, driven, sensed
+from ..models.probes import motion_at
+from ..models.study import NetworkPredictor, Study
+from ..search.record_start import nuisance_slopes
+from .smoother import Course
+
+FORCE = "missing force"  # the channel by which a force acts at a site
+
+
+@dataclass(frozen=True, eq=False)
+class Begin:
+    """Where a record begins: its states, None at rest, and the values that it has of its own."""
+
+    start: Array | None
+    own: Mapping[str, float]
+
+
+@dataclass(frozen=True, eq=False)
+class Force:
+    """A force at instants of a run, straight between them."""
+
+    t: Array
+    values: Array
+
+    def at(self, t: Array) -> Array:
+        """Return it at instants."""
+        return np.interp(t, self.t, self.values)
+
+
+class Bench:
+    """A model, with effects in it, with a force at one of its sites, on the records of a study."""
+
+    def __init__(self, study: Study, parameters: Sequence[str], effects: Sequence[Hypothesis] = ()) -> None:
+        self.study, self.effects, self.names = study, tuple(effects), list(parameters)
+        self.sites = [site for site in study.sites if "across" in site.places]
+        self.predictor = NetworkPredictor(study.campaign, effects, self.names, self.sites)
+        self.scales = np.array([study.campaign.priors[name].scale for name in self.names])
+        self.centers = np.array([study.campaign.priors[name].center for name in self.names])
+
+    def path(self, number: int) -> str:
+        """Return the input of the force at a site."""
+        return f"push_{number}.u"
+
+    def begin(self, experiment: Experiment, given: Mapping[str, float], known: Mapping[str, float]) -> Begin:
+        """Return where a record seems to begin; states by name that are `known` to begin elsewhere, do."""
+        own = {name: prior.center for name, prior in experiment.unknown.items()}
+        if experiment.initial == "rest":
+            return Begin(None, own)
+        stand = self.predictor.stand(driven(experiment, self.effects))
+        rest = stand.rest({**given, **own}, self.study.accuracy)
+        pairs = zip(stand.state_names, rest.tolist(), strict=True)
+        return Begin(np.array([known.get(name, value) for name, value in pairs]), own)
+
+    def run(
+        self,
+        experiment: Experiment,
+        given: Mapping[str, float],
+        begin: Begin,
+        number: int = 0,
+        force: Force | None = None,
+        slopes: bool = True,
+    ) -> Beside:
+        """Run a record with a force at a site."""
+        stand = self._stand(driven(experiment, self.effects), number, force)
+        found = stand.run({**given, **begin.own}, begin.start, self.study.accuracy, slopes)
+        return Beside(self, experiment, given, begin, number, force, found)
+
+    def _stand(self, experiment: Experiment, number: int, force: Force | None) -> RecordModel:
+        if force is None:
+            return self.predictor.stand(experiment)
+        record, channels = experiment.record, dict(self.predictor.channels)
+        record = replace(record, values={**record.values, FORCE: force.at(record.time)})
+        channels[FORCE] = Channel(self.path(number), True, "", "", "linear")
+        plain = self.predictor
+        pushed = NetworkPredictor.__new__(NetworkPredictor)
+        pushed.__dict__.update({**plain.__dict__, "channels": channels})
+        return pushed.stand(replace(experiment, record=record))
+
+
+@dataclass(frozen=True, eq=False)
+class Beside:
+    """A run of a record, with what it began and was computed with."""
+
+    bench: Bench
+    experiment: Experiment
+    given: Mapping[str, float]
+    begin: Begin
+    number: int
+    force: Force | None
+    found: Prediction
+
+    @property
+    def t(self) -> Array:
+        """The points of the run [s]."""
+        return self.found.run.time
+
+    def motion(self, number: int) -> Motion:
+        """Return how a site moved."""
+        moved = motion_at(self.found.run, number, self.bench.sites[number])
+        return replace(moved, began=self.experiment.began)
+
+    @property
+    def residual(self) -> Array:
+        """What was measured less what was predicted, in units of noise, (instants, outputs)."""
+        elapsed, measured = self.experiment.elapsed(self.found.time), self.experiment.compared.values
+        columns = [
+            (measured[n] - sensed(elapsed, n, v, self.bench.effects)) / self.experiment.sigma[n]
+            for n, v in self.found.values.items()
+        ]
+        return np.column_stack(columns)
+
+    @property
+    def left(self) -> Array:
+        """The residual less offsets, (instants, outputs)."""
+        residual, names = self.residual, list(self.found.values)
+        free = [names.index(name) for name in self.experiment.offset]
+        residual[:, free] -= residual[:, free].mean(axis=0)
+        return residual
+
+    def answers(self, number: int, forces: Array) -> Array:
+        """Return what forces at a site change, in units of noise.
+
+        From (points, columns) to (instants, outputs, columns).
+        """
+        moved = self.bench.predictor.variations.pushed(self.found.run, {self.bench.path(number): forces})
+        return np.asarray(moved[self.found.at] / self._sigma[None, :, None])
+
+    @property
+    def _sigma(self) -> Array:
+        return np.array([self.experiment.sigma[name] for name in self.found.values])
+
+    def columns(self, fixed: bool = False) -> tuple[Array, int, Array]:
+        """Return the columns of a `Course` at the instants of the record, how many are shared, and priors.
+
+        The first is what would be left without the force, with the parameters at the centers of their priors.
+        Where parameters are `fixed`, none are shared.
+        """
+        found, experiment, bench = self.found, self.experiment, self.bench
+        names, sigma = list(found.values), experiment.sigma
+        shape = len(found.time), len(names)
+        missed = self.residual
+        shared = np.zeros((*shape, 0))
+        if not fixed:
+            shared = np.stack([found.slopes[n][:, : len(bench.names)] / sigma[n] for n in names], axis=1)
+            shared = shared * bench.scales
+            given = np.array([self.given[name] for name in bench.names])
+            missed = missed + shared @ ((given - bench.centers) / bench.scales)
+        free = nuisance_slopes(experiment, found, sigma)
+        own = np.swapaxes(free.reshape(shape[1], shape[0], -1), 0, 1)
+        weights = np.zeros(own.shape[2])
+        if experiment.unknown:
+            end = own.shape[2] - len(experiment.offset)
+            place = slice(end - len(experiment.unknown), end)
+            priors = experiment.unknown.items()
+            weights[place] = [prior.scale / prior.sd for _, prior in priors]
+            at = [(self.begin.own[name] - prior.center) / prior.scale for name, prior in priors]
+            missed = missed + own[:, :, place] @ np.array(at)
+        if self.force is not None:
+            missed = missed + self.answers(self.number, self.force.at(self.t)[:, None])[:, :, 0]
+        return np.concatenate([missed[:, :, None], shared, own], axis=2), shared.shape[2], weights
+
+    def course(self, numbers: Sequence[int], fixed: bool = False) -> Course:
+        """Return the machine along the run, for forces at some of the sites."""
+        found, bench = self.found, self.bench
+        line = bench.predictor.variations.forced(found.run, [bench.path(n) for n in numbers])
+        columns, shared, priors = self.columns(fixed)
+        points = len(self.t)
+        spread = np.zeros((points, *columns.shape[1:]))
+        to_x, to_f = np.zeros_like(line.to_x), np.zeros_like(line.to_u)
+        spread[found.at] = columns
+        to_x[found.at] = line.to_x[found.at] / self._sigma[None, :, None]
+        to_f[found.at] = line.to_u[found.at] / self._sigma[None, :, None]
+        return Course(self.t, line.map, line.here, line.there, to_x, to_f, spread, shared, priors)
+
+    def began(self, unknown: Array, shared: int) -> Begin:
+        """Return where the record begins by what a smoother found of it."""
+        own = unknown[shared:]
+        first = len(self.begin.start) if self.begin.start is not None else 0
+        start = None if self.begin.start is None else self.begin.start + own[:first]
+        parts = zip(self.experiment.unknown.items(), own[first:].tolist(), strict=False)
+        return Begin(start, {name: prior.at(part) for (name, prior), part in parts})

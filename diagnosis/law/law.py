@@ -1,0 +1,231 @@
+"""`Law`: what the missing force at a site depends on, and how."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
+from itertools import combinations
+from typing import Any
+
+import numpy as np
+
+from ...base import Array
+from ...components import Component, ModelError
+from ..criteria import CLEAR_STANDARD_ERRORS, LAW_FINER, LAW_LEAST_GAIN, LAW_PAIR_SHARE
+from ..effects.effect import Motion
+from ..effects.sites import Site
+from .along import Beside
+from .axes import UNITS, VARIABLES, Axis, Grid
+from .regression import Fitted, Tallies, fitted, moved
+from .search import Settled
+from .traits import traits_of
+
+STATIC = (("position",), ("speed",), ("position", "speed"))  # what a component's law may be over
+
+
+@dataclass(frozen=True, eq=False)
+class Law:
+    """What the missing force at a site depends on, and how.
+
+    Attributes:
+        site: where it acts.
+        variables: one or two of "position", "speed", "acceleration", "load" and "time".
+        points: their values at the points of the law, (points, variables), SI units; positions count from
+            `origin`.
+        values, standard_error: the force there.
+        origin: where the site rests.
+        shares: by variables that were tried, the share of what is missing that a law of them foresees in
+            stretches that it was not fitted to.
+        fit: how it was fitted.
+        runs: the motion along which it was.
+        forces: the missing force along them, beside the parameters of the law.
+    """
+
+    site: Site
+    variables: tuple[str, ...]
+    points: Array
+    values: Array
+    standard_error: Array
+    origin: float
+    shares: Mapping[tuple[str, ...], float]
+    fit: Fitted = field(repr=False)
+    runs: Sequence[Beside] = field(repr=False)
+    number: int = field(repr=False)
+    forces: Sequence[Array] = field(repr=False)
+
+    @property
+    def grid(self) -> Grid:
+        """Its axes."""
+        assert self.fit.grid is not None
+        return self.fit.grid
+
+    @property
+    def explained(self) -> float:
+        """The share of what is missing that it foresees in stretches that it was not fitted to."""
+        return self.shares[self.variables]
+
+    @property
+    def unit(self) -> str:
+        """That of the force."""
+        return UNITS[self.site.domain]["load"]
+
+    @property
+    def units(self) -> tuple[str, ...]:
+        """Those of the variables."""
+        return tuple(UNITS[self.site.domain][variable] for variable in self.variables)
+
+    @property
+    def is_static(self) -> bool:
+        """Whether a component can have it: a law of position, of speed, or of both."""
+        return self.variables in STATIC
+
+    @property
+    def motions(self) -> list[Motion]:
+        """How the site moved in each record, distances from the origin."""
+        return [moved(run, self.number, self.origin) for run in self.runs]
+
+    @property
+    def traits(self) -> list[str]:
+        """Its symmetry, steps, waves and direction, in words."""
+        return traits_of(self)
+
+    @property
+    def table(self) -> list[tuple[float, ...]]:
+        """Rows for a `TabulatedForce`."""
+        return rows_of(self.grid, self.values)
+
+    def component(self) -> Component:
+        """Return a `TabulatedForce` that has this law.
+
+        Raises:
+            ModelError: for a law of anything but position and speed.
+        """
+        return element_of(self.site, self.grid, self.values, self.origin)
+
+    def to_dict(self) -> dict[str, Any]:
+        """Return it as in the JSON file of a verdict."""
+        return {
+            "site": self.site.path,
+            "variables": list(self.variables),
+            "units": [*self.units, self.unit],
+            "origin": self.origin,
+            "table": [
+                [*place, value]
+                for place, value in zip(self.points.tolist(), self.values.tolist(), strict=True)
+            ],
+            "standard_error": self.standard_error.tolist(),
+            "foreseen": self.explained,
+            "traits": self.traits,
+        }
+
+    def plot(self, path: Any = None) -> Any:
+        """Draw it, and return the figure; given a path, save it as PNG, SVG or PDF."""
+        from .pictures import drawn_law
+
+        return drawn_law(self, path)
+
+    def __str__(self) -> str:
+        """Say what the force depends on, and how."""
+        over = " and ".join(self.variables)
+        told = f"force at {self.site.path} over {over}: {self.explained:.1%} of what is missing foreseen"
+        others = sorted(self.shares.items(), key=lambda one: -one[1])
+        rest = ", ".join(f"{' and '.join(v)} {share:.0%}" for v, share in others if v != self.variables)
+        return "; ".join([f"{told} ({rest})" if rest else told, *self.traits])
+
+
+def element_of(site: Site, grid: Grid, values: Array, origin: float) -> Component:
+    """Return a `TabulatedForce` with values at the points of a grid."""
+    if grid.variables not in STATIC:
+        told = " and ".join(grid.variables)
+        raise ModelError(
+            f"a law over {told} is no component; draw one over position, speed, or both: "
+            "law(variables=('position', 'speed'))"
+        )
+    over: dict[str, Any] = {"over": grid.variables[0]} if len(grid.axes) == 1 else {}
+    if grid.axes[0].smooth:
+        over["interpolation"] = "smooth"
+    rest = {f"{site.mechanics.across}_rel0": origin} if "position" in grid.variables else {}
+    element: Component = site.family.TabulatedForce(table=rows_of(grid, values), **over, **rest)
+    return element
+
+
+def rows_of(grid: Grid, values: Array) -> list[tuple[float, ...]]:
+    """Return rows of a table; of a smooth law so many that what is between them does not matter."""
+    if not grid.axes[0].smooth:
+        return [(*place, value) for place, value in zip(grid.places.tolist(), values.tolist(), strict=True)]
+    (axis,) = grid.axes
+    fine = np.linspace(axis.points[0], axis.points[-1], LAW_FINER * (len(axis.points) - 1) + 1)
+    return list(zip(fine.tolist(), (axis.basis(fine) @ values).tolist(), strict=True))
+
+
+class Drawing:
+    """Laws tried of a force at a site, along runs that it has made."""
+
+    def __init__(self, site: Site, settled: Settled) -> None:
+        self.site, self.settled, self.number = site, settled, settled.number
+        self.runs, self.left = settled.runs, settled.misfit
+        runs, number = self.runs, self.number
+        motions = [run.motion(number) for run in runs]
+        resting = [m for m, run in zip(motions, runs, strict=True) if run.experiment.initial == "rest"]
+        lasting = sum(float(np.ptp(m.t)) for m in motions)
+        mean = sum(m.distance * float(np.ptp(m.t)) for m in motions) / lasting
+        self.origin = float(resting[0].s[0]) if resting else mean
+        self.motions = [moved(run, number, self.origin) for run in runs]
+        self.nothing = fitted(Tallies.of(runs, number, None), None)
+
+    def grid(self, variables: Sequence[str]) -> Grid:
+        """Return the points of a law over variables."""
+        return Grid(tuple(Axis.over(name, self.motions, len(variables) > 1) for name in variables))
+
+    def tallies(self, grid: Grid) -> Tallies:
+        """Return what there is to fit a law by."""
+        return Tallies.of(self.runs, self.number, grid, self.origin)
+
+    def fitted(self, variables: Sequence[str]) -> Fitted:
+        """Return the law over variables."""
+        grid = self.grid(variables)
+        return fitted(self.tallies(grid), grid)
+
+    def share(self, law: Fitted) -> float:
+        """Return the share of what is missing that a law foresees."""
+        floor = min(self.left, self.nothing.foreseen) ** 2
+        return 1 - (law.foreseen**2 - floor) / max(self.nothing.foreseen**2 - floor, 1e-300)
+
+    def law(
+        self, variables: Sequence[str] | None = None, among: Sequence[tuple[str, ...]] | None = None
+    ) -> Law:
+        """Return the law over variables, or over the fewest that foresee nearly as much as any."""
+        if variables is not None:
+            found = {tuple(variables): self.fitted(variables)}
+            best = tuple(variables)
+        elif among is not None:
+            found = {one: self.fitted(one) for one in among}
+            best = min((one for one in found if len(one) == 1), key=lambda one: found[one].foreseen)
+            better = [p for p in found if len(p) == 2 and self._pays(found[p], found[best])]
+            best = min(better, key=lambda one: found[one].foreseen, default=best)
+        else:
+            found = {(name,): self.fitted((name,)) for name in VARIABLES}
+            static = min((one for one in found if one in STATIC), key=lambda one: found[one].foreseen)
+            other = min(found, key=lambda one: found[one].foreseen)
+            best = other if self._pays(found[other], found[static]) else static
+            pairs = [pair for pair in combinations(VARIABLES, 2) if pair in STATIC or set(best) & set(pair)]
+            found |= {pair: self.fitted(pair) for pair in pairs}
+            for some in (STATIC, pairs):
+                better = [p for p in some if len(p) == 2 and self._pays(found[p], found[best])]
+                best = min(better, key=lambda one: found[one].foreseen, default=best)
+        fit = found[best]
+        shares = {one: self.share(law) for one, law in found.items()}
+        assert fit.grid is not None
+        error = np.sqrt(np.maximum(np.diag(fit.covariance), 0.0))
+        return Law(
+            self.site, best, fit.grid.places, fit.values, error, self.origin, shares, fit, self.runs,
+            self.number, tuple(self.settled.beside(fit.moved)),
+        )  # fmt: skip
+
+    def _pays(self, richer: Fitted, plain: Fitted) -> bool:
+        """Tell whether a law takes away much of what a simpler one leaves, and clearly."""
+        floor = min(self.left, plain.foreseen) ** 2
+        less = richer.foreseen**2 - floor < LAW_PAIR_SHARE * (plain.foreseen**2 - floor)
+        less &= self.share(richer) - self.share(plain) > LAW_LEAST_GAIN
+        drop = plain.squares - richer.squares
+        return less and float(drop.mean()) > CLEAR_STANDARD_ERRORS * float(drop.std()) / len(drop) ** 0.5

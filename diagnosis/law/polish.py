@@ -1,0 +1,116 @@
+"""A law as a component of the model: fitted to free runs, and held against the test records."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from ...base import Array
+from ...components import SimulationError
+from ..criteria import FORCE_LAW_STIFFNESS, LAW_POLISHES, START_DROP_RATIO
+from ..effects.edits import Edit, between
+from ..effects.effect import Effect, Values
+from ..effects.hypothesis import Hypothesis
+from ..effects.sites import Site
+from ..models.study import Study
+from ..search.joint_fit import JointFit
+from ..search.model_comparison import Refit
+from .along import Begin, Bench, Beside
+from .law import Law, element_of
+from .regression import Tallies, beside, fitted, own_of, through
+
+KIND = "law"
+
+
+def placed(law: Law, values: Array) -> Hypothesis:
+    """Return a law with values at its points as what a model may be missing."""
+    element = element_of(law.site, law.grid, values, law.origin)
+
+    def edits(site: Site, name: str, _: Values) -> list[Edit]:
+        return between(name, element, site.fixed, site.moving)
+
+    effect = Effect(KIND, "across", {law.site.domain: ()}, edits)
+    return Hypothesis(effect, law.site, "missing", {})
+
+
+@dataclass(frozen=True, eq=False)
+class _Trial:
+    """A model with a law, and its free runs."""
+
+    values: Array
+    given: Mapping[str, float]
+    runs: list[Beside]
+
+    @property
+    def squares(self) -> float:
+        """What they miss, squared."""
+        return float(sum((run.left**2).sum() for run in self.runs))
+
+
+def polished(study: Study, law: Law) -> tuple[Law, Refit]:
+    """Return a law fitted to free runs of the model that has it, and that model held against all records.
+
+    Raises:
+        SimulationError: if it cannot be run.
+    """
+    first = law.runs[0].bench
+    priors = study.campaign.priors
+    given = {name: priors[name].at(float(b)) for name, b in zip(first.names, law.fit.moved, strict=True)}
+    begins = {run.experiment.name: run.begin for run in law.runs}
+    drawn = through(law.grid, law.motions, law.forces, FORCE_LAW_STIFFNESS)
+    here = min(
+        (_run(study, law, values, given, begins) for values in (law.values, drawn)),
+        key=lambda one: one.squares,
+    )
+    for _ in range(LAW_POLISHES):
+        step = _step(study, law, here)
+        for share in (1.0, 0.5, 0.25, 0.1):
+            try:
+                there = step(share)
+            except SimulationError:
+                continue
+            if there.squares < here.squares:
+                break
+        else:
+            break
+        ended = there.squares > (1 - START_DROP_RATIO) * here.squares
+        here = there
+        if ended:
+            break
+    found = replace(law, values=here.values)
+    joint = JointFit(study, here.given, [placed(law, here.values)])
+    return found, joint.seen(joint.start)
+
+
+def _run(
+    study: Study, law: Law, values: Array, given: Mapping[str, float], begins: Mapping[str, Begin]
+) -> _Trial:
+    bench = Bench(study, [*given], [placed(law, values)])
+    runs = [bench.run(e, given, begins[e.name]) for e in study.campaign.training]
+    return _Trial(values, given, runs)
+
+
+def _step(study: Study, law: Law, here: _Trial) -> Callable[[float], _Trial]:
+    """Return what makes a trial a share of the way to what is best along the runs so far."""
+    tallies = Tallies.of(here.runs, law.number, law.grid, law.origin, here.values)
+    found = fitted(tallies, law.grid, stiffness=law.fit.stiffness)
+    centers, scales = here.runs[0].bench.centers, here.runs[0].bench.scales
+    before = (np.array([*here.given.values()]) - centers) / scales
+    unknown = np.concatenate([found.moved, found.values])
+    moved = {}
+    for run in here.runs:
+        stacked, own, priors, _ = beside(run, law.number, law.grid, law.origin, here.values)
+        left = stacked[:, :, 0] - stacked[:, :, 1:] @ unknown
+        moved[run.experiment.name] = own_of(left, own, priors)
+
+    def trial(share: float) -> _Trial:
+        values = here.values + share * (found.values - here.values)
+        parameters = before + share * (found.moved - before)
+        known = study.campaign.priors
+        given = {name: known[name].at(float(b)) for name, b in zip(here.given, parameters, strict=True)}
+        begins = {run.experiment.name: run.began(share * moved[run.experiment.name], 0) for run in here.runs}
+        return _run(study, law, values, given, begins)
+
+    return trial

@@ -1,0 +1,191 @@
+"""The force at each site that explains records: sought by smoothing along runs that have it."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from ...base import Array
+from ...components import ModelError, SimulationError
+from ..criteria import FORCE_HALVINGS, FORCE_PARAMETER_STEP, FORCE_RUNS, FORCE_SETTLED, FORCE_SIZE_RATIO
+from ..models.study import Study
+from ..search.model_comparison import Refit
+from .along import Bench, Beside, Force
+from .likeliest import likeliest
+from .smoother import Roughness, filtered, smoothed
+
+
+@dataclass(frozen=True, eq=False)
+class Settled:
+    """Runs with a force at a site, and the force that was found along them.
+
+    Attributes:
+        number: of the site.
+        given: the parameters.
+        rough: how fast the force changes.
+        runs: one of each record.
+        forces, errors: with standard errors, at the points of each run.
+        evidence: logarithm of the likelihood.
+    """
+
+    number: int
+    given: Mapping[str, float]
+    rough: Roughness
+    runs: tuple[Beside, ...]
+    forces: tuple[Force, ...]
+    errors: tuple[Force, ...]
+    evidence: float
+
+    @property
+    def misfit(self) -> float:
+        """The root mean square of what the runs miss, in units of noise."""
+        return _misfit(self.runs)
+
+    @property
+    def rms(self) -> float:
+        """The root mean square of the force."""
+        return float(np.sqrt(np.mean(np.concatenate([force.values for force in self.forces]) ** 2)))
+
+    def beside(self, moved: Array) -> list[Array]:
+        """Return the force along the runs if the parameters are so far from the centers of their priors."""
+        courses = []
+        for run in self.runs:
+            course = run.course([self.number])
+            columns, end = course.columns, 1 + course.shared
+            first = columns[:, :, :1] - (columns[:, :, 1:end] @ moved)[:, :, None]
+            kept = np.concatenate([first, columns[:, :, end:]], axis=2)
+            courses.append(replace(course, columns=kept, shared=0))
+        force, _ = smoothed(filtered(courses, self.rough))
+        return [force[: len(course.t), place, 0] for place, course in enumerate(courses)]
+
+
+def _misfit(runs: Sequence[Beside]) -> float:
+    return float(np.sqrt(np.mean(np.concatenate([run.left.ravel() for run in runs]) ** 2)))
+
+
+class Search:
+    """The forces at sites of a model that explain records, sought by smoothing along runs with them."""
+
+    def __init__(self, study: Study, near: Refit) -> None:
+        self.study, self.given = study, dict(near.parameters)
+        self.bench = Bench(study, [*near.parameters])
+        starts = zip(study.campaign.training, near.starts, strict=False)
+        self.nominal = [self.bench.run(e, self.given, self.bench.begin(e, self.given, s)) for e, s in starts]
+
+    @property
+    def misfit(self) -> float:
+        """The root mean square of what the model as given misses, in units of noise."""
+        return _misfit(self.nominal)
+
+    def best(self, number: int | None = None) -> tuple[list[tuple[int, float, Roughness]], Settled]:
+        """Return the sites, the likeliest first, and the force at the first of them, or at one.
+
+        They are ranked once more along the motion that a force has made: from there slopes are right.
+        """
+        numbers, sizes = self.movable()
+        if not numbers or number not in (None, *numbers):
+            where = "at any site" if number is None else f"at '{self.bench.sites[number].path}'"
+            raise ModelError(
+                f"no force {where} would change what is measured; measure more, or name another site"
+            )
+        ranked = self.rank(self.nominal, numbers, sizes)
+        settled = self.settled(ranked[0][0], ranked[0][2])
+        if len(numbers) > 1:
+            ranked = self.rank(settled.runs, numbers, sizes)
+        chosen = next(one for one in ranked if number in (None, one[0]))
+        if chosen[0] != settled.number:
+            settled = self.settled(chosen[0], chosen[2], settled.runs)
+        return ranked, settled
+
+    def movable(self) -> tuple[list[int], Array]:
+        """Return the sites at which a force changes what is measured, and how large it has to be."""
+        numbers = range(len(self.bench.sites))
+        sizes = np.array([self._size(number) for number in numbers])
+        return [n for n in numbers if sizes[n] > 0], sizes[sizes > 0]
+
+    def _size(self, number: int) -> float:
+        missed = sum(float((beside.columns(True)[0][:, :, 0] ** 2).sum()) for beside in self.nominal)
+        motions = [beside.motion(number) for beside in self.nominal]
+        scale = np.array([max(m.travel for m in motions), max(m.speed for m in motions)])
+        if not scale.all():
+            return 0.0
+        answered = np.zeros(2)
+        for beside, motion in zip(self.nominal, motions, strict=True):
+            forces = np.column_stack([motion.s - motion.distance, motion.v]) / scale
+            answered += (beside.answers(number, forces) ** 2).sum(axis=(0, 1))
+        most = float(answered.max())
+        return float(np.sqrt(missed / most)) if most > 0 and np.isfinite(most) else 0.0
+
+    def rank(
+        self, runs: Sequence[Beside], numbers: Sequence[int], sizes: Array
+    ) -> list[tuple[int, float, Roughness]]:
+        """Return sites with evidence and roughness, the likeliest first, along runs that may have a force."""
+        courses = [beside.course(numbers) for beside in runs]
+        found: list[tuple[int, float, Roughness]] = []
+        for roughness in likeliest(courses, sizes):
+            evidence = filtered(courses, roughness, keep=False).evidence
+            for place, number in enumerate(numbers):
+                found.append((number, float(evidence[place]), roughness.of(place)))
+        found.sort(key=lambda one: -one[1])
+        best: dict[int, tuple[int, float, Roughness]] = {}
+        for one in found:
+            best.setdefault(one[0], one)
+        return list(best.values())
+
+    def settled(self, number: int, rough: Roughness, runs: Sequence[Beside] | None = None) -> Settled:
+        """Return the force at a site along the motion that it makes, run after run until it stays."""
+        here, after = list(runs or self.nominal), list[Beside]()
+        size, best = rough.size / FORCE_SIZE_RATIO, None
+        for count in range(FORCE_RUNS):
+            courses = [beside.course([number]) for beside in here]
+            if count in (1, 2):
+                (rough,) = likeliest(courses, size, [rough.order])
+            passed = filtered(courses, rough)
+            force, error = smoothed(passed)
+            promised = float(np.sqrt(passed.chi_squared[0] / sum(run.residual.size for run in here)))
+            forces, errors = (
+                [Force(beside.t, part[: len(beside.t), place, 0]) for place, beside in enumerate(here)]
+                for part in (force, error)
+            )
+            after = self._after(number, here, forces, passed.unknown[:, 0], courses[0].shared)
+            given, here = after[0].given, after
+            evidence = float(passed.evidence[0])
+            found = Settled(number, given, rough, tuple(here), tuple(forces), tuple(errors), evidence)
+            best = found if best is None or found.misfit < best.misfit else best
+            if best.misfit < FORCE_SETTLED * promised:
+                break
+        assert best is not None
+        return best
+
+    def _after(
+        self, number: int, runs: Sequence[Beside], forces: Sequence[Force], unknown: Array, shared: int
+    ) -> list[Beside]:
+        """Return runs with forces, or with so much of the change that they can be run."""
+        given, error = self._given(runs[0].given, unknown[0]), None
+        for _ in range(FORCE_HALVINGS):
+            try:
+                return [
+                    self.bench.run(run.experiment, given, run.began(own, shared), number, force)
+                    for run, own, force in zip(runs, unknown, forces, strict=True)
+                ]
+            except SimulationError as told:
+                error = told
+                before = [
+                    np.zeros_like(f.t) if run.force is None else run.force.at(f.t)
+                    for run, f in zip(runs, forces, strict=True)
+                ]
+                forces = [Force(f.t, 0.5 * (f.values + b)) for f, b in zip(forces, before, strict=True)]
+        assert error is not None
+        raise error
+
+    def _given(self, before: Mapping[str, float], unknown: Array) -> dict[str, float]:
+        """Return parameters on their way to what a smoother found of them, no farther than slopes hold."""
+        given = {}
+        for name, away in zip(self.bench.names, unknown.tolist(), strict=False):
+            prior = self.study.campaign.priors[name]
+            at = (before[name] - prior.center) / prior.scale
+            low, high = min(at - FORCE_PARAMETER_STEP, 0.0), max(at + FORCE_PARAMETER_STEP, 0.0)
+            given[name] = prior.at(min(max(away, low), high))
+        return given

@@ -1,0 +1,284 @@
+"""The force that explains a record: a fixed-interval smoother along a run, linear in its points.
+
+The machine is linear along the run, the force f at a site is a random process,
+
+    x' = map x + here f + there f',   y = to_x x + to_f f + columns b + e,
+
+with noise e of variance 1 and b what nobody measured: parameters, values of the record's own, its start. A
+Kalman filter goes forward with the columns side by side, least squares of its innovations give b, and the
+smoother of Bryson and Frazier goes back. Records and sites are stacked, so that a step is one product.
+
+Sources: A. E. Bryson, M. Frazier, Smoothing for linear and nonlinear dynamic systems, 1963; F. C. Schweppe,
+Evaluation of likelihood functions for Gaussian signals, IEEE Trans. Inf. Theory 11 (1965) 61-70; Matern
+processes as state space: J. Hartikainen, S. Sarkka, Kalman filtering and smoothing solutions to temporal
+Gaussian process regression models, 2010.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from ...base import Array
+
+
+@dataclass(frozen=True, eq=False)
+class Course:
+    """A machine along a run of one record, in units of noise.
+
+    Attributes:
+        t: points of the run [s].
+        map: of the states from each point to the next, (intervals, states, states).
+        here, there: of a force at each site at both ends of an interval, (intervals, states, sites).
+        to_x, to_f: of the outputs, (points, outputs, states or sites); zero where nothing was measured.
+        columns: what was measured, less what the run predicts, then its slopes in what is known but for its
+            priors, then in what is known of this record alone, (points, outputs, columns).
+        shared: how many slopes are in what all records share.
+        priors: weights of the columns of this record alone, 0 for what nothing is known of.
+    """
+
+    t: Array
+    map: Array
+    here: Array
+    there: Array
+    to_x: Array
+    to_f: Array
+    columns: Array
+    shared: int
+    priors: Array
+
+
+@dataclass(frozen=True, eq=False)
+class Roughness:
+    """How fast a force may change: a Matern process of order 1 or 2, of a size, over a time.
+
+    Attributes:
+        order: 1 for a force that may jump, 2 for one with a steady slope.
+        size: standard deviation by site.
+        time: by site, over which the force forgets [s].
+    """
+
+    order: int
+    size: Array
+    time: Array
+
+    @property
+    def start(self) -> Array:
+        """The covariance of force and slope, (sites, order, order)."""
+        if self.order == 1:
+            return np.asarray(self.size**2)[:, None, None]
+        slope = self.size**2 * 3 / self.time**2
+        return np.stack([self.size**2, slope], axis=1)[:, :, None] * np.eye(2)
+
+    def of(self, place: int) -> Roughness:
+        """Return that of one site."""
+        return Roughness(self.order, self.size[place : place + 1], self.time[place : place + 1])
+
+    def over(self, step: Array) -> tuple[Array, Array]:
+        """Return transition and added covariance over steps, (steps, sites, order, order)."""
+        h = step[:, None]
+        if self.order == 1:
+            kept = np.exp(-h / self.time)[:, :, None, None]
+        else:
+            rate = np.sqrt(3.0) / self.time
+            part = np.array([[1 + rate * h, h + 0 * rate], [-(rate**2) * h, 1 - rate * h]])
+            kept = np.moveaxis(part, (0, 1), (2, 3)) * np.exp(-rate * h)[:, :, None, None]
+        start = self.start
+        return kept, start - kept @ start @ np.swapaxes(kept, 2, 3)
+
+
+@dataclass(frozen=True, eq=False)
+class Filtered:
+    """What a filter keeps of each point of stacked records, for what comes after.
+
+    Attributes:
+        evidence: by site, the logarithm of the likelihood at the best values of what nobody measured.
+        chi_squared: by site, the squares of what the filter could not foresee.
+        unknown: (records, sites, columns): values of what nobody measured, shared ones first.
+    """
+
+    courses: Sequence[Course]
+    roughness: Roughness
+    evidence: Array
+    chi_squared: Array
+    unknown: Array
+    innovations: Array
+    gains: Array
+    spreads: Array
+    rows: Array
+    ahead: Array
+
+
+def filtered(courses: Sequence[Course], roughness: Roughness, keep: bool = True) -> Filtered:
+    """Go forward through records side by side, for every site alone.
+
+    Args:
+        courses: the records.
+        roughness: of the force at each site.
+        keep: whether a smoother is to follow.
+    """
+    stack = _Stack(courses, roughness)
+    records, sites, n, order = stack.shape
+    size, outputs, count = n + order, stack.outputs, stack.columns.shape[3]
+    P = np.zeros((records, sites, size, size))
+    P[:, :, n:, n:] = roughness.start
+    Z = np.zeros((records, sites, size, count))
+    innovations = np.zeros((stack.points, records, sites, outputs, count))
+    spreads = np.ones((stack.points, records, sites, outputs))
+    kept = stack.points if keep else 0
+    gains = np.zeros((kept, records, sites, outputs, size))
+    rows, ahead = np.zeros((kept, records, sites, size)), np.zeros((kept, records, sites, count))
+    for k in range(stack.points):
+        if keep:
+            rows[k], ahead[k] = P[:, :, n], Z[:, :, n]
+        for j in range(outputs):
+            if not stack.measured[k, j]:
+                continue
+            h = stack.seen(k, j)
+            Ph = (P @ h[..., None])[..., 0]
+            spread = (h * Ph).sum(-1) + stack.weight[k, :, None, j]
+            gain = Ph / spread[..., None]
+            missed = stack.columns[k, :, None, j] - (h[..., None, :] @ Z)[..., 0, :]
+            Z += gain[..., None] * missed[..., None, :]
+            P -= gain[..., None] * Ph[..., None, :]
+            innovations[k, :, :, j], spreads[k, :, :, j] = missed, spread
+            if keep:
+                gains[k, :, :, j] = gain
+        if k + 1 < stack.points:
+            T, Q = stack.step(k)
+            Z = T @ Z
+            P = T @ P @ np.swapaxes(T, 2, 3) + Q
+            P = 0.5 * (P + np.swapaxes(P, 2, 3))
+    seen: Any = (stack.weight < UNSEEN)[:, :, None, :]
+    weighted = innovations * np.sqrt(np.where(seen, 1.0, 0.0) / spreads)[..., None]
+    gram = np.einsum("krsjc,krsjd->rscd", weighted, weighted, optimize=True)
+    unknown, squares = _solved(gram, courses)
+    spent = np.where(seen, np.log(spreads), 0.0).sum(axis=(0, 1, 3))
+    evidence = -0.5 * (spent + squares)
+    return Filtered(courses, roughness, evidence, squares, unknown, innovations, gains, spreads, rows, ahead)
+
+
+def smoothed(found: Filtered) -> tuple[Array, Array]:
+    """Return the force at each site with its standard error, (points, records, sites) each."""
+    stack = _Stack(found.courses, found.roughness)
+    records, sites, n, order = stack.shape
+    size = n + order
+    signs = np.concatenate([np.ones((records, sites, 1)), -found.unknown], axis=2)
+    missed = (found.innovations @ signs[..., None])[..., 0]
+    force = (found.ahead * signs).sum(-1)
+    error = np.zeros_like(force)
+    r, N = np.zeros((records, sites, size)), np.zeros((records, sites, size, size))
+    for k in range(stack.points - 1, -1, -1):
+        for j in range(stack.outputs - 1, -1, -1):
+            if not stack.measured[k, j]:
+                continue
+            h, gain, spread = stack.seen(k, j), found.gains[k, :, :, j], found.spreads[k, :, :, j]
+            live = np.where(stack.weight[k, :, None, j] < UNSEEN, 1.0, 0.0)
+            pull = (missed[k, :, :, j] * live / spread) - (gain * r).sum(-1)
+            r = r + h * pull[..., None]
+            Ng = (N @ gain[..., None])[..., 0]
+            both = (gain * Ng).sum(-1) + live / spread
+            N = N - h[..., None] * Ng[..., None, :] - Ng[..., None] * h[..., None, :]
+            N += both[..., None, None] * h[..., None] * h[..., None, :]
+        row = found.rows[k]
+        force[k] += (row * r).sum(-1)
+        error[k] = row[..., n] - (row * (N @ row[..., None])[..., 0]).sum(-1)
+        if k:
+            T, _ = stack.step(k - 1)
+            back = np.swapaxes(T, 2, 3)
+            r, N = (back @ r[..., None])[..., 0], back @ N @ T
+    return force, np.sqrt(np.maximum(error, 0.0))
+
+
+UNSEEN = 1e200  # variance of what was not measured
+
+
+class _Stack:
+    """Records of several lengths side by side; shorter ones wait at their ends."""
+
+    def __init__(self, courses: Sequence[Course], roughness: Roughness) -> None:
+        self.courses, order = courses, roughness.order
+        n, sites = courses[0].map.shape[1], courses[0].to_f.shape[2]
+        self.shape = len(courses), sites, n, order
+        self.points, self.outputs = max(len(c.t) for c in courses), courses[0].to_x.shape[1]
+
+        def stacked(parts: Sequence[Array]) -> Array:
+            most = max(len(part) for part in parts)
+            return np.stack([np.pad(p, [(0, most - len(p))] + [(0, 0)] * (p.ndim - 1)) for p in parts], 1)
+
+        width = max(c.columns.shape[2] for c in courses)
+        wide = [np.pad(c.columns, [(0, 0), (0, 0), (0, width - c.columns.shape[2])]) for c in courses]
+        self.columns = stacked(wide)
+        self.to_x, self.to_f = stacked([c.to_x for c in courses]), stacked([c.to_f for c in courses])
+        here, there = stacked([c.here for c in courses]), stacked([c.there for c in courses])
+        self.map = stacked([c.map for c in courses])
+        for number, course in enumerate(courses):
+            self.map[len(course.map) :, number] = np.eye(n)
+        weights = [
+            np.where(np.any(c.to_x != 0, axis=2) | np.any(c.to_f != 0, axis=2), 1.0, 2 * UNSEEN)
+            for c in courses
+        ]
+        self.weight = np.full((self.points, len(courses), self.outputs), 2 * UNSEEN)
+        for number, weight in enumerate(weights):
+            self.weight[: len(weight), number] = weight
+        self.measured: Any = (self.weight < UNSEEN).any(axis=1)
+        steps = stacked([np.diff(c.t) for c in courses])
+        kept, added = zip(*(roughness.over(step) for step in steps.T), strict=True)
+        self.kept, self.added = np.stack(kept, 1), np.stack(added, 1)
+        self.here, self.there = np.swapaxes(here, 2, 3), np.swapaxes(there, 2, 3)  # (k, r, s, n)
+        self._h = np.zeros((*self.shape[:2], n + order))
+
+    def seen(self, k: int, j: int) -> Array:
+        """Return the row of an output at a point, (records, sites, size)."""
+        n = self.shape[2]
+        h = np.zeros_like(self._h)
+        h[:, :, :n] = self.to_x[k, :, None, j]
+        h[:, :, n] = self.to_f[k, :, j]
+        return h
+
+    def step(self, k: int) -> tuple[Array, Array]:
+        """Return transition and added covariance of an interval, (records, sites, size, size)."""
+        records, sites, n, order = self.shape
+        T = np.zeros((records, sites, n + order, n + order))
+        kept, there = self.kept[k], self.there[k]
+        T[:, :, :n, :n] = self.map[k, :, None]
+        T[:, :, n:, n:] = kept
+        T[:, :, :n, n:] = there[..., None] * kept[:, :, :1, :]
+        T[:, :, :n, n] += self.here[k]
+        G = np.zeros((records, sites, n + order, order))
+        G[:, :, :n, 0] = there
+        G[:, :, n:] = np.eye(order)
+        return T, G @ self.added[k] @ np.swapaxes(G, 2, 3)
+
+
+def _solved(gram: Array, courses: Sequence[Course]) -> tuple[Array, Array]:
+    """Return what nobody measured by least squares, and by site the squares that are left."""
+    records, sites, count, _ = gram.shape
+    shared = courses[0].shared
+    first, squares, unknown = 1 + shared, np.zeros(sites), np.zeros((records, sites, count - 1))
+    for site in range(sites):
+        total = np.zeros((first, first))
+        own = []
+        for number, course in enumerate(courses):
+            G = gram[number, site].copy()
+            prior = np.pad(course.priors, (0, count - first - len(course.priors)))
+            inner = _inverse(G[first:, first:] + np.diag(prior**2))
+            own.append(inner @ G[first:, :first])
+            total += G[:first, :first] - G[:first, first:] @ own[-1]
+        inner = np.asarray(np.linalg.inv(total[1:, 1:] + np.eye(shared)), dtype=float)
+        moved = inner @ total[1:, 0]
+        squares[site] = total[0, 0] - total[0, 1:] @ moved
+        for number in range(records):
+            unknown[number, site] = np.concatenate([moved, own[number] @ np.array([1.0, *-moved])])
+    return unknown, squares
+
+
+def _inverse(matrix: Array) -> Array:
+    """Return the inverse over what a matrix tells at all."""
+    size = np.sqrt(np.maximum(np.diag(matrix), 1e-300))
+    strength, vectors = np.linalg.eigh(matrix / np.outer(size, size))
+    kept = strength > 1e-12 * max(strength.max(initial=0.0), 1e-300)
+    return np.asarray((vectors[:, kept] / strength[kept]) @ vectors[:, kept].T / np.outer(size, size))
