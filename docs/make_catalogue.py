@@ -718,7 +718,9 @@ def over_speed(ax: Axes, sources: dict[str, ia.Component], turning: bool) -> Non
 )
 def _(ax: Axes) -> None:
     kinds = {"linear": ia.LinearSpeedDependentForce, "quadratic": ia.QuadraticSpeedDependentForce}
-    sources: dict[str, Any] = {name: kind(f_nominal=1.0, v_nominal=1.0) for name, kind in kinds.items()}
+    sources: dict[str, ia.Component] = {
+        name: kind(f_nominal=1.0, v_nominal=1.0) for name, kind in kinds.items()
+    }
     over_speed(
         ax, sources | {"inverse": ia.InverseSpeedDependentForce(f_nominal=1.0, v_nominal=1.0, v0=0.3)}, False
     )
@@ -781,10 +783,14 @@ def _(ax: Axes) -> None:
 
 def blocks(ax: Axes, stop: float, given: Any, step: float = 0.01, **shown: ia.Component) -> None:
     """Draw what blocks of one input make of a signal."""
-    for name, block in shown.items():
-        run = ia.Network("block", block=block).simulate(stop, step=step, inputs={"block.u": given})
+    runs = {
+        name: ia.Network("block", block=block).simulate(stop, step=step, inputs={"block.u": given})
+        for name, block in shown.items()
+    }
+    for name, run in runs.items():
         ax.plot(run.time, run["block.y"], label=name)
-    ax.plot(run.time, run["block.u"], "k:", label="u")
+    for run in [*runs.values()][-1:]:
+        ax.plot(run.time, run["block.u"], "k:", label="u")
     told(ax, "time [s]", "y")
 
 
@@ -936,7 +942,7 @@ def _(ax: Axes) -> None:
 
 
 if __name__ == "__main__":
-    pyplot.rcParams.update(STYLE)
+    pyplot.rcParams.update(**STYLE)
     for chosen in sys.argv[1:] or PICTURES:
         draw_picture(chosen)
         size = (IMAGES / f"catalogue_{chosen}.svg").stat().st_size

@@ -94,7 +94,8 @@ class Grid:
             return self.axes[0].unevenness
         one, other = (axis.unevenness for axis in self.axes)
         sizes = [len(axis.points) for axis in self.axes]
-        return np.vstack([np.kron(one, np.eye(sizes[1])), np.kron(np.eye(sizes[0]), other)])
+        rows = [np.kron(one, np.eye(sizes[1])), np.kron(np.eye(sizes[0]), other)]
+        return np.asarray(np.vstack(rows), dtype=float)
 
     @property
     def places(self) -> Array:

@@ -195,9 +195,11 @@ class Drawing:
         self, variables: Sequence[str] | None = None, among: Sequence[tuple[str, ...]] | None = None
     ) -> Law:
         """Return the law over variables, or over the fewest that foresee nearly as much as any."""
+        found: dict[tuple[str, ...], Fitted] = {}
+        best: tuple[str, ...]
         if variables is not None:
-            found = {tuple(variables): self.fitted(variables)}
             best = tuple(variables)
+            found = {best: self.fitted(best)}
         elif among is not None:
             found = {one: self.fitted(one) for one in among}
             best = min((one for one in found if len(one) == 1), key=lambda one: found[one].foreseen)
@@ -208,7 +210,10 @@ class Drawing:
             static = min((one for one in found if one in STATIC), key=lambda one: found[one].foreseen)
             other = min(found, key=lambda one: found[one].foreseen)
             best = other if self._pays(found[other], found[static]) else static
-            pairs = [pair for pair in combinations(VARIABLES, 2) if pair in STATIC or set(best) & set(pair)]
+            known = best
+            pairs: list[tuple[str, ...]] = [
+                pair for pair in combinations(VARIABLES, 2) if pair in STATIC or set(known) & set(pair)
+            ]
             found |= {pair: self.fitted(pair) for pair in pairs}
             for some in (STATIC, pairs):
                 better = [p for p in some if len(p) == 2 and self._pays(found[p], found[best])]

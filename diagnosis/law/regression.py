@@ -174,7 +174,7 @@ def through(grid: Grid, motions: Sequence[Motion], forces: Sequence[Array], stif
     inner, bends = columns.T @ columns, grid.unevenness
     size = float(np.trace(inner)) / len(inner)
     inner += stiffness * size * bends.T @ bends + LAW_WEAKEST_PRIOR * size * np.eye(len(inner))
-    return np.asarray(np.linalg.solve(inner, columns.T @ np.concatenate(forces)))
+    return np.asarray(np.linalg.solve(inner, columns.T @ np.concatenate(forces)), dtype=float)
 
 
 def _foreseen(grams: Array, tallies: Tallies, bends: Array, mu: float, weight: float) -> Array:

@@ -36,7 +36,7 @@ def driven(element: ia.Component, turning: bool = False) -> ia.Result:
 @pytest.mark.parametrize("over", ["position", "speed"])
 @pytest.mark.parametrize("how", ["linear", "smooth"])
 def test_a_curve(turning: bool, over: str, how: str) -> None:
-    kind = rotational if turning else ia
+    kind: Any = rotational if turning else ia
     across, speed, through = ("phi", "w", "tau") if turning else ("s", "v", "f")
     table = CURVE if over == "position" else tuple((5 * x, f) for x, f in CURVE)
     rest = 0.001
@@ -89,7 +89,8 @@ def test_it_swings_as_its_equation_says(table: Any) -> None:
         force: Any = lambda s, v: np.interp(s, X, F)  # noqa: E731
     else:
         heavy = np.array(HEAVY)[:, 2].reshape(4, 4)
-        grid = RegularGridInterpolator((GRID_X, GRID_V), heavy, bounds_error=False, fill_value=None)
+        beyond: Any = {"bounds_error": False, "fill_value": None}
+        grid = RegularGridInterpolator((GRID_X, GRID_V), heavy, **beyond)
         force = lambda s, v: float(grid((s, v)))  # noqa: E731
     rates = lambda t, y: (y[1], -(500 * y[0] + force(*y)) / 0.8)  # noqa: E731
     apart = solve_ivp(rates, (0, 0.6), (0.012, -0.05), t_eval=run.time, rtol=1e-9, atol=1e-12, max_step=1e-3)
@@ -99,8 +100,8 @@ def test_it_swings_as_its_equation_says(table: Any) -> None:
 @pytest.mark.parametrize(
     ("table", "over"), [(CURVE, "position"), (tuple((5 * x, f) for x, f in CURVE), "speed"), (ROWS, "speed")]
 )
-def test_its_energy_is_accounted_for(table: Any, over: str) -> None:
-    how = "linear" if len(table[0]) == 3 else "smooth"
+def test_its_energy_is_accounted_for(table: Any, over: Any) -> None:
+    how: Any = "linear" if len(table[0]) == 3 else "smooth"
     run = driven(ia.TabulatedForce(table=table, over=over, interpolation=how))
     assert run.energy().closes < 1e-6
     s, v, f = run["element.s_rel"], run["element.v_rel"], run["element.f"]
