@@ -942,7 +942,7 @@ def _(ax: Axes) -> None:
 
 
 if __name__ == "__main__":
-    pyplot.rcParams.update(**STYLE)
+    pyplot.style.use(STYLE)
     for chosen in sys.argv[1:] or PICTURES:
         draw_picture(chosen)
         size = (IMAGES / f"catalogue_{chosen}.svg").stat().st_size

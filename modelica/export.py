@@ -120,8 +120,8 @@ def _drive(system: System, lines: Lines, dae: DAE, declared: Input) -> None:
             "give a function of time, or leave the input free and give the data in the other tool"
         )
     with numpy_on_symbols():
-        given: Any = signal
-        value = ca.SX(given(time) if callable(given) else float(given))
+        given: Any = signal(time) if callable(signal) else signal
+        value = ca.SX(given)
     lines.equations.append(f"{inside} = {Printer({time.element_hash(): 'time'}).number(value)};")
 
 

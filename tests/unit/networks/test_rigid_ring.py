@@ -10,8 +10,8 @@ from inertance.analysis import linearise
 from scipy.integrate import solve_ivp
 from scipy.linalg import eigh
 
-RING: dict[str, Any] = {"J_b": 0.6, "m_b": 7.0, "c_phi": 4e4, "d_phi": 10.0, "k_x": 1.4e6, "d_x": 200.0}
-ROAD: dict[str, Any] = {"R": 0.3, "F_z": 4000.0, "mu": 0.9, "B": 12.0, "C": 1.5, "E": 0.2, "sigma": 0.1}
+RING: Any = {"J_b": 0.6, "m_b": 7.0, "c_phi": 4e4, "d_phi": 10.0, "k_x": 1.4e6, "d_x": 200.0}
+ROAD: Any = {"R": 0.3, "F_z": 4000.0, "mu": 0.9, "B": 12.0, "C": 1.5, "E": 0.2, "sigma": 0.1}
 J, M = 0.5, 300.0
 
 
