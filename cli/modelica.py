@@ -18,7 +18,8 @@ Examples:
   inertance modelica car.py:build --no-msl --stop 10 --out car.mo
   inertance modelica car.py:build --start body.v=1
 
-MODEL is path/to/file.py:function that returns a Network. Values are in SI units."""
+MODEL is path/to/file.py:function that returns a Network. Values are in SI units.
+`inertance docs modelica` tells more."""
 
 
 def modelica(

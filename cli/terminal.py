@@ -117,9 +117,11 @@ def insisting() -> Iterator[None]:
     try:
         yield
     finally:
-        for timer in again:
-            timer.cancel()
         sys.unraisablehook, sys.excepthook = before, before_printed
+        with suppress(KeyboardInterrupt):
+            for timer in again:
+                timer.cancel()
+                timer.join()  # or one that had begun to send would end what comes after
 
 
 def forget() -> None:

@@ -162,20 +162,8 @@ FORCE_TIMES_AT_FIRST, FORCE_TIMES = 6, 14  # [1] tried for how fast a force chan
 FORCE_RUNS = 6  # [1] with the force so far, along which it is sought anew; effort
 FORCE_HALVINGS = 4  # [1] of a force that a run cannot take; effort
 FORCE_SETTLED = 1.02  # [what smoothing promises] that a run with the force may miss; data
-LAW_POINTS = {
-    "position": 48,
-    "speed": 41,
-    "acceleration": 24,
-    "load": 24,
-    "time": 24,
-}  # [1] of a curve; effort
-LAW_POINTS_OF_PAIRS = {
-    "position": 12,
-    "speed": 15,
-    "acceleration": 9,
-    "load": 9,
-    "time": 9,
-}  # [1] of a map; effort
+LAW_POINTS = 48, 41, 24, 24, 24  # [1] of a curve over position, speed, acceleration, load, time; effort
+LAW_POINTS_OF_PAIRS = 12, 15, 9, 9, 9  # [1] of a map over two of them; effort
 LAW_SLOW_SHARE = 0.01  # [largest speed] about which points of speed lie close; data
 LAW_FOLDS = 4  # [1] into which a single record is divided to see what a law foresees; effort
 LAW_STIFFNESSES = tuple(10.0**n for n in range(-8, 3))  # [1] of a law against bending, tried; effort

@@ -28,7 +28,7 @@ BODIES: dict[type, tuple[Any, Any, Any]] = {
 }
 LOSSES = ((0.0, 0.9, 0.8, 0.1, 0.2), (5.0, 0.8, 0.7, 0.2, 0.3))
 CURVE = ((-0.5, -2.0), (-0.1, -0.3), (0.0, 0.0), (0.05, 0.1), (0.4, 1.0))
-MAP = tuple((x, v, 3 * x + (1 + x) * v) for x in (-0.5, -0.1, 0.3) for v in (-1.0, -0.2, 0.1, 1.0))
+MAP = tuple((x, v, 3 * x + (1 + 0.1 * x) * v) for x in (-0.5, -0.1, 0.3) for v in (-1.0, -0.2, 0.1, 1.0))
 GAS = {"p_0": 3e5, "V_0": 5e-3}
 OIL = {"A_p": 3e-3, "A_r": 1e-3, "A_e": 1e-4, "A_c": 2e-4, "V_r": 2e-3, "beta": 1e8, "p_t": 100.0}
 OLEO = GAS | {"A_a": 1e-3, "A_h": 1e-3, "A_o": 1e-4, "C_d": 0.9, "rho": 900.0, "n": 1.2}
@@ -69,8 +69,8 @@ VALUES: dict[str, dict[str, Any]] = {
     "Vehicle": {"CrConstant": 0.3, "inclinationConstant": 0.1, "vWindConstant": 1.0},
     "machines.TMDI": {"b": 0.5},
     "machines.BumpStop": {"s_min": -0.1, "s_max": 0.1, "k3": 100.0},
-    "PositionDependentFriction": {"f_c": 1.0, "f_1": 0.4, "f_cos": 0.3, "f_sin": 0.2, "s_rel0": 0.1},
-    "rotational.PositionDependentFriction": {"tau_c": 1.0, "tau_1": 0.4, "tau_cos": 0.3, "phi_rel0": 0.1},
+    "PositionDependentFriction": {"f_c": 1.0, "f_1": 0.4, "f_2": 0.4, "f_cos": 0.3, "s_rel0": 0.1},
+    "rotational.PositionDependentFriction": {"tau_c": 1.0, "tau_1": 0.4, "tau_2": 0.4, "tau_sin": 0.3},
     "rotational.ArmGravity": {"tau_sin": 2.0, "tau_cos": 0.5},
     "AirSpring": {"A": 1e-3, "p_0": 1.3e5, "V_0": 5e-3, "n": 1.0},
     "MonotubeDamper": GAS | OIL,
@@ -117,13 +117,13 @@ def value_of(field: Parameter) -> float:
 def made(name: str, still: bool = False, **others: Any) -> Any:
     """Return a component with values for what must be given, and signals that move, or stand still."""
     kind, values = all_names()[name], dict[str, Any]()
-    for key, field in kind.fields.items():
+    for phase, (key, field) in enumerate(kind.fields.items()):
         if field.when:
             continue
         if isinstance(field, Parameter) and field.default is MISSING:
             values[key] = value_of(field)
         elif isinstance(field, RealInput):
-            values[key] = 0.4 if still else lambda t: 0.3 + 0.2 * np.sin(3 * t)
+            values[key] = 0.4 if still else lambda t, k=phase: 0.3 + 0.2 * np.sin(3 * t + k)
         elif isinstance(field, Part) and any(field.default.problems()):
             given = {
                 k: value_of(f) for k, f in type(field.default).fields.items() if isinstance(f, Parameter)

@@ -37,7 +37,7 @@ class Axis:
         """Return the axis that spans what was visited; points of speed lie close about rest."""
         values = np.concatenate([along(motion, variable) for motion in motions])
         low, high = float(values.min()), float(values.max())
-        count = (LAW_POINTS_OF_PAIRS if pair else LAW_POINTS)[variable]
+        count = (LAW_POINTS_OF_PAIRS if pair else LAW_POINTS)[VARIABLES.index(variable)]
         if variable == "speed" and low < 0 < high:
             most = max(-low, high)
             widest = np.arcsinh(1 / LAW_SLOW_SHARE)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+import warnings
 from dataclasses import dataclass
 from io import BytesIO
 from typing import Any
@@ -53,7 +54,9 @@ def _png(root: Any, width: float, height: float) -> bytes:
     for shape in root:
         _draw(axes, shape.tag.rpartition("}")[2], shape)
     target = BytesIO()
-    figure.savefig(target, format="png", metadata={"Software": None})
+    with warnings.catch_warnings():
+        warnings.filterwarnings("ignore", "Glyph")  # of a name in a script that the font has not
+        figure.savefig(target, format="png", metadata={"Software": None})
     return target.getvalue()
 
 

@@ -13,7 +13,8 @@ from typing import Any, Self
 from ..errors import FMUError
 from .archive import library_name
 from .instance import Group, Stepped, Update, Values
-from .model_description import FACES, KINDS
+from .messages import callbacks_for
+from .model_description import FACES
 from .unpacked import Unpacked
 
 KEPT_MESSAGES, NAMED_FUNCTIONS, MOST_ITERATIONS = 5, 6, 1000
@@ -73,17 +74,23 @@ class LocalInstance:
             self._files.remove()
 
     def _load(self, face: Any) -> None:
-        from fmpy import instantiate_fmu
-
-        folder = self._files.folder
-        library = folder / "binaries" / self._files.binaries / library_name(face.modelIdentifier)
-        _check_symbols(self.name, library, self.major, self.kind)
+        library = self._files.folder / "binaries" / self._files.binaries / library_name(face.modelIdentifier)
+        kind = _fmpy_class(self.major, self.kind)
+        _check_symbols(self.name, library, kind)
+        options: dict[str, Any]
+        if self.major == 2:
+            options = {"callbacks": callbacks_for(self)}
+        else:
+            options = {"logMessage": self.hear}
+            if self.kind == "CS":
+                options |= {"earlyReturnAllowed": self.event_mode, "eventModeUsed": self.event_mode}
         try:
             with _LOADING, chdir("."):  # FMPy goes into the folder of the library meanwhile
-                self.instance = instantiate_fmu(
-                    str(folder), self.description, KINDS[self.kind], logger=self._log,
-                    early_return_allowed=self.event_mode, event_mode_used=self.event_mode,
+                self.instance = kind(
+                    guid=self.description.guid, unzipDirectory=str(self._files.folder),
+                    modelIdentifier=face.modelIdentifier,
                 )  # fmt: skip
+                self.instance.instantiate(**options)
         except Exception as error:
             tool = self.description.generationTool or "the tool that made it"
             needed = f"; it needs {tool} installed here" if face.needsExecutionTool else ""
@@ -91,7 +98,8 @@ class LocalInstance:
                 f"FMU '{self.name}' could not be instantiated: {error}{self._said()}{needed}"
             ) from error
 
-    def _log(self, *told: Any) -> None:
+    def hear(self, *told: Any) -> None:
+        """Keep a message of the FMU."""
         texts = [t.decode("utf-8", "replace") for t in told if isinstance(t, bytes)]
         self.messages.append(texts[-1] if texts else "")
 
@@ -271,9 +279,15 @@ class LocalInstance:
         self.close()
 
 
-def _check_symbols(name: str, library: Path, major: int, kind: str) -> None:
+def _fmpy_class(major: int, kind: str) -> Any:
+    from fmpy import fmi2, fmi3
+
+    return getattr(fmi2 if major == 2 else fmi3, f"FMU{major}{'Model' if kind == 'ME' else 'Slave'}")
+
+
+def _check_symbols(name: str, library: Path, face: Any) -> None:
     """Load a library and refuse it if a function that FMI demands is not in it, before any is called."""
-    from fmpy import fmi2, fmi3, freeLibrary
+    from fmpy import freeLibrary
 
     if not library.is_file():
         raise FMUError(f"FMU '{name}' has no library '{library.name}' among its binaries for this machine")
@@ -281,8 +295,7 @@ def _check_symbols(name: str, library: Path, major: int, kind: str) -> None:
         loaded = ctypes.CDLL(str(library))
     except OSError as error:
         raise FMUError(f"FMU '{name}': its binary does not load: {error}") from error
-    face = getattr(fmi2 if major == 2 else fmi3, f"FMU{major}{'Model' if kind == 'ME' else 'Slave'}")
-    missing = [n for n in dir(face) if n.startswith(f"fmi{major}") and not hasattr(loaded, n)]
+    missing = [n for n in dir(face) if n.startswith(("fmi2", "fmi3")) and not hasattr(loaded, n)]
     freeLibrary(loaded._handle)
     if missing:
         more = [f"{len(missing) - NAMED_FUNCTIONS} more"] if len(missing) > NAMED_FUNCTIONS else []

@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from inertance.cli import app
+from inertance.cli import app, site
 from typer.main import get_command
 from typer.testing import CliRunner
 
@@ -61,6 +61,7 @@ def test_a_bad_option_is_told(
     command: str, what: str | int, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.chdir(tmp_path)
+    monkeypatch.setattr(site, "find_spec", lambda _: None)  # or a site would be built for each name
     (tmp_path / "model.py").write_text(MODEL)
     for bad in BAD:
         arguments = list(GOOD[command])

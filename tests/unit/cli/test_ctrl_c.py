@@ -11,6 +11,7 @@ from pathlib import Path
 
 import inertance as ia
 import pytest
+from inertance.cli import terminal
 from inertance.cli.terminal import insisting
 
 LONGEST = 60.0  # seconds that the busiest machine may take to react
@@ -93,6 +94,22 @@ def test_ctrl_c_that_python_drops_is_sent_again() -> None:
     with pytest.raises(KeyboardInterrupt):
         drop_and_wait()
     assert time.monotonic() - began < LONGEST
+
+
+def test_ctrl_c_that_is_being_sent_again_comes_before_the_end(monkeypatch: pytest.MonkeyPatch) -> None:
+    sent: list[bool] = []
+
+    def send_slowly() -> None:
+        sent.append(False)
+        time.sleep(0.3)
+        sent.append(True)
+
+    monkeypatch.setattr(terminal, "_send", send_slowly)
+    with insisting():
+        Dropping()
+        while not sent:
+            time.sleep(0.001)
+    assert sent == [False, True]
 
 
 def test_ctrl_c_that_a_compiled_library_drops_is_not_printed(capsys: pytest.CaptureFixture[str]) -> None:
