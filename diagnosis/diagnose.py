@@ -74,9 +74,10 @@ def diagnose(
     study.tell("refitting the parameters")
     study = replace(study, accuracy=replace(accuracy, steps=granted(study.steps_per_sample())))
     start, base = _refitted(study, campaign.start)
-    if any(floor.is_filtered for e in campaign.experiments for floor in e.floors.values()):
+    heard = with_residual_floors(campaign, base)
+    if heard is not campaign:
         study.tell("refitting with the noise that a filter has left")
-        study = replace(study, campaign=with_residual_floors(campaign, base))
+        study = replace(study, campaign=heard)
         start, base = _refitted(study, base.parameters, base)
     rounds: list[Round] = []
     notes = study.limits()

@@ -9,7 +9,14 @@ from functools import cached_property
 import numpy as np
 
 from ...base import Array
-from ...identification import Campaign, Experiment, is_noise, residual_floor
+from ...identification import (
+    Campaign,
+    Experiment,
+    NoiseFloor,
+    is_noise,
+    residual_floor,
+    uncovered_floor,
+)
 from ..criteria import (
     ALIKE_RESIDUAL_SHARE,
     ALIKE_STANDARD_ERRORS,
@@ -43,6 +50,11 @@ class Refit:
     independent: float = 1.0
     starts: Sequence[Mapping[str, float]] = ()
     own: Sequence[Mapping[str, float]] = ()
+
+    @property
+    def left(self) -> list[dict[str, Array]]:
+        """The weighted residuals of all records, those of the training first."""
+        return [*self.train, *self.test]
 
     @property
     def judged(self) -> list[dict[str, Array]]:
@@ -109,19 +121,31 @@ def clearness(worse: Refit, better: Refit) -> float:
 
 
 def with_residual_floors(campaign: Campaign, base: Refit) -> Campaign:
-    """Return a campaign whose filtered channels have the noise that a model leaves in their bands."""
-    floors = []
-    for experiment, missed in zip(campaign.experiments, [*base.train, *base.test], strict=True):
-        sigma = experiment.sigma
-        floors.append(
-            {
-                name: residual_floor(sigma[name] * missed[name], experiment.rate, floor)
-                if floor.is_filtered
-                else floor
-                for name, floor in experiment.floors.items()
-            }
-        )
-    return campaign.with_floors(floors)
+    """Return a campaign whose filtered channels have the noise that a model leaves in their bands.
+
+    It is the campaign itself if none is filtered.
+    """
+    floors = [dict(experiment.floors) for experiment in campaign.experiments]
+    for name in campaign.outputs:
+        left = [
+            _of_channel(*of_record, name) for of_record in zip(campaign.experiments, base.left, strict=True)
+        ]
+        for floor, (residual, _, rate, before) in zip(floors, left, strict=True):
+            floor[name] = residual_floor(residual, rate, before) if before.is_filtered else before
+        uncovered = [uncovered_floor(*of_record) for of_record in left]
+        found = sorted((floor for floor in uncovered if floor is not None), key=lambda floor: floor.sigma)
+        if 2 * len(found) > len(floors):
+            for floor, own in zip(floors, uncovered, strict=True):
+                floor[name] = own or found[len(found) // 2]
+    return campaign if floors == [e.floors for e in campaign.experiments] else campaign.with_floors(floors)
+
+
+def _of_channel(
+    experiment: Experiment, missed: Mapping[str, Array], name: str
+) -> tuple[Array, Array, float, NoiseFloor]:
+    """Return of a channel what a model misses, what was measured, its rate, and its noise as it is known."""
+    residual = experiment.sigma[name] * missed[name]
+    return residual, experiment.compared.values[name], experiment.rate, experiment.floors[name]
 
 
 def are_alike(one: Refit, other: Refit) -> bool:

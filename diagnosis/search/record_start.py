@@ -91,28 +91,36 @@ def settled(
 ) -> tuple[Array, Run]:
     """Return with which unknowns a run fits its record best, and that run: Gauss-Newton in them alone.
 
-    A linear answer to them, as `projected` takes it, holds for small corrections only.
+    A linear answer to them, as `projected` takes it, holds for small corrections only. Offsets, to which
+    any answer is linear, are taken off throughout.
 
     Args:
         begin: states at the start and own values, as they seem to be.
         run_from: makes a run with such unknowns.
-        weighed: returns of a run its weighted residual and the slopes of its prediction, the unknowns first.
+        weighed: returns of a run its weighted residual and the slopes of its prediction, the unknowns first,
+            then those of offsets.
         bounds: least and largest unknowns.
     """
+
+    def lifted(run: Run) -> tuple[Array, Array]:
+        residual, slopes = weighed(run)
+        found = projected(np.column_stack([residual, slopes[:, : len(begin)]]), slopes[:, len(begin) :])
+        return found[:, 0], found[:, 1:]
+
     run = run_from(begin)
-    residual, slopes = weighed(run)
+    residual, slopes = lifted(run)
     for _ in range(START_STEPS):
-        step = solved(slopes, residual)
-        left, before = residual - slopes @ step, float(residual @ residual)
+        step, before = solved(slopes, residual), float(residual @ residual)
+        left = residual - slopes @ (np.clip(begin + step, *bounds) - begin)
         if before <= (1 + START_DROP_RATIO) * float(left @ left):
             break
         for halving in range(START_HALVINGS):
-            moved = np.clip(begin + step[: len(begin)] / 2**halving, *bounds)
+            moved = np.clip(begin + step / 2**halving, *bounds)
             try:
                 tried = run_from(moved)
             except SimulationError:
                 continue
-            missed, rates = weighed(tried)
+            missed, rates = lifted(tried)
             if float(missed @ missed) < before:
                 break
         else:

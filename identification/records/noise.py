@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from math import inf
 
 import numpy as np
@@ -25,7 +25,12 @@ FLAT_RATIO = 1.2  # of the density in that band, up to which there is no more el
 WEAK_POWER_SHARE = 0.02  # of a signal's power that may lie, beyond what is missed, in the upper half of that
 MEAN_POWER_SHARE = 0.02  # of what is missed that may lie in its mean
 EVEN_DEVIATIONS = 2.0  # of the scatter that the power of noise has from stretch to stretch
+STEADY_STRETCHES = 10  # of a record, of which the powers are compared
 QUIET_RANGE_SHARE = 1e-5  # below which no sensor's noise lies: the top of the spectrum was filtered away
+STANDING_OUT_RATIO = 10.0  # of the density at the top, above which noise was let through by a filter
+UNKNOWN_SHARE = 0.95  # of the measured power of octaves, above which a model says nothing of it
+EVEN_RATIO = 6.0  # of the densities in octaves, that noise keeps to though a filter has begun
+NORMAL_RATIO = 1.25  # of scatter over what it mostly is, up to which nothing strikes
 FILTERED_DENSITY_RATIO = 100.0  # of the density at the top, above which a channel passes what it measures
 
 
@@ -95,6 +100,44 @@ def residual_floor(residual: Array, rate: float, floor: NoiseFloor) -> NoiseFloo
     return NoiseFloor(max(sigma, floor.sigma), LEFT_BY_FIT, min(floor.band, 0.5 * rate * share))
 
 
+def uncovered_floor(residual: Array, signal: Array, rate: float, floor: NoiseFloor) -> NoiseFloor | None:
+    """Return the noise that a filter let through, though the top of the spectrum tells of less, if any.
+
+    It is there if of two octaves, up to where the filter takes off more and more, a model says next to
+    nothing, and what was measured in them is about as strong at all frequencies, and at all times.
+
+    Args:
+        residual: what a model misses.
+        signal: what was measured.
+        rate: samples a second [Hz].
+        floor: what the top of the spectrum tells.
+    """
+    if floor.source not in (SPECTRUM, SENSOR_STEPS):
+        return None
+    density = _density(residual)
+    top = len(density) - 1
+    standing = np.flatnonzero(density > STANDING_OUT_RATIO * 2 * floor.sigma**2)
+    end = _passed(density, int(standing[-1])) if len(standing) else 0
+    if end < 4 * FEWEST_DENSITIES:
+        return None
+    octaves = slice(end // 4, end)
+    unknown = density[octaves].sum() > UNKNOWN_SHARE * _density(signal)[octaves].sum()
+    low, high = np.percentile(_smooth(density)[octaves], [5, 95])
+    if not unknown or high > EVEN_RATIO * low or not _is_steady(residual, end / 4 / top, end / top):
+        return None
+    return residual_floor(residual, rate, replace(floor, band=0.5 * rate * end / top))
+
+
+def _is_steady(values: Array, low: float, high: float) -> bool:
+    """Tell whether what lies in a band, in shares of the spectrum, is as strong at all times."""
+    fast = _banded(values, (low, min(high, NOISE_BAND[1])))
+    usual = NORMAL_SCATTER * float(np.median(np.abs(fast)))
+    power = np.array([float(np.mean(part**2)) for part in np.array_split(fast, STEADY_STRETCHES)])
+    samples = (high - low) * len(fast) / STEADY_STRETCHES
+    even = power.std() <= EVEN_DEVIATIONS * np.sqrt(2 / samples) * power.mean()
+    return bool(even and fast.std() < NORMAL_RATIO * usual)
+
+
 def is_noise(residual: Array, signal: Array, rate: float, stretches: int) -> bool:
     """Tell whether something is as strong at all frequencies that a filter may have left, and at all times.
 
@@ -122,15 +165,19 @@ def is_noise(residual: Array, signal: Array, rate: float, stretches: int) -> boo
 
 def _passed(density: Array, last: int) -> int:
     """Return the last place, up to one that is given, above which a filter takes off more and more."""
-    from scipy.ndimage import median_filter
-
-    smooth = median_filter(density, 5)
+    smooth = _smooth(density)
     level = (
         place
         for place in range(last, FEWEST_DENSITIES, -1)
         if smooth[place] >= LEVEL_RATIO * np.median(smooth[place // 2 : place])
     )
     return next(level, last)
+
+
+def _smooth(density: Array) -> Array:
+    from scipy.ndimage import median_filter
+
+    return np.asarray(median_filter(density, 5), dtype=float)
 
 
 def _density(values: Array) -> Array:
@@ -157,16 +204,19 @@ def repeated_floor(record: Record, other: Record, channel: str) -> NoiseFloor:
 
 def _jumpiness(values: Array) -> float:
     """Return by how much steps of a signal raise the upper spectrum, 1 if it holds noise alone."""
-    from scipy.signal import butter, sosfiltfilt
-
-    fast = sosfiltfilt(
-        butter(8, NOISE_BAND, "bandpass", output="sos"), values, padlen=min(50, len(values) - 1)
-    )
-    settled = len(fast) // 20
-    fast = fast[settled : len(fast) - settled]
+    fast = _banded(values, NOISE_BAND)
     usual = NORMAL_SCATTER * float(np.median(np.abs(fast)))
     ratio = float(fast.std()) / usual if usual else 1.0
     return ratio if ratio > JUMPY_RATIO else 1.0
+
+
+def _banded(values: Array, band: tuple[float, float]) -> Array:
+    """Return what lies in a band, in shares of the spectrum, without what the ends of the record leave."""
+    from scipy.signal import butter, sosfiltfilt
+
+    fast = sosfiltfilt(butter(8, band, "bandpass", output="sos"), values, padlen=min(50, len(values) - 1))
+    settled = len(fast) // 20
+    return np.asarray(fast[settled : len(fast) - settled], dtype=float)
 
 
 def _quantum(values: Array) -> float:

@@ -31,10 +31,12 @@ def test_the_book_closes_for_every_component(name: str) -> None:
         assert lost.min() >= -1e-9 * lost.max()
 
 
-PASSIVE: dict[str, tuple[str, ...]] = {  # parameters with other values of which a law may give power
+PASSIVE: dict[str, tuple[str, ...]] = {  # parameters with other values of which a law is none, or gives power
     "BoucWen": ("beta", "gamma"),
     "BoucWenDamper": ("beta", "gamma"),
+    "LeadScrew": ("mu", "lead", "d_m"),
     "PositionDependentFriction": ("f_c", "f_1", "f_2", "f_cos", "f_sin"),
+    "SliderCrank": ("r", "l", "e"),
     "SpencerDamper": ("beta", "gamma"),
     "Tyre": ("C",),
     "rotational.BoucWen": ("beta", "gamma"),

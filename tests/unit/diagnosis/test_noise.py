@@ -11,7 +11,7 @@ from typing import Any
 import inertance as ia
 import numpy as np
 import pytest
-from inertance.identification import Campaign, Filter, Record, residual_floor, spectral_floor
+from inertance.identification import Campaign, Filter, Record, residual_floor, spectral_floor, uncovered_floor
 
 CHANNELS = {
     "F": {"input": "push.f", "unit": "N"},
@@ -56,6 +56,39 @@ def test_the_band_of_a_low_passed_channel_is_told(cart: Any) -> None:
     assert left.band == pytest.approx(60.0, rel=0.15)
     assert left.share(250.0) == pytest.approx(2 * left.band / 250)
     assert left.white(RATE) == pytest.approx(NOISE, rel=0.1)
+
+
+def grid(values: Any, bits: int) -> Any:
+    step = float(np.ptp(values)) / 2**bits
+    return step * np.round(values / step)
+
+
+@pytest.mark.parametrize("cutoff", [60.0, 200.0])
+def test_noise_that_a_filter_let_through_is_seen_above_the_steps_of_a_sensor(cutoff: float) -> None:
+    """The steps of 16 bits fill the top of the spectrum, where the filter has left nothing."""
+    rng, time = np.random.default_rng(5), np.arange(12000) / RATE
+    signal, low = np.sin(11 * time), Filter(cutoff=cutoff)
+    measured = grid(signal + low.apply(0.02 * rng.standard_normal(len(time)), RATE), 16)
+    top = spectral_floor(measured, RATE)
+    assert top.sigma < 1e-4
+    found = uncovered_floor(measured - signal, measured, RATE, top)
+    assert found is not None
+    assert not found.is_sure
+    assert found.white(RATE) == pytest.approx(0.02, rel=0.15)
+    every = measured[::5]
+    thinned = uncovered_floor(every - signal[::5], every, RATE / 5, top)
+    assert thinned is not None
+    assert thinned.sigma == pytest.approx(float(np.std(every - signal[::5])), rel=0.2)
+
+
+def test_what_a_model_misses_of_a_motion_is_no_noise_of_a_filter() -> None:
+    rng, time = np.random.default_rng(6), np.arange(12000) / RATE
+    sweep = np.sin(2 * np.pi * 5 * time**2)
+    friction, noise = np.sign(np.cos(40 * time)), 1e-4 * rng.standard_normal(len(time))
+    struck = rng.standard_normal(len(time)) * (time % 1.0 < 0.05)
+    for missed in (0.1 * sweep, 0.1 * friction, Filter(cutoff=90.0).apply(struck, RATE)):
+        measured = grid(sweep + missed + noise, 16)
+        assert uncovered_floor(measured - sweep, measured, RATE, spectral_floor(measured, RATE)) is None
 
 
 def test_low_passed_records_of_a_sound_machine_miss_nothing(cart: Any) -> None:
