@@ -29,8 +29,8 @@ def switched() -> ia.Network:
     """A mass of 2 kg, from -0.1 m at 0.4 m/s, that 10 N push while its gate is on; on from 1 to 0.5 m/s."""
     net = ia.Network(
         "switched", gate=signals.BooleanToReal(realTrue=10.0), push=ia.Force(),
-        mass=ia.Mass(m=2.0, s=-0.1, v=0.4), speed=ia.SpeedSensor(), place=ia.PositionSensor(), fast=signals.Hysteresis(uLow=0.5, uHigh=1.0),
-        side=signals.Sign(), other=Turned(), slow=Turned(),
+        mass=ia.Mass(m=2.0, s=-0.1, v=0.4), speed=ia.SpeedSensor(), place=ia.PositionSensor(),
+        fast=signals.Hysteresis(uLow=0.5, uHigh=1.0), side=signals.Sign(), other=Turned(), slow=Turned(),
     )  # fmt: skip
     net.connect(net.gate.y, net.push.f)
     net.connect(net.push.flange, net.mass.flange, net.speed.flange, net.place.flange)
