@@ -3,8 +3,8 @@
 python docs/make_description.py            writes it
 python docs/make_description.py --check    tells whether it is old
 
-An index shows no picture and follows no link by a path of the tree: pictures go with their captions, such links
-become plain text, and what installs from the tree installs from the index.
+An index shows no picture and follows no link by a path of the tree: pictures go with their captions, such
+links become plain text, and what installs from the tree installs from the index.
 """
 
 import re
