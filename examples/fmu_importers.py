@@ -23,7 +23,7 @@ from tempfile import TemporaryDirectory
 import numpy as np
 from fmpy import read_model_description
 
-SECONDS = 150.0  # until a run counts as failed
+SECONDS = 600.0  # until a run counts as failed
 
 FMPY = """
 import numpy as np

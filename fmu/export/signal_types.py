@@ -16,10 +16,9 @@ def type_of_variables(dae: DAE) -> Callable[[str], str]:
     found: dict[int, tuple[str, int]] = {}
     for path, instance in dae.flat.instances.items():
         for declared in fields_of(instance.component, Field):
-            kind = {BooleanOutput: "Boolean", IntegerOutput: "Integer"}.get(type(declared))
-            if kind:
+            if isinstance(declared, BooleanOutput | IntegerOutput):
                 root, sign = dae.root(f"{path}.{declared.name}" if path else declared.name)
-                found[root] = kind, sign
+                found[root] = "Boolean" if isinstance(declared, BooleanOutput) else "Integer", sign
 
     def told(name: str) -> str:
         if dae.derived.unit(name) is not None:

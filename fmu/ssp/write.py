@@ -132,7 +132,7 @@ def _connections(whole: ET.Element, inside: Walls) -> None:
         return
     listed = _element(whole, "ssd:Connections")
     for ends, connection in inside.links.items():
-        attributes = {}
+        attributes = dict[str, str]()
         for side, (element, connector) in zip(("start", "end"), ends, strict=True):
             attributes |= {f"{side}Element": element} if element is not None else {}
             attributes[f"{side}Connector"] = connector

@@ -164,7 +164,7 @@ def test_what_is_given_outside_goes_before_what_is_given_inside(
         read_ssp(packed(flat, tmp_path / "l.ssp", nested(values=lost)))
 
 
-def renamed(flat: SystemStructure, names: dict[str, str], **options: object) -> SystemStructure:
+def renamed(flat: SystemStructure, names: dict[str, str]) -> SystemStructure:
     """Return the same system with other names of components."""
 
     def told(path: str) -> str:
@@ -173,7 +173,7 @@ def renamed(flat: SystemStructure, names: dict[str, str], **options: object) -> 
 
     connections = [replace(c, start=told(c.start), end=told(c.end)) for c in flat.connections]
     components = {names[n]: fmu for n, fmu in flat.components.items()}
-    return replace(flat, components=components, connections=connections, **options)
+    return replace(flat, components=components, connections=connections)
 
 
 def test_a_system_is_written_with_systems_inside(flat: SystemStructure, tmp_path: Path) -> None:
