@@ -86,7 +86,7 @@ def test_a_gate_is_switched_at_events_only(path: Path) -> None:
         for name in ("gate.u", "fast.y", "mass.v")
     )
     folder = fmpy.extract(str(path))
-    instance = fmpy.instantiate_fmu(folder, description, "ModelExchange")
+    instance: Any = fmpy.instantiate_fmu(folder, description, "ModelExchange")
     if description.fmiVersion == "2.0":
         instance.setupExperiment()
     instance.enterInitializationMode()
