@@ -51,6 +51,8 @@ class Published:
             return np.inf
         rows = np.searchsorted(run.time, times[apart] + 1e-9 * self.step, side="right") - 1
         aligned = np.abs(run.time[rows] - times[apart]) < 1e-6 * self.step
+        if not aligned.any():
+            return np.inf
         wanted = np.array([run[name][rows] for name in self.outputs]).T
         sizes = np.array([np.abs(run[name]).max() for name in self.outputs])
         return float((np.abs(values[apart] - wanted) / sizes)[aligned].max(initial=0.0))
