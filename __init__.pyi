@@ -12,6 +12,8 @@ from .components import AirSpring as AirSpring
 from .components import AsymmetricFriction as AsymmetricFriction
 from .components import Backlash as Backlash
 from .components import BilinearSpring as BilinearSpring
+from .components import BooleanInput as BooleanInput
+from .components import BooleanOutput as BooleanOutput
 from .components import BoucWen as BoucWen
 from .components import BoucWenDamper as BoucWenDamper
 from .components import Brake as Brake
@@ -47,6 +49,7 @@ from .components import IdealPlanetaryFlywheel as IdealPlanetaryFlywheel
 from .components import InertanceError as InertanceError
 from .components import Inerter as Inerter
 from .components import InitialConditionError as InitialConditionError
+from .components import IntegerOutput as IntegerOutput
 from .components import InverseSpeedDependentForce as InverseSpeedDependentForce
 from .components import Jenkins as Jenkins
 from .components import LargeAngleLever as LargeAngleLever

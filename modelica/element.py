@@ -60,10 +60,16 @@ def element_lines(component: Component, template: Template, where: str) -> Lines
     return lines
 
 
+def connector_kind(declared: Port | RealInput | RealOutput) -> str:
+    """Return which connector it is; signals are numbers, those that are on or off as well."""
+    signals = (kind for kind in (RealInput, RealOutput) if isinstance(declared, kind))
+    return next(signals, type(declared)).__name__
+
+
 def _declared(declared: Field, name: str, moves: bool, lines: Lines) -> Iterator[str]:
     told, measure = quoted(declared.doc), unit(declared.unit)
     if isinstance(declared, Port | RealInput | RealOutput):
-        kind = type(declared).__name__
+        kind = connector_kind(declared)
         lines.connectors[kind] = declared
         yield f"{kind} {name}{f'({measure})' if measure and not isinstance(declared, Port) else ''} {told};"
     elif isinstance(declared, Parameter):

@@ -14,7 +14,7 @@ from ..components.language import (
     parts_of,
 )
 from ..networks import DAE
-from .element import Lines, element_lines
+from .element import Lines, connector_kind, element_lines
 from .expressions import number
 from .library import Counterpart, counterpart
 from .names import identifier, quoted
@@ -100,8 +100,8 @@ class System:
         lines = element_lines(component, instance.template, str(instance))
         for shown, (inside, port) in self._shown[path].items():
             declared: Any = type(self._instances[inside].component).fields[port]
-            lines.connectors[type(declared).__name__] = declared
-            lines.declarations.append(f"{type(declared).__name__} {shown};")
+            lines.connectors[connector_kind(declared)] = declared
+            lines.declarations.append(f"{connector_kind(declared)} {shown};")
             lines.equations.append(f"connect({shown}, {self.refer(path, inside, port)});")
         for child, part in parts_of(component).items():
             self._part(lines, child, instance.full(child), part)

@@ -21,9 +21,12 @@ from .domain import AnyDomain as AnyDomain
 from .domain import Domain as Domain
 from .domain import OtherDomain as OtherDomain
 from .fields import MISSING as MISSING
+from .fields import BooleanInput as BooleanInput
+from .fields import BooleanOutput as BooleanOutput
 from .fields import Field as Field
 from .fields import HeatPort as HeatPort
 from .fields import Impulse as Impulse
+from .fields import IntegerOutput as IntegerOutput
 from .fields import ModeField as ModeField
 from .fields import Option as Option
 from .fields import Parameter as Parameter

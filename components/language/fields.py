@@ -6,6 +6,7 @@ port to connect, a part); inside `equations` it gives the symbol.
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any, ClassVar
@@ -33,7 +34,8 @@ class Field:
     @property
     def kind(self) -> str:
         """What it is, in a word, such as parameter or input."""
-        return type(self).__name__.removeprefix("Real").removesuffix("Field").lower()
+        word = type(self).__name__.removeprefix("Real").removesuffix("Field")
+        return re.sub(r"(?<=[a-z])(?=[A-Z])", " ", word).lower()
 
     def __set_name__(self, owner: type, name: str) -> None:
         self.name = name
@@ -113,8 +115,20 @@ class RealInput(Field):
         return "" if good else told
 
 
+class BooleanInput(RealInput):
+    """A signal that comes in and is 0 for off, 1 for on; left to the run, it is a Boolean of an FMU."""
+
+
 class RealOutput(Field):
     """A signal that goes out."""
+
+
+class BooleanOutput(RealOutput):
+    """A signal that goes out, is 0 for off or 1 for on, and changes at events only."""
+
+
+class IntegerOutput(RealOutput):
+    """A signal that goes out, is a whole number, and changes at events only."""
 
 
 @dataclass(eq=False)

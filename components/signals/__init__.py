@@ -19,6 +19,7 @@ from .controllers import LimPI as LimPI
 from .controllers import LimPID as LimPID
 from .digital import DeadZone as DeadZone
 from .digital import SampleHold as SampleHold
+from .logic import BooleanToReal as BooleanToReal
 from .logic import Hysteresis as Hysteresis
 from .logic import Sign as Sign
 from .logic import Switch as Switch

@@ -39,6 +39,35 @@ class Add(Component):
         k2: ParameterValue = 1.0,
     ) -> None: ...
 
+class BooleanToReal(Component):
+    """A number for on and one for off: y = realTrue while u is 1, realFalse while u is 0.
+
+    Left to the run, u is a Boolean input of an FMU: a clutch, a brake or a `Switch` behind it is switched by one.
+
+    Source: MSL Blocks.Math.BooleanToReal.
+
+    Args:
+        u: 0 or 1, a number, a function of time or Sampled data.
+        realTrue: output while u is 1.
+        realFalse: output while u is 0.
+    """
+
+    u: Any
+    """0 or 1, a number, a function of time or Sampled data"""
+    y: Any
+    """output"""
+    realTrue: Any
+    """output while u is 1"""
+    realFalse: Any
+    """output while u is 0"""
+    def __init__(
+        self,
+        *,
+        u: SignalValue = ...,
+        realTrue: ParameterValue = 1.0,
+        realFalse: ParameterValue = 0.0,
+    ) -> None: ...
+
 class CombiTable2D(Component):
     """A map over two inputs, bilinear between its points. Continuous, so it makes no event.
 
@@ -522,6 +551,8 @@ class Hysteresis(SISO):
         uHigh: input above which it switches on, above uLow.
     """
 
+    y: Any
+    """whether it is on"""
     uLow: Any
     """input below which it switches off"""
     uHigh: Any
@@ -882,6 +913,8 @@ class Sign(SISO):
         u: input, a number, a function of time or Sampled data.
     """
 
+    y: Any
+    """-1, 0 or 1"""
     mode: Any
     """sign of the input"""
     def __init__(

@@ -1,6 +1,16 @@
 """Blocks that switch: each change is an event."""
 
-from ..language import Component, RealInput, RealOutput, Stated, mode, parameter
+from ..language import (
+    BooleanInput,
+    BooleanOutput,
+    Component,
+    IntegerOutput,
+    RealInput,
+    RealOutput,
+    Stated,
+    mode,
+    parameter,
+)
 from .blocks import SISO
 
 
@@ -10,6 +20,7 @@ class Sign(SISO):
     Source: MSL Blocks.Math.Sign with generateEvent.
     """
 
+    y = IntegerOutput("1", "-1, 0 or 1")
     mode = mode("zero", "positive", "negative", doc="sign of the input")
 
     def equations(self) -> Stated:
@@ -30,6 +41,7 @@ class Hysteresis(SISO):
     Source: MSL Blocks.Logical.Hysteresis, whose y is Boolean.
     """
 
+    y = BooleanOutput("1", "whether it is on")
     uLow = parameter("", "input below which it switches off", default=0.0)
     uHigh = parameter("", "input above which it switches on, above uLow", default=1.0)
     mode = mode("off", "on", doc="y = 0 or 1")
@@ -61,3 +73,20 @@ class Switch(Component):
     def transitions(self) -> Stated:
         yield self.mode.goes("off", "on", when=self.u2 > self.threshold)
         yield self.mode.goes("on", "off", when=self.u2 < self.threshold)
+
+
+class BooleanToReal(Component):
+    """A number for on and one for off: y = realTrue while u is 1, realFalse while u is 0.
+
+    Left to the run, u is a Boolean input of an FMU: what switches a clutch, a brake or a `Switch` behind it.
+
+    Source: MSL Blocks.Math.BooleanToReal.
+    """
+
+    u = BooleanInput("1", "0 or 1")
+    y = RealOutput("", "output")
+    realTrue = parameter("", "output while u is 1", default=1.0)
+    realFalse = parameter("", "output while u is 0", default=0.0)
+
+    def equations(self) -> Stated:
+        yield self.y == self.realFalse + (self.realTrue - self.realFalse) * self.u

@@ -14,6 +14,7 @@ CATEGORIES = {
     "logStatusError": "refused calls and failed computations",
     "logStatusDiscard": "computations that are not possible where the model stands",
 }
+TYPES3 = {"Real": "Float64", "Boolean": "Boolean", "Integer": "Int32", "Enumeration": "Enumeration"}
 PART = r"[A-Za-z_][A-Za-z0-9_]*(\[\d+\])?"
 # Names of ASCII letters, digits and underscores.
 STRUCTURED = re.compile(rf"{PART}(\.{PART})*|der\({PART}(\.{PART})*(,\d+)?\)")
@@ -66,10 +67,9 @@ def model_description(model: ExportedModel, fmi_version: str) -> bytes:
     types = ET.SubElement(root, "TypeDefinitions")
     for name, used in _types(scalars).items():
         if two:
-            kind = ET.SubElement(types, "SimpleType", name=name)
-            _typed(kind, "Enumeration" if used.choices else "Real", used)
+            _typed(ET.SubElement(types, "SimpleType", name=name), used.type, used)
         else:
-            _typed(types, "EnumerationType" if used.choices else "Float64Type", used).set("name", name)
+            _typed(types, f"{TYPES3[used.type]}Type", used).set("name", name)
     listed = ET.SubElement(root, "LogCategories")
     for name, told in CATEGORIES.items():
         ET.SubElement(listed, "Category", name=name, description=told)
@@ -166,9 +166,9 @@ def _variables(root: ET.Element, face: Interface, two: bool) -> None:
             facts["derivative"] = str(scalar.derivative_of + 1 if two else scalar.derivative_of)
         if two:
             declared = ET.SubElement(variables, "ScalarVariable", attributes)
-            ET.SubElement(declared, "Enumeration" if scalar.choices else "Real", facts)
+            ET.SubElement(declared, scalar.type, facts)
         else:
-            ET.SubElement(variables, "Enumeration" if scalar.choices else "Float64", attributes | facts)
+            ET.SubElement(variables, TYPES3[scalar.type], attributes | facts)
 
 
 def _attributes(scalar: Scalar) -> dict[str, str]:
@@ -186,10 +186,16 @@ def _attributes(scalar: Scalar) -> dict[str, str]:
 def _facts(scalar: Scalar, face: Interface) -> dict[str, str]:
     numbers = {"start": scalar.start, "nominal": scalar.nominal, "min": scalar.least, "max": scalar.most}
     told = {"declaredType": _type_name(scalar), "unit": scalar.unit}
-    told |= {name: repr(float(value)) for name, value in numbers.items() if value is not None}
+    told |= {name: _written(scalar, value) for name, value in numbers.items() if value is not None}
     if face.jumps and scalar.reference in face.states:
         told["reinit"] = "true"
     return {name: value for name, value in told.items() if value}
+
+
+def _written(scalar: Scalar, value: float) -> str:
+    return {"Boolean": str(bool(value)).lower(), "Integer": f"{value:.0f}"}.get(
+        scalar.type, repr(float(value))
+    )
 
 
 Unknown = tuple[int, dict[int, str] | None]
@@ -199,6 +205,10 @@ def _unknowns(face: Interface) -> dict[str, list[Unknown]]:
     """Return references of what is computed, each with what it depends on; None: on anything."""
     running: dict[int, dict[int, str]] = {k: {k: "constant"} for k in face.states}
     running |= face.dependencies.running
+    discrete = {s.reference for s in face.scalars if s.type != "Real"}
+    for unknown, known in running.items():  # other kinds are those of slopes
+        dependent = dict.fromkeys(known if unknown in discrete else discrete.intersection(known), "dependent")
+        running[unknown] = known | dependent
     starting = face.dependencies.starting
     return {
         "Output": [(s.reference, running.get(s.reference)) for s in face.outputs],

@@ -8,6 +8,7 @@ from pathlib import Path
 from .model_description import ExportedModel
 
 CSOURCE = Path(__file__).with_name("csource")
+DISCRETE = ("Boolean", "Integer")
 COMMON = ("fmi_common.h", "fmi_common.c", "fmi_numbers.c", "model_exchange.c", "derivatives.c", "saved.c")
 OWN_SOURCES = {
     "2.0": (*COMMON, "fmi2_face.h", "fmi2.c"),
@@ -31,6 +32,7 @@ def face_sources(fmi_version: str) -> dict[str, str]:
 
 def model_header(model: ExportedModel, fmi_version: str) -> str:
     """Return fmu_model.h: what the FMI functions know of the model, and of which standard they are."""
+    typed = {kind: [s.reference for s in model.interface.scalars if s.type == kind] for kind in DISCRETE}
     inputs = [float(s.start or 0.0) for s in model.interface.scalars if s.causality == "input"]
     return f"""\
 #ifndef FMU_MODEL_H
@@ -43,6 +45,10 @@ def model_header(model: ExportedModel, fmi_version: str) -> str:
 #define FMU_FIXED_STEP {model.fixed_step!r}
 #define FMU_AIMS {_initializer(model.interface.aims)}
 #define FMU_INPUTS {_initializer(inputs)}
+#define FMU_BOOLEANS {_initializer(typed["Boolean"])}
+#define FMU_INTEGERS {_initializer(typed["Integer"])}
+#define NBOOLEAN {len(typed["Boolean"])}
+#define NINTEGER {len(typed["Integer"])}
 
 #endif
 """

@@ -9,11 +9,16 @@ from itertools import accumulate
 from ...base import rate_unit
 from ...networks import DAE, Input, Start, is_corner
 from .dependencies import Dependencies, dependencies
+from .signal_types import type_of_input, type_of_variables
 
 
 @dataclass(frozen=True)
 class Scalar:
-    """One variable as FMI tells of it; `choices` are the names of an enumeration's values."""
+    """One variable as FMI tells of it.
+
+    Attributes:
+        type: "Real", "Boolean", "Integer" or "Enumeration", the values of which have the names `choices`.
+    """
 
     name: str
     reference: int
@@ -27,6 +32,7 @@ class Scalar:
     least: float | None = None
     most: float | None = None
     derivative_of: int | None = None
+    type: str = "Real"
     choices: tuple[str, ...] = ()
 
 
@@ -75,7 +81,8 @@ def interface(
     scalars += [_rate(dae, name, first[1] + k, first[0] + k, names) for k, name in enumerate(names)]
     scalars += [_input(dae, dae.inputs[place], first[2] + k) for k, place in enumerate(free)]
     scalars += [_parameter(dae, name, value, first[3] + k) for k, (name, value) in enumerate(values.items())]
-    scalars += [_other(dae, name, first[4] + k) for k, name in enumerate(variables)]
+    told = type_of_variables(dae)
+    scalars += [_other(dae, name, first[4] + k, told(name)) for k, name in enumerate(variables)]
     scalars += [_mode(dae, k, first[5] + k) for k, name in enumerate(modes) if not is_corner(name)]
     scalars += [_indicator(dae, k, first[6] + k) for k in range(len(changes))]
     scalars = [
@@ -123,6 +130,9 @@ def _input(dae: DAE, declared: Input, reference: int) -> Scalar:
         order = "" if declared.order == 1 else f",{declared.order}"
         name, told = f"der({name}{order})", f"time derivative {declared.order} of {name}"
         unit = rate_unit(unit, declared.order)
+    if (kind := type_of_input(dae, declared)) != "Real":
+        number = float(resting(declared) > 0.5)
+        return Scalar(name, reference, "input", "discrete", None, number, doc=told, type=kind)
     number = 0.0 if declared.order else resting(declared)
     return Scalar(name, reference, "input", initial=None, start=number, unit=unit, doc=told)
 
@@ -140,13 +150,15 @@ def _parameter(dae: DAE, name: str, value: float, reference: int) -> Scalar:
     )  # fmt: skip
 
 
-def _other(dae: DAE, name: str, reference: int) -> Scalar:
+def _other(dae: DAE, name: str, reference: int, kind: str) -> Scalar:
+    if kind != "Real":
+        return Scalar(name, reference, variability="discrete", doc=_described(dae, name), type=kind)
     return Scalar(name, reference, unit=dae.unit(name), doc=_described(dae, name))
 
 
 def _mode(dae: DAE, k: int, reference: int) -> Scalar:
     name, choices = dae.switching.mode_names[k], dae.switching.mode_values[k]
-    return Scalar(name, reference, variability="discrete", doc="mode", choices=choices)
+    return Scalar(name, reference, variability="discrete", doc="mode", type="Enumeration", choices=choices)
 
 
 def _indicator(dae: DAE, k: int, reference: int) -> Scalar:

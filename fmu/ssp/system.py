@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
@@ -135,10 +135,16 @@ class SystemStructure:
         every = [f"{name}.{i}" for name, fmu in self.components.items() for i in fmu.inputs]
         return [path for path in every if path not in ends]
 
-    def write(self, path: str | Path) -> Path:
+    def write(self, path: str | Path, *, groups: Mapping[str, Iterable[str]] | None = None) -> Path:
         """Write an .ssp file (SSP 1.0) with the FMUs inside.
 
         Inputs that nothing is connected to become inputs of the system, called "component:variable".
+
+        Args:
+            path: of the file.
+            groups: components that stand in a system inside the system, by its name, or its path, as
+                `{"chassis.axle": ["wheel"]}`. A component that is called after its system, "axle_wheel", has
+                the rest as its name there.
 
         Raises:
             FMUError: if the system cannot be.
@@ -147,7 +153,7 @@ class SystemStructure:
         from .write import write_ssp
 
         self.check()
-        return write_ssp(self, Path(path))
+        return write_ssp(self, Path(path), groups or {})
 
     def simulate(
         self,

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection
+from collections.abc import Collection, Iterable, Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 from xml.etree import ElementTree as ET
@@ -14,9 +14,10 @@ from ..export.package import write_archive
 from ..fmu import FMU
 from ..foreign.model_description import KINDS
 from ..foreign.variable import ForeignVariable
+from .walls import Walls, walls
 
 if TYPE_CHECKING:
-    from .system import Connection, SystemStructure
+    from .system import SystemStructure
 
 NAMESPACES = {
     "ssd": "http://ssp-standard.org/SSP1/SystemStructureDescription",
@@ -28,12 +29,12 @@ DESCRIPTION = "SystemStructure.ssd"
 TYPES = {"Real": "Real", "Float64": "Real", "Float32": "Real", "Boolean": "Boolean", "String": "String"}
 
 
-def write_ssp(system: SystemStructure, path: Path) -> Path:
+def write_ssp(system: SystemStructure, path: Path, groups: Mapping[str, Iterable[str]]) -> Path:
     """Write a system; see `SystemStructure.write`."""
     if path.suffix != ".ssp":
         raise ModelError(f"a system is written to a file that ends in '.ssp', got '{path}'")
     check_output(path)
-    files = {DESCRIPTION: description(system)}
+    files = {DESCRIPTION: description(system, groups)}
     files |= {_resource(name): fmu.path.read_bytes() for name, fmu in system.components.items()}
     write_archive(path, files)
     return path
@@ -43,32 +44,40 @@ def _resource(component: str) -> str:
     return f"resources/{component}.fmu"
 
 
-def description(system: SystemStructure) -> bytes:
+def description(system: SystemStructure, groups: Mapping[str, Iterable[str]]) -> bytes:
     """Return SystemStructure.ssd."""
     for prefix, uri in NAMESPACES.items():
         ET.register_namespace(prefix, uri)
     root = _element(None, "ssd:SystemStructureDescription", version="1.0", name=system.name)
+    units = dict[str, Unit]()
     whole = _element(root, "ssd:System", name="system", description=system.name)
-    free = system.free_inputs()
-    if free:
-        listed = _element(whole, "ssd:Connectors")
-        for path in free:
-            _, variable = system.variable(path)
-            _connector(listed, path.replace(".", ":", 1), "input", variable)
-    elements, units = _element(whole, "ssd:Elements"), dict[str, Unit]()
-    for name, fmu in system.components.items():
-        values = system.parameters.get(name, {})
-        parameters = {n: fmu.variables[n] for n in values if n in fmu.parameters}
-        connected = {**fmu.inputs, **fmu.outputs, **parameters}.values()
-        _component(elements, name, fmu, connected, values)
-        units = {v.unit: fmu.measure(v) for v in connected if v.unit} | units
-    _connections(whole, system.connections, free)
+    _system(whole, system, walls(system, groups), units)
     if units:
         listed = _element(root, "ssd:Units")
         for unit in units.values():
             _unit(listed, unit)
     _element(root, "ssd:DefaultExperiment", startTime=repr(system.begin), stopTime=repr(system.stop))
     return text(root)
+
+
+def _system(entry: ET.Element, system: SystemStructure, inside: Walls, units: dict[str, Unit]) -> None:
+    """Write what is inside of a system; `units` collects those that are used."""
+    if inside.connectors:
+        listed = _element(entry, "ssd:Connectors")
+        for name, (kind, variable) in inside.connectors.items():
+            _connector(listed, name, kind, variable)
+    elements = _element(entry, "ssd:Elements")
+    for short, name in inside.components.items():
+        fmu, values = system.components[name], system.parameters.get(name, {})
+        parameters = {n: fmu.variables[n] for n in values if n in fmu.parameters}
+        connected = {**fmu.inputs, **fmu.outputs, **parameters}.values()
+        _component(elements, short, _resource(name), fmu, connected, values)
+        for variable in connected:
+            if variable.unit:
+                units.setdefault(variable.unit, fmu.measure(variable))
+    for name, deeper in inside.systems.items():
+        _system(_element(elements, "ssd:System", name=name), system, deeper, units)
+    _connections(entry, inside)
 
 
 def _element(parent: ET.Element | None, tag: str, **attributes: str) -> ET.Element:
@@ -78,12 +87,17 @@ def _element(parent: ET.Element | None, tag: str, **attributes: str) -> ET.Eleme
 
 
 def _component(
-    elements: ET.Element, name: str, fmu: FMU, connected: Collection[ForeignVariable], values: dict[str, Any]
+    elements: ET.Element,
+    name: str,
+    source: str,
+    fmu: FMU,
+    connected: Collection[ForeignVariable],
+    values: dict[str, Any],
 ) -> None:
     implementation = "any" if len(fmu.kinds) > 1 else KINDS[fmu.kind()]
     component = _element(
         elements, "ssd:Component", name=name, type="application/x-fmu-sharedlibrary",
-        source=_resource(name), implementation=implementation,
+        source=source, implementation=implementation,
     )  # fmt: skip
     if connected:
         connectors = _element(component, "ssd:Connectors")
@@ -113,24 +127,19 @@ def _parameter(listed: ET.Element, fmu: FMU, variable: ForeignVariable, value: A
     _element(entry, f"ssv:{kind}", value=written.get(kind, lambda: str(number))(), **_measured(variable))
 
 
-def _connections(whole: ET.Element, connections: list[Connection], free: list[str]) -> None:
-    if not connections and not free:
+def _connections(whole: ET.Element, inside: Walls) -> None:
+    if not inside.links:
         return
     listed = _element(whole, "ssd:Connections")
-    for path in free:
-        component, _, name = path.partition(".")
-        _element(
-            listed, "ssd:Connection", startConnector=path.replace(".", ":", 1), endElement=component,
-            endConnector=name,
-        )  # fmt: skip
-    for connection in connections:
-        (a, _, source), (b, _, target) = connection.start.partition("."), connection.end.partition(".")
-        attributes = {} if connection.convert else {"suppressUnitConversion": "true"}
-        entry = _element(
-            listed, "ssd:Connection", startElement=a, startConnector=source, endElement=b,
-            endConnector=target, **attributes,
-        )  # fmt: skip
-        if (connection.factor, connection.offset) != (1.0, 0.0):
+    for ends, connection in inside.links.items():
+        attributes = dict[str, str]()
+        for side, (element, connector) in zip(("start", "end"), ends, strict=True):
+            attributes |= {f"{side}Element": element} if element is not None else {}
+            attributes[f"{side}Connector"] = connector
+        if connection is not None and not connection.convert:
+            attributes["suppressUnitConversion"] = "true"
+        entry = _element(listed, "ssd:Connection", **attributes)
+        if connection is not None and (connection.factor, connection.offset) != (1.0, 0.0):
             factor, offset = repr(connection.factor), repr(connection.offset)
             _element(entry, "ssc:LinearTransformation", factor=factor, offset=offset)
 

@@ -295,6 +295,7 @@ OTHERS = {
     "ForeignEvent", "ForeignRun", "Mode", "OperatingPoint", "PositiveReal", "Prediction", "Shock", "Split",
     "Sweep", "SystemRun", "SystemStructure", "Tuned", "Verdict", "Channel", "Varied", "write_report",
     # what a declaration of a component takes is tried where components are
+    "BooleanInput", "BooleanOutput", "IntegerOutput",
     "RealInput", "RealOutput", "RotationalFlange", "TranslationalFlange", "der", "derived", "dissipation",
     "energy", "impulse", "mode", "option", "parameter", "supply", "variable",
 }  # fmt: skip

@@ -66,3 +66,17 @@ def test_every_page_that_runs_lines_is_timed() -> None:
     running = [page for page in DOCS.glob("*.md") if "\n```python\n" in page.read_text(encoding="utf-8")]
     rows = dict(re.findall(r"^\| \[.*?\]\((\S+?\.md)\) \|.*\| (\d+) \|$", told, re.MULTILINE))
     assert {page.name for page in running} - {"cli.md"} == rows.keys()
+
+
+def test_the_description_on_an_index_needs_nothing_else() -> None:
+    made = loaded("make_description")
+    text = made.DESCRIPTION.read_text(encoding="utf-8")
+    assert text == made.description((ROOT / "README.md").read_text(encoding="utf-8")), (
+        "python docs/make_description.py makes it anew"
+    )
+    links = re.findall(r"\]\(([^)]*)\)", text)
+    assert [link for link in links if not link.startswith(("http", "#"))] == []
+    assert not re.search(r"!\[|<img|<!--|pip install \.", text)
+    assert "pip install inertance" in text
+    made_too = made.description("# a\n\n![p](x.png)\n\n*of it*\n\n[b](c.md#d) [e](https://f)\n")
+    assert made_too == f"# a\n\nb [e](https://f)\n{made.END}"

@@ -108,3 +108,13 @@ def test_a_network_runs_by_the_arguments_of_simulate() -> None:
     others = inspect.signature(ia.simulate).parameters
     assert list(own)[1:] == list(others)[1:]
     assert all(own[name].default == others[name].default for name in list(own)[1:])
+
+
+def test_what_an_editor_shows_is_what_the_stub_says() -> None:
+    page = (ROOT / "docs" / "write-your-own-component.md").read_text(encoding="utf-8")
+    hover = page.partition("class Spring(")[2].partition("```")[0]
+    stub = (ROOT / "components" / "translational" / "__init__.pyi").read_text(encoding="utf-8")
+    spring = " ".join(stub.partition("class Spring(")[2].partition("-> None")[0].split())
+    told = " ".join(hover.partition(")\n\n")[2].split())
+    assert "stiffness [N/m], at least 0." in told
+    assert told in spring

@@ -7,6 +7,7 @@
 
 /* Where the seed or sensitivity of a known (state, input, parameter) stands. */
 static double *known(Instance *c, uint32_t ref) {
+    if (face_type(ref) != REAL) return NULL;
     if (ref >= REF_STATES && ref < REF_RATES) return &c->x[ref - REF_STATES];
     if (ref >= REF_INPUTS && ref < REF_PARAMETERS) return &c->u[ref - REF_INPUTS];
     if (ref >= REF_PARAMETERS && ref < REF_VARIABLES) return &c->p[ref - REF_PARAMETERS];
@@ -15,6 +16,7 @@ static double *known(Instance *c, uint32_t ref) {
 
 /* Where that of an unknown (state, rate, other variable) stands. */
 static double *unknown(Instance *c, uint32_t ref) {
+    if (face_type(ref) != REAL) return NULL;
     if (ref >= REF_STATES && ref < REF_RATES) return &c->x[ref - REF_STATES];
     if (ref >= REF_RATES && ref < REF_INPUTS) return &c->rates[ref - REF_RATES];
     if (ref >= REF_VARIABLES && ref < REF_MODES) return &c->w[ref - REF_VARIABLES];

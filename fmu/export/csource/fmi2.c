@@ -86,12 +86,39 @@ fmi2Status fmi2SetReal(fmi2Component instance, const fmi2ValueReference vr[], si
     return face_set_reals(c, vr, nvr, value);
 }
 
+/* Modes are read as integers. */
 fmi2Status fmi2GetInteger(fmi2Component instance, const fmi2ValueReference vr[], size_t nvr,
                           fmi2Integer value[]) {
     ENTER(READABLE, EITHER);
     if (face_missing(c, nvr, vr, value)) return fmi2Error;
+    for (size_t i = 0; i < nvr; i++) {
+        double found;
+        fmi2Status status = face_get(c, face_type(vr[i]) == INTEGER ? INTEGER : ENUMERATION, vr[i], &found);
+        if (status != fmi2OK) return status;
+        value[i] = (fmi2Integer)found;
+    }
+    return fmi2OK;
+}
+
+fmi2Status fmi2GetBoolean(fmi2Component instance, const fmi2ValueReference vr[], size_t nvr,
+                          fmi2Boolean value[]) {
+    ENTER(READABLE, EITHER);
+    if (face_missing(c, nvr, vr, value)) return fmi2Error;
+    for (size_t i = 0; i < nvr; i++) {
+        double found;
+        fmi2Status status = face_get(c, BOOLEAN, vr[i], &found);
+        if (status != fmi2OK) return status;
+        value[i] = found != 0 ? fmi2True : fmi2False;
+    }
+    return fmi2OK;
+}
+
+fmi2Status fmi2SetBoolean(fmi2Component instance, const fmi2ValueReference vr[], size_t nvr,
+                          const fmi2Boolean value[]) {
+    ENTER(SETTABLE, EITHER);
+    if (face_missing(c, nvr, vr, value)) return fmi2Error;
     for (size_t i = 0; i < nvr; i++)
-        if (face_get_mode(c, vr[i], &value[i]) != fmi2OK) return fmi2Error;
+        if (face_set(c, BOOLEAN, vr[i], value[i] != fmi2False) != fmi2OK) return fmi2Error;
     return fmi2OK;
 }
 
@@ -101,10 +128,8 @@ fmi2Status fmi2GetInteger(fmi2Component instance, const fmi2ValueReference vr[],
         return face_no_such(c, nvr);                                                                   \
     }
 
-NO_SUCH(fmi2GetBoolean, fmi2Boolean, READABLE)
 NO_SUCH(fmi2GetString, fmi2String, READABLE)
 NO_SUCH(fmi2SetInteger, const fmi2Integer, SETTABLE)
-NO_SUCH(fmi2SetBoolean, const fmi2Boolean, SETTABLE)
 NO_SUCH(fmi2SetString, const fmi2String, SETTABLE)
 
 fmi2Status fmi2GetDirectionalDerivative(fmi2Component instance, const fmi2ValueReference vUnknown_ref[],
@@ -139,7 +164,8 @@ fmi2Status fmi2SetRealInputDerivatives(fmi2Component instance, const fmi2ValueRe
         if (order[i] != 1) return face_refuse(c, "only first derivatives of inputs are taken");
     c->now.begun = c->now.begun && c->now.phase == STEP_MODE;
     for (size_t i = 0; i < nvr; i++) {
-        if (vr[i] < REF_INPUTS || vr[i] >= REF_PARAMETERS) return face_bad_reference(c, vr[i]);
+        if (vr[i] < REF_INPUTS || vr[i] >= REF_PARAMETERS || face_type(vr[i]) != REAL)
+            return face_bad_reference(c, vr[i]);
         int input = (int)(vr[i] - REF_INPUTS), rate = model_input_rate[input];
         if (rate >= 0) c->now.told[rate] |= value[i] != 0;
         CoreStatus status = core_set_slope(&c->now.core, input, value[i]);

@@ -93,17 +93,32 @@ fmi3Status fmi3SetFloat64(fmi3Instance instance, const fmi3ValueReference valueR
     return face_set_reals(c, valueReferences, nValues, values);
 }
 
-/* Enumerations are read as 64-bit integers. */
-fmi3Status fmi3GetInt64(fmi3Instance instance, const fmi3ValueReference valueReferences[],
-                        size_t nValueReferences, fmi3Int64 values[], size_t nValues) {
-    ENTER(READABLE, EITHER);
+#define GET(name, type, kind)                                                                       \
+    fmi3Status name(fmi3Instance instance, const fmi3ValueReference valueReferences[],              \
+                    size_t nValueReferences, type values[], size_t nValues) {                       \
+        ENTER(READABLE, EITHER);                                                                    \
+        if (odd(c, nValues, nValueReferences) || face_missing(c, nValues, valueReferences, values)) \
+            return fmi3Error;                                                                       \
+        for (size_t i = 0; i < nValues; i++) {                                                      \
+            double found;                                                                           \
+            fmi3Status status = face_get(c, kind, valueReferences[i], &found);                      \
+            if (status != fmi3OK) return status;                                                    \
+            values[i] = (type)found;                                                                \
+        }                                                                                           \
+        return fmi3OK;                                                                              \
+    }
+
+GET(fmi3GetBoolean, fmi3Boolean, BOOLEAN)
+GET(fmi3GetInt32, fmi3Int32, INTEGER)
+GET(fmi3GetInt64, fmi3Int64, ENUMERATION) /* modes */
+
+fmi3Status fmi3SetBoolean(fmi3Instance instance, const fmi3ValueReference valueReferences[],
+                          size_t nValueReferences, const fmi3Boolean values[], size_t nValues) {
+    ENTER(SETTABLE, EITHER);
     if (odd(c, nValues, nValueReferences) || face_missing(c, nValues, valueReferences, values))
         return fmi3Error;
-    for (size_t i = 0; i < nValues; i++) {
-        int mode;
-        if (face_get_mode(c, valueReferences[i], &mode) != fmi3OK) return fmi3Error;
-        values[i] = mode;
-    }
+    for (size_t i = 0; i < nValues; i++)
+        if (face_set(c, BOOLEAN, valueReferences[i], values[i]) != fmi3OK) return fmi3Error;
     return fmi3OK;
 }
 

@@ -2,7 +2,7 @@
 #ifndef INERTANCE_FMI_COMMON_H
 #define INERTANCE_FMI_COMMON_H
 
-#include "fmu_model.h" /* generated: the face, FMU_TOKEN, FMU_TOLERANCE, FMU_FIXED_STEP, FMU_AIMS, FMU_INPUTS */
+#include "fmu_model.h" /* generated: the face, FMU_TOKEN, FMU_TOLERANCE, FMU_FIXED_STEP, FMU_AIMS, ... */
 #include "start.h"
 
 #ifdef __GNUC__ /* the standard says which parameters there are */
@@ -33,6 +33,9 @@ typedef enum {
     FAILED = 128,
     INTERMEDIATE = 256
 } Phase;
+
+/* Types of variables; modes are enumerations. */
+typedef enum { REAL, BOOLEAN, INTEGER, ENUMERATION } Type;
 
 #define RUNNING (EVENT_MODE | CONTINUOUS_TIME | STEP_MODE)
 #define SETTABLE (INSTANTIATED | INITIALIZATION | RUNNING)
@@ -101,7 +104,13 @@ Status face_untold_rate(Instance *c);
 
 Status face_get_reals(Instance *c, const uint32_t refs[], size_t n, double values[]);
 Status face_set_reals(Instance *c, const uint32_t refs[], size_t n, const double values[]);
-Status face_get_mode(Instance *c, uint32_t ref, int *value);
+
+/* What type a variable has; time and indicators are real. */
+Type face_type(uint32_t ref);
+
+/* A number, a truth value (0 or 1), a whole number or a mode, if the reference is one of that type. */
+Status face_get(Instance *c, Type type, uint32_t ref, double *value);
+Status face_set(Instance *c, Type type, uint32_t ref, double value);
 
 /* Sensitivities of unknowns to knowns in the direction of a seed, or, adjoint, of their sum weighted by it.
  */

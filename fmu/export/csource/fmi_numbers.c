@@ -6,8 +6,25 @@
 #include <string.h>
 
 static const uint32_t aims[ROOM(NAIM)] = FMU_AIMS; /* what refers to them */
+static const uint32_t booleans[ROOM(NBOOLEAN)] = FMU_BOOLEANS, integers[ROOM(NINTEGER)] = FMU_INTEGERS;
 
-static Status get_real(Instance *c, uint32_t ref, double *value) {
+/* Whether a rising list has a reference. */
+static int listed(const uint32_t list[], int n, uint32_t ref) {
+    int low = 0, high = n;
+    while (low < high) {
+        int middle = low + (high - low) / 2;
+        if (list[middle] < ref) low = middle + 1;
+        else high = middle;
+    }
+    return low < n && list[low] == ref;
+}
+
+Type face_type(uint32_t ref) {
+    if (ref >= REF_MODES && ref < REF_INDICATORS) return ENUMERATION;
+    return listed(booleans, NBOOLEAN, ref) ? BOOLEAN : listed(integers, NINTEGER, ref) ? INTEGER : REAL;
+}
+
+static Status get_number(Instance *c, uint32_t ref, double *value) {
     Core *core = &c->now.core;
     const double *numbers = NULL;
     CoreStatus status = CORE_OK;
@@ -28,10 +45,21 @@ static Status get_real(Instance *c, uint32_t ref, double *value) {
     return status == CORE_OK ? FMI(OK) : face_outcome(c, CORE_DISCARD);
 }
 
+Status face_get(Instance *c, Type type, uint32_t ref, double *value) {
+    Status status = FMI(OK);
+    if (face_type(ref) != type) return face_bad_reference(c, ref);
+    if (!face_ready(c)) return FMI(Error);
+    if (type == ENUMERATION) *value = core_mode(&c->now.core, (int)(ref - REF_MODES));
+    else status = get_number(c, ref, value);
+    if (status == FMI(OK) && type == BOOLEAN) *value = *value > 0.5;
+    if (status == FMI(OK) && type == INTEGER) *value = round(*value);
+    return status;
+}
+
 Status face_get_reals(Instance *c, const uint32_t refs[], size_t n, double values[]) {
     if (face_missing(c, n, refs, values) || !face_ready(c)) return FMI(Error);
     for (size_t i = 0; i < n; i++) {
-        Status status = get_real(c, refs[i], &values[i]);
+        Status status = face_get(c, REAL, refs[i], &values[i]);
         if (status != FMI(OK)) return status;
     }
     return FMI(OK);
@@ -91,18 +119,19 @@ static int is_start(uint32_t ref) {
     return found;
 }
 
-static Status set_real(Instance *c, uint32_t ref, double value) {
+Status face_set(Instance *c, Type type, uint32_t ref, double value) {
     Core *core = &c->now.core;
     int phase = c->now.phase;
     int starting = phase & (INSTANTIATED | INITIALIZATION);
     int tuning = starting || phase == EVENT_MODE || (phase == STEP_MODE && !c->event_mode_used);
     CoreStatus status = CORE_OK;
+    if (face_type(ref) != type) return face_bad_reference(c, ref);
     c->now.begun = c->now.begun && !starting;
     if (starting && is_start(ref)) {
         if (follower(ref) >= 0) return refuse_follower(c, follower(ref));
         if (!isfinite(value)) return face_refuse(c, "a start value must be a finite number");
         set_start(c, ref, value);
-    } else if (ref >= REF_INPUTS && ref < REF_PARAMETERS)
+    } else if (ref >= REF_INPUTS && ref < REF_PARAMETERS && (type == REAL || tuning))
         status = set_input(c, (int)(ref - REF_INPUTS), value);
     else if (ref >= REF_PARAMETERS && ref < REF_VARIABLES && tuning)
         status = core_set_parameter(core, (int)(ref - REF_PARAMETERS), value);
@@ -113,15 +142,8 @@ static Status set_real(Instance *c, uint32_t ref, double value) {
 Status face_set_reals(Instance *c, const uint32_t refs[], size_t n, const double values[]) {
     if (face_missing(c, n, refs, values)) return FMI(Error);
     for (size_t i = 0; i < n; i++) {
-        Status status = set_real(c, refs[i], values[i]);
+        Status status = face_set(c, REAL, refs[i], values[i]);
         if (status != FMI(OK)) return status;
     }
-    return FMI(OK);
-}
-
-Status face_get_mode(Instance *c, uint32_t ref, int *value) {
-    if (ref < REF_MODES || ref >= REF_INDICATORS) return face_bad_reference(c, ref);
-    if (!face_ready(c)) return FMI(Error);
-    *value = core_mode(&c->now.core, (int)(ref - REF_MODES));
     return FMI(OK);
 }

@@ -60,6 +60,15 @@ def test_a_hysteresis_switches_at_two_levels() -> None:
     assert high["block.y"][0] == 1.0
 
 
+def test_on_and_off_are_numbers() -> None:
+    net = fed(signals.Hysteresis(uLow=-0.2, uHigh=0.5), u=sine())
+    net.add(level=signals.BooleanToReal(realTrue=3.0, realFalse=-1.0))
+    net.connect(net.block.y, net.level.u)
+    run = net.simulate(1.2)
+    assert run["level.y"] == pytest.approx(np.where(run["block.mode"] == 1, 3.0, -1.0))
+    assert set(run["level.y"].tolist()) == {3.0, -1.0}
+
+
 def test_a_switch_passes_one_or_the_other() -> None:
     run = fed(signals.Switch(threshold=0.2), u1=sine(), u2=sine(0.7), u3=sine(3.0)).simulate(3.0)
     u1, u2, u3, y = (run[f"block.{name}"] for name in ("u1", "u2", "u3", "y"))

@@ -13,6 +13,7 @@ from typing import Any
 
 import fmpy
 import pytest
+from inertance.fmu.check import states
 
 MODELS = {"body": 1, "ball": 2, "clock": 3, "saw": 4, "spring": 5, "relay": 6}
 STATES = {
@@ -137,3 +138,10 @@ def make_fmu(tmp_path_factory: pytest.TempPathFactory) -> MakeFMU:
         return path
 
     return make
+
+
+@pytest.fixture
+def few_instances(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Let checks of FMUs make few instances; how many there may be is tried in test_jumps."""
+    monkeypatch.setattr(states, "INSTANCES", 3)
+    monkeypatch.setattr(states, "REPEATED", 2)

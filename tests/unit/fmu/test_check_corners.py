@@ -10,9 +10,12 @@ import numpy as np
 import pytest
 from inertance.fmu.check import probe
 
-pytestmark = pytest.mark.skipif(
-    not any(shutil.which(name) for name in ("cc", "gcc", "clang")), reason="there is no C compiler"
-)
+pytestmark = [
+    pytest.mark.skipif(
+        not any(shutil.which(name) for name in ("cc", "gcc", "clang")), reason="there is no C compiler"
+    ),
+    pytest.mark.usefixtures("few_instances"),
+]
 
 
 def near_rest(at: float) -> ia.Network:

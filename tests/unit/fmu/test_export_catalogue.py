@@ -7,9 +7,12 @@ import numpy as np
 import pytest
 from inertance import rotational, signals, thermal
 
-needs_compiler = pytest.mark.skipif(
-    not any(shutil.which(name) for name in ("cc", "gcc", "clang")), reason="there is no C compiler"
-)
+pytestmark = [
+    pytest.mark.skipif(
+        not any(shutil.which(name) for name in ("cc", "gcc", "clang")), reason="there is no C compiler"
+    ),
+    pytest.mark.usefixtures("few_instances"),
+]
 
 
 def drivetrain() -> ia.Network:
@@ -92,7 +95,6 @@ def striking() -> ia.Network:
     return net.connect(net.play.flange_b, net.sledge.flange, net.pull.flange)
 
 
-@needs_compiler
 def test_a_drivetrain_with_heat_passes_the_check() -> None:
     report = ia.fmu.check_fmu(
         drivetrain(),
@@ -102,7 +104,6 @@ def test_a_drivetrain_with_heat_passes_the_check() -> None:
     assert report.passed, str(report)
 
 
-@needs_compiler
 def test_flanks_blocks_and_wheels_pass_the_check() -> None:
     report = ia.fmu.check_fmu(striking(), 2.0, outputs=["shaft.phi", "block.v", "sledge.v", "power.power"])
     assert report.passed, str(report)

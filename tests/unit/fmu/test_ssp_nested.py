@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import zipfile
+from dataclasses import replace
 from pathlib import Path
 
 import inertance as ia
@@ -161,3 +162,56 @@ def test_what_is_given_outside_goes_before_what_is_given_inside(
     lost = parameters(real("chassis.wheel.tyre.k", 3e5))
     with pytest.raises(FMUError, match=r"'chassis\.wheel\.tyre\.k', where there is no component"):
         read_ssp(packed(flat, tmp_path / "l.ssp", nested(values=lost)))
+
+
+def renamed(flat: SystemStructure, names: dict[str, str]) -> SystemStructure:
+    """Return the same system with other names of components."""
+
+    def told(path: str) -> str:
+        component, _, variable = path.partition(".")
+        return f"{names[component]}.{variable}"
+
+    connections = [replace(c, start=told(c.start), end=told(c.end)) for c in flat.connections]
+    components = {names[n]: fmu for n, fmu in flat.components.items()}
+    return replace(flat, components=components, connections=connections)
+
+
+def test_a_system_is_written_with_systems_inside(flat: SystemStructure, tmp_path: Path) -> None:
+    deep = renamed(flat, {"body": "cab_body", "wheel": "chassis_axle_wheel"})
+    deep.connections[0] = replace(deep.connections[0], factor=-2.0, offset=0.5)
+    deep.connections[1] = replace(deep.connections[1], convert=False)
+    deep.parameters = {"chassis_axle_wheel": {"tyre.k": 2e5}}
+    groups = {"cab": ["cab_body"], "chassis.axle": ["chassis_axle_wheel"]}
+    path = deep.write(tmp_path / "deep.ssp", groups=groups)
+    with zipfile.ZipFile(path) as archive:
+        text = archive.read("SystemStructure.ssd").decode()
+    for name in ("cab", "chassis", "axle"):
+        assert text.count(f'<ssd:System name="{name}">') == 1
+    assert '<ssd:Component name="wheel"' in text
+    read = read_ssp(path)
+    assert set(read.components) == set(deep.components)
+    assert {c.end: c for c in read.connections} == {c.end: c for c in deep.connections}
+    assert read.parameters["chassis_axle_wheel"] == {"tyre.k": (2e5, "N/m")}
+
+
+def test_an_input_is_led_through_the_walls(flat: SystemStructure, tmp_path: Path) -> None:
+    alone = replace(flat, components={"chassis_wheel": flat.components["wheel"]}, connections=[])
+    path = alone.write(tmp_path / "alone.ssp", groups={"chassis": ["chassis_wheel"]})
+    assert read_ssp(path).free_inputs() == alone.free_inputs() == [f"chassis_wheel.{n}" for n in (REF, RATE)]
+
+
+@pytest.mark.parametrize(
+    ("groups", "told"),
+    [
+        ({"axle": ["whee"]}, "no component 'whee'; did you mean 'wheel'"),
+        ({"axle": ["wheel"], "rear": ["wheel"]}, "'wheel' is in two systems"),
+        ({"wheel": ["body"]}, "'wheel' would be two elements"),
+        ({"body": ["wheel"]}, "'body' would be two elements"),
+        ({"a..b": ["body"]}, "is no path of names"),
+    ],
+)
+def test_systems_that_cannot_be_are_told(
+    flat: SystemStructure, tmp_path: Path, groups: dict[str, list[str]], told: str
+) -> None:
+    with pytest.raises(FMUError, match=told):
+        flat.write(tmp_path / "bad.ssp", groups=groups)
