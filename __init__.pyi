@@ -40,6 +40,7 @@ from .components import Force as Force
 from .components import ForceSensor as ForceSensor
 from .components import FractionalDamper as FractionalDamper
 from .components import Friction as Friction
+from .components import Gyroscope as Gyroscope
 from .components import HardStop as HardStop
 from .components import HarmonicRipple as HarmonicRipple
 from .components import HeatPort as HeatPort
