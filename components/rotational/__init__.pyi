@@ -15,6 +15,7 @@ from ..hysteresis import HystereticSpring
 from ..language import Component, Number, ParameterValue, SignalValue
 from ..lossy import AtTemperature, Lossy
 from ..pressed import Pressed, PressedStickSlip
+from ..relaxing import Relaxing
 from ..stickslip import StickSlip, Sticking
 
 class BearingFriction(Component):
@@ -901,12 +902,13 @@ class CompliantWithSpeed(Compliant):
     def __init__(self, **values: Any) -> None: ...
 
 class CubicSpring(Compliant):
-    """Spring with a cubic term: tau = c e + c3 e^3 with e = phi_rel - phi_rel0.
+    """Spring with a cubic and a quadratic term: tau = c e + c2 e^2 + c3 e^3 with e = phi_rel - phi_rel0.
 
     Args:
         c: linear stiffness [N.m/rad], at least 0.
         c3: cubic stiffness; negative softens [N.m/rad3].
         phi_rel0: unstretched angle [rad].
+        c2: quadratic stiffness: stiffer when pulled, softer when pushed [N.m/rad2].
         phi_rel: angle between the flanges [rad], fixed start value.
         tau: torque between the flanges, positive when it turns b back towards a [N.m], fixed start value.
     """
@@ -917,6 +919,8 @@ class CubicSpring(Compliant):
     """cubic stiffness; negative softens [N.m/rad3]"""
     phi_rel0: Any
     """unstretched angle [rad]"""
+    c2: Any
+    """quadratic stiffness: stiffer when pulled, softer when pushed [N.m/rad2]"""
     potential: Any
     """stored energy [J]"""
     @property
@@ -927,6 +931,7 @@ class CubicSpring(Compliant):
         c: ParameterValue,
         c3: ParameterValue,
         phi_rel0: ParameterValue = 0.0,
+        c2: ParameterValue = 0.0,
         phi_rel: Number = ...,
         tau: Number = ...,
     ) -> None: ...
@@ -1586,6 +1591,43 @@ class ModalShaft(ElasticShaft, ModalBar):
         a_a: Number = ...,
         a_b: Number = ...,
         **parts: Component,
+    ) -> None: ...
+
+class RelaxingSpring(Compliant, Relaxing):
+    """Spring and damper in series by the time in which they relax: tau = c (e - z), T z' = e - z.
+
+    e = phi_rel - phi_rel0.
+
+    Args:
+        T: time in which the force fades to 37 % [s], above 0.
+        c: stiffness when shaken fast [N.m/rad], at least 0.
+        useHeatPort: whether its losses leave as heat through heatPort.
+        phi_rel0: unstretched angle [rad].
+        phi_rel: angle between the flanges [rad], fixed start value.
+        tau: torque between the flanges, positive when it turns b back towards a [N.m], fixed start value.
+        z: twist that has relaxed [rad], fixed start value.
+    """
+
+    c: Any
+    """stiffness when shaken fast [N.m/rad], at least 0"""
+    phi_rel0: Any
+    """unstretched angle [rad]"""
+    z: Any
+    """twist that has relaxed [rad], fixed start value"""
+    @property
+    def stretch(self) -> Any: ...
+    @property
+    def stiffness(self) -> Any: ...
+    def __init__(
+        self,
+        *,
+        T: ParameterValue,
+        c: ParameterValue,
+        useHeatPort: bool = False,
+        phi_rel0: ParameterValue = 0.0,
+        phi_rel: Number = ...,
+        tau: Number = ...,
+        z: Number = ...,
     ) -> None: ...
 
 class Backlash(Dissipative):
