@@ -1,4 +1,4 @@
-"""Rubber that relaxes, brakes by eddy currents and springs that pull other than they push, named from records.
+"""Rubber that relaxes, eddy currents that brake, springs that pull other than they push, named from records.
 
 What is measured comes from equations written here; the models know nothing of it, and stiffness, damping and
 mass are up to 9 % off. Records begin in motion.
@@ -113,7 +113,7 @@ def test_a_brake_by_eddy_currents() -> None:
 
 @pytest.mark.parametrize("sign", [1.0, -1.0])
 def test_a_spring_that_hardens_about_a_preload(sign: float) -> None:
-    """Cubic from where it is slack, 0.4 m away: it pulls other than it pushes, and hardens a little beside."""
+    """Cubic from where it is slack, 0.4 m away: it pulls other than it pushes, and hardens a little."""
     rest, k3 = sign * 0.4, 400.0
     found = mount(lambda s, v, z: (k3 * ((s + rest) ** 3 - rest**3), 0.0), 20.0)
     assert labels(found) == ["quadratic_stiffness at damper", "cubic_stiffness at damper"]
