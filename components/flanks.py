@@ -11,7 +11,7 @@ class SlidingFlanks(Sticking):
 
     tau_loss = +-c |T| +- tau_bf against the motion, T the torque that the load takes without loss, and with
     t the tangent of the lead angle: c = mu (1 + t^2)/(t (1 - mu t)) against the load, mu (1 + t^2)/(t (1 +
-    mu t)) along with it. Where mu > t no load drives it: it locks itself.
+    mu t)) along with it. Where mu > t no load drives it: it is self-locking.
 
     A subclass gives `load_torque` T and `slope` t, declares phi, w and a of what turns, and uses tau_loss.
 

@@ -1456,7 +1456,7 @@ class RelativeAccelerationSensor(RelativeSpeedSensor):
     def __init__(self) -> None: ...
 
 class WormGear(SlidingFlanks):
-    """Worm and wheel, whose flanks slide under load: phi_a = ratio phi_b, locked where mu > tan(lambda).
+    """Worm and wheel, whose flanks slide under load: phi_a = ratio phi_b; self-locking if mu > tan(lambda).
 
     flange_b.tau = -ratio (flange_a.tau - tau_loss). Worm driving, the efficiency is tan(lambda)/tan(lambda +
     rho) with tan(rho) = mu; wheel driving, tan(lambda - rho)/tan(lambda), and none where it locks itself. At
@@ -1520,7 +1520,7 @@ class Dissipative(CompliantWithSpeed, Lossy):
     def __init__(self, **values: Any) -> None: ...
 
 class LumpedShaft(ElasticShaft, LumpedBar):
-    """Elastic shaft of uniform section in lumps: springs in a row, inertias between, halves at the ends.
+    """Flexible shaft of uniform section in lumps: springs in a row, inertias between, halves at the ends.
 
     `frequency_error(n)` tells how far its n-th natural frequency n pi sqrt(c/J), both ends free, is too low:
     the first by 2.6 % with four segments, and a quarter of that with twice as many.
@@ -1553,7 +1553,7 @@ class LumpedShaft(ElasticShaft, LumpedBar):
     ) -> None: ...
 
 class ModalShaft(ElasticShaft, ModalBar):
-    """Elastic shaft of uniform section by its modes: a straight line between its ends and half waves on it.
+    """Flexible shaft of uniform section by its modes: a straight line between its ends and half waves on it.
 
     `frequency_error(n)` tells how far its n-th natural frequency n pi sqrt(c/J), both ends free, is too
     high: the first by 10 % with one mode, 0.4 % with two, 0.1 % with four.

@@ -40,7 +40,7 @@ class Add(Component):
     ) -> None: ...
 
 class CombiTable2D(Component):
-    """A map over two inputs, bilinear between its points. Continuous, so it makes no event.
+    """A lookup map over two inputs, bilinear between its points. Continuous, so it makes no event.
 
     Source: MSL Blocks.Tables.CombiTable2Ds with LinearSegments.
 
@@ -317,7 +317,7 @@ class Clock(Source):
     ) -> None: ...
 
 class CombiTable1D(SISO):
-    """A table over one input, straight lines between its rows. Continuous, so it makes no event.
+    """A lookup table over one input, straight lines between its rows. Continuous, so it makes no event.
 
     Source: MSL Blocks.Tables.CombiTable1Ds with one column and LinearSegments.
 
