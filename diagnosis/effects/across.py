@@ -16,7 +16,7 @@ from .effect import Effect, Motion, Quantity, Values, both, register
 from .sites import GROUND, Site
 
 STIFFNESS = (("k", "N/m"), ("c", "N.m/rad"))
-_DAMPING = (("d", "N.s/m"), ("d", "N.m.s/rad"))
+DAMPING = (("d", "N.s/m"), ("d", "N.m.s/rad"))
 
 
 def across(
@@ -83,7 +83,7 @@ def _thinning(motion: Motion, shape: Values) -> list[Array]:
     return [v_e * np.arcsinh(motion.v / v_e)]
 
 
-across("viscous_damping", "Damper", both(d=_DAMPING), lambda m, _: [m.v])
+across("viscous_damping", "Damper", both(d=DAMPING), lambda m, _: [m.v])
 across(
     "quadratic_damping",
     "QuadraticDamper",
@@ -99,7 +99,7 @@ across(
 across(
     "shear_thinning_damping",
     "ShearThinningDamper",
-    both(d=_DAMPING, v_e=(("v_e", "m/s"), ("w_e", "rad/s"), 0.0, True)),
+    both(d=DAMPING, v_e=(("v_e", "m/s"), ("w_e", "rad/s"), 0.0, True)),
     _thinning,
     shapes=lambda motion: [{"v_e": r * motion.speed} for r in SHEAR_THINNING_SPEED_RATIOS],
     plain=("viscous_damping", (1.0,)),
@@ -108,7 +108,7 @@ register(
     Effect(
         "eddy_current_damping",
         "across",
-        both(d=_DAMPING, v_nominal=(("v_nominal", "m/s"), ("w_nominal", "rad/s"), 0.0, True)),
+        both(d=DAMPING, v_nominal=(("v_nominal", "m/s"), ("w_nominal", "rad/s"), 0.0, True)),
         _braked,
         _fading,
         shapes=lambda motion: [{"v_nominal": r * motion.speed} for r in EDDY_CURRENT_SPEED_RATIOS],
@@ -120,7 +120,7 @@ register(
     Effect(
         "viscous_drift",
         "across",
-        both(d=(*_DAMPING, -inf), d_u=(("d_u", "N/m"), ("d_u", "N.m/rad"), -inf)),
+        both(d=(*DAMPING, -inf), d_u=(("d_u", "N/m"), ("d_u", "N.m/rad"), -inf)),
         _drifting,
         lambda motion, _: [motion.v, motion.elapsed * motion.v],
         plain=("viscous_damping", (1.0, 0.0)),

@@ -10,7 +10,7 @@ import numpy as np
 
 from ...base import Array
 from .. import criteria
-from .across import STIFFNESS, across, unstretched
+from .across import DAMPING, STIFFNESS, across, unstretched
 from .dry_friction import COULOMB
 from .effect import Motion, Values, both
 from .sites import Site
@@ -68,7 +68,7 @@ def _dahl(motion: Motion, shape: Values) -> list[Array]:
 
 
 def _relaxing(motion: Motion, shape: Values) -> list[Array]:
-    """Return the stretch of a spring whose damper, in series with it, follows in a time T.
+    """Return the speed of a damper that a spring, in series with it, lets follow in a time T.
 
     It is exact where the distance is straight between points.
     """
@@ -81,7 +81,12 @@ def _relaxing(motion: Motion, shape: Values) -> list[Array]:
     found = [float(motion.s[0])]
     for keep, gain in zip(kept.tolist(), gained.tolist(), strict=True):
         found.append(keep * found[-1] + gain)
-    return [np.array(found)]
+    return [np.array(found) / T]
+
+
+def _branch(site: Site, p: Values) -> dict[str, float]:
+    """Return stiffness and time of a spring in series with a damper."""
+    return {site.mechanics.stiffness: p["d"] / p["T"], "T": p["T"]}
 
 
 def _bouc_wen(site: Site, p: Values) -> dict[str, float]:
@@ -116,11 +121,13 @@ across(
 across(
     "relaxation",
     "RelaxingSpring",
-    both(k=STIFFNESS, T=(("T", "s"), ("T", "s"), 0.0, True)),
+    both(d=DAMPING, T=(("T", "s"), ("T", "s"), 0.0, True)),
     _relaxing,
-    unstretched,
+    lambda site, p: unstretched(site, _branch(site, p)),
     shapes=lambda motion: [
         {"T": r * motion.travel / motion.speed} for r in criteria.RELAXATION_PERIOD_RATIOS
     ],
+    parameters=lambda at, name, p: {f"{name}.{key}": v for key, v in _branch(at, p).items()},
     memory=True,
+    plain=("viscous_damping", (1.0,)),
 )
