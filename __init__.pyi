@@ -42,6 +42,7 @@ from .components import Force as Force
 from .components import ForceSensor as ForceSensor
 from .components import FractionalDamper as FractionalDamper
 from .components import Friction as Friction
+from .components import Gyroscope as Gyroscope
 from .components import HardStop as HardStop
 from .components import HarmonicRipple as HarmonicRipple
 from .components import HeatPort as HeatPort
@@ -90,6 +91,7 @@ from .components import RealOutput as RealOutput
 from .components import RelativeAccelerationSensor as RelativeAccelerationSensor
 from .components import RelativePositionSensor as RelativePositionSensor
 from .components import RelativeSpeedSensor as RelativeSpeedSensor
+from .components import RelaxingSpring as RelaxingSpring
 from .components import Ripple as Ripple
 from .components import Rod as Rod
 from .components import RollingResistance as RollingResistance

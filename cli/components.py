@@ -32,7 +32,7 @@ def components(
 ) -> None:
     """List the components by family, search them, or tell everything about one."""
     if name is None or search is not None:
-        _list(f"{name or ''} {search or ''}".split())
+        _list(f"{name or ''} {search or ''}".replace("-", " ").split())
         return
     from .catalogue import find
     from .describe import describe

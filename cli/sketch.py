@@ -20,7 +20,8 @@ SYMBOLS = {  # by the class that has it; what derives from that has it, too, unl
     "Vehicle": "_/o--o\\_", "HeatCapacitor": "[ C ]", "ThermalConductor": "~~~>",
     "TabulatedSpring": "/\\/\\/\\ ::", "TabulatedDamper": "--[|-- ::", "MapSpringDamper": "/\\ || [| ::",
     "LuGreFriction": "=~~~=", "SupportFriction": "=~~~=", "BearingFriction": "=~~~=",
-    "RollingResistance": "(+)~~", "Maxwell": "/\\/\\--[|--", "Zener": "/\\/\\--[|-- || /\\/\\",
+    "RollingResistance": "(+)~~", "Maxwell": "/\\/\\--[|--", "Relaxing": "/\\/\\--[|--",
+    "Zener": "/\\/\\--[|-- || /\\/\\",
     "FractionalDamper": "/\\ [| /\\ [|", "WireRope": "/\\/\\ || =~=", "ObliqueSprings": "/\\>--</\\",
     "Rope": "- - /\\ - -", "AirSpring": "--[ gas |--", "MonotubeDamper": "--[ gas | oil ||--",
     "BoucWenDamper": "--[| ~ i", "SpencerDamper": "--[| ~ i", "VoiceCoil": "--UUU--",
@@ -31,7 +32,8 @@ SYMBOLS = {  # by the class that has it; what derives from that has it, too, unl
     "BeltDrive": "(o====o)", "UniversalJoint": "--X--", "Differential": "O:o -<",
     "SliderCrank": "(o/--[]", "Cam": "(o>--[]", "Tyre": "(o)__", "RigidRingTyre": "((o))__",
     "DiskFlywheel": "( J )", "FixedTemperature": "/////", "BallScrewInerter": "~~~#~~~( J )",
-    "RackPinionInerter": "(+)__( J )", "CrankInerter": "(o/--[]( J )",
+    "Gyroscope": "(<|>)", "RackPinionInerter": "(+)__( J )", "GyroInerter": "(+)__(<|>)",
+    "CrankInerter": "(o/--[]( J )",
     "MechatronicInerter": "~~~#~~~( J )( M )",
 }  # fmt: skip
 LEFT = ("flange_a", "flange_r", "flangeR", "sun", "bracket", "front", "port_a")

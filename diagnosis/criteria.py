@@ -54,6 +54,8 @@ START_STEPS, START_HALVINGS = 8, 4  # [1] runs of a record to find where it begi
 # Shapes that are screened, and how they follow in a fit
 STRIBECK_SPEED_RATIOS = 0.05, 0.3, 1.0  # [rms speed] of the site; effort
 SHEAR_THINNING_SPEED_RATIOS = 0.1, 0.5  # [rms speed] of the site; data: lower ones are like dry friction
+EDDY_CURRENT_SPEED_RATIOS = 0.5, 1.5  # [rms speed] of the site; data: from higher ones on it is viscous
+RELAXATION_PERIOD_RATIOS = 0.1, 0.5, 2.0  # [half the range over the rms speed] of the site; effort
 RIPPLES_PER_TRAVEL = 2, 60  # [1] fewest and most periods in the range of the site; data
 MOST_RIPPLES_PER_TRAVEL = 1000  # [1] the same where the residual tells which are promising; effort
 RIPPLE_POINTS = 8  # [1] in the shortest period, to find those; theory: 2 and more

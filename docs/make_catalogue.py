@@ -351,6 +351,20 @@ def _(ax: Axes) -> None:
     told(ax, "stroke [mm]", "inertance [kg]")
 
 
+@panel("inerters", "Gyroscope", "machines.GyroInerter")
+def _(ax: Axes) -> None:
+    for w_s in (0.0, 200.0, 400.0):
+        gyro = ia.Gyroscope(J_s=2e-3, w_s=w_s, J_t=1.2e-3, c=8.0, d=0.02)
+        net = joined(
+            "held", "wall.flange inerter.flange_b", "inerter.flange_a push.flange", wall=ia.Fixed(),
+            inerter=machines.GyroInerter(pinion=ia.RackPinion(R=0.03), flywheel=gyro), push=ia.Force(),
+        )  # fmt: skip
+        f = np.logspace(-1, 2, 301)
+        system = ia.analysis.linearise(net, ["push.f"], ["inerter.flange_a.s"])
+        ax.loglog(f, 1 / abs(system.response(f)).ravel() / (SLOW * f) ** 2, label=f"spin of {w_s:g} rad/s")
+    told(ax, "frequency [Hz]", "force over acceleration [kg]")
+
+
 @panel("inerters", "machines.MechatronicInerter")
 def _(ax: Axes) -> None:
     for C in (0.01, 0.05):

@@ -99,6 +99,9 @@ VALUES: dict[str, dict[str, Any]] = {
     "Tyre": {"R": 0.5, "F_z": 3.0, "mu": 0.9, "B": 8.0, "C": 1.6, "E": 0.3, "sigma": 0.3},
     "machines.OleoStrut": OLEO,
     "machines.InterconnectedStruts": STRUTS,
+    "CubicSpring": {"k": 3.0, "k2": 1.5, "k3": 2.0},
+    "rotational.CubicSpring": {"c": 3.0, "c2": -1.5, "c3": 2.0},
+    "Gyroscope": {"J_s": 1.0, "w_s": 2.0, "J_t": 0.6, "J_g": 0.3, "J_i": 0.2, "c": 3.0, "d": 0.4},
     "machines.CrankInerter": {
         "crank": ia.SliderCrank(r=0.5, l=2.0),
         "flywheel": ia.DiskFlywheel(m=1.0, R=0.4),

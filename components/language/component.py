@@ -45,11 +45,13 @@ class Component:
     Attributes:
         has_law: whether it stands for a part of the machine, in whose law an effect can hide: not what only
             holds, drives, measures or joins rigidly.
+        unsettled: what it means, and what helps, if no set of its modes is consistent.
 
     Problems with the values are told when the network is assembled, all at once and by path.
     """
 
     has_law: ClassVar[bool] = True
+    unsettled: ClassVar[str] = ""
     fields: ClassVar[dict[str, Field]] = {}
     _by_kind: ClassVar[dict[type[Field], tuple[Any, ...]]] = {}
     _templates: ClassVar[dict[tuple[Any, ...], Any]] = {}

@@ -77,4 +77,5 @@ from .tabulated import TabulatedForce as TabulatedForce
 from .tabulated import TabulatedSpring as TabulatedSpring
 from .thermal_laws import EddyCurrentBrake as EddyCurrentBrake
 from .thermal_laws import TemperatureDependentFriction as TemperatureDependentFriction
+from .viscoelastic import RelaxingSpring as RelaxingSpring
 from .worms import WormGear as WormGear

@@ -15,6 +15,7 @@ from ..hysteresis import HystereticSpring
 from ..language import Component, Number, ParameterValue, SignalValue
 from ..lossy import AtTemperature, Lossy
 from ..pressed import Pressed, PressedStickSlip
+from ..relaxing import Relaxing
 from ..stickslip import StickSlip, Sticking
 
 class BearingFriction(Component):
@@ -901,12 +902,13 @@ class CompliantWithSpeed(Compliant):
     def __init__(self, **values: Any) -> None: ...
 
 class CubicSpring(Compliant):
-    """Spring with a cubic term: tau = c e + c3 e^3 with e = phi_rel - phi_rel0.
+    """Spring with a cubic and a quadratic term: tau = c e + c2 e^2 + c3 e^3 with e = phi_rel - phi_rel0.
 
     Args:
         c: linear stiffness [N.m/rad], at least 0.
         c3: cubic stiffness; negative softens [N.m/rad3].
         phi_rel0: unstretched angle [rad].
+        c2: quadratic stiffness: stiffer when pulled, softer when pushed [N.m/rad2].
         phi_rel: angle between the flanges [rad], fixed start value.
         tau: torque between the flanges, positive when it turns b back towards a [N.m], fixed start value.
     """
@@ -917,6 +919,8 @@ class CubicSpring(Compliant):
     """cubic stiffness; negative softens [N.m/rad3]"""
     phi_rel0: Any
     """unstretched angle [rad]"""
+    c2: Any
+    """quadratic stiffness: stiffer when pulled, softer when pushed [N.m/rad2]"""
     potential: Any
     """stored energy [J]"""
     @property
@@ -927,6 +931,7 @@ class CubicSpring(Compliant):
         c: ParameterValue,
         c3: ParameterValue,
         phi_rel0: ParameterValue = 0.0,
+        c2: ParameterValue = 0.0,
         phi_rel: Number = ...,
         tau: Number = ...,
     ) -> None: ...
@@ -1451,7 +1456,7 @@ class RelativeAccelerationSensor(RelativeSpeedSensor):
     def __init__(self) -> None: ...
 
 class WormGear(SlidingFlanks):
-    """Worm and wheel, whose flanks slide under load: phi_a = ratio phi_b, locked where mu > tan(lambda).
+    """Worm and wheel, whose flanks slide under load: phi_a = ratio phi_b; self-locking if mu > tan(lambda).
 
     flange_b.tau = -ratio (flange_a.tau - tau_loss). Worm driving, the efficiency is tan(lambda)/tan(lambda +
     rho) with tan(rho) = mu; wheel driving, tan(lambda - rho)/tan(lambda), and none where it locks itself. At
@@ -1515,7 +1520,7 @@ class Dissipative(CompliantWithSpeed, Lossy):
     def __init__(self, **values: Any) -> None: ...
 
 class LumpedShaft(ElasticShaft, LumpedBar):
-    """Elastic shaft of uniform section in lumps: springs in a row, inertias between, halves at the ends.
+    """Flexible shaft of uniform section in lumps: springs in a row, inertias between, halves at the ends.
 
     `frequency_error(n)` tells how far its n-th natural frequency n pi sqrt(c/J), both ends free, is too low:
     the first by 2.6 % with four segments, and a quarter of that with twice as many.
@@ -1548,7 +1553,7 @@ class LumpedShaft(ElasticShaft, LumpedBar):
     ) -> None: ...
 
 class ModalShaft(ElasticShaft, ModalBar):
-    """Elastic shaft of uniform section by its modes: a straight line between its ends and half waves on it.
+    """Flexible shaft of uniform section by its modes: a straight line between its ends and half waves on it.
 
     `frequency_error(n)` tells how far its n-th natural frequency n pi sqrt(c/J), both ends free, is too
     high: the first by 10 % with one mode, 0.4 % with two, 0.1 % with four.
@@ -1586,6 +1591,43 @@ class ModalShaft(ElasticShaft, ModalBar):
         a_a: Number = ...,
         a_b: Number = ...,
         **parts: Component,
+    ) -> None: ...
+
+class RelaxingSpring(Compliant, Relaxing):
+    """Spring and damper in series by the time in which they relax: tau = c (e - z), T z' = e - z.
+
+    e = phi_rel - phi_rel0.
+
+    Args:
+        T: time in which the force fades to 37 % [s], above 0.
+        c: stiffness when shaken fast [N.m/rad], at least 0.
+        useHeatPort: whether its losses leave as heat through heatPort.
+        phi_rel0: unstretched angle [rad].
+        phi_rel: angle between the flanges [rad], fixed start value.
+        tau: torque between the flanges, positive when it turns b back towards a [N.m], fixed start value.
+        z: twist that has relaxed [rad], fixed start value.
+    """
+
+    c: Any
+    """stiffness when shaken fast [N.m/rad], at least 0"""
+    phi_rel0: Any
+    """unstretched angle [rad]"""
+    z: Any
+    """twist that has relaxed [rad], fixed start value"""
+    @property
+    def stretch(self) -> Any: ...
+    @property
+    def stiffness(self) -> Any: ...
+    def __init__(
+        self,
+        *,
+        T: ParameterValue,
+        c: ParameterValue,
+        useHeatPort: bool = False,
+        phi_rel0: ParameterValue = 0.0,
+        phi_rel: Number = ...,
+        tau: Number = ...,
+        z: Number = ...,
     ) -> None: ...
 
 class Backlash(Dissipative):

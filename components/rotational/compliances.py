@@ -110,16 +110,17 @@ class SpringDamper(Dissipative):
 
 
 class CubicSpring(Compliant):
-    """Spring with a cubic term: tau = c e + c3 e^3 with e = phi_rel - phi_rel0."""
+    """Spring with a cubic and a quadratic term: tau = c e + c2 e^2 + c3 e^3 with e = phi_rel - phi_rel0."""
 
     c = parameter("N.m/rad", "linear stiffness", min=0)
     c3 = parameter("N.m/rad3", "cubic stiffness; negative softens")
     phi_rel0 = parameter("rad", "unstretched angle", default=0.0)
+    c2 = parameter("N.m/rad2", "quadratic stiffness: stiffer when pulled, softer when pushed", default=0.0)
     e = property(lambda self: self.phi_rel - self.phi_rel0)
-    potential = energy(lambda self: self.c * self.e**2 / 2 + self.c3 * self.e**4 / 4)
+    potential = energy(lambda self: self.e**2 * (self.c / 2 + self.c2 * self.e / 3 + self.c3 * self.e**2 / 4))
 
     def equations(self) -> Stated:
-        yield self.tau == self.c * self.e + self.c3 * self.e**3
+        yield self.tau == self.c * self.e + self.c2 * self.e**2 + self.c3 * self.e**3
 
 
 class BilinearSpring(Compliant):

@@ -57,7 +57,7 @@ class ElasticShaft(Bar):
 
 
 class ModalShaft(ElasticShaft, ModalBar):
-    """Elastic shaft of uniform section by its modes: a straight line between its ends and half waves on it.
+    """Flexible shaft of uniform section by its modes: a straight line between its ends and half waves on it.
 
     `frequency_error(n)` tells how far its n-th natural frequency n pi sqrt(c/J), both ends free, is too
     high: the first by 10 % with one mode, 0.4 % with two, 0.1 % with four.
@@ -73,7 +73,7 @@ class ModalShaft(ElasticShaft, ModalBar):
 
 
 class LumpedShaft(ElasticShaft, LumpedBar):
-    """Elastic shaft of uniform section in lumps: springs in a row, inertias between, halves at the ends.
+    """Flexible shaft of uniform section in lumps: springs in a row, inertias between, halves at the ends.
 
     `frequency_error(n)` tells how far its n-th natural frequency n pi sqrt(c/J), both ends free, is too low:
     the first by 2.6 % with four segments, and a quarter of that with twice as many.

@@ -7,7 +7,7 @@ from ..language import Expression, RotationalFlange, Stated, der, parameter, var
 
 
 class WormGear(SlidingFlanks):
-    """Worm and wheel, whose flanks slide under load: phi_a = ratio phi_b, locked where mu > tan(lambda).
+    """Worm and wheel, whose flanks slide under load: phi_a = ratio phi_b; self-locking if mu > tan(lambda).
 
     flange_b.tau = -ratio (flange_a.tau - tau_loss). Worm driving, the efficiency is tan(lambda)/tan(lambda +
     rho) with tan(rho) = mu; wheel driving, tan(lambda - rho)/tan(lambda), and none where it locks itself. At

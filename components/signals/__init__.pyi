@@ -69,7 +69,7 @@ class BooleanToReal(Component):
     ) -> None: ...
 
 class CombiTable2D(Component):
-    """A map over two inputs, bilinear between its points. Continuous, so it makes no event.
+    """A lookup map over two inputs, bilinear between its points. Continuous, so it makes no event.
 
     Source: MSL Blocks.Tables.CombiTable2Ds with LinearSegments.
 
@@ -346,7 +346,7 @@ class Clock(Source):
     ) -> None: ...
 
 class CombiTable1D(SISO):
-    """A table over one input, straight lines between its rows. Continuous, so it makes no event.
+    """A lookup table over one input, straight lines between its rows. Continuous, so it makes no event.
 
     Source: MSL Blocks.Tables.CombiTable1Ds with one column and LinearSegments.
 

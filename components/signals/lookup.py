@@ -33,7 +33,7 @@ COLUMNS = of_equal_length(
 
 
 class CombiTable1D(SISO):
-    """A table over one input, straight lines between its rows. Continuous, so it makes no event.
+    """A lookup table over one input, straight lines between its rows. Continuous, so it makes no event.
 
     Source: MSL Blocks.Tables.CombiTable1Ds with one column and LinearSegments.
 
@@ -54,7 +54,7 @@ class CombiTable1D(SISO):
 
 
 class CombiTable2D(Component):
-    """A map over two inputs, bilinear between its points. Continuous, so it makes no event.
+    """A lookup map over two inputs, bilinear between its points. Continuous, so it makes no event.
 
     Source: MSL Blocks.Tables.CombiTable2Ds with LinearSegments.
 

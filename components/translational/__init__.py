@@ -81,5 +81,6 @@ from .thermal_laws import EddyCurrentBrake as EddyCurrentBrake
 from .thermal_laws import TemperatureDependentFriction as TemperatureDependentFriction
 from .viscoelastic import FractionalDamper as FractionalDamper
 from .viscoelastic import Maxwell as Maxwell
+from .viscoelastic import RelaxingSpring as RelaxingSpring
 from .viscoelastic import Zener as Zener
 from .voice_coils import VoiceCoil as VoiceCoil

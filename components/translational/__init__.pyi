@@ -14,6 +14,7 @@ from ..hysteresis import HystereticSpring
 from ..language import Component, Number, ParameterValue, SignalValue
 from ..lossy import AtTemperature, Lossy
 from ..pressed import PressedStickSlip
+from ..relaxing import Relaxing
 from ..stickslip import StickSlip
 
 class DrivenFlange(Component):
@@ -748,7 +749,9 @@ class CompliantWithSpeed(Compliant):
     def __init__(self, **values: Any) -> None: ...
 
 class CubicSpring(Compliant):
-    """Spring with a cubic term: f = k e + k3 e^3 with e = s_rel - s_rel0.
+    """Spring with a cubic and a quadratic term: f = k e + k2 e^2 + k3 e^3 with e = s_rel - s_rel0.
+
+    The quadratic term makes pull and push differ, as where a spring that hardens is preloaded.
 
     Source: G. Duffing, Erzwungene Schwingungen bei veraenderlicher Eigenfrequenz (1918).
 
@@ -756,6 +759,7 @@ class CubicSpring(Compliant):
         k: linear stiffness [N/m], at least 0.
         k3: cubic stiffness; negative softens [N/m3].
         s_rel0: unstretched length [m].
+        k2: quadratic stiffness: stiffer when pulled, softer when pushed [N/m2].
         s_rel: distance of the flanges [m], fixed start value.
         f: force between the flanges, positive when it pulls them together [N], fixed start value.
     """
@@ -766,6 +770,8 @@ class CubicSpring(Compliant):
     """cubic stiffness; negative softens [N/m3]"""
     s_rel0: Any
     """unstretched length [m]"""
+    k2: Any
+    """quadratic stiffness: stiffer when pulled, softer when pushed [N/m2]"""
     potential: Any
     """stored energy [J]"""
     @property
@@ -776,6 +782,7 @@ class CubicSpring(Compliant):
         k: ParameterValue,
         k3: ParameterValue,
         s_rel0: ParameterValue = 0.0,
+        k2: ParameterValue = 0.0,
         s_rel: Number = ...,
         f: Number = ...,
     ) -> None: ...
@@ -1555,7 +1562,7 @@ class Dissipative(CompliantWithSpeed, Lossy):
     def __init__(self, **values: Any) -> None: ...
 
 class LumpedRod(ElasticRod, LumpedBar):
-    """Elastic rod of uniform section in lumps: springs in a row, masses between, halves at the ends.
+    """Flexible rod of uniform section in lumps: springs in a row, masses between, halves at the ends.
 
     `frequency_error(n)` tells how far its n-th natural frequency n pi sqrt(k/m), both ends free, is too low:
     the first by 2.6 % with four segments, and a quarter of that with twice as many.
@@ -1590,7 +1597,7 @@ class LumpedRod(ElasticRod, LumpedBar):
     ) -> None: ...
 
 class ModalRod(ElasticRod, ModalBar):
-    """Elastic rod of uniform section by its modes: a straight line between its ends and half waves on it.
+    """Flexible rod of uniform section by its modes: a straight line between its ends and half waves on it.
 
     `frequency_error(n)` tells how far its n-th natural frequency n pi sqrt(k/m), both ends free, is too
     high: the first by 10 % with one mode, 0.4 % with two, 0.1 % with four.
@@ -1630,6 +1637,43 @@ class ModalRod(ElasticRod, ModalBar):
         a_a: Number = ...,
         a_b: Number = ...,
         **parts: Component,
+    ) -> None: ...
+
+class RelaxingSpring(Compliant, Relaxing):
+    """A `Maxwell` element by its time: f = k (e - z), T z' = e - z with e = s_rel - s_rel0.
+
+    Also without stiffness it is one, unlike spring and damper: f = 0.
+
+    Args:
+        T: time in which the force fades to 37 % [s], above 0.
+        k: stiffness when shaken fast [N/m], at least 0.
+        useHeatPort: whether its losses leave as heat through heatPort.
+        s_rel0: unstretched length [m].
+        s_rel: distance of the flanges [m], fixed start value.
+        f: force between the flanges, positive when it pulls them together [N], fixed start value.
+        z: stretch that has relaxed [m], fixed start value.
+    """
+
+    k: Any
+    """stiffness when shaken fast [N/m], at least 0"""
+    s_rel0: Any
+    """unstretched length [m]"""
+    z: Any
+    """stretch that has relaxed [m], fixed start value"""
+    @property
+    def stretch(self) -> Any: ...
+    @property
+    def stiffness(self) -> Any: ...
+    def __init__(
+        self,
+        *,
+        T: ParameterValue,
+        k: ParameterValue,
+        useHeatPort: bool = False,
+        s_rel0: ParameterValue = 0.0,
+        s_rel: Number = ...,
+        f: Number = ...,
+        z: Number = ...,
     ) -> None: ...
 
 class Backlash(Dissipative):

@@ -129,7 +129,9 @@ class Inerter(CompliantWithSpeed):
 
 
 class CubicSpring(Compliant):
-    """Spring with a cubic term: f = k e + k3 e^3 with e = s_rel - s_rel0.
+    """Spring with a cubic and a quadratic term: f = k e + k2 e^2 + k3 e^3 with e = s_rel - s_rel0.
+
+    The quadratic term makes pull and push differ, as where a spring that hardens is preloaded.
 
     Source: G. Duffing, Erzwungene Schwingungen bei veraenderlicher Eigenfrequenz (1918).
     """
@@ -137,11 +139,12 @@ class CubicSpring(Compliant):
     k = parameter("N/m", "linear stiffness", min=0)
     k3 = parameter("N/m3", "cubic stiffness; negative softens")
     s_rel0 = parameter("m", "unstretched length", default=0.0)
+    k2 = parameter("N/m2", "quadratic stiffness: stiffer when pulled, softer when pushed", default=0.0)
     e = property(lambda self: self.s_rel - self.s_rel0)
-    potential = energy(lambda self: self.k * self.e**2 / 2 + self.k3 * self.e**4 / 4)
+    potential = energy(lambda self: self.e**2 * (self.k / 2 + self.k2 * self.e / 3 + self.k3 * self.e**2 / 4))
 
     def equations(self) -> Stated:
-        yield self.f == self.k * self.e + self.k3 * self.e**3
+        yield self.f == self.k * self.e + self.k2 * self.e**2 + self.k3 * self.e**3
 
 
 class BilinearSpring(Compliant):

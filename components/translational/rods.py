@@ -58,7 +58,7 @@ class ElasticRod(Bar):
 
 
 class ModalRod(ElasticRod, ModalBar):
-    """Elastic rod of uniform section by its modes: a straight line between its ends and half waves on it.
+    """Flexible rod of uniform section by its modes: a straight line between its ends and half waves on it.
 
     `frequency_error(n)` tells how far its n-th natural frequency n pi sqrt(k/m), both ends free, is too
     high: the first by 10 % with one mode, 0.4 % with two, 0.1 % with four.
@@ -74,7 +74,7 @@ class ModalRod(ElasticRod, ModalBar):
 
 
 class LumpedRod(ElasticRod, LumpedBar):
-    """Elastic rod of uniform section in lumps: springs in a row, masses between, halves at the ends.
+    """Flexible rod of uniform section in lumps: springs in a row, masses between, halves at the ends.
 
     `frequency_error(n)` tells how far its n-th natural frequency n pi sqrt(k/m), both ends free, is too low:
     the first by 2.6 % with four segments, and a quarter of that with twice as many.

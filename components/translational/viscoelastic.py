@@ -4,6 +4,7 @@ from ...base import between, counting, demand
 from ..fractional import largest_error, oustaloup
 from ..language import Component, Expression, Stated, der, dissipation, energy, option, parameter, variable
 from ..lossy import Lossy
+from ..relaxing import Relaxing
 from .compliances import Compliant
 
 
@@ -25,6 +26,22 @@ class Maxwell(Compliant, Lossy):
     def equations(self) -> Stated:
         yield self.f == self.k * (self.s_rel - self.s_rel0 - self.z)
         yield self.d * der(self.z) == self.f
+
+
+class RelaxingSpring(Compliant, Relaxing):
+    """A `Maxwell` element by its time: f = k (e - z), T z' = e - z with e = s_rel - s_rel0.
+
+    Also without stiffness it is one, unlike spring and damper: f = 0.
+    """
+
+    k = parameter("N/m", "stiffness when shaken fast", min=0)
+    s_rel0 = parameter("m", "unstretched length", default=0.0)
+    z = variable("m", "stretch that has relaxed")
+    stretch = property(lambda self: self.s_rel - self.s_rel0)
+    stiffness = property(lambda self: self.k)
+
+    def equations(self) -> Stated:
+        yield self.f == self.k * self.elastic
 
 
 class Zener(Compliant, Lossy):

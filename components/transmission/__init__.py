@@ -12,6 +12,7 @@ from .flywheels import Flywheel as Flywheel
 from .flywheels import IdealPlanetaryFlywheel as IdealPlanetaryFlywheel
 from .flywheels import Planet as Planet
 from .flywheels import PlanetaryFlywheel as PlanetaryFlywheel
+from .gyroscopes import Gyroscope as Gyroscope
 from .screws import LeadScrew as LeadScrew
 from .tyres import Tyre as Tyre
 from .vehicle import Vehicle as Vehicle

@@ -512,6 +512,83 @@ class Cam(Crank):
         s: Number = ...,
     ) -> None: ...
 
+class Gyroscope(Lossy, Flywheel):
+    """A spinning rotor in two gimbals: turned about one, it precesses about the other against a spring.
+
+    With the angle alpha and speed w_p of precession, and the momentum of spin H = J_s w_s, which its bearings
+    let it keep:
+
+        tau = (J_g + J_t cos(alpha)^2) a - J_t sin(2 alpha) w_p w + H cos(alpha) w_p
+        (J_t + J_i) w_p' + J_t sin(2 alpha)/2 w^2 + d w_p + c alpha = H cos(alpha) w
+
+    A gyrator: while alpha is small the spring c is an inertia of H^2/c, the damper d a damper of H^2/d, and
+    the inertia J_t + J_i a stiffness of H^2/(J_t + J_i).
+
+    Limits: no friction but d; the housing takes torques about the other two axes, which a second rotor that
+    spins the other way would cancel.
+
+    Source: Lagrange's equations of the two gimbals, the cyclic angle of spin eliminated (Routh).
+
+    Args:
+        J_s: inertia of the rotor about its axis of spin [kg.m2], above 0.
+        w_s: speed of spin, with the gimbals at rest [rad/s].
+        J_t: inertia of the rotor across its axis of spin [kg.m2], above 0.
+        c: stiffness against precession [N.m/rad], at least 0.
+        useHeatPort: whether its losses leave as heat through heatPort.
+        J_g: inertia of both gimbals about the flange's axis [kg.m2], at least 0.
+        J_i: inertia of the inner gimbal about the axis of precession [kg.m2], at least 0.
+        d: damping of precession [N.m.s/rad], at least 0.
+        w: angular velocity [rad/s], fixed start value.
+        a: angular acceleration [rad/s2], fixed start value.
+        alpha: angle of precession [rad], fixed start value.
+        w_p: speed of precession [rad/s], fixed start value.
+    """
+
+    J_s: Any
+    """inertia of the rotor about its axis of spin [kg.m2], above 0"""
+    w_s: Any
+    """speed of spin, with the gimbals at rest [rad/s]"""
+    J_t: Any
+    """inertia of the rotor across its axis of spin [kg.m2], above 0"""
+    J_g: Any
+    """inertia of both gimbals about the flange's axis [kg.m2], at least 0"""
+    J_i: Any
+    """inertia of the inner gimbal about the axis of precession [kg.m2], at least 0"""
+    c: Any
+    """stiffness against precession [N.m/rad], at least 0"""
+    d: Any
+    """damping of precession [N.m.s/rad], at least 0"""
+    alpha: Any
+    """angle of precession [rad], fixed start value"""
+    w_p: Any
+    """speed of precession [rad/s], fixed start value"""
+    kinetic: Any
+    """stored energy [J]"""
+    potential: Any
+    """stored energy [J]"""
+    lossPower: Any
+    """dissipated power [W]"""
+    @property
+    def H(self) -> Any: ...
+    @property
+    def J(self) -> Any: ...
+    def __init__(
+        self,
+        *,
+        J_s: ParameterValue,
+        w_s: ParameterValue,
+        J_t: ParameterValue,
+        c: ParameterValue,
+        useHeatPort: bool = False,
+        J_g: ParameterValue = 0.0,
+        J_i: ParameterValue = 0.0,
+        d: ParameterValue = 0.0,
+        w: Number = ...,
+        a: Number = ...,
+        alpha: Number = ...,
+        w_p: Number = ...,
+    ) -> None: ...
+
 class RackPinion(RollingWheel):
     """A pinion of pitch radius R that rolls on a rack: s = R phi and R f + tau = 0.
 
@@ -648,7 +725,7 @@ class Tyre(Transmission, Lossy):
     ) -> None: ...
 
 class LeadScrew(SlidingFlanks, Transmission):
-    """Screw whose flanks slide under load: phi = (2 pi/lead) s; where mu > lead/(pi d_m) it locks itself.
+    """Screw whose flanks slide under load: phi = (2 pi/lead) s; self-locking where mu > lead/(pi d_m).
 
     f + (2 pi/lead) (tau - tau_loss) = 0. Screw driving, the efficiency is tan(lambda)/tan(lambda + rho) with
     tan(lambda) = lead/(pi d_m) and tan(rho) = mu. At rest the load is truly held. With a flank angle alpha,

@@ -8,7 +8,7 @@ from .conversions import Transmission
 
 
 class LeadScrew(SlidingFlanks, Transmission):
-    """Screw whose flanks slide under load: phi = (2 pi/lead) s; where mu > lead/(pi d_m) it locks itself.
+    """Screw whose flanks slide under load: phi = (2 pi/lead) s; self-locking where mu > lead/(pi d_m).
 
     f + (2 pi/lead) (tau - tau_loss) = 0. Screw driving, the efficiency is tan(lambda)/tan(lambda + rho) with
     tan(lambda) = lead/(pi d_m) and tan(rho) = mu. At rest the load is truly held. With a flank angle alpha,

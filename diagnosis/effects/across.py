@@ -10,13 +10,13 @@ import numpy as np
 
 from ...base import Array
 from ...components import signals
-from ..criteria import SHEAR_THINNING_SPEED_RATIOS
+from ..criteria import EDDY_CURRENT_SPEED_RATIOS, SHEAR_THINNING_SPEED_RATIOS
 from .edits import AddPart, Connect, Edit, between
 from .effect import Effect, Motion, Quantity, Values, both, register
 from .sites import GROUND, Site
 
 STIFFNESS = (("k", "N/m"), ("c", "N.m/rad"))
-_DAMPING = (("d", "N.s/m"), ("d", "N.m.s/rad"))
+DAMPING = (("d", "N.s/m"), ("d", "N.m.s/rad"))
 
 
 def across(
@@ -58,12 +58,32 @@ def _pushed(site: Site, name: str, values: Values) -> list[Edit]:
     return edits if site.fixed == GROUND else [*edits, Connect((f"{name}.support", site.fixed))]
 
 
+def _brake(site: Site, values: Values) -> dict[str, float]:
+    """Return the largest force of a brake, and the speed at which it has that."""
+    damping, speed = values.values()
+    largest = f"{site.mechanics.through}_nominal"
+    return {largest: damping * speed / 2, next(name for name in values if name != "d"): speed}
+
+
+def _braked(site: Site, name: str, values: Values) -> list[Edit]:
+    edits: list[Edit] = [
+        AddPart(name, site.family.EddyCurrentBrake(**_brake(site, values))),
+        Connect((f"{name}.flange", site.moving)),
+    ]
+    return edits if site.fixed == GROUND else [*edits, Connect((f"{name}.support", site.fixed))]
+
+
+def _fading(motion: Motion, shape: Values) -> list[Array]:
+    (nominal,) = shape.values()
+    return [motion.v / (1 + (motion.v / nominal) ** 2)]
+
+
 def _thinning(motion: Motion, shape: Values) -> list[Array]:
     (v_e,) = shape.values()
     return [v_e * np.arcsinh(motion.v / v_e)]
 
 
-across("viscous_damping", "Damper", both(d=_DAMPING), lambda m, _: [m.v])
+across("viscous_damping", "Damper", both(d=DAMPING), lambda m, _: [m.v])
 across(
     "quadratic_damping",
     "QuadraticDamper",
@@ -79,16 +99,28 @@ across(
 across(
     "shear_thinning_damping",
     "ShearThinningDamper",
-    both(d=_DAMPING, v_e=(("v_e", "m/s"), ("w_e", "rad/s"), 0.0, True)),
+    both(d=DAMPING, v_e=(("v_e", "m/s"), ("w_e", "rad/s"), 0.0, True)),
     _thinning,
     shapes=lambda motion: [{"v_e": r * motion.speed} for r in SHEAR_THINNING_SPEED_RATIOS],
     plain=("viscous_damping", (1.0,)),
 )
 register(
     Effect(
+        "eddy_current_damping",
+        "across",
+        both(d=DAMPING, v_nominal=(("v_nominal", "m/s"), ("w_nominal", "rad/s"), 0.0, True)),
+        _braked,
+        _fading,
+        shapes=lambda motion: [{"v_nominal": r * motion.speed} for r in EDDY_CURRENT_SPEED_RATIOS],
+        parameters=lambda at, name, p: {f"{name}.{key}": v for key, v in _brake(at, p).items()},
+        plain=("viscous_damping", (1.0,)),
+    )
+)
+register(
+    Effect(
         "viscous_drift",
         "across",
-        both(d=(*_DAMPING, -inf), d_u=(("d_u", "N/m"), ("d_u", "N.m/rad"), -inf)),
+        both(d=(*DAMPING, -inf), d_u=(("d_u", "N/m"), ("d_u", "N.m/rad"), -inf)),
         _drifting,
         lambda motion, _: [motion.v, motion.elapsed * motion.v],
         plain=("viscous_damping", (1.0, 0.0)),
@@ -101,6 +133,17 @@ across(
     both(k3=(("k3", "N/m3"), ("c3", "N.m/rad3"), -inf)),
     lambda motion, _: [motion.s**3],
     lambda site, p: {site.mechanics.stiffness: 0.0, **unstretched(site, p)},
+)
+across(
+    "quadratic_stiffness",
+    "CubicSpring",
+    both(k2=(("k2", "N/m2", -inf), ("c2", "N.m/rad2", -inf))),
+    lambda motion, _: [motion.s**2],
+    lambda site, p: {
+        site.mechanics.stiffness: 0.0,
+        f"{site.mechanics.stiffness}3": 0.0,
+        **unstretched(site, p),
+    },
 )
 across(
     "bilinear_stiffness",

@@ -1,4 +1,4 @@
-"""Effects across a site that remember how it moved: hysteresis, and friction before it slips."""
+"""Effects across a site that remember how it moved: hysteresis, friction before it slips, relaxation."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ import numpy as np
 
 from ...base import Array
 from .. import criteria
-from .across import STIFFNESS, across
+from .across import DAMPING, STIFFNESS, across, unstretched
 from .dry_friction import COULOMB
 from .effect import Motion, Values, both
 from .sites import Site
@@ -67,6 +67,28 @@ def _dahl(motion: Motion, shape: Values) -> list[Array]:
     return [_along(motion.s, lambda start, moved, way: way - (way - start) * np.exp(-moved / s_p))]
 
 
+def _relaxing(motion: Motion, shape: Values) -> list[Array]:
+    """Return the speed of a damper that a spring, in series with it, lets follow in a time T.
+
+    It is exact where the distance is straight between points.
+    """
+    (T,) = shape.values()
+    step = np.diff(motion.t)
+    kept = np.exp(-step / T)
+    gained = np.where(step > 0, T / np.where(step > 0, step, 1.0) * -np.expm1(-step / T), 1.0) * np.diff(
+        motion.s
+    )
+    found = [float(motion.s[0])]
+    for keep, gain in zip(kept.tolist(), gained.tolist(), strict=True):
+        found.append(keep * found[-1] + gain)
+    return [np.array(found) / T]
+
+
+def _branch(site: Site, p: Values) -> dict[str, float]:
+    """Return stiffness and time of a spring in series with a damper."""
+    return {site.mechanics.stiffness: p["d"] / p["T"], "T": p["T"]}
+
+
 def _bouc_wen(site: Site, p: Values) -> dict[str, float]:
     """Return what is fitted of a Bouc-Wen element, its reach told by beta and gamma."""
     stiffness, n = site.mechanics.stiffness, p["n"]
@@ -95,4 +117,17 @@ across(
     ],
     parameters=lambda at, name, p: {f"{name}.{key}": v for key, v in _bouc_wen(at, p).items()},
     memory=True,
+)
+across(
+    "relaxation",
+    "RelaxingSpring",
+    both(d=DAMPING, T=(("T", "s"), ("T", "s"), 0.0, True)),
+    _relaxing,
+    lambda site, p: unstretched(site, _branch(site, p)),
+    shapes=lambda motion: [
+        {"T": r * motion.travel / motion.speed} for r in criteria.RELAXATION_PERIOD_RATIOS
+    ],
+    parameters=lambda at, name, p: {f"{name}.{key}": v for key, v in _branch(at, p).items()},
+    memory=True,
+    plain=("viscous_damping", (1.0,)),
 )

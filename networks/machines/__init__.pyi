@@ -12,6 +12,7 @@ from .elements import BumpStop as BumpStop
 from .elements import CrankInerter as CrankInerter
 from .elements import DigressiveDamper as DigressiveDamper
 from .elements import DualMassFlywheel as DualMassFlywheel
+from .elements import GyroInerter as GyroInerter
 from .elements import InterconnectedStruts as InterconnectedStruts
 from .elements import MechatronicInerter as MechatronicInerter
 from .elements import OleoStrut as OleoStrut

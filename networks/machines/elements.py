@@ -10,6 +10,7 @@ from .electric import Servo as Servo
 from .electric import Shaker as Shaker
 from .inerters import BallScrewInerter as BallScrewInerter
 from .inerters import CrankInerter as CrankInerter
+from .inerters import GyroInerter as GyroInerter
 from .inerters import MechatronicInerter as MechatronicInerter
 from .inerters import PlanetaryFlywheelInerter as PlanetaryFlywheelInerter
 from .inerters import RackPinionInerter as RackPinionInerter

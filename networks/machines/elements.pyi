@@ -944,6 +944,29 @@ class TMDI(_TunedMass):
         f: Number = ...,
     ) -> None: ...
 
+class GyroInerter(RackPinionInerter):
+    """A rack that turns a gyroscope: b = (H^2/c + J_g + J_t)/R^2 while it precesses slowly and little.
+
+    The precession's damper is a damper in series with that inertance, its inertia one more spring.
+
+    Args:
+        pinion: RackPinion.
+        flywheel: Gyroscope.
+        s_rel: distance of the flanges [m], fixed start value.
+        f: force of the housing, positive when it pulls the flanges together [N], fixed start value.
+    """
+
+    flywheel: Any
+    """Gyroscope"""
+    def __init__(
+        self,
+        *,
+        pinion: Component = ...,
+        flywheel: Component = ...,
+        s_rel: Number = ...,
+        f: Number = ...,
+    ) -> None: ...
+
 class PlanetaryFlywheelInerter(BallScrewInerter):
     """A ball screw that turns planets revolving in a ring: f = b a_rel, plus what real parts add.
 

@@ -5,6 +5,7 @@ from typing import Any
 from ...components import (
     CompliantNutScrew,
     DiskFlywheel,
+    Gyroscope,
     NutScrew,
     PlanetaryFlywheel,
     RackPinion,
@@ -85,6 +86,19 @@ class RackPinionInerter(FlywheelInerter):
 
     def connections(self) -> Stated:
         yield from self.joined(self.pinion)
+
+
+class GyroInerter(RackPinionInerter):
+    """A rack that turns a gyroscope: b = (H^2/c + J_g + J_t)/R^2 while it precesses slowly and little.
+
+    The precession's damper is a damper in series with that inertance, its inertia one more spring.
+
+    Args:
+        pinion: the `RackPinion`.
+        flywheel: the `Gyroscope`, with the spring c against precession; without one, it is a spring.
+    """
+
+    flywheel: Component = Gyroscope()  # type: ignore[call-arg]
 
 
 class CrankInerter(FlywheelInerter):

@@ -9,11 +9,13 @@ from typing import Any
 import casadi as ca
 import numpy as np
 
+from ..dae import DAE
 from ..flattening.equations import local_arguments
 from ..flattening.vectors import pick
 from .bound_dae import BoundDAE
 from .point import Point
 
+UNSETTLED = "no consistent set of modes"
 MOST_TOLD, MOST_SHOWN = 3, 120  # laws, and characters of one
 GUARD = "`inertance docs write-your-own-component` says how to guard it"
 
@@ -26,6 +28,16 @@ def told_without_value(closed: BoundDAE, point: Point, ahead: float = 0.0) -> st
     found = [*_inputs(closed, point, ahead), *_equations(closed, point)]
     more = f", and {len(found) - MOST_TOLD} more" if len(found) > MOST_TOLD else ""
     return "; ".join(found[:MOST_TOLD]) + more
+
+
+def with_remedies(dae: DAE, told: str) -> str:
+    """Return what went wrong with modes, and what the components named in it have to say to that."""
+    found = [
+        f"'{path}': {instance.component.unsettled}"
+        for path, instance in dae.flat.instances.items()
+        if instance.component.unsettled and UNSETTLED in told and f" '{path}'" in told
+    ]
+    return "; ".join([told, *found])
 
 
 def _inputs(closed: BoundDAE, point: Point, ahead: float) -> Iterator[str]:

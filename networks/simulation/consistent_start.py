@@ -8,6 +8,7 @@ from dataclasses import replace
 import numpy as np
 
 from ...base import Array, InitialConditionError, SimulationError
+from .blame import with_remedies
 from .bound_dae import BoundDAE
 from .events.constants import JUST_BEFORE, START_ROUNDS
 from .events.switcher import Event, Switcher
@@ -52,14 +53,15 @@ def _agreed(closed: BoundDAE, settings: Settings, q: Array, wanted: StartValues)
         if switcher is None:
             return run
         switcher.tell_inside(point)
+        before = point.x.copy()
         run.events = _settled(switcher, point)
         mentions_others = any(v not in closed.dae.states for v in wanted.fixed)
         struck = any(event.impulse is not None for event in run.events)
         if not run.events or not mentions_others or struck:
             return run
         again, _ = initial_values(closed, point.q, t, wanted)
-        if np.allclose(again.x, point.x, rtol=1e-12, atol=1e-14):
-            return run
+        if any(np.allclose(again.x, x, rtol=1e-12, atol=1e-14) for x in (point.x, before)):
+            return run  # what transitions reset, as the first sample of a sampler, comes on top
         q = point.q
     raise InitialConditionError(
         f"'{closed.dae.name}': start values and modes do not agree with each other; fix states instead "
@@ -93,7 +95,8 @@ def _settled(switcher: Switcher, point: Point) -> list[Event]:
         happened = _go_to_just_before(switcher, point)
         return [*(happened or []), *switcher.settle(point, begins=happened is None)]
     except SimulationError as error:
-        raise SimulationError(f"'{switcher.closed.dae.name}': {error}") from error
+        dae = switcher.closed.dae
+        raise SimulationError(f"'{dae.name}': {with_remedies(dae, str(error))}") from error
 
 
 def _go_to_just_before(switcher: Switcher, point: Point) -> list[Event] | None:

@@ -12,7 +12,7 @@ import numpy as np
 
 from ...base import Array, Interrupted, RunInterruptedError, SimulationError, interruptible
 from ..results.result import Result, Segment
-from .blame import GUARD, told_without_value
+from .blame import GUARD, told_without_value, with_remedies
 from .bound_dae import BoundDAE
 from .events.switcher import Event, Switcher
 from .initialization import StartReport
@@ -243,7 +243,7 @@ def _failure(run: Run, error: Exception) -> str:
     """Say when a run ended and which state was bending most for its tolerance."""
     closed, point, settings = run.closed, run.point, run.settings
     if isinstance(error, SimulationError):
-        return f"'{closed.dae.name}': {error}"
+        return f"'{closed.dae.name}': {with_remedies(closed.dae, str(error))}"
     names, begin, step = closed.dae.state_names, settings.begin, float(settings.outputs[1] - settings.begin)
     ode = closed.close(closed.dae.ode)
     motion = closed.function("motion", ode, closed.rate(ode))

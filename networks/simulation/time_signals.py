@@ -115,12 +115,15 @@ class TimeSignals:
 
     @cached_property
     def _of_time(self) -> Any:
-        """The signals with formulas put in, of which a difference of equal ones is 0 at all times.
+        """The signals with formulas and numbers put in: a difference of equal ones is 0 at all times.
 
-        An enclosure cannot see that two formulas are equal, and would look for a pulse in their difference.
+        An enclosure cannot see that two formulas are equal, nor that a gain of 1 keeps them so, and would
+        look for a pulse in their difference.
         """
-        inputs = pick(self._dae.u, [*self._formulas])
-        return ca.cse(ca.substitute(self._rows, inputs, column([*self._formulas.values()])))
+        dae = self._dae
+        inputs = pick(dae.u, [*self._formulas])
+        formulas = ca.substitute(self._rows, inputs, column([*self._formulas.values()]))
+        return ca.cse(ca.substitute(formulas, dae.p, ca.SX(self._parameters)))
 
     def _enclosed(self, what: str) -> Enclosure:
         """Return an enclosure of all "signals", of "formulas" alone, or of the "slopes" of all in time."""

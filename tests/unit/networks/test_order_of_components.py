@@ -1,0 +1,42 @@
+"""The order in which components stand in a network changes nothing, also where a run begins with a sample."""
+
+from itertools import permutations
+from math import pi
+from typing import Any
+
+import inertance as ia
+import numpy as np
+import pytest
+from inertance import machines, rotational
+
+SERVO: dict[str, Any] = {
+    "k_p": 40.0, "k_d": 0.6, "band": 0.01, "period": 5e-3, "delay": 2e-3, "ratio": 200.0, "J": 1e-7,
+    "k": 0.01, "R": 4.0, "L": 1e-3, "u_max": 12.0, "i_max": 1.5,
+}  # fmt: skip
+
+
+def network(order: tuple[str, ...]) -> ia.Network:
+    crank = machines.CrankInerter(
+        crank=ia.SliderCrank(r=0.05, l=0.2), flywheel=ia.DiskFlywheel(m=1.0, R=0.05)
+    )
+    rub = rotational.CoulombFriction(tau_c=0.1)
+    parts: dict[str, Any] = {
+        "crank": [("crank", crank), ("frame", ia.Fixed()), ("push", ia.Force(f=-1.0))],
+        "servo": [("servo", machines.Servo(**SERVO)), ("arm", rotational.Inertia(J=0.02))],
+        "brake": [("wall", rotational.Fixed()), ("rub", rub), ("wheel", rotational.Inertia(J=0.1))],
+    }
+    net = ia.Network("three", **dict(pair for name in order for pair in parts[name]))
+    net.connect(net.frame.flange, net.crank.flange_b).connect(net.crank.flange_a, net.push.flange)
+    net.connect(net.servo.flange, net.arm.flange)
+    return net.connect(net.wall.flange, net.rub.flange_a).connect(net.rub.flange_b, net.wheel.flange)
+
+
+@pytest.mark.parametrize("order", list(permutations(("crank", "servo", "brake"))))
+def test_a_start_that_fixes_no_state_goes_with_a_sample_at_once(order: tuple[str, ...]) -> None:
+    start = {"crank.crank.phi": pi / 2, "crank.flywheel.w": 0.0}
+    run = network(order).simulate(0.102, start=start, inputs={"servo.reference": lambda t: 0.5 + 0 * t})
+    assert run["crank.crank.phi"][0] == pytest.approx(pi / 2, abs=1e-12)
+    assert run["crank.flywheel.a"][0] == pytest.approx(0.05 / (1.0 * 0.05**2 / 2))
+    assert run.at("servo.hold.sample", 0.001) == pytest.approx(40.0 * (0.5 - 0.01))
+    assert run["servo.hold.count"][-1] == 21
+    assert np.ptp(run["arm.phi"]) > 0.01
