@@ -42,7 +42,7 @@ class Add(Component):
 class BooleanToReal(Component):
     """A number for on and one for off: y = realTrue while u is 1, realFalse while u is 0.
 
-    Left to the run, u is a Boolean input of an FMU: a clutch, a brake or a `Switch` behind it is switched by one.
+    Left to the run, u is a Boolean input of an FMU: what switches a clutch, a brake or a `Switch` behind it.
 
     Source: MSL Blocks.Math.BooleanToReal.
 
