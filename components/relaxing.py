@@ -11,9 +11,13 @@ class Relaxing(Lossy):
     """
 
     T = parameter("s", "time in which the force fades to 37 %", above=0)
-    elastic = property(lambda self: self.stretch - self.z)
     potential = energy(lambda self: self.stiffness * self.elastic**2 / 2)
     lossPower = dissipation(lambda self: self.stiffness * self.elastic**2 / self.T)
+
+    @property
+    def elastic(self) -> Expression:
+        """How far the spring is stretched."""
+        return self.stretch - self.z
 
     @property
     def stretch(self) -> Expression:

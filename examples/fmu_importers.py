@@ -19,6 +19,7 @@ from dataclasses import dataclass
 from importlib import metadata, util
 from pathlib import Path
 from tempfile import TemporaryDirectory
+from typing import Any
 
 import numpy as np
 from fmpy import read_model_description
@@ -142,7 +143,7 @@ def imported(
     Raises:
         ImporterError: if it did not get to the end.
     """
-    told = read_model_description(str(path), validate=False)
+    told: Any = read_model_description(str(path), validate=False)
     outputs = [v for v in told.modelVariables if v.causality == "output"]
     given = {
         "path": str(path), "version": version, "kind": kind, "step": step, "count": count,

@@ -1,6 +1,6 @@
 """Rubber that is twisted."""
 
-from ..language import Stated, parameter, variable
+from ..language import Expression, Stated, parameter, variable
 from ..relaxing import Relaxing
 from .compliances import Compliant
 
@@ -14,8 +14,14 @@ class RelaxingSpring(Compliant, Relaxing):
     c = parameter("N.m/rad", "stiffness when shaken fast", min=0)
     phi_rel0 = parameter("rad", "unstretched angle", default=0.0)
     z = variable("rad", "twist that has relaxed")
-    stretch = property(lambda self: self.phi_rel - self.phi_rel0)
-    stiffness = property(lambda self: self.c)
+
+    @property
+    def stretch(self) -> Expression:
+        return self.phi_rel - self.phi_rel0
+
+    @property
+    def stiffness(self) -> Expression:
+        return self.c
 
     def equations(self) -> Stated:
         yield self.tau == self.c * self.elastic

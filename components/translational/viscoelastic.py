@@ -37,8 +37,14 @@ class RelaxingSpring(Compliant, Relaxing):
     k = parameter("N/m", "stiffness when shaken fast", min=0)
     s_rel0 = parameter("m", "unstretched length", default=0.0)
     z = variable("m", "stretch that has relaxed")
-    stretch = property(lambda self: self.s_rel - self.s_rel0)
-    stiffness = property(lambda self: self.k)
+
+    @property
+    def stretch(self) -> Expression:
+        return self.s_rel - self.s_rel0
+
+    @property
+    def stiffness(self) -> Expression:
+        return self.k
 
     def equations(self) -> Stated:
         yield self.f == self.k * self.elastic

@@ -21,13 +21,13 @@ _KEYS = count(1)
 _HEARING: list[Any] = []
 
 
-def _pass_on(environment: int | None, *told: Any) -> None:
+def _pass_on(environment: Any, *told: Any) -> None:
     from fmpy.fmi1 import printLogMessage
 
     hearer = _HEARERS.get(environment or 0)
     if hearer is not None:
         hearer.hear(environment, *told)
-    elif environment is None:
+    elif environment is None:  # of an instance that others made
         printLogMessage(environment, *told)
 
 

@@ -15,6 +15,7 @@ JITTER = 0.25  # of a step
 GAP = 1.75  # in steps
 CLIPPED_SAMPLES = 5
 CLIPPED_STEEPNESS = 1.0  # of the step before a plateau, over the usual one
+COARSE_STEEPNESS = 1.5  # of that step over the smallest there is, up to which a coarse signal may turn
 LARGEST_VALUE = 1e12
 MOVED_SHARE = 0.01  # of its range, by which a channel moves that does not rest
 SWITCHED_SHARE = 0.5  # of samples at the two extremes, above which a signal switches between them
@@ -81,9 +82,10 @@ def stuck(values: Array, others: Sequence[Array]) -> tuple[int, int] | None:
 def clipped(values: Array, others: Sequence[Array] = ()) -> int | None:
     """Return where a signal runs against a limit and stays there, at least twice; None if it does not.
 
-    A plateau that is reached gently is none: the step before it must be as steep as the signal mostly is. Nor
-    is one in which all other channels rest, or a signal clipped that is mostly at its two extremes, as it
-    switches between two levels, or that stays as long at others while something moves, as it is coarse.
+    A plateau that is reached gently is none: the step before it must be as steep as the signal mostly is, and
+    steeper than one step of the sensor. Nor is one in which all other channels rest, or a signal clipped that
+    is mostly at its two extremes, as it switches between two levels, or that stays as long at others while
+    something moves, as it is coarse.
     """
     low, high = float(values.min()), float(values.max())
     if np.mean((values == low) | (values == high)) > SWITCHED_SHARE:
@@ -92,14 +94,14 @@ def clipped(values: Array, others: Sequence[Array] = ()) -> int | None:
     moving = change[change > 0]
     if not len(moving):
         return None
-    usual = float(np.median(moving))
+    steep = max(CLIPPED_STEEPNESS * float(np.median(moving)), COARSE_STEEPNESS * float(moving.min()))
     long = [ends for ends in _stretches(change == 0) if ends[1] - ends[0] >= CLIPPED_SAMPLES - 1]
     plateaus = [begin for begin, end in long if _move(others, begin, end)]
     if any(low < values[begin] < high for begin in plateaus):
         return None
     for limit in (high, low):
         ends = [begin for begin in plateaus if values[begin] == limit and begin > 0]
-        runs = [n for n in ends if change[n - 1] + change[max(n - 2, 0)] > CLIPPED_STEEPNESS * usual]
+        runs = [n for n in ends if change[n - 1] + change[max(n - 2, 0)] > steep]
         if len(runs) > 1:
             return runs[0]
     return None

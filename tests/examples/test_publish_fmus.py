@@ -9,6 +9,7 @@ import fmpy
 import inertance as ia
 import numpy as np
 import pytest
+from fmpy.validation import validate_fmu
 
 EXAMPLE = "publish_fmus"
 FOLDER = str(Path(__file__).parents[2] / "examples")
@@ -43,7 +44,7 @@ def test_a_machine_is_published_with_its_reference(example: Any, tmp_path: Path)
             "0,-50",
             "2,-50",
         ]
-        assert fmpy.validation.validate_fmu(str(place / "tid_quarter_car.fmu")) == []
+        assert validate_fmu(str(place / "tid_quarter_car.fmu")) == []
     found = list(example.tried(tmp_path, file, ["FMPy"]))
     assert [one.kind for one in found] == ["ME", "CS"]
     assert all(one.off < 1e-5 for one in found)

@@ -9,7 +9,15 @@ from inertance import machines, rotational
 from scipy.integrate import solve_ivp
 
 UP = np.array([0.0, 0.0, 1.0])
-GYRO = {"J_s": 0.02, "w_s": 80.0, "J_t": 0.012, "J_g": 0.004, "J_i": 0.003, "c": 6.0, "d": 0.05}
+GYRO: dict[str, Any] = {
+    "J_s": 0.02,
+    "w_s": 80.0,
+    "J_t": 0.012,
+    "J_g": 0.004,
+    "J_i": 0.003,
+    "c": 6.0,
+    "d": 0.05,
+}
 
 
 def gimbals(turn: Any, precession: Any) -> Any:

@@ -12,7 +12,7 @@ LEAD = 0.08
 
 
 def hoist(
-    mu: float, tau: float, drum: float, w: float = 0.0, ratio: float = 30.0, **shaft: float
+    mu: float, tau: float, drum: float, w: float = 0.0, ratio: float = 30.0, **shaft: Any
 ) -> ia.Network:
     net = ia.Network("hoist", rotor=rotational.Inertia(J=1e-4, w=w), drum=rotational.Inertia(J=drum))
     net.add(worm=rotational.WormGear(ratio=ratio, lead_angle=LEAD, mu=mu))

@@ -10,6 +10,7 @@ import numpy as np
 import pytest
 from inertance.cli import app
 from inertance.identification import Campaign, Record
+from inertance.identification.records.columns import clipped
 from inertance.machines import Sinusoid
 from typer.testing import CliRunner
 
@@ -180,6 +181,15 @@ RECORDS = {
     "time in millimetres": (csv(header="time [mm],x,F"), "train.csv, line 1, column 'time': 'mm' measures m, the quantity of the model is in s; give one of s, ms, us, min"),
     "a copy of the test record": (csv(rows(3.0)), "[[test]] 1: 'test.csv' is also [[train]] 1"),
 }  # fmt: skip
+
+
+def test_a_coarse_sensor_that_turns_gently_is_not_saturated() -> None:
+    """A sine of 320 levels stays at its extremes, and mostly moves by one level."""
+    time = np.arange(6000) * 2e-3
+    force, other = np.sin(9 * time), np.sin(9 * time + 0.7)
+    step = np.ptp(force) / 320
+    assert clipped(step * np.round(force / step), [other]) is None
+    assert clipped(step * np.round(np.clip(force, -0.8, 0.8) / step), [other]) is not None
 
 
 @pytest.mark.parametrize(("content", "told"), RECORDS.values(), ids=RECORDS)
