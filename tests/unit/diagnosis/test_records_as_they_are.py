@@ -58,9 +58,7 @@ def hardening(k: float) -> ia.Network:
     return net.connect(net.carriage.flange, net.spring.flange_b, net.guide.flange_b, net.push.flange)
 
 
-def verdict_on(
-    cart: Any, records: list[Record], budget: float | None = None, **entries: Any
-) -> Verdict:
+def verdict_on(cart: Any, records: list[Record], budget: float | None = None, **entries: Any) -> Verdict:
     *train, test = [{"record": record, **entries} for record in records]
     campaign = Campaign(cart.rig(), CHANNELS, PRIORS, train, [test], noise={"x": NOISE})
     return ia.diagnose(campaign, budget=budget)
