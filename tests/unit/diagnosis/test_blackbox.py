@@ -70,7 +70,10 @@ def late(t: Array, x: Array) -> Array:
 
 
 @pytest.mark.parametrize(("model", "port"), [("rig2.fmu:CS", PORT), ("rig3.fmu:ME", {})])
-def test_a_sensor_that_is_late_around_an_fmu(cart: Any, fmus: Path, model: str, port: dict[str, str]) -> None:
+def test_a_sensor_that_is_late_around_an_fmu(
+    carriage: Callable[..., Any], fmus: Path, model: str, port: dict[str, str]
+) -> None:
+    cart = carriage(RATE, 2.0, NOISE)
     found = diagnose(campaign_on(cart, model, fmus, cart.rig(k=820.0), late, port=port))
     assert found.verdict == "ambiguous"  # of one input and one output either may be late
     (placed,) = found.effects

@@ -58,6 +58,12 @@ def campaign(how: str, between: bool = False, initial: str = "fit") -> Campaign:
     )
 
 
+@pytest.fixture(scope="module")
+def bulging() -> Any:
+    """Return what is missing of a spring that hardens, from records that begin at rest."""
+    return ia.missing_force(campaign("bulge", initial="rest"), site="spring")
+
+
 def test_the_force_is_found_where_it_acts() -> None:
     missing = ia.missing_force(campaign("rub", between=True))
     assert missing.site.path == "link"
@@ -75,9 +81,8 @@ def test_the_force_is_found_where_it_acts() -> None:
     assert missing.force["run 1"].shape == missing.standard_error["run 1"].shape
 
 
-def test_a_law_of_position_is_drawn() -> None:
-    missing = ia.missing_force(campaign("bulge", initial="rest"), site="spring")
-    law = missing.law()
+def test_a_law_of_position_is_drawn(bulging: Any) -> None:
+    law = bulging.law()
     assert law.variables == ("position",)
     assert law.explained > 0.98
     assert law.shares["speed",] < 0.5
@@ -85,7 +90,7 @@ def test_a_law_of_position_is_drawn() -> None:
     assert "odd: alike both ways" in law.traits
     x = law.points[:, 0]
     visited = np.abs(x) < 0.8 * np.abs(x).max()
-    moved = missing.search.bench.scales * law.fit.moved + missing.search.bench.centers
+    moved = bulging.search.bench.scales * law.fit.moved + bulging.search.bench.centers
     true = 30 * np.tanh(x / 0.02) ** 3 + (430.0 - moved[0]) * x
     assert np.abs(law.values - true)[visited].max() < 0.05 * np.ptp(true)
     network = machine(400.0)
@@ -100,17 +105,16 @@ def test_a_law_of_position_is_drawn() -> None:
     assert np.std(run["cart.s"] - same["cart.s"]) < 0.03 * np.std(same["cart.s"])
 
 
-def test_pictures_are_saved(tmp_path: Any) -> None:
-    missing = ia.missing_force(campaign("bulge"), site="spring")
-    missing.plot(tmp_path / "force.png")
-    missing.law("speed").plot(tmp_path / "speed.png")
-    missing.law(("position", "speed")).plot(tmp_path / "map.png")
+def test_pictures_are_saved(bulging: Any, tmp_path: Any) -> None:
+    bulging.plot(tmp_path / "force.png")
+    bulging.law("speed").plot(tmp_path / "speed.png")
+    bulging.law(("position", "speed")).plot(tmp_path / "map.png")
     assert {path.name for path in tmp_path.iterdir()} == {"force.png", "speed.png", "map.png"}
-    assert "missing force at spring" in str(missing)
+    assert "missing force at spring" in str(bulging)
     with pytest.raises(ia.ModelError, match="over one or two"):
-        missing.law("sped")
+        bulging.law("sped")
     with pytest.raises(ia.ModelError, match="is no component"):
-        missing.law("time").component()
+        bulging.law("time").component()
 
 
 def test_a_site_that_is_none() -> None:

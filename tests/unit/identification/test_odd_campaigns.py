@@ -44,7 +44,7 @@ VERDICTS = "none", "parameters", "effect", "ambiguous", "partial", "unknown", "i
 
 
 @cache
-def record(seed: int, duration: float = 2.0, rate: float = 200.0) -> Array:
+def record(seed: int, duration: float = 1.0, rate: float = 200.0) -> Array:
     """Return time, force and motion of the machine with a spring of 820 N/m, from rest, with noise."""
     random, t = np.random.default_rng(seed), np.arange(0.0, duration, 1 / rate)
     tones = [np.sin(2 * np.pi * f * t + random.uniform(0, 6)) for f in (0.7, 1.9, 3.1, 5.3)]
