@@ -31,7 +31,7 @@ def xml_findings(subject: str, path: Path) -> Iterator[Finding]:
 
 
 def _is_plainly_valid(path: Path) -> bool:
-    """Tell whether FMPy has no complaint, without its parser of names, which takes hundredths of a second each.
+    """Tell whether FMPy has no complaint, without its parser, which takes hundredths of a second a name.
 
     Where the answer is no, `validate_fmu` decides: its parser knows some names that are not plain.
     """
