@@ -16,6 +16,7 @@ from ..export.export import export_fmu
 from . import agreement
 from .agreement import Reference, sizes
 from .derivatives import Derivatives
+from .other_process import OtherProcess
 from .probe import CheckedFMU
 from .report import Finding
 from .runs import DENSE_JACOBIAN_STATES, Scenario, communicate, exchange, sampled
@@ -37,21 +38,22 @@ def network_findings(
     chosen = None if outputs is None else list(outputs)
     native = _NativeRun(dae, scenario, start, scenario.accurate)
     asked = _NativeRun(dae, scenario, start, scenario.rtol)
-    for k, version in enumerate(versions):
-        with TemporaryDirectory(prefix="inertance-") as folder:
-            path = export_fmu(
-                dae, Path(folder) / "checked.fmu", fmi_version=version, outputs=chosen, start=start,
-                stop=scenario.stop, step=scenario.step, tolerance=scenario.rtol, sources=version == "3.0",
-            )  # fmt: skip
-            yield from xml_findings(f"FMI {version}", path)
-            with CheckedFMU(path) as fmu:
-                if k == 0:
-                    yield _told(asked, native, fmu)
-                    yield from agreement.motion_findings("native", native.reference(fmu, _sized(fmu)))
-                for kind in ("ME", "CS"):
-                    yield from _run_findings(kind, fmu, native, limit)
-                for kind in ("ME", "CS"):
-                    yield from state_findings(fmu, kind, scenario)
+    with OtherProcess() as other:
+        for k, version in enumerate(versions):
+            with TemporaryDirectory(prefix="inertance-") as folder:
+                path = export_fmu(
+                    dae, Path(folder) / "checked.fmu", fmi_version=version, outputs=chosen, start=start,
+                    stop=scenario.stop, step=scenario.step, tolerance=scenario.rtol, sources=version == "3.0",
+                )  # fmt: skip
+                yield from xml_findings(f"FMI {version}", path)
+                with CheckedFMU(path) as fmu:
+                    if k == 0:
+                        yield _told(asked, native, fmu)
+                        yield from agreement.motion_findings("native", native.reference(fmu, _sized(fmu)))
+                    for kind in ("ME", "CS"):
+                        yield from _run_findings(kind, fmu, native, limit)
+                    for kind in ("ME", "CS"):
+                        yield from state_findings(fmu, kind, scenario, other)
 
 
 class _NativeRun:

@@ -12,6 +12,7 @@ from ..errors import FMUError
 from ..fmu import FMU
 from .agreement import Reference, motion_findings, outputs_finding
 from .derivatives import Derivatives
+from .other_process import OtherProcess
 from .probe import CheckedFMU
 from .report import Finding
 from .runs import Course, Scenario, communicate, exchange
@@ -96,7 +97,8 @@ def _agreement(
 def states(kind: str, fmu: CheckedFMU, plan: Plan) -> Iterator[Finding]:
     """Yield what is found about states and instances of a kind."""
     if kind in fmu.kinds:
-        yield from state_findings(fmu, kind, plan.scenario(fmu))
+        with OtherProcess() as other:
+            yield from state_findings(fmu, kind, plan.scenario(fmu), other)
 
 
 SECTIONS: dict[str, Section] = {

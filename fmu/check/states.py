@@ -2,13 +2,11 @@
 
 from __future__ import annotations
 
-import json
-import subprocess
-import sys
 from collections.abc import Callable, Iterator
 from concurrent.futures import ThreadPoolExecutor
 from contextlib import ExitStack
 from dataclasses import asdict
+from functools import partial
 from pathlib import Path
 from tempfile import TemporaryDirectory
 from typing import Any
@@ -17,15 +15,13 @@ import numpy as np
 
 from ...base import Array
 from ..errors import FMUError
-from ..foreign.subprocess_instance import environment
+from .other_process import OtherProcess
 from .probe import CheckedFMU, Probe, same
 from .report import Finding
 from .runs import Scenario
 
 INSTANCES, REPEATED, STEPS = 100, 20, 8
 HALF = STEPS // 2
-OTHER_PROCESS_SECONDS = 120.0
-STATE_PREFIX = "state: "
 
 
 class Walk:
@@ -71,7 +67,7 @@ class Walk:
         return probe.save_state(), self.steps(probe, HALF, STEPS)
 
 
-def state_findings(fmu: CheckedFMU, kind: str, scenario: Scenario) -> Iterator[Finding]:
+def state_findings(fmu: CheckedFMU, kind: str, scenario: Scenario, other: OtherProcess) -> Iterator[Finding]:
     """Yield what is found about states and instances of one kind."""
     walk, label = Walk(fmu, kind, scenario), fmu.label(kind)
     watched = kind == "ME" and bool(fmu.states or fmu.description.numberOfEventIndicators)
@@ -85,7 +81,7 @@ def state_findings(fmu: CheckedFMU, kind: str, scenario: Scenario) -> Iterator[F
     looks: list[tuple[str, bool, Callable[[Walk], bool]]] = [
         ("reset equals fresh", True, _reset),
         ("save and restore", saves, _restored),
-        ("another process", serialises, _elsewhere),
+        ("another process", serialises, partial(_elsewhere, other)),
         ("one after another", True, _repeated),
         (f"{INSTANCES} at once", not alone, _many),
         ("two threads", not alone, _threads),
@@ -123,37 +119,25 @@ def _restored(walk: Walk) -> bool:
         return same(again, first) and same(walk.steps(probe, HALF, STEPS), first)
 
 
-def _elsewhere(walk: Walk) -> bool:
+def _elsewhere(other: OtherProcess, walk: Walk) -> bool:
     with walk.probe() as probe, TemporaryDirectory(prefix="inertance-") as folder:
         state, first = walk.halved(probe)
         data = Path(folder) / "state"
         data.write_bytes(probe.serialized(state))
         probe.free_state(state)
-        told = json.dumps([str(walk.fmu.path), walk.kind, asdict(walk.scenario), str(data)])
-        command = [sys.executable, "-c", f"from {__name__} import answer; answer()", told]
-        done = subprocess.run(
-            command,
-            capture_output=True,
-            text=True,
-            env=environment(),
-            timeout=OTHER_PROCESS_SECONDS,
-            check=False,
-        )
-        if done.returncode:
-            raise FMUError(f"the other process failed: {(done.stderr.strip().splitlines() or ['?'])[-1]}")
-        return done.stdout.strip().endswith(STATE_PREFIX + first.tobytes().hex())
+        told = other.ask(__name__, str(walk.fmu.path), walk.kind, asdict(walk.scenario), str(data))
+        return told == first.tobytes().hex()
 
 
-def answer() -> None:
-    """Go on from a state that another process saved, and print what is seen, as bytes in hexadecimal."""
-    path, kind, scenario, data = json.loads(sys.argv[-1])
+def answer(path: str, kind: str, scenario: dict[str, Any], data: str) -> str:
+    """Go on from a state that another process saved; return what is seen, as bytes in hexadecimal."""
     with CheckedFMU(Path(path)) as fmu, Probe(fmu, kind) as probe:
         walk = Walk(fmu, kind, Scenario(**scenario))
         walk.begin(probe)
         state = probe.deserialized(Path(data).read_bytes())
         probe.restore_state(state)
         probe.free_state(state)
-        print(STATE_PREFIX + walk.steps(probe, HALF, STEPS).tobytes().hex())
+        return walk.steps(probe, HALF, STEPS).tobytes().hex()
 
 
 def _repeated(walk: Walk) -> bool:

@@ -50,7 +50,7 @@ class TimeSignals:
         inputs = self._input_values(times)
         if self.plain is not None:
             return inputs[:, self.plain]
-        constant = np.tile(self._parameters, (len(times), 1))
+        constant = np.broadcast_to(self._parameters, (len(times), len(self._parameters)))
         return self._evaluate(inputs, constant, times[:, None])[0][:, :, 0]
 
     @cached_property
@@ -141,8 +141,8 @@ class TimeSignals:
         return Batch(ca.Function("timed", [dae.u, dae.p, dae.time], [ca.densify(self._rows)]))
 
     def _input_values(self, times: Array) -> Array:
-        constants = np.tile(self._closed.blank(self._parameters), (len(times), 1))
-        return self._closed.input_values(constants, times)
+        constants = self._closed.blank(self._parameters)
+        return self._closed.input_values(np.broadcast_to(constants, (len(times), len(constants))), times)
 
     @cached_property
     def _tables(self) -> dict[int, tuple[Array, Array]]:

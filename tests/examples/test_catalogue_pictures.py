@@ -16,7 +16,7 @@ NAME = re.compile(r"(?:rotational\.|signals\.|thermal\.|machines\.)?[A-Z]\w+")
 # What stands around those elements, and is told elsewhere.
 AROUND = {
     "ConstantForce", "Damper", "DiskFlywheel", "ElastoGap", "Fixed", "Force", "HardStop", "Mass", "NutScrew",
-    "Position", "Spring", "rotational.ConstantTorque", "rotational.Fixed", "rotational.Inertia",
+    "Position", "RackPinion", "Spring", "rotational.ConstantTorque", "rotational.Fixed", "rotational.Inertia",
     "rotational.Position", "rotational.Speed", "rotational.Torque",
 }  # fmt: skip
 

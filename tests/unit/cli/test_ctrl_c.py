@@ -10,11 +10,13 @@ import time
 from pathlib import Path
 
 import inertance as ia
+import numpy as np
 import pytest
 from inertance.cli import terminal
 from inertance.cli.terminal import insisting
 
 LONGEST = 60.0  # seconds that the busiest machine may take to react
+SAMPLES = 1501
 READING = "the model is read"
 ERRORS = Path("errors.txt")
 MODEL = f"""
@@ -45,6 +47,10 @@ def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     monkeypatch.chdir(tmp_path)
     (tmp_path / "model.py").write_text(MODEL)
     shutil.copytree(WITHHELD, tmp_path, dirs_exist_ok=True)
+    for record in tmp_path.glob("*.npz"):  # a part of each, to be where Ctrl-C comes the sooner
+        with np.load(record) as whole:
+            part = {name: values[:SAMPLES] for name, values in whole.items()}
+        np.savez(record, **part)
     rig = tmp_path / "rig.py"
     rig.write_text(f"import sys\nprint({READING!r}, file=sys.stderr, flush=True)\n{rig.read_text()}")
     return tmp_path
@@ -134,8 +140,17 @@ def test_run_keeps_what_it_has() -> None:
     assert 0 < ia.load_table("o.csv").index[-1] < 3000
 
 
-@pytest.mark.parametrize("jobs", ["1", "2"])
-@pytest.mark.parametrize("sign", [READING, "refitting the parameters", "screening effects", "fitted "])
+@pytest.mark.parametrize(
+    ("sign", "jobs"),
+    [
+        (READING, "1"),  # no other process has begun
+        *(
+            (sign, jobs)
+            for sign in ("refitting the parameters", "screening effects", "fitted ")
+            for jobs in "12"
+        ),
+    ],
+)
 def test_an_interrupted_diagnosis_states_no_verdict(sign: str, jobs: str) -> None:
     options = ["--jobs", jobs, "--json", "v.json", "--report", "v.html"]
     out, err = interrupted(sign, "diagnose", "campaign.toml", *options)
@@ -156,7 +171,6 @@ def test_an_interrupted_diagnosis_states_no_verdict(sign: str, jobs: str) -> Non
         (READING, []),
         ("iteration 1,", []),
         ("iteration 2,", []),
-        (READING, ["--starts", "8", "--workers", "2"]),
         ("start 1 of 8", ["--starts", "8", "--workers", "2"]),
     ],
 )
