@@ -45,13 +45,13 @@ class OtherProcess:
             line = ""
         finally:
             timer.cancel()
-        if not line:
+        answered: dict[str, str] = json.loads(line) if line else {"error": ""}
+        if "error" in answered:
             self._end()
             self._errors.seek(0)
-            said = self._errors.read().strip().splitlines() or ["?"]
-            raise FMUError(f"the other process failed: {said[-1]}")
-        answered: str = json.loads(line)
-        return answered
+            said = answered["error"] or (self._errors.read().strip().splitlines() or ["?"])[-1]
+            raise FMUError(f"the other process failed: {said}")
+        return answered["answer"]
 
     def _begun(self, module: str) -> subprocess.Popen[str]:
         self._errors.seek(0)
@@ -81,4 +81,8 @@ def serve(answer: Any) -> None:
     answers = os.fdopen(os.dup(1), "w", encoding="utf-8", buffering=1)
     os.dup2(2, 1)
     for line in sys.stdin:
-        answers.write(json.dumps(answer(*json.loads(line))) + "\n")
+        try:
+            told = {"answer": answer(*json.loads(line))}
+        except Exception as error:
+            told = {"error": f"{type(error).__name__}: {error}"}
+        answers.write(json.dumps(told) + "\n")

@@ -17,6 +17,9 @@ def answer(what):
     print("what binaries print disturbs nothing")
     if what == "raise":
         raise ValueError("seven")
+    if what == "end":
+        os.write(2, b"ended, as binaries do\\n")
+        os._exit(3)
     return str(os.getpid())
 """
 
@@ -30,7 +33,10 @@ def test_it_answers_and_begins_anew(tmp_path: Path, monkeypatch: pytest.MonkeyPa
         with pytest.raises(FMUError, match="the other process failed: ValueError: seven"):
             other.ask("asked", "raise")
         anew = other.ask("asked", "number")
-    assert len({first, anew, str(os.getpid())}) == 3
-    for number in (first, anew):
+        with pytest.raises(FMUError, match="the other process failed: ended, as binaries do"):
+            other.ask("asked", "end")
+        last = other.ask("asked", "number")
+    assert len({first, anew, last, str(os.getpid())}) == 4
+    for number in (first, anew, last):
         with pytest.raises(ProcessLookupError):
             os.kill(int(number), 0)
