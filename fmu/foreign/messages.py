@@ -27,7 +27,7 @@ def _pass_on(environment: Any, *told: Any) -> None:
     hearer = _HEARERS.get(environment or 0)
     if hearer is not None:
         hearer.hear(environment, *told)
-    elif environment is None:  # of an instance that others made
+    elif not environment:  # of an instance that others made
         printLogMessage(environment, *told)
 
 

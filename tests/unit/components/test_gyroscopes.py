@@ -57,7 +57,7 @@ def in_space(times: Any, torque: Any, turned: list[float], g: dict[str, float]) 
 @pytest.mark.parametrize("w_s", [80.0, -80.0, 0.0])
 @pytest.mark.parametrize("turned", [[0.2, 0.3, 2.0, -1.0], [0.0, 0.0, 0.0, 0.0]])
 def test_a_gyroscope_moves_as_a_rotor_in_space(w_s: float, turned: list[float]) -> None:
-    values = GYRO | {"w_s": w_s}
+    values: dict[str, Any] = {**GYRO, "w_s": w_s}
     net = ia.Network("gyro", gyro=ia.Gyroscope(**values), hand=rotational.Torque())
     net.connect(net.gyro.flange, net.hand.flange)
     names = "gyro.flange.phi", "gyro.alpha", "gyro.w", "gyro.w_p"
@@ -80,7 +80,7 @@ def test_a_gyroscope_moves_as_a_rotor_in_space(w_s: float, turned: list[float]) 
 @pytest.mark.parametrize("R", [0.03, 0.05])
 def test_its_admittance_is_a_gyrator_of_spring_damper_and_inertia(R: float) -> None:
     """Force over speed: (J_g + J_t) s + H^2/(I s + d + c/s), over R^2."""
-    g = GYRO | {"J_g": 0.0}
+    g: dict[str, Any] = {**GYRO, "J_g": 0.0}
     inerter = machines.GyroInerter(pinion=ia.RackPinion(R=R), flywheel=ia.Gyroscope(**g))
     net = ia.Network("strut", frame=ia.Fixed(), inerter=inerter, rod=ia.Speed())
     net.connect(net.frame.flange, net.inerter.flange_b).connect(net.inerter.flange_a, net.rod.flange)
@@ -96,7 +96,7 @@ def test_its_admittance_is_a_gyrator_of_spring_damper_and_inertia(R: float) -> N
 
 def test_without_a_spring_it_is_one() -> None:
     """A step of speed leaves a force that stays: stiffness H^2/(J_t + J_i)/R^2, for small angles."""
-    free = GYRO | {"c": 0.0, "d": 0.0}
+    free: dict[str, Any] = {**GYRO, "c": 0.0, "d": 0.0}
     inerter = machines.GyroInerter(pinion=ia.RackPinion(R=0.05), flywheel=ia.Gyroscope(**free))
     net = ia.Network("strut", frame=ia.Fixed(), inerter=inerter, body=ia.Mass(m=200.0, v=1e-3))
     net.connect(net.frame.flange, net.inerter.flange_a).connect(net.inerter.flange_b, net.body.flange)
