@@ -188,13 +188,19 @@ def _(ax: Axes) -> None:
     told(ax, "temperature [°C]", "f [N], or tau")
 
 
-@panel("rubber", "Maxwell", "Zener")
+@panel("rubber", "Maxwell, Zener and the like")
 def _(ax: Axes) -> None:
-    held = {"Maxwell": ia.Maxwell(k=5e4, d=500.0), "Zener": ia.Zener(k_0=5e4, k=5e4, d=500.0)}
+    held = {
+        "Maxwell": ia.Maxwell(k=5e4, d=500.0),
+        "RelaxingSpring, T = 30 ms": ia.RelaxingSpring(k=5e4, T=0.03),
+        "rotational.RelaxingSpring, 90 ms": rotational.RelaxingSpring(c=5e4, T=0.09),
+        "Zener": ia.Zener(k_0=5e4, k=5e4, d=500.0),
+    }
     for name, element in held.items():
         run = moved(element, lambda t: 0.001 * np.tanh(1e3 * t), 0.06, 2e-4)
-        ax.plot(1e3 * run.time, run["element.f"], label=name)
-    told(ax, "time after a step of 1 mm [ms]", "f [N]")
+        turns = name.startswith("rotational")
+        ax.plot(1e3 * run.time, run["element.tau" if turns else "element.f"], label=name)
+    told(ax, "time after a step of 1 mm, or mrad [ms]", "f [N], or tau [N.m]")
 
 
 @panel("rubber", "Zener, shaken")
@@ -814,6 +820,17 @@ def _(ax: Axes) -> None:
         ax, 2.0, swing(1.5), Sign=signals.Sign(), Abs=signals.Abs(),
         Hysteresis=signals.Hysteresis(uLow=-0.5, uHigh=1.0),
     )  # fmt: skip
+
+
+@panel("signals", "signals.BooleanToReal")
+def _(ax: Axes) -> None:
+    net = ia.Network("switched", wave=signals.Sine(f=1.0), level=signals.Hysteresis(uLow=-0.5, uHigh=0.5))
+    net.add(number=signals.BooleanToReal(realTrue=0.8, realFalse=-0.2))
+    net.connect(net.wave.y, net.level.u).connect(net.level.y, net.number.u)
+    run = net.simulate(2.0, step=0.005)
+    for name, label in (("number.y", "y"), ("level.y", "u: on, off"), ("wave.y", "signal")):
+        ax.plot(run.time, run[name], label=label)
+    told(ax, "time [s]", "")
 
 
 @panel("signals", "signals.DeadZone", "signals.SampleHold")
