@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 
 from ...base import Array
-from ...components import signals
+from ...components import Component, signals
 from ..criteria import EDDY_CURRENT_SPEED_RATIOS, SHEAR_THINNING_SPEED_RATIOS
 from .edits import AddPart, Connect, Edit, between
 from .effect import Effect, Motion, Quantity, Values, both, register
@@ -50,12 +50,14 @@ def _drifting(site: Site, name: str, values: Values) -> list[Edit]:
     return clocked(between(name, site.family.VariableDamper(**values), site.fixed, site.moving), name)
 
 
-def _pushed(site: Site, name: str, values: Values) -> list[Edit]:
-    edits: list[Edit] = [
-        AddPart(name, site.family.ConstantForce(**values)),
-        Connect((f"{name}.flange", site.moving)),
-    ]
+def _held(site: Site, name: str, element: Component) -> list[Edit]:
+    """Return edits that join an element to what moves, by its support to what that moves against."""
+    edits: list[Edit] = [AddPart(name, element), Connect((f"{name}.flange", site.moving))]
     return edits if site.fixed == GROUND else [*edits, Connect((f"{name}.support", site.fixed))]
+
+
+def _pushed(site: Site, name: str, values: Values) -> list[Edit]:
+    return _held(site, name, site.family.ConstantForce(**values))
 
 
 def _brake(site: Site, values: Values) -> dict[str, float]:
@@ -66,11 +68,7 @@ def _brake(site: Site, values: Values) -> dict[str, float]:
 
 
 def _braked(site: Site, name: str, values: Values) -> list[Edit]:
-    edits: list[Edit] = [
-        AddPart(name, site.family.EddyCurrentBrake(**_brake(site, values))),
-        Connect((f"{name}.flange", site.moving)),
-    ]
-    return edits if site.fixed == GROUND else [*edits, Connect((f"{name}.support", site.fixed))]
+    return _held(site, name, site.family.EddyCurrentBrake(**_brake(site, values)))
 
 
 def _fading(motion: Motion, shape: Values) -> list[Array]:

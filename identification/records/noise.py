@@ -131,11 +131,20 @@ def uncovered_floor(residual: Array, signal: Array, rate: float, floor: NoiseFlo
 def _is_steady(values: Array, low: float, high: float) -> bool:
     """Tell whether what lies in a band, in shares of the spectrum, is as strong at all times."""
     fast = _banded(values, (low, min(high, NOISE_BAND[1])))
-    usual = NORMAL_SCATTER * float(np.median(np.abs(fast)))
-    power = np.array([float(np.mean(part**2)) for part in np.array_split(fast, STEADY_STRETCHES)])
-    samples = (high - low) * len(fast) / STEADY_STRETCHES
-    even = power.std() <= EVEN_DEVIATIONS * np.sqrt(2 / samples) * power.mean()
-    return bool(even and fast.std() < NORMAL_RATIO * usual)
+    steady = _is_even(fast, STEADY_STRETCHES, high - low)
+    return steady and float(fast.std()) < NORMAL_RATIO * _usual_scatter(fast)
+
+
+def _is_even(values: Array, stretches: int, share: float) -> bool:
+    """Tell whether the power of noise, a share of whose samples is independent, is that in all stretches."""
+    power = np.array([float(np.mean(part**2)) for part in np.array_split(values, stretches)])
+    samples = share * len(values) / stretches
+    return bool(power.std() <= EVEN_DEVIATIONS * np.sqrt(2 / samples) * power.mean())
+
+
+def _usual_scatter(values: Array) -> float:
+    """Return the standard deviation that most of the values have about 0."""
+    return NORMAL_SCATTER * float(np.median(np.abs(values)))
 
 
 def is_noise(residual: Array, signal: Array, rate: float, stretches: int) -> bool:
@@ -158,9 +167,7 @@ def is_noise(residual: Array, signal: Array, rate: float, stretches: int) -> boo
         return False
     if np.mean(residual) ** 2 > MEAN_POWER_SHARE * np.mean(residual**2):
         return False
-    power = np.array([float(np.mean(part**2)) for part in np.array_split(residual, stretches)])
-    samples = noise.share(rate) * len(residual) / stretches
-    return bool(power.std() <= EVEN_DEVIATIONS * np.sqrt(2 / samples) * power.mean())
+    return _is_even(residual, stretches, noise.share(rate))
 
 
 def _passed(density: Array, last: int) -> int:
@@ -205,7 +212,7 @@ def repeated_floor(record: Record, other: Record, channel: str) -> NoiseFloor:
 def _jumpiness(values: Array) -> float:
     """Return by how much steps of a signal raise the upper spectrum, 1 if it holds noise alone."""
     fast = _banded(values, NOISE_BAND)
-    usual = NORMAL_SCATTER * float(np.median(np.abs(fast)))
+    usual = _usual_scatter(fast)
     ratio = float(fast.std()) / usual if usual else 1.0
     return ratio if ratio > JUMPY_RATIO else 1.0
 
