@@ -127,10 +127,9 @@ def with_residual_floors(campaign: Campaign, base: Refit) -> Campaign:
     """
     floors = [dict(experiment.floors) for experiment in campaign.experiments]
     for name in campaign.outputs:
-        left = [
-            _of_channel(*of_record, name) for of_record in zip(campaign.experiments, base.left, strict=True)
-        ]
-        for floor, (residual, _, rate, before) in zip(floors, left, strict=True):
+        records = zip(campaign.experiments, base.left, strict=True)
+        left = [_of_channel(*of_record, name, campaign.inputs) for of_record in records]
+        for floor, (residual, _, rate, before, _) in zip(floors, left, strict=True):
             floor[name] = residual_floor(residual, rate, before) if before.is_filtered else before
         uncovered = [uncovered_floor(*of_record) for of_record in left]
         found = sorted((floor for floor in uncovered if floor is not None), key=lambda floor: floor.sigma)
@@ -141,11 +140,18 @@ def with_residual_floors(campaign: Campaign, base: Refit) -> Campaign:
 
 
 def _of_channel(
-    experiment: Experiment, missed: Mapping[str, Array], name: str
-) -> tuple[Array, Array, float, NoiseFloor]:
-    """Return of a channel what a model misses, what was measured, its rate, and its noise as it is known."""
-    residual = experiment.sigma[name] * missed[name]
-    return residual, experiment.compared.values[name], experiment.rate, experiment.floors[name]
+    experiment: Experiment, missed: Mapping[str, Array], name: str, inputs: Sequence[str]
+) -> tuple[Array, Array, float, NoiseFloor, list[Array]]:
+    """Return what is told of the noise of a channel, as for `uncovered_floor`."""
+    values = experiment.compared.values
+    drives = [values[given] for given in inputs]
+    return (
+        experiment.sigma[name] * missed[name],
+        values[name],
+        experiment.rate,
+        experiment.floors[name],
+        drives,
+    )
 
 
 def are_alike(one: Refit, other: Refit) -> bool:

@@ -30,6 +30,7 @@ QUIET_RANGE_SHARE = 1e-5  # below which no sensor's noise lies: the top of the s
 STANDING_OUT_RATIO = 10.0  # of the density at the top, above which noise was let through by a filter
 UNKNOWN_SHARE = 0.95  # of the measured power of octaves, above which a model says nothing of it
 EVEN_RATIO = 6.0  # of the densities in octaves, that noise keeps to though a filter has begun
+FOLLOWING_SHARE = 0.3  # of the power of octaves that may be linear in an input; by chance 0.04 to 0.1 is
 NORMAL_RATIO = 1.25  # of scatter over what it mostly is, up to which nothing strikes
 FILTERED_DENSITY_RATIO = 100.0  # of the density at the top, above which a channel passes what it measures
 
@@ -100,17 +101,21 @@ def residual_floor(residual: Array, rate: float, floor: NoiseFloor) -> NoiseFloo
     return NoiseFloor(max(sigma, floor.sigma), LEFT_BY_FIT, min(floor.band, 0.5 * rate * share))
 
 
-def uncovered_floor(residual: Array, signal: Array, rate: float, floor: NoiseFloor) -> NoiseFloor | None:
+def uncovered_floor(
+    residual: Array, signal: Array, rate: float, floor: NoiseFloor, inputs: Sequence[Array] = ()
+) -> NoiseFloor | None:
     """Return the noise that a filter let through, though the top of the spectrum tells of less, if any.
 
     It is there if of two octaves, up to where the filter takes off more and more, a model says next to
-    nothing, and what was measured in them is about as strong at all frequencies, and at all times.
+    nothing, and what was measured in them is about as strong at all frequencies, and at all times. What
+    follows an input is none: a random drive has an even and steady answer, too.
 
     Args:
         residual: what a model misses.
         signal: what was measured.
         rate: samples a second [Hz].
         floor: what the top of the spectrum tells.
+        inputs: what drives the machine, at the same instants.
     """
     if floor.source not in (SPECTRUM, SENSOR_STEPS):
         return None
@@ -125,7 +130,18 @@ def uncovered_floor(residual: Array, signal: Array, rate: float, floor: NoiseFlo
     low, high = np.percentile(_smooth(density)[octaves], [5, 95])
     if not unknown or high > EVEN_RATIO * low or not _is_steady(residual, end / 4 / top, end / top):
         return None
+    if any(_following(residual, given, octaves) > FOLLOWING_SHARE for given in inputs):
+        return None
     return residual_floor(residual, rate, replace(floor, band=0.5 * rate * end / top))
+
+
+def _following(residual: Array, given: Array, places: slice) -> float:
+    """Return the share of the power at some places of the spectrum that is linear in an input (coherence)."""
+    from scipy.signal import csd
+
+    power, drive = _density(residual)[places], _density(given)[places]
+    crossed = np.abs(csd(residual, given, nperseg=_stretch_length(residual))[1][places]) ** 2
+    return float(np.divide(crossed, drive, out=np.zeros_like(crossed), where=drive > 0).sum() / power.sum())
 
 
 def _is_steady(values: Array, low: float, high: float) -> bool:
@@ -190,9 +206,14 @@ def _smooth(density: Array) -> Array:
 def _density(values: Array) -> Array:
     from scipy.signal import welch
 
-    length = min(1024, max(16, len(values) // 8), len(values))
+    length = _stretch_length(values)
     density: Array = np.asarray(welch(np.asarray(values, dtype=np.float64), nperseg=length)[1], dtype=float)
     return density
+
+
+def _stretch_length(values: Array) -> int:
+    """Return how many samples a spectrum is computed from at a time."""
+    return min(1024, max(16, len(values) // 8), len(values))
 
 
 def _level(density: Array, band: Sequence[float]) -> float:

@@ -91,6 +91,19 @@ def test_what_a_model_misses_of_a_motion_is_no_noise_of_a_filter() -> None:
         assert uncovered_floor(measured - sweep, measured, RATE, spectral_floor(measured, RATE)) is None
 
 
+@pytest.mark.parametrize("share", [0.02, 0.2])
+def test_what_follows_a_random_drive_is_no_noise_of_a_filter(share: float) -> None:
+    """Its answer is even and steady, and a model may say nothing of it; noise is also both."""
+    rng, low = np.random.default_rng(7), Filter(cutoff=60.0)
+    drive, noise = (low.apply(rng.standard_normal(12000), RATE) for _ in range(2))
+    slow = 20 * Filter(cutoff=3.0).apply(drive, RATE)
+    for missed, is_noise in ((share * drive, False), (share * noise, True)):
+        measured = grid(slow + missed, 16)
+        top = spectral_floor(measured, RATE)
+        found = uncovered_floor(measured - slow, measured, RATE, top, [np.zeros(len(drive)), drive])
+        assert (found is not None) == is_noise
+
+
 def test_low_passed_records_of_a_sound_machine_miss_nothing(cart: Any) -> None:
     """The top of such a spectrum is empty: beside that, all that was measured was a gap."""
     found = verdict_on(cart, [filtered(cart.measured(cart.rig(k=820.0), n), 60.0) for n in (1, 2, 3)])
