@@ -82,6 +82,10 @@ class StickSlip(Sticking):
         """Resistance at a speed backward, by default as forward."""
         return self.sliding(speed)
 
+    def dry(self, level: Expression) -> Expression:
+        """Level of friction that may come out negative: no less than none, but where it is regularised."""
+        return level if self.regularised else ca.fmax(level, 0.0)
+
     def laws(self) -> dict[str, Expression]:
         """What vanishes in each mode."""
         speed = ca.fabs(self.speed)

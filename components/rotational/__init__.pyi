@@ -2297,8 +2297,9 @@ class CoulombFriction(Friction):
 class DriftingFriction(Friction):
     """Friction whose level follows a signal: tau = (tau_c + tau_u u) sgn(w_rel) while sliding.
 
-    u is what the level depends on: time, or a measured temperature. With `regularised` the level may
-    be negative, so that it stands for what a drift adds to, or takes from, friction that is there.
+    u is what the level depends on: time, or a measured temperature. A level below zero counts as none; with
+    `regularised` it may be negative, so that it stands for what a drift adds to, or takes from, friction that
+    is there.
 
     Args:
         tau_u: change of friction torque with u [N.m].
@@ -2558,8 +2559,8 @@ class PositionDependentFriction(Friction):
     level = tau_c + tau_1 e + tau_2 e^2 + tau_cos cos(2 pi e/period) + tau_sin sin(2 pi e/period),
     e = phi_rel - phi_rel0, the waves as of a bearing that is tight at places.
 
-    With `regularised` the level may be negative, so that it stands for what is added to, or taken from,
-    friction that is there.
+    A level below zero counts as none; with `regularised` it may be negative, so that it stands for what is
+    added to, or taken from, friction that is there.
 
     Source: B. Armstrong-Helouvry, Control of Machines with Friction (1991).
 

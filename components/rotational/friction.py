@@ -167,8 +167,9 @@ class LoadedFriction(Friction):
 class DriftingFriction(Friction):
     """Friction whose level follows a signal: tau = (tau_c + tau_u u) sgn(w_rel) while sliding.
 
-    u is what the level depends on: time, or a measured temperature. With `regularised` the level may
-    be negative, so that it stands for what a drift adds to, or takes from, friction that is there.
+    u is what the level depends on: time, or a measured temperature. A level below zero counts as none; with
+    `regularised` it may be negative, so that it stands for what a drift adds to, or takes from, friction that
+    is there.
     """
 
     u = RealInput("1", "what the level follows")
@@ -176,7 +177,7 @@ class DriftingFriction(Friction):
     tau_u = parameter("N.m", "change of friction torque with u")
 
     def sliding(self, speed: Expression) -> Expression:
-        return self.tau_c + self.tau_u * self.u + 0 * speed
+        return self.dry(self.tau_c + self.tau_u * self.u) + 0 * speed
 
 
 class PositionDependentFriction(Friction):
@@ -185,8 +186,8 @@ class PositionDependentFriction(Friction):
     level = tau_c + tau_1 e + tau_2 e^2 + tau_cos cos(2 pi e/period) + tau_sin sin(2 pi e/period),
     e = phi_rel - phi_rel0, the waves as of a bearing that is tight at places.
 
-    With `regularised` the level may be negative, so that it stands for what is added to, or taken from,
-    friction that is there.
+    A level below zero counts as none; with `regularised` it may be negative, so that it stands for what is
+    added to, or taken from, friction that is there.
 
     Source: B. Armstrong-Helouvry, Control of Machines with Friction (1991).
     """
@@ -203,7 +204,7 @@ class PositionDependentFriction(Friction):
         e = self.phi_rel - self.phi_rel0
         at = 2 * ca.pi * e / self.period
         waves = self.tau_cos * ca.cos(at) + self.tau_sin * ca.sin(at)
-        return self.tau_c + self.tau_1 * e + self.tau_2 * e**2 + waves + 0 * speed
+        return self.dry(self.tau_c + self.tau_1 * e + self.tau_2 * e**2 + waves) + 0 * speed
 
 
 class DahlFriction(Dissipative):

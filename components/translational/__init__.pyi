@@ -2815,8 +2815,9 @@ class CoulombFriction(Friction):
 class DriftingFriction(Friction):
     """Friction whose level follows a signal: f = (f_c + f_u u) sgn(v_rel) while sliding.
 
-    u is what the level depends on: time, or a measured temperature. With `regularised` the level may
-    be negative, so that it stands for what a drift adds to, or takes from, friction that is there.
+    u is what the level depends on: time, or a measured temperature. A level below zero counts as none; with
+    `regularised` it may be negative, so that it stands for what a drift adds to, or takes from, friction that
+    is there.
 
     Args:
         f_u: change of friction force with u [N].
@@ -3008,8 +3009,8 @@ class PositionDependentFriction(Friction):
     level = f_c + f_1 e + f_2 e^2 + f_cos cos(2 pi e/period) + f_sin sin(2 pi e/period), e = s_rel - s_rel0,
     the waves as of a screw or a rail that is tight at places.
 
-    With `regularised` the level may be negative, so that it stands for what is added to, or taken from,
-    friction that is there.
+    A level below zero counts as none; with `regularised` it may be negative, so that it stands for what is
+    added to, or taken from, friction that is there.
 
     Source: B. Armstrong-Helouvry, Control of Machines with Friction (1991).
 

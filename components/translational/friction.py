@@ -163,8 +163,9 @@ class LoadedFriction(Friction):
 class DriftingFriction(Friction):
     """Friction whose level follows a signal: f = (f_c + f_u u) sgn(v_rel) while sliding.
 
-    u is what the level depends on: time, or a measured temperature. With `regularised` the level may
-    be negative, so that it stands for what a drift adds to, or takes from, friction that is there.
+    u is what the level depends on: time, or a measured temperature. A level below zero counts as none; with
+    `regularised` it may be negative, so that it stands for what a drift adds to, or takes from, friction that
+    is there.
     """
 
     u = RealInput("1", "what the level follows")
@@ -172,7 +173,7 @@ class DriftingFriction(Friction):
     f_u = parameter("N", "change of friction force with u")
 
     def sliding(self, speed: Expression) -> Expression:
-        return self.f_c + self.f_u * self.u + 0 * speed
+        return self.dry(self.f_c + self.f_u * self.u) + 0 * speed
 
 
 class PositionDependentFriction(Friction):
@@ -181,8 +182,8 @@ class PositionDependentFriction(Friction):
     level = f_c + f_1 e + f_2 e^2 + f_cos cos(2 pi e/period) + f_sin sin(2 pi e/period), e = s_rel - s_rel0,
     the waves as of a screw or a rail that is tight at places.
 
-    With `regularised` the level may be negative, so that it stands for what is added to, or taken from,
-    friction that is there.
+    A level below zero counts as none; with `regularised` it may be negative, so that it stands for what is
+    added to, or taken from, friction that is there.
 
     Source: B. Armstrong-Helouvry, Control of Machines with Friction (1991).
     """
@@ -199,7 +200,7 @@ class PositionDependentFriction(Friction):
         e = self.s_rel - self.s_rel0
         at = 2 * ca.pi * e / self.period
         waves = self.f_cos * ca.cos(at) + self.f_sin * ca.sin(at)
-        return self.f_c + self.f_1 * e + self.f_2 * e**2 + waves + 0 * speed
+        return self.dry(self.f_c + self.f_1 * e + self.f_2 * e**2 + waves) + 0 * speed
 
 
 class DahlFriction(Dissipative):

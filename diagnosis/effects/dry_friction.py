@@ -33,8 +33,13 @@ def _breaks_away(values: Values) -> bool:
 
 
 def _smooth(site: Site) -> dict[str, float]:
-    """Return what lets a level of friction be negative: it stands beside friction that is there."""
+    """Return what keeps friction from sticking."""
     return {"regularised": criteria.REVERSAL_SPEED_RATIO * site.speed}
+
+
+def _beside(site: Site) -> dict[str, float]:
+    """Return what lets a level of friction be negative, where it stands beside friction that is there."""
+    return _smooth(site) if site.rubs else {}
 
 
 def _loaded(site: Site, name: str, values: Values) -> list[Edit]:
@@ -48,7 +53,7 @@ def _loaded(site: Site, name: str, values: Values) -> list[Edit]:
 
 
 def _drifting(site: Site, name: str, values: Values) -> list[Edit]:
-    friction = site.family.DriftingFriction(**_smooth(site), **values)
+    friction = site.family.DriftingFriction(**_beside(site), **values)
     return clocked(between(name, friction, site.fixed, site.moving), name)
 
 
@@ -84,7 +89,7 @@ across(
         period=(("period", "m"), ("period", "rad"), 0.0, True),
     ),
     _waves,
-    lambda site, p: {f"{site.mechanics.across}_rel0": site.middle, **_smooth(site), **p},
+    lambda site, p: {f"{site.mechanics.across}_rel0": site.middle, **_beside(site), **p},
     shapes=lambda motion: [{"period": r * motion.travel} for r in criteria.FRICTION_PERIOD_RATIOS],
     origin=lambda site: site.middle,
     plain=("coulomb_friction", (1.0, 0.0, 0.0)),

@@ -16,6 +16,8 @@ from .edits import AddPart, Edit, edited
 from .effect import Effect, Quantity, Values
 from .sites import Site
 
+DRY_FRICTION = "coulomb_friction"
+
 
 @dataclass(frozen=True, eq=False)
 class SitedEffect:
@@ -58,6 +60,16 @@ class Hypothesis(SitedEffect):
         return {quantity.name: own.get(quantity.unit, quantity.unit) for quantity in self.quantities}
 
     @property
+    def is_dry_friction(self) -> bool:
+        """Whether it holds what does not slide."""
+        return self.effect.kind == DRY_FRICTION or self.effect.generalises(DRY_FRICTION)
+
+    def beside(self, others: Sequence[Hypothesis], sites: Sequence[Site]) -> Hypothesis:
+        """Return it at its site as that is in a model, of such `sites`, with other effects."""
+        bare = next((site for site in sites if site.path == self.site.path), self.site)
+        return replace(self, site=replace(self.site, rubs=rubbed(bare, others).rubs))
+
+    @property
     def edits(self) -> list[Edit]:
         """What inserts it; nothing for a channel."""
         return self.effect.edits(self.site, self.name, self.values) if self.effect.edits else []
@@ -97,6 +109,12 @@ class Hypothesis(SitedEffect):
 
         steps = np.diag(PARAMETER_STEP_RATIO * scales)
         return np.column_stack([(parameters(base + s) - parameters(base - s)) / (2 * s.sum()) for s in steps])
+
+
+def rubbed(site: Site, effects: Sequence[Hypothesis]) -> Site:
+    """Return a site that knows of dry friction that effects bring across it."""
+    brought = any(placed.is_dry_friction and placed.site.path == site.path for placed in effects)
+    return replace(site, rubs=site.rubs or brought)
 
 
 def told(kind: str, site: str) -> str:

@@ -36,6 +36,7 @@ class Site:
         rank: 2 if the component dissipates, 1 if it lies between two flanges; such a name says most.
         same: paths of other components between the same two nodes.
         sticks: whether it is dry friction, beside which something must have inertia.
+        rubs: whether dry friction acts between its flanges, whatever part that is of.
         rest: distance at the start of a run of the nominal model that begins at rest; without one, the mean.
         middle: middle of the range of the distance, in all its runs.
         speed, travel: usual relative speed, and half the range of the distance, in it; of a channel the
@@ -54,6 +55,7 @@ class Site:
     rank: int = 0
     same: tuple[str, ...] = ()
     sticks: bool = False
+    rubs: bool = False
     rest: float = 0.0
     middle: float = 0.0
     speed: float = 1.0
@@ -102,6 +104,8 @@ def surrounded(sites: Sequence[Site]) -> list[Site]:
 
 def _merged(group: list[Site]) -> Iterator[Site]:
     """Yield one site for what acts between two nodes, one in series with each part, one for each inertia."""
+    rubs = any(site.sticks for site in group)
+    group = [replace(site, rubs=rubs) for site in group]
     acting = [site for site in group if "series" in site.places]
     inert = [site for site in group if "node" in site.places]
     if acting:

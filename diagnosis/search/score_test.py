@@ -19,7 +19,7 @@ import numpy as np
 from ...base import Array, computing
 from ..criteria import CHANNEL_PROBE_SHARE, DEPENDENT_EIGENVALUE_RATIO, FOUND_EFFECT_DEVIATIONS
 from ..effects.effect import EFFECTS, Effect, Motion
-from ..effects.hypothesis import Hypothesis, SitedEffect, inserted
+from ..effects.hypothesis import Hypothesis, SitedEffect, inserted, rubbed
 from ..effects.sites import Site, surrounded
 from ..models.probes import scaled
 from ..models.study import Study
@@ -75,7 +75,7 @@ def screen(
     study: Study, parameters: Mapping[str, float], effects: Sequence[Hypothesis] = ()
 ) -> list[Candidate]:
     """Return candidates beside refitted parameters and effects found already, the most explaining first."""
-    sites, found = study.sites, inserted(effects)
+    sites, found = [rubbed(site, effects) for site in study.sites], inserted(effects)
     given = {**parameters, **found}
     experiments, count = study.screened()
     predictor = study.predictor(effects, [*given], sites)

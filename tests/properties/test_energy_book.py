@@ -35,7 +35,6 @@ PASSIVE: dict[str, tuple[str, ...]] = {  # parameters with other values of which
     "BoucWen": ("beta", "gamma"),
     "BoucWenDamper": ("beta", "gamma"),
     "LeadScrew": ("mu", "lead", "d_m"),
-    "PositionDependentFriction": ("f_c", "f_1", "f_2", "f_cos", "f_sin"),
     "SliderCrank": ("r", "l", "e"),
     "SpencerDamper": ("beta", "gamma"),
     "Tyre": ("C",),

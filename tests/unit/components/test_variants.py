@@ -125,6 +125,39 @@ def test_friction_that_follows_a_signal(turning: bool) -> None:
 
 
 @pytest.mark.parametrize("turning", [False, True])
+def test_friction_that_fades_holds_until_it_no_longer_can(turning: bool) -> None:
+    """Under 0.5 it slips at 5/3 s; from 10/3 s, where its level would turn negative, there is none."""
+    if turning:
+        element, body = rotational.DriftingFriction(tau_c=1.0, tau_u=-0.3), rotational.Inertia(J=1.0)
+        net = ia.Network("held", wall=rotational.Fixed(), push=rotational.ConstantTorque(tau_constant=0.5))
+    else:
+        element, body = ia.DriftingFriction(f_c=1.0, f_u=-0.3), ia.Mass(m=1.0)
+        net = ia.Network("held", wall=ia.Fixed(), push=ia.ConstantForce(f_constant=0.5))
+    net.add(element=element, body=body, clock=ia.signals.Clock())
+    net.connect(net.wall.flange, net.element.flange_a).connect(net.clock.y, net.element.u)
+    net.connect(net.element.flange_b, net.body.flange, net.push.flange)
+    run = net.simulate(5.0, step=0.01, rtol=1e-9, atol=1e-12)
+    speed = run["body.w" if turning else "body.v"]
+    slips = np.maximum(run.time - 5 / 3, 0.0)
+    law = np.where(run.time < 10 / 3, 0.15 * slips**2, 0.15 * (5 / 3) ** 2 + 0.5 * (run.time - 10 / 3))
+    assert np.abs(speed) == pytest.approx(law, abs=1e-6)
+
+
+@pytest.mark.parametrize("turning", [False, True])
+def test_friction_that_would_be_negative_at_places_is_none_there(turning: bool) -> None:
+    element = (
+        rotational.PositionDependentFriction(tau_c=0.2, tau_cos=0.5, period=1.0)
+        if turning
+        else ia.PositionDependentFriction(f_c=0.2, f_cos=0.5, period=1.0)
+    )
+    run = driven(element, turning).simulate(6.0, step=0.01)
+    s, v = np.sin(run.time), np.cos(run.time)
+    moving = np.abs(v) > 0.01
+    law = np.maximum(0.2 + 0.5 * np.cos(2 * np.pi * s), 0.0) * np.sign(v)
+    assert run["element.tau" if turning else "element.f"][moving] == pytest.approx(law[moving], abs=1e-6)
+
+
+@pytest.mark.parametrize("turning", [False, True])
 def test_friction_builds_up_before_it_slips(turning: bool) -> None:
     """From 0 to 1 it comes within exp(-1/0.2) of its end; then it falls from there."""
     element = rotational.DahlFriction(tau_c=3.0, phi_p=0.2) if turning else ia.DahlFriction(f_c=3.0, s_p=0.2)

@@ -112,6 +112,7 @@ def test_the_basis_is_the_force_of_the_component(kind: str) -> None:
         "probe.flange_a",
         frozenset({"across", "loaded"}),
         speed=0.7,
+        rubs=True,
     )
     t = np.linspace(0, 6, 2001)
     motion = Motion(t, np.sin(t), np.cos(t), np.zeros_like(t), -np.sin(t))
