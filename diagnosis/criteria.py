@@ -15,6 +15,7 @@ NOISE_MISFIT = 1.03  # [noise] rms residual at which nothing is left to find; nu
 COLOURED_MISFIT = 1.1  # [noise] rms residual above which something is left; nulls
 MOVED_STANDARD_DEVIATIONS = 3.0  # [sd of the prior] of a parameter that has moved; theory: 0.3 % of them
 CERTAIN_RESIDUAL_SHARE = 0.5  # [1] of what was left squared that each effect takes away to be named; blind
+CERTAIN_GAP_SHARE = 0.75  # [1] of the squared gap that those named take away together; blind
 EXPLAINED_GAP_SHARE = 0.95  # [1] of the gap below which what was found is not all that is missing; blind
 
 # When one model is better than another
@@ -100,6 +101,8 @@ FMU_RELATIVE_TOLERANCE = 1e-6  # [1] of runs of an FMU; data
 COMPARISON_RATE_HZ = 250.0  # [Hz] at which outputs are compared; data: machines move below a tenth of it
 FAST_NOISE_RATIO = 1.5  # [noise floor] of what is fast in an input, above which it is signal; data
 NOISE_PEAK_STANDARD_DEVIATIONS = 6.0  # [sd] that noise does not exceed, as steps do; theory: 2e-9 of it
+STANDSTILL_RANGE_SHARE = 3e-4  # [range of an input] within which it stands still; data: steps of 12 bits
+STANDSTILL_SECONDS = 0.2  # [s] that a standstill lasts, longer than any reversal; data
 
 # Laws made smooth enough to be run, at scales that no record shows
 REVERSAL_SPEED_RATIO = 0.01  # [rms speed] within which friction that cannot stick changes sides; data

@@ -117,7 +117,7 @@ class Beside:
         """What was measured less what was predicted, in units of noise, (instants, outputs)."""
         elapsed, measured = self.experiment.elapsed(self.found.time), self.experiment.compared.values
         columns = [
-            (measured[n] - sensed(elapsed, n, v, self.bench.effects)) / self.experiment.sigma[n]
+            (measured[n] - sensed(elapsed, n, v, self.bench.effects)) * self.experiment.weights[n]
             for n, v in self.found.values.items()
         ]
         return np.column_stack(columns)
@@ -136,11 +136,12 @@ class Beside:
         From (points, columns) to (instants, outputs, columns).
         """
         moved = self.bench.predictor.variations.pushed(self.found.run, {self.bench.path(number): forces})
-        return np.asarray(moved[self.found.at] / self._sigma[None, :, None])
+        return np.asarray(moved[self.found.at] * self._weights)
 
     @property
-    def _sigma(self) -> Array:
-        return np.array([self.experiment.sigma[name] for name in self.found.values])
+    def _weights(self) -> Array:
+        """What samples count, (instants, outputs, 1)."""
+        return np.column_stack([self.experiment.weights[name] for name in self.found.values])[:, :, None]
 
     def columns(self, fixed: bool = False) -> tuple[Array, int, Array]:
         """Return the columns of a `Course` at the instants of the record, how many are shared, and priors.
@@ -149,16 +150,16 @@ class Beside:
         Where parameters are `fixed`, none are shared.
         """
         found, experiment, bench = self.found, self.experiment, self.bench
-        names, sigma = list(found.values), experiment.sigma
+        names = list(found.values)
         shape = len(found.time), len(names)
         missed = self.residual
         shared = np.zeros((*shape, 0))
         if not fixed:
-            shared = np.stack([found.slopes[n][:, : len(bench.names)] / sigma[n] for n in names], axis=1)
-            shared = shared * bench.scales
+            shared = np.stack([found.slopes[n][:, : len(bench.names)] for n in names], axis=1)
+            shared = shared * self._weights * bench.scales
             given = np.array([self.given[name] for name in bench.names])
             missed = missed + shared @ ((given - bench.centers) / bench.scales)
-        free = nuisance_slopes(experiment, found, sigma)
+        free = nuisance_slopes(experiment, found, experiment.weights)
         own = np.swapaxes(free.reshape(shape[1], shape[0], -1), 0, 1)
         weights = np.zeros(own.shape[2])
         if experiment.unknown:
@@ -181,8 +182,8 @@ class Beside:
         spread = np.zeros((points, *columns.shape[1:]))
         to_x, to_f = np.zeros_like(line.to_x), np.zeros_like(line.to_u)
         spread[found.at] = columns
-        to_x[found.at] = line.to_x[found.at] / self._sigma[None, :, None]
-        to_f[found.at] = line.to_u[found.at] / self._sigma[None, :, None]
+        to_x[found.at] = line.to_x[found.at] * self._weights
+        to_f[found.at] = line.to_u[found.at] * self._weights
         return Course(self.t, line.map, line.here, line.there, to_x, to_f, spread, shared, priors)
 
     def began(self, unknown: Array, shared: int) -> Begin:

@@ -27,6 +27,7 @@ from ..effects.hypothesis import Hypothesis, with_effects
 from ..effects.sites import Site, sites_of
 from .fmu_model import FMUModel
 from .fmu_predictor import FMUPrediction, FMUPredictor, ReplayedStand
+from .prescribed import moving
 from .probes import motion_at, probed
 
 Report = Callable[[str], None]
@@ -214,7 +215,7 @@ def thinned(campaign: Campaign, rate: float = COMPARISON_RATE_HZ) -> Campaign:
         [_slowed(experiment, smooth, rate) for experiment in experiments]
         for experiments in (campaign.training, campaign.testing)
     )
-    return thin
+    return thin if isinstance(thin.machine, FMUModel) else moving(thin)
 
 
 def _slowed(experiment: Experiment, driven: Sequence[str], rate: float) -> Experiment:

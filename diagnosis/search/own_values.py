@@ -32,9 +32,9 @@ def weighed(
         own: with what values of its own it was run.
         count: of records that it stands for.
     """
-    sigma = {name: size / count**0.5 for name, size in experiment.sigma.items()}
-    missed = [(experiment.compared.values[n] - seen[n]) / sigma[n] for n in seen]
-    slopes = nuisance_slopes(experiment, found, sigma)
+    weights = {name: count**0.5 * weight for name, weight in experiment.weights.items()}
+    missed = [(experiment.compared.values[n] - seen[n]) * weights[n] for n in seen]
+    slopes = nuisance_slopes(experiment, found, weights)
     priors = experiment.unknown
     if not priors:
         return np.concatenate(missed), slopes

@@ -39,8 +39,8 @@ class RecordRun:
     @property
     def residual(self) -> Array:
         """The weighted residual, channels one below the other, without the priors of own values."""
-        measured, sigma = self.experiment.compared.values, self.experiment.sigma
-        return np.concatenate([(measured[n] - seen) / sigma[n] for n, seen in self.seen.items()])
+        measured, weights = self.experiment.compared.values, self.experiment.weights
+        return np.concatenate([(measured[n] - seen) * weights[n] for n, seen in self.seen.items()])
 
     def slopes(self, name: str) -> Array:
         """Return slopes of a channel as its sensor passes them on; sensors are linear but for a constant."""

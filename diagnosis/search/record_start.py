@@ -16,24 +16,24 @@ from ..models.study import Predicted
 Run = TypeVar("Run")
 
 
-def nuisance_slopes(experiment: Experiment, found: Predicted, sigma: Mapping[str, float]) -> Array:
+def nuisance_slopes(experiment: Experiment, found: Predicted, weights: Mapping[str, Array]) -> Array:
     """Return d(weighted prediction)/d(states at the start, own values, offsets), channels below each other.
 
     Own values count in units of what they may be expected to be.
     """
-    rows = {name: len(values) for name, values in found.values.items()}
+    rows = list(found.values)
     free = (
         []
         if experiment.initial == "rest"
-        else [np.concatenate([found.start_slopes[n] / sigma[n] for n in rows])]
+        else [np.concatenate([found.start_slopes[n] * weights[n][:, None] for n in rows])]
     )
     if experiment.unknown:
         scales = np.array([prior.scale for prior in experiment.unknown.values()])
-        free.append(np.concatenate([found.own_slopes[n] / sigma[n] for n in rows]) * scales)
+        free.append(np.concatenate([found.own_slopes[n] * weights[n][:, None] for n in rows]) * scales)
     for channel in experiment.offset:
-        lifted = [np.full(count, (n == channel) / sigma[n]) for n, count in rows.items()]
+        lifted = [weights[n] * (n == channel) for n in rows]
         free.append(np.concatenate(lifted)[:, None])
-    return np.hstack([np.zeros((sum(rows.values()), 0)), *free])
+    return np.hstack([np.zeros((sum(len(found.values[n]) for n in rows), 0)), *free])
 
 
 def parted(experiment: Experiment, unknown: Array) -> tuple[Array | None, dict[str, float]]:

@@ -10,7 +10,7 @@ import numpy as np
 
 from ...base import Array
 from ...identification import Experiment
-from ..criteria import START_SINGULAR_VALUE_RATIO
+from ..criteria import DEPENDENT_EIGENVALUE_RATIO, START_SINGULAR_VALUE_RATIO
 from ..effects.effect import Effect, Motion, Values
 from ..effects.hypothesis import Hypothesis, acted, driven, sensed
 from ..effects.sites import Site
@@ -40,7 +40,7 @@ class WhitenedRecord:
         self.outputs = {name: c.path for name, c in channels if not c.driven}
         self.inputs = {name: c.path for name, c in channels if c.driven}
         self._channels = study.campaign.measured
-        self.sigma = sigma = {name: size / count**0.5 for name, size in experiment.sigma.items()}
+        self.weights = weights = {name: count**0.5 * one for name, one in experiment.weights.items()}
         self._predictor, self._experiment = predictor, experiment
         self._stand: Any = predictor.stand(driven(experiment, effects))
         self.measured = experiment.compared
@@ -66,7 +66,7 @@ class WhitenedRecord:
         missed, free = beside(run)
         self._basis = _orthonormal(free)
         self.residual = self.off(missed)
-        self.slopes = self.off(np.concatenate([found.slopes[n] / sigma[n] for n in self.outputs]))
+        self.slopes = self.off(np.concatenate([found.slopes[n] * weights[n][:, None] for n in self.outputs]))
 
     def passed_on(self, effect: Effect, signal: Array, values: Values) -> Array:
         """Return a channel at the instants of the record as a sensor or an actuator passes it on."""
@@ -81,15 +81,19 @@ class WhitenedRecord:
         return replace(self._predictor.motion(self._found, number, site), began=self._experiment.began)
 
     def off(self, columns: Array) -> Array:
-        """Take off what start, own values and offsets can explain; priors of own values are further rows."""
+        """Take off what start, own values and offsets can explain; priors of own values are further rows.
+
+        Of what they explain wholly nothing is left, instead of what rounding leaves.
+        """
         columns = np.pad(columns, [(0, len(self._basis) - len(columns)), *[(0, 0)] * (columns.ndim - 1)])
         left: Array = columns - self._basis @ (self._basis.T @ columns)
-        return left
+        own = (left**2).sum(axis=0) > DEPENDENT_EIGENVALUE_RATIO * (columns**2).sum(axis=0)
+        return np.asarray(left * own)
 
     def to_inputs(self, changes: Mapping[str, Array]) -> Array:
         """Return what changes of inputs, given at the instants `time`, change in the outputs."""
         moved = self._stand.pushed(self._found, changes)
-        weighted = [moved[:, n] / self.sigma[name] for n, name in enumerate(self.outputs)]
+        weighted = [moved[:, n] * self.weights[name][:, None] for n, name in enumerate(self.outputs)]
         return self.off(np.concatenate(weighted))
 
     def explained(self, residual: Array, name: str) -> Array | None:
@@ -99,7 +103,7 @@ class WhitenedRecord:
         """
         missed = self.off(residual)[: len(self.outputs) * len(self.measured.time)]
         parts = np.split(missed, len(self.outputs))
-        weights = [part / self.sigma[output] for output, part in zip(self.outputs, parts, strict=True)]
+        weights = [part * self.weights[output] for output, part in zip(self.outputs, parts, strict=True)]
         found: Array | None = self._stand.adjoint(self._found, np.column_stack(weights), name)
         return found
 
@@ -113,7 +117,7 @@ class WhitenedRecord:
 
     def to_output(self, channel: str, change: Array) -> Array:
         """Return a change of one output channel, given at the instants of the record, as a column."""
-        parts = [change / self.sigma[n] if n == channel else np.zeros(len(change)) for n in self.outputs]
+        parts = [change * self.weights[n] * (n == channel) for n in self.outputs]
         return self.off(np.concatenate(parts)[:, None])
 
 

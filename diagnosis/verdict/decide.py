@@ -7,7 +7,13 @@ from dataclasses import replace
 
 import numpy as np
 
-from ..criteria import CERTAIN_RESIDUAL_SHARE, COLOURED_MISFIT, EXPLAINED_GAP_SHARE, NOISE_MISFIT
+from ..criteria import (
+    CERTAIN_GAP_SHARE,
+    CERTAIN_RESIDUAL_SHARE,
+    COLOURED_MISFIT,
+    EXPLAINED_GAP_SHARE,
+    NOISE_MISFIT,
+)
 from ..effects.hypothesis import Hypothesis
 from ..models.study import Study
 from ..search.model_comparison import Refit, are_alike, clearness
@@ -106,17 +112,23 @@ def _explains(best: Refit, base: Refit, study: Study) -> bool:
 def certain_part(best: Refit, base: Refit, rounds: Sequence[Round], study: Study) -> Refit:
     """Return the model with those effects that are no mere likeness of what is missing.
 
-    If something else stays missing, they are the first ones, as long as each takes most of what was left.
+    If something else stays missing, they are the first ones, as long as each takes most of what was left, and
+    all of them together most of the gap.
     """
     if _explains(best, base, study):
         return best
     named, certain = {placed.label for placed in best.effects}, base
     before = [done.base for done in rounds if set() < {p.label for p in done.base.effects} < named]
     for model in (*before, best):
-        if 1 - model.blocks.sum() / certain.blocks.sum() < CERTAIN_RESIDUAL_SHARE:
+        if _taken(certain, model) < CERTAIN_RESIDUAL_SHARE:
             break
         certain = model
-    return certain
+    return certain if _taken(base, certain) >= CERTAIN_GAP_SHARE else base
+
+
+def _taken(before: Refit, after: Refit) -> float:
+    """Return the share of the squared residual that another model takes away."""
+    return float(1 - after.blocks.sum() / before.blocks.sum())
 
 
 def _word(evidence: Evidence) -> str:

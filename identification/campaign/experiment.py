@@ -10,7 +10,7 @@ from typing import Any
 
 import numpy as np
 
-from ...base import Array, is_number
+from ...base import Array, Flags, is_number
 from ...components import ModelError, nearest
 from ...networks import Input, between_samples, jump_remedy
 from ..records.columns import stuck
@@ -54,6 +54,7 @@ class Experiment:
         began: when the run began that it was cut from, on the record's clock [s].
         every: outputs are compared at every so many samples; inputs keep all of theirs.
         floors: noise of its outputs.
+        omitted: at which instants outputs are not compared; none if not given.
     """
 
     record: Record
@@ -68,6 +69,7 @@ class Experiment:
     began: float = 0.0
     every: int = 1
     floors: Mapping[str, NoiseFloor] = field(default_factory=dict)
+    omitted: Flags | None = None
 
     @property
     def name(self) -> str:
@@ -94,9 +96,17 @@ class Experiment:
         return {name: floor.white(self.rate) for name, floor in self.floors.items()}
 
     @cached_property
+    def weights(self) -> dict[str, Array]:
+        """What each sample of each output counts: 1 over its `sigma`, 0 where it is omitted."""
+        counts = np.ones(len(self.compared.time))
+        if self.omitted is not None:
+            counts[self.omitted] = 0.0
+        return {name: counts / sigma for name, sigma in self.sigma.items()}
+
+    @cached_property
     def independent(self) -> float:
         """The number of independent samples that are compared."""
-        count = len(self.compared.time)
+        count = len(self.compared.time) - (0 if self.omitted is None else int(self.omitted.sum()))
         return sum(count * floor.share(self.rate) for floor in self.floors.values())
 
     def overlaps(self, other: Experiment) -> bool:
