@@ -43,11 +43,12 @@ def _beside(site: Site) -> dict[str, float]:
 
 
 def _loaded(site: Site, name: str, values: Values) -> list[Edit]:
-    """Return friction by the force that arrives at a site, not by what friction leaves of it."""
+    """Return friction by a force that arrives at a site, not by what friction leaves of it."""
     friction = site.family.LoadedFriction(**_smooth(site), **values)
+    moving = site.moving if site.load else f"{name}_load.flange_a"
     return [
-        Insert(site.moving, f"{name}_load", site.family.ForceSensor()),
-        *between(name, friction, site.fixed, f"{name}_load.flange_a"),
+        Insert(site.load or site.moving, f"{name}_load", site.family.ForceSensor()),
+        *between(name, friction, site.fixed, moving),
         Connect((f"{name}_load.{site.mechanics.through}", f"{name}.load")),
     ]
 

@@ -32,10 +32,12 @@ class Site:
         domain: that of its flanges, or "channel".
         moving: path of the flange to which an effect in series, or an inertia, is joined.
         fixed: path of the flange that faces it, "ground" if there is none.
-        places: what may be put here: "across", "loaded" (across, by the force through it), "series", "node".
+        places: what may be put here: "across", "loaded" (across, by a force that loads it), "series", "node".
         rank: 2 if the component dissipates, 1 if it lies between two flanges; such a name says most.
         same: paths of other components between the same two nodes.
         sticks: whether it is dry friction, beside which something must have inertia.
+        load: path of the flange through which the force comes that loads it; `moving` if not given.
+        beside: paths of the sites at one of its nodes, whose forces may load it, too.
         rubs: whether dry friction acts between its flanges, whatever part that is of.
         rest: distance at the start of a run of the nominal model that begins at rest; without one, the mean.
         middle: middle of the range of the distance, in all its runs.
@@ -55,6 +57,8 @@ class Site:
     rank: int = 0
     same: tuple[str, ...] = ()
     sticks: bool = False
+    load: str = ""
+    beside: tuple[str, ...] = ()
     rubs: bool = False
     rest: float = 0.0
     middle: float = 0.0
@@ -93,7 +97,15 @@ def sites_of(network: Network) -> list[Site]:
                 node_of.get(port, -1 if port == GROUND else port) for port in (site.fixed, site.moving)
             )
             found.setdefault(ends, []).append(replace(site, grounded=-1 in ends))
-    return [site for ends, group in found.items() if len(ends) == 2 for site in _merged(group)]
+    merged = [(ends, site) for ends, group in found.items() if len(ends) == 2 for site in _merged(group)]
+    return [replace(site, beside=tuple(_beside(ends, merged))) for ends, site in merged]
+
+
+def _beside(ends: frozenset[object], sites: Sequence[tuple[frozenset[object], Site]]) -> Iterator[str]:
+    """Yield the paths of what passes a force into one of two nodes from elsewhere."""
+    for others, site in sites:
+        if others != ends and others & ends - {-1} and "series" in site.places:
+            yield site.path
 
 
 def surrounded(sites: Sequence[Site]) -> list[Site]:

@@ -67,7 +67,7 @@ class _Sums:
             np.zeros(count),
         )
         self.moved: Array = self.prior @ self.residual
-        self.tallies: dict[tuple[str, str, tuple[float, ...]], _Tally] = {}
+        self.tallies: dict[tuple[str, str, str, tuple[float, ...]], _Tally] = {}
 
 
 @computing("the screening of effects")
@@ -114,7 +114,7 @@ def _add(
         begin, first = 0, slopes.shape[1] + 1
         for effect, shape, width in found:
             rows, own = products[begin : begin + width], slice(first + begin, first + begin + width)
-            key = effect.kind, site.path, tuple(shape.values())
+            key = effect.kind, site.path, site.load, tuple(shape.values())
             tally = sums.tallies.setdefault(key, _Tally(effect, site, shape))
             tally.products += np.column_stack([rows[:, :first], rows[:, own]])
             begin += width
@@ -125,8 +125,21 @@ def _add(
             if found:
                 columns = record.to_inputs({f"{probe}_{number}.u": np.hstack([c for _, _, c in found])})
                 count(site, [(effect, shape, c.shape[1]) for effect, shape, c in found], columns)
+        for other, pressed in _pressed(site, sites):
+            about = replace(moved[number], f=moved[other].f)
+            across = _forces(site, about, motions[number], "push")
+            loaded = [one for one in across if one[0].place == "loaded"]
+            columns = record.to_inputs({f"push_{number}.u": np.hstack([c for _, _, c in loaded])})
+            count(pressed, [(effect, shape, c.shape[1]) for effect, shape, c in loaded], columns)
     for effect, site, shape, own in _channel_changes(record, reach):
         count(site, [(effect, shape, own.shape[1])], own)
+
+
+def _pressed(site: Site, sites: Sequence[Site]) -> Iterator[tuple[int, Site]]:
+    """Yield the sites beside one, by their numbers, and it as it is loaded by their forces."""
+    for number, other in enumerate(sites):
+        if "loaded" in site.places and other.path in site.beside and other.force:
+            yield number, replace(site, load=other.moving)
 
 
 def _missing(

@@ -167,6 +167,7 @@ class Verdict:
                 "parameters": dict(p.values),
                 "confidence": round(c, 4),
                 "same_motion": list(p.site.same),
+                **({"load": p.site.load or p.site.moving} if p.effect.place == "loaded" else {}),
             }
             for p, c in zip(self.effects, self.confidence, strict=True)
         ]

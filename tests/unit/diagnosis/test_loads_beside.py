@@ -1,0 +1,64 @@
+"""Friction in a bearing that a belt presses on: what loads it is a force from beside its site."""
+
+from __future__ import annotations
+
+import inertance as ia
+import numpy as np
+import pytest
+from inertance.components.rotational import Damper, Fixed, Inertia, SpringDamper, Torque
+from inertance.diagnosis.effects.sites import sites_of
+from inertance.identification import Campaign, Record
+from scipy.integrate import solve_ivp
+
+MU, NOISE = 0.05, 1e-3
+TIME = np.arange(0.0, 8.0, 4e-3)
+
+
+def drive() -> ia.Network:
+    net = ia.Network("drive", frame=Fixed(), motor=Torque(), rotor=Inertia(J=4e-3), wheel=Inertia(J=0.01))
+    net.add(front=Damper(d=0.01), rear=Damper(d=0.02), belt=SpringDamper(c=20.0, d=0.02))
+    net.connect(net.frame.flange, net.front.flange_a, net.rear.flange_a)
+    net.connect(net.motor.flange, net.rotor.flange, net.front.flange_b, net.belt.flange_a)
+    return net.connect(net.belt.flange_b, net.wheel.flange, net.rear.flange_b)
+
+
+def measured(seed: int, turning: float) -> Record:
+    """Return a record of such a drive whose rear bearing the belt presses on, integrated apart."""
+    phase = np.random.default_rng(seed).uniform(0, 2 * np.pi, 4)
+
+    def torque(t: float) -> float:
+        return turning + 0.5 * float(np.sin(2 * np.pi * np.array([0.3, 0.8, 1.7, 3.1]) * t + phase).sum())
+
+    def rates(t: float, y: np.ndarray) -> list[float]:
+        twist, w1, w2 = y
+        belt = 20.0 * twist + 0.02 * (w1 - w2)
+        rear = 0.021 * w2 + MU * abs(belt) * np.tanh(w2 / 0.05)
+        return [w1 - w2, (torque(t) - 0.011 * w1 - belt) / 4e-3, (belt - rear) / 0.01]
+
+    found = solve_ivp(rates, (0.0, TIME[-1]), [0.0, 0.0, 0.0], "LSODA", TIME, rtol=1e-8, atol=1e-10).y
+    noise = NOISE * np.random.default_rng(seed + 100).standard_normal((2, len(TIME))) * 50
+    m = np.array([torque(t) for t in TIME])
+    return Record(f"{seed}", TIME, {"m": m, "w1": found[1] + noise[0], "w2": found[2] + noise[1]})
+
+
+@pytest.mark.parametrize("turning", [0.0, 0.9])
+def test_friction_by_the_force_of_a_neighbour_is_named_with_it(turning: float) -> None:
+    records = [{"record": measured(seed, turning), "initial": "rest"} for seed in (1, 2, 3)]
+    channels = {
+        "m": {"input": "motor.tau", "unit": "N.m"},
+        "w1": {"output": "rotor.w", "unit": "rad/s"},
+        "w2": {"output": "wheel.w", "unit": "rad/s"},
+    }
+    priors = {"front.d": {"rel": 0.2}, "rear.d": {"rel": 0.2}, "belt.c": {"rel": 0.1}}
+    found = ia.diagnose(Campaign(drive(), channels, priors, records[:2], records[2:]))
+    (placed,) = found.effects
+    assert placed.key == ("load_dependent_friction", "rear")
+    assert placed.values["mu"] == pytest.approx(MU, rel=0.05)
+    assert found.to_dict()["effects"][0]["load"].startswith("belt.")
+    assert found.closed > 0.97
+
+
+def test_what_meets_at_a_site_is_told_but_not_what_lies_beside_it() -> None:
+    beside = {site.path: site.beside for site in sites_of(drive())}
+    assert beside["rear"] == beside["front"] == ("belt",)
+    assert set(beside["belt"]) == {"front", "rear"}
