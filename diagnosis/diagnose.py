@@ -21,7 +21,7 @@ from .models.fmu_network import read_model
 from .models.study import Report, Study, study_of, thinned
 from .search.crew import LATE
 from .search.joint_fit import JointFit
-from .search.model_comparison import Refit, are_alike, clearness, unexplained, with_residual_floors
+from .search.model_comparison import Refit, are_alike, best_of, clearness, unexplained, with_residual_floors
 from .search.revision import Rivals, exchanged
 from .search.round import Round, run_round
 from .verdict.decide import decided
@@ -169,7 +169,7 @@ def _chosen(done: Round, base: Refit) -> Refit | None:
     ]
     if not clear:
         return None
-    best = _sited(_simplest(min(clear, key=lambda f: f.blocks.sum()), clear), clear)
+    best = _sited(_simplest(best_of(clear), clear), clear)
     for other in clear:
         if best.effects[-1].generalises(other.effects[-1]) and not _worth_it(other, best):
             best = other
@@ -245,7 +245,7 @@ def _revised(best: Refit, rounds: Sequence[Round], study: Study) -> tuple[Refit,
         for placed, others in exchanged(study, best, rounds):
             rivals[placed.label] = others
             models = (best, *others)
-            better = _simplest(min(models, key=lambda f: f.blocks.sum()), models)
+            better = _simplest(best_of(models), models)
             if better is not best:
                 best = better
                 break

@@ -84,6 +84,11 @@ class Refit:
         )
 
     @cached_property
+    def strain(self) -> float:
+        """The sum of squares by which parameters miss what was assumed, in standard deviations of that."""
+        return self.cost - sum(float(r @ r) for record in self.train for r in record.values())
+
+    @cached_property
     def misfit(self) -> float:
         """The root mean square of the residual, in units of noise."""
         return float(np.sqrt(self.blocks.sum() / self.independent))
@@ -152,6 +157,12 @@ def _of_channel(
         experiment.floors[name],
         drives,
     )
+
+
+def best_of(models: Sequence[Refit]) -> Refit:
+    """Return the model that misses the test records least, for what its parameters must be."""
+    noise = max(1.0, min(model.misfit for model in models) ** 2)
+    return min(models, key=lambda model: float(model.blocks.sum()) / noise + model.strain)
 
 
 def are_alike(one: Refit, other: Refit) -> bool:

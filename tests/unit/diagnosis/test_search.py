@@ -12,6 +12,7 @@ import numpy as np
 import pytest
 from inertance.diagnosis import DiagnosisInterruptedError, Verdict, diagnose
 from inertance.diagnosis.search.joint_fit import JointFit
+from inertance.diagnosis.search.model_comparison import Refit, best_of
 from inertance.identification import Campaign
 from numpy.typing import NDArray
 from scipy.interpolate import CubicSpline
@@ -152,3 +153,18 @@ def test_a_sensor_that_is_late_or_early(cart: Any, delay: float) -> None:
     assert {placed.key, *found.equivalent} == {("sensor_delay", "x"), ("actuator_delay", "F")}
     assert placed.values["delay"] == pytest.approx(delay, rel=0.05)
     assert found.closed > 0.95
+
+
+def test_what_parameters_must_be_for_it_counts_against_a_model() -> None:
+    """A gain that a stiffness far from what was assumed makes up for is as good on test records."""
+    rng = np.random.default_rng(3)
+    left, test = ([{"F": rng.standard_normal(4000)}] for _ in range(2))
+    chi = float(left[0]["F"] @ left[0]["F"])
+
+    def model(strain: float, missed: float) -> Refit:
+        return Refit({}, (), left, [{"F": missed * test[0]["F"]}], chi + strain, [8], 4000.0)
+
+    gain, delay = model(57.0, 1.0), model(0.5, 1.0005)
+    assert gain.strain == pytest.approx(57.0)
+    assert best_of([gain, delay]) is delay
+    assert best_of([gain, model(0.5, 1.05)]) is gain
