@@ -20,6 +20,7 @@ EXPLAINED_GAP_SHARE = 0.95  # [1] of the gap below which what was found is not a
 
 # When one model is better than another
 CLEAR_STANDARD_ERRORS = 3.0  # [standard errors] by which an effect must beat the model without it; nulls
+CLEAR_RESIDUAL_RATIO = 0.5  # [1] of the squared test residual, below which 2 of them suffice; blind
 ALIKE_STANDARD_ERRORS = 2.0  # [standard errors] within which models are alike; theory: 95 % of them
 ALIKE_RESIDUAL_SHARE = 1e-3  # [1] of the squared test residual within which models are alike; blind
 FIRST_EFFECT_SHARE = 0.01  # [1] of the squared test residual that an effect must take away; nulls

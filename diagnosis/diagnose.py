@@ -21,7 +21,15 @@ from .models.fmu_network import read_model
 from .models.study import Report, Study, study_of, thinned
 from .search.crew import LATE
 from .search.joint_fit import JointFit
-from .search.model_comparison import Refit, are_alike, best_of, clearness, unexplained, with_residual_floors
+from .search.model_comparison import (
+    Refit,
+    are_alike,
+    best_of,
+    clearness,
+    is_clear,
+    unexplained,
+    with_residual_floors,
+)
 from .search.revision import Rivals, exchanged
 from .search.round import Round, run_round
 from .verdict.decide import decided
@@ -162,11 +170,7 @@ def _chosen(done: Round, base: Refit) -> Refit | None:
 
     How much it must take away is counted in what the model without effects misses.
     """
-    clear = [
-        found
-        for found in done.fitted
-        if clearness(done.base, found) > criteria.CLEAR_STANDARD_ERRORS and not _only_bends(found)
-    ]
+    clear = [found for found in done.fitted if is_clear(done.base, found) and not _only_bends(found)]
     if not clear:
         return None
     best = _sited(_simplest(best_of(clear), clear), clear)
@@ -189,13 +193,13 @@ def _only_bends(model: Refit) -> bool:
 
 def _simplest(best: Refit, clear: Sequence[Refit]) -> Refit:
     """Return of the models that test records cannot tell from the best the one whose quantities pay."""
-    noise = max(1.0, best.misfit**2)
+    return min((f for f in clear if f is best or are_alike(f, best)), key=lambda f: _price(f, best))
 
-    def price(model: Refit) -> float:
-        missed = (model.cost + float(model.blocks.sum())) / noise
-        return missed + criteria.PART_CHI_SQUARED * sum(len(p.quantities) for p in model.effects)
 
-    return min((f for f in clear if f is best or are_alike(f, best)), key=price)
+def _price(model: Refit, best: Refit) -> float:
+    """Return what a model misses of all records, in what the best leaves, and what its quantities cost."""
+    missed = (model.cost + float(model.blocks.sum())) / max(1.0, best.misfit**2)
+    return missed + criteria.PART_CHI_SQUARED * sum(len(p.quantities) for p in model.effects)
 
 
 def _sited(best: Refit, clear: Sequence[Refit]) -> Refit:
@@ -223,7 +227,7 @@ def _worth_it(plain: Refit, richer: Refit) -> bool:
     taken = plain.misfit**2 - richer.misfit**2
     nothing_left = richer.misfit <= criteria.NOISE_MISFIT and plain.misfit > criteria.COLOURED_MISFIT
     nearly_all = taken > criteria.SURE_GENERALISATION_SHARE * left
-    clear = nothing_left or nearly_all or clearness(plain, richer) >= criteria.CLEAR_STANDARD_ERRORS
+    clear = nothing_left or nearly_all or is_clear(plain, richer)
     return taken > criteria.GENERALISATION_SHARE * left and clear
 
 
@@ -246,12 +250,18 @@ def _revised(best: Refit, rounds: Sequence[Round], study: Study) -> tuple[Refit,
             rivals[placed.label] = others
             models = (best, *others)
             better = _simplest(best_of(models), models)
-            if better is not best:
+            if _is_worth_exchanging(best, better):
                 best = better
                 break
         else:
             return best, rivals
     return best, {}
+
+
+def _is_worth_exchanging(model: Refit, other: Refit) -> bool:
+    """Tell whether another model is clearly better, or as good for clearly less."""
+    won = _price(model, other) - _price(other, other)
+    return other is not model and (won > criteria.PART_CHI_SQUARED or not are_alike(model, other))
 
 
 def _without(placed: Hypothesis, model: Refit, study: Study) -> Refit | None:

@@ -20,6 +20,8 @@ from ...identification import (
 from ..criteria import (
     ALIKE_RESIDUAL_SHARE,
     ALIKE_STANDARD_ERRORS,
+    CLEAR_RESIDUAL_RATIO,
+    CLEAR_STANDARD_ERRORS,
     LEAST_STRETCHES,
     STRETCH_SECONDS,
 )
@@ -123,6 +125,12 @@ def clearness(worse: Refit, better: Refit) -> float:
     chance = {way: np.asarray(wilcoxon(drop, alternative=way))[1] for way in ("greater", "less")}
     clear = {way: float(norm.isf(p)) for way, p in chance.items()}
     return clear["greater"] if clear["greater"] > clear["less"] else -clear["less"]
+
+
+def is_clear(worse: Refit, better: Refit) -> bool:
+    """Tell whether a model does better beyond chance, and on most stretches unless it leaves half as much."""
+    halves = better.blocks.sum() < CLEAR_RESIDUAL_RATIO * worse.blocks.sum()
+    return clearness(worse, better) > (ALIKE_STANDARD_ERRORS if halves else CLEAR_STANDARD_ERRORS)
 
 
 def with_residual_floors(campaign: Campaign, base: Refit) -> Campaign:

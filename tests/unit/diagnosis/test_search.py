@@ -12,7 +12,7 @@ import numpy as np
 import pytest
 from inertance.diagnosis import DiagnosisInterruptedError, Verdict, diagnose
 from inertance.diagnosis.search.joint_fit import JointFit
-from inertance.diagnosis.search.model_comparison import Refit, best_of
+from inertance.diagnosis.search.model_comparison import Refit, best_of, clearness, is_clear
 from inertance.identification import Campaign
 from numpy.typing import NDArray
 from scipy.interpolate import CubicSpline
@@ -168,3 +168,19 @@ def test_what_parameters_must_be_for_it_counts_against_a_model() -> None:
     assert gain.strain == pytest.approx(57.0)
     assert best_of([gain, delay]) is delay
     assert best_of([gain, model(0.5, 1.05)]) is gain
+
+
+def test_what_leaves_less_than_half_need_not_do_better_on_most_stretches() -> None:
+    """Of two effects, one alone mends where it acts, and parameters that follow spoil a little elsewhere."""
+    rng = np.random.default_rng(1)
+
+    def model(*parts: NDArray[np.float64]) -> Refit:
+        return Refit({}, (), [], [{"x": np.sqrt(np.concatenate(parts))}], 0.0, [40], 40.0)
+
+    quiet = 1.0 + 0.1 * rng.random(20)
+    base, most = model(quiet, np.full(20, 9.0)), model(1.5 * quiet, np.full(20, 3.0))
+    assert 2.0 < clearness(base, most) < 3.0
+    assert is_clear(base, most)
+    assert not is_clear(most, base)
+    assert not is_clear(base, model(2.0 * quiet, np.full(20, 3.0)))
+    assert not is_clear(base, model(1.5 * quiet, np.full(20, 8.5)))
