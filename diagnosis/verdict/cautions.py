@@ -33,6 +33,16 @@ def cautions(campaign: Campaign, best: Refit) -> Iterator[str]:
         yield from left_prior(name, value, prior, campaign.machine.unit(name))
         yield from _at_bound(name, value, prior, _why_at_bound(name, best))
     yield from _own_cautions(campaign, best)
+    yield from _omissions(campaign)
+
+
+def _omissions(campaign: Campaign) -> Iterator[str]:
+    omitted = [
+        (e.name, float(e.omitted.sum()) / e.rate) for e in campaign.experiments if e.omitted is not None
+    ]
+    if omitted:
+        spans = ", ".join(f"{seconds:.3g} s of {name}" for name, seconds in omitted)
+        yield f"all motion stands still in {spans}: not compared, as dry friction may hold any force there"
 
 
 def _own_cautions(campaign: Campaign, best: Refit) -> Iterator[str]:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from typing import Any
 
 import inertance as ia
@@ -52,6 +53,7 @@ def test_friction_is_found_though_it_holds_any_force_at_rest(entries: dict[str, 
     assert [placed.effect.kind for placed in found.effects] == ["coulomb_friction"]
     assert found.effects[0].values["f_c"] == pytest.approx(3.0, rel=0.02)
     assert found.closed > 0.9
+    assert any(re.search(r"stands still in 1\.8\d? s of 0.7 Hz, 0.596", note) for note in found.notes)
 
 
 def test_a_machine_without_friction_misses_nothing_for_its_pauses() -> None:
