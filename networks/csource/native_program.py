@@ -1,0 +1,62 @@
+"""Native program: a network as C for runs in this process, made once for all of them."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+from weakref import WeakKeyDictionary
+
+from ..flattening.flat import Flat
+from ..simulation.input_signals import SignalKey
+from .library_cache import Library
+from .model import CModel
+from .program import SOURCES, sources
+
+if TYPE_CHECKING:
+    from ..simulation.bound_dae import BoundDAE
+
+FLAGS = ("-DCORE_RECORDS", "-O1")
+MOST_PROGRAMS = 16  # of a network, by the functions built in
+_PROGRAMS: WeakKeyDictionary[Flat, dict[SignalKey, NativeProgram]] = WeakKeyDictionary()
+
+
+class NativeProgram:
+    """A network as C, with those signals built in that are functions of time; numbers and records are not."""
+
+    def __init__(self) -> None:
+        self.is_begun = False
+        self._library: Library | None = None
+        self._loaded: Any = None
+
+    def begin(self, closed: BoundDAE) -> None:
+        """Let it be compiled beside what goes on, unless it is kept."""
+        self.is_begun = True
+        if self._loaded is None:
+            self._written(closed).begin()
+
+    def is_ready(self, closed: BoundDAE) -> bool:
+        """Tell whether it can be loaded at once."""
+        return self._loaded is not None or self._written(closed).is_ready()
+
+    def loaded(self, closed: BoundDAE, load: Callable[[Path], Any]) -> Any:
+        """Return the library as `load` gives it, once it is compiled."""
+        if self._loaded is None:
+            self._loaded = self._written(closed).load(load)
+            self._library = None
+        return self._loaded
+
+    def _written(self, closed: BoundDAE) -> Library:
+        if self._library is None:
+            model = CModel(closed.dae, closed.functions, (), (), standalone=False)
+            self._library = Library(model.texts() | sources((*SOURCES, "native.c")), FLAGS, closed.mark)
+        return self._library
+
+
+def program_of(closed: BoundDAE) -> NativeProgram:
+    """Return the program of a network with the inputs of a run; those of the same functions share it."""
+    known, key = _PROGRAMS.setdefault(closed.dae.flat, {}), SignalKey(closed.functions)
+    program = known[key] = known.pop(key, None) or NativeProgram()
+    if len(known) > MOST_PROGRAMS:
+        del known[next(iter(known))]
+    return program
