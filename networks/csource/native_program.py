@@ -56,7 +56,7 @@ class NativeProgram:
 def program_of(closed: BoundDAE) -> NativeProgram:
     """Return the program of a network with the inputs of a run; those of the same functions share it."""
     known, key = _PROGRAMS.setdefault(closed.dae.flat, {}), SignalKey(closed.functions)
-    program = known[key] = known.pop(key, None) or NativeProgram()
+    program = known[key] = known.pop(key) if key in known else NativeProgram()
     if len(known) > MOST_PROGRAMS:
         del known[next(iter(known))]
     return program

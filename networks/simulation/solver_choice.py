@@ -92,11 +92,14 @@ class Account:
             return self.load(closed), self.against or "it was compiled before"
         if self.spent >= self.worth:
             self._begin(closed)
-        begun = self.known and not self.against and closed.program.is_begun
-        if begun and self.last > self.worth:
+        if self.against:
+            return False, self.against
+        if not (self.known and closed.program.is_begun):
+            spent = f"its runs have taken {self.spent:.2g} s"
+            return False, f"{spent}, and compiling pays from {self.worth:.2g} s on"
+        if self.last > self.worth:
             return self.load(closed), self.against or f"its last run took {self.last:.2g} s"
-        spent = f"its runs have taken {self.spent:.2g} s, and compiling pays from {self.worth:.2g} s on"
-        return False, self.against or ("it is being compiled for later runs" if begun else spent)
+        return False, "it is being compiled for later runs"
 
     def load(self, closed: BoundDAE) -> bool:
         """Compile a model, unless that was done, and load it; tell whether that went well."""
