@@ -17,6 +17,7 @@ if TYPE_CHECKING:
     from ..simulation.bound_dae import BoundDAE
 
 FLAGS = ("-DCORE_RECORDS", "-O1")
+SHARED = ("-DCORE_SHARED", "-Werror=vla")  # an array without ROOM would be one
 MOST_PROGRAMS = 16  # of a network, by the functions built in
 _PROGRAMS: WeakKeyDictionary[Flat, dict[SignalKey, NativeProgram]] = WeakKeyDictionary()
 
@@ -49,8 +50,19 @@ class NativeProgram:
     def _written(self, closed: BoundDAE) -> Library:
         if self._library is None:
             model = CModel(closed.dae, closed.functions, (), (), standalone=False)
-            self._library = Library(model.texts() | sources((*SOURCES, "native.c")), FLAGS, closed.mark)
+            self._library = _library(model, closed.mark)
         return self._library
+
+
+def _library(model: CModel, mark: str) -> Library:
+    """Return a model with the core of its size class, or, too large for any, with a core of its own."""
+    texts, core = model.texts(), sources((*SOURCES, "native.c"))
+    header = model.shared_header
+    if header is None:
+        return Library(texts | core, FLAGS, mark)
+    shared = Library({"model.h": header} | core, (*FLAGS, *SHARED), "core", suffix=".o")
+    texts["model.c"] += model.shared_sizes
+    return Library(texts, FLAGS, mark, [shared])
 
 
 def program_of(closed: BoundDAE) -> NativeProgram:

@@ -22,7 +22,7 @@ PLATFORMS = {
     "x86_64-darwin": "x86_64-macos",
     "aarch64-darwin": "aarch64-macos",
 }
-FLAGS = ("-std=c99", "-O2", "-fvisibility=hidden", "-shared")
+FLAGS = ("-std=c99", "-O2", "-fvisibility=hidden")
 REMEDY = "install a C compiler (gcc or clang), or `pip install ziglang`"
 
 
@@ -31,10 +31,10 @@ class ToolchainError(ModelError):
 
 
 class Compilation:
-    """A compiler at work on C sources, as one translation unit, for a shared library.
+    """A compiler at work on C sources, as one translation unit, for a shared library or an object file.
 
     Headers are so read once, which is a third of the time, and small functions inlined across files. See
-    `compile_shared` for the arguments. Ctrl-C does not reach it.
+    `compile_shared` for the arguments; `objects` are linked to a library. Ctrl-C does not reach it.
     """
 
     def __init__(
@@ -44,11 +44,15 @@ class Compilation:
         platform: str | None = None,
         include: Iterable[str | Path] = (),
         flags: Iterable[str] = (),
+        objects: Iterable[str | Path] = (),
     ) -> None:
         folders = (f"-I{folder}" for folder in include)
-        command = [*toolchain(flags, platform), *folders, "-x", "c", "-", "-o", str(out)]
+        kind = "-c" if Path(out).suffix == ".o" else "-shared"
+        command = [*toolchain(flags, platform), kind, *folders, "-x", "c", "-", "-o", str(out)]
+        if objects:
+            command += ["-x", "none", *map(str, objects)]
         if not (platform or sys.platform).endswith(("windows", "win32")):
-            command += ["-fPIC", "-lm"]
+            command += ["-fPIC"] if kind == "-c" else ["-fPIC", "-lm"]
         unit = "".join(f'#include "{Path(source).resolve().as_posix()}"\n' for source in sources)
         self._out, self._compiler = Path(out), command[0]
         with TemporaryFile() as given:

@@ -1,5 +1,6 @@
 """C is compiled once for all processes, beside what goes on."""
 
+import ctypes
 import math
 import os
 from pathlib import Path
@@ -8,10 +9,13 @@ from typing import Any
 
 import inertance as ia
 import pytest
+from inertance.base.kept_files import KeptFiles
 from inertance.networks.csource import library_cache
 from inertance.networks.csource.library_cache import Library
+from inertance.networks.csource.size_class import most_of_class
 from inertance.networks.csource.toolchain import Compilation, ToolchainError
 
+SHOWN = "#pragma GCC visibility push(default)\n"
 TEXTS = {
     "unit.c": '#include "unit.h"\nint answer(void) { return ANSWER; }\n',
     "unit.h": "#define ANSWER 42\n",
@@ -136,4 +140,52 @@ def test_a_network_with_other_values_is_compiled_once(compiled: list[Path]) -> N
 
     assert end(4.0, 1.0) == pytest.approx(math.cos(4.0), abs=1e-7)
     assert end(9.0, 0.5) == pytest.approx(0.5 * math.cos(6.0), abs=1e-7)
-    assert len(compiled) == 1
+    assert [path.suffix for path in compiled] == [".o", ".so"]
+
+
+def test_networks_of_a_size_class_share_their_core(compiled: list[Path]) -> None:
+    for masses in (1, 2, 3):
+        net = ia.Network("chain", wall=ia.Fixed())
+        last = net.wall.flange
+        for i in range(masses):
+            net.add(**{f"k{i}": ia.Spring(k=1.0), f"m{i}": ia.Mass(m=1.0, s=1.0)})
+            net.connect(last, getattr(net, f"k{i}").flange_a)
+            last = getattr(net, f"m{i}").flange
+            net.connect(getattr(net, f"k{i}").flange_b, last)
+        run = net.simulate(1.0, solver="compiled", rtol=1e-9)
+        assert run["kinetic"][-1] + run["potential"][-1] == pytest.approx(run["potential"][0], rel=1e-7)
+    assert sorted(path.suffix for path in compiled) == [".o", ".so", ".so", ".so"]
+
+
+@pytest.mark.parametrize(("states", "room"), [(0, 8), (8, 8), (9, 16), (64, 64)])
+def test_a_size_class_has_room_for_all(states: int, room: int) -> None:
+    most = most_of_class({"MODEL_SPARSE": 0, "NX": states, "NP": 5})
+    assert most == {"NX": room, "NP": 4 * room}
+
+
+def test_what_is_too_large_for_all_classes_has_a_core_of_its_own() -> None:
+    assert most_of_class({"MODEL_SPARSE": 0, "NX": 65}) is None
+    assert most_of_class({"MODEL_SPARSE": 1, "NX": 1}) is None
+
+
+def test_parts_are_compiled_before_what_they_are_linked_to(folder: Path, compiled: list[Path]) -> None:
+    texts = {"whole.c": "int answer(void);\n" + SHOWN + "int doubled(void) { return 2 * answer(); }\n"}
+    for flag in ("-DA", "-DB"):
+        part = Library(TEXTS, (), "part", suffix=".o")
+        whole = Library(texts, (flag,), parts=[part])
+        whole.begin()
+        while not whole.is_ready():
+            sleep(0.01)
+        assert whole.load(lambda path: ctypes.CDLL(str(path)).doubled()) == 84
+    assert [path.suffix for path in compiled] == [".o", ".so", ".so"]
+
+
+def test_parts_that_cannot_be_kept_are_linked_all_the_same(
+    compiled: list[Path], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(KeptFiles, "keep", lambda *_: None)
+    texts = {"whole.c": "int answer(void);\n" + SHOWN + "int doubled(void) { return 2 * answer(); }\n"}
+    whole = Library(texts, (), parts=[Library(TEXTS, (), suffix=".o")])
+    assert whole.load(lambda path: ctypes.CDLL(str(path)).doubled()) == 84
+    del whole
+    assert not any(path.parent.exists() for path in compiled)
