@@ -48,7 +48,7 @@ class Library:
         self._texts, self._flags, self._parts, self._suffix = texts, flags, parts, suffix
         machine = sys.platform, platform.machine(), platform.node()
         told = [*machine, *toolchain(flags), sorted(texts.items()), suffix, [part.name for part in parts]]
-        self.name = f"{mark}-{sha256(json.dumps(told).encode()).hexdigest()}"
+        self.name: str = f"{mark}-{sha256(json.dumps(told).encode()).hexdigest()}"
         self._making: _Making | None = None
 
     def begin(self) -> None:

@@ -89,7 +89,7 @@ class Account:
         if "native" in vars(closed):
             return True, "it was compiled before"
         if self._is_at_hand(closed):
-            return self.load(closed), self.against or "it was compiled before"
+            return self.load(closed, "it was compiled before")
         if self.spent >= self.worth:
             self._begin(closed)
         if self.against:
@@ -98,14 +98,14 @@ class Account:
             spent = f"its runs have taken {self.spent:.2g} s"
             return False, f"{spent}, and compiling pays from {self.worth:.2g} s on"
         if self.last > self.worth:
-            return self.load(closed), self.against or f"its last run took {self.last:.2g} s"
+            return self.load(closed, f"its last run took {self.last:.2g} s")
         return False, "it is being compiled for later runs"
 
-    def load(self, closed: BoundDAE) -> bool:
-        """Compile a model, unless that was done, and load it; tell whether that went well."""
+    def load(self, closed: BoundDAE, why: str) -> tuple[bool, str]:
+        """Compile a model, unless that was done, and load it; tell whether that went well, and why (not)."""
         with self._noting():
             _ = closed.native
-        return not self.against
+        return not self.against, self.against or why
 
     def _is_at_hand(self, closed: BoundDAE) -> bool:
         """Tell whether a model only needs to be loaded."""
@@ -153,8 +153,7 @@ def chosen(closed: BoundDAE, settings: Settings, followed: bool) -> Choice:
         return Choice(False, against, tolerance)
     account, foreseen = _account(closed), _FORESEEN.get(closed.dae.flat, 0)
     if foreseen >= WORTH_COMPILING and not account.against:
-        compiled = account.load(closed)
-        why = account.against or f"runs of {foreseen} samples are foreseen"
+        compiled, why = account.load(closed, f"runs of {foreseen} samples are foreseen")
     else:
         compiled, why = account.told(closed)
     if compiled and closed.dae.hybrid:
