@@ -14,7 +14,7 @@ from measure import Contender, compare, once, timed
 from peers import scipy_pfi
 from table import show
 
-TO_C = 3.0
+TO_C = 1.6
 
 
 def main(rounds: int) -> None:

@@ -13,7 +13,7 @@ from peers.pfi_casadi import LEAD, R_PLANET, R_SCREW
 AMPLITUDE, FREQUENCY, DURATION, STEP = 0.010, 3.0, 1.0, 1e-3
 RTOL, ATOL = 1e-6, 1e-8
 SMOOTH = 0.1  # rad/s
-SOLVERS = ("auto", "compiled")
+SOLVERS = ("auto", "cvodes", "compiled")
 GRID = np.linspace(0.0, DURATION, 1001)
 FORCE = "inerter.flange_a.f"
 

@@ -15,7 +15,7 @@ from peers import scipy_pfi
 from peers.pfi_casadi import SmoothInerter
 from table import show
 
-TO_C, TO_RADAU = 1.5, 1 / 20
+TO_C, TO_RADAU = 1.3, 1 / 20
 
 
 def main(rounds: int) -> None:

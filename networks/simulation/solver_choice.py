@@ -23,7 +23,7 @@ from .bound_dae import BoundDAE
 from .settings import Settings, Tolerance
 
 WORTH_COMPILING = 40_000  # samples of all runs that are foreseen
-COMPILE_SECONDS = 0.5  # of a small model
+COMPILE_SECONDS = 0.25  # of a small model, twice what it takes where the core is kept
 WRITE_SECONDS = 3e-5  # to write an instruction of a model as C
 SOON = 0.05  # s that writing may take before a first run, if what looks like it was worth compiling before
 FINEST_COMPILED = 1e-10  # relative tolerance; for less, methods of a higher order pay

@@ -25,12 +25,18 @@ except ToolchainError as missing:
 OWN = {name: getattr(Account, name) for name in ("told", "_begin")}
 
 
+@pytest.fixture(scope="module")
+def cache(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """A cache that holds nothing of other tests; those here share a core, and tell their networks apart."""
+    return tmp_path_factory.mktemp("cache")
+
+
 @pytest.fixture(autouse=True)
-def interpreted(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
+def interpreted(monkeypatch: pytest.MonkeyPatch, cache: Path) -> None:
     """Here the choice is what other tests leave out, on a machine that has compiled nothing before."""
     for name, method in OWN.items():
         monkeypatch.setattr(Account, name, method)
-    monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path))
+    monkeypatch.setenv("XDG_CACHE_HOME", str(cache))
 
 
 @pytest.fixture
@@ -39,13 +45,13 @@ def soon(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(solver_choice, "WRITE_SECONDS", 0.0)
 
 
-def swing(k: float = 4.0) -> ia.Network:
-    net = ia.Network("swing", wall=ia.Fixed(), spring=ia.Spring(k=k), mass=ia.Mass(m=1.0, s=1.0))
+def swing(name: str = "swing", k: float = 4.0) -> ia.Network:
+    net = ia.Network(name, wall=ia.Fixed(), spring=ia.Spring(k=k), mass=ia.Mass(m=1.0, s=1.0))
     return net.connect(net.wall.flange, net.spring.flange_a).connect(net.spring.flange_b, net.mass.flange)
 
 
 def rubbing() -> ia.Network:
-    net = swing().add(rub=ia.CoulombFriction(f_c=0.2), push=ia.Force(f=lambda t: ca.sin(1.3 * t)))
+    net = swing("rubbing").add(rub=ia.CoulombFriction(f_c=0.2), push=ia.Force(f=lambda t: ca.sin(1.3 * t)))
     net.connect(net.wall.flange, net.rub.flange_a)
     return net.connect(net.rub.flange_b, net.mass.flange, net.push.flange)
 
@@ -64,24 +70,24 @@ def wait_for(dae: ia.DAE) -> None:
 def test_a_short_run_is_interpreted() -> None:
     solver, why = how(swing().dae())
     assert solver == "cvodes"
-    assert why == "its runs have taken 0 s, and compiling pays from 0.5 s on"
+    assert why == "its runs have taken 0 s, and compiling pays from 0.25 s on"
 
 
 def test_a_model_is_compiled_beside_its_runs_and_kept(soon: None) -> None:
-    dae = swing().dae()
+    dae = swing("kept").dae()
     first = ia.simulate(dae, 1.0)
     wait_for(dae)
     again = ia.simulate(dae, 1.0)
     assert [run.stats["solver"] for run in (first, again)] == ["cvodes", "compiled"]
     assert again["mass.s"] == pytest.approx(np.cos(2 * again.time), abs=1e-6)
-    other = swing(k=9.0).dae()
+    other = swing("kept", k=9.0).dae()
     solver, why = how(other)
     assert (solver, why) == ("compiled", "it was compiled before")
     assert how(other, parameters={"spring.k": 1.0})[0] == "compiled"
 
 
 def test_after_a_long_run_the_next_waits_for_the_compiler(monkeypatch: pytest.MonkeyPatch) -> None:
-    dae = swing().dae()
+    dae = swing("long").dae()
     clock = iter(np.arange(0.0, 100.0, 10.0))  # s: every look at it is ten seconds later
     monkeypatch.setattr(solver_choice, "thread_time", lambda: float(next(clock)))
     assert how(dae)[0] == "cvodes"
@@ -89,7 +95,7 @@ def test_after_a_long_run_the_next_waits_for_the_compiler(monkeypatch: pytest.Mo
 
 
 def test_what_is_foreseen_is_compiled_at_once() -> None:
-    few, many = swing().dae(), swing(k=9.0).dae()
+    few, many = swing("few").dae(), swing("many").dae()
     foresee(few, 39_999)
     foresee(many, 40_000)
     assert how(few)[0] == "cvodes"
@@ -138,14 +144,14 @@ def test_what_fails_compiled_is_run_again(monkeypatch: pytest.MonkeyPatch) -> No
     def stuck(*_: Any) -> None:
         raise IntegratorError("no step was small enough")
 
-    dae = swing().dae()
+    dae = swing("failing").dae()
     foresee(dae, 10**6)
     monkeypatch.setattr(Native, "run", stuck)
     with pytest.raises(ia.SimulationError, match="no step was small enough"):
         ia.simulate(dae, 1.0, max_steps=1000)  # who grants so many does not grant them twice
     solver, why = how(dae)
     assert solver == "cvodes"
-    assert why.startswith("compiled it failed: 'swing': integration failed")
+    assert why.startswith("compiled it failed: 'failing': integration failed")
     assert how(dae) == (solver, why)
 
 
