@@ -34,7 +34,7 @@ def main(rounds: int) -> None:
         peers.insert(0, Contender("C on CVODE, root finding", program.go, remark, TO_C))
     except MissingError as missing:
         notes.append(f"C on CVODE left out: {missing}.")
-    dae = pfi.reduced()
+    dae = pfi.warmed()
     for solver in pfi.SOLVERS:
         ours = Contender("library", timed(lambda solver=solver: pfi.force(dae, solver)))
         error = pfi.error(pfi.force(dae, solver), exact)

@@ -31,7 +31,7 @@ def main(rounds: int) -> None:
         peers.insert(0, Contender("C on CVODE", program.go, f"{error}, {program.steps()} steps", TO_C))
     except MissingError as missing:
         notes.append(f"C on CVODE left out: {missing}.")
-    dae = pfi.reduced(pfi.SMOOTH)
+    dae = pfi.warmed(pfi.SMOOTH)
     for solver in pfi.SOLVERS:
         ours = Contender("library", timed(lambda solver=solver: pfi.force(dae, solver)))
         error = pfi.error(pfi.force(dae, solver), exact)

@@ -17,7 +17,7 @@ if TYPE_CHECKING:
     from ..simulation.bound_dae import BoundDAE
 
 FLAGS = ("-DCORE_RECORDS", "-O1")
-SHARED = ("-DCORE_SHARED", "-Werror=vla")  # an array without ROOM would be one
+SHARED = ("-O2", "-DCORE_SHARED", "-Werror=vla")  # an array without ROOM would be one
 MOST_PROGRAMS = 16  # of a network, by the functions built in
 _PROGRAMS: WeakKeyDictionary[Flat, dict[SignalKey, NativeProgram]] = WeakKeyDictionary()
 
