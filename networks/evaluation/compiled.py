@@ -43,7 +43,7 @@ class Compiled:
         return self._evaluated()
 
     def some(self, *columns: Array) -> list[Array]:
-        """Evaluate at some points, all that a mapped function takes or fewer; what lies behind is of before."""
+        """Evaluate at some points, at most as many as a mapped function takes; the others are of before."""
         for argument, values in zip(self._arguments, columns, strict=True):
             argument[: len(values)] = values
         return self._evaluated()
