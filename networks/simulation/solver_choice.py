@@ -139,7 +139,7 @@ class Account:
 
 
 def foresee(dae: DAE, samples: int) -> None:
-    """Note how many samples all runs of a model will come to."""
+    """Note how many samples all runs of a model will come to, with tolerances that are chosen for them."""
     _FORESEEN[dae.flat] = samples
 
 
@@ -156,7 +156,7 @@ def chosen(closed: BoundDAE, settings: Settings, followed: bool) -> Choice:
         compiled, why = account.load(closed, f"runs of {foreseen} samples are foreseen")
     else:
         compiled, why = account.told(closed)
-    if compiled and closed.dae.hybrid:
+    if compiled and closed.dae.hybrid and not foreseen:
         tolerance = tolerance.times(HYBRID_SHARE)
     return Choice(compiled, why, tolerance, account)
 
