@@ -89,7 +89,8 @@ class Library:
             try:
                 return load(kept)
             except OSError:  # it was removed meanwhile, or is for another machine
-                kept.unlink(missing_ok=True)
+                with suppress(OSError):
+                    kept.unlink()
         try:
             return load(self.path())
         finally:

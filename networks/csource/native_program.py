@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 from collections.abc import Callable
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -26,13 +27,18 @@ class NativeProgram:
     """A network as C, with those signals built in that are functions of time; numbers and records are not."""
 
     def __init__(self) -> None:
-        self.is_begun = False
+        self._process: int | None = None
         self._library: Library | None = None
         self._loaded: Any = None
 
+    @property
+    def is_begun(self) -> bool:
+        """Whether this process, and not one that it was forked from, lets it be compiled."""
+        return self._process == os.getpid()
+
     def begin(self, closed: BoundDAE) -> None:
         """Let it be compiled beside what goes on, unless it is kept."""
-        self.is_begun = True
+        self._process = os.getpid()
         if self._loaded is None:
             self._written(closed).begin()
 

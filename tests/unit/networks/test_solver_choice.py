@@ -1,5 +1,6 @@
 """What solver "auto" stands for: compiled where that pays, and why."""
 
+import os
 from pathlib import Path
 from time import sleep
 from typing import Any
@@ -86,6 +87,17 @@ def test_after_a_long_run_the_next_waits_for_the_compiler(monkeypatch: pytest.Mo
     monkeypatch.setattr(solver_choice, "thread_time", lambda: float(next(clock)))
     assert how(dae)[0] == "cvodes"
     assert how(dae)[0] == "compiled"
+
+
+@pytest.mark.skipif(not hasattr(os, "fork"), reason="processes that fork")
+def test_a_forked_process_compiles_for_itself(soon: None) -> None:
+    dae = swing("forking").dae()
+    assert how(dae)[0] == "cvodes"
+    assert bound(dae, {}).program.is_begun
+    child = os.fork()
+    if child == 0:  # where nobody will ever tell what the other process has compiled
+        os._exit(0 if not bound(dae, {}).program.is_begun and how(dae)[0] == "compiled" else 1)
+    assert os.waitstatus_to_exitcode(os.waitpid(child, 0)[1]) == 0
 
 
 def test_what_is_foreseen_is_compiled_at_once() -> None:
