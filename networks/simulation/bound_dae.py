@@ -121,11 +121,11 @@ class BoundDAE:
     def _other_inputs(self) -> Batch:
         return Batch(ca.Function("inputs", [self.q, self.t], [pick(self.u, self._others)]))
 
-    def _tangent(self, variables: tuple[int, ...], algebraic: bool) -> Any:
+    def _tangent(self, variables: tuple[int, ...], algebraic: bool) -> Compiled:
         """Return a function of joined variables (and algebraic residuals) and their slopes in x and z."""
         values = pick(self.dae.variables, variables)
         values = self.close(ca.vertcat(values, self.dae.alg) if algebraic else values)
-        return self.function("tangent", values, ca.jacobian(values, self.x), ca.jacobian(values, self.z))
+        return self.compiled("tangent", values, ca.jacobian(values, self.x), ca.jacobian(values, self.z))
 
     def rate(self, closed: Any) -> Any:
         """Return the time derivative of a closed expression along the motion."""

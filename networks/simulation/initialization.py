@@ -266,9 +266,13 @@ def _missed(
 ) -> tuple[Array, Array, Array]:
     """Return by how much variables miss their aims (and algebraic equations zero), with slopes in x, z."""
     tangent = closed.tangent(tuple(aims), algebraic)
-    value, to_x, to_z = (m.full() for m in tangent(point.x, point.z, point.q, point.t))
-    value[: len(aims), 0] -= list(aims.values())
-    return value.ravel(), to_x, to_z
+    value, *slopes = tangent(point.x, point.z, point.q, point.t)
+    to_x, to_z = (
+        slope.reshape(len(moved), len(value)).T
+        for slope, moved in zip(slopes, (point.x, point.z), strict=True)
+    )
+    value[: len(aims)] -= list(aims.values())
+    return value, to_x, to_z
 
 
 def _contradiction(dae: DAE, others: list[int], wrong: Any, wanted: StartValues) -> str:

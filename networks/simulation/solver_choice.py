@@ -86,9 +86,7 @@ class Account:
 
     def told(self, closed: BoundDAE) -> tuple[bool, str]:
         """Tell whether a run goes compiled, by what runs before it have taken, and why."""
-        if "native" in vars(closed):
-            return True, "it was compiled before"
-        if self._is_at_hand(closed):
+        if not self.against and ("native" in vars(closed) or self._is_at_hand(closed)):
             return self.load(closed, "it was compiled before")
         if self.spent >= self.worth:
             self._begin(closed)
@@ -111,7 +109,8 @@ class Account:
         """Tell whether a model only needs to be loaded."""
         if self.known:
             with self._noting():
-                return not self.against and closed.program.is_ready(closed)
+                return closed.program.is_ready(closed)
+            return False
         if self.spent < self.patience or self.writing > max(SOON, self.spent):
             return False
         self.patience = 2.0 * self.spent + SOON
