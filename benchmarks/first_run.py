@@ -31,8 +31,8 @@ def main(rounds: int) -> None:
 def _compare(kind: str, rounds: int, bytecode: str) -> None:
     with TemporaryDirectory(prefix="inertance-") as warm, TemporaryDirectory(prefix="inertance-") as cold:
         _run(kind, "auto", warm, bytecode, RUNS_TO_KEEP)
-        peer = [Contender("CVODES", _first(kind, "cvodes", cold, bytecode), target=TARGET)]
-        for told, cache in (("nothing", cold), ("the model", warm)):
+        for told, cache, target in (("nothing", cold, TARGET), ("the model", warm, None)):
+            peer = [Contender("CVODES", _first(kind, "cvodes", cold, bytecode), target=target)]
             ours = Contender("library", _first(kind, "auto", cache, bytecode))
             show(f"First run, {kind} PFI, {told} kept from earlier ones", compare(ours, peer, rounds))
 
