@@ -200,8 +200,7 @@ def _step(hard: tuple[Array, Array] | None, s: Array, to_s: Array, movable: list
     """Return the step of movable states that takes s to zero as nearly as what is `hard` allows."""
     to_s = to_s[:, movable]
     if hard is None:
-        nearest: Array = np.linalg.lstsq(to_s, -s, rcond=START_WEAK)[0]
-        return nearest
+        return np.asarray(np.linalg.lstsq(to_s, -s, rcond=START_WEAK)[0], dtype=float)
     h, to_h = hard[0], hard[1][:, movable]
     must = np.linalg.pinv(to_h, rcond=START_WEAK) @ -h
     _, strength, right = np.linalg.svd(to_h)

@@ -108,9 +108,10 @@ class Account:
     def _is_at_hand(self, closed: BoundDAE) -> bool:
         """Tell whether a model only needs to be loaded."""
         if self.known:
+            ready = False
             with self._noting():
-                return closed.program.is_ready(closed)
-            return False
+                ready = closed.program.is_ready(closed)
+            return ready
         if self.spent < self.patience or self.writing > max(SOON, self.spent):
             return False
         self.patience = 2.0 * self.spent + SOON
