@@ -16,8 +16,8 @@ Examples:
   XDG_CACHE_HOME=/scratch inertance run model.py:build    keep them elsewhere
 
 \b
-A model that runs for long or often is compiled to a library of some 60 kB. It is known by its C, by the
-compiler and its flags, and serves every process that runs the same model: also with other parameters, start
+A model that runs for long or often is compiled to a library of some 80 kB, after a core that models of its size
+share. It is known by its C, by the compiler and its flags, and serves every process that runs the same model: also with other parameters, start
 values and records. Those used longest ago go first where all become larger than 128 MB. Nothing else is kept,
 and nothing is lost but time if the folder is removed. `inertance docs networks` tells when models are
 compiled."""
@@ -35,7 +35,7 @@ def cache(
         return
     files = kept.files()
     size = sum(path.stat().st_size for path in files) / MEGABYTE
-    told = f"{len(files)} compiled model{'' if len(files) == 1 else 's'}, {size:.1f} MB"
+    told = f"{len(files)} compiled file{'' if len(files) == 1 else 's'}, {size:.1f} MB"
     if clear:
         kept.clear()
         typer.echo(f"removed {told} from {kept.path}")

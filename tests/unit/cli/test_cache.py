@@ -22,13 +22,13 @@ def told(*options: str) -> str:
 
 
 def test_it_tells_where_how_many_and_how_large(folder: Path, tmp_path: Path) -> None:
-    assert told() == f"0 compiled models, 0.0 MB of at most 128 MB, in {folder}\n"
+    assert told() == f"0 compiled files, 0.0 MB of at most 128 MB, in {folder}\n"
     made = tmp_path / "made.so"
     made.write_bytes(bytes(3 * 2**20 // 2))
     kept_files().keep(made, "a")
-    assert told() == f"1 compiled model, 1.5 MB of at most 128 MB, in {folder}\n"
+    assert told() == f"1 compiled file, 1.5 MB of at most 128 MB, in {folder}\n"
     kept_files().keep(made, "b")
-    assert told("--clear") == f"removed 2 compiled models, 3.0 MB from {folder}\n"
+    assert told("--clear") == f"removed 2 compiled files, 3.0 MB from {folder}\n"
     assert not list(folder.iterdir())
 
 
