@@ -16,11 +16,11 @@ Examples:
   XDG_CACHE_HOME=/scratch inertance run model.py:build    keep them elsewhere
 
 \b
-A model that runs for long or often is compiled to a library of some 80 kB, after a core that models of its size
-share. It is known by its C, by the compiler and its flags, and serves every process that runs the same model: also with other parameters, start
-values and records. Those used longest ago go first where all become larger than 128 MB. Nothing else is kept,
-and nothing is lost but time if the folder is removed. `inertance docs networks` tells when models are
-compiled."""
+A model that runs for long or often is compiled to a library of some 80 kB, after a core that models
+of its size share. It is known by its C, by the compiler and its flags, and serves every process
+that runs the same model: also with other parameters, start values and records. Those used longest
+ago go first where all become larger than 128 MB. Nothing else is kept, and nothing is lost but time
+if the folder is removed. `inertance docs networks` tells when models are compiled."""
 
 
 def cache(
