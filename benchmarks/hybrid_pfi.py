@@ -14,7 +14,7 @@ from measure import Contender, compare, once, timed
 from peers import scipy_pfi
 from table import show
 
-TO_C = 3.0
+TO_C = 1.6
 
 
 def main(rounds: int) -> None:
@@ -34,7 +34,7 @@ def main(rounds: int) -> None:
         peers.insert(0, Contender("C on CVODE, root finding", program.go, remark, TO_C))
     except MissingError as missing:
         notes.append(f"C on CVODE left out: {missing}.")
-    dae = pfi.reduced()
+    dae = pfi.warmed()
     for solver in pfi.SOLVERS:
         ours = Contender("library", timed(lambda solver=solver: pfi.force(dae, solver)))
         error = pfi.error(pfi.force(dae, solver), exact)

@@ -10,6 +10,7 @@ import sys
 
 import chain
 import cold_start
+import first_run
 import hybrid_pfi
 import layouts
 import pypi
@@ -20,6 +21,7 @@ import tmdi
 BENCHMARKS = {
     "smooth_pfi": smooth_pfi.main,
     "hybrid_pfi": hybrid_pfi.main,
+    "first_run": first_run.main,
     "chain": chain.main,
     "cold_start": cold_start.main,
     "tmdi": tmdi.main,

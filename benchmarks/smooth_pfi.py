@@ -15,7 +15,7 @@ from peers import scipy_pfi
 from peers.pfi_casadi import SmoothInerter
 from table import show
 
-TO_C, TO_RADAU = 1.5, 1 / 20
+TO_C, TO_RADAU = 1.3, 1 / 20
 
 
 def main(rounds: int) -> None:
@@ -31,7 +31,7 @@ def main(rounds: int) -> None:
         peers.insert(0, Contender("C on CVODE", program.go, f"{error}, {program.steps()} steps", TO_C))
     except MissingError as missing:
         notes.append(f"C on CVODE left out: {missing}.")
-    dae = pfi.reduced(pfi.SMOOTH)
+    dae = pfi.warmed(pfi.SMOOTH)
     for solver in pfi.SOLVERS:
         ours = Contender("library", timed(lambda solver=solver: pfi.force(dae, solver)))
         error = pfi.error(pfi.force(dae, solver), exact)

@@ -6,7 +6,7 @@ from typing import Annotated
 
 import typer
 
-from . import components, demo, diagnose, docs, fit, fmu, modelica, new, run
+from . import cache, components, demo, diagnose, docs, fit, fmu, modelica, new, run
 from .failure import clean
 
 EXAMPLES = """\b
@@ -21,6 +21,7 @@ Examples:
   inertance fmu check model.py:build       is the FMU what the network is?
   inertance modelica model.py:build --out a.mo  as Modelica text
   inertance run --help                     data in, results and plots out
+  inertance cache                          the compiled models that are kept
 
 \b
 Exit codes: 0 good, 1 a check or a run failed, 2 wrong use, 130 interrupted."""
@@ -40,6 +41,7 @@ app.command(epilog=fit.EXAMPLES)(clean(fit.fit))
 app.command(epilog=diagnose.EXAMPLES)(clean(diagnose.diagnose))
 app.command(epilog=modelica.EXAMPLES)(clean(modelica.modelica))
 app.command(epilog=docs.EXAMPLES)(clean(docs.docs))
+app.command(epilog=cache.EXAMPLES)(clean(cache.cache))
 app.add_typer(new.app, name="new", help="A commented template that runs: a rig, a campaign, a component.")
 app.add_typer(fmu.app, name="fmu", help="FMUs: export, check, look into, run.")
 

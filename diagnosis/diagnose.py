@@ -14,7 +14,7 @@ import numpy as np
 from ..base import above, between, computing, demand, function, instance, one_of, optional
 from ..components import InertanceError, ModelError
 from ..identification import Accuracy, Campaign
-from ..networks import COARSEST, FINEST, SOLVERS, chosen_solver
+from ..networks import COARSEST, FINEST, SOLVERS
 from . import criteria
 from .effects.hypothesis import Hypothesis
 from .models.fmu_network import read_model
@@ -55,8 +55,7 @@ def diagnose(
     Args:
         campaign: records, channels, priors and model, or the path of the TOML file that tells them.
         executor: fits candidates; any `concurrent.futures.Executor`.
-        solver: as for `simulate`; "auto" compiles models where there is a C compiler and 200 runs of the
-            training records come to 40 000 samples, as of 200 and more in all.
+        solver: as for `simulate`; "auto" foresees 200 runs of the training records with each model.
         rtol: relative tolerance of the runs; small beside the noise if not given.
         budget: seconds after which nothing new is begun, and the verdict tells what it left out [s].
         report: called with a line of progress.
@@ -76,8 +75,8 @@ def diagnose(
     campaign = thinned(Campaign.of(campaign, read_model))
     _check_keys(campaign)
     samples = sum(len(experiment.record.time) for experiment in campaign.training)
-    run_by = chosen_solver(solver, samples, criteria.RUNS_PER_MODEL)
-    accuracy = Accuracy(run_by, rtol or relative_tolerance(campaign))
+    foreseen = samples * criteria.RUNS_PER_MODEL
+    accuracy = Accuracy(solver, rtol or relative_tolerance(campaign), foreseen=foreseen)
     study = study_of(campaign, accuracy, executor, report, inf if budget is None else monotonic() + budget)
     study.tell("refitting the parameters")
     study = replace(study, accuracy=replace(accuracy, steps=granted(study.steps_per_sample())))

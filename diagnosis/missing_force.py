@@ -8,7 +8,6 @@ from pathlib import Path
 from ..base import above, computing, demand, optional, text
 from ..components import ModelError
 from ..identification import Accuracy, Campaign
-from ..networks import chosen_solver
 from .criteria import COMPARISON_RATE_HZ, RUNS_PER_MODEL
 from .diagnose import granted, relative_tolerance
 from .law.missing_force import MissingForce, force_of
@@ -46,7 +45,7 @@ def _study_for(campaign: Campaign | str | Path, rate: float) -> Study:
     """Return the study of a campaign's network."""
     campaign = thinned(Campaign.of(campaign, read_model), rate)
     samples = sum(len(experiment.record.time) for experiment in campaign.training)
-    accuracy = Accuracy(chosen_solver("auto", samples, RUNS_PER_MODEL), relative_tolerance(campaign))
+    accuracy = Accuracy(rtol=relative_tolerance(campaign), foreseen=samples * RUNS_PER_MODEL)
     study = study_of(campaign, accuracy)
     if isinstance(study, FMUStudy):
         raise ModelError("the missing force needs the equations of the model; give a network, not an FMU")

@@ -34,8 +34,8 @@ from .simulation.settings import COARSEST as COARSEST
 from .simulation.settings import FINEST as FINEST
 from .simulation.settings import RTOL as RTOL
 from .simulation.settings import SOLVERS as SOLVERS
-from .simulation.settings import chosen_solver as chosen_solver
 from .simulation.simulate import simulate as simulate
+from .simulation.solver_choice import foresee as foresee
 from .simulation.splines import breaks as breaks
 from .simulation.splines import piecewise as piecewise
 from .simulation.splines import sampled_at as sampled_at

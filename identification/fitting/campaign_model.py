@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 
 from ...base import Array
 from ...components import ModelError, SimulationError
-from ...networks import ATOL, DAE, RTOL, Network, Result, Variations, dae_of, simulate
+from ...networks import ATOL, DAE, RTOL, Network, Result, Variations, dae_of, foresee, simulate
 from ..campaign.experiment import Experiment
 from ..records.noise import spectral_floor
 from ..records.record import Channel
@@ -27,12 +27,20 @@ Values = Mapping[str, float]  # of parameters, or standard deviations of channel
 
 @dataclass(frozen=True)
 class Accuracy:
-    """How runs are computed: `solver` as in `simulate`, tolerances, and steps a sample (5000 if None)."""
+    """How runs are computed.
+
+    Attributes:
+        solver: as for `simulate`.
+        rtol, atol: tolerances.
+        steps: most steps a sample, 5000 if None.
+        foreseen: samples to which all runs of a model come, by which "auto" chooses.
+    """
 
     solver: str = "auto"
     rtol: float = RTOL
     atol: float = ATOL
     steps: int | None = None
+    foreseen: int = 0
 
 
 @dataclass(frozen=True, eq=False)
@@ -138,6 +146,7 @@ class RecordModel:
         step = float(time[-1] - time[0]) / (len(time) - 1)
         given = {} if start is None else dict(zip(self.dae.state_names, map(float, start), strict=True))
         steps = accuracy.steps or MOST_STEPS
+        foresee(self.dae, accuracy.foreseen)
         try:
             run = self._simulate(
                 float(time[-1]), begin=float(time[0]), step=step, guess=given,

@@ -9,7 +9,7 @@ from pathlib import Path
 
 from ...base import Array, between, computing, demand, function, instance, one_of, optional, whole
 from ...components import ModelError, SimulationError
-from ...networks import COARSEST, FINEST, SOLVERS, chosen_solver
+from ...networks import COARSEST, FINEST, SOLVERS
 from ..campaign.campaign import Campaign
 from .campaign_model import Accuracy, CampaignModel, Values
 from .doubts import is_doubtful
@@ -49,8 +49,7 @@ def fit(
         starts: number of starts; further ones are drawn from the priors (bounds) by a Sobol sequence.
         executor: runs the starts; the campaign goes to its workers by pickle.
         seed: of the draw.
-        solver: as for `simulate`; "auto" compiles the model where there is a C compiler and 20 runs of
-            the training records come to 40 000 samples, as of 2000 and more in all.
+        solver: as for `simulate`; "auto" foresees 20 runs of the training records.
         rtol: relative tolerance of the runs.
         report: called with a line of progress.
 
@@ -75,7 +74,7 @@ def fit(
             '[parameters], such as "spring.k" = { rel = 0.1 }'
         )
     samples = sum(len(experiment.record.time) for experiment in campaign.training)
-    accuracy = Accuracy(chosen_solver(solver, samples, USUAL_RUNS), rtol)
+    accuracy = Accuracy(solver, rtol, foreseen=samples * USUAL_RUNS)
     tell = report or (lambda line: None)
     found = Fit(campaign, dict(campaign.start), [], [])
     try:

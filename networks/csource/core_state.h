@@ -7,9 +7,15 @@
 #include "constants.h" /* generated from networks/simulation/events/constants.py */
 #include "core.h"
 
-#define ROOM(n) ((n) > 0 ? (n) : 1) /* C knows no empty arrays */
 #define NY (NX + NZ)
 #define NPATH (NX + NPUSH) /* states and impulses, which a jump moves */
+#ifdef CORE_SHARED /* by models of a size class: sizes are variables, and model.h tells the most of each */
+#define ROOM(n) MOST_##n
+#define MOST_NY (MOST_NX + MOST_NZ)
+#define MOST_NPATH (MOST_NX + MOST_NPUSH)
+#else
+#define ROOM(n) ((n) > 0 ? (n) : 1) /* C knows no empty arrays */
+#endif
 #define STAGES 8
 #define MESSAGE 1024
 
@@ -24,7 +30,7 @@ typedef struct {
 #if MODEL_SPARSE
     double v[ROOM(NV)], r[ROOM(NR)];
 #else
-    double lu[ROOM(NF * NF)];
+    double lu[ROOM(NF) * ROOM(NF)];
     int pivot[ROOM(NF)];
 #endif
 } Factor;
@@ -57,7 +63,7 @@ typedef struct {
 
 /* Modes, impulses and completion, kept while others hold. */
 typedef struct {
-    double modes[ROOM(NM + NI + NK)];
+    double modes[ROOM(NM) + ROOM(NI) + ROOM(NK)];
 } Kept;
 
 struct Core {
@@ -99,21 +105,21 @@ struct Core {
     /* Scratch: nothing here outlives a call, except as `slope_fresh` says. */
     double slope[ROOM(NSLOPE)], by_time[ROOM(NY)];
     int still[ROOM(NY)], still_count;
-    double stage[STAGES][ROOM(NY)], trial[ROOM(NY)], value[ROOM(NY)], full[ROOM(NROWS + NY)];
+    double stage[STAGES][ROOM(NY)], trial[ROOM(NY)], value[ROOM(NY)], full[ROOM(NROWS) + ROOM(NY)];
     Factor factor, algebra;
     Step step;
     Watched left, middle, right, last;
     double end_rates[ROOM(NY)], trial_free[ROOM(NU)];
     double expressions[ROOM(NE)];
-    double blocks[ROOM(NK)], square[3][ROOM(BLOCK * BLOCK)];
+    double blocks[ROOM(NK)], square[3][ROOM(BLOCK) * ROOM(BLOCK)];
     double response[ROOM(NRESPONSE)], velocity[ROOM(NVELOCITY)];
     double others[ROOM(NO)], other[ROOM(NOTHER)];
     double struck[ROOM(NS) * (ROOM(NX) + 3 * ROOM(NS))];
     double moved[ROOM(NO) * (ROOM(NX) + ROOM(NO))];
     double w[ROOM(MODEL_WORK)];
     int iw[ROOM(MODEL_INTEGERS)];
-    double results[ROOM(NY + NW)], seeds[ROOM(NY + NW)];
-    double of_y[NY + 1], of_u[ROOM(NA)], of_p[ROOM(NP)];
+    double results[ROOM(NY) + ROOM(NW)], seeds[ROOM(NY) + ROOM(NW)];
+    double of_y[ROOM(NY) + 1], of_u[ROOM(NA)], of_p[ROOM(NP)];
 };
 
 /* Parts of a run between instants at which what is given switches: where they begin and end, the longest step

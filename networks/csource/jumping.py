@@ -34,7 +34,7 @@ def jump_tables(dae: DAE, tables: Tables) -> None:
     signals, reads = (jumps.signals, jumps.reads) if jumps else ([], [])
     counts = [len(s.signs) for s in signals]
     tables.sizes(NREAD=len(reads), NSIGNAL=len(signals), NJ=sum(counts))
-    tables.sizes(NPUSH=len(jumps.motions) if jumps else 0)
+    tables.sizes(NPUSH=len(jumps.motions) if jumps else 0, MODEL_JUMPS=bool(signals))
     own = set(ca.jacobian_sparsity(jumps.jump, dae.modes).get_col()) if jumps else set()
     place = {variable: k for k, variable in enumerate(reads)}
     resets = [r for change in dae.switching.changes for r in change.resets]

@@ -1,4 +1,4 @@
-"""Library cache: what was compiled is kept in a folder of the user's, for whoever needs the same C again."""
+"""Library cache: C files as a library, compiled unless that was done before, by this process or another."""
 
 from __future__ import annotations
 
@@ -7,77 +7,159 @@ import os
 import platform
 import shutil
 import sys
+import weakref
 from collections.abc import Callable, Mapping, Sequence
 from contextlib import suppress
 from hashlib import sha256
 from pathlib import Path
-from tempfile import TemporaryDirectory
+from tempfile import mkdtemp
 from typing import TypeVar
 
-from .toolchain import compile_shared, toolchain
+from ...base.kept_files import kept_files
+from .toolchain import Compilation, ToolchainError, toolchain
 
-MOST_KEPT = 1000  # libraries, of some 60 kB each; the least lately used go first
-OTHERS_MAY_WRITE = 0o022
 Loaded = TypeVar("Loaded")
 
 
-def library(texts: Mapping[str, str], flags: Sequence[str], load: Callable[[Path], Loaded]) -> Loaded:
-    """Return what is loaded of C files, compiled unless that was done before, by this process or another.
+class Library:
+    """C files on their way to a library, which a compiler makes beside what goes on.
 
-    A library is known by all that it is made of: every file, the compiler, its flags, the machine. It is kept
-    in `inertance` in XDG_CACHE_HOME (or ~/.cache; on Windows LOCALAPPDATA), and only there if nobody else can
-    write to that folder.
+    It is known by all that it is made of: every file, the compiler, its flags, the machine, its parts.
 
     Args:
         texts: C files and headers by name.
         flags: for the compiler, see `compile_shared`.
-        load: of the path of a library, which may be gone afterwards.
+        mark: beginning of the name under which it is kept.
+        parts: object files that are linked to it.
+        suffix: ".o" for such a part.
 
     Raises:
-        ToolchainError: if there is no compiler, or it fails.
+        ToolchainError: if there is no compiler.
     """
-    folder = _private_folder()
-    kept = None if folder is None else folder / f"{_digest(texts, flags)}.so"
-    if kept is not None and kept.exists():
-        with suppress(OSError):  # it was removed meanwhile, or is damaged
-            found = load(kept)
-            os.utime(kept)
-            return found
-    with TemporaryDirectory(prefix="inertance-", ignore_cleanup_errors=True) as scratch:
-        for name, text in texts.items():
-            Path(scratch, name).write_text(text, encoding="utf-8")
-        listed = [Path(scratch, name) for name in texts if name.endswith(".c")]
-        made = compile_shared(listed, Path(scratch, "network.so"), flags=flags)
-        found = load(made)
+
+    def __init__(
+        self,
+        texts: Mapping[str, str],
+        flags: Sequence[str],
+        mark: str = "c",
+        parts: Sequence[Library] = (),
+        suffix: str = ".so",
+    ) -> None:
+        self._texts, self._flags, self._parts, self._suffix = texts, flags, parts, suffix
+        machine = sys.platform, platform.machine(), platform.node()
+        told = [*machine, *toolchain(flags), sorted(texts.items()), suffix, [part.name for part in parts]]
+        self.name: str = f"{mark}-{sha256(json.dumps(told).encode()).hexdigest()}"
+        self._making: _Making | None = None
+
+    def begin(self) -> None:
+        """Let it be compiled, unless it is kept, or this has begun."""
+        if not self.is_ready() and not self._is_made_here():
+            self._made_here()
+
+    def is_ready(self) -> bool:
+        """Tell whether it is kept, or the compiler has ended."""
+        if self._making is not None and self._is_made_here():
+            return self._making.is_over()
+        return kept_files().find(self.name) is not None
+
+    def path(self) -> Path:
+        """Wait until it is compiled, and return its path, which is good for as long as this is.
+
+        Raises:
+            ToolchainError: if the compiler fails.
+        """
+        folder = kept_files()
+        kept = folder.find(self.name)
+        if kept is None:
+            made = self._made_here().result()
+            kept = folder.keep(made, self.name)
+            if kept is None:
+                return made
+        self._end()
+        return kept
+
+    def load(self, load: Callable[[Path], Loaded]) -> Loaded:
+        """Wait until it is compiled, and return what is loaded of its path, which may be gone afterwards.
+
+        Raises:
+            ToolchainError: if the compiler fails.
+        """
+        kept = kept_files().find(self.name)
         if kept is not None:
-            _keep(made, kept)
-    return found
+            try:
+                return load(kept)
+            except OSError:  # it was removed meanwhile, or is for another machine
+                with suppress(OSError):
+                    kept.unlink()
+        try:
+            return load(self.path())
+        finally:
+            self._end()
+
+    def _is_made_here(self) -> bool:
+        """Tell whether this process, and not one that it was forked from, has it compiled."""
+        return self._making is not None and self._making.process == os.getpid()
+
+    def _made_here(self) -> _Making:
+        if self._making is None or not self._is_made_here():
+            self._making = _Making(self.name, self._texts, self._flags, self._parts, self._suffix)
+        return self._making
+
+    def _end(self) -> None:
+        if self._making is not None:
+            self._making.end()
+            self._making = None
 
 
-def _digest(texts: Mapping[str, str], flags: Sequence[str]) -> str:
-    machine = sys.platform, platform.machine(), platform.node()
-    told = [*machine, *toolchain(flags), sorted(texts.items())]
-    return sha256(json.dumps(told).encode()).hexdigest()
+class _Making:
+    """A compiler at work in a folder of its own, which goes at the end, at the latest of this process.
+
+    What is compiled by then is kept.
+    """
+
+    def __init__(
+        self,
+        name: str,
+        texts: Mapping[str, str],
+        flags: Sequence[str],
+        parts: Sequence[Library],
+        suffix: str,
+    ) -> None:
+        self.process, self._flags, self._parts = os.getpid(), flags, parts
+        self._scratch = Path(mkdtemp(prefix="inertance-"))
+        for file, text in texts.items():
+            (self._scratch / file).write_text(text, encoding="utf-8")
+        self._sources = [self._scratch / file for file in texts if file.endswith(".c")]
+        self._out = self._scratch / f"network{suffix}"
+        self._compilations: list[Compilation] = []
+        self.end = weakref.finalize(self, _ended, self._compilations, name, self._scratch, self.process)
+        for part in parts:
+            part.begin()
+        self.is_over()
+
+    def is_over(self) -> bool:
+        """Go on, once all parts are there, and tell whether the compiler has ended."""
+        if not self._compilations and all(part.is_ready() for part in self._parts):
+            self._compile()
+        return bool(self._compilations) and self._compilations[0].is_over()
+
+    def result(self) -> Path:
+        if not self._compilations:
+            self._compile()
+        return self._compilations[0].result()
+
+    def _compile(self) -> None:
+        objects = [part.path() for part in self._parts]
+        made = Compilation(self._sources, self._out, flags=self._flags, objects=objects)
+        self._compilations.append(made)
 
 
-def _private_folder() -> Path | None:
-    """Return the folder of kept libraries; None if there is none, or others may write to it."""
-    given = os.environ.get("LOCALAPPDATA" if sys.platform == "win32" else "XDG_CACHE_HOME", "")
-    try:
-        folder = (Path(given) if os.path.isabs(given) else Path.home() / ".cache") / "inertance"
-        folder.mkdir(mode=0o700, parents=True, exist_ok=True)
-        told = folder.stat()
-    except (OSError, RuntimeError):  # not writable; no home
-        return None
-    if sys.platform != "win32" and (told.st_uid != os.getuid() or told.st_mode & OTHERS_MAY_WRITE):
-        return None
-    return folder
-
-
-def _keep(made: Path, kept: Path) -> None:
-    """Keep a library, whole or not at all (on a full disk), and remove what was used longest ago."""
-    with suppress(OSError), TemporaryDirectory(dir=kept.parent) as folder:
-        os.replace(shutil.copy(made, folder), kept)
-        latest = sorted(kept.parent.glob("*.so"), key=lambda path: path.stat().st_mtime, reverse=True)
-        for path in latest[MOST_KEPT:]:
-            path.unlink(missing_ok=True)
+def _ended(compilations: Sequence[Compilation], name: str, scratch: Path, process: int) -> None:
+    if process != os.getpid():
+        return
+    for compilation in compilations:
+        if compilation.is_over():
+            with suppress(ToolchainError):
+                kept_files().keep(compilation.result(), name)
+        compilation.abandon()
+    shutil.rmtree(scratch, ignore_errors=True)

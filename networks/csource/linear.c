@@ -116,7 +116,7 @@ void core_factor_solve_transposed(const Factor *f, double b[], double x[]) {
 
 int core_factor(Factor *f, const double entries[], double full[]) {
     (void)full;
-    memset(f->lu, 0, sizeof f->lu);
+    memset(f->lu, 0, NF * NF * sizeof *f->lu);
     for (int j = 0; j < NF; j++)
         for (int k = model_reduced_column[j]; k < model_reduced_column[j + 1]; k++)
             f->lu[j * NF + model_reduced_row[k]] = entries[k];

@@ -74,8 +74,9 @@ class CModel:
             MODEL_INTEGERS=max(f.sz_iw() for f in functions),
             MODEL_WORK=work,
         )
-        header = tables.header(self.dae.name, [f.name() for f in functions])
-        return {"model.h": header, "model.c": tables.source() + text}
+        names = [f.name() for f in functions]
+        self.shared_sizes, self.shared_header = tables.shared_sizes(), tables.shared_header(names)
+        return {"model.h": tables.header(self.dae.name, names), "model.c": tables.source() + text}
 
     def functions(self) -> list[Any]:
         """Return the CasADi functions, named as in C."""

@@ -77,7 +77,7 @@ static void record(Run *run, double t, const double y[]) {
 
 static void open_segment(Run *run, const Core *c) {
     run->segment_rows[run->segment_count] = run->row_count;
-    memcpy(run->constants + run->segment_count++ * NQ, c->q, sizeof c->q);
+    memcpy(run->constants + run->segment_count++ * NQ, c->q, NQ * sizeof *c->q);
     record(run, c->t, c->y);
     if (run->segment_count >= run->room) run->budget = 0;
 }

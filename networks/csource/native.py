@@ -9,31 +9,25 @@ from itertools import pairwise
 from numbers import Real
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
-from weakref import WeakKeyDictionary
 
 import numpy as np
 from numpy.typing import NDArray
 
 from ...base import Array, ModelError, SimulationError, heed
 from ...components.language import Sampled
-from ..dae import DAE
-from ..flattening.flat import Flat
 from ..results.result import Segment
 from ..simulation.bound_dae import BoundDAE
 from ..simulation.events.constants import FIRING_ROUNDS
 from ..simulation.events.switcher import Event, changed, jumped
-from ..simulation.input_signals import Polynomial, SignalKey
 from ..simulation.integrator import IntegratorError
 from ..simulation.point import Point
 from ..simulation.splines import piecewise
-from .library_cache import library
-from .model import CModel
-from .program import SOURCES, sources
 from .toolchain import ToolchainError
 
 if TYPE_CHECKING:
     from ..simulation.progress import Progress
     from ..simulation.run import Run
+    from ..simulation.settings import Tolerance
 
 ARRIVED, PAUSED, STUCK, FAILED = range(4)
 EVENT_CAPACITY = 512
@@ -43,7 +37,6 @@ FIRST_STEPS, PATIENCE = 256, 0.05  # steps and seconds [s] until the C program l
 DOUBLES, INTEGERS = POINTER(c_double), POINTER(c_longlong)
 DOUBLE_ARRAYS = ("outputs", "times", "points", "constants", "event_times", "impulses")
 INTEGER_ARRAYS = ("segment_rows", "changes", "stays")
-_LIBRARIES: WeakKeyDictionary[Flat, dict[SignalKey, Any]] = WeakKeyDictionary()
 
 
 class _Run(Structure):
@@ -87,14 +80,13 @@ class Native:
 
     def __init__(self, closed: BoundDAE) -> None:
         self.dae = dae = closed.dae
-        functions = {path: s for path, s in closed.signals.items() if not isinstance(s, Sampled | Real)}
-        for path, signal in functions.items():
-            if isinstance(signal, Polynomial):
-                raise ModelError(f"input '{path}': solver 'compiled' takes no Polynomial; use 'auto'")
-        self._library = _library(dae, functions)
+        if closed.courses:
+            path = next(iter(closed.courses))
+            raise ModelError(f"input '{path}': solver 'compiled' takes no Polynomial; use 'auto'")
+        self._library = closed.program.loaded(closed, _loaded)
         self.nx, self.nz, self.nq = dae.x.numel(), dae.z.numel(), dae.constants.numel()
         self._core = ctypes.create_string_buffer(self._library.native_size(0))
-        free = [declared for declared in dae.inputs if declared.path not in functions]
+        free = [declared for declared in dae.inputs if declared.path not in closed.functions]
         given = [(closed.signals[declared.path], declared.order) for declared in free]
         self._tables = [_table(signal, order) for signal, order in given]
         constants = [float(s) if isinstance(s, Real) and not order else 0.0 for s, order in given]
@@ -108,7 +100,7 @@ class Native:
                 records[k] = pointer(_Record(*map(_pointer, table), len(table[0]), 0))
         return records
 
-    def run(self, run: Run, outputs: Array, progress: Progress) -> None:
+    def run(self, run: Run, tolerance: Tolerance, outputs: Array, progress: Progress) -> None:
         """Run to the last output, and record what happens in `run`.
 
         Raises:
@@ -121,7 +113,7 @@ class Native:
         legs = _Legs(run)
         begin = point.t, _pointer(y), _pointer(point.q), _pointer(self._free), records, byref(legs)
         self._library.native_begin(self._core, *begin)
-        store = _Store(self, outputs, (settings.rtol, settings.atol))
+        store = _Store(self, outputs, tolerance)
         if settings.max_steps is not None:
             store.shared.crowd = UNEVEN_RATIO * settings.max_steps // (len(outputs) - 1) + UNEVEN_RATIO
         budget, status = FIRST_STEPS, PAUSED
@@ -161,7 +153,7 @@ class Native:
 class _Store:
     """Arrays that the C program fills, and what becomes of them."""
 
-    def __init__(self, native: Native, outputs: Array, tolerance: tuple[float, float]) -> None:
+    def __init__(self, native: Native, outputs: Array, tolerance: Tolerance) -> None:
         self.native, jumps = native, native.dae.jumps
         modes = len(native.dae.switching.mode_names) + (len(jumps.motions) if jumps else 0)
         rows, events, segments = (
@@ -177,8 +169,8 @@ class _Store:
         self.shared = _Run(
             stop=outputs[-1],
             interval=outputs[1] - outputs[0],
-            rtol=tolerance[0],
-            atol=tolerance[1],
+            rtol=tolerance.rtol,
+            atol=tolerance.atol,
             output_count=len(outputs),
             next=1,
             room=EVENT_CAPACITY // 2,
@@ -226,17 +218,6 @@ def _table(signal: Any, order: int) -> tuple[Array, Array] | None:
     course = piecewise(signal).derivative(order)
     missing = np.zeros((4 - len(course.c), len(course.x) - 1))
     return course.x, np.vstack([missing, course.c])
-
-
-def _library(dae: DAE, functions: dict[str, Any]) -> Any:
-    """Return the compiled program of a network with some inputs built in, made once."""
-    known = _LIBRARIES.setdefault(dae.flat, {})
-    key = SignalKey(functions)
-    if key not in known:
-        model = CModel(dae, functions, (), (), standalone=False)
-        texts = model.texts() | sources((*SOURCES, "native.c"))
-        known[key] = library(texts, ("-DCORE_RECORDS", "-O1"), _loaded)
-    return known[key]
 
 
 def _loaded(path: Path) -> Any:

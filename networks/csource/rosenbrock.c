@@ -127,7 +127,7 @@ static double measure(Core *c, double rtol, double atol) {
             c->worst = i;
         }
     }
-    return sqrt(sum / ROOM(NY));
+    return NY ? sqrt(sum / NY) : 0;
 }
 
 /* Step over h. Returns 0 if that left the finite numbers; `error` is 1 at the tolerance. */

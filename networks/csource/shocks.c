@@ -7,12 +7,12 @@
 
 void core_see(Core *c, double seen[]) {
     (void)c, (void)seen;
-#if NJ > 0
+#if MODEL_JUMPS
     core_evaluate(c, model_seen, c->t, c->y, &(Call){.res = {seen}});
 #endif
 }
 
-#if NJ > 0
+#if MODEL_JUMPS
 static int last_of_signal(int k) {
     for (int s = 1; s <= NSIGNAL; s++)
         if (model_jump_start[s] == k + 1) return 1;
@@ -37,7 +37,7 @@ static int since(Core *c, const double seen[], double jump[]) {
 
 /* Rates of states and forces while signals are off by a course. */
 static int rates_off(Core *c, const double x[], const double course[], double rates[]) {
-    double y[ROOM(NY)], signed_[ROOM(NJ)], moved[ROOM(NPATH + NZ)], sum = 0;
+    double y[ROOM(NY)], signed_[ROOM(NJ)], moved[ROOM(NPATH) + ROOM(NZ)], sum = 0;
     for (int k = 0; k < NJ; k++) signed_[k] = model_jump_sign[k] * course[k];
     memcpy(y, x, NX * sizeof *x);
     memcpy(y + NX, c->y + NX, NZ * sizeof *y);
@@ -243,8 +243,8 @@ static CoreStatus pass_on(Core *c, double pushes[], const Observer *told) {
 /* Let what has jumped since it was seen act on states, and the contacts that pass it on. */
 CoreStatus core_jump(Core *c, const double seen[], const Observer *told, int *changed) {
     (void)c, (void)seen, (void)told, (void)changed;
-#if NJ > 0
-    double jump[NJ + ROOM(NX)], path[ROOM(NPATH)] = {0}, before[ROOM(NE)];
+#if MODEL_JUMPS
+    double jump[ROOM(NJ) + ROOM(NX)], path[ROOM(NPATH)] = {0}, before[ROOM(NE)];
     Kept kept;
     CoreStatus status = core_rates(c, 0);
     if (status != CORE_OK || !since(c, seen, jump)) return status;

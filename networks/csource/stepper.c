@@ -43,7 +43,7 @@ static double norm(const double values[], const double sizes[], const Travel *tr
         double share = values[i] / (travel->rtol * fabs(sizes[i]) + travel->atol * model_nominal[i]);
         sum += share * share;
     }
-    return sqrt(sum / ROOM(NX));
+    return NX ? sqrt(sum / NX) : 0;
 }
 
 /* Guess the first step from how fast states move for their size (Hairer, Norsett, Wanner, II.4). */

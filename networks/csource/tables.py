@@ -3,12 +3,17 @@
 from __future__ import annotations
 
 import json
+import re
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from typing import Any
 
 import numpy as np
 
+from .size_class import SWITCHES, most_of_class
+
 GUARD = "INERTANCE_MODEL_H"
+CONSTANTS = "#define NQ (NP + NM + NI + NK)"
+LENGTH = re.compile(r"\[\d+\]")
 ARGUMENTS = "(const double **arg, double **res, int *iw, double *w, int mem)"
 
 
@@ -52,12 +57,33 @@ class Tables:
     def header(self, model: str, functions: Sequence[str]) -> str:
         """Return model.h."""
         told = " ".join(model.split()).replace("*/", "* /")
-        lines = [f"/* '{told}': sizes, tables and functions. */", f"#ifndef {GUARD}", f"#define {GUARD}", ""]
-        lines += [f"#define {name} {value}" for name, value in self._sizes]
-        lines += ["#define NQ (NP + NM + NI + NK)", ""]
-        lines += [*self._declared, ""]
-        lines += [f"int {name}{ARGUMENTS};" for name in functions]
-        return "\n".join([*lines, "", "#endif", ""])
+        sizes = [f"#define {name} {value}" for name, value in self._sizes]
+        return _header(f"'{told}'", [*sizes, CONSTANTS, "", *self._declared, "", *_declared(functions)])
+
+    def shared_header(self, functions: Sequence[str]) -> str | None:
+        """Return model.h for all models of a size class; None if this one is too large for any.
+
+        Sizes are variables there, which the model brings along, and what arrays have room for is fixed.
+        """
+        most = most_of_class(dict(self._sizes))
+        if most is None:
+            return None
+        lines = []
+        for name, value in self._sizes:
+            if name in SWITCHES:
+                lines.append(f"#define {name} {value}")
+            else:
+                lines += [f"#define MOST_{name} {most[name]}", f"extern const int size_{name};"]
+                lines.append(f"#define {name} size_{name}")
+        lines += [CONSTANTS, f"#define MOST_NQ {sum(most[name] for name in ('NP', 'NM', 'NI', 'NK'))}"]
+        tables = [LENGTH.sub("[]", line) for line in self._declared]
+        hidden = "#ifdef __GNUC__\n#pragma GCC visibility push(hidden)\n#endif\n"
+        shown = hidden.replace("push(hidden)", "pop")
+        return _header("A size class", [hidden, *lines, "", *tables, "", *_declared(functions), "", shown])
+
+    def shared_sizes(self) -> str:
+        """Return the definitions of what are variables in a shared header."""
+        return "".join(f"const int size_{name} = {value};\n" for name, value in self._sizes)
 
     def source(self) -> str:
         """Return the definitions of the tables."""
@@ -71,6 +97,15 @@ class Tables:
             declared = f"const {kind} model_{name}[{len(entries)}]"
             self._declared.append(f"extern {declared};")
             self._defined.append(f"{declared} = {{{', '.join(entries)}}};")
+
+
+def _header(told: str, lines: Sequence[str]) -> str:
+    begun = [f"/* {told}: sizes, tables and functions. */", f"#ifndef {GUARD}", f"#define {GUARD}", ""]
+    return "\n".join([*begun, *lines, "", "#endif", ""])
+
+
+def _declared(functions: Sequence[str]) -> list[str]:
+    return [f"int {name}{ARGUMENTS};" for name in functions]
 
 
 def macros(constants: Mapping[str, Any]) -> str:

@@ -6,10 +6,12 @@ import importlib.util
 import os
 import shlex
 import shutil
+import signal
 import subprocess
 import sys
 from collections.abc import Iterable
 from pathlib import Path
+from tempfile import TemporaryFile
 
 from ...base import ModelError, nearest
 
@@ -20,12 +22,73 @@ PLATFORMS = {
     "x86_64-darwin": "x86_64-macos",
     "aarch64-darwin": "aarch64-macos",
 }
-FLAGS = ("-std=c99", "-O2", "-fvisibility=hidden", "-shared")
+FLAGS = ("-std=c99", "-O2", "-fvisibility=hidden")
 REMEDY = "install a C compiler (gcc or clang), or `pip install ziglang`"
 
 
 class ToolchainError(ModelError):
     """There is no C compiler, or it refused."""
+
+
+class Compilation:
+    """A compiler at work on C sources, as one translation unit, for a shared library or an object file.
+
+    Headers are so read once, which is a third of the time, and small functions inlined across files. See
+    `compile_shared` for the arguments; `objects` are linked to a library. Ctrl-C does not reach it.
+    """
+
+    def __init__(
+        self,
+        sources: Iterable[str | Path],
+        out: str | Path,
+        platform: str | None = None,
+        include: Iterable[str | Path] = (),
+        flags: Iterable[str] = (),
+        objects: Iterable[str | Path] = (),
+    ) -> None:
+        folders = (f"-I{folder}" for folder in include)
+        kind = "-c" if Path(out).suffix == ".o" else "-shared"
+        command = [*toolchain(flags, platform), kind, *folders, "-x", "c", "-", "-o", str(out)]
+        if objects:
+            command += ["-x", "none", *map(str, objects)]
+        if not (platform or sys.platform).endswith(("windows", "win32")):
+            command += ["-fPIC"] if kind == "-c" else ["-fPIC", "-lm"]
+        unit = "".join(f'#include "{Path(source).resolve().as_posix()}"\n' for source in sources)
+        self._out, self._compiler = Path(out), command[0]
+        with TemporaryFile() as given:
+            given.write(os.fsencode(unit))
+            given.seek(0)
+            self._said = TemporaryFile()  # noqa: SIM115
+            self._process = subprocess.Popen(
+                command, stdin=given, stdout=self._said, stderr=self._said, start_new_session=True
+            )
+
+    def is_over(self) -> bool:
+        """Tell whether the compiler has ended."""
+        return self._process.poll() is not None
+
+    def result(self) -> Path:
+        """Wait for the library, and return its path.
+
+        Raises:
+            ToolchainError: if the compiler failed, with what it says.
+        """
+        if self._process.wait():
+            self._said.seek(0)
+            lines = self._said.read().decode(errors="replace").strip().splitlines()
+            told = "\n".join(lines[:20])
+            raise ToolchainError(f"'{self._compiler}' could not compile the network:\n{told}")
+        return self._out
+
+    def abandon(self) -> None:
+        """End the compiler, if it is still at work."""
+        if not self.is_over():
+            if sys.platform == "win32":
+                self._process.kill()
+            else:  # and what it has begun, which then removes what it has written
+                os.killpg(self._process.pid, signal.SIGTERM)
+            self._process.wait()
+        self._said.close()
 
 
 def compile_shared(
@@ -36,8 +99,6 @@ def compile_shared(
     flags: Iterable[str] = (),
 ) -> Path:
     """Compile C sources as one translation unit into a shared library and return its path.
-
-    Headers are so read once, which is a third of the time, and small functions inlined across files.
 
     Args:
         sources: C files, in whose static names none comes twice.
@@ -50,25 +111,11 @@ def compile_shared(
     Raises:
         ToolchainError: if there is no compiler, with the remedies, or if it fails, with what it says.
     """
-    command = [
-        *toolchain(flags, platform),
-        *(f"-I{folder}" for folder in include),
-        "-x",
-        "c",
-        "-",
-        "-o",
-        str(out),
-    ]
-    if not (platform or sys.platform).endswith(("windows", "win32")):
-        command += ["-fPIC", "-lm"]
-    unit = "".join(f'#include "{Path(source).resolve().as_posix()}"\n' for source in sources)
-    done = subprocess.run(
-        command, input=unit, capture_output=True, check=False, encoding="utf-8", errors="surrogateescape"
-    )
-    if done.returncode:
-        told = "\n".join(done.stderr.strip().splitlines()[:20])
-        raise ToolchainError(f"'{command[0]}' could not compile the network:\n{told}")
-    return Path(out)
+    compilation = Compilation(sources, out, platform, include, flags)
+    try:
+        return compilation.result()
+    finally:
+        compilation.abandon()
 
 
 def toolchain(flags: Iterable[str] = (), platform: str | None = None) -> list[str]:

@@ -40,6 +40,15 @@ class Compiled:
         """
         for argument, value in zip(self._arguments, values, strict=True):
             argument[...] = value
+        return self._evaluated()
+
+    def some(self, *columns: Array) -> list[Array]:
+        """Evaluate at some points, at most as many as a mapped function takes; the others are of before."""
+        for argument, values in zip(self._arguments, columns, strict=True):
+            argument[: len(values)] = values
+        return self._evaluated()
+
+    def _evaluated(self) -> list[Array]:
         self._evaluate()
         if self._buffer.ret():
             raise RuntimeError(f"'{self.function.name()}' could not be evaluated")
@@ -83,10 +92,8 @@ class Batch:
 
     def _piece(self, given: Sequence[Array]) -> list[Array]:
         count = len(given[-1])
-        if count < BATCH_POINTS:
-            given = [np.resize(values, (BATCH_POINTS, values.shape[1])) for values in given]
         with self._free:
-            found = self._mapped(*given)
+            found = self._mapped.some(*given)
         return [
             m.reshape(BATCH_POINTS, columns, rows)[:count].transpose(0, 2, 1)
             for m, (rows, columns) in zip(found, self._shapes, strict=True)

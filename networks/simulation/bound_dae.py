@@ -4,7 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from functools import cache, cached_property, partial
+from hashlib import sha256
 from itertools import accumulate, pairwise, starmap
+from numbers import Real
 from threading import get_ident
 from typing import TYPE_CHECKING, Any
 
@@ -26,6 +28,7 @@ from .time_signals import TimeSignals, timed_rows
 
 if TYPE_CHECKING:
     from ..csource.native import Native
+    from ..csource.native_program import NativeProgram
 
 CACHED_BINDINGS, CACHED_LEGS = 4, 64  # bindings of a DAE, and legs, that are kept
 _LEGS: dict[tuple[Any, ...], list[Leg]] = {}  # where equations hold signals as given
@@ -118,11 +121,11 @@ class BoundDAE:
     def _other_inputs(self) -> Batch:
         return Batch(ca.Function("inputs", [self.q, self.t], [pick(self.u, self._others)]))
 
-    def _tangent(self, variables: tuple[int, ...], algebraic: bool) -> Any:
+    def _tangent(self, variables: tuple[int, ...], algebraic: bool) -> Compiled:
         """Return a function of joined variables (and algebraic residuals) and their slopes in x and z."""
         values = pick(self.dae.variables, variables)
         values = self.close(ca.vertcat(values, self.dae.alg) if algebraic else values)
-        return self.function("tangent", values, ca.jacobian(values, self.x), ca.jacobian(values, self.z))
+        return self.compiled("tangent", values, ca.jacobian(values, self.x), ca.jacobian(values, self.z))
 
     def rate(self, closed: Any) -> Any:
         """Return the time derivative of a closed expression along the motion."""
@@ -145,8 +148,28 @@ class BoundDAE:
         return Shocks(self, self.dae.jumps) if self.dae.jumps is not None else None
 
     @cached_property
+    def functions(self) -> dict[str, Any]:
+        """The signals that are neither numbers nor data: a compiled program has them built in."""
+        return {path: s for path, s in self.signals.items() if not isinstance(s, Sampled | Real)}
+
+    @cached_property
+    def mark(self) -> str:
+        """What tells most networks and their functions apart, at next to no cost."""
+        dae = self.dae
+        sizes = [s.numel() for s in (dae.x, dae.z, dae.u, dae.p, dae.modes, dae.switching.expressions)]
+        told = dae.name, sizes, len(dae.switching.changes), sorted(self.functions)
+        return sha256(repr(told).encode()).hexdigest()[:12]
+
+    @cached_property
+    def program(self) -> NativeProgram:
+        """The network as C, with its functions built in."""
+        from ..csource.native_program import program_of
+
+        return program_of(self)
+
+    @cached_property
     def native(self) -> Native:
-        """The network as a compiled program."""
+        """The program, compiled and loaded."""
         from ..csource.native import Native
 
         return Native(self)

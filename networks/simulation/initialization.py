@@ -186,19 +186,28 @@ def _nearer(
     """Move states so that `hard` is met and, as far as that allows, `soft` is nearest."""
     point = start.copy()
     for _ in range(LEAD_ROUNDS):
-        (h, to_h), (s, to_s) = (_missed(closed, aims, point)[:2] for aims in (hard, soft))
-        to_h, to_s = to_h[:, movable], to_s[:, movable]
-        must = np.linalg.pinv(to_h, rcond=START_WEAK) @ -h
-        _, strength, right = np.linalg.svd(to_h)
-        free = right[np.count_nonzero(strength > START_WEAK * strength.max(initial=0.0)) :].T
-        may = free @ np.linalg.lstsq(to_s @ free, -(s + to_s @ must), rcond=START_WEAK)[0]
-        step = must + may
+        s, to_s = _missed(closed, soft, point)[:2]
+        step = _step(_missed(closed, hard, point)[:2] if hard else None, s, to_s, movable)
         if not np.isfinite(step).all():
             return start
         point.x[movable] += step
         if np.abs(step).max(initial=0.0) <= START_CLOSE * (1 + np.abs(point.x).max(initial=0.0)):
             break
     return point
+
+
+def _step(hard: tuple[Array, Array] | None, s: Array, to_s: Array, movable: list[int]) -> Array:
+    """Return the step of movable states that takes s to zero as nearly as what is `hard` allows."""
+    to_s = to_s[:, movable]
+    if hard is None:
+        return np.asarray(np.linalg.lstsq(to_s, -s, rcond=START_WEAK)[0], dtype=float)
+    h, to_h = hard[0], hard[1][:, movable]
+    must = np.linalg.pinv(to_h, rcond=START_WEAK) @ -h
+    _, strength, right = np.linalg.svd(to_h)
+    free = right[np.count_nonzero(strength > START_WEAK * strength.max(initial=0.0)) :].T
+    may = free @ np.linalg.lstsq(to_s @ free, -(s + to_s @ must), rcond=START_WEAK)[0]
+    step: Array = must + may
+    return step
 
 
 def guessed(dae: DAE, wanted: StartValues) -> tuple[Array, Array]:
@@ -266,9 +275,13 @@ def _missed(
 ) -> tuple[Array, Array, Array]:
     """Return by how much variables miss their aims (and algebraic equations zero), with slopes in x, z."""
     tangent = closed.tangent(tuple(aims), algebraic)
-    value, to_x, to_z = (m.full() for m in tangent(point.x, point.z, point.q, point.t))
-    value[: len(aims), 0] -= list(aims.values())
-    return value.ravel(), to_x, to_z
+    value, *slopes = tangent(point.x, point.z, point.q, point.t)
+    to_x, to_z = (
+        slope.reshape(len(moved), len(value)).T
+        for slope, moved in zip(slopes, (point.x, point.z), strict=True)
+    )
+    value[: len(aims)] -= list(aims.values())
+    return value, to_x, to_z
 
 
 def _contradiction(dae: DAE, others: list[int], wrong: Any, wanted: StartValues) -> str:

@@ -28,7 +28,8 @@ RESULTS_KEPT = "Results up to there are kept in the error's `result`"
 class Run:
     """A run in progress: where it stands and what it has recorded.
 
-    `tried` is what q was when start values and modes were sought that agree.
+    `tried` is what q was when start values and modes were sought that agree; `on_the_way` is called between
+    stretches.
     """
 
     closed: BoundDAE
@@ -44,6 +45,7 @@ class Run:
     calls: int = 0
     steps: int = 0
     limiting: str = ""
+    on_the_way: Callable[[], None] | None = None
 
     @property
     def leg(self) -> Leg:
@@ -66,6 +68,8 @@ class Run:
             SimulationError: if they are more than were granted.
         """
         self.steps += steps
+        if self.on_the_way is not None:
+            self.on_the_way()
         most = self.settings.max_steps
         if most is not None and self.steps > most:
             raise SimulationError(f"given up after {self.steps} steps: max_steps = {most} grants no more")

@@ -1,4 +1,4 @@
-"""`Settings`: what a run is asked to be, how exact it is to be, and which solver "auto" stands for."""
+"""`Settings`: what a run is asked to be, and how exact it is to be."""
 
 from __future__ import annotations
 
@@ -16,7 +16,6 @@ RTOL, ATOL = 1e-6, 1e-12
 FINEST, COARSEST = 1e-14, 0.1  # relative tolerances
 EVENT_SHARE, EVENT_RTOL = 0.01, 1e-10  # of the tolerance, between events, and its least
 MOST_OUTPUTS = 20_000_000
-WORTH_COMPILING = 40_000  # samples of all runs of one model that pay for a second or two of compiling
 
 
 @dataclass(frozen=True)
@@ -30,6 +29,10 @@ class Tolerance:
         """Return by how much values of some sizes may be wrong."""
         error: Array = self.rtol * sizes + self.atol * nominal
         return error
+
+    def times(self, share: float) -> Tolerance:
+        """Return a share of it."""
+        return Tolerance(share * self.rtol, share * self.atol)
 
     def between_events(self) -> Tolerance:
         """Return what a multistep method keeps to: each event makes it start anew at order 1.
@@ -97,21 +100,3 @@ class Settings:
 def _longest(step: Any) -> str:
     """Say that a longest step must be above 0 s, and may be infinite."""
     return "" if isinstance(step, float) and step == inf else above(0, "s")(step)
-
-
-def chosen_solver(solver: str, samples: int, runs: int) -> str:
-    """Return the solver of a model that is run again and again: "auto" is "compiled" where that pays.
-
-    It pays where all `runs` together have 40 000 `samples` or more, and there is a C compiler. Otherwise
-    "auto" remains, which each run, as a single one, takes for "idas" if algebraic unknowns are left, and
-    for "cvodes" if not. What else the user asked for stays.
-    """
-    from ..csource import ToolchainError, compiler
-
-    if solver != "auto" or samples * runs < WORTH_COMPILING:
-        return solver
-    try:
-        compiler()
-    except ToolchainError:
-        return solver
-    return "compiled"

@@ -4,14 +4,16 @@ from __future__ import annotations
 
 import time as clock
 from collections import Counter
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
+from contextlib import contextmanager
+from dataclasses import replace
 from functools import partial
 from math import inf
 from typing import Any, Never
 
 import numpy as np
 
-from ...base import ModelError, check_keywords, heed, interruptible, listed, named
+from ...base import ModelError, SimulationError, check_keywords, heed, interruptible, listed, named
 from ...components.language import Component
 from ..dae import DAE
 from ..given import dae_of
@@ -29,6 +31,7 @@ from .run import Run, ending_in_results, limiting_state
 from .sensitivity import Sensitivities
 from .settings import ATOL, RTOL, Settings
 from .smooth import run_smooth, smooth_stepper
+from .solver_choice import Choice, chosen
 
 
 @interruptible()
@@ -68,8 +71,8 @@ def simulate(
         rtol: relative tolerance.
         atol: absolute tolerance, times the nominal value of each state.
         solver: "auto", "cvodes", "idas", "rosenbrock", or "compiled" (in C, needs a compiler). "auto" is
-            "idas" where algebraic unknowns are left and "cvodes" elsewhere; `fit` and `diagnose`, which run a
-            model again and again, let it be "compiled" if that pays.
+            "compiled" where that pays, as where runs are many or long, and can be; "idas" otherwise where
+            algebraic unknowns are left, "cvodes" where not. `stats` of the result tell which, and why.
         sensitivities: parameters whose forward sensitivities are wanted (smooth networks).
         progress: show progress; by default on runs that last over a second on a terminal.
         max_steps: steps of the integrator after which the run is given up; no limit if not given. Solver
@@ -93,33 +96,57 @@ def simulate(
     check_covered(dae.name, closed.signals, begin, stop)
     q = closed.blank(dae.parameters.values(dict(named("parameters", parameters))))
     wanted = start_values(dae, named("start", start), named("guess", guess))
-    run = started(closed, settings, q, wanted)
-    run.legs = closed.legs(q, begin, stop)
-    return _finished(run, wanted, followed, began)
+
+    def run_by(choice: Choice) -> Result:
+        run = started(closed, settings, q, wanted)
+        run.legs = closed.legs(q, begin, stop)
+        return _finished(run, choice, wanted, followed, began)
+
+    choice = chosen(closed, settings, bool(followed))
+    if choice.account is None or not choice.compiled or max_steps is not None:
+        return run_by(choice)
+    try:
+        return run_by(choice)
+    except SimulationError as error:
+        found = run_by(replace(choice, compiled=False, why=f"compiled it failed: {error}"))
+        choice.account.against = found.stats["why"]
+        return found
 
 
-def _finished(run: Run, wanted: StartValues, sensitivities: tuple[str, ...], began: float) -> Result:
+def _finished(
+    run: Run, choice: Choice, wanted: StartValues, sensitivities: tuple[str, ...], began: float
+) -> Result:
     """Go from the start of a run to its end; return what it computed."""
     closed, settings = run.closed, run.settings
     follow = None
     if sensitivities:
-        if settings.solver == "compiled":
+        if choice.compiled:
             raise ModelError("solver 'compiled' does not follow sensitivities; use 'auto'")
         follow = Sensitivities(closed, sensitivities, run.point, wanted)
-    solver, go = _way(run, follow)
-    result = partial(collected, run, solver, began, follow)
+    solver, go = _way(run, choice, follow)
+    result = partial(collected, run, solver, choice.why, began, follow)
     show = Progress(closed.dae.name, settings.begin, settings.stop, settings.progress)
-    with show as progress, ending_in_results(run, result):
+    with show as progress, ending_in_results(run, result), _counted(run, choice):
         go(progress)
         heed()
     return result()
 
 
-def _way(run: Run, follow: Sensitivities | None) -> tuple[str, Callable[[Progress], None]]:
+@contextmanager
+def _counted(run: Run, choice: Choice) -> Iterator[None]:
+    """Let what a run costs count for the choice of later ones."""
+    if choice.compiled or choice.account is None:
+        yield
+        return
+    with choice.account.paying(run.closed) as run.on_the_way:
+        yield
+
+
+def _way(run: Run, choice: Choice, follow: Sensitivities | None) -> tuple[str, Callable[[Progress], None]]:
     """Return by which solver a run goes, and what takes it to its end."""
     closed, settings, outputs, switcher = run.closed, run.settings, run.settings.outputs, run.switcher
-    if settings.solver == "compiled":
-        return "compiled", partial(closed.native.run, run, outputs)
+    if choice.compiled:
+        return "compiled", partial(closed.native.run, run, choice.tolerance, outputs)
     go: Callable[[Progress], None]
     if switcher is None:
         stepper = smooth_stepper(run, outputs)
@@ -131,13 +158,14 @@ def _way(run: Run, follow: Sensitivities | None) -> tuple[str, Callable[[Progres
     return stepper.solver, go
 
 
-def collected(run: Run, solver: str, began: float, follow: Sensitivities | None) -> Result:
+def collected(run: Run, solver: str, why: str, began: float, follow: Sensitivities | None) -> Result:
     """Return what a run has recorded, its start at least, with figures on how it went."""
     closed, settings = run.closed, run.settings
     if not run.segments:
         run.open_segment()
     stats = {
         "solver": solver,
+        "why": why,
         "rtol": settings.rtol,
         "atol": settings.atol,
         "steps": run.steps,

@@ -247,4 +247,4 @@ class Stepwise:
 
     def result(self) -> Result:
         """Return what was computed so far."""
-        return collected(self.run, self._stepper.solver, self._began, None)
+        return collected(self.run, self._stepper.solver, "it is stepped from outside", self._began, None)

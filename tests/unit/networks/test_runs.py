@@ -7,7 +7,6 @@ import casadi as ca
 import inertance as ia
 import numpy as np
 import pytest
-from inertance.networks import ToolchainError, chosen_solver, csource
 from inertance.networks.simulation.settings import Tolerance
 
 TIGHT: dict[str, Any] = {"rtol": 1e-9, "atol": 1e-11}
@@ -363,16 +362,3 @@ def test_progress_advances_within_one_call_of_the_integrator(
 def test_multistep_methods_are_not_asked_for_less_than_rounding_lets(asked: float, share: float) -> None:
     kept = Tolerance(asked, 1e-2 * asked).between_events()
     assert (kept.rtol, kept.atol) == pytest.approx((share * asked, 1e-2 * share * asked))
-
-
-def test_auto_is_decided_once_by_what_compiling_pays(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(csource, "compiler", lambda: ["cc"])
-    assert chosen_solver("auto", 2000, 20) == chosen_solver("auto", 200, 200) == "compiled"
-    assert chosen_solver("auto", 1999, 20) == chosen_solver("auto", 500, 1) == "auto"
-    assert chosen_solver("idas", 10**6, 200) == "idas"
-
-    def missing() -> list[str]:
-        raise ToolchainError("no C compiler was found")
-
-    monkeypatch.setattr(csource, "compiler", missing)
-    assert chosen_solver("auto", 2000, 20) == "auto"
