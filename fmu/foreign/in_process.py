@@ -18,6 +18,7 @@ from .model_description import FACES
 from .unpacked import Unpacked
 
 KEPT_MESSAGES, NAMED_FUNCTIONS, MOST_ITERATIONS = 5, 6, 1000
+REALS = "Real", "Float64"  # types that are numbers of C's type double, of FMI 2 and FMI 3
 WARNING = 1  # the worst status that is no failure
 FUNCTIONS = {  # of FMI 2 and FMI 3
     "set": ("fmi2SetReal", "fmi3SetFloat64"),
@@ -65,6 +66,7 @@ class LocalInstance:
         self._functions = {role: names[self.major - 2] for role, names in FUNCTIONS.items()}
         self._inputs, self._failure = list[int](), FMICallException
         self._kept: dict[str, Any] = {}
+        self._read_reals: dict[tuple[int, ...], tuple[Any, tuple[Any, ...]]] = {}
         self.instance: Any = None
         face = getattr(self.description, FACES[kind])
         self._steps_completed = kind == "ME" and face.needsCompletedIntegratorStep
@@ -133,8 +135,8 @@ class LocalInstance:
         self, begin: float, stop: float, rtol: float, values: list[tuple[Group, Values]], inputs: list[int]
     ) -> None:
         """Set values and enter initialization mode."""
-        self._inputs, self._driven = inputs, self._reals(inputs)
-        self._input_rates = self._reals(inputs)[0]
+        self._inputs, self._driven = inputs, self._reals(inputs, len(inputs))
+        self._input_rates = (ctypes.c_double * len(inputs))()
         self._first_order = (ctypes.c_int * len(inputs))(*[1] * len(inputs))
         tolerance = rtol if self.kind == "CS" else None
         if self.major == 2:
@@ -157,16 +159,21 @@ class LocalInstance:
         """Return the values of variables, group after group, as numbers."""
         found: Values = []
         for kind, references, count in groups:
+            if kind == REALS[self.major - 2]:
+                known = self._read_reals.get(key := tuple(references))
+                values, arguments = known or self._read_reals.setdefault(key, self._reals(references, count))
+                self._call_c(self._functions["get"], *arguments)
+                found += values
+                continue
             extra = (count,) if self.major == 3 else ()
             found += map(float, self._call(f"get{self._names.get(kind, kind)}", references, *extra))
         return found
 
-    def _reals(self, references: list[int]) -> tuple[Any, tuple[Any, ...]]:
+    def _reals(self, references: list[int], count: int) -> tuple[Any, tuple[Any, ...]]:
         """Return an array for real variables, and the arguments with which FMI sets or gets it as a whole."""
-        count = len(references)
-        values, place = (ctypes.c_double * count)(), (ctypes.c_uint32 * count)(*references)
+        values, place = (ctypes.c_double * count)(), (ctypes.c_uint32 * len(references))(*references)
         more = () if self.major == 2 else (count,)
-        return values, (place, count, values, *more)
+        return values, (place, len(references), values, *more)
 
     def drive(self, inputs: Values) -> None:
         """Set the inputs chosen at the start."""

@@ -53,7 +53,7 @@ class LoadedInstance(LocalInstance):
         if load is not None:
             position, velocity = (fmu.variables[name].reference for name in (load.position, load.velocity))
             states = [fmu.variables[name].reference for name in fmu.states]
-            self._place, self._port = list(inputs).index(load.force), self._reals([position, velocity])
+            self._place, self._port = list(inputs).index(load.force), self._reals([position, velocity], 2)
             self._fast = states.index(velocity) if velocity in states else None
             self._before: float | None = None
 
