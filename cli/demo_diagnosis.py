@@ -2,13 +2,16 @@
 
 from __future__ import annotations
 
+from functools import partial
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 
 from ..diagnosis import Verdict, diagnose, write_report
 from ..identification import Campaign, Record
 from ..networks import Network
+from .demo import by_c
 from .diagnose import show
 from .terminal import CommandConsole
 
@@ -39,9 +42,8 @@ def diagnose_withheld(console: CommandConsole, out: Path) -> Verdict:
 def _error(network: Network, record: Record, verdict: Verdict) -> float:
     """Return by how much a network with the fitted parameters misses the force, root mean square [N]."""
     inputs = {"actuator.s_ref": record.sampled("x")}
-    run = network.simulate(
-        float(record.time[-1]), step=1 / record.rate, inputs=inputs, parameters=verdict.parameters,
-        progress=False,
-    )  # fmt: skip
+    stop, step = float(record.time[-1]), 1 / record.rate
+    options: Any = {"inputs": inputs, "parameters": verdict.parameters, "progress": False}
+    run = by_c(partial(network.simulate, stop, step=step, **options))
     missed = record.values["F"] - np.interp(record.time, run.time, run["load_cell.f"])
     return float(np.sqrt(np.mean(missed**2)))

@@ -8,7 +8,6 @@ from pathlib import Path
 from typing import Annotated
 
 import typer
-from rich.markdown import Markdown
 
 from ..components import nearest
 from .failure import WRONG_USE, fail
@@ -50,6 +49,8 @@ def docs(
         return
     text = pages[name].read_text(encoding="utf-8")
     if sys.stdout.isatty():
+        from rich.markdown import Markdown
+
         CommandConsole().print(Markdown(text))
     else:
         typer.echo(text, nl=False)

@@ -4,18 +4,19 @@ from __future__ import annotations
 
 from contextlib import nullcontext
 from pathlib import Path
-from typing import Annotated
+from typing import TYPE_CHECKING, Annotated
 
 import typer
 
 from ..base import Processes
 from ..components import ModelError
-from ..identification import Campaign, Fit, FitInterruptedError
-from ..identification import fit as fitted
 from .arguments import SOLVER_NAMES
 from .failure import INTERRUPTED, WRONG_USE, fail, failing
 from .outputs import JSON, PICTURES, draw, expect
 from .terminal import progress
+
+if TYPE_CHECKING:
+    from ..identification import Campaign, Fit
 
 EXAMPLES = """\b
 Examples:
@@ -40,6 +41,8 @@ def fit(
     solver: Annotated[str, typer.Option(help=SOLVER_NAMES)] = "auto",
 ) -> None:
     """Fit the uncertain parameters of a campaign to its training records."""
+    from ..identification import Campaign
+
     expect("--json", json, JSON)
     expect("--plot", plot, PICTURES)
     with failing(WRONG_USE, ModelError):
@@ -61,6 +64,9 @@ def fit(
 
 
 def _fitted(campaign: Campaign, starts: int, workers: int, solver: str) -> Fit:
+    from ..identification import FitInterruptedError
+    from ..identification import fit as fitted
+
     with progress("fitting") as tell:
         try:
             with Processes(workers, "spawn") if min(workers, starts) > 1 else nullcontext() as executor:

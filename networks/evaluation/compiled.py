@@ -12,7 +12,7 @@ from numpy.typing import ArrayLike
 
 from ...base import Array
 
-BATCH_POINTS = 512
+MOST_POINTS, BATCH_ENTRIES = 512, 65536  # points of a batch; entries of the arguments at all of its points
 
 
 class Compiled:
@@ -75,27 +75,30 @@ class Compiled:
 
 
 class Batch:
-    """A CasADi function of columns, evaluated at many points, some hundred by some hundred."""
+    """A CasADi function of columns, evaluated at many points, up to some hundred at once."""
 
     def __init__(self, function: Any) -> None:
         self._shapes = [function.size_out(i) for i in range(function.n_out())]
-        self._mapped = Compiled(function.map(BATCH_POINTS))
+        self._points = max(1, min(MOST_POINTS, BATCH_ENTRIES // max(1, function.nnz_in())))
+        self._mapped = Compiled(function.map(self._points))
         self._free = Lock()
 
     def __call__(self, *columns: Array) -> list[Array]:
         """Return one array a result, (points, rows, columns), of arguments (points, entries)."""
-        begins = range(0, len(columns[-1]), BATCH_POINTS)
-        pieces = [self._piece([values[k : k + BATCH_POINTS] for values in columns]) for k in begins]
+        begins = range(0, len(columns[-1]), self._points)
+        pieces = [self._piece([values[k : k + self._points] for values in columns]) for k in begins]
         if not pieces:
             return [np.zeros((0, *shape)) for shape in self._shapes]
         return [np.concatenate(parts) for parts in zip(*pieces, strict=True)]
 
     def _piece(self, given: Sequence[Array]) -> list[Array]:
         count = len(given[-1])
+        if count < self._points:
+            given = [np.resize(values, (self._points, values.shape[1])) for values in given]
         with self._free:
             found = self._mapped.some(*given)
         return [
-            m.reshape(BATCH_POINTS, columns, rows)[:count].transpose(0, 2, 1)
+            m.reshape(self._points, columns, rows)[:count].transpose(0, 2, 1)
             for m, (rows, columns) in zip(found, self._shapes, strict=True)
         ]
 

@@ -126,7 +126,7 @@ def _contacts(component: Component, path: str) -> Iterator[str]:
 
 
 def rig_response(
-    inerter: Component, displacements: Sequence[RandomDisplacement], settle: float = 2.0
+    inerter: Component, displacements: Sequence[RandomDisplacement], settle: float = 2.0, **options: Any
 ) -> tuple[Array, NDArray[np.complex128]]:
     """Return frequencies [Hz] and H(f) = G_xF/G_xx [N/m] under random displacements of one period.
 
@@ -134,6 +134,7 @@ def rig_response(
         inerter: what is tested, anew for each displacement.
         displacements: realisations over which the spectra are averaged.
         settle: time left out before the period that is evaluated [s].
+        options: for `simulate`.
 
     Source: Ge & Wang on the planetary flywheel inerter (see `machines.ge_wang`), eq. (32).
     """
@@ -144,7 +145,7 @@ def rig_response(
     lines, period = displacements[0].lines, displacements[0].period
     cross, power = np.zeros((2, len(lines)), dtype=np.complex128)
     for displacement in displacements:
-        run = run_on_rig(inerter.clone(), displacement, period, begin=-settle, step=1e-3)
+        run = run_on_rig(inerter.clone(), displacement, period, begin=-settle, step=1e-3, **options)
         x, F = (_spectrum(run, name, period)[lines] for name in ("actuator.s_ref", "inerter.flange_a.f"))
         cross += x.conj() * F
         power += x.conj() * x

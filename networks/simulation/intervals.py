@@ -54,7 +54,7 @@ class Enclosure:
                 elif operation == ca.OP_INPUT:
                     work[into[0]] = columns[of[0]][of[1]]
                 elif operation == ca.OP_CONST:
-                    work[into[0]] = np.full(count, constant), np.full(count, constant)
+                    work[into[0]] = (np.full(count, constant),) * 2
                 else:
                     low, high, unsure = _RULES.get(operation, _UNKNOWN)(*(work[place] for place in of))
                     unknown = ~((low < np.inf) & (high > -np.inf))  # NaN, too
@@ -107,10 +107,8 @@ def _wave(function: Callable[[Any], Any], shift: float) -> Rule:
 
     def rule(a: Bounds) -> Enclosed:
         ends = function(a[0]), function(a[1])
-        crest, trough = (
-            np.floor((a[1] + shift - top) / (2 * np.pi)) > np.floor((a[0] + shift - top) / (2 * np.pi))
-            for top in (np.pi / 2, -np.pi / 2)
-        )
+        first, last = ((end + (shift - np.pi / 2)) / (2 * np.pi) for end in a)  # turns since a crest
+        crest, trough = (np.floor(last + at) > np.floor(first + at) for at in (0.0, 0.5))
         return np.where(trough, -1.0, np.minimum(*ends)), np.where(crest, 1.0, np.maximum(*ends)), False
 
     return rule
@@ -158,9 +156,13 @@ def _if_else_zero(a: Bounds, b: Bounds) -> Enclosed:
 
 
 def _corners(function: Callable[[Any, Any], Any], a: Bounds, b: Bounds) -> Bounds:
-    """Return the least and the greatest value at the corners of a box."""
-    values = [function(x, y) for x in a for y in b]
+    """Return the least and the greatest value at the corners of a box, which may have no width."""
+    values = [function(x, y) for x in _ends(a) for y in _ends(b)]
     return np.minimum.reduce(values), np.maximum.reduce(values)
+
+
+def _ends(a: Bounds) -> tuple[Array, ...]:
+    return a[:1] if a[0] is a[1] else a
 
 
 def _product(a: Bounds, b: Bounds) -> Enclosed:

@@ -178,8 +178,8 @@ def _looked_at(signals: TimeSignals, low: Array, high: Array, size: Array) -> tu
     unknown = np.flatnonzero(~known.all(axis=1))
     scale = high - low
     if len(unknown):
-        between = signals.steepest(low[unknown], high[unknown]) * scale[unknown, None] / 16
         allowed = HIDDEN_SHARE * ranges[unknown] + least + UNSEEN_SHARE * largest
+        between = _between(signals, low[unknown], high[unknown], allowed)
         bound = between <= allowed
         known[unknown] |= bound
         share = np.where(bound, 1.0, allowed / np.where(bound, 1.0, between))
@@ -187,6 +187,17 @@ def _looked_at(signals: TimeSignals, low: Array, high: Array, size: Array) -> tu
     rests, even = (((what <= least) & known).all(axis=1) for what in (ranges, missed))
     shown = (few | (missed <= MISSED_SHARE * ranges + least) & known).all(axis=1)
     return np.select([rests, even], [np.inf, np.nan], scale), shown
+
+
+def _between(signals: TimeSignals, low: Array, high: Array, allowed: Array) -> Array:
+    """Return how far signals can go from the nearest of nine samples; if too far, from the chord of two."""
+    width = (high - low)[:, None]
+    between = signals.steepest(low, high) * width / 16
+    far = (between > allowed).any(axis=1)
+    if far.any():
+        bent = signals.most_bent(low[far], high[far]) * width[far] ** 2 / 512
+        between[far] = np.minimum(between[far], bent)
+    return between
 
 
 def _hidden(signals: TimeSignals, times: Array, values: Array) -> Array:

@@ -73,7 +73,14 @@ class TimeSignals:
 
     def steepest(self, low: Array, high: Array) -> Array:
         """Return how fast the signals can change within intervals, (intervals, signals)."""
-        below, above, _ = self._enclosure("slopes")(*self._boxes(low, high))
+        return self._greatest("slopes", low, high)
+
+    def most_bent(self, low: Array, high: Array) -> Array:
+        """Return how large second derivatives in time can be within intervals that hold no switch."""
+        return self._greatest("bends", low, high)
+
+    def _greatest(self, what: str, low: Array, high: Array) -> Array:
+        below, above, _ = self._enclosure(what)(*self._boxes(low, high))
         return np.maximum(np.abs(below), np.abs(above))
 
     def ends(self, begin: float, stop: float) -> tuple[Array, Array]:
@@ -126,11 +133,11 @@ class TimeSignals:
         return ca.cse(ca.substitute(formulas, dae.p, ca.SX(self._parameters)))
 
     def _enclosed(self, what: str) -> Enclosure:
-        """Return an enclosure of all "signals", of "formulas" alone, or of the "slopes" of all in time."""
+        """Return an enclosure of all "signals", of "formulas" alone, or of "slopes" or "bends" of all."""
         dae, rows = self._dae, self._of_time
         if what == "formulas":
             rows = pick(rows, np.flatnonzero(self.formal).tolist())
-        if what == "slopes":
+        for _ in range({"slopes": 1, "bends": 2}.get(what, 0)):
             rows = ca.densify(ca.jacobian(rows, dae.time)) + ca.SX(np.where(self.formal, 0.0, np.inf))
         arguments = [pick(dae.u, self._drawn), dae.p, dae.time]
         return Enclosure(ca.Function("timed", arguments, [ca.densify(rows)]))

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from decimal import Decimal
-from functools import reduce
 from itertools import pairwise, zip_longest
 
 Polynomial = list[Decimal]
@@ -63,7 +62,10 @@ def derivative(p: Polynomial) -> Polynomial:
 
 def value(p: Polynomial, x: Decimal) -> Decimal:
     """Return p(x)."""
-    return reduce(lambda total, a: total * x + a, reversed(p), ZERO)
+    total = ZERO
+    for a in reversed(p):
+        total = total * x + a
+    return total
 
 
 def size(p: Polynomial, x: Decimal) -> Decimal:
@@ -94,30 +96,35 @@ def positive_roots(p: Polynomial) -> list[Decimal]:
     far = 1 + max(abs(a / p[-1]) for a in p[:-1])
     corners = [ZERO, *positive_roots(derivative(p)), far]
     roots: list[Decimal] = []
-    for left, right in pairwise(corners):
-        if _vanishes(p, left):
+    for (left, before), (right, after) in pairwise([(x, _sign(p, x)) for x in corners]):
+        if before == 0:
             roots.append(left)
-        elif not _vanishes(p, right) and (value(p, left) < 0) != (value(p, right) < 0):
+        elif before * after < 0:
             roots.append(_root_between(p, left, right))
     return roots
 
 
-def _vanishes(p: Polynomial, x: Decimal) -> bool:
-    return abs(value(p, x)) <= VANISHING_SHARE * size(p, x)
+def _sign(p: Polynomial, x: Decimal) -> int:
+    """Return the sign of p(x), 0 where no more than rounding is left of it."""
+    total = value(p, x)
+    return 0 if abs(total) <= VANISHING_SHARE * size(p, x) else 1 if total > 0 else -1
 
 
 def _root_between(p: Polynomial, left: Decimal, right: Decimal) -> Decimal:
     """Return the root in a stretch, by Newton's steps, parting the stretch where they do not help."""
-    slope, rising = derivative(p), value(p, right) > 0
+    slope, sizes, rising = derivative(p), [abs(a) for a in p], value(p, right) > 0
     x = _middle(left, right)
+    here = value(p, x)
     for _ in range(MOST_NEWTON_STEPS):
-        here, steep = value(p, x), value(slope, x)
-        if abs(here) <= ROUNDING_SHARE * size(p, x) or right - left <= VANISHING_SHARE * right:
+        if abs(here) <= ROUNDING_SHARE * value(sizes, x) or right - left <= VANISHING_SHARE * right:
             break
         left, right = (left, x) if (here > 0) == rising else (x, right)
-        newton = x - here / steep if steep else left
-        helps = left < newton < right and 2 * abs(value(p, newton)) < abs(here)
-        x = newton if helps else _middle(left, right)
+        steep, before = value(slope, x), here
+        x = x - here / steep if steep else left
+        helps = left < x < right and 2 * abs(here := value(p, x)) < abs(before)
+        if not helps:
+            x = _middle(left, right)
+            here = value(p, x)
     return x
 
 

@@ -79,15 +79,17 @@ def ending(net: Network, solver: str) -> Any:
 
 def held_against_ramps(machine: Any, drive: Any, height: float, solver: str) -> None:
     jumped = ending(network(machine, drive(), signals.Step(height=height, start_time=JUMP)), solver)
+    near = 2e-4 * max(1.0, np.abs(jumped).max())
     missed = []
-    for duration in (1e-4, 1e-5, 1e-6):
+    for duration in (1e-5, 1e-6, 1e-4):  # one that comes near is enough
         ramp = signals.Ramp(height=height, duration=duration, start_time=JUMP)
         try:
             missed.append(np.abs(jumped - ending(network(machine, drive(), ramp), "auto")).max())
         except ia.SimulationError:  # at very short ramps, whose speed is 1e6 m/s, modes may not settle
             continue
-    assert missed
-    assert min(missed) == pytest.approx(0, abs=2e-4 * max(1.0, np.abs(jumped).max()))
+        if missed[-1] <= near:
+            return
+    pytest.fail(f"missed by {missed}")
 
 
 @given(machines((*YIELDING, *RIGID)), st.sampled_from([1.0, -1.0]))

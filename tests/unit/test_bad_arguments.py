@@ -207,7 +207,7 @@ GOOD: dict[str, Callable[[], Any]] = {
     "first": lambda: lambda dae, *, parameters: parameters.get("spring.k", 1.0),
     "second": lambda: lambda dae, *, parameters: 1.0 / parameters.get("spring.k", 1.0),
     "bounds": lambda: {"spring.k": (50.0, 200.0)}, "spread": lambda: {"spring.k": 0.1}, "share": lambda: 0.5,
-    "modes": lambda: linear().modes(), "signal": lambda: np.sin, "displacement": lambda: np.sin,
+    "modes": lambda: linear().modes(), "signal": lambda: np.sin, "displacement": lambda: lambda t: 0.01 * t,
     "displacements": lambda: [RandomDisplacement(1, 1.0)], "acceleration": lambda: np.zeros(8),
     "rms": lambda: 1.0, "cutoff": lambda: 10.0, "seed": lambda: 1, "factor": lambda: 2.0, "every": lambda: 2,
     "channel": lambda: "x", "channels": lambda: campaign().measured, "end": lambda: 1.0, "stage": lambda: (),

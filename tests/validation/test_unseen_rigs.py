@@ -85,6 +85,40 @@ def sign(speed: float, slow: float) -> float:
     return float(np.tanh(speed / slow))
 
 
+def test_friction_damper_with_clearance() -> None:
+    """A friction damper that begins to rub after half a millimetre of play, modelled without play.
+
+    It takes longest of all, so it is not the last of all, for which another process would wait.
+    """
+    stiff, oil, play = 2e5, 60.0, 0.5e-3
+
+    def motion(_: float, y: Array, push: float) -> list[float]:
+        s, v, r = y
+        gap = s - r
+        # The slider r has no mass: it follows the flank when it is pressed by more than its friction.
+        press = stiff * (gap - np.clip(gap, -play, play))
+        held = 4.0 * np.clip(press / 4.0, -1.0, 1.0)
+        return [v, (push - 3000.0 * s - 6.0 * v - held) / 2.0, (press - held) / oil]
+
+    records = measured(motion, 3, {"s": 0}, 12.0, 12.0, 0.005, duration=10.0)
+    net = Network(
+        "damped",
+        wall=Fixed(),
+        spring=Spring(k=2800.0),
+        loss=Damper(d=5.0),
+        slider=CoulombFriction(f_c=3.5),
+        mass=Mass(m=2.0),
+        push=Force(),
+    )
+    net.connect(net.wall.flange, net.spring.flange_a, net.loss.flange_a, net.slider.flange_a)
+    net.connect(net.spring.flange_b, net.loss.flange_b, net.slider.flange_b, net.mass.flange, net.push.flange)
+    found = verdict(net, {"s": "mass.s"}, ["spring.k", "loss.d", "slider.f_c", "mass.m"], records)
+    assert found.verdict == "effect"
+    assert [placed.label for placed in found.effects] == ["backlash at slider"]
+    assert found.effects[0].values["eps"] == pytest.approx(play, rel=0.15)
+    assert found.closed > 0.9
+
+
 def test_carts_of_which_one_rubs() -> None:
     """Two carts in line; the second one rubs on its rail."""
 
@@ -141,34 +175,3 @@ def test_duffing_oscillator() -> None:
     assert [placed.effect.kind for placed in found.effects] == ["cubic_stiffness"]
     assert found.effects[0].values["k3"] == pytest.approx(4e5, rel=0.03)
     assert found.closed > 0.95
-
-
-def test_friction_damper_with_clearance() -> None:
-    """A friction damper that begins to rub after half a millimetre of play, modelled without play."""
-    stiff, oil, play = 2e5, 60.0, 0.5e-3
-
-    def motion(_: float, y: Array, push: float) -> list[float]:
-        s, v, r = y
-        gap = s - r
-        # The slider r has no mass: it follows the flank when it is pressed by more than its friction.
-        press = stiff * (gap - np.clip(gap, -play, play))
-        held = 4.0 * np.clip(press / 4.0, -1.0, 1.0)
-        return [v, (push - 3000.0 * s - 6.0 * v - held) / 2.0, (press - held) / oil]
-
-    records = measured(motion, 3, {"s": 0}, 12.0, 12.0, 0.005, duration=10.0)
-    net = Network(
-        "damped",
-        wall=Fixed(),
-        spring=Spring(k=2800.0),
-        loss=Damper(d=5.0),
-        slider=CoulombFriction(f_c=3.5),
-        mass=Mass(m=2.0),
-        push=Force(),
-    )
-    net.connect(net.wall.flange, net.spring.flange_a, net.loss.flange_a, net.slider.flange_a)
-    net.connect(net.spring.flange_b, net.loss.flange_b, net.slider.flange_b, net.mass.flange, net.push.flange)
-    found = verdict(net, {"s": "mass.s"}, ["spring.k", "loss.d", "slider.f_c", "mass.m"], records)
-    assert found.verdict == "effect"
-    assert [placed.label for placed in found.effects] == ["backlash at slider"]
-    assert found.effects[0].values["eps"] == pytest.approx(play, rel=0.15)
-    assert found.closed > 0.9

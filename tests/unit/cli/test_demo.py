@@ -5,6 +5,7 @@ from pathlib import Path
 import pytest
 from inertance.cli import app, demo
 from inertance.machines import RandomDisplacement, Sinusoid
+from inertance.networks import ToolchainError
 from PIL import Image
 from typer.testing import CliRunner
 
@@ -20,3 +21,12 @@ def test_demo_prints_tables_and_draws_pictures(tmp_path: Path, monkeypatch: pyte
         with Image.open(tmp_path / "new" / f"{name}.png") as picture:
             assert min(picture.size) > 500
             assert len(set(picture.convert("L").resize((100, 100)).tobytes())) > 20
+
+
+def test_without_a_compiler_long_runs_go_without() -> None:
+    def simulated(solver: str = "auto") -> str:
+        if solver == "compiled":
+            raise ToolchainError("no C compiler was found")
+        return solver
+
+    assert demo.by_c(simulated) == "auto"

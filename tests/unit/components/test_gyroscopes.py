@@ -50,7 +50,7 @@ def in_space(times: Any, torque: Any, turned: list[float], g: dict[str, float]) 
 
     phi, alpha, w, w_p = turned
     start = [phi, alpha, 0.0, w, w_p, g["w_s"] - w * np.sin(alpha)]
-    run = solve_ivp(rates, (times[0], times[-1]), start, t_eval=times, rtol=1e-10, atol=1e-12)
+    run = solve_ivp(rates, (times[0], times[-1]), start, "DOP853", times, rtol=1e-10, atol=1e-12)
     return run.y
 
 

@@ -10,17 +10,17 @@
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
+#include <unistd.h>
 #include "fmi2Functions.h"
 
 #ifndef FAULT
 #define FAULT 0 /* what it begins with */
 #endif
 #ifndef HANG
-#define HANG 0 /* which call never returns: 1 instantiate, 2, 3 initialise, 4 step, 5 terminate, 6 free */
+#define HANG 0 /* which call waits for ever: 1 instantiate, 2, 3 initialise, 4 step, 5 terminate, 6 free */
 #endif
-static volatile int forever = 1;
 #define STAY(where) \
-    while (HANG == where && forever) forever = 1;
+    while (HANG == where) pause();
 #define N 8
 typedef struct {
     double v[N], t, next;

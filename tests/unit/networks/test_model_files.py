@@ -1,10 +1,11 @@
 """Models in Python files: what stands beside one is imported in every command and process, by it alone."""
 
 import sys
+from collections.abc import Callable, Iterator
 from concurrent.futures import ProcessPoolExecutor
+from importlib import import_module
 from multiprocessing import get_context
 from pathlib import Path
-from typing import Any
 
 import inertance as ia
 import numpy as np
@@ -43,6 +44,7 @@ BUILD = """
 """
 AT_THE_TOP = f"import inertance as ia\nimport helper\ndef build():{BUILD}"
 INSIDE = f"import inertance as ia\ndef build():\n    import helper{BUILD}"
+MEASURE = "def stiffness(dae, values):\n    return dae.parameter_values['spring.k'] + values['mass.m']\n"
 CAMPAIGN = """
 model = "rig.py:build"
 [channels]
@@ -91,10 +93,6 @@ def campaign(folder: Path, source: str) -> Path:
     return folder / "campaign.toml"
 
 
-def stiffness(dae: ia.DAE, values: dict[str, Any]) -> float:
-    return float(dae.parameter_values["spring.k"] + values["mass.m"])
-
-
 def ran(*arguments: object) -> str:
     result = CliRunner().invoke(app, [str(a) for a in arguments])
     assert result.exit_code == 0, result.output
@@ -104,6 +102,16 @@ def ran(*arguments: object) -> str:
 @pytest.fixture
 def spawned() -> ProcessPoolExecutor:
     return ProcessPoolExecutor(1, mp_context=get_context("spawn"))
+
+
+@pytest.fixture
+def stiffness(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[Callable[..., float]]:
+    """A measure that other processes can import, from wherever the tests were started."""
+    (tmp_path / "measures").mkdir()
+    (tmp_path / "measures/measure_of_stiffness.py").write_text(MEASURE)
+    monkeypatch.syspath_prepend(tmp_path / "measures")
+    yield import_module("measure_of_stiffness").stiffness
+    del sys.modules["measure_of_stiffness"]
 
 
 @PLACES
@@ -123,7 +131,11 @@ def test_fit_and_diagnose_import_what_stands_beside_a_model(tmp_path: Path, sour
 @PLACES
 @pytest.mark.parametrize("given", ["by name", "as a network"])
 def test_a_sweep_imports_what_stands_beside_a_model(
-    tmp_path: Path, source: str, given: str, spawned: ProcessPoolExecutor
+    tmp_path: Path,
+    source: str,
+    given: str,
+    spawned: ProcessPoolExecutor,
+    stiffness: Callable[..., float],
 ) -> None:
     name = written(tmp_path / "version 1.0", source)
     model = name if given == "by name" else load_model(name)
