@@ -5,11 +5,11 @@ from __future__ import annotations
 import ctypes
 import platform
 import time as clock
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from contextlib import suppress
 from ctypes import POINTER, Structure, byref, c_char, c_double, c_int, c_longlong, c_void_p
-from dataclasses import dataclass, field
-from functools import cache
+from dataclasses import dataclass
+from functools import cache, cached_property
 from hashlib import sha256
 from pathlib import Path
 from typing import Any
@@ -23,22 +23,23 @@ from ..dae import DAE
 from ..simulation.events.constants import FIRING_ROUNDS
 from ..simulation.starting import Start
 from .library_cache import library
+from .members import Members, Told
 from .model import CModel
-from .native import MOST_BETWEEN, LegTable, Record
+from .native import MOST_BETWEEN, LegTable, Record, check_sizes
 from .program import SOURCES, sources
 from .toolchain import ToolchainError
 from .wide_text import can_be_wide, wide_text
 
-WAITING, ARRIVED, UNSTARTED, STUCK, FAILED = range(5)
 PLAIN = ("start.h", "ensemble.h", *SOURCES, "start.c", "record.c", "member.c", "crew.c")
 WIDE = ("wide.h", "wide_core.h", "wide_linear.c", "wide_step.c", "wide_watch.c")
 WIDE_FUNCTIONS = ("model_inputs", "model_motion", "model_slope", "model_watch", "model_variables")
 FLAGS = ("-DCORE_RECORDS", "-O2", "-ffp-contract=fast")
 EVENT_ROOM, MESSAGE_ROOM = 4096, 64
-ALIGNMENT = 128  # bytes, of the widest vectors, and more
+ALIGNMENT = 128  # bytes, of the widest vectors or more
 FIRST_ROUNDS, PATIENCE = 64, 0.05  # rounds and seconds [s] until the C program looks up from its work
 DOUBLES, INTEGERS = POINTER(c_double), POINTER(c_longlong)
-Integers = NDArray[np.int64]
+NUMBERS = ("outputs", "parameters", "guesses", "aims", "points", "constants", "free")
+EVENT_COLUMNS = ("event_members", "event_times", "changes", "stays", "impulses")
 
 
 class _Block(Structure):
@@ -46,152 +47,151 @@ class _Block(Structure):
 
     _fields_ = (
         [(name, c_double) for name in ("begin", "stop", "interval", "rtol", "atol")]
-        + [(name, DOUBLES) for name in ("outputs", "parameters", "guesses", "aims", "points", "constants")]
-        + [("free", DOUBLES), ("records", POINTER(Record)), ("legs", POINTER(LegTable))]
-        + [(name, INTEGERS) for name in ("signals", "legs_of")]
+        + [(name, DOUBLES) for name in NUMBERS]
+        + [("records", POINTER(Record)), ("legs", POINTER(LegTable))]
+        + [(name, INTEGERS) for name in ("signals_of", "legs_of")]
         + [(name, DOUBLES) for name in ("values", "ended")]
         + [(name, INTEGERS) for name in ("status", "steps", "rejected")]
-        + [("messages", POINTER(c_char))]
+        + [("messages", POINTER(c_char)), ("message_members", INTEGERS)]
         + [(name, DOUBLES) for name in ("event_times", "impulses")]
         + [(name, INTEGERS) for name in ("event_members", "changes", "stays")]
         + [(name, c_longlong) for name in ("output_count", "member_count", "entered", "event_count")]
-        + [(name, c_longlong) for name in ("event_room", "most_between", "budget", "rounds", "tried")]
-        + [(name, c_longlong) for name in ("messages_room", "message_count")]
-        + [("message_members", INTEGERS)]
+        + [(name, c_longlong) for name in ("event_room", "message_count", "message_room", "most_between")]
+        + [(name, c_longlong) for name in ("budget", "rounds", "tried")]
     )  # fmt: skip
 
 
-@dataclass(eq=False)
-class Members:
-    """What differs between members, one row each, and what they share.
+@dataclass(frozen=True, eq=False)
+class CrewProgram:
+    """A network as C that computes some of its signals for many members; it may be sent to other processes.
 
     Attributes:
-        parameters: (members, NP); guesses: (members, NX) and aims: (members, NAIM), where starts are sought.
-        found: points (members, NY) and constants (members, NQ) where members start, if that is known.
-        free: constant inputs (signal sets, NU); tables: instants and powers of those that are data, by set.
-        signals: the set of each member; legs_of: the legs of each member, a place among `legs`.
+        texts, flags: C files by name, and what they are compiled with.
+        width: how many signals are computed.
+        free: inputs that are no formulas, with their derivatives.
+        changes: modes and motions that may change at one instant.
     """
 
-    parameters: Array
-    guesses: Array
-    aims: Array
-    free: Array
-    tables: list[list[tuple[Array, Array] | None]]
-    legs: list[LegTable]
-    signals: Integers
-    legs_of: Integers
-    found: tuple[Array, Array] | None = None
+    texts: Mapping[str, str]
+    flags: Sequence[str]
+    width: int
+    free: Sequence[tuple[str, int]]
+    changes: int
 
-    def __len__(self) -> int:
-        return len(self.parameters)
+    @cached_property
+    def library(self) -> Any:
+        """The compiled program: for the very processor it runs on, if the compiler can do that."""
+        try:
+            flags = [*self.flags, "-march=native", f"-DPROCESSOR={_processor()}"]
+            return library(self.texts, flags, _loaded)
+        except ToolchainError:
+            return library(self.texts, self.flags, _loaded)
 
-    def some(self, places: Integers, found: tuple[Array, Array]) -> Members:
-        """Return some of the members, whose starts were found otherwise."""
-        rows = (self.parameters[places], self.guesses[places], self.aims[places])
-        return Members(
-            *rows, self.free, self.tables, self.legs, self.signals[places], self.legs_of[places], found
-        )
+    def __getstate__(self) -> dict[str, Any]:
+        return {name: value for name, value in vars(self).items() if name != "library"}
 
-
-@dataclass(eq=False)
-class Told:
-    """What came of members: values (members, outputs, signals), NaN beyond where each has ended.
-
-    Attributes:
-        events: columns member, instant, change, whether it stays, impulse, in the order they happened.
-        rounds: how often lanes stepped together; tried: their steps, at most `lanes` a round.
-    """
-
-    values: Array
-    ended: Array
-    status: Integers
-    steps: Integers
-    rejected: Integers
-    lanes: int
-    messages: dict[int, str] = field(default_factory=dict)
-    events: list[tuple[int, float, int, bool, float]] = field(default_factory=list)
-    rounds: int = 0
-    tried: int = 0
-
-    def drain(self, arrays: Mapping[str, Any], block: _Block, messages: bytes, length: int) -> None:
-        """Take over what happened while a block ran, and make room for more."""
-        columns = ("event_members", "event_times", "changes", "stays", "impulses")
-        happened = (arrays[name][: block.event_count].tolist() for name in columns)
-        self.events += zip(*happened, strict=True)
-        for k, member in enumerate(arrays["message_members"][: block.message_count].tolist()):
-            text = messages[k * length : (k + 1) * length].partition(b"\0")[0]
-            self.messages[member] = text.decode(errors="replace")
-        block.event_count = block.message_count = 0
-
-
-class Crew:
-    """The compiled program of a network, some inputs built in, that computes given signals of many members."""
-
-    def __init__(self, dae: DAE, functions: dict[str, Any], signals: tuple[str, ...], start: Start) -> None:
-        model = CModel(dae, functions, signals, (), standalone=False, start=start)
-        by_name = {f.name(): f for f in model.functions()}
-        wide = [by_name[name] for name in WIDE_FUNCTIONS]
-        texts, files, flags = model.texts(), [*PLAIN], [*FLAGS]
-        self.free = model.free
-        if model.dense and all(map(can_be_wide, wide)):
-            texts["wide_model.c"] = '#include "wide_core.h"\n\n' + wide_text(wide)
-            files = [*WIDE, *PLAIN]
-            follow = any(ca.depends_on(dae.expression(name), dae.u) for name in signals)
-            flags += ["-DMODEL_WIDE=1", f"-DVARIABLES_FOLLOW_INPUTS={int(follow)}"]
-        self._library = _compiled(texts | sources(files), flags)
-        self.dae, self.signals = dae, signals
-        self.lanes = int(self._library.ensemble_size(4))
-        modes = len(dae.switching.mode_names) + (len(dae.jumps.motions) if dae.jumps else 0)
-        self._event_room = EVENT_ROOM + self.lanes * (FIRING_ROUNDS * modes + 1)
+    @property
+    def lanes(self) -> int:
+        """How many members go side by side."""
+        return int(self.library.ensemble_size(4))
 
     def run(self, members: Members, outputs: Array, rtol: float, atol: float) -> Told:
-        """Run all members, from the first output to the last."""
-        count, lanes = len(members), self.lanes
-        told = Told(
-            np.full((count, len(outputs), len(self.signals)), np.nan), np.full(count, outputs[0]),
-            *np.zeros((3, count), dtype=np.int64), lanes,
-        )  # fmt: skip
-        room, event_room = MESSAGE_ROOM + lanes, self._event_room
-        length = int(self._library.ensemble_size(5))
-        arrays: dict[str, Any] = {
-            "outputs": np.ascontiguousarray(outputs),
-            "parameters": members.parameters, "guesses": members.guesses, "aims": members.aims,
-            "free": members.free, "signals": members.signals, "legs_of": members.legs_of,
-            "values": told.values, "ended": told.ended, "status": told.status, "steps": told.steps,
-            "rejected": told.rejected,
-            "event_times": np.empty(event_room), "impulses": np.empty(event_room),
-            "event_members": np.empty(event_room, np.int64), "changes": np.empty(event_room, np.int64),
-            "stays": np.empty(event_room, np.int64), "message_members": np.empty(room, np.int64),
-        }  # fmt: skip
-        if members.found:
-            arrays |= dict(zip(("points", "constants"), members.found, strict=True))
-        arrays = {name: np.ascontiguousarray(array) for name, array in arrays.items()}
-        messages = ctypes.create_string_buffer(room * length)
-        records = (Record * max(1, len(members.tables) * len(self.free)))()
-        flat = [table for tables in members.tables for table in tables]
-        for record, table in zip(records, flat, strict=False):
-            if table is not None:
-                record.times, record.powers, record.count = _pointer(table[0]), _pointer(table[1]), len(table[0])
-        legs = (LegTable * len(members.legs))(*members.legs)
-        block = _Block(
-            begin=outputs[0], stop=outputs[-1], interval=outputs[1] - outputs[0], rtol=rtol, atol=atol,
-            records=records, legs=legs, messages=ctypes.cast(messages, POINTER(c_char)),
-            output_count=len(outputs), member_count=count, event_room=EVENT_ROOM, messages_room=MESSAGE_ROOM,
-            most_between=MOST_BETWEEN, **{name: _pointer(array) for name, array in arrays.items()},
-        )  # fmt: skip
-        crew, kept = _aligned(self._library.ensemble_size(0))
+        """Run all members from the first output to the last."""
+        told = Told.blank(len(members), outputs, self.width, self.lanes)
+        room = _Room(self, members, outputs, told)
+        block = room.block(outputs, rtol, atol)
+        crew, owner = _aligned(self.library.ensemble_size(0))
         budget, left = FIRST_ROUNDS, 1
         while left:
             heed()
             block.budget = budget
             began = clock.perf_counter()
-            left = self._library.ensemble_run(crew, byref(block))
-            told.drain(arrays, block, messages.raw, length)
+            left = self.library.ensemble_run(crew, byref(block))
+            room.drain(block, told)
             share = PATIENCE / max(clock.perf_counter() - began, 1e-9)
             budget = max(1, int(budget * min(share, 2.0)))
         told.rounds, told.tried = block.rounds, block.tried
-        del kept
+        del owner
         return told
+
+
+def crew_program(dae: DAE, functions: dict[str, Any], signals: Sequence[str], start: Start) -> CrewProgram:
+    """Return the program of a network with some inputs built in."""
+    model = CModel(dae, functions, signals, (), standalone=False, start=start)
+    by_name = {f.name(): f for f in model.functions()}
+    wide = [by_name[name] for name in WIDE_FUNCTIONS]
+    texts, files, flags = model.texts(), [*PLAIN], [*FLAGS]
+    if model.dense and all(map(can_be_wide, wide)):
+        texts["wide_model.c"] = '#include "wide_core.h"\n\n' + wide_text(wide)
+        files = [*WIDE, *PLAIN]
+        follow = any(ca.depends_on(dae.expression(name), dae.u) for name in signals)
+        flags += ["-DMODEL_WIDE=1", f"-DVARIABLES_FOLLOW_INPUTS={int(follow)}"]
+    changes = len(dae.switching.mode_names) + (len(dae.jumps.motions) if dae.jumps else 0)
+    free = [(declared.path, declared.order) for declared in model.free]
+    return CrewProgram(texts | sources(files), flags, len(signals), free, changes)
+
+
+class _Room:
+    """Arrays that the C program reads and fills."""
+
+    def __init__(self, program: CrewProgram, members: Members, outputs: Array, told: Told) -> None:
+        size = program.library.ensemble_size
+        self._message_room, self._message_length = MESSAGE_ROOM + program.lanes, int(size(5))
+        self._messages = ctypes.create_string_buffer(self._message_room * self._message_length)
+        events = EVENT_ROOM + program.lanes * (FIRING_ROUNDS * program.changes + 1)
+        doubles = {
+            "outputs": outputs, "parameters": members.parameters, "guesses": members.guesses,
+            "aims": members.aims, "free": np.array([s.constants for s in members.signals]),
+            "event_times": np.empty(events), "impulses": np.empty(events), "values": told.values,
+            "ended": told.ended,
+        }  # fmt: skip
+        integers = {
+            "signals_of": members.signals_of, "legs_of": members.legs_of, "status": told.status,
+            "steps": told.steps, "rejected": told.rejected, "message_members": np.empty(self._message_room),
+            **{name: np.empty(events) for name in ("event_members", "changes", "stays")},
+        }  # fmt: skip
+        if members.found:
+            doubles |= dict(zip(("points", "constants"), members.found, strict=True))
+        self._arrays = {name: np.ascontiguousarray(a, dtype=float) for name, a in doubles.items()}
+        self._arrays |= {name: np.ascontiguousarray(a, dtype=np.int64) for name, a in integers.items()}
+        self._records = (Record * max(1, len(members.signals) * len(program.free)))()
+        tables = [table for signals in members.signals for table in signals.tables]
+        self._tables = [table and tuple(map(np.ascontiguousarray, table)) for table in tables]
+        for record, table in zip(self._records, self._tables, strict=False):
+            if table:
+                record.times, record.powers, record.count = *map(_pointer, table), len(table[0])
+        self._kept_legs = [LegTable(legs, np.inf) for legs in members.legs]
+        self._legs = (LegTable * len(members.legs))(*self._kept_legs)
+        self._count = len(members)
+
+    def block(self, outputs: Array, rtol: float, atol: float) -> _Block:
+        """Return what the C program is asked."""
+        return _Block(
+            begin=outputs[0],
+            stop=outputs[-1],
+            interval=outputs[1] - outputs[0],
+            rtol=rtol,
+            atol=atol,
+            records=self._records,
+            legs=self._legs,
+            messages=ctypes.cast(self._messages, POINTER(c_char)),
+            output_count=len(outputs),
+            member_count=self._count,
+            event_room=EVENT_ROOM,
+            message_room=MESSAGE_ROOM,
+            most_between=MOST_BETWEEN,
+            **{name: _pointer(array) for name, array in self._arrays.items()},
+        )
+
+    def drain(self, block: _Block, told: Told) -> None:
+        """Take over what happened while a block ran, and make room for more."""
+        columns = (self._arrays[name][: block.event_count].tolist() for name in EVENT_COLUMNS)
+        told.events += zip(*columns, strict=True)
+        length, texts = self._message_length, self._messages.raw
+        for k, member in enumerate(self._arrays["message_members"][: block.message_count].tolist()):
+            text = texts[k * length : (k + 1) * length].partition(b"\0")[0]
+            told.messages[member] = text.decode(errors="replace")
+        block.event_count = block.message_count = 0
 
 
 def _pointer(array: NDArray[Any]) -> Any:
@@ -199,17 +199,9 @@ def _pointer(array: NDArray[Any]) -> Any:
 
 
 def _aligned(size: int) -> tuple[c_void_p, Any]:
-    """Return the address of zeros that vectors may stand at, and what owns them."""
+    """Return the address of zeros at which vectors may stand, and what owns them."""
     owner = np.zeros(size + ALIGNMENT, dtype=np.uint8)
     return c_void_p(owner.ctypes.data + -owner.ctypes.data % ALIGNMENT), owner
-
-
-def _compiled(texts: dict[str, str], flags: list[str]) -> Any:
-    """Return a library for the very processor it runs on, or, where a compiler knows none, for its kind."""
-    try:
-        return library(texts, [*flags, "-march=native", f"-DPROCESSOR={_processor()}"], _loaded)
-    except ToolchainError:
-        return library(texts, flags, _loaded)
 
 
 @cache
@@ -225,12 +217,6 @@ def _processor() -> str:
 def _loaded(path: Path) -> Any:
     library = ctypes.CDLL(str(path))
     library.ensemble_size.restype, library.ensemble_size.argtypes = ctypes.c_size_t, [c_int]
-    for kind, mirror in enumerate((_Block, Record, LegTable), 1):
-        size = library.ensemble_size(kind)
-        if size != ctypes.sizeof(mirror):
-            raise ToolchainError(
-                f"the compiled network takes {size} bytes for {mirror.__name__.strip('_')}, this Python "
-                f"{ctypes.sizeof(mirror)}; CC and CFLAGS must build for the machine that runs it"
-            )
+    check_sizes(library.ensemble_size, (_Block, Record, LegTable))
     library.ensemble_run.restype, library.ensemble_run.argtypes = c_int, [c_void_p, POINTER(_Block)]
     return library

@@ -55,7 +55,7 @@ static void fired(void *context, const Core *c, int change, int stays, double im
 static void stand(Lane *lane) {
     const Block *block = lane->block;
     Core *c = &lane->core;
-    long long set = block->signals[lane->member];
+    long long set = block->signals_of[lane->member];
     core_reset(c);
     c->legs = block->legs + block->legs_of[lane->member];
     for (int i = 0; i < NU; i++) {
@@ -133,5 +133,5 @@ void member_ends(Lane *lane, CoreStatus status) {
     if (status == CORE_OK) return;
     memcpy(block->messages + block->message_count * MESSAGE, c->message, MESSAGE);
     block->message_members[block->message_count++] = member;
-    if (block->message_count >= block->messages_room) block->budget = 0;
+    if (block->message_count >= block->message_room) block->budget = 0;
 }

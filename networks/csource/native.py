@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import ctypes
 import time as clock
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from ctypes import POINTER, Structure, byref, c_char_p, c_double, c_int, c_longlong, c_void_p, pointer
 from itertools import pairwise
 from numbers import Real
@@ -248,16 +248,20 @@ def _library(dae: DAE, functions: dict[str, Any]) -> Any:
 def _loaded(path: Path) -> Any:
     library = ctypes.CDLL(str(path))
     library.native_size.restype, library.native_size.argtypes = ctypes.c_size_t, [c_int]
-    for kind, mirror in enumerate((_Run, Record, LegTable), 1):
-        size = library.native_size(kind)
-        if size != ctypes.sizeof(mirror):
-            raise ToolchainError(
-                f"the compiled network takes {size} bytes for {mirror.__name__.strip('_')}, this Python "
-                f"{ctypes.sizeof(mirror)}; CC and CFLAGS must build for the machine that runs it"
-            )
+    check_sizes(library.native_size, (_Run, Record, LegTable))
     library.native_begin.restype = None
     library.native_begin.argtypes = [c_void_p, c_double, *[DOUBLES] * 3, c_void_p, c_void_p]
     library.native_tell.restype, library.native_tell.argtypes = None, [c_void_p, INTEGERS, INTEGERS]
     library.native_run.restype, library.native_run.argtypes = c_int, [c_void_p, POINTER(_Run)]
     library.native_message.restype, library.native_message.argtypes = c_char_p, [c_void_p]
     return library
+
+
+def check_sizes(size: Callable[[int], int], mirrors: Sequence[type[Structure]]) -> None:
+    """Refuse a library whose structures, counted from 1, are not of the size that they have here."""
+    for kind, mirror in enumerate(mirrors, 1):
+        if size(kind) != ctypes.sizeof(mirror):
+            raise ToolchainError(
+                f"the compiled network takes {size(kind)} bytes for {mirror.__name__.strip('_')}, "
+                f"this Python {ctypes.sizeof(mirror)}; CC and CFLAGS must build for the machine that runs it"
+            )

@@ -32,12 +32,21 @@ def can_be_wide(function: Any) -> bool:
     """Tell whether a function is a row of so many instructions, each of which has a vector form."""
     if not function.is_a("SXFunction") or function.n_instructions() > MOST_INSTRUCTIONS:
         return False
-    known = {*NUMBERS, *CALLED, *COMPARED, *JOINED, ca.OP_IF_ELSE_ZERO, ca.OP_INPUT, ca.OP_OUTPUT, ca.OP_CONST}
+    known = {
+        *NUMBERS,
+        *CALLED,
+        *COMPARED,
+        *JOINED,
+        ca.OP_IF_ELSE_ZERO,
+        ca.OP_INPUT,
+        ca.OP_OUTPUT,
+        ca.OP_CONST,
+    }
     return all(function.instruction_id(k) in known for k in range(function.n_instructions()))
 
 
 def wide_text(functions: Sequence[Any]) -> str:
-    """Return functions as C, named `wide_...` for `model_...`; each takes and gives pointers as CasADi's do."""
+    """Return functions in C, named `wide_...` for `model_...`, that take and give pointers as CasADi's do."""
     return "".join(_written(function) for function in functions)
 
 

@@ -1,0 +1,244 @@
+"""`ensemble`: one model many times, side by side in the lanes of one processor, and on many."""
+
+from __future__ import annotations
+
+import time as clock
+from collections.abc import Iterable
+from dataclasses import dataclass
+from functools import cached_property
+from math import inf
+from typing import TYPE_CHECKING, Any, Never
+from weakref import WeakKeyDictionary
+
+import numpy as np
+
+from ...base import (
+    Array,
+    ModelError,
+    boolean,
+    check_keywords,
+    demand,
+    interruptible,
+    listed,
+    optional,
+    whole,
+)
+from ..csource.crew import CrewProgram, crew_program
+from ..csource.members import Integers, Members, Status, Told
+from ..dae import DAE
+from ..flattening.flat import Flat
+from ..given import dae_of
+from ..simulation.input_signals import SignalKey
+from ..simulation.progress import Progress
+from ..simulation.settings import ATOL, RTOL, Settings
+from ..simulation.starting import Start
+from .blocks import Task
+from .result import Ensemble
+from .signals import Inputs, legs_of_members
+from .starts import Starts
+from .table import check_no_options, columns_of, member_count, spread
+
+if TYPE_CHECKING:
+    from ..network import Network
+
+_PROGRAMS: WeakKeyDictionary[Flat, dict[Any, CrewProgram]] = WeakKeyDictionary()
+MOST_PROGRAMS = 8  # of one network that are kept
+
+
+@interruptible()
+def ensemble(
+    network: Network | DAE,
+    stop: float,
+    *,
+    signals: str | Iterable[str],
+    parameters: Any = None,
+    starts: Any = None,
+    inputs: Any = None,
+    begin: float = 0.0,
+    step: float | None = None,
+    rtol: float = RTOL,
+    atol: float = ATOL,
+    max_step: float = inf,
+    executor: Any = None,
+    workers: int | None = 0,
+    progress: bool | None = None,
+    **unknown: Never,
+) -> Ensemble:
+    """Run one network many times with different numbers, and return its signals as one array.
+
+    Members run by solver "compiled", as many side by side as the processor's vectors hold (8 with AVX-512,
+    else 4), each with steps, events and modes of its own, and within tolerance of what `simulate` computes
+    one by one. Where a member ends, the next one takes its lane. The first ensemble of a network compiles it.
+
+    Args:
+        network: a `Network`, or its equations.
+        stop: end time [s].
+        signals: names of what is to be computed.
+        parameters: changed parameters by name: a number, or an array with an entry for each member; also a
+            table of pandas, or a `Design` of `inertance.sweeps`.
+        starts: fixed start values by name, likewise.
+        inputs: signals by name as for `simulate`, or a list (an array of numbers) with one for each member;
+            these must be numbers or data, as formulas are compiled.
+        begin: start time [s].
+        step: output interval [s]; a 500th of the run if not given.
+        rtol: relative tolerance.
+        atol: absolute tolerance, times the nominal value of each state.
+        max_step: longest step of the integrator [s].
+        executor: what computes blocks of members: an executor of `concurrent.futures` with processes, a
+            `dask.distributed.Client`, or None for processes of its own.
+        workers: how many processes of its own; as many as there are processors if None, 0 for this one.
+        progress: show progress; by default on ensembles that last over a second on a terminal.
+        unknown: refused, with the nearest argument that there is.
+
+    Raises:
+        ModelError: for unknown names or arguments, values out of range by their members, lengths that differ,
+            choices that shape the equations, and tolerances or steps that no run can keep to.
+        ToolchainError: if there is no C compiler.
+        SimulationError: never for one member: what failed is in `errors`, and its values are NaN from there.
+        RunInterruptedError: on Ctrl-C.
+
+    Limits: events at the start itself are not listed. Models with over 32 unknowns in the matrix of a step,
+    or equations of over 3000 operations, run one by one.
+
+    Example:
+        >>> import numpy as np
+        >>> from inertance import Damper, Fixed, Mass, Network, Spring, ensemble, parallel
+        >>> strut = parallel(Spring(k=1.0), Damper(d=0.1))
+        >>> net = Network("swing", wall=Fixed(), strut=strut, mass=Mass(m=1.0))
+        >>> _ = net.connect(net.wall.flange, net.strut.flange_a)
+        >>> _ = net.connect(net.strut.flange_b, net.mass.flange)
+        >>> many = ensemble(
+        ...     net, 10.0, signals="mass.s", starts={"mass.v": 1.0},
+        ...     parameters={"strut.damper.d": np.array([0.1, 0.2, 0.4])},
+        ... )
+        >>> many["mass.s"].max(axis=1).round(2).tolist()
+        [0.93, 0.86, 0.76]
+    """
+    check_keywords("ensemble()", unknown, ensemble)
+    demand("ensemble()", workers=(workers, optional(whole(0))), progress=(progress, optional(boolean)))
+    settings = Settings(begin, stop, step, rtol, atol, "compiled", progress, None, max_step)
+    began, dae, names = clock.perf_counter(), dae_of(network), listed("signals", signals)
+    if not names:
+        raise ModelError("an ensemble computes signals that are named: signals=['mass.s']")
+    for name in names:
+        dae.expression(name)
+    asked = _Asked(dae, settings, names, *_given(dae, parameters, starts, inputs))
+    show = Progress(dae.name, 0, asked.count, progress, "members")
+    with show as bar:
+        told, lost = asked.run(executor, workers, bar)
+    return asked.result(told, lost, clock.perf_counter() - began)
+
+
+def _given(dae: DAE, parameters: Any, starts: Any, inputs: Any) -> tuple[int, Array, Starts, Inputs]:
+    """Return the number of members, their parameters, start values and inputs."""
+    changed, begun, fed = columns_of("parameters", parameters), columns_of("starts", starts), Inputs(inputs)
+    check_no_options(dae, changed)
+    lengths = {f"parameters '{name}'": len(values) for name, values in changed.items()}
+    lengths |= {f"starts '{name}'": len(values) for name, values in begun.items()}
+    count = member_count(lengths | fed.lengths)
+    return count, dae.parameters.rows(spread(changed, count), count), Starts(dae, spread(begun, count)), fed
+
+
+@dataclass(eq=False)
+class _Asked:
+    """What is asked of an ensemble."""
+
+    dae: DAE
+    settings: Settings
+    signals: tuple[str, ...]
+    count: int
+    parameters: Array
+    starts: Starts
+    inputs: Inputs
+
+    def __post_init__(self) -> None:
+        self.choices, self.chosen = self.inputs.choices(self.dae, self.settings, self.count)
+
+    @cached_property
+    def program(self) -> CrewProgram:
+        """The program that all members share."""
+        first, begin = self.choices[0], self.settings.begin
+        start = self.starts.sought(first, self.parameters[0], begin)
+        if start is None:
+            nothing = np.zeros(0)
+            start = Start(self.dae, nothing, nothing, nothing, nothing, [], [], [], [])
+        known = _PROGRAMS.setdefault(self.dae.flat, {})
+        key = SignalKey(first.formulas()), self.signals, self._form(start)
+        if key not in known:
+            known[key] = crew_program(self.dae, first.formulas(), self.signals, start)
+            if len(known) > MOST_PROGRAMS:
+                del known[next(iter(known))]
+        return known[key]
+
+    @staticmethod
+    def _form(start: Start) -> tuple[Any, ...]:
+        aims = tuple((aim.name, aim.fixed) for aim in start.aims)
+        return aims, tuple(start.led), tuple(start.free), start.z.tobytes()
+
+    def run(self, executor: Any, workers: int | None, bar: Progress) -> tuple[Told, dict[int, str]]:
+        """Run all members; return what is told of them, and why some are lost."""
+        members, lost = self._members(), dict[int, str]()
+        task = Task(self.program, self.settings.outputs, self.settings.rtol, self.settings.atol)
+        if executor is None and workers == 0:
+            told = task.run(members)
+        else:
+            told, lost = task.spread(members, executor, workers, bar.at)
+        unstarted = np.flatnonzero(told.status == Status.UNSTARTED)
+        if len(unstarted):
+            lost |= self._started_otherwise(task, members, unstarted, told)
+        return told, lost
+
+    def _members(self) -> Members:
+        settings = self.settings
+        legs, legs_of = legs_of_members(self.choices, self.chosen, self.parameters, settings)
+        signals = [choice.data(self.program.free) for choice in self.choices]
+        begun = self.starts.rows(self.choices, self.chosen, self.parameters, settings.begin)
+        return Members(self.parameters, *begun, signals, legs, self.chosen, legs_of)
+
+    def _started_otherwise(
+        self, task: Task, members: Members, places: Integers, told: Told
+    ) -> dict[int, str]:
+        """Run those that the program finds no start for from where Python does; return why others cannot."""
+        lost, found = dict[int, str](), dict[int, tuple[Array, Array]]()
+        for member in places.tolist():
+            closed = self.choices[self.chosen[member]].closed
+            run = self.starts.found(member, closed, self.parameters[member], self.settings)
+            if isinstance(run, str):
+                lost[member] = run
+            else:
+                point = run.point
+                found[member] = np.concatenate([point.x, point.z]), point.q[: self.dae.constants.numel()]
+        if found:
+            there = np.array([*found], dtype=np.int64)
+            some = members.some(there)
+            some.found = tuple(map(np.array, zip(*found.values(), strict=True)))  # type: ignore[assignment]
+            told.take_over(there, task.run(some))
+        return lost
+
+    def result(self, told: Told, lost: dict[int, str], seconds: float) -> Ensemble:
+        """Return the ensemble."""
+        failed = {member: self._told(member, told) for member in told.messages} | lost
+        stats = {
+            "members": self.count,
+            "failed": len(failed),
+            "lanes": told.lanes,
+            "lane efficiency": told.tried / max(1, told.rounds * told.lanes),
+            "steps": int(told.steps.sum()),
+            "rejected": int(told.rejected.sum()),
+            "seconds": seconds,
+        }
+        events = sorted(told.events, key=lambda what: what[:2])
+        return Ensemble(
+            self.dae,
+            self.settings.outputs,
+            self.signals,
+            told.values,
+            dict(sorted(failed.items())),
+            stats,
+            events,
+        )
+
+    def _told(self, member: int, told: Told) -> str:
+        return (
+            f"'{self.dae.name}', member {member}, at t = {told.ended[member]:.9g} s: {told.messages[member]}"
+        )

@@ -1,0 +1,94 @@
+"""`Ensemble`: signals of many runs of one network as one array, and the events of each."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from functools import cached_property
+from typing import Any
+
+import numpy as np
+
+from ...base import Array, ModelError, UnknownNameError, nearest, number, shown
+from ...base.html import page, table_of_texts
+from ..csource.members import Happened
+from ..csource.native import event_of
+from ..dae import DAE
+from ..simulation.events.switcher import Event
+
+
+@dataclass(frozen=True, eq=False, repr=False)
+class Ensemble:
+    """What came of many runs of one network.
+
+    Attributes:
+        dae: the equations.
+        time: instants of the outputs [s], the same for all members.
+        signals: names of what was computed.
+        values: (members, instants, signals), in SI units; at an instant with an event, what is true after it;
+            NaN from where a member failed.
+        errors: why members failed, by number.
+        stats: `members`, `failed`, `lanes` (members side by side), `lane efficiency` (share of the lanes'
+            steps that members took), `steps` and `rejected` of all members, `seconds`.
+    """
+
+    dae: DAE
+    time: Array
+    signals: tuple[str, ...]
+    values: Array
+    errors: Mapping[int, str]
+    stats: Mapping[str, Any]
+    _happened: Sequence[Happened]
+
+    def __len__(self) -> int:
+        return len(self.values)
+
+    def __getitem__(self, name: str) -> Array:
+        """Return a signal of all members, (members, instants).
+
+        Raises:
+            UnknownNameError: for what was not computed, with the nearest name that was.
+        """
+        if name not in self.signals:
+            raise UnknownNameError(
+                f"this ensemble has no signal {shown(name)}{nearest(str(name), self.signals)}; "
+                "what an ensemble computes is named by signals=[...]"
+            )
+        found: Array = self.values[:, :, self.signals.index(name)]
+        return found
+
+    @cached_property
+    def _by_member(self) -> dict[int, list[Happened]]:
+        found: dict[int, list[Happened]] = {}
+        for what in self._happened:
+            found.setdefault(what[0], []).append(what)
+        return found
+
+    @property
+    def event_counts(self) -> Array:
+        """How many events each member had after its start."""
+        return np.bincount([what[0] for what in self._happened], minlength=len(self))
+
+    def events(self, member: int) -> list[Event]:
+        """Return the changes of mode and the shocks of a member after its start, in order.
+
+        Raises:
+            ModelError: for the number of no member.
+        """
+        if number(member) or member not in range(len(self)):
+            raise ModelError(f"there are members 0 to {len(self) - 1}, and none of number {shown(member)}")
+        return [event_of(self.dae, *what[1:]) for what in self._by_member.get(member, [])]
+
+    def __repr__(self) -> str:
+        return f"<Ensemble '{self.dae.name}': {self._told()}>"
+
+    def _told(self) -> str:
+        told = f"{len(self.time)} instants of {len(self.signals)} signals"
+        return f"{len(self)} members, {len(self.errors)} failed, {told}"
+
+    def _repr_html_(self) -> str:
+        rows = [
+            (name, f"{value:.4g}" if isinstance(value, float) else str(value))
+            for name, value in self.stats.items()
+        ]
+        return page(self.dae.name, self._told(), table_of_texts(("", ""), rows))
