@@ -146,7 +146,8 @@ typedef struct {
     CoreStop reached;
     long long begin, before; /* steps and work when it began, at the instant `from` */
     double from;
-    double h, tried, kept, bound; /* at most up to `bound`; `tried` first, when the core held h to be `kept` */
+    double h, tried, kept,
+        bound; /* at most up to `bound`; `tried` first, when the core held h to be `kept` */
 } Travel;
 
 #ifdef CORE_RECORDS

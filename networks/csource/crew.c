@@ -10,8 +10,8 @@ EXPORT size_t ensemble_size(int kind) {
     return (const size_t[]){sizeof(Crew), sizeof(Block), sizeof(Record), sizeof(Legs), LANES, MESSAGE}[kind];
 }
 
-#define EACH_LANE(k, lanes)                                                                                  \
-    for (int k = 0; k < LANES; k++)                                                                          \
+#define EACH_LANE(k, lanes)         \
+    for (int k = 0; k < LANES; k++) \
         if ((lanes) >> k & 1)
 
 static void leave(Crew *crew, int k, CoreStatus status) {
@@ -160,8 +160,8 @@ static void alone(Crew *crew, int k, const double *end) {
     if (end) gather_step(crew, k);
     else gather(crew, k);
     crew->fresh |= 1u << k;
-    CoreStatus status = end ? core_conclude(&lane->core, &lane->travel, *end)
-                            : core_stride(&lane->core, &lane->travel);
+    CoreStatus status =
+        end ? core_conclude(&lane->core, &lane->travel, *end) : core_stride(&lane->core, &lane->travel);
     if (status != CORE_OK) leave(crew, k, status);
 }
 
@@ -243,7 +243,8 @@ static int aims(Crew *crew, Block *block, int k) {
     }
 }
 
-/* Go on until all members have been through, or the budget of rounds is spent. Returns whether any is left. */
+/* Go on until all members have been through, or the budget of rounds is spent. Returns whether any is left.
+ */
 EXPORT int ensemble_run(Crew *crew, Block *block) {
     while (block->budget-- > 0) {
         unsigned trying = 0;

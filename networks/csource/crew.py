@@ -66,26 +66,31 @@ class CrewProgram:
     """A network as C that computes some of its signals for many members; it may be sent to other processes.
 
     Attributes:
-        texts, flags: C files by name, and what they are compiled with.
+        texts: C files by name, that run one member after the other.
+        wide: those that let members go side by side, and flags for them; none if the model is too large.
         width: how many signals are computed.
         free: inputs that are no formulas, with their derivatives.
         changes: modes and motions that may change at one instant.
     """
 
     texts: Mapping[str, str]
-    flags: Sequence[str]
+    wide: tuple[Mapping[str, str], Sequence[str]] | None
     width: int
     free: Sequence[tuple[str, int]]
     changes: int
 
     @cached_property
     def library(self) -> Any:
-        """The compiled program: for the very processor it runs on, if the compiler can do that."""
-        try:
-            flags = [*self.flags, "-march=native", f"-DPROCESSOR={_processor()}"]
-            return library(self.texts, flags, _loaded)
-        except ToolchainError:
-            return library(self.texts, self.flags, _loaded)
+        """The compiled program: with vectors, and for the very processor it runs on, if the compiler can."""
+        native = "-march=native", f"-DPROCESSOR={_processor()}"
+        ways = [({}, ())]
+        if self.wide is not None:
+            texts, flags = self.wide
+            ways = [(texts, (*flags, *native)), (texts, flags), ({}, ())]
+        for texts, flags in ways[:-1]:
+            with suppress(ToolchainError):
+                return library({**texts, **self.texts}, (*FLAGS, *flags), _loaded)
+        return library(self.texts, FLAGS, _loaded)
 
     def __getstate__(self) -> dict[str, Any]:
         return {name: value for name, value in vars(self).items() if name != "library"}
@@ -120,15 +125,14 @@ def crew_program(dae: DAE, functions: dict[str, Any], signals: Sequence[str], st
     model = CModel(dae, functions, signals, (), standalone=False, start=start)
     by_name = {f.name(): f for f in model.functions()}
     wide = [by_name[name] for name in WIDE_FUNCTIONS]
-    texts, files, flags = model.texts(), [*PLAIN], [*FLAGS]
-    if model.dense and all(map(can_be_wide, wide)):
-        texts["wide_model.c"] = '#include "wide_core.h"\n\n' + wide_text(wide)
-        files = [*WIDE, *PLAIN]
-        follow = any(ca.depends_on(dae.expression(name), dae.u) for name in signals)
-        flags += ["-DMODEL_WIDE=1", f"-DVARIABLES_FOLLOW_INPUTS={int(follow)}"]
     changes = len(dae.switching.mode_names) + (len(dae.jumps.motions) if dae.jumps else 0)
     free = [(declared.path, declared.order) for declared in model.free]
-    return CrewProgram(texts | sources(files), flags, len(signals), free, changes)
+    texts, beside = model.texts() | sources(PLAIN), None
+    if model.dense and all(map(can_be_wide, wide)):
+        follow = any(ca.depends_on(dae.expression(name), dae.u) for name in signals)
+        flags = "-DMODEL_WIDE=1", f"-DVARIABLES_FOLLOW_INPUTS={int(follow)}"
+        beside = {"wide_model.c": '#include "wide_core.h"\n\n' + wide_text(wide)} | sources(WIDE), flags
+    return CrewProgram(texts, beside, len(signals), free, changes)
 
 
 class _Room:
@@ -147,8 +151,9 @@ class _Room:
         }  # fmt: skip
         integers = {
             "signals_of": members.signals_of, "legs_of": members.legs_of, "status": told.status,
-            "steps": told.steps, "rejected": told.rejected, "message_members": np.empty(self._message_room),
-            **{name: np.empty(events) for name in ("event_members", "changes", "stays")},
+            "steps": told.steps, "rejected": told.rejected,
+            "message_members": np.empty(self._message_room, np.int64),
+            **{name: np.empty(events, np.int64) for name in ("event_members", "changes", "stays")},
         }  # fmt: skip
         if members.found:
             doubles |= dict(zip(("points", "constants"), members.found, strict=True))

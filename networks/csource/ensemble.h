@@ -17,25 +17,26 @@
 
 enum { WAITING, ARRIVED, UNSTARTED, STUCK, FAILED }; /* what came of a member */
 
-/* Shared with crew.py, field by field. Arrays of events and messages are drained by whoever calls, when a block pauses. */
+/* Shared with crew.py, field by field. Arrays of events and messages are drained by whoever calls, when a
+ * block pauses. */
 typedef struct {
     double begin, stop, interval, rtol, atol;
     const double *outputs;               /* instants, the first one where it begins */
     const double *parameters;            /* (members, NP) */
     const double *guesses, *aims;        /* (members, NX), (members, NAIM): where starts are sought */
-    const double *points, *constants;    /* (members, NY), (members, NQ): where they are known, else absent */
-    const double *free;                  /* (signals, NU) */
-    const Record *records;               /* (signals, NU), without instants where an input is constant */
-    Legs *legs;                          /* those that there are */
+    const double *points, *constants; /* (members, NY), (members, NQ): where they are known, else absent */
+    const double *free; /* (signals, NU) */
+    const Record *records; /* (signals, NU), without instants where an input is constant */
+    Legs *legs; /* those that there are */
     const long long *signals_of, *legs_of; /* of each member: its signals, its legs */
-    double *values, *ended;              /* (members, outputs, NW); until when each member came */
+    double *values, *ended; /* (members, outputs, NW); until when each member came */
     long long *status, *steps, *rejected;
     char *messages; /* of those that failed, MESSAGE for each */
     long long *message_members;
     double *event_times, *impulses;
     long long *event_members, *changes, *stays;
     long long output_count, member_count, entered, event_count, event_room, message_count, message_room;
-    long long most_between;          /* steps from one output to the next */
+    long long most_between; /* steps from one output to the next */
     long long budget, rounds, tried; /* how often lanes may step together, and did; steps of theirs */
 } Block;
 
@@ -47,7 +48,7 @@ typedef struct {
     Block *block;
     Record record[ROOM(NU)];
     long long member, next, counted; /* next output; steps when the last one was written */
-    int ahead;                       /* the lane knows more than the core */
+    int ahead; /* the lane knows more than the core */
 } Lane;
 
 typedef struct {

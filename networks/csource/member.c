@@ -96,7 +96,8 @@ static CoreStatus depart(Lane *lane) {
     const Block *block = lane->block;
     c->interval = block->interval;
     lane->told = (Observer){lane, fired, stepped, landed};
-    lane->travel = (Travel){.stop = block->stop, .rtol = block->rtol, .atol = block->atol, .told = &lane->told};
+    lane->travel =
+        (Travel){.stop = block->stop, .rtol = block->rtol, .atol = block->atol, .told = &lane->told};
     lane->next = lane->counted = 0;
     CoreStatus status = core_depart(c, &lane->travel);
     if (status == CORE_OK) member_writes(lane, c->t, c->y);

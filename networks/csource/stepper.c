@@ -279,8 +279,8 @@ CoreStatus core_aim(Core *c, Travel *travel) {
 
 CoreStatus core_travel(Core *c, double stop, double rtol, double atol, double fixed_step, int return_early,
                        const Observer *told, CoreStop *reached) {
-    Travel travel = {.stop = stop, .rtol = rtol, .atol = atol, .fixed = fixed_step, .early = return_early,
-                     .told = told};
+    Travel travel = {
+        .stop = stop, .rtol = rtol, .atol = atol, .fixed = fixed_step, .early = return_early, .told = told};
     CoreStatus status = core_depart(c, &travel);
     while (status == CORE_OK && core_underway(c, &travel)) {
         status = travel.h > 0 ? core_stride(c, &travel) : core_aim(c, &travel);

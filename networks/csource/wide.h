@@ -1,5 +1,5 @@
-/* Numbers of several runs side by side, one a lane, by the vector types of GCC and Clang. A comparison gives a
- * mask: all bits of a lane where it holds, none where not. */
+/* Numbers of several runs side by side, one a lane, by the vector types of GCC and Clang. A comparison gives
+ * a mask: all bits of a lane where it holds, none where not. */
 #ifndef INERTANCE_WIDE_H
 #define INERTANCE_WIDE_H
 
@@ -69,15 +69,15 @@ static inline wide wide_sqrt(wide a) {
 #endif
 }
 
-#define LANE_BY_LANE(name)                                                                                   \
-    static inline wide wide_##name(wide a) {                                                                 \
-        for (int k = 0; k < LANES; k++) a[k] = name(a[k]);                                                   \
-        return a;                                                                                            \
+#define LANE_BY_LANE(name)                                 \
+    static inline wide wide_##name(wide a) {               \
+        for (int k = 0; k < LANES; k++) a[k] = name(a[k]); \
+        return a;                                          \
     }
-#define PAIR_BY_PAIR(name)                                                                                   \
-    static inline wide wide_##name(wide a, wide b) {                                                         \
-        for (int k = 0; k < LANES; k++) a[k] = name(a[k], b[k]);                                             \
-        return a;                                                                                            \
+#define PAIR_BY_PAIR(name)                                       \
+    static inline wide wide_##name(wide a, wide b) {             \
+        for (int k = 0; k < LANES; k++) a[k] = name(a[k], b[k]); \
+        return a;                                                \
     }
 
 /* glibc has vector functions, wrong by up to 4 units in the last place, under the names of the vector ABI. */
@@ -90,11 +90,11 @@ static inline wide wide_sqrt(wide a) {
 #define ABI_1(name) JOINED(_ZGVdN4v_, name)
 #define ABI_2(name) JOINED(_ZGVdN4vv_, name)
 #endif
-#define VECTOR_1(name)                                                                                       \
-    wide ABI_1(name)(wide);                                                                                  \
+#define VECTOR_1(name)      \
+    wide ABI_1(name)(wide); \
     static inline wide wide_##name(wide a) { return ABI_1(name)(a); }
-#define VECTOR_2(name)                                                                                       \
-    wide ABI_2(name)(wide, wide);                                                                            \
+#define VECTOR_2(name)            \
+    wide ABI_2(name)(wide, wide); \
     static inline wide wide_##name(wide a, wide b) { return ABI_2(name)(a, b); }
 #else
 #define VECTOR_1 LANE_BY_LANE

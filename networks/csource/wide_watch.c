@@ -3,7 +3,8 @@
 
 #if NG > 0 && NZ == 0
 
-static void lanes_watch(Wide *w, wide t, const wide y[], const wide rates[], WideWatched *seen, unsigned active) {
+static void lanes_watch(Wide *w, wide t, const wide y[], const wide rates[], WideWatched *seen,
+                        unsigned active) {
     wide_inputs_at(w, t, active);
     wide_watch((const wide *[]){y, y + NX, w->u, w->q, &t, rates, rates + NX, w->u_rate},
                (wide *[]){seen->value, seen->rate});
