@@ -10,6 +10,7 @@ import sys
 
 import chain
 import cold_start
+import ensembles
 import hybrid_pfi
 import layouts
 import pypi
@@ -25,6 +26,7 @@ BENCHMARKS = {
     "tmdi": tmdi.main,
     "layouts": layouts.main,
     "sweep": sweep.main,
+    "ensembles": ensembles.main,
 }
 
 
