@@ -5,7 +5,7 @@ from __future__ import annotations
 import ctypes
 import platform
 import time as clock
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from contextlib import suppress
 from ctypes import POINTER, Structure, byref, c_char, c_double, c_int, c_longlong, c_void_p
 from dataclasses import dataclass
@@ -100,11 +100,29 @@ class CrewProgram:
         """How many members go side by side."""
         return int(self.library.ensemble_size(4))
 
-    def run(self, members: Members, outputs: Array, rtol: float, atol: float) -> Told:
-        """Run all members from the first output to the last."""
-        told = Told.blank(len(members), outputs, self.width, self.lanes)
+    def blank(self, members: int, outputs: Array) -> Told:
+        """Return what is told of members that have not begun."""
+        return Told.blank(members, outputs, self.width, self.lanes)
+
+    def run(
+        self,
+        members: Members,
+        outputs: Array,
+        tolerance: tuple[float, float],
+        told: Told,
+        at: Callable[[int], None],
+    ) -> None:
+        """Run all members from the first output to the last; `told` of them keeps what Ctrl-C interrupts.
+
+        Args:
+            members: all of them.
+            outputs: instants.
+            tolerance: relative and absolute.
+            told: blank, and filled by this.
+            at: called with how many members have begun, now and then.
+        """
         room = _Room(self, members, outputs, told)
-        block = room.block(outputs, rtol, atol)
+        block = room.block(outputs, tolerance)
         crew, owner = _aligned(self.library.ensemble_size(0))
         budget, left = FIRST_ROUNDS, 1
         while left:
@@ -113,11 +131,10 @@ class CrewProgram:
             began = clock.perf_counter()
             left = self.library.ensemble_run(crew, byref(block))
             room.drain(block, told)
+            at(block.entered)
             share = PATIENCE / max(clock.perf_counter() - began, 1e-9)
             budget = max(1, int(budget * min(share, 2.0)))
-        told.rounds, told.tried = block.rounds, block.tried
         del owner
-        return told
 
 
 def crew_program(dae: DAE, functions: dict[str, Any], signals: Sequence[str], start: Start) -> CrewProgram:
@@ -169,14 +186,14 @@ class _Room:
         self._legs = (LegTable * len(members.legs))(*self._kept_legs)
         self._count = len(members)
 
-    def block(self, outputs: Array, rtol: float, atol: float) -> _Block:
+    def block(self, outputs: Array, tolerance: tuple[float, float]) -> _Block:
         """Return what the C program is asked."""
         return _Block(
             begin=outputs[0],
             stop=outputs[-1],
             interval=outputs[1] - outputs[0],
-            rtol=rtol,
-            atol=atol,
+            rtol=tolerance[0],
+            atol=tolerance[1],
             records=self._records,
             legs=self._legs,
             messages=ctypes.cast(self._messages, POINTER(c_char)),
@@ -197,6 +214,7 @@ class _Room:
             text = texts[k * length : (k + 1) * length].partition(b"\0")[0]
             told.messages[member] = text.decode(errors="replace")
         block.event_count = block.message_count = 0
+        told.rounds, told.tried = block.rounds, block.tried
 
 
 def _pointer(array: NDArray[Any]) -> Any:

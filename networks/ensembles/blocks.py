@@ -11,7 +11,7 @@ from typing import Any
 
 from ...base import Array
 from ..csource.crew import CrewProgram
-from ..csource.members import Members, Told
+from ..csource.members import Members, Status, Told
 from ..sweeps.pool import Point, Pool
 from ..sweeps.work import Row
 
@@ -25,37 +25,30 @@ class Task:
 
     program: CrewProgram
     outputs: Array
-    rtol: float
-    atol: float
+    tolerance: tuple[float, float]
 
-    def run(self, members: Members) -> Told:
+    def blank(self, members: int) -> Told:
+        """Return what is told of members that have not begun."""
+        return self.program.blank(members, self.outputs)
+
+    def run(self, members: Members, told: Told, at: Callable[[int], None] = lambda _: None) -> None:
         """Run members in this process."""
-        return self.program.run(members, self.outputs, self.rtol, self.atol)
+        self.program.run(members, self.outputs, self.tolerance, told, at)
 
     def spread(
-        self, members: Members, executor: Any, workers: int | None, at: Callable[[int], None]
-    ) -> tuple[Told, dict[int, str]]:
-        """Run members in blocks by an executor; return what is told, and why blocks were lost, by member.
-
-        Args:
-            members: all of them.
-            executor: as for a sweep.
-            workers: likewise.
-            at: called with how many members are done.
-        """
-        whole = Told.blank(len(members), self.outputs, self.program.width, self.program.lanes)
-        lost: dict[int, str] = {}
-        pool = Pool(executor, workers, pickle.dumps(self), work_on_blocks)
-        done = 0
+        self, members: Members, told: Told, executor: Any, workers: int | None, at: Callable[[int], None]
+    ) -> None:
+        """Run members in blocks by an executor, as a sweep does its points; `at` hears how many are done."""
+        done, pool = 0, Pool(executor, workers, pickle.dumps(self), work_on_blocks)
         for row in pool.rows(self._blocks(members)):
             places = range(int(row.key), int(row.key) + len(row.values["members"]))
             if row.error:
-                lost |= dict.fromkeys(places, row.error)
+                told.messages |= dict.fromkeys(places, row.error)
+                told.status[places] = Status.FAILED
             else:
-                whole.take_over(places, row.results["told"])
+                told.take_over(places, row.results["told"])
             done += len(places)
             at(done)
-        return whole, lost
 
     def _blocks(self, members: Members) -> Iterator[Point]:
         each = max(1, len(self.outputs) * self.program.width)
@@ -70,6 +63,7 @@ def work_on_blocks(blob: bytes, points: list[Point]) -> list[Row]:
     rows = []
     for key, values in points:
         began = time.perf_counter()
-        told = task.run(values["members"])
+        told = task.blank(len(values["members"]))
+        task.run(values["members"], told)
         rows.append(Row(key, values, {"told": told}, "", time.perf_counter() - began))
     return rows

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import time as clock
 from collections.abc import Iterable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 from math import inf
 from typing import TYPE_CHECKING, Any, Never
@@ -15,6 +15,8 @@ import numpy as np
 from ...base import (
     Array,
     ModelError,
+    RunInterruptedError,
+    SimulationError,
     boolean,
     check_keywords,
     demand,
@@ -28,6 +30,7 @@ from ..csource.members import Integers, Members, Status, Told
 from ..dae import DAE
 from ..flattening.flat import Flat
 from ..given import dae_of
+from ..simulation.blame import with_remedies
 from ..simulation.input_signals import SignalKey
 from ..simulation.progress import Progress
 from ..simulation.settings import ATOL, RTOL, Settings
@@ -42,10 +45,10 @@ if TYPE_CHECKING:
     from ..network import Network
 
 _PROGRAMS: WeakKeyDictionary[Flat, dict[Any, CrewProgram]] = WeakKeyDictionary()
+UNFINISHED = "not done when the ensemble was interrupted"
 MOST_PROGRAMS = 8  # of one network that are kept
 
 
-@interruptible()
 def ensemble(
     network: Network | DAE,
     stop: float,
@@ -94,8 +97,9 @@ def ensemble(
         ModelError: for unknown names or arguments, values out of range by their members, lengths that differ,
             choices that shape the equations, and tolerances or steps that no run can keep to.
         ToolchainError: if there is no C compiler.
-        SimulationError: never for one member: what failed is in `errors`, and its values are NaN from there.
-        RunInterruptedError: on Ctrl-C.
+        SimulationError: if all members fail; if some do, that is told in `errors`, and their values are NaN
+            from there. Its `result` is the ensemble.
+        RunInterruptedError: on Ctrl-C; its `result` likewise.
 
     Limits: events at the start itself are not listed. Models with over 32 unknowns in the matrix of a step,
     or equations of over 3000 operations, run one by one.
@@ -122,11 +126,22 @@ def ensemble(
         raise ModelError("an ensemble computes signals that are named: signals=['mass.s']")
     for name in names:
         dae.expression(name)
-    asked = _Asked(dae, settings, names, *_given(dae, parameters, starts, inputs))
+    with interruptible():
+        asked = _Asked(dae, settings, names, *_given(dae, parameters, starts, inputs))
+        members, told = asked.members(), asked.task.blank(asked.count)
     show = Progress(dae.name, 0, asked.count, progress, "members")
-    with show as bar:
-        told, lost = asked.run(executor, workers, bar)
-    return asked.result(told, lost, clock.perf_counter() - began)
+    try:
+        with show as bar:
+            asked.run(members, told, executor, workers, bar)
+    except KeyboardInterrupt:
+        so_far = asked.result(told, clock.perf_counter() - began)
+        text = f"'{dae.name}': interrupted: {so_far.done} of {asked.count} members are done"
+        raise RunInterruptedError(f"{text}, and in the error's `result`", so_far) from None
+    found = asked.result(told, clock.perf_counter() - began)
+    if len(found.errors) == asked.count:
+        first = next(iter(found.errors.values()))
+        raise SimulationError(f"none of {asked.count} members could be run; the first: {first}", found)
+    return found
 
 
 def _given(dae: DAE, parameters: Any, starts: Any, inputs: Any) -> tuple[int, Array, Starts, Inputs]:
@@ -175,52 +190,59 @@ class _Asked:
         aims = tuple((aim.name, aim.fixed) for aim in start.aims)
         return aims, tuple(start.led), tuple(start.free), start.z.tobytes()
 
-    def run(self, executor: Any, workers: int | None, bar: Progress) -> tuple[Told, dict[int, str]]:
-        """Run all members; return what is told of them, and why some are lost."""
-        members, lost = self._members(), dict[int, str]()
-        task = Task(self.program, self.settings.outputs, self.settings.rtol, self.settings.atol)
-        if executor is None and workers == 0:
-            told = task.run(members)
-        else:
-            told, lost = task.spread(members, executor, workers, bar.at)
-        unstarted = np.flatnonzero(told.status == Status.UNSTARTED)
-        if len(unstarted):
-            lost |= self._started_otherwise(task, members, unstarted, told)
-        return told, lost
+    @cached_property
+    def task(self) -> Task:
+        """What is done with members."""
+        settings = self.settings
+        return Task(self.program, settings.outputs, (settings.rtol, settings.atol))
 
-    def _members(self) -> Members:
+    def members(self) -> Members:
+        """Return what differs between members."""
         settings = self.settings
         legs, legs_of = legs_of_members(self.choices, self.chosen, self.parameters, settings)
         signals = [choice.data(self.program.free) for choice in self.choices]
         begun = self.starts.rows(self.choices, self.chosen, self.parameters, settings.begin)
         return Members(self.parameters, *begun, signals, legs, self.chosen, legs_of)
 
-    def _started_otherwise(
-        self, task: Task, members: Members, places: Integers, told: Told
-    ) -> dict[int, str]:
-        """Run those that the program finds no start for from where Python does; return why others cannot."""
-        lost, found = dict[int, str](), dict[int, tuple[Array, Array]]()
+    def run(self, members: Members, told: Told, executor: Any, workers: int | None, bar: Progress) -> None:
+        """Run all members."""
+        if executor is None and workers == 0:
+            with interruptible():
+                self.task.run(members, told, bar.at)
+        else:
+            self.task.spread(members, told, executor, workers, bar.at)
+        unstarted = np.flatnonzero(told.status == Status.UNSTARTED)
+        if len(unstarted):
+            with interruptible():
+                self._run_otherwise_started(members, unstarted, told)
+
+    def _run_otherwise_started(self, members: Members, places: Integers, told: Told) -> None:
+        """Run those for which the program finds no start from where Python does, if it does."""
+        found = dict[int, tuple[Array, Array]]()
         for member in places.tolist():
             closed = self.choices[self.chosen[member]].closed
             run = self.starts.found(member, closed, self.parameters[member], self.settings)
             if isinstance(run, str):
-                lost[member] = run
+                told.messages[member] = run
             else:
                 point = run.point
                 found[member] = np.concatenate([point.x, point.z]), point.q[: self.dae.constants.numel()]
-        if found:
-            there = np.array([*found], dtype=np.int64)
-            some = members.some(there)
-            some.found = tuple(map(np.array, zip(*found.values(), strict=True)))  # type: ignore[assignment]
-            told.take_over(there, task.run(some))
-        return lost
+        if not found:
+            return
+        there = np.array([*found], dtype=np.int64)
+        points, constants = map(np.array, zip(*found.values(), strict=True))
+        again = self.task.blank(len(found))
+        self.task.run(replace(members.some(there), found=(points, constants)), again)
+        told.take_over(there, again)
 
-    def result(self, told: Told, lost: dict[int, str], seconds: float) -> Ensemble:
-        """Return the ensemble."""
-        failed = {member: self._told(member, told) for member in told.messages} | lost
+    def result(self, told: Told, seconds: float) -> Ensemble:
+        """Return what came of members so far."""
+        open_ = np.flatnonzero(told.status == Status.WAITING).tolist()
+        failed = {member: self._told(member, text) for member, text in told.messages.items()}
+        errors = dict(sorted({**dict.fromkeys(open_, UNFINISHED), **failed}.items()))
         stats = {
             "members": self.count,
-            "failed": len(failed),
+            "failed": len(errors),
             "lanes": told.lanes,
             "lane efficiency": told.tried / max(1, told.rounds * told.lanes),
             "steps": int(told.steps.sum()),
@@ -228,17 +250,8 @@ class _Asked:
             "seconds": seconds,
         }
         events = sorted(told.events, key=lambda what: what[:2])
-        return Ensemble(
-            self.dae,
-            self.settings.outputs,
-            self.signals,
-            told.values,
-            dict(sorted(failed.items())),
-            stats,
-            events,
-        )
+        return Ensemble(self.dae, self.settings.outputs, self.signals, told.values, errors, stats, events)
 
-    def _told(self, member: int, told: Told) -> str:
-        return (
-            f"'{self.dae.name}', member {member}, at t = {told.ended[member]:.9g} s: {told.messages[member]}"
-        )
+    def _told(self, member: int, text: str) -> str:
+        named = f"'{self.dae.name}': "
+        return f"{named}member {member}: {with_remedies(self.dae, text.removeprefix(named))}"

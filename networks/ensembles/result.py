@@ -57,6 +57,11 @@ class Ensemble:
         found: Array = self.values[:, :, self.signals.index(name)]
         return found
 
+    @property
+    def done(self) -> int:
+        """How many members came to the end."""
+        return len(self) - len(self.errors)
+
     @cached_property
     def _by_member(self) -> dict[int, list[Happened]]:
         found: dict[int, list[Happened]] = {}
