@@ -31,6 +31,7 @@ static void spread(Crew *crew, int k) {
         w->rates[i][k] = c->rates[i];
     }
     for (int i = 0; i < NQ; i++) w->q[i][k] = c->q[i];
+    w->u_time[k] = NAN;
     for (int i = 0; i < NU; i++) {
         w->free[i][k] = c->free[i];
         w->records[i][k] = c->records[i];

@@ -44,9 +44,13 @@ static inline unsigned lanes_of(mask where) {
 }
 
 static inline mask mask_of(unsigned lanes) {
+#if defined __AVX512DQ__
+    return (mask)_mm512_movm_epi64((__mmask8)lanes);
+#else
     mask where;
     for (int k = 0; k < LANES; k++) where[k] = lanes >> k & 1 ? -1 : 0;
     return where;
+#endif
 }
 
 static inline wide wide_fabs(wide a) { return (wide)((mask)a & ~(mask)all(-0.0)); }

@@ -13,7 +13,7 @@ typedef struct {
 typedef struct {
     wide t, h;
     wide y[ROOM(NY)], rates[ROOM(NY)], end[ROOM(NY)], end_rates[ROOM(NY)];
-    wide q[ROOM(NQ)], u[ROOM(NA)], u_rate[ROOM(NA)];
+    wide q[ROOM(NQ)], u[ROOM(NA)], u_rate[ROOM(NA)], u_time; /* all inputs at the instants u_time */
     wide free[ROOM(NU)];
     Record *records[ROOM(NU)][LANES]; /* none for inputs that stay constant */
     int recorded[ROOM(NU)];           /* whether any lane has one */

@@ -3,6 +3,8 @@
 
 /* Evaluate inputs where each lane is; a lane's own data by scalar code. */
 void wide_inputs_at(Wide *w, wide t, unsigned active) {
+    if (NA == 0 || !(lanes_of(t != w->u_time) & active)) return;
+    w->u_time = chosen(mask_of(active), t, all(NAN));
     if (NU < NA) wide_inputs((const wide *[]){&t}, (wide *[]){w->u, w->u_rate});
     for (int i = 0; i < NU; i++) {
         int at = model_input_at[i], sign = model_input_sign[i];
