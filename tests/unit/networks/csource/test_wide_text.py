@@ -92,7 +92,8 @@ def test_what_is_no_number_stays_in_its_lane(tmp_path: Path) -> None:
     given[:, 3] = 3.0, -1.0
     library.evaluate(*(ctypes.c_void_p(array.ctypes.data) for array in (given, found)), 2, 4)
     assert found[:, 0].tolist() == [1.0, 0.0, 1.0, 1.0]
-    assert np.isnan(found[[0, 3], 1]).all() and found[2, 1] == 2.0
+    assert np.isnan(found[[0, 3], 1]).all()
+    assert found[2, 1] == 2.0
     assert found[:2, 2].tolist() == [np.inf, 5.0]
     assert found[:, 3].tolist() == [-3.0, 5.0, 3.0, 1.0]
 

