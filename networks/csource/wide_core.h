@@ -9,6 +9,12 @@ typedef struct {
     wide value[ROOM(NG)], rate[ROOM(NG)];
 } WideWatched;
 
+/* What rows LU exchanged: for each column the lanes in which it did, and with which row. */
+typedef struct {
+    unsigned moved[ROOM(NF)];
+    wide row[ROOM(NF)];
+} Pivots;
+
 /* A step of each lane from `t` over `h`, from where it stands to `end`. */
 typedef struct {
     wide t, h;
@@ -25,7 +31,7 @@ typedef struct {
 
     /* Scratch. */
     wide slope[ROOM(NSLOPE)], by_time[ROOM(NY)], lu[ROOM(NF * NF)];
-    int pivot[ROOM(NF)];
+    Pivots pivots;
     mask still[ROOM(NY)];
     unsigned any_still;
     wide stage[STAGES][ROOM(NY)], bend[3][ROOM(NY)];
@@ -39,8 +45,8 @@ void wide_dense(const Wide *w, wide t, wide y[], wide rates[]);
 void wide_inputs_at(Wide *w, wide t, unsigned active);
 
 /* wide_linear.c */
-unsigned wide_factor(wide lu[], int n, int pivot[], unsigned active);
-void wide_solve(const wide lu[], int n, const int pivot[], wide b[]);
+unsigned wide_factor(wide lu[], int n, Pivots *pivots, unsigned active);
+void wide_solve(const wide lu[], int n, const Pivots *pivots, wide b[]);
 
 /* wide_watch.c */
 unsigned wide_uneventful(Wide *w, wide end, unsigned active);

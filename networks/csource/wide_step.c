@@ -57,7 +57,7 @@ static unsigned lanes_factored(Wide *w, wide reach, unsigned active) {
     for (int j = 0; j < NF; j++)
         for (int k = model_reduced_column[j]; k < model_reduced_column[j + 1]; k++)
             w->lu[j * NF + model_reduced_row[k]] = entries[k];
-    return wide_factor(w->lu, NF, w->pivot, active);
+    return wide_factor(w->lu, NF, &w->pivots, active);
 }
 
 static void lanes_solve_stage(const Wide *w, wide reach, wide increment[]) {
@@ -69,7 +69,7 @@ static void lanes_solve_stage(const Wide *w, wide reach, wide increment[]) {
             increment[model_slope_row[k]] += w->slope[k] * follows;
     }
     for (int i = 0; i < NF; i++) x[i] = increment[model_kept[i]];
-    wide_solve(w->lu, NF, w->pivot, x);
+    wide_solve(w->lu, NF, &w->pivots, x);
     for (int i = 0; i < NF; i++) increment[model_kept[i]] = x[i];
     for (int i = 0; w->any_still && i < NX; i++)
         increment[i] = chosen(w->still[i], reach * value[i], increment[i]);
