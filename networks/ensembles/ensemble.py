@@ -35,11 +35,12 @@ from ..simulation.input_signals import SignalKey
 from ..simulation.progress import Progress
 from ..simulation.settings import ATOL, RTOL, Settings
 from ..simulation.starting import Start
+from ..sweeps.design import Design
 from .blocks import Task
 from .result import Ensemble
 from .signals import Inputs, legs_of_members
 from .starts import Starts
-from .table import check_no_options, columns_of, member_count, spread
+from .table import Columns, check_no_options, columns_of, member_count, spread
 
 if TYPE_CHECKING:
     from ..network import Network
@@ -127,7 +128,7 @@ def ensemble(
     for name in names:
         dae.expression(name)
     with interruptible():
-        asked = _Asked(dae, settings, names, *_given(dae, parameters, starts, inputs))
+        asked = _asked(dae, settings, names, parameters, starts, inputs)
         members, told = asked.members(), asked.task.blank(asked.count)
     show = Progress(dae.name, 0, asked.count, progress, "members")
     try:
@@ -144,14 +145,18 @@ def ensemble(
     return found
 
 
-def _given(dae: DAE, parameters: Any, starts: Any, inputs: Any) -> tuple[int, Array, Starts, Inputs]:
-    """Return the number of members, their parameters, start values and inputs."""
+def _asked(
+    dae: DAE, settings: Settings, signals: tuple[str, ...], parameters: Any, starts: Any, inputs: Any
+) -> _Asked:
+    """Check what is given for members, and gather it."""
     changed, begun, fed = columns_of("parameters", parameters), columns_of("starts", starts), Inputs(inputs)
     check_no_options(dae, changed)
     lengths = {f"parameters '{name}'": len(values) for name, values in changed.items()}
     lengths |= {f"starts '{name}'": len(values) for name, values in begun.items()}
     count = member_count(lengths | fed.lengths)
-    return count, dae.parameters.rows(spread(changed, count), count), Starts(dae, spread(begun, count)), fed
+    rows = dae.parameters.rows(spread(changed, count), count)
+    varied = parameters if isinstance(parameters, Design) else changed
+    return _Asked(dae, settings, signals, count, varied, rows, Starts(dae, spread(begun, count)), fed)
 
 
 @dataclass(eq=False)
@@ -162,6 +167,7 @@ class _Asked:
     settings: Settings
     signals: tuple[str, ...]
     count: int
+    varied: Design | Columns
     parameters: Array
     starts: Starts
     inputs: Inputs
@@ -250,7 +256,8 @@ class _Asked:
             "seconds": seconds,
         }
         events = sorted(told.events, key=lambda what: what[:2])
-        return Ensemble(self.dae, self.settings.outputs, self.signals, told.values, errors, stats, events)
+        outputs = self.settings.outputs
+        return Ensemble(self.dae, outputs, self.signals, told.values, errors, stats, events, self.varied)
 
     def _told(self, member: int, text: str) -> str:
         named = f"'{self.dae.name}': "

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from typing import Any
@@ -14,7 +14,12 @@ from ...base.html import page, table_of_texts
 from ..csource.members import Happened
 from ..csource.native import event_of
 from ..dae import DAE
+from ..results.recorded import Recorded
 from ..simulation.events.switcher import Event
+from ..sweeps.design import Design
+from ..sweeps.sweep import Sweep
+from .measures import swept
+from .table import Columns, spread
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -39,6 +44,7 @@ class Ensemble:
     errors: Mapping[int, str]
     stats: Mapping[str, Any]
     _happened: Sequence[Happened]
+    _varied: Design | Columns
 
     def __len__(self) -> int:
         return len(self.values)
@@ -74,15 +80,50 @@ class Ensemble:
         """How many events each member had after its start."""
         return np.bincount([what[0] for what in self._happened], minlength=len(self))
 
+    def _check(self, member: Any) -> None:
+        if number(member) or member not in range(len(self)):
+            raise ModelError(f"there are members 0 to {len(self) - 1}, and none of number {shown(member)}")
+
     def events(self, member: int) -> list[Event]:
         """Return the changes of mode and the shocks of a member after its start, in order.
 
         Raises:
             ModelError: for the number of no member.
         """
-        if number(member) or member not in range(len(self)):
-            raise ModelError(f"there are members 0 to {len(self) - 1}, and none of number {shown(member)}")
+        self._check(member)
         return [event_of(self.dae, *what[1:]) for what in self._by_member.get(member, [])]
+
+    def member(self, number: int) -> Recorded:
+        """Return the signals of a member over time, with averages as a run has them.
+
+        Raises:
+            ModelError: for the number of no member.
+        """
+        import pandas as pd
+
+        self._check(number)
+        table = pd.DataFrame(self.values[number], index=self.time, columns=list(self.signals))
+        table.attrs["units"] = {name: self.dae.unit(name) for name in self.signals}
+        return Recorded(table, f"{self.dae.name}, member {number}")
+
+    def sweep(self, measure: Callable[[Recorded], Any]) -> Sweep:
+        """Return a measure of each member as a sweep of the parameters would, for Sobol indices and tables.
+
+        Args:
+            measure: of a member (see `member`): returns a number, or numbers by name.
+
+        Raises:
+            ModelError: for what is no function, and of an ensemble without parameters of its own.
+        """
+        if not self._varied:
+            raise ModelError("a sweep is over parameters, and this ensemble has none: give parameters={...}")
+        if not callable(measure):
+            raise ModelError(f"a measure is a function of a member, got {shown(measure)}")
+        design = self._varied
+        if not isinstance(design, Design):
+            rows = zip(*(values.tolist() for values in spread(design, len(self)).values()), strict=True)
+            design = Design(tuple(design), tuple(rows))
+        return swept(design, self.errors, lambda number: measure(self.member(number)))
 
     def __repr__(self) -> str:
         return f"<Ensemble '{self.dae.name}': {self._told()}>"

@@ -10,7 +10,7 @@ import pytest
 from inertance.base import RunInterruptedError
 from inertance.networks.csource import crew
 from inertance.networks.csource.toolchain import ToolchainError, compiler
-from inertance.sweeps import grid
+from inertance.sweeps import grid, saltelli, sobol_indices
 
 try:
     compiler()
@@ -142,6 +142,28 @@ def test_what_was_not_asked_for(dae: ia.DAE) -> None:
         many["mass.x"]
     with pytest.raises(ia.ModelError, match="members 0 to 0, and none of number 1"):
         many.events(1)
+
+
+def test_a_measure_of_each_member_is_a_sweep(dae: ia.DAE) -> None:
+    k = [1.0, -10.0, 4.0]
+    many = run(dae, signals=["mass.s", "mass.v"], parameters={"spring.k": k, "mass.m": 2.0})
+    assert many.member(0).unit("mass.v") == "m/s"
+    done = many.sweep(lambda member: {"peak": member.peak("mass.v"), "last": member["mass.s"][-1]})
+    assert list(done.table.columns) == ["spring.k", "mass.m", "peak", "last", "error", "seconds"]
+    assert done.table["spring.k"].tolist() == k
+    assert done.table["peak"][2] == np.abs(many["mass.v"][2]).max()
+    assert done.failed.index.tolist() == [1]
+    with pytest.raises(ia.ModelError, match="this ensemble has none: give parameters="):
+        run(dae).sweep(len)
+
+
+def test_sobol_indices_of_an_ensemble(dae: ia.DAE) -> None:
+    """The inertia alone decides where a mass ends that a constant force drives."""
+    pytest.importorskip("SALib", reason="needs SALib")
+    design = saltelli({"mass.m": (1.0, 2.0), "spring.k": (0.0, 1e-9)}, 64)
+    many = run(dae, parameters=design, inputs={"push.f": 1.0}, starts={"mass.s": 0.0}, step=0.5)
+    found = sobol_indices(many.sweep(lambda member: member["mass.s"][-1]))
+    assert found["S1"].to_numpy() == pytest.approx([1.0, 0.0], abs=0.02)
 
 
 def test_processes_give_the_same(dae: ia.DAE) -> None:
