@@ -12,7 +12,7 @@ from dataclasses import dataclass
 from functools import cache, cached_property
 from hashlib import sha256
 from pathlib import Path
-from typing import Any
+from typing import Any, ClassVar
 
 import casadi as ca
 import numpy as np
@@ -45,7 +45,7 @@ EVENT_COLUMNS = ("event_members", "event_times", "changes", "stays", "impulses")
 class _Block(Structure):
     """`Block` in ensemble.h."""
 
-    _fields_ = (
+    _fields_: ClassVar[Any] = (
         [(name, c_double) for name in ("begin", "stop", "interval", "rtol", "atol")]
         + [(name, DOUBLES) for name in NUMBERS]
         + [("records", POINTER(Record)), ("legs", POINTER(LegTable))]
@@ -83,13 +83,11 @@ class CrewProgram:
     def library(self) -> Any:
         """The compiled program: with vectors, and for the very processor it runs on, if the compiler can."""
         native = "-march=native", f"-DPROCESSOR={_processor()}"
-        ways = [({}, ())]
         if self.wide is not None:
             texts, flags = self.wide
-            ways = [(texts, (*flags, *native)), (texts, flags), ({}, ())]
-        for texts, flags in ways[:-1]:
-            with suppress(ToolchainError):
-                return library({**texts, **self.texts}, (*FLAGS, *flags), _loaded)
+            for more in (native, ()):
+                with suppress(ToolchainError):
+                    return library({**texts, **self.texts}, (*FLAGS, *flags, *more), _loaded)
         return library(self.texts, FLAGS, _loaded)
 
     def __getstate__(self) -> dict[str, Any]:

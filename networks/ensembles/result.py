@@ -9,7 +9,7 @@ from typing import Any
 
 import numpy as np
 
-from ...base import Array, ModelError, UnknownNameError, nearest, number, shown
+from ...base import Array, Ints, ModelError, UnknownNameError, nearest, number, shown
 from ...base.html import page, table_of_texts
 from ..csource.members import Happened
 from ..csource.native import event_of
@@ -76,7 +76,7 @@ class Ensemble:
         return found
 
     @property
-    def event_counts(self) -> Array:
+    def event_counts(self) -> Ints:
         """How many events each member had after its start."""
         return np.bincount([what[0] for what in self._happened], minlength=len(self))
 

@@ -142,7 +142,7 @@ def test_inputs_of_their_own() -> None:
     many = dae.ensemble(3.0, signals=["mass.s", "rub.f"], inputs=inputs, starts=starts, **TIGHT)
 
     def alone(member: int) -> ia.Result:
-        own = {"inputs": {"push.f": pushes[member]}, "start": {"mass.v": speeds[member]}}
-        return ia.simulate(dae, 3.0, solver="compiled", **own, **TIGHT)
+        push, start = {"push.f": pushes[member]}, {"mass.v": float(speeds[member])}
+        return ia.simulate(dae, 3.0, solver="compiled", inputs=push, start=start, **TIGHT)
 
     assert agree(dae, 3.0, many, alone) > 10
