@@ -11,15 +11,20 @@ member in Python and returns a whole result; "its C program alone" is what is le
 
 from __future__ import annotations
 
+import json
+import subprocess
+import sys
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from math import pi
+from pathlib import Path
 from time import perf_counter, process_time
 from typing import Any
 
 import inertance as ia
 import numpy as np
 import pfi
+import pypi
 import sweep
 from inertance.networks.simulation.bound_dae import bound
 from measure import Contender, Cost, compare
@@ -29,6 +34,7 @@ from scipy.integrate import solve_ivp
 from scipy.interpolate import CubicSpline
 from table import show
 
+OTHERS = {"diffrax": "JAX, vmap, Tsit5", "heyoka": "Taylor's method, vectors, tol 1e-8"}
 MEMBERS, ONE_BY_ONE, BY_SCIPY = 10_000, 200, 10
 RTOL, ATOL = 1e-6, 1e-8
 SMOOTH_TARGET, HYBRID_TARGET = 1 / 3, 1 / 1.8
@@ -184,6 +190,47 @@ def in_c(case: Case) -> Callable[[], Cost]:
     return go
 
 
+class _Script:
+    """The quarter cars of another library, which another interpreter may run: cost of one, and how exact."""
+
+    def __init__(self, python: str, name: str) -> None:
+        self.command = [python, str(Path(__file__).parent / "peers" / f"ensemble_{name}.py")]
+        self.told: dict[str, Any] = {}
+
+    def go(self) -> Cost:
+        done = subprocess.run(self.command, check=True, capture_output=True, text=True)
+        self.told = json.loads(done.stdout.splitlines()[-1])
+        return Cost(self.told["wall"], self.told["cpu"])
+
+    def error(self, case: Case) -> str:
+        """Say how far the body's acceleration is from the exact one, as a share of its range."""
+        own = {"strut.rest.damper.d": self.told["d"], "strut.rest.inerter.b": self.told["b"]}
+        return off(case, own, np.array(self.told["a"]))
+
+
+def off(case: Case, parameters: Mapping[str, float], found: Array) -> str:
+    """Say how far a signal is from that of an exact run, as a share of its range."""
+    exact = ia.simulate(
+        case.dae, case.stop, parameters=parameters, inputs=case.inputs, start=case.start, step=case.step,
+        rtol=1e-11, atol=1e-13, solver="compiled",
+    )[case.signal]  # fmt: skip
+    return f"error {np.abs(found - exact).max() / np.ptp(exact):.1e}"
+
+
+def others(case: Case, python: str) -> tuple[list[Contender], list[str]]:
+    """Return the other libraries that an interpreter has, and notes on those that it has not."""
+    peers, notes = [], []
+    for name, remark in OTHERS.items():
+        version = pypi.version(python, name)
+        if version is None:
+            notes.append(f"{name} left out: not installed for {Path(python).name}; see --peers-python.")
+            continue
+        script = _Script(python, name)
+        script.go()
+        peers.append(Contender(f"{name} {version}", script.go, f"{remark}; {script.error(case)}"))
+    return peers, notes
+
+
 def apart(case: Case, many: ia.Ensemble) -> str:
     """Say how far members are from runs of their own, as a share of the range, and whether events agree."""
     most, events = 0.0, 0
@@ -196,27 +243,26 @@ def apart(case: Case, many: ia.Ensemble) -> str:
     return f"{most:.1e} of range apart, events differ in {events} of {ONE_BY_ONE // 10}"
 
 
-def main(rounds: int) -> None:
+def main(rounds: int, python: str = sys.executable) -> None:
     for make in (cars, pfis, frames):
         case = make()
         many = case.together()
+        one_by_one = each(lambda case=case: [case.one(member) for member in range(ONE_BY_ONE)], ONE_BY_ONE)
+        by_scipy = each(lambda case=case: [case.peer(member) for member in range(BY_SCIPY)], BY_SCIPY)
         peers = [
-            Contender(
-                "`simulate` by `compiled`",
-                each(lambda case=case: [case.one(member) for member in range(ONE_BY_ONE)], ONE_BY_ONE),
-                apart(case, many),
-                case.target,
-            ),
+            Contender("`simulate` by `compiled`", one_by_one, apart(case, many), case.target),
             Contender("its C program alone", in_c(case), target=case.target),
-            Contender(
-                "SciPy's LSODA",
-                each(lambda case=case: [case.peer(member) for member in range(BY_SCIPY)], BY_SCIPY),
-            ),
+            Contender("SciPy's LSODA", by_scipy),
         ]
+        more, notes = others(case, python) if make is cars else ([], [])
+        told = "{} lanes, efficiency {:.3f}, {} failed".format(
+            many.stats["lanes"], many.stats["lane efficiency"], len(many.errors)
+        )
+        first = {name: float(values[0]) for name, values in case.parameters.items()}
+        error = "" if case.target == HYBRID_TARGET else f", {off(case, first, many[case.signal][0])}"
         ours = Contender("ensemble", each(case.together, MEMBERS))
-        lanes = many.stats["lanes"], many.stats["lane efficiency"], len(many.errors)
-        told = "{} lanes, efficiency {:.3f}, {} failed".format(*lanes)
-        show(f"Ensemble of {MEMBERS} {case.name} ({told})", compare(ours, peers, rounds))
+        title = f"Ensemble of {MEMBERS} {case.name} ({told}{error})"
+        show(title, compare(ours, [*peers, *more], rounds), notes)
 
 
 if __name__ == "__main__":
