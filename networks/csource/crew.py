@@ -205,8 +205,8 @@ class _Room:
 
     def drain(self, block: _Block, told: Told) -> None:
         """Take over what happened while a block ran, and make room for more."""
-        columns = (self._arrays[name][: block.event_count].tolist() for name in EVENT_COLUMNS)
-        told.events += zip(*columns, strict=True)
+        columns = [self._arrays[name][: block.event_count] for name in EVENT_COLUMNS]
+        told.events.append(np.column_stack(columns).astype(float))
         length, texts = self._message_length, self._messages.raw
         for k, member in enumerate(self._arrays["message_members"][: block.message_count].tolist()):
             text = texts[k * length : (k + 1) * length].partition(b"\0")[0]

@@ -13,7 +13,6 @@ from ...base import Array
 from ..simulation.legs import Leg
 
 Integers = NDArray[np.int64]
-Happened = tuple[int, float, int, bool, float]  # member, instant, change, whether it stays, impulse
 
 
 class Status(IntEnum):
@@ -84,7 +83,7 @@ class Told:
         lanes: how many members go side by side.
         rounds: how often they stepped together; tried: their steps, at most `lanes` a round.
         messages: why members failed.
-        events: in the order they happened in each member.
+        events: rows of member, instant, change, whether it stays, impulse, those of a member in their order.
     """
 
     values: Array
@@ -96,7 +95,7 @@ class Told:
     rounds: int = 0
     tried: int = 0
     messages: dict[int, str] = field(default_factory=dict)
-    events: list[Happened] = field(default_factory=list)
+    events: list[Array] = field(default_factory=list)
 
     @classmethod
     def blank(cls, members: int, outputs: Array, signals: int, lanes: int) -> Told:
@@ -112,4 +111,6 @@ class Told:
         self.rounds += other.rounds
         self.tried += other.tried
         self.messages |= {int(places[k]): text for k, text in other.messages.items()}
-        self.events += [(int(places[k]), *what) for k, *what in other.events]  # type: ignore[misc]
+        of_member = np.asarray(places)
+        for rows in other.events:
+            self.events.append(np.column_stack([of_member[rows[:, 0].astype(int)], rows[:, 1:]]))

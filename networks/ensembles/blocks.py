@@ -6,6 +6,7 @@ import pickle
 import time
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
+from functools import lru_cache
 from math import ceil
 from typing import Any
 
@@ -57,10 +58,15 @@ class Task:
             yield str(first), {"members": members.some(slice(first, first + size))}
 
 
+@lru_cache(maxsize=4)
+def _task(blob: bytes) -> Task:
+    task: Task = pickle.loads(blob)
+    return task
+
+
 def work_on_blocks(blob: bytes, points: list[Point]) -> list[Row]:
     """Return what comes of some blocks; runs in another process."""
-    task: Task = pickle.loads(blob)
-    rows = []
+    task, rows = _task(blob), []
     for key, values in points:
         began = time.perf_counter()
         told = task.blank(len(values["members"]))

@@ -4,16 +4,10 @@ from __future__ import annotations
 
 import time as clock
 from collections.abc import Iterable
-from dataclasses import dataclass, replace
-from functools import cached_property
 from math import inf
 from typing import TYPE_CHECKING, Any, Never
-from weakref import WeakKeyDictionary
-
-import numpy as np
 
 from ...base import (
-    Array,
     ModelError,
     RunInterruptedError,
     SimulationError,
@@ -25,29 +19,15 @@ from ...base import (
     optional,
     whole,
 )
-from ..csource.crew import CrewProgram, crew_program
-from ..csource.members import Integers, Members, Status, Told
 from ..dae import DAE
-from ..flattening.flat import Flat
 from ..given import dae_of
-from ..simulation.blame import with_remedies
-from ..simulation.input_signals import SignalKey
 from ..simulation.progress import Progress
 from ..simulation.settings import ATOL, RTOL, Settings
-from ..simulation.starting import Start
-from ..sweeps.design import Design
-from .blocks import Task
+from .asked import asked_of
 from .result import Ensemble
-from .signals import Inputs, legs_of_members
-from .starts import Starts
-from .table import Columns, check_no_options, columns_of, member_count, spread
 
 if TYPE_CHECKING:
     from ..network import Network
-
-_PROGRAMS: WeakKeyDictionary[Flat, dict[Any, CrewProgram]] = WeakKeyDictionary()
-UNFINISHED = "not done when the ensemble was interrupted"
-MOST_PROGRAMS = 8  # of one network that are kept
 
 
 def ensemble(
@@ -128,7 +108,7 @@ def ensemble(
     for name in names:
         dae.expression(name)
     with interruptible():
-        asked = _asked(dae, settings, names, parameters, starts, inputs)
+        asked = asked_of(dae, settings, names, parameters, starts, inputs)
         members, told = asked.members(), asked.task.blank(asked.count)
     show = Progress(dae.name, 0, asked.count, progress, "members")
     try:
@@ -143,122 +123,3 @@ def ensemble(
         first = next(iter(found.errors.values()))
         raise SimulationError(f"none of {asked.count} members could be run; the first: {first}", found)
     return found
-
-
-def _asked(
-    dae: DAE, settings: Settings, signals: tuple[str, ...], parameters: Any, starts: Any, inputs: Any
-) -> _Asked:
-    """Check what is given for members, and gather it."""
-    changed, begun, fed = columns_of("parameters", parameters), columns_of("starts", starts), Inputs(inputs)
-    check_no_options(dae, changed)
-    lengths = {f"parameters '{name}'": len(values) for name, values in changed.items()}
-    lengths |= {f"starts '{name}'": len(values) for name, values in begun.items()}
-    count = member_count(lengths | fed.lengths)
-    rows = dae.parameters.rows(spread(changed, count), count)
-    varied = parameters if isinstance(parameters, Design) else changed
-    return _Asked(dae, settings, signals, count, varied, rows, Starts(dae, spread(begun, count)), fed)
-
-
-@dataclass(eq=False)
-class _Asked:
-    """What is asked of an ensemble."""
-
-    dae: DAE
-    settings: Settings
-    signals: tuple[str, ...]
-    count: int
-    varied: Design | Columns
-    parameters: Array
-    starts: Starts
-    inputs: Inputs
-
-    def __post_init__(self) -> None:
-        self.choices, self.chosen = self.inputs.choices(self.dae, self.settings, self.count)
-
-    @cached_property
-    def program(self) -> CrewProgram:
-        """The program that all members share."""
-        first, begin = self.choices[0], self.settings.begin
-        start = self.starts.sought(first, self.parameters[0], begin)
-        if start is None:
-            nothing = np.zeros(0)
-            start = Start(self.dae, nothing, nothing, nothing, nothing, [], [], [], [])
-        known = _PROGRAMS.setdefault(self.dae.flat, {})
-        key = SignalKey(first.formulas()), self.signals, self._form(start)
-        if key not in known:
-            known[key] = crew_program(self.dae, first.formulas(), self.signals, start)
-            if len(known) > MOST_PROGRAMS:
-                del known[next(iter(known))]
-        return known[key]
-
-    @staticmethod
-    def _form(start: Start) -> tuple[Any, ...]:
-        aims = tuple((aim.name, aim.fixed) for aim in start.aims)
-        return aims, tuple(start.led), tuple(start.free), start.z.tobytes()
-
-    @cached_property
-    def task(self) -> Task:
-        """What is done with members."""
-        settings = self.settings
-        return Task(self.program, settings.outputs, (settings.rtol, settings.atol))
-
-    def members(self) -> Members:
-        """Return what differs between members."""
-        settings = self.settings
-        legs, legs_of = legs_of_members(self.choices, self.chosen, self.parameters, settings)
-        signals = [choice.data(self.program.free) for choice in self.choices]
-        begun = self.starts.rows(self.choices, self.chosen, self.parameters, settings.begin)
-        return Members(self.parameters, *begun, signals, legs, self.chosen, legs_of)
-
-    def run(self, members: Members, told: Told, executor: Any, workers: int | None, bar: Progress) -> None:
-        """Run all members."""
-        if executor is None and workers == 0:
-            with interruptible():
-                self.task.run(members, told, bar.at)
-        else:
-            self.task.spread(members, told, executor, workers, bar.at)
-        unstarted = np.flatnonzero(told.status == Status.UNSTARTED)
-        if len(unstarted):
-            with interruptible():
-                self._run_otherwise_started(members, unstarted, told)
-
-    def _run_otherwise_started(self, members: Members, places: Integers, told: Told) -> None:
-        """Run those for which the program finds no start from where Python does, if it does."""
-        found = dict[int, tuple[Array, Array]]()
-        for member in places.tolist():
-            closed = self.choices[self.chosen[member]].closed
-            run = self.starts.found(member, closed, self.parameters[member], self.settings)
-            if isinstance(run, str):
-                told.messages[member] = run
-            else:
-                point = run.point
-                found[member] = np.concatenate([point.x, point.z]), point.q[: self.dae.constants.numel()]
-        if not found:
-            return
-        there = np.array([*found], dtype=np.int64)
-        points, constants = map(np.array, zip(*found.values(), strict=True))
-        again = self.task.blank(len(found))
-        self.task.run(replace(members.some(there), found=(points, constants)), again)
-        told.take_over(there, again)
-
-    def result(self, told: Told, seconds: float) -> Ensemble:
-        """Return what came of members so far."""
-        open_ = np.flatnonzero(told.status == Status.WAITING).tolist()
-        failed = {member: self._told(member, text) for member, text in told.messages.items()}
-        errors = dict(sorted({**dict.fromkeys(open_, UNFINISHED), **failed}.items()))
-        stats = {
-            "members": self.count,
-            "failed": len(errors),
-            "lanes": told.lanes,
-            "lane efficiency": told.tried / max(1, told.rounds * told.lanes),
-            "steps": int(told.steps.sum()),
-            "rejected": int(told.rejected.sum()),
-            "seconds": seconds,
-        }
-        events = sorted(told.events, key=lambda what: what[:2])
-        outputs = self.settings.outputs
-        return Ensemble(self.dae, outputs, self.signals, told.values, errors, stats, events, self.varied)
-
-    def _told(self, member: int, text: str) -> str:
-        named = f"'{self.dae.name}': "
-        return f"{named}member {member}: {with_remedies(self.dae, text.removeprefix(named))}"

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from functools import cached_property
 from typing import Any
@@ -11,7 +11,6 @@ import numpy as np
 
 from ...base import Array, Ints, ModelError, UnknownNameError, nearest, number, shown
 from ...base.html import page, table_of_texts
-from ..csource.members import Happened
 from ..csource.native import event_of
 from ..dae import DAE
 from ..results.recorded import Recorded
@@ -43,7 +42,7 @@ class Ensemble:
     values: Array
     errors: Mapping[int, str]
     stats: Mapping[str, Any]
-    _happened: Sequence[Happened]
+    _happened: Array
     _varied: Design | Columns
 
     def __len__(self) -> int:
@@ -68,17 +67,15 @@ class Ensemble:
         """How many members came to the end."""
         return len(self) - len(self.errors)
 
-    @cached_property
-    def _by_member(self) -> dict[int, list[Happened]]:
-        found: dict[int, list[Happened]] = {}
-        for what in self._happened:
-            found.setdefault(what[0], []).append(what)
-        return found
-
     @property
     def event_counts(self) -> Ints:
         """How many events each member had after its start."""
-        return np.bincount([what[0] for what in self._happened], minlength=len(self))
+        return np.diff(self._places)
+
+    @cached_property
+    def _places(self) -> Ints:
+        """Where the events of each member begin, and where the last ones end."""
+        return np.searchsorted(self._happened[:, 0], np.arange(len(self) + 1))
 
     def _check(self, member: Any) -> None:
         if number(member) or member not in range(len(self)):
@@ -91,7 +88,8 @@ class Ensemble:
             ModelError: for the number of no member.
         """
         self._check(member)
-        return [event_of(self.dae, *what[1:]) for what in self._by_member.get(member, [])]
+        rows = self._happened[self._places[member] : self._places[member + 1], 1:]
+        return [event_of(self.dae, t, int(n), bool(stays), impulse) for t, n, stays, impulse in rows.tolist()]
 
     def member(self, number: int) -> Recorded:
         """Return the signals of a member over time, with averages as a run has them.

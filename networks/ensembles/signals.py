@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from numbers import Real
 from typing import Any
 
@@ -23,24 +23,6 @@ from ..simulation.settings import Settings
 from .table import check_data, several_signals
 
 
-@dataclass(eq=False)
-class Choice:
-    """Signals by name, and the equations with them."""
-
-    given: dict[str, Any]
-    closed: BoundDAE
-
-    def formulas(self) -> dict[str, Any]:
-        """Return the signals that are built into the program."""
-        return {path: s for path, s in self.closed.signals.items() if not isinstance(s, Sampled | Real)}
-
-    def data(self, free: Sequence[tuple[str, int]]) -> Signals:
-        """Return the others, for the inputs that a program has left free."""
-        given = [(self.closed.signals[path], order) for path, order in free]
-        constants = [float(s) if isinstance(s, Real) and not order else 0.0 for s, order in given]
-        return Signals(np.array(constants), [record_table(s, order) for s, order in given])
-
-
 class Inputs:
     """What is given for inputs, by name: a signal, or a list of signals, one for each member."""
 
@@ -58,45 +40,52 @@ class Inputs:
         """How many members each list is for."""
         return {f"inputs '{path}'": len(signals) for path, signals in self._lists.items()}
 
-    def choices(self, dae: DAE, settings: Settings, count: int) -> tuple[list[Choice], Integers]:
-        """Return the different choices of signals, and which one each member has.
-
-        Raises:
-            ModelError: for unknown inputs, inputs without a signal, and data that do not cover the run.
-        """
+    def choices(self, count: int) -> tuple[list[dict[str, Any]], Integers]:
+        """Return the different choices of signals by name, and which one each member has."""
         known: dict[SignalKey, int] = {}
-        chosen, numbers = list[Choice](), np.zeros(count, dtype=np.int64)
+        chosen, numbers = list[dict[str, Any]](), np.zeros(count, dtype=np.int64)
         for member in range(count if self._lists else 1):
             own = {path: s[member if len(s) > 1 else 0] for path, s in self._lists.items()}
             key = SignalKey(own)
             if key not in known:
                 known[key] = len(chosen)
-                chosen.append(_choice(dae, {**self._shared, **own}, settings))
+                chosen.append({**self._shared, **own})
             numbers[member] = known[key]
         return chosen, numbers
 
 
-def _choice(dae: DAE, given: Mapping[str, Any], settings: Settings) -> Choice:
+def closed_with(dae: DAE, given: Mapping[str, Any], settings: Settings) -> BoundDAE:
+    """Return the equations with a choice of signals.
+
+    Raises:
+        ModelError: for unknown inputs, inputs without a signal, and data that do not cover the run.
+    """
     closed = bound(dae, given)
     for path, signal in closed.signals.items():
         if isinstance(signal, Polynomial):
             raise ModelError(f"input '{path}': an ensemble takes no Polynomial; give a function of time")
     check_covered(dae.name, closed.signals, settings.begin, settings.stop)
-    return Choice(dict(given), closed)
+    return closed
 
 
-def legs_of_members(
-    choices: Sequence[Choice], chosen: Integers, parameters: Array, settings: Settings
-) -> tuple[list[list[Leg]], Integers]:
-    """Return the different legs of runs, and which ones each member has: they may depend on parameters."""
-    legs, numbers, known = list[list[Leg]](), np.zeros(len(chosen), dtype=np.int64), dict[Any, int]()
-    own = [ca.depends_on(choice.closed.timed_rows, choice.closed.dae.p) for choice in choices]
-    for member, number in enumerate(chosen.tolist()):
-        closed = choices[number].closed
-        key = number, parameters[member].tobytes() if own[number] else b""
-        if key not in known:
-            known[key] = len(legs)
-            found = closed.legs(closed.blank(parameters[member]), settings.begin, settings.stop)
-            legs.append([replace(leg, max_step=min(leg.max_step, settings.max_step)) for leg in found])
-        numbers[member] = known[key]
-    return legs, numbers
+def formulas_of(closed: BoundDAE) -> dict[str, Any]:
+    """Return the signals that are built into a program."""
+    return {path: s for path, s in closed.signals.items() if not isinstance(s, Sampled | Real)}
+
+
+def data_of(closed: BoundDAE, free: Sequence[tuple[str, int]]) -> Signals:
+    """Return the others, for the inputs that a program has left free."""
+    given = [(closed.signals[path], order) for path, order in free]
+    constants = [float(s) if isinstance(s, Real) and not order else 0.0 for s, order in given]
+    return Signals(np.array(constants), [record_table(s, order) for s, order in given])
+
+
+def legs_of(closed: BoundDAE, parameters: Array, settings: Settings) -> tuple[list[list[Leg]], Integers]:
+    """Return the different legs of members with some signals, and which ones each has, by its parameters."""
+    own = ca.depends_on(closed.timed_rows, closed.dae.p)
+    rows, which = np.unique(parameters, axis=0, return_inverse=True) if own else (parameters[:1], None)
+    legs = []
+    for row in rows:
+        found = closed.legs(closed.blank(row), settings.begin, settings.stop)
+        legs.append([replace(leg, max_step=min(leg.max_step, settings.max_step)) for leg in found])
+    return legs, np.zeros(len(parameters), dtype=np.int64) if which is None else which.ravel()

@@ -8,15 +8,13 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from ...base import Array, InitialConditionError, ModelError, SimulationError
-from ..csource.members import Integers
 from ..dae import DAE
 from ..simulation.bound_dae import BoundDAE
 from ..simulation.consistent_start import started
 from ..simulation.initialization import StartValues, following, guessed, start_values
 from ..simulation.run import Run
 from ..simulation.settings import Settings
-from ..simulation.starting import Start, search
-from .signals import Choice
+from ..simulation.starting import Aim, Start, search
 from .table import Columns
 
 
@@ -48,40 +46,35 @@ class Starts:
         own = {name: float(values[member]) for name, values in self.columns.items()}
         return start_values(self.dae, own, {})
 
-    def sought(self, choice: Choice, parameters: Array, begin: float) -> Start | None:
-        """Return what members seek, as the first one does; None if that is too much."""
-        dae, closed = self.dae, choice.closed
+    def sought(self, closed: BoundDAE, parameters: Array, begin: float) -> Start | None:
+        """Return what members seek, as the first one does; None if that is too much for a program."""
+        dae = self.dae
         wanted = following(closed, closed.blank(parameters), begin, self._first)
         found = search(dae, wanted)
         if found is None:
             return None
-        x, z = guessed(dae, wanted)
         aims = [replace(aim, value=0.0) for aim in found[0]]
         modes, names = np.zeros(dae.modes.numel()), [name for name, _ in wanted.fixed.values()]
+        x, z = guessed(dae, wanted)
         return Start(dae, np.zeros_like(x), z, modes, np.ones_like(x), aims, names, *found[1:])
 
-    def rows(
-        self, choices: Sequence[Choice], chosen: Integers, parameters: Array, begin: float
-    ) -> tuple[Array, Array]:
-        """Return from where each member seeks its states, and what it aims at."""
-        dae = self.dae
-        of_choice = [self._row(choice.closed, parameters[0], begin) for choice in choices]
-        guesses, aims = (np.array(rows)[chosen] for rows in zip(*of_choice, strict=True))
-        aimed = [aim.variable for aim in self._aims]
+    def row(self, closed: BoundDAE, parameters: Array, begin: float) -> tuple[Array, Array]:
+        """Return from where members with some signals seek their states, and what they aim at."""
+        wanted = following(closed, closed.blank(parameters), begin, self._first)
+        found = search(self.dae, wanted)
+        aims = found[0] if found else []
+        return guessed(self.dae, wanted)[0], np.array([aim.value for aim in aims])
+
+    def fill(self, guesses: Array, aims: Array, sought: Sequence[Aim]) -> None:
+        """Put in the start values that members have of their own."""
+        dae, aimed = self.dae, [aim.variable for aim in sought]
         for name, values in self.columns.items():
             root, sign = dae.root(name)
             if root in dae.states:
                 guesses[:, dae.states.index(root)] = sign * values
             if root in aimed:
                 place = aimed.index(root)
-                aims[:, place] = sign * dae.root(self._aims[place].name)[1] * values
-        return guesses, aims
-
-    def _row(self, closed: BoundDAE, parameters: Array, begin: float) -> tuple[Array, Array]:
-        wanted = following(closed, closed.blank(parameters), begin, self._first)
-        found = search(self.dae, wanted)
-        self._aims = found[0] if found else []
-        return guessed(self.dae, wanted)[0], np.array([aim.value for aim in self._aims])
+                aims[:, place] = sign * dae.root(sought[place].name)[1] * values
 
     def found(self, member: int, closed: BoundDAE, parameters: Array, settings: Settings) -> Run | str:
         """Return where a member starts, as a run on its own would, or why it cannot."""

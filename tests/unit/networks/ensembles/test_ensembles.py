@@ -1,5 +1,6 @@
 """What an ensemble is given, what it refuses, and what becomes of members that fail."""
 
+from concurrent.futures import ThreadPoolExecutor
 from typing import Any
 
 import casadi as ca
@@ -10,6 +11,7 @@ import pytest
 from inertance.base import RunInterruptedError
 from inertance.networks.csource import crew
 from inertance.networks.csource.toolchain import ToolchainError, compiler
+from inertance.networks.simulation import starting
 from inertance.sweeps import grid, saltelli, sobol_indices
 
 try:
@@ -82,6 +84,17 @@ def test_a_member_that_fails_leaves_the_others(dae: ia.DAE) -> None:
     with pytest.raises(ia.SimulationError, match="none of 2 members could be run") as raised:
         run(dae, parameters={"spring.k": [-10.0, -20.0]})
     assert isinstance(raised.value.result, ia.Ensemble)
+
+
+def test_more_start_values_than_a_program_seeks(dae: ia.DAE, monkeypatch: pytest.MonkeyPatch) -> None:
+    starts = {"mass.s": [1.0, 2.0, 3.0], "spring.flange.f": 8.0}
+    found = run(dae, starts={"mass.s": [2.0, 2.0]}, parameters={"spring.k": [1.0, 0.5]}).values
+    monkeypatch.setattr(starting, "MOST_SOUGHT", -1)
+    assert run(
+        dae, starts={"mass.s": [2.0, 2.0]}, parameters={"spring.k": [1.0, 0.5]}
+    ).values == pytest.approx(found)
+    many = run(dae, starts=starts, parameters={"spring.k": 1.0})
+    assert list(many.errors) == [0, 2]
 
 
 def test_a_start_that_cannot_be_is_told_of_its_member(dae: ia.DAE) -> None:
@@ -166,11 +179,14 @@ def test_sobol_indices_of_an_ensemble(dae: ia.DAE) -> None:
     assert found["S1"].to_numpy() == pytest.approx([1.0, 0.0], abs=0.02)
 
 
-def test_processes_give_the_same(dae: ia.DAE) -> None:
+def test_processes_and_threads_give_the_same(dae: ia.DAE) -> None:
     k = np.linspace(-10, 10, 200)
     here, there = (run(dae, parameters={"spring.k": k}, workers=workers) for workers in (0, 2))
+    with ThreadPoolExecutor(2) as threads:
+        beside = run(dae, parameters={"spring.k": k}, executor=threads)
     assert np.array_equal(here.values, there.values, equal_nan=True)
-    assert dict(here.errors) == dict(there.errors)
+    assert np.array_equal(here.values, beside.values, equal_nan=True)
+    assert dict(here.errors) == dict(there.errors) == dict(beside.errors)
     assert 1 < len(here.errors) < 100
 
 
