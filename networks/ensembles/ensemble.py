@@ -68,8 +68,8 @@ def ensemble(
         rtol: relative tolerance.
         atol: absolute tolerance, times the nominal value of each state.
         max_step: longest step of the integrator [s].
-        executor: what computes blocks of members: an executor of `concurrent.futures` with processes, a
-            `dask.distributed.Client`, or None for processes of its own.
+        executor: what computes blocks of members: an executor of `concurrent.futures` (threads serve as well
+            as processes), a `dask.distributed.Client`, or None for processes of its own.
         workers: how many processes of its own; as many as there are processors if None, 0 for this one.
         progress: show progress; by default on ensembles that last over a second on a terminal.
         unknown: refused, with the nearest argument that there is.

@@ -87,13 +87,12 @@ def test_a_member_that_fails_leaves_the_others(dae: ia.DAE) -> None:
 
 
 def test_more_start_values_than_a_program_seeks(dae: ia.DAE, monkeypatch: pytest.MonkeyPatch) -> None:
-    starts = {"mass.s": [1.0, 2.0, 3.0], "spring.flange.f": 8.0}
-    found = run(dae, starts={"mass.s": [2.0, 2.0]}, parameters={"spring.k": [1.0, 0.5]}).values
+    """They are found in Python, one after the other."""
+    given: dict[str, Any] = {"starts": {"mass.s": 2.0}, "parameters": {"spring.k": [1.0, 0.5]}}
+    found = run(dae, **given).values
     monkeypatch.setattr(starting, "MOST_SOUGHT", -1)
-    assert run(
-        dae, starts={"mass.s": [2.0, 2.0]}, parameters={"spring.k": [1.0, 0.5]}
-    ).values == pytest.approx(found)
-    many = run(dae, starts=starts, parameters={"spring.k": 1.0})
+    assert run(dae, **given).values == pytest.approx(found)
+    many = run(dae, starts={"mass.s": [1.0, 2.0, 3.0], "spring.flange.f": 8.0})
     assert list(many.errors) == [0, 2]
 
 
