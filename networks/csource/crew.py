@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import ctypes
 import platform
+import sys
 import time as clock
 from collections.abc import Callable, Mapping, Sequence
 from contextlib import suppress
@@ -83,7 +84,9 @@ class CrewProgram:
     def library(self) -> Any:
         """The compiled program: with vectors, and for the very processor it runs on, if the compiler can."""
         native = "-march=native", f"-DPROCESSOR={_processor()}"
-        if self.wide is not None:
+        if (
+            self.wide is not None and sys.platform != "win32"
+        ):  # GCC leaves vectors unaligned there
             texts, flags = self.wide
             for more in (native, ()):
                 with suppress(ToolchainError):

@@ -255,10 +255,8 @@ CoreStatus core_depart(Core *c, Travel *travel) {
     travel->from = c->t;
     travel->most = INFINITY;
     travel->reached = CORE_ARRIVED;
-    CoreStatus status = check_wish(c, travel->stop, travel->rtol, travel->atol);
-    if (status != CORE_OK) return status;
     core_find_leg(c);
-    status = look_around(c);
+    CoreStatus status = look_around(c);
     if (!(c->h > 0) && status == CORE_OK) c->h = first_step(c, travel, travel->stop - c->t);
     return status;
 }
@@ -281,7 +279,10 @@ CoreStatus core_travel(Core *c, double stop, double rtol, double atol, double fi
                        const Observer *told, CoreStop *reached) {
     Travel travel = {
         .stop = stop, .rtol = rtol, .atol = atol, .fixed = fixed_step, .early = return_early, .told = told};
-    CoreStatus status = core_depart(c, &travel);
+    *reached = CORE_ARRIVED;
+    CoreStatus status = check_wish(c, stop, rtol, atol);
+    if (status != CORE_OK) return status;
+    status = core_depart(c, &travel);
     while (status == CORE_OK && core_underway(c, &travel)) {
         status = travel.h > 0 ? core_stride(c, &travel) : core_aim(c, &travel);
         if (status == CORE_OK && !told && !(fixed_step > 0))
