@@ -77,8 +77,11 @@ static void lanes_solve_stage(const Wide *w, wide reach, wide increment[]) {
         increment[model_led[i]] = reach * (value[model_led[i]] + increment[model_leader[i]]);
 }
 
-static void lanes_add(wide *restrict to, wide factor, const wide *restrict from, int count) {
-    for (int i = 0; i < count; i++) to[i] += factor * from[i];
+/* What stages before the one numbered `count` sum up to in unknown i, by weights. */
+static wide summed(const Wide *w, const double weights[], int count, int i) {
+    wide sum = {0};
+    for (int j = 0; j < count; j++) sum += weights[j] * w->stage[j][i];
+    return sum;
 }
 
 static void lanes_stages(Wide *w, wide reach, unsigned active) {
@@ -87,17 +90,17 @@ static void lanes_stages(Wide *w, wide reach, unsigned active) {
         wide *increment = w->stage[k];
         if (k == 0) memcpy(increment, w->rates, sizeof w->rates);
         else {
-            int explicit_ = k < 6 ? k : 0;
-            if (explicit_) memcpy(w->end, w->y, sizeof w->end);
-            for (int j = 0; j < explicit_; j++) lanes_add(w->end, all(A[k][j]), w->stage[j], NY);
-            if (k >= 6) lanes_add(w->end, all(1), w->stage[k - 1], NY);
+            if (k < 6)
+                for (int i = 0; i < NY; i++) w->end[i] = w->y[i] + summed(w, A[k], k, i);
+            else
+                for (int i = 0; i < NY; i++) w->end[i] += w->stage[k - 1][i];
             lanes_motion_at(w, w->t + AT[k] * w->h, w->end, increment, active);
         }
-        for (int j = 0; j < k; j++) lanes_add(increment, C[k][j] * inverse, w->stage[j], NX);
-        if (BY_TIME[k] != 0) lanes_add(increment, BY_TIME[k] * w->h, w->by_time, NY);
+        for (int i = 0; k > 0 && i < NX; i++) increment[i] += inverse * summed(w, C[k], k, i);
+        for (int i = 0; BY_TIME[k] != 0 && i < NY; i++) increment[i] += BY_TIME[k] * w->h * w->by_time[i];
         lanes_solve_stage(w, reach, increment);
     }
-    lanes_add(w->end, all(1), w->stage[STAGES - 1], NY);
+    for (int i = 0; i < NY; i++) w->end[i] += w->stage[STAGES - 1][i];
 }
 
 static void lanes_measure(Wide *w, double rtol, double atol) {
@@ -130,9 +133,8 @@ unsigned wide_step(Wide *w, unsigned active, double rtol, double atol) {
 }
 
 void wide_bend(Wide *w) {
-    memset(w->bend, 0, sizeof w->bend);
     for (int b = 0; b < 3; b++)
-        for (int k = 0; k < STAGES; k++) lanes_add(w->bend[b], all(BEND[b][k]), w->stage[k], NY);
+        for (int i = 0; i < NY; i++) w->bend[b][i] = summed(w, BEND[b], STAGES, i);
 }
 
 /* Interpolate inside the step, once it is bent, and, if `rates` are wanted, what rates that has. */
