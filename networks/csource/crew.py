@@ -84,9 +84,7 @@ class CrewProgram:
     def library(self) -> Any:
         """The compiled program: with vectors, and for the very processor it runs on, if the compiler can."""
         native = "-march=native", f"-DPROCESSOR={_processor()}"
-        if (
-            self.wide is not None and sys.platform != "win32"
-        ):  # GCC leaves vectors unaligned there
+        if self.wide is not None and sys.platform != "win32":  # GCC leaves vectors unaligned there
             texts, flags = self.wide
             for more in (native, ()):
                 with suppress(ToolchainError):
