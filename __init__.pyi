@@ -150,6 +150,7 @@ from .fmu import export_fmu as export_fmu
 from .identification import fit as fit
 from .modelica import to_modelica as to_modelica
 from .networks import DAE as DAE
+from .networks import Ensemble as Ensemble
 from .networks import Event as Event
 from .networks import Motion as Motion
 from .networks import Network as Network
@@ -161,6 +162,7 @@ from .networks import Stepwise as Stepwise
 from .networks import TwoTerminal as TwoTerminal
 from .networks import Variations as Variations
 from .networks import bridge as bridge
+from .networks import ensemble as ensemble
 from .networks import load_points as load_points
 from .networks import load_table as load_table
 from .networks import parallel as parallel

@@ -47,8 +47,8 @@ def main(rounds: int, python: str) -> None:
     error = pfi.error(pfi.force(dae), exact)
     peers, notes = [], []
     for name, remark in PEERS.items():
-        version = _version(python, name)
-        if version is None:
+        found = version(python, name)
+        if found is None:
             notes.append(f"{name} left out: not installed for {Path(python).name}; see --peers-python.")
             continue
         script = _Script(python, name)
@@ -57,11 +57,11 @@ def main(rounds: int, python: str) -> None:
         go: Callable[[], Cost] = script.go
         if name in SLOW:
             go = _always(first)
-        peers.append(Contender(f"{name} {version}", go, told))
+        peers.append(Contender(f"{name} {found}", go, told))
     show(f"Smooth PFI ({error}), PyPI", compare(ours, peers, rounds), notes)
 
 
-def _version(python: str, name: str) -> str | None:
+def version(python: str, name: str) -> str | None:
     """Return the version of a package that an interpreter has."""
     asked = f"import importlib.metadata as m; print(m.version('{name}'))"
     done = subprocess.run([python, "-c", asked], capture_output=True, text=True)

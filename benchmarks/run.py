@@ -10,6 +10,7 @@ import sys
 
 import chain
 import cold_start
+import ensembles
 import first_run
 import hybrid_pfi
 import layouts
@@ -36,7 +37,11 @@ def main() -> None:
     parser.add_argument("--rounds", type=int, default=7, help="how often each contender has its turn")
     parser.add_argument("--peers-python", default=sys.executable, help="interpreter that has the PyPI peers")
     given = parser.parse_args()
-    benchmarks = {**BENCHMARKS, "pypi": lambda rounds: pypi.main(rounds, given.peers_python)}
+    beside = {"ensembles": ensembles, "pypi": pypi}  # libraries that stand elsewhere
+    benchmarks = BENCHMARKS | {
+        name: lambda rounds, module=module: module.main(rounds, given.peers_python)
+        for name, module in beside.items()
+    }
     unknown = [name for name in given.names if name not in benchmarks]
     if unknown or given.rounds < 1:
         parser.error(f"there are {', '.join(benchmarks)}, and at least one round")

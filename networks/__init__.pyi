@@ -7,6 +7,8 @@ from .csource import corners_as_modes as corners_as_modes
 from .csource import is_corner as is_corner
 from .dae import DAE as DAE
 from .dae import Input as Input
+from .ensembles import Ensemble as Ensemble
+from .ensembles import ensemble as ensemble
 from .given import dae_of as dae_of
 from .given import element_of as element_of
 from .given import network_of as network_of

@@ -6,6 +6,7 @@
 
 #include "constants.h" /* generated from networks/simulation/events/constants.py */
 #include "core.h"
+#include "rodas5p.h"
 
 #define NY (NX + NZ)
 #define NPATH (NX + NPUSH) /* states and impulses, which a jump moves */
@@ -16,7 +17,6 @@
 #else
 #define ROOM(n) ((n) > 0 ? (n) : 1) /* C knows no empty arrays */
 #endif
-#define STAGES 8
 #define MESSAGE 1024
 
 #ifdef __GNUC__
@@ -142,6 +142,20 @@ typedef struct {
     void (*landed)(void *context, Core *c, int after, int switched);
 } Observer;
 
+/* On the way to `stop`, and the step that is to be tried next, of length `h`, zero if none is. */
+typedef struct {
+    double stop, rtol, atol, fixed;
+    int early;
+    const Observer *told;
+    double most; /* length of the next step, while an indicator rests on zero */
+    int halt;    /* ends the advance */
+    CoreStop reached;
+    long long begin, before; /* steps and work when it began, at the instant `from` */
+    double from;
+    double h, tried, kept,
+        bound; /* at most up to `bound`; `tried` first, when the core held h to be `kept` */
+} Travel;
+
 #ifdef CORE_RECORDS
 /* Free input from data: a polynomial between instants, highest power first, (4, count - 1). */
 typedef struct Record {
@@ -149,7 +163,7 @@ typedef struct Record {
     long long count, found;
 } Record;
 
-/* native.c */
+/* record.c */
 void core_record_at(Record *r, double t, double *value, double *rate);
 #endif
 
@@ -223,6 +237,14 @@ int core_locate(Core *c, Crossing *crossing);
 CoreStatus core_land(Core *c, Crossing *crossing, int *reached);
 
 /* stepper.c */
+CoreStatus core_depart(Core *c, Travel *travel);
+int core_underway(const Core *c, const Travel *travel);
+int core_only_steps(const Core *c, const Travel *travel);
+CoreStatus core_aim(Core *c, Travel *travel);
+CoreStatus core_stride(Core *c, Travel *travel);
+CoreStatus core_refuse(Core *c, Travel *travel, int finite, double error);
+double core_accept(Core *c, Travel *travel, double error);
+CoreStatus core_conclude(Core *c, Travel *travel, double t);
 CoreStatus core_advance_told(Core *c, double stop, double rtol, double atol, double fixed_step,
                              int return_early, const Observer *told, CoreStop *reached);
 CoreStatus core_travel(Core *c, double stop, double rtol, double atol, double fixed_step, int return_early,

@@ -63,6 +63,11 @@ class CModel:
         self._reset_variables = sorted({r[0] for r in self._resets} - set(dae.states))
         self._others = pick(dae.variables, self._reset_variables)
 
+    @property
+    def dense(self) -> bool:
+        """Whether the matrix of a step is factored as a full one."""
+        return len(self._reduction.kept) <= DENSE_SIZE
+
     def texts(self) -> dict[str, str]:
         """Return model.h and model.c."""
         functions = self.functions()

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import ctypes
 import time as clock
+from collections.abc import Callable, Sequence
 from ctypes import POINTER, Structure, byref, c_char_p, c_double, c_int, c_longlong, c_void_p, pointer
 from itertools import pairwise
 from numbers import Real
@@ -20,11 +21,13 @@ from ..simulation.bound_dae import BoundDAE
 from ..simulation.events.constants import FIRING_ROUNDS
 from ..simulation.events.switcher import Event, changed, jumped
 from ..simulation.integrator import IntegratorError
+from ..simulation.legs import Leg
 from ..simulation.point import Point
 from ..simulation.splines import piecewise
 from .toolchain import ToolchainError
 
 if TYPE_CHECKING:
+    from ..dae import DAE
     from ..simulation.progress import Progress
     from ..simulation.run import Run
     from ..simulation.settings import Tolerance
@@ -52,13 +55,13 @@ class _Run(Structure):
     )  # fmt: skip
 
 
-class _Record(Structure):
+class Record(Structure):
     """`Record` in core_state.h."""
 
     _fields_ = [("times", DOUBLES), ("powers", DOUBLES), ("count", c_longlong), ("found", c_longlong)]
 
 
-class _Legs(Structure):
+class LegTable(Structure):
     """`Legs` in core_state.h."""
 
     _fields_ = [
@@ -67,8 +70,7 @@ class _Legs(Structure):
         ("jumps", POINTER(c_int)),
     ]
 
-    def __init__(self, run: Run) -> None:
-        legs, most = run.legs, run.settings.max_step
+    def __init__(self, legs: Sequence[Leg], most: float) -> None:
         told = [(leg.begin, leg.end, min(leg.max_step, most)) for leg in legs]
         self._kept = np.array(told).T.copy(), np.array([leg.jumps for leg in legs], dtype=np.intc)
         jumps = self._kept[1].ctypes.data_as(POINTER(c_int))
@@ -88,16 +90,16 @@ class Native:
         self._core = ctypes.create_string_buffer(self._library.native_size(0))
         free = [declared for declared in dae.inputs if declared.path not in closed.functions]
         given = [(closed.signals[declared.path], declared.order) for declared in free]
-        self._tables = [_table(signal, order) for signal, order in given]
+        self._tables = [record_table(signal, order) for signal, order in given]
         constants = [float(s) if isinstance(s, Real) and not order else 0.0 for s, order in given]
         self._free = np.array(constants or [0.0])
 
     def _records(self) -> Any:
         """Return pointers to fresh records; an input without one stays constant."""
-        records = (POINTER(_Record) * max(1, len(self._tables)))()
+        records = (POINTER(Record) * max(1, len(self._tables)))()
         for k, table in enumerate(self._tables):
             if table is not None:
-                records[k] = pointer(_Record(*map(_pointer, table), len(table[0]), 0))
+                records[k] = pointer(Record(*map(_pointer, table), len(table[0]), 0))
         return records
 
     def run(self, run: Run, tolerance: Tolerance, outputs: Array, progress: Progress) -> None:
@@ -110,7 +112,7 @@ class Native:
         point, settings = run.point, run.settings
         y = np.concatenate([point.x, point.z])
         records = self._records()
-        legs = _Legs(run)
+        legs = LegTable(run.legs, run.settings.max_step)
         begin = point.t, _pointer(y), _pointer(point.q), _pointer(self._free), records, byref(legs)
         self._library.native_begin(self._core, *begin)
         store = _Store(self, outputs, tolerance)
@@ -197,21 +199,26 @@ class _Store:
         run.count(shared.steps - run.steps)
 
     def _event(self, k: int) -> Event:
-        switching, jumps = self.native.dae.switching, self.native.dae.jumps
-        t, number, impulse = float(self.event_times[k]), int(self.changes[k]), float(self.impulses[k])
-        motion = number - len(switching.changes)
-        if jumps is not None and motion >= 0:
-            return jumped(t, jumps, motion, impulse if motion < len(jumps.motions) else None)
-        change = switching.changes[number]
-        source = change.target if self.stays[k] else change.source
-        return changed(switching, t, change, source, None if change.impulse is None else impulse)
+        told = float(self.event_times[k]), int(self.changes[k]), bool(self.stays[k]), float(self.impulses[k])
+        return event_of(self.native.dae, *told)
+
+
+def event_of(dae: DAE, t: float, number: int, stays: bool, impulse: float) -> Event:
+    """Return the event that a change of this number, or a motion that jumps, is."""
+    switching, jumps = dae.switching, dae.jumps
+    motion = number - len(switching.changes)
+    if jumps is not None and motion >= 0:
+        return jumped(t, jumps, motion, impulse if motion < len(jumps.motions) else None)
+    change = switching.changes[number]
+    source = change.target if stays else change.source
+    return changed(switching, t, change, source, None if change.impulse is None else impulse)
 
 
 def _pointer(array: NDArray[Any]) -> Any:
     return array.ctypes.data_as(INTEGERS if array.dtype == np.int64 else DOUBLES)
 
 
-def _table(signal: Any, order: int) -> tuple[Array, Array] | None:
+def record_table(signal: Any, order: int) -> tuple[Array, Array] | None:
     """Return the instants and the powers of a record's spline, or of its derivative."""
     if not isinstance(signal, Sampled):
         return None
@@ -223,16 +230,20 @@ def _table(signal: Any, order: int) -> tuple[Array, Array] | None:
 def _loaded(path: Path) -> Any:
     library = ctypes.CDLL(str(path))
     library.native_size.restype, library.native_size.argtypes = ctypes.c_size_t, [c_int]
-    for kind, mirror in enumerate((_Run, _Record, _Legs), 1):
-        size = library.native_size(kind)
-        if size != ctypes.sizeof(mirror):
-            raise ToolchainError(
-                f"the compiled network takes {size} bytes for {mirror.__name__[1:]}, this Python "
-                f"{ctypes.sizeof(mirror)}; CC and CFLAGS must build for the machine that runs it"
-            )
+    check_sizes(library.native_size, (_Run, Record, LegTable))
     library.native_begin.restype = None
     library.native_begin.argtypes = [c_void_p, c_double, *[DOUBLES] * 3, c_void_p, c_void_p]
     library.native_tell.restype, library.native_tell.argtypes = None, [c_void_p, INTEGERS, INTEGERS]
     library.native_run.restype, library.native_run.argtypes = c_int, [c_void_p, POINTER(_Run)]
     library.native_message.restype, library.native_message.argtypes = c_char_p, [c_void_p]
     return library
+
+
+def check_sizes(size: Callable[[int], int], mirrors: Sequence[type[Structure]]) -> None:
+    """Refuse a library whose structures, counted from 1, are not of the size that they have here."""
+    for kind, mirror in enumerate(mirrors, 1):
+        if size(kind) != ctypes.sizeof(mirror):
+            raise ToolchainError(
+                f"the compiled network takes {size(kind)} bytes for {mirror.__name__.strip('_')}, "
+                f"this Python {ctypes.sizeof(mirror)}; CC and CFLAGS must build for the machine that runs it"
+            )

@@ -62,7 +62,7 @@ class NativeProgram:
 
 def _library(model: CModel, mark: str) -> Library:
     """Return a model with the core of its size class, or, too large for any, with a core of its own."""
-    texts, core = model.texts(), sources((*SOURCES, "native.c"))
+    texts, core = model.texts(), sources((*SOURCES, "record.c", "native.c"))
     header = model.shared_header
     if header is None:
         return Library(texts | core, FLAGS, mark)

@@ -23,7 +23,7 @@ from .model import CModel
 from .tables import macros
 
 HORIZON = 1e5  # s: until when instants at which signals switch are sought
-HEADERS = ("core.h", "core_state.h")
+HEADERS = ("core.h", "core_state.h", "rodas5p.h")
 STARTS = ("start.h", "start.c")
 SOURCES = (
     "algebra.c", "core.c", "events.c", "impacts.c", "legs.c", "linear.c",

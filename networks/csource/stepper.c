@@ -16,15 +16,6 @@
 #define MOST_WORK 5e7
 #define PATIENCE 1e6
 
-typedef struct {
-    double rtol, atol, fixed;
-    int early;
-    const Observer *told;
-    double most; /* length of the next step, while an indicator rests on zero */
-    int halt;    /* ends the advance */
-    CoreStop reached;
-} Travel;
-
 static void name_worst(Core *c) {
     if (NY == 0) return;
     core_say_more(c, "; the state that limited the step is %s = %g", model_unknown_name[c->worst],
@@ -53,35 +44,36 @@ static double first_step(const Core *c, const Travel *travel, double most) {
     return fmin(h, most);
 }
 
-/* Try ever smaller steps until one is within tolerance. */
-static CoreStatus accepted_step(Core *c, const Travel *travel, double *h, double *error) {
-    CoreStatus status = core_rates(c, 0);
-    int again = 0;
-    if (status != CORE_OK) return status;
-    for (;; again = 1) {
-        if (!(*h > TINY * fabs(c->t)) || !(*h > 1e-290)) {
-            failed(c, "no step is short enough");
-            return travel->told ? CORE_DISCARD : CORE_ERROR; /* no step of communication would be either */
-        }
-        int finite = core_step_begin(c) && core_step_try(c, *h, travel->rtol, travel->atol, error) &&
-                     core_motion_at(c, c->t + *h, c->step.end, c->end_rates);
-        if (finite && (travel->fixed > 0 || *error <= 1)) break;
-        if (!finite && travel->fixed > 0) return failed(c, "the states left the finite numbers");
-        c->rejected++;
-        c->limits[c->worst]++;
-        *h *= finite ? fmax(SLOWER, SAFETY * pow(*error, -1 / ORDER)) : 0.25;
-    }
+/* Take back a step that is too long, or leaves the finite numbers, for a shorter one. */
+CoreStatus core_refuse(Core *c, Travel *travel, int finite, double error) {
+    if (!finite && travel->fixed > 0) return failed(c, "the states left the finite numbers");
+    c->rejected++;
+    c->limits[c->worst]++;
+    travel->h *= finite ? fmax(SLOWER, SAFETY * pow(error, -1 / ORDER)) : 0.25;
+    if (travel->h > TINY * fabs(c->t) && travel->h > 1e-290) return CORE_OK;
+    failed(c, "no step is short enough");
+    return travel->told ? CORE_DISCARD : CORE_ERROR; /* no step of communication would be either */
+}
+
+/* Count a step, choose the length of the next one; return where it ends. */
+double core_accept(Core *c, Travel *travel, double error) {
+    double h = travel->h;
+    int again = h != travel->tried;
     c->steps++;
-    double scale = fmin(FASTER, fmax(SLOWER, SAFETY * pow(fmax(*error, 1e-10), -1 / ORDER)));
+    double scale = fmin(FASTER, fmax(SLOWER, SAFETY * pow(fmax(error, 1e-10), -1 / ORDER)));
     if (c->last_h > 0) {
-        double foreseen = SAFETY * c->last_h / *h * pow(*error * *error / c->last_error, 1 / ORDER);
+        double foreseen = SAFETY * c->last_h / h * pow(error * error / c->last_error, 1 / ORDER);
         if (foreseen > 1 / FASTER) scale = fmin(scale, fmax(SLOWER, 1 / foreseen));
     }
-    c->last_error = fmax(*error, 1e-2);
-    c->last_h = *h;
-    c->h = *h * (again ? fmin(scale, 1) : scale);
+    c->last_error = fmax(error, 1e-2);
+    c->last_h = h;
+    c->h = h * (again ? fmin(scale, 1) : scale);
     if (!again) c->limits[c->worst]++;
-    return CORE_OK;
+    if (!again && h < travel->kept) c->h = fmax(c->h, travel->kept); /* shorter only for where it stops */
+    double t = h == travel->bound - c->t ? travel->bound : c->t + h;
+    c->step.h = t - c->t;
+    travel->h = 0;
+    return t;
 }
 
 /* Solve for what follows from where the core stands, and evaluate its indicators. */
@@ -160,7 +152,7 @@ static CoreStatus land_and_fire(Core *c, Travel *travel, Crossing *crossing) {
 }
 
 /* Look for a crossing in the step just taken to t, without which it counts as a whole. */
-static CoreStatus locate_or_commit(Core *c, Travel *travel, double t) {
+CoreStatus core_conclude(Core *c, Travel *travel, double t) {
     double seen[ROOM(NG)], fastest[ROOM(NG)], began[ROOM(NG)];
     Crossing crossing = {t, c->t, t, 0};
     memcpy(seen, c->seen, sizeof seen);
@@ -187,16 +179,26 @@ static CoreStatus locate_or_commit(Core *c, Travel *travel, double t) {
     return land_and_fire(c, travel, &crossing);
 }
 
-/* Take one step, not beyond `stop`, up to the first event. */
-static CoreStatus stride(Core *c, Travel *travel, double stop) {
-    if (stop - c->t <= 4 * TINY * fabs(stop)) return arrive(c, stop);
-    double h = chosen_step(c, travel, stop), tried = h, kept = c->h, error;
-    CoreStatus status = accepted_step(c, travel, &h, &error);
-    if (status != CORE_OK) return status;
-    if (h == tried && h < kept) c->h = fmax(c->h, kept); /* it was shorter only because of where it stops */
-    double t = h == stop - c->t ? stop : c->t + h;
-    c->step.h = t - c->t;
-    return locate_or_commit(c, travel, t);
+static double bound_of(const Core *c, const Travel *travel) { return fmin(travel->stop, core_end_of_leg(c)); }
+
+static int is_there(const Core *c, double bound) { return bound - c->t <= 4 * TINY * fabs(bound); }
+
+/* Set out for a step that ends at `bound` or before. */
+static CoreStatus set_out(Core *c, Travel *travel, double bound) {
+    if (is_there(c, bound)) return arrive(c, bound);
+    travel->bound = bound;
+    travel->kept = c->h;
+    travel->h = travel->tried = chosen_step(c, travel, bound);
+    return core_rates(c, 0);
+}
+
+/* Try the step that is to be tried. */
+CoreStatus core_stride(Core *c, Travel *travel) {
+    double error = 0;
+    int finite = core_step_begin(c) && core_step_try(c, travel->h, travel->rtol, travel->atol, &error) &&
+                 core_motion_at(c, c->t + travel->h, c->step.end, c->end_rates);
+    if (!finite || (error > 1 && !(travel->fixed > 0))) return core_refuse(c, travel, finite, error);
+    return core_conclude(c, travel, core_accept(c, travel, error));
 }
 
 /* Go on beyond the end of a leg; where something jumps there, fire what that fires, or leave it. */
@@ -246,23 +248,45 @@ static CoreStatus check_wish(Core *c, double stop, double rtol, double atol) {
     return rtol > 0 && atol > 0 ? CORE_OK : core_fail(c, CORE_ERROR, "tolerances must be above 0");
 }
 
+/* Make ready to go from where the core stands. */
+CoreStatus core_depart(Core *c, Travel *travel) {
+    travel->begin = c->steps;
+    travel->before = c->work;
+    travel->from = c->t;
+    travel->most = INFINITY;
+    travel->reached = CORE_ARRIVED;
+    core_find_leg(c);
+    CoreStatus status = look_around(c);
+    if (!(c->h > 0) && status == CORE_OK) c->h = first_step(c, travel, travel->stop - c->t);
+    return status;
+}
+
+int core_underway(const Core *c, const Travel *travel) { return !travel->halt && c->t < travel->stop; }
+
+/* Whether the way on from here is a step, for which all is known. */
+int core_only_steps(const Core *c, const Travel *travel) {
+    return !core_at_end_of_leg(c) && !is_there(c, bound_of(c, travel));
+}
+
+/* Choose a step to try, or do what needs none. */
+CoreStatus core_aim(Core *c, Travel *travel) {
+    if (c->steps - travel->begin > MOST_STEPS) return failed(c, "there is no end of steps");
+    if (core_at_end_of_leg(c)) return enter_next_leg(c, travel);
+    return set_out(c, travel, bound_of(c, travel));
+}
+
 CoreStatus core_travel(Core *c, double stop, double rtol, double atol, double fixed_step, int return_early,
                        const Observer *told, CoreStop *reached) {
-    Travel travel = {rtol, atol, fixed_step, return_early, told, INFINITY, 0, CORE_ARRIVED};
-    long long begin = c->steps, before = c->work;
-    double from = c->t;
+    Travel travel = {
+        .stop = stop, .rtol = rtol, .atol = atol, .fixed = fixed_step, .early = return_early, .told = told};
     *reached = CORE_ARRIVED;
     CoreStatus status = check_wish(c, stop, rtol, atol);
     if (status != CORE_OK) return status;
-    core_find_leg(c);
-    status = look_around(c);
-    if (!(c->h > 0) && status == CORE_OK) c->h = first_step(c, &travel, stop - c->t);
-    while (status == CORE_OK && !travel.halt && c->t < stop) {
-        status = core_at_end_of_leg(c) ? enter_next_leg(c, &travel)
-                                       : stride(c, &travel, fmin(stop, core_end_of_leg(c)));
-        if (status == CORE_OK && c->steps - begin > MOST_STEPS)
-            status = failed(c, "there is no end of steps");
-        if (status == CORE_OK && !told && !(fixed_step > 0)) status = check_pace(c, from, stop, before);
+    status = core_depart(c, &travel);
+    while (status == CORE_OK && core_underway(c, &travel)) {
+        status = travel.h > 0 ? core_stride(c, &travel) : core_aim(c, &travel);
+        if (status == CORE_OK && !told && !(fixed_step > 0))
+            status = check_pace(c, travel.from, stop, travel.before);
     }
     *reached = travel.reached;
     rebase(c);

@@ -3,16 +3,18 @@
 from __future__ import annotations
 
 import types
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from typing import Any
 
 import casadi as ca
 import numpy as np
 
-from ...base import ModelError, Symbolic, nearest, number, numpy_on_symbols, shown, text
+from ...base import Array, ModelError, Symbolic, nearest, number, numpy_on_symbols, shown, text
 from ...components.language import MISSING, Component, Option, Parameter, fields_of, parts_of, values_of
 from .flat import FatalProblem, Instance
 from .vectors import column, pick_matrix
+
+MOST_TOLD = 3  # members whose values are wrong
 
 
 class ParameterTable:
@@ -117,6 +119,31 @@ class ParameterTable:
             raise ModelError("these parameters cannot be set:", problems)
         return numbers
 
+    def rows(self, changed: Mapping[str, Array], count: int) -> Array:
+        """Return all numbers of `count` members, (members, numbers), some of them changed by name.
+
+        Raises:
+            ModelError: listing unknown names, and values out of range by their members.
+        """
+        numbers = np.tile(np.array(self.defaults), (count, 1))
+        unknown = [path for path in changed if path not in self.index]
+        if unknown:
+            self.values({path: float("nan") for path in unknown})
+        problems = []
+        for path, column_ in changed.items():
+            field = self.fields[self.index[path]]
+            numbers[:, self.index[path]] = column_
+            problems += [f"'{path}' of {told}" for told in _out_of_range(field, column_)]
+        if changed and not problems:
+            dependent = self._dependent(numbers.T).full() if self._bound else []
+            for path, values in zip(self._bound, dependent, strict=True):
+                declared = self.field(path)
+                assert declared is not None
+                problems += [f"'{path}' of {told}" for told in _out_of_range(declared, values)]
+        if problems:
+            raise ModelError("these parameters cannot be set:", problems)
+        return numbers
+
     def _read_dependent(self, problems: list[str]) -> Any:
         """Return the parameters that follow from others, as a function of the numbers."""
         expressions = []
@@ -140,6 +167,19 @@ class ParameterTable:
             problem = declared.problem(float(value)) if declared else ""
             if problem:
                 yield f"{self.instances[path.rpartition('.')[0]]}: {problem}"
+
+
+def _out_of_range(field: Parameter, values: Array) -> Iterator[str]:
+    """Yield what is wrong with the first members whose values are out of range, and how many more are."""
+    good = np.isfinite(values) & ~(field.nonzero & (values == 0))
+    for bound, beyond in ((field.min, np.less), (field.above, np.less_equal), (field.max, np.greater)):
+        if bound is not None:
+            good &= ~beyond(values, bound)
+    wrong = np.flatnonzero(~good).tolist()
+    for member in wrong[:MOST_TOLD]:
+        yield f"member {member}: {field.problem(float(values[member]))}"
+    if len(wrong) > MOST_TOLD:
+        yield f"{len(wrong) - MOST_TOLD} more members: likewise"
 
 
 class _View:

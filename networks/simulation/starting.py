@@ -80,14 +80,23 @@ def starting_point(dae: DAE, inputs: Mapping[str, Any], start: Mapping[str, floa
     wanted = following(closed, closed.blank(numbers), 0.0, start_values(dae, start, {}))
     run = begun(closed, closed.blank(numbers), 0.0, wanted)
     modes, sizes = run.tried[len(numbers) :][: dae.modes.numel()], nominal_sizes(dae, dae.states)
-    aims, names = _aims(dae, wanted), [name for name, _ in wanted.fixed.values()]
+    names = [name for name, _ in wanted.fixed.values()]
+    found = search(dae, wanted)
+    if found is None:
+        return Start(dae, run.initial.values, run.point.z, modes, sizes, [], names, [], [])
+    return Start(dae, *guessed(dae, wanted), modes, sizes, found[0], names, *found[1:])
+
+
+def search(dae: DAE, wanted: StartValues) -> tuple[list[Aim], list[int], list[int]] | None:
+    """Return what is sought, the states that this leads and those left free; None where that is too much."""
+    aims = _aims(dae, wanted)
     fixed = [aim for aim in aims if aim.fixed]
     led = _reached(dae, aims, [i for _, movable in leading(dae, wanted) for i in movable])
     unfixed = [i for i, s in enumerate(dae.states) if s not in wanted.fixed]
     free = _reached(dae, fixed, unfixed, algebra=True) if fixed else []
     if max(len(aims), len(fixed) + dae.z.numel() if fixed else 0, len(led), len(free)) > MOST_SOUGHT:
-        return Start(dae, run.initial.values, run.point.z, modes, sizes, [], names, [], [])
-    return Start(dae, *guessed(dae, wanted), modes, sizes, aims if led else fixed, names, led, free)
+        return None
+    return aims if led else fixed, led, free
 
 
 def _aims(dae: DAE, wanted: StartValues) -> list[Aim]:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import os
 from collections import deque
-from collections.abc import Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from concurrent.futures import FIRST_COMPLETED, BrokenExecutor, Executor, Future, wait
 from functools import cache
 from typing import Any
@@ -26,10 +26,17 @@ class Pool:
     processes is found: after the second time it gets a row that says so.
 
     The executor is one of `concurrent.futures`, a `dask.distributed.Client`, or None for processes of its
-    own: `workers`, or as many as there are processors. The blob holds model and measure.
+    own: `workers`, or as many as there are processors. The blob holds model and measure, or whatever else
+    what is `done` with points needs.
     """
 
-    def __init__(self, executor: Any, workers: int | None, blob: bytes) -> None:
+    def __init__(
+        self,
+        executor: Any,
+        workers: int | None,
+        blob: bytes,
+        done: Callable[[bytes, list[Point]], list[Row]] = work,
+    ) -> None:
         if hasattr(executor, "get_executor"):
             executor = executor.get_executor()
         if not (executor is None or isinstance(executor, Executor)):
@@ -37,7 +44,7 @@ class Pool:
                 f"an executor is one of concurrent.futures or a dask.distributed.Client, got {executor!r}"
             )
         self.workers = workers or _processors()
-        self.blob, self.own = blob, executor is None
+        self.blob, self.work, self.own = blob, done, executor is None
         self.executor: Executor = executor or Processes(self.workers)
         self.width = 2 * (self.workers if self.own else _width(executor))
         self.pending: dict[Future[list[Row]], list[Point]] = {}
@@ -69,7 +76,7 @@ class Pool:
 
     def _submit(self, points: list[Point]) -> None:
         try:
-            self.pending[self.executor.submit(work, self.blob, points)] = points
+            self.pending[self.executor.submit(self.work, self.blob, points)] = points
         except BrokenExecutor:
             self._suspect(points)
             self._renew()
@@ -93,7 +100,7 @@ class Pool:
     def _alone(self, point: Point, attempt: int) -> Iterator[Row]:
         rows = None
         try:
-            rows = _rows(self.executor.submit(work, self.blob, [point]))
+            rows = _rows(self.executor.submit(self.work, self.blob, [point]))
         except BrokenExecutor:
             attempt -= 1
         if rows is not None:

@@ -26,7 +26,7 @@ class Row:
 
     key: str
     values: Values
-    results: dict[str, float | str | None]
+    results: dict[str, Any]
     error: str
     seconds: float
 
