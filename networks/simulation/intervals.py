@@ -54,7 +54,7 @@ class Enclosure:
                 elif operation == ca.OP_INPUT:
                     work[into[0]] = columns[of[0]][of[1]]
                 elif operation == ca.OP_CONST:
-                    work[into[0]] = (np.full(count, constant),) * 2
+                    work[into[0]] = np.full(count, constant), np.full(count, constant)
                 else:
                     low, high, unsure = _RULES.get(operation, _UNKNOWN)(*(work[place] for place in of))
                     unknown = ~((low < np.inf) & (high > -np.inf))  # NaN, too

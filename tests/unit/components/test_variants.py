@@ -128,12 +128,12 @@ def test_friction_that_follows_a_signal(turning: bool) -> None:
 def test_friction_that_fades_holds_until_it_no_longer_can(turning: bool) -> None:
     """Under 0.5 it slips at 5/3 s; from 10/3 s, where its level would turn negative, there is none."""
     if turning:
-        element, body = rotational.DriftingFriction(tau_c=1.0, tau_u=-0.3), rotational.Inertia(J=1.0)
         net = ia.Network("held", wall=rotational.Fixed(), push=rotational.ConstantTorque(tau_constant=0.5))
+        net.add(element=rotational.DriftingFriction(tau_c=1.0, tau_u=-0.3), body=rotational.Inertia(J=1.0))
     else:
-        element, body = ia.DriftingFriction(f_c=1.0, f_u=-0.3), ia.Mass(m=1.0)
         net = ia.Network("held", wall=ia.Fixed(), push=ia.ConstantForce(f_constant=0.5))
-    net.add(element=element, body=body, clock=ia.signals.Clock())
+        net.add(element=ia.DriftingFriction(f_c=1.0, f_u=-0.3), body=ia.Mass(m=1.0))
+    net.add(clock=ia.signals.Clock())
     net.connect(net.wall.flange, net.element.flange_a).connect(net.clock.y, net.element.u)
     net.connect(net.element.flange_b, net.body.flange, net.push.flange)
     run = net.simulate(5.0, step=0.01, rtol=1e-9, atol=1e-12)

@@ -166,7 +166,7 @@ def test_a_measure_of_each_member_is_a_sweep(dae: ia.DAE) -> None:
     assert done.table["peak"][2] == np.abs(many["mass.v"][2]).max()
     assert done.failed.index.tolist() == [1]
     with pytest.raises(ia.ModelError, match="this ensemble has none: give parameters="):
-        run(dae).sweep(len)
+        run(dae).sweep(lambda member: member["mass.s"][-1])
 
 
 def test_sobol_indices_of_an_ensemble(dae: ia.DAE) -> None:

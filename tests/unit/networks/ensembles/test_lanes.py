@@ -8,7 +8,7 @@ import casadi as ca
 import inertance as ia
 import numpy as np
 import pytest
-from inertance.networks.csource import crew
+from inertance.networks.csource import crew, program
 from inertance.networks.csource.toolchain import ToolchainError, compiler
 
 try:
@@ -110,7 +110,7 @@ def test_one_after_the_other(monkeypatch: pytest.MonkeyPatch) -> None:
 
 def test_rows_are_exchanged_lane_by_lane(monkeypatch: pytest.MonkeyPatch) -> None:
     """As often as possible: in each column in which the pivot is not the greatest."""
-    read, line = crew.sources, "#define FAIR 0.1 "
+    read, line = program.sources, "#define FAIR 0.1 "
 
     def other(names: Any) -> dict[str, str]:
         texts = read(names)
