@@ -114,7 +114,7 @@ class Asked:
         found = dict[int, tuple[Array, Array]]()
         for member in places.tolist():
             heed()
-            closed = self._closed(self.chosen[member])
+            closed = self._closed(int(self.chosen[member]))
             run = self.starts.found(member, closed, self.parameters[member], self.settings)
             if isinstance(run, str):
                 told.messages[member] = run
