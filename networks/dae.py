@@ -199,11 +199,11 @@ class DAE:
             raise UnknownNameError(f"'{self.name}' has no parameter '{path}' that can be set{told}")
         return table.fields[table.index[path]]
 
-    def ensemble(self, stop: float, **asked: Any) -> Ensemble:
+    def ensemble(self, stop: float, *, signals: str | Iterable[str], **asked: Any) -> Ensemble:
         """Run these equations many times side by side; see `inertance.ensemble` for arguments and errors."""
         from .ensembles import ensemble
 
-        return ensemble(self, stop, **asked)
+        return ensemble(self, stop, signals=signals, **asked)
 
     def arguments(self) -> list[Symbolic]:
         """Return the symbols every expression depends on: x, z, u, q, time."""
