@@ -118,10 +118,12 @@ def insisting() -> Iterator[None]:
         yield
     finally:
         sys.unraisablehook, sys.excepthook = before, before_printed
-        with suppress(KeyboardInterrupt):
+        if again:
+            heard = signal.signal(signal.SIGINT, lambda number, frame: None)
             for timer in again:
                 timer.cancel()
                 timer.join()  # or one that had begun to send would end what comes after
+            signal.signal(signal.SIGINT, heard)
 
 
 def forget() -> None:

@@ -18,19 +18,10 @@ from .model_description import FACES
 from .unpacked import Unpacked
 
 KEPT_MESSAGES, NAMED_FUNCTIONS, MOST_ITERATIONS = 5, 6, 1000
-REALS = "Real", "Float64"  # types that are numbers of C's type double, of FMI 2 and FMI 3
-WARNING = 1  # the worst status that is no failure
-FUNCTIONS = {  # of FMI 2 and FMI 3
+NAMES = {  # of FMPy, for FMI 2 and FMI 3
     "set": ("fmi2SetReal", "fmi3SetFloat64"),
     "get": ("fmi2GetReal", "fmi3GetFloat64"),
-    "set time": ("fmi2SetTime", "fmi3SetTime"),
-    "set states": ("fmi2SetContinuousStates", "fmi3SetContinuousStates"),
-    "states": ("fmi2GetContinuousStates", "fmi3GetContinuousStates"),
-    "nominals": ("fmi2GetNominalsOfContinuousStates", "fmi3GetNominalsOfContinuousStates"),
-    "rates": ("fmi2GetDerivatives", "fmi3GetContinuousStateDerivatives"),
-    "indicators": ("fmi2GetEventIndicators", "fmi3GetEventIndicators"),
-}
-NAMES = {  # of FMPy, for FMI 2 and FMI 3
+    "rates": ("getDerivatives", "getContinuousStateDerivatives"),
     "update": ("newDiscreteStates", "updateDiscreteStates"),
     "Enumeration": ("Integer", "Int64"),
 }
@@ -63,10 +54,8 @@ class LocalInstance:
         self.description = self._files.description
         self.name, self.major = self.description.modelName, self.description.fmiMajorVersion
         self._names = {role: names[self.major - 2] for role, names in NAMES.items()}
-        self._functions = {role: names[self.major - 2] for role, names in FUNCTIONS.items()}
         self._inputs, self._failure = list[int](), FMICallException
         self._kept: dict[str, Any] = {}
-        self._read_reals: dict[tuple[int, ...], tuple[Any, tuple[Any, ...]]] = {}
         self.instance: Any = None
         face = getattr(self.description, FACES[kind])
         self._steps_completed = kind == "ME" and face.needsCompletedIntegratorStep
@@ -124,20 +113,11 @@ class LocalInstance:
         except self._failure as error:
             raise FMUError(f"FMU '{self.name}': {error}{self._said()}") from error
 
-    def _call_c(self, function: str, *arguments: Any) -> None:
-        """Call a function of FMI with C values as they are; on its way through FMPy it costs thrice that."""
-        status = getattr(self.instance.dll, function)(self.instance.component, *arguments)
-        if status > WARNING:
-            error = self._failure(function=function, status=status)
-            raise FMUError(f"FMU '{self.name}': {error}{self._said()}") from error
-
     def start(
         self, begin: float, stop: float, rtol: float, values: list[tuple[Group, Values]], inputs: list[int]
     ) -> None:
         """Set values and enter initialization mode."""
-        self._inputs, self._driven = inputs, self._reals(inputs, len(inputs))
-        self._input_rates = (ctypes.c_double * len(inputs))()
-        self._first_order = (ctypes.c_int * len(inputs))(*[1] * len(inputs))
+        self._inputs, self._driven = inputs, self._reals(inputs)
         tolerance = rtol if self.kind == "CS" else None
         if self.major == 2:
             self._call("setupExperiment", tolerance, begin, stop)
@@ -159,48 +139,43 @@ class LocalInstance:
         """Return the values of variables, group after group, as numbers."""
         found: Values = []
         for kind, references, count in groups:
-            if kind == REALS[self.major - 2]:
-                known = self._read_reals.get(key := tuple(references))
-                values, arguments = known or self._read_reals.setdefault(key, self._reals(references, count))
-                self._call_c(self._functions["get"], *arguments)
-                found += values
-                continue
             extra = (count,) if self.major == 3 else ()
             found += map(float, self._call(f"get{self._names.get(kind, kind)}", references, *extra))
         return found
 
-    def _reals(self, references: list[int], count: int) -> tuple[Any, tuple[Any, ...]]:
+    def _reals(self, references: list[int]) -> tuple[Any, tuple[Any, ...]]:
         """Return an array for real variables, and the arguments with which FMI sets or gets it as a whole."""
-        values, place = (ctypes.c_double * count)(), (ctypes.c_uint32 * len(references))(*references)
+        count = len(references)
+        values, place = (ctypes.c_double * count)(), (ctypes.c_uint32 * count)(*references)
         more = () if self.major == 2 else (count,)
-        return values, (place, len(references), values, *more)
+        return values, (self.instance.component, place, count, values, *more)
 
     def drive(self, inputs: Values) -> None:
         """Set the inputs chosen at the start."""
         if self._inputs:
             values, arguments = self._driven
             values[:] = inputs
-            self._call_c(self._functions["set"], *arguments)
+            self._call(self._names["set"], *arguments)
 
     def _at(self, t: float, x: Values, inputs: Values) -> None:
-        self._call_c(self._functions["set time"], t)
+        self._call("setTime", t)
         if len(x):
             self._x[:] = x
-            self._call_c(self._functions["set states"], self._x, len(x))
+            self._call("setContinuousStates", self._x, len(x))
         self.drive(inputs)
 
-    def _read(self, what: str, values: Any) -> Values:
+    def _read(self, method: str, values: Any) -> Values:
         if len(values):
-            self._call_c(self._functions[what], values, len(values))
+            self._call(method, values, len(values))
         return list(values)
 
     def states(self) -> Values:
         """Return the continuous states."""
-        return self._read("states", self._x)
+        return self._read("getContinuousStates", self._x)
 
     def nominals(self) -> Values:
         """Return the sizes of the continuous states."""
-        return self._read("nominals", self._dx)
+        return self._read("getNominalsOfContinuousStates", self._dx)
 
     def derivatives(self, t: float, x: Values, inputs: Values) -> Values:
         """Return the rates of the states at a point."""
@@ -208,7 +183,7 @@ class LocalInstance:
         return self._rates()
 
     def _rates(self) -> Values:
-        return self._read("rates", self._dx)
+        return self._read(self._names["rates"], self._dx)
 
     def indicators(self, t: float, x: Values, inputs: Values) -> Values:
         """Return the event indicators at a point."""
@@ -217,7 +192,7 @@ class LocalInstance:
 
     def watched(self) -> Values:
         """Return the event indicators where it stands."""
-        return self._read("indicators", self._z)
+        return self._read("getEventIndicators", self._z)
 
     def look(self, t: float, x: Values, inputs: Values, groups: list[Group]) -> Values:
         """Return variables at a point."""
@@ -251,20 +226,18 @@ class LocalInstance:
         """Advance a Co-Simulation FMU; rates of the inputs are used if it interpolates, else ignored."""
         self.drive(inputs)
         if self.interpolates and self._inputs and len(rates):
-            (place, count, _), self._input_rates[:] = self._driven[1], rates
-            self._call_c("fmi2SetRealInputDerivatives", place, count, self._first_order, self._input_rates)
+            self._call("setRealInputDerivatives", self._inputs, [1] * len(self._inputs), rates)
         if self.major == 2:
             return self._step_2(t, duration)
         event, terminate, early, reached = self._call("doStep", t, duration, not self._kept)
         return Stepped(reached if early else t + duration, bool(event), bool(terminate))
 
     def _step_2(self, t: float, duration: float) -> Stepped:
-        try:
-            self._call_c("fmi2DoStep", t, duration, not self._kept)
-        except FMUError as failed:
-            from fmpy.fmi2 import fmi2Discard, fmi2LastSuccessfulTime, fmi2Terminated
+        from fmpy.fmi2 import fmi2Discard, fmi2LastSuccessfulTime, fmi2Terminated
 
-            error: Any = failed.__cause__
+        try:
+            self.instance.doStep(t, duration, not self._kept)
+        except self._failure as error:
             if error.status != fmi2Discard:
                 raise FMUError(f"FMU '{self.name}' at t = {t:g} s: {error}{self._said()}") from error
             reached = self._call("getRealStatus", fmi2LastSuccessfulTime)

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from math import ulp
 from typing import TYPE_CHECKING, Any, NamedTuple, TypeAlias
 
 import numpy as np
@@ -34,7 +33,7 @@ class Stepped(NamedTuple):
 
     def landed(self, name: str, t: float, target: float) -> tuple[float, bool]:
         """Return where a step from `t` led, and whether that is its target; refuse one that led nowhere."""
-        if self.reached >= target - 4 * ulp(target):
+        if self.reached >= target - 4 * np.spacing(abs(target)):
             return target, True
         if self.reached <= t and not (self.event or self.terminate):
             raise FMUError(f"FMU '{name}' does not advance beyond t = {t:.9g} s")

@@ -53,20 +53,22 @@ class LoadedInstance(LocalInstance):
         if load is not None:
             position, velocity = (fmu.variables[name].reference for name in (load.position, load.velocity))
             states = [fmu.variables[name].reference for name in fmu.states]
-            self._place, self._port = list(inputs).index(load.force), self._reals([position, velocity], 2)
+            self._place, self._port = list(inputs).index(load.force), self._reals([position, velocity])
             self._fast = states.index(velocity) if velocity in states else None
             self._before: float | None = None
 
     def moved(self) -> tuple[float, float]:
         """Return position and velocity of the port."""
         values, arguments = self._port
-        self._call_c(self._functions["get"], *arguments)
+        self._call(self._names["get"], *arguments)
         position, velocity = values
         return position, velocity
 
-    def extrapolated(self, law: Law, t: float, step: float) -> tuple[float, float]:
+    def extrapolated(self, t: float, step: float) -> tuple[float, float]:
         """Return the load at t, and a step later if the port goes on as it did in the step before."""
-        s, v = self.moved()
+        if self.load is None:
+            return 0.0, 0.0
+        law, (s, v) = self.load.law, self.moved()
         a = 0.0 if self._before is None else (v - self._before) / step
         self._before = v
         return law(t, s, v, a), law(t + step, s + step * (v + 0.5 * step * a), v + step * a, a)

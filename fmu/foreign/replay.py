@@ -137,11 +137,9 @@ def _communicated(
     found = []
     for k, (t, row) in enumerate(samples):
         end, after = samples[k + 1] if k + 1 < len(samples) else (2 * t - samples[k - 1][0], row)
-        if held:
-            after = [row[place] if place in held else value for place, value in enumerate(after)]
-        if instance.load is not None:
-            force, following = instance.extrapolated(instance.load.law, t, end - t)
-            row, after = instance.loaded(row, force), instance.loaded(after, following)
+        after = [row[place] if place in held else value for place, value in enumerate(after)]
+        force, following = instance.extrapolated(t, end - t)
+        row, after = instance.loaded(row, force), instance.loaded(after, following)
         if k % every == 0:
             stepper.hold(row)
             found.append(stepper.look(wanted))
