@@ -118,12 +118,10 @@ def insisting() -> Iterator[None]:
         yield
     finally:
         sys.unraisablehook, sys.excepthook = before, before_printed
-        if again:
-            heard = signal.signal(signal.SIGINT, lambda number, frame: None)
+        with suppress(KeyboardInterrupt):
             for timer in again:
                 timer.cancel()
                 timer.join()  # or one that had begun to send would end what comes after
-            signal.signal(signal.SIGINT, heard)
 
 
 def forget() -> None:
