@@ -37,7 +37,7 @@ class Site:
         same: paths of other components between the same two nodes.
         sticks: whether it is dry friction, beside which something must have inertia.
         load: path of the flange through which the force comes that loads it; `moving` if not given.
-        beside: paths of the sites at one of its nodes, whose forces may load it, too.
+        neighbours: paths of the sites at one of its nodes, whose forces may load it, too.
         rubs: whether dry friction acts between its flanges, whatever part that is of.
         rest: distance at the start of a run of the nominal model that begins at rest; without one, the mean.
         middle: middle of the range of the distance, in all its runs.
@@ -58,7 +58,7 @@ class Site:
     same: tuple[str, ...] = ()
     sticks: bool = False
     load: str = ""
-    beside: tuple[str, ...] = ()
+    neighbours: tuple[str, ...] = ()
     rubs: bool = False
     rest: float = 0.0
     middle: float = 0.0
@@ -98,10 +98,10 @@ def sites_of(network: Network) -> list[Site]:
             )
             found.setdefault(ends, []).append(replace(site, grounded=-1 in ends))
     merged = [(ends, site) for ends, group in found.items() if len(ends) == 2 for site in _merged(group)]
-    return [replace(site, beside=tuple(_beside(ends, merged))) for ends, site in merged]
+    return [replace(site, neighbours=tuple(_neighbours(ends, merged))) for ends, site in merged]
 
 
-def _beside(ends: frozenset[object], sites: Sequence[tuple[frozenset[object], Site]]) -> Iterator[str]:
+def _neighbours(ends: frozenset[object], sites: Sequence[tuple[frozenset[object], Site]]) -> Iterator[str]:
     """Yield the paths of what passes a force into one of two nodes from elsewhere."""
     for others, site in sites:
         if others != ends and others & ends - {-1} and "series" in site.places:

@@ -119,27 +119,26 @@ def _add(
             tally.products += np.column_stack([rows[:, :first], rows[:, own]])
             begin += width
 
+    def act(site: Site, number: int, motion: Motion, probe: str) -> None:
+        found = list(_forces(site, motion, motions[number], probe))
+        if found:
+            columns = record.to_inputs({f"{probe}_{number}.u": np.hstack([c for _, _, c in found])})
+            count(site, [(effect, shape, c.shape[1]) for effect, shape, c in found], columns)
+
     for number, site in enumerate(sites):
         for probe in ("push", "stretch"):
-            found = list(_forces(site, moved[number], motions[number], probe))
-            if found:
-                columns = record.to_inputs({f"{probe}_{number}.u": np.hstack([c for _, _, c in found])})
-                count(site, [(effect, shape, c.shape[1]) for effect, shape, c in found], columns)
+            act(site, number, moved[number], probe)
         for other, pressed in _pressed(site, sites):
-            about = replace(moved[number], f=moved[other].f)
-            across = _forces(site, about, motions[number], "push")
-            loaded = [one for one in across if one[0].place == "loaded"]
-            columns = record.to_inputs({f"push_{number}.u": np.hstack([c for _, _, c in loaded])})
-            count(pressed, [(effect, shape, c.shape[1]) for effect, shape, c in loaded], columns)
+            act(pressed, number, replace(moved[number], f=moved[other].f), "push")
     for effect, site, shape, own in _channel_changes(record, reach):
         count(site, [(effect, shape, own.shape[1])], own)
 
 
 def _pressed(site: Site, sites: Sequence[Site]) -> Iterator[tuple[int, Site]]:
-    """Yield the sites beside one, by their numbers, and it as it is loaded by their forces."""
+    """Yield the neighbours of a site, by their numbers, and it as it is loaded by their forces alone."""
     for number, other in enumerate(sites):
-        if "loaded" in site.places and other.path in site.beside and other.force:
-            yield number, replace(site, load=other.moving)
+        if "loaded" in site.places and other.path in site.neighbours and other.force:
+            yield number, replace(site, load=other.moving, places=frozenset({"loaded"}))
 
 
 def _missing(

@@ -41,16 +41,24 @@ def measured(seed: int, turning: float) -> Record:
     return Record(f"{seed}", TIME, {"m": m, "w1": found[1] + noise[0], "w2": found[2] + noise[1]})
 
 
-@pytest.mark.parametrize("turning", [0.0, 0.9])
-def test_friction_by_the_force_of_a_neighbour_is_named_with_it(turning: float) -> None:
-    records = [{"record": measured(seed, turning), "initial": "rest"} for seed in (1, 2, 3)]
+def resting() -> Record:
+    noise = NOISE * np.random.default_rng(9).standard_normal((2, len(TIME))) * 50
+    return Record("at rest", TIME, {"m": np.zeros(len(TIME)), "w1": noise[0], "w2": noise[1]})
+
+
+@pytest.mark.parametrize(
+    ("turning", "others"), [(0.0, []), (0.9, []), (0.9, [resting()])], ids=["to and fro", "on", "one at rest"]
+)
+def test_friction_by_the_force_of_a_neighbour_is_named_with_it(turning: float, others: list[Record]) -> None:
+    moving = [measured(seed, turning) for seed in (1, 2, 3)]
+    records = [{"record": record, "initial": "rest"} for record in (*moving[:2], *others, moving[2])]
     channels = {
         "m": {"input": "motor.tau", "unit": "N.m"},
         "w1": {"output": "rotor.w", "unit": "rad/s"},
         "w2": {"output": "wheel.w", "unit": "rad/s"},
     }
     priors = {"front.d": {"rel": 0.2}, "rear.d": {"rel": 0.2}, "belt.c": {"rel": 0.1}}
-    found = ia.diagnose(Campaign(drive(), channels, priors, records[:2], records[2:]))
+    found = ia.diagnose(Campaign(drive(), channels, priors, records[:-1], records[-1:]))
     (placed,) = found.effects
     assert placed.key == ("load_dependent_friction", "rear")
     assert placed.values["mu"] == pytest.approx(MU, rel=0.05)
@@ -59,6 +67,6 @@ def test_friction_by_the_force_of_a_neighbour_is_named_with_it(turning: float) -
 
 
 def test_what_meets_at_a_site_is_told_but_not_what_lies_beside_it() -> None:
-    beside = {site.path: site.beside for site in sites_of(drive())}
-    assert beside["rear"] == beside["front"] == ("belt",)
-    assert set(beside["belt"]) == {"front", "rear"}
+    neighbours = {site.path: site.neighbours for site in sites_of(drive())}
+    assert neighbours["rear"] == neighbours["front"] == ("belt",)
+    assert set(neighbours["belt"]) == {"front", "rear"}
