@@ -266,7 +266,8 @@ def _is_worth_exchanging(model: Refit, other: Refit) -> bool:
 def _without(placed: Hypothesis, model: Refit, study: Study) -> Refit | None:
     """Return a model without one of its effects, fitted again from where it is; None if it cannot be run."""
     others = [p for p in model.effects if p is not placed]
-    others = [p.beside([other for other in others if other is not p], study.sites) for p in others]
+    sites = study.sites
+    others = [p.beside([other for other in others if other is not p], sites) for p in others]
     try:
         return JointFit(study, model.parameters, others, model).fitted()
     except InertanceError:

@@ -111,18 +111,21 @@ def clouds(
         return {}
     signals = {"position": "s", "speed": "v", "acceleration": "a"}
     figures = {}
+    experiments = verdict.evidence.study.judged
     for (name, signal), unit in zip(signals.items(), units, strict=True):
-        against = np.concatenate([getattr(motion, signal) for motion in motions])
+        moved = (getattr(motion, signal) for motion in motions)
+        against = np.concatenate([e.counted(values) for e, values in zip(experiments, moved, strict=True)])
         figures[name] = _cloud(verdict, stages, channel, against, f"{name} [{pretty_unit(unit)}]")
     return figures
 
 
 def _cloud(verdict: Verdict, stages: Stages, channel: str, against: Array, title: str) -> Figure:
     _, unit = _noise(verdict, channel)
+    experiments = verdict.evidence.study.judged
     every = max(1, len(against) * 3 * len(verdict.evidence.campaign.outputs) // CLOUD_POINTS)
     data = []
     for stage, fitted, colour in _coloured(stages)[-2:]:
-        missed = np.concatenate(verdict.evidence.missed(fitted, channel))
+        missed = np.concatenate(fitted.counted(experiments, channel))
         marker = {"color": colour, "size": 3, "opacity": 0.3}
         points = _points(against[::every], missed[::every])
         data.append(_curve(stage, mode="markers", marker=marker, **points))
@@ -139,13 +142,14 @@ def _means(x: Array, y: Array) -> tuple[Array, Array]:
 def spectra(verdict: Verdict, stages: Stages, channel: str) -> Figure:
     """Return the power spectral density of a channel's residual, by Welch's method, and of noise."""
     sigma, unit = _noise(verdict, channel)
-    records = [e.compared for e in verdict.evidence.study.judged]
-    segment = max(64, min(len(record.time) for record in records) // 8)
+    experiments = verdict.evidence.study.judged
+    records = [e.compared for e in experiments]
+    segment = max(64, min(len(e.counted(e.compared.time)) for e in experiments) // 8)
     data = []
     for stage, fitted, colour in _coloured(stages)[-2:]:
         found = [
             spectrum(missed, record.rate, segment)
-            for missed, record in zip(verdict.evidence.missed(fitted, channel), records, strict=True)
+            for missed, record in zip(fitted.counted(experiments, channel), records, strict=True)
         ]
         common = found[0][0]
         density = np.mean([np.interp(common, f, d) for f, d in found], axis=0)

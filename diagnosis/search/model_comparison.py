@@ -73,16 +73,26 @@ class Refit:
         return np.array(sums)
 
     def missed(self, experiments: Sequence[Experiment], channel: str) -> list[Array]:
-        """Return what it misses of a channel in each of the records that it is judged by, in SI units."""
+        """Return what it misses of a channel in each of the records that it is judged by, in SI units.
+
+        It is nothing at instants that are omitted; see `counted`.
+        """
         pairs = zip(experiments, self.judged, strict=True)
         return [experiment.sigma[channel] * residuals[channel] for experiment, residuals in pairs]
+
+    def counted(self, experiments: Sequence[Experiment], channel: str) -> list[Array]:
+        """Return what it misses without the instants that are omitted."""
+        pairs = zip(experiments, self.missed(experiments, channel), strict=True)
+        return [experiment.counted(missed) for experiment, missed in pairs]
 
     def is_noise(self, experiments: Sequence[Experiment]) -> bool:
         """Tell whether what it misses of the records that it is judged by looks like noise."""
         return all(
-            is_noise(missed, experiment.compared.values[name], experiment.rate, count)
-            for experiment, record, count in zip(experiments, self.judged, self.stretches, strict=True)
-            for name, missed in record.items()
+            is_noise(missed, experiment.counted(experiment.compared.values[name]), experiment.rate, count)
+            for name in self.judged[0]
+            for experiment, missed, count in zip(
+                experiments, self.counted(experiments, name), self.stretches, strict=True
+            )
         )
 
     @cached_property
@@ -140,11 +150,12 @@ def with_residual_floors(campaign: Campaign, base: Refit) -> Campaign:
     """
     floors = [dict(experiment.floors) for experiment in campaign.experiments]
     for name in campaign.outputs:
-        records = zip(campaign.experiments, base.left, strict=True)
-        left = [_of_channel(*of_record, name, campaign.inputs) for of_record in records]
-        for floor, (residual, _, rate, before, _) in zip(floors, left, strict=True):
-            floor[name] = residual_floor(residual, rate, before) if before.is_filtered else before
-        uncovered = [uncovered_floor(*of_record) for of_record in left]
+        uncovered = []
+        for experiment, missed, floor in zip(campaign.experiments, base.left, floors, strict=True):
+            residual = experiment.counted(experiment.sigma[name] * missed[name])
+            uncovered.append(_uncovered(experiment, residual, name, campaign.inputs))
+            if floor[name].is_filtered:
+                floor[name] = residual_floor(residual, experiment.rate, floor[name])
         found = sorted((floor for floor in uncovered if floor is not None), key=lambda floor: floor.sigma)
         if 2 * len(found) > len(floors):
             for floor, own in zip(floors, uncovered, strict=True):
@@ -152,19 +163,11 @@ def with_residual_floors(campaign: Campaign, base: Refit) -> Campaign:
     return campaign if floors == [e.floors for e in campaign.experiments] else campaign.with_floors(floors)
 
 
-def _of_channel(
-    experiment: Experiment, missed: Mapping[str, Array], name: str, inputs: Sequence[str]
-) -> tuple[Array, Array, float, NoiseFloor, list[Array]]:
-    """Return what is told of the noise of a channel, as for `uncovered_floor`."""
-    values = experiment.compared.values
-    drives = [values[given] for given in inputs]
-    return (
-        experiment.sigma[name] * missed[name],
-        values[name],
-        experiment.rate,
-        experiment.floors[name],
-        drives,
-    )
+def _uncovered(
+    experiment: Experiment, residual: Array, name: str, inputs: Sequence[str]
+) -> NoiseFloor | None:
+    signal, *drives = (experiment.counted(experiment.compared.values[n]) for n in (name, *inputs))
+    return uncovered_floor(residual, signal, experiment.rate, experiment.floors[name], drives)
 
 
 def best_of(models: Sequence[Refit]) -> Refit:

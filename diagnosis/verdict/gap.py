@@ -65,7 +65,7 @@ def gaps(study: Study, nominal: Refit, refit: Refit, after: Refit) -> dict[str, 
     for name in campaign.outputs:
         size = rms([_moving(e, name) for e in study.judged])
         whole = size or 1.0
-        missed = [rms(model.missed(study.judged, name)) / whole for model in (nominal, refit, after)]
+        missed = [rms(model.counted(study.judged, name)) / whole for model in (nominal, refit, after)]
         noise = rms([np.array([e.floors[name].sigma for e in study.judged])])
         found[name] = Gap(
             nominal=missed[0],
@@ -87,13 +87,13 @@ def titled(experiment: Experiment) -> str:
 
 
 def _moving(experiment: Experiment, channel: str) -> Array:
-    values = experiment.record.values[channel]
+    values = experiment.counted(experiment.compared.values[channel])
     return np.asarray(values - values.mean())
 
 
 def _by_record(experiments: Sequence[Experiment], model: Refit, channel: str) -> Iterator[tuple[str, float]]:
-    for experiment, missed in zip(experiments, model.missed(experiments, channel), strict=True):
-        size = float(np.std(experiment.record.values[channel]))
+    for experiment, missed in zip(experiments, model.counted(experiments, channel), strict=True):
+        size = rms([_moving(experiment, channel)])
         if size:
             yield titled(experiment), rms([missed]) / size
 

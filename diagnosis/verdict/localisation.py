@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from itertools import pairwise
 from typing import Any
 
@@ -39,7 +39,7 @@ def located(study: Study, fitted: Refit, candidates: Sequence[Candidate]) -> dic
     found["unit"] = "windows in s, band in Hz"
     if candidates:
         motions = moved(study, fitted, candidates[0].site, records)
-        ratios = regimes(motions, missed)
+        ratios = regimes(records, motions, missed)
         regime = max(ratios, key=lambda name: ratios[name])
         lasting = sum(float(w["to"]) - float(w["from"]) for w in spans)
         brief = lasting < criteria.EPISODE_TIME_SHARE * sum(float(np.ptp(e.compared.time)) for e in records)
@@ -48,9 +48,11 @@ def located(study: Study, fitted: Refit, candidates: Sequence[Candidate]) -> dic
     return found
 
 
-def excess(residuals: Mapping[str, Array]) -> Array:
-    """Return the squared residual of a record above that of noise, at each instant, over all channels."""
+def excess(experiment: Experiment, residuals: Mapping[str, Array]) -> Array:
+    """Return the squared residual of a record above that of noise at each instant; 0 where it is omitted."""
     above: Array = np.sum([r**2 - 1.0 for r in residuals.values()], axis=0)
+    if experiment.omitted is not None:
+        above[experiment.omitted] = 0.0
     return above
 
 
@@ -63,7 +65,7 @@ def windows(
     """
     stretches: list[tuple[Record, int, int, float]] = []
     for experiment, residuals in zip(experiments, missed, strict=True):
-        record, above = experiment.compared, excess(residuals)
+        record, above = experiment.compared, excess(experiment, residuals)
         count = max(1, round(len(above) / (record.rate * criteria.WINDOW_SECONDS)))
         ends = np.linspace(0, len(above), count + 1).astype(int)
         stretches += [(record, a, b, max(float(above[a:b].sum()), 0.0)) for a, b in pairwise(ends)]
@@ -96,7 +98,7 @@ def band(experiments: Sequence[Experiment], missed: Sequence[Mapping[str, Array]
     common = np.linspace(0, rate / 2, 1000)
     above = np.zeros(len(common))
     for experiment, residuals in zip(experiments, missed, strict=True):
-        for residual in residuals.values():
+        for residual in map(experiment.counted, residuals.values()):
             segment = min(len(residual), criteria.SPECTRUM_SEGMENT_SAMPLES)
             f, density = spectrum(residual, experiment.compared.rate, segment)
             above += np.interp(common, f, density - 2 / experiment.compared.rate) * len(residual)
@@ -114,11 +116,17 @@ def spectrum(values: Array, rate: float, segment: int) -> tuple[Array, Array]:
     return f, density
 
 
-def regimes(motions: Sequence[Motion], missed: Sequence[Mapping[str, Array]]) -> dict[str, float]:
+def regimes(
+    experiments: Sequence[Experiment], motions: Sequence[Motion], missed: Sequence[Mapping[str, Array]]
+) -> dict[str, float]:
     """Return the gap in each regime of motion over the average gap."""
-    speed = np.abs(np.concatenate([m.v for m in motions]))
-    travel = np.abs(np.concatenate([m.s - 0.5 * (m.s.max() + m.s.min()) for m in motions]))
-    above = np.concatenate([excess(residuals) for residuals in missed])
+
+    def counted(parts: Iterable[Array]) -> Array:
+        return np.concatenate([e.counted(part) for e, part in zip(experiments, parts, strict=True)])
+
+    speed = np.abs(counted(m.v for m in motions))
+    travel = np.abs(counted(m.s - 0.5 * (m.s.max() + m.s.min()) for m in motions))
+    above = counted(excess(e, residuals) for e, residuals in zip(experiments, missed, strict=True))
     mean = float(above.mean())
     inside = {
         "reversals": speed < criteria.SLOW_SPEED_SHARE * speed.max(),

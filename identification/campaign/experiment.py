@@ -103,10 +103,14 @@ class Experiment:
             counts[self.omitted] = 0.0
         return {name: counts / sigma for name, sigma in self.sigma.items()}
 
+    def counted(self, values: Array) -> Array:
+        """Return of values at the instants of `compared` those that are not omitted."""
+        return values if self.omitted is None else values[~self.omitted]
+
     @cached_property
     def independent(self) -> float:
         """The number of independent samples that are compared."""
-        count = len(self.compared.time) - (0 if self.omitted is None else int(self.omitted.sum()))
+        count = len(self.counted(self.compared.time))
         return sum(count * floor.share(self.rate) for floor in self.floors.values())
 
     def overlaps(self, other: Experiment) -> bool:

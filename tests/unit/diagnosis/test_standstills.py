@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from dataclasses import replace
 from typing import Any
 
 import inertance as ia
@@ -10,7 +11,7 @@ import numpy as np
 import pytest
 from inertance.base import Array
 from inertance.diagnosis.models.prescribed import standing
-from inertance.identification import Campaign, Record
+from inertance.identification import Campaign, Filter, Record
 
 RATE, NOISE = 250.0, 0.3
 TIME = np.arange(0.0, 8.0, 1 / RATE)
@@ -36,15 +37,25 @@ def stroke(frequency: float, held: tuple[float, float], level: float, friction: 
     return Record(f"{frequency:g} Hz", TIME, {"s": s, "F": -force})
 
 
-def campaign(friction: float, **entries: Any) -> Campaign:
+def filtered(record: Record, cutoff: float | None) -> Record:
+    if cutoff is None:
+        return record
+    passed = Filter(cutoff=cutoff)
+    return replace(record, values={name: passed.apply(x, RATE) for name, x in record.values.items()})
+
+
+def campaign(
+    friction: float, noise: float | None = NOISE, cutoff: float | None = None, **entries: Any
+) -> Campaign:
     pauses = [(2.25 / 0.7, 5.0, -2.0), (2.75 / 1.3, 2.7, 1.0), (4.25, 7.0, 0.5)]  # from where a stroke turns
     strokes = [
-        {"record": stroke(f, (begin, end), level * (friction > 0), friction), **entries}
+        {"record": filtered(stroke(f, (begin, end), level * (friction > 0), friction), cutoff), **entries}
         for f, (begin, end, level) in zip((0.7, 1.3, 1.0), pauses, strict=True)
     ]
     channels = {"s": {"input": "drive.s_ref", "unit": "m"}, "F": {"output": "cell.f", "unit": "N"}}
     priors = {"spring.k": {"rel": 0.1}, "damper.d": {"rel": 0.3}}
-    return Campaign(strut(), channels, priors, strokes[:2], strokes[2:], noise={"F": NOISE})
+    stated = {} if noise is None else {"noise": {"F": noise}}
+    return Campaign(strut(), channels, priors, strokes[:2], strokes[2:], **stated)
 
 
 @pytest.mark.parametrize("entries", [{}, {"initial": "rest"}, {"offset": ("F",)}])
@@ -56,8 +67,24 @@ def test_friction_is_found_though_it_holds_any_force_at_rest(entries: dict[str, 
     assert any(re.search(r"stands still in 1\.8\d? s of 0.7 Hz, 0.596", note) for note in found.notes)
 
 
-def test_a_machine_without_friction_misses_nothing_for_its_pauses() -> None:
-    assert ia.diagnose(campaign(0.0)).verdict in ("none", "parameters")
+KNOWN = {
+    "stated": (NOISE, None),
+    "half": (0.5 * NOISE, None),
+    "unknown": (None, None),
+    "filtered": (None, 40.0),
+}
+
+
+@pytest.mark.parametrize("known", KNOWN.values(), ids=KNOWN)
+@pytest.mark.parametrize("friction", [0.0, 3.0])
+def test_pauses_count_neither_as_gap_nor_as_quiet(friction: float, known: tuple[float, float]) -> None:
+    found = ia.diagnose(campaign(friction, *known))
+    kinds = [placed.effect.kind for placed in found.effects]
+    assert kinds == (["coulomb_friction"] if friction else [])
+    assert found.verdict in (("effect",) if friction else ("none", "parameters"))
+    over, told = found.gap["F"].over_noise, known[0] or NOISE
+    assert over == pytest.approx(found.evidence.after.misfit)
+    assert over == pytest.approx(NOISE / told, rel=0.3)
 
 
 def stretches(*inputs: Array) -> list[tuple[int, int]]:
