@@ -51,6 +51,7 @@ DEPENDENT_EIGENVALUE_RATIO = 1e-9  # [1] of the largest below which sizes are no
 START_SINGULAR_VALUE_RATIO = 1e-8  # [1] of the largest below which start values are not told apart; data
 LEAST_INERTIA = 1e-12  # [kg, kg.m2] of a body that is added, as none has none; data
 START_DROP_RATIO = 1e-3  # [1] of the squared residual that a new start must promise to be worth a run; effort
+TRIED_START_DROP_RATIO = 1.0  # [1] the same on the way of a descent, where a linear answer will do; effort
 START_STEPS, START_HALVINGS = 8, 4  # [1] runs of a record to find where it begins, and shorter steps; effort
 
 # Shapes that are screened, and how they follow in a fit

@@ -6,6 +6,7 @@ import pickle
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from functools import lru_cache, partial
+from math import inf
 
 from ...base import computing
 from ...components import InertanceError
@@ -29,13 +30,15 @@ class Fit:
     placed: Hypothesis
     base: Refit
     starts: Sequence[FitStart]
+    known: float  # cost of the best model of the round so far
 
     @classmethod
     def of(cls, candidate: Candidate, base: Refit, fitted: Sequence[Refit]) -> Fit:
         """Return that of a candidate by what is known now, whoever makes it, and when."""
         name = f"{candidate.effect.kind}_{len(base.effects) + 1}"
         placed = Hypothesis(candidate.effect, candidate.site, name, candidate.values)
-        return cls(placed, base, _starts(candidate, fitted))
+        known = min((model.cost for model in fitted), default=inf)
+        return cls(placed, base, _starts(candidate, fitted), known)
 
 
 class Crew:
@@ -77,7 +80,7 @@ def _made(study: Study, fit: Fit) -> Refit | str:
     try:
         with computing(placed.label):
             effects = [*fit.base.effects, placed]
-            found = JointFit(study, fit.base.parameters, effects, fit.base).fitted(fit.starts)
+            found = JointFit(study, fit.base.parameters, effects, fit.base).fitted(fit.starts, fit.known)
     except InertanceError as error:
         return f"its fit ended early: {str(error).partition(chr(10))[0]}"
     values = found.effects[-1].values

@@ -101,16 +101,17 @@ class JointFit:
         effects = tuple(effect.with_values(part * size) for effect, part, size in placed)
         return dict(zip(self.names, values.tolist(), strict=True)), effects
 
-    def fitted(self, starts: Sequence[FitStart] = ()) -> Refit:
+    def fitted(self, starts: Sequence[FitStart] = (), known: float = inf) -> Refit:
         """Return the model fitted to the training records, and held against the test records.
 
         Args:
             starts: parameters, and values of the last effect, to start from; a step is taken from each, and
                 the one that comes out best is followed. The values that were given if there are none.
+            known: cost of the best model that is known; what cannot come there in `DESCENT.steps` is left.
         """
         earlier = [placed.values for placed in self.effects[:-1]]
         begins = [self.vector(parameters, [*earlier, values]) for parameters, values in starts]
-        way = self._best_begun(begins or [self.start])
+        way = self._best_begun(begins or [self.start], known)
         vector = way.here.vector
         for _ in range(1 + criteria.SHAPED_DESCENTS):
             for end in chain([way.here], way.further):
@@ -119,15 +120,15 @@ class JointFit:
                     break
             if self.study.late() or not self.shapes.are_held(vector, way.bounds):
                 break
-            way = self._stepped(vector)
+            way = self._stepped(vector, known)
         return self.seen(vector)
 
-    def _best_begun(self, starts: Sequence[Array]) -> _Way:
+    def _best_begun(self, starts: Sequence[Array], known: float) -> _Way:
         """Return the descent that comes out best after a step, of those that can be run."""
         ways, told = list[_Way](), list[SimulationError]()
         for start in starts:
             try:
-                ways.append(self._stepped(start))
+                ways.append(self._stepped(start, known))
             except SimulationError as error:
                 told.append(error)
         if not ways:
@@ -136,10 +137,10 @@ class JointFit:
         self.begins = dict(best.begins)
         return best
 
-    def _stepped(self, start: Array) -> _Way:
+    def _stepped(self, start: Array, known: float) -> _Way:
         """Return a descent from a start, after its first step."""
         bounds = self.shapes.bounds(start)
-        further = descent(self.stacked, start, bounds, DESCENT, learnt=True)
+        further = descent(self.stacked, start, bounds, replace(DESCENT, known=known), learnt=True)
         next(further)
         return _Way(next(further), further, bounds, dict(self.begins))
 
@@ -180,12 +181,14 @@ class JointFit:
     ) -> tuple[Array, Array]:
         """Return the weighted residual of a record, and its slopes in the vector if they are wanted.
 
-        Channels stand one below the other, then the priors of the record's own values. In a `trial` without
-        slopes the record begins, by its own values, as it was last found to, which saves those of the start.
+        Channels stand one below the other, then the priors of the record's own values. In a `trial` the
+        record begins, by its own values, as it was last found to; with slopes it is looked for again if it is
+        far from there, without them never, which saves those of the start.
         """
         parameters, effects = self.unpacked(vector)
         given = parameters | inserted(effects)
         stand, known = self._driven(experiment, effects), self.begins.get(id(experiment))
+        drop = criteria.TRIED_START_DROP_RATIO if trial else criteria.START_DROP_RATIO
         trial = trial and not slopes
         begins_as_known = experiment.initial == "rest" or (trial and known is not None)
         plain = not slopes and not experiment.unknown and begins_as_known
@@ -195,7 +198,7 @@ class JointFit:
             found = stand.run(values, start, self.accuracy, not plain)
             return RecordRun(experiment, effects, values, start, found)
 
-        run = self._begun(stand, run_from, experiment, given, not trial)
+        run = self._begun(stand, run_from, experiment, given, None if trial else drop)
         if plain and known is not None:
             residual, nuisances = run.residual, known.slopes
         else:
@@ -218,19 +221,18 @@ class JointFit:
         run_from: Callable[[Array | None, Mapping[str, float]], RecordRun],
         experiment: Experiment,
         given: Mapping[str, float],
-        again: bool,
+        drop: float | None,
     ) -> RecordRun:
-        """Return the run of a record from where it begins, which is looked for at first and `again`."""
+        """Return the run of a record from where it begins, looked for at first, then as `begun` is told."""
 
         def rest() -> Array:
             return stand.rest(given, self.accuracy)
 
         known = self.begins.get(id(experiment))
         guess = self._guess(stand, experiment, rest) if known is None else known.moved
-        run, moved = begun(
-            experiment, rest, run_from, lambda tried: tried.weighed, guess, again or known is None
-        )
-        if moved is not None and (again or known is None):
+        drop = criteria.START_DROP_RATIO if known is None else drop
+        run, moved = begun(experiment, rest, run_from, lambda tried: tried.weighed, guess, drop)
+        if moved is not None and drop is not None:
             self.begins[id(experiment)] = _Begin(moved, run.weighed[1])
             if run.start is not None:
                 self.starts[id(experiment)] = dict(zip(stand.state_names, run.start.tolist(), strict=True))

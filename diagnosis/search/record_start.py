@@ -58,7 +58,7 @@ def begun(
     run_from: Callable[[Array | None, Mapping[str, float]], Run],
     weighed: Callable[[Run], tuple[Array, Array]],
     known: Array | None = None,
-    again: bool = True,
+    drop: float | None = START_DROP_RATIO,
 ) -> tuple[Run, Array | None]:
     """Return the run of a record from its start with its own values, and how far both are from the guess.
 
@@ -68,18 +68,20 @@ def begun(
         run_from: makes a run from states at the start, of a record at rest from None, with own values.
         weighed: as of `settled`.
         known: how far a record of the same model was found to be from the guess.
-        again: whether to look for what is known already.
+        drop: share of the squared residual that another start must promise to be looked for; None if what is
+            known shall do.
     """
     at_rest, count = experiment.initial == "rest", len(experiment.unknown)
     if at_rest and not count:
         return run_from(None, {}), None
     guess = np.concatenate([rest() if not at_rest else np.zeros(0), np.zeros(count)])
     begin = guess if known is None else guess + known
-    if known is not None and not again:
+    if known is not None and drop is None:
         return run_from(*parted(experiment, begin)), known
     bounds = np.tile([[-np.inf], [np.inf]], len(guess))
     bounds[:, len(guess) - count :] = np.reshape([p.range for p in experiment.unknown.values()], (-1, 2)).T
-    begin, run = settled(begin, lambda at: run_from(*parted(experiment, at)), weighed, bounds)
+    least = START_DROP_RATIO if drop is None else drop
+    begin, run = settled(begin, lambda at: run_from(*parted(experiment, at)), weighed, bounds, least)
     return run, begin - guess
 
 
@@ -88,6 +90,7 @@ def settled(
     run_from: Callable[[Array], Run],
     weighed: Callable[[Run], tuple[Array, Array]],
     bounds: Array,
+    drop: float = START_DROP_RATIO,
 ) -> tuple[Array, Run]:
     """Return with which unknowns a run fits its record best, and that run: Gauss-Newton in them alone.
 
@@ -100,6 +103,7 @@ def settled(
         weighed: returns of a run its weighted residual and the slopes of its prediction, the unknowns first,
             then those of offsets.
         bounds: least and largest unknowns.
+        drop: share of the squared residual that a step must promise to be worth a run.
     """
 
     def lifted(run: Run) -> tuple[Array, Array]:
@@ -112,7 +116,7 @@ def settled(
     for _ in range(START_STEPS):
         step, before = solved(slopes, residual), float(residual @ residual)
         left = residual - slopes @ (np.clip(begin + step, *bounds) - begin)
-        if before <= (1 + START_DROP_RATIO) * float(left @ left):
+        if before <= (1 + drop) * float(left @ left):
             break
         for halving in range(START_HALVINGS):
             moved = np.clip(begin + step / 2**halving, *bounds)

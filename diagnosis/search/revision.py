@@ -33,7 +33,8 @@ def exchanged(
         for rival in _rivals(placed, model, rounds):
             last = rival.effects[-1]
             renamed = replace(last, name=_free_name(last, others.effects))
-            fits.append(crew.begin(Fit(renamed, others, [(model.parameters, dict(last.values))])))
+            start = model.parameters, dict(last.values)
+            fits.append(crew.begin(Fit(renamed, others, [start], model.cost)))
         found = [outcome for outcome in (fit() for fit in fits) if isinstance(outcome, Refit)]
         yield placed, [_ordered(other, position) for other in found]
 

@@ -35,6 +35,7 @@ class Ending:
     absolute: float  # drop of the sum of squares
     radius: float  # of the trust region below which steps see nothing but roughness
     steps: int  # tried at most
+    known: float = inf  # sum of squares that another descent has reached; what cannot come there ends
 
 
 @dataclass(frozen=True, eq=False)
@@ -89,7 +90,8 @@ def descent(
         within = np.maximum(bounds[0] - x, -radius), np.minimum(bounds[1] - x, radius)
         step, promised = _step(slopes, rest, within)
         length = float(np.abs(step).max(initial=0.0))
-        worth_a_run = promised > ending.relative * here.cost + ending.absolute
+        apart = max(0.0, here.cost - ending.known) / ending.steps
+        worth_a_run = promised > ending.relative * here.cost + ending.absolute + apart
         if exact and not worth_a_run:
             yield replace(here, ended="converged")
             return

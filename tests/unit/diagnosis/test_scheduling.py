@@ -18,6 +18,7 @@ from inertance.diagnosis.search import round as searched
 from inertance.diagnosis.search.joint_fit import JointFit
 from inertance.diagnosis.search.model_comparison import Refit
 from inertance.diagnosis.search.needless import needless
+from inertance.diagnosis.search.record_start import settled
 from inertance.diagnosis.search.round import _ready
 from inertance.diagnosis.search.score_test import Candidate
 from inertance.identification import Accuracy, Campaign, Record
@@ -157,6 +158,24 @@ def test_the_best_start_goes_on_with_the_slopes_it_has(cart: Any, monkeypatch: p
     assert asked[:5] == [True, False, True, False, False]
     assert found.parameters["spring.k"] == pytest.approx(900.0, rel=2e-3)
     assert found.effects[-1].values["d"] == pytest.approx(1.0, rel=0.05)
+
+
+@pytest.mark.parametrize(("drop", "runs"), [(1e-3, 2), (1.0, 1)])
+def test_a_record_begins_where_it_is_known_to_unless_another_start_promises_much(
+    drop: float, runs: int
+) -> None:
+    made = []
+
+    def run_from(start: np.ndarray) -> np.ndarray:
+        made.append(start)
+        return start
+
+    def weighed(start: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+        return np.array([2.0, 0.5 - start[0]]), np.array([[0.0], [1.0]])
+
+    found, _ = settled(np.zeros(1), run_from, weighed, np.array([[-9.0], [9.0]]), drop)
+    assert len(made) == runs
+    assert found[0] == (0.5 if runs == 2 else 0.0)
 
 
 def test_a_trial_in_motion_takes_no_slopes_and_no_run_is_made_twice(

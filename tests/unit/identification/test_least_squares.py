@@ -1,5 +1,6 @@
 """Steps of a descent grow while they keep their promise; slopes are computed with each, or learnt."""
 
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -56,6 +57,23 @@ def test_a_long_bent_valley_is_followed_to_its_end(learnt: bool) -> None:
 
     free = np.array([-np.inf, -np.inf]), np.array([np.inf, np.inf])
     assert descend(residual, np.zeros(2), free, learnt)[1] < 2.0
+
+
+@pytest.mark.parametrize("learnt", [True, False])
+def test_what_cannot_come_where_another_has_been_is_left(learnt: bool) -> None:
+    def residual(vector: Array, slopes: bool) -> tuple[Array, Array]:
+        x, y = vector
+        told = np.array([10 * (y - np.sin(x)), x - 30.0, 300.0])
+        return told, np.array([[-10 * np.cos(x), 10.0], [1.0, 0.0], [0.0, 0.0]])
+
+    def steps(known: float) -> tuple[int, float]:
+        free = np.array([-np.inf, -np.inf]), np.array([np.inf, np.inf])
+        *_, end = descent(residual, np.zeros(2), free, replace(ENDING, known=known), learnt)
+        return end.number, end.cost
+
+    alone, lowest = steps(np.inf)
+    assert steps(1.001 * lowest) == (alone, lowest)
+    assert steps(0.5 * lowest)[0] < 0.5 * alone
 
 
 def test_learnt_slopes_are_computed_less_often() -> None:
