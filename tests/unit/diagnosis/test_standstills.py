@@ -54,7 +54,7 @@ def campaign(
     ]
     channels = {"s": {"input": "drive.s_ref", "unit": "m"}, "F": {"output": "cell.f", "unit": "N"}}
     priors = {"spring.k": {"rel": 0.1}, "damper.d": {"rel": 0.3}}
-    stated = {} if noise is None else {"noise": {"F": noise}}
+    stated: dict[str, Any] = {} if noise is None else {"noise": {"F": noise}}
     return Campaign(strut(), channels, priors, strokes[:2], strokes[2:], **stated)
 
 
