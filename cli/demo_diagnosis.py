@@ -11,7 +11,7 @@ import numpy as np
 from ..diagnosis import Verdict, diagnose, write_report
 from ..identification import Campaign, Record
 from ..networks import Network
-from .demo import by_c
+from .demo_runs import by_c
 from .diagnose import show
 from .terminal import CommandConsole
 

@@ -15,7 +15,7 @@ from ..machines import PlanetaryGeometry, Sinusoid, ge_wang
 from .outputs import draw
 
 if TYPE_CHECKING:
-    from .demo import Cycle, Responses
+    from .demo_runs import Cycle, Responses
 
 LINE_STYLES: dict[str, dict[str, Any]] = {
     "planetary": {"color": "tab:blue", "linewidth": 1.6},

@@ -14,7 +14,7 @@ from typing import Any
 import inertance as ia
 import numpy as np
 import pytest
-from inertance.cli import demo
+from inertance.cli import demo_runs
 from inertance.machines import ge_wang
 from matplotlib import pyplot
 
@@ -84,7 +84,7 @@ def test_the_smallest_inertance_of_the_ranking_costs_a_thousandth() -> None:
 
 
 def test_the_gains_of_both_inerters() -> None:
-    responses = demo.random_tests()
+    responses = demo_runs.random_tests()
     (more,) = told("docs/machines.md", "the planetary one has some # % more gain below 1 Hz")
     (within,) = told("docs/machines.md", "above 5 Hz both agree within # %")
     assert round(100 * (responses.ratio[responses.f < 1].mean() - 1)) == more
