@@ -66,8 +66,13 @@ class Case:
 
     def together(self) -> ia.Ensemble:
         """Run all members side by side."""
-        return self.dae.ensemble(
-            self.stop, signals=self.signal, parameters=self.parameters, starts=self.start, **self.asked
+        return ia.ensemble(
+            self.dae,
+            self.stop,
+            signals=self.signal,
+            parameters=self.parameters,
+            starts=self.start,
+            **self.asked,
         )
 
     def one(self, member: int) -> ia.Result:

@@ -43,7 +43,7 @@ def run(count: int, seed: int = 0) -> ia.Ensemble:
     rig = inerter_rig(ge_wang.planetary_inerter(), Sinusoid(AMPLITUDE, FREQUENCY)).dae()
     draw, nominal = np.random.default_rng(seed), rig.parameter_values
     scatter = {name: nominal[name] * draw.lognormal(0.0, share, count) for name, share in TOLERANCES.items()}
-    return rig.ensemble(1 / FREQUENCY, signals=FORCE, parameters=scatter, starts=rolling(rig), step=5e-4)
+    return ia.ensemble(rig, 1 / FREQUENCY, signals=FORCE, parameters=scatter, starts=rolling(rig), step=5e-4)
 
 
 def table(many: ia.Ensemble) -> dict[str, tuple[float, ...]]:

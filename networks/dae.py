@@ -13,7 +13,6 @@ from .flattening.derived import DerivedTable
 from .flattening.vectors import stacked
 
 if TYPE_CHECKING:
-    from .ensembles import Ensemble
     from .flattening.flat import Flat
     from .flattening.naming import Names
     from .flattening.parameters import ParameterTable
@@ -198,12 +197,6 @@ class DAE:
             told = nearest(str(path), table.index)
             raise UnknownNameError(f"'{self.name}' has no parameter '{path}' that can be set{told}")
         return table.fields[table.index[path]]
-
-    def ensemble(self, stop: float, *, signals: str | Iterable[str], **asked: Any) -> Ensemble:
-        """Run these equations many times side by side; see `inertance.ensemble` for arguments and errors."""
-        from .ensembles import ensemble
-
-        return ensemble(self, stop, signals=signals, **asked)
 
     def arguments(self) -> list[Symbolic]:
         """Return the symbols every expression depends on: x, z, u, q, time."""

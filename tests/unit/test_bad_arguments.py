@@ -255,7 +255,6 @@ GOOD: dict[str, Callable[[], Any]] = {
     "Campaign.parameters": dict, "Campaign.channels": dict,
     "StateSpace.from_ss.system": lambda: linear().to_scipy(),
     "DAE.root.path": lambda: "mass.s", "DAE.field.path": lambda: "spring.k", "DAE.closed.signals": dict,
-    "DAE.ensemble.signals": lambda: ["mass.s"],
     "Network.connect.ports": lambda: oscillator().mass.flange,
     "Network.insert.port": lambda: oscillator().mass.flange,
     "Orbit.over_period.output": lambda: "mass.s", "Variations.start_slopes.start": lambda: {"mass.s": 0.0},

@@ -83,7 +83,7 @@ CASES: dict[str, tuple[Callable[[], ia.Network], float, dict[str, Any], dict[str
 def compared(case: str) -> ia.Ensemble:
     build, stop, parameters, starts, events = CASES[case]
     dae = build().dae()
-    many = dae.ensemble(stop, signals=dae.state_names, parameters=parameters, starts=starts, **TIGHT)
+    many = ia.ensemble(dae, stop, signals=dae.state_names, parameters=parameters, starts=starts, **TIGHT)
 
     def alone(member: int) -> ia.Result:
         own, start = ({n: float(v[member]) for n, v in given.items()} for given in (parameters, starts))
@@ -127,8 +127,8 @@ def test_neighbours_do_not_matter() -> None:
     """A member is the same to the last bit, whoever goes beside it."""
     build, stop, parameters, _, _ = CASES["stick-slip"]
     dae = build().dae()
-    there = dae.ensemble(stop, signals="mass.s", parameters=parameters)
-    back = dae.ensemble(stop, signals="mass.s", parameters={n: v[::-1] for n, v in parameters.items()})
+    there = ia.ensemble(dae, stop, signals="mass.s", parameters=parameters)
+    back = ia.ensemble(dae, stop, signals="mass.s", parameters={n: v[::-1] for n, v in parameters.items()})
     assert np.array_equal(there.values, back.values[::-1])
     assert [there.events(k) for k in range(COUNT)] == [back.events(k) for k in reversed(range(COUNT))]
 
@@ -139,7 +139,7 @@ def test_inputs_of_their_own() -> None:
     pushes = [9.5, *(ia.Sampled(t, force * np.sin(3 * t)) for force in np.linspace(12, 16, 4)), 12.0]
     dae, speeds = rubbing(push=ia.Sampled(t, 0 * t)).dae(), np.linspace(-1, 1, len(pushes))
     inputs, starts = {"push.f": pushes}, {"mass.v": speeds}
-    many = dae.ensemble(3.0, signals=["mass.s", "rub.f"], inputs=inputs, starts=starts, **TIGHT)
+    many = ia.ensemble(dae, 3.0, signals=["mass.s", "rub.f"], inputs=inputs, starts=starts, **TIGHT)
 
     def alone(member: int) -> ia.Result:
         push, start = {"push.f": pushes[member]}, {"mass.v": float(speeds[member])}
