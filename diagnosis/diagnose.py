@@ -235,10 +235,16 @@ def _pruned(best: Refit, study: Study) -> Refit:
     *earlier, last = best.effects
     for placed in earlier:
         less = _without(placed, best, study)
-        needless = last.generalises(placed)
-        if less is not None and (needless or clearness(less, best) < criteria.CLEAR_STANDARD_ERRORS):
+        if less is not None and not _is_needed(placed, last, best, less):
             best = less
     return best
+
+
+def _is_needed(placed: Hypothesis, last: Hypothesis, model: Refit, less: Refit) -> bool:
+    """Tell whether a model is clearly worse without an effect; by far, without a special case of another."""
+    halves = model.blocks.sum() < criteria.CLEAR_RESIDUAL_RATIO * less.blocks.sum()
+    clear = clearness(less, model) >= criteria.CLEAR_STANDARD_ERRORS
+    return bool(clear and (halves or not last.generalises(placed)))
 
 
 def _revised(best: Refit, rounds: Sequence[Round], study: Study) -> tuple[Refit, Rivals]:
@@ -268,7 +274,9 @@ def _without(placed: Hypothesis, model: Refit, study: Study) -> Refit | None:
     others = [p for p in model.effects if p is not placed]
     sites = study.sites
     others = [p.beside([other for other in others if other is not p], sites) for p in others]
+    starts = [(model.parameters, p.values) for p in others[-1:]]
+    starts += [(model.parameters, p.joined(placed)) for p in others[-1:] if p.generalises(placed)]
     try:
-        return JointFit(study, model.parameters, others, model).fitted()
+        return JointFit(study, model.parameters, others, model).fitted(starts)
     except InertanceError:
         return None

@@ -69,6 +69,12 @@ class Hypothesis(SitedEffect):
         bare = next((site for site in sites if site.path == self.site.path), self.site)
         return replace(self, site=replace(self.site, rubs=rubbed(bare, others).rubs))
 
+    def joined(self, other: Hypothesis) -> dict[str, float]:
+        """Return values with which it does what it does together with a special case of it."""
+        domain = self.site.domain
+        sizes = self.effect.widened(domain, self.site, other.effect, other.values)[0]
+        return {q.name: self.values[q.name] + (0.0 if q.shape else sizes[q.name]) for q in self.quantities}
+
     @property
     def edits(self) -> list[Edit]:
         """What inserts it; nothing for a channel."""

@@ -190,6 +190,35 @@ def test_a_richer_law_begins_from_what_its_special_case_gave() -> None:
     assert len({start["s_p"] for start in begun}) > 2
 
 
+LAWS = [effect for effect in EFFECTS.values() if effect.plain and effect.basis and not effect.memory]
+
+
+@pytest.mark.parametrize("effect", LAWS, ids=[effect.kind for effect in LAWS])
+def test_joined_with_its_special_case_a_law_does_what_both_do(effect: Effect) -> None:
+    """Where both stand at one site, what is left when one is taken out begins from the force of the two."""
+    assert effect.plain is not None
+    t = np.linspace(0.0, 10.0, 2000)
+    size = 1e-6 if "damping" in effect.kind else 0.1  # some dampers are linear at low speed alone
+    motion = Motion(t, size * np.sin(t), size * np.cos(t), np.cos(3 * t), -size * np.sin(t))
+    site = replace(next(s for s in sites_of(cart()) if s.path == "d1"), travel=0.1, speed=0.07)
+    shape = effect.shaped("translational", site)[0]
+    plain = effect_of(effect.plain[0])
+    own = {q.name: 1.0 + number for number, q in enumerate(effect.sizes("translational"))} | shape
+    special = {q.name: 5.0 - number for number, q in enumerate(plain.sizes("translational"))}
+    special |= dict(
+        zip([q.name for q in plain.quantities["translational"] if q.shape], shape.values(), strict=False)
+    )
+
+    def force(of: Effect, values: dict[str, float]) -> np.ndarray:
+        assert of.basis is not None
+        given = {q.name: values[q.name] for q in of.quantities["translational"] if q.shape}
+        sizes = [values[q.name] for q in of.sizes("translational")]
+        return np.column_stack(of.basis(motion, given)) @ sizes
+
+    both = Hypothesis(effect, site, "rich_1", own).joined(Hypothesis(plain, site, "plain_1", special))
+    assert force(effect, both) == pytest.approx(force(effect, own) + force(plain, special), abs=1e-9)
+
+
 def test_the_usual_speed_of_a_site_is_over_time_not_over_points() -> None:
     """Points crowd where it stands, as at the events of friction; one record lasts three times another."""
 

@@ -12,7 +12,8 @@ import pytest
 from inertance.cli import app
 from inertance.cli.diagnose import show
 from inertance.diagnosis import Gap, Ranked, Verdict, write_report
-from inertance.diagnosis.diagnose import _revised
+from inertance.diagnosis.diagnose import _is_needed, _revised
+from inertance.diagnosis.effects.effect import effect_of
 from inertance.diagnosis.effects.hypothesis import Hypothesis
 from inertance.diagnosis.models.study import Study
 from inertance.diagnosis.report.text import conclusion, ruled_out
@@ -94,6 +95,17 @@ def with_more(model: Refit, size: float) -> Refit:
         return [{n: r + size * np.sin(0.7 * np.arange(len(r))) for n, r in one.items()} for one in records]
 
     return replace(model, train=more(model.train), test=more(model.test))
+
+
+def test_a_special_case_is_needed_beside_its_generalisation_if_its_like_leaves_much_more(case: Case) -> None:
+    plain = case.friction.effects[0]
+    rich = replace(plain, effect=effect_of("stribeck_friction"))
+    other = replace(plain, effect=effect_of("viscous_damping"))
+    little, much = with_more(case.friction, 0.7), with_more(case.friction, 3.0)
+    assert not _is_needed(plain, rich, case.friction, little)
+    assert _is_needed(plain, other, case.friction, little)
+    assert _is_needed(plain, rich, case.friction, much)
+    assert not _is_needed(plain, other, case.friction, case.friction)
 
 
 @pytest.fixture(scope="module")
