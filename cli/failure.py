@@ -11,7 +11,7 @@ from typing import NoReturn, ParamSpec
 import typer
 
 from ..components import InertanceError
-from .terminal import forget, insisting, prepare
+from .terminal import forget, insisting, prepare, settle
 
 Arguments = ParamSpec("Arguments")
 
@@ -51,6 +51,7 @@ def clean(command: Callable[Arguments, None]) -> Callable[Arguments, None]:
                 sys.stdout.flush()
         except KeyboardInterrupt:
             typer.echo("interrupted", err=True)
+            settle()
             raise typer.Exit(INTERRUPTED) from None
         except OSError as error:
             _unwritable(error)

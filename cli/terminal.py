@@ -124,6 +124,15 @@ def insisting() -> Iterator[None]:
                 timer.join()  # or one that had begun to send would end what comes after
 
 
+def settle() -> None:
+    """Let Python forget a Ctrl-C that was caught.
+
+    Of one that has passed through text that is executed, as in the definition of a dataclass, a note is kept,
+    by which `python -m` ends as by the signal, whatever the exit code; text that is executed clears it.
+    """
+    exec("")
+
+
 def forget() -> None:
     """Drop what standard output has not taken, so that leaving does not try again."""
     with suppress(OSError):

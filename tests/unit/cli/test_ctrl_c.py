@@ -126,6 +126,13 @@ def test_ctrl_c_that_a_compiled_library_drops_is_not_printed(capsys: pytest.Capt
     assert "seven" in capsys.readouterr().err
 
 
+def test_ctrl_c_in_text_that_is_executed_ends_by_the_exit_code(tmp_path: Path) -> None:
+    (tmp_path / "rig.py").write_text("def build():\n    exec('raise KeyboardInterrupt')\n")
+    command = [sys.executable, "-m", "inertance", "run", str(tmp_path / "rig.py:build"), "--stop", "1"]
+    done = subprocess.run(command, capture_output=True, text=True, timeout=LONGEST, check=False)
+    assert (done.returncode, done.stderr) == (130, "interrupted\n")
+
+
 def drop_and_wait() -> None:
     with insisting():
         Dropping()
