@@ -190,14 +190,17 @@ CoreStatus core_fire(Core *c, int forced, const Observer *told, int begins, int 
             return check_adrift(c);
         }
         visited[round] = situation(c, fired, count);
-        int again = 0;
-        for (int k = since; k < round; k++) again |= visited[k] == visited[round];
-        if (again && one_by_one) break;
-        if (again) {
+        int visits = 0;
+        for (int k = since; k < round; k++) visits += visited[k] == visited[round];
+        if (visits && !one_by_one) {
             one_by_one = 1;
             since = round;
+            visits = 0;
         }
-        status = apply(c, fired, one_by_one ? 1 : count, told, begins, changed);
+        if (one_by_one) /* another of them each time this situation comes back */
+            status = apply(c, fired + visits % count, 1, told, begins, changed);
+        else
+            status = apply(c, fired, count, told, begins, changed);
         if (status != CORE_OK) return status;
         if (c->adrift) adrift = c->adrift;
         *happened = 1;

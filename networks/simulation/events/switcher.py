@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from copy import copy
 from dataclasses import dataclass
 
@@ -58,10 +59,12 @@ class Switcher:
     def settle(self, point: Point, forced: int | None = None, begins: bool = False) -> list[Event]:
         """Fire transitions at an instant until none is left, changing `point` in place.
 
-        The indicator `forced` has crossed here. Where a run `begins`, what is prescribed does not jump.
+        What is ready fires together until a situation comes back; from then on one at a time, of those of a
+        situation another one each time it comes back. The indicator `forced` has crossed here. Where a run
+        `begins`, what is prescribed does not jump.
         """
         happened, adrift = list[Event](), list[str]()
-        visited, one_by_one = set[tuple[float, ...]](), False
+        visits, one_by_one = Counter[tuple[float, ...]](), False
         self.completion.update(point)
         for _ in range(constants.FIRING_ROUNDS):
             fired = self._fired(point, forced)
@@ -70,12 +73,11 @@ class Switcher:
                 self.completion.check_adrift(point.t)
                 return happened
             key = (*self.indicators.modes(point.q), *point.x, *(float(i) for i in fired))
-            if key in visited:
-                if one_by_one:
-                    break
-                one_by_one, visited = True, set()
-            visited.add(key)
-            happened += self._apply(point, fired[:1] if one_by_one else fired, begins)
+            if visits[key] and not one_by_one:
+                one_by_one, visits = True, Counter()
+            turn = visits[key] % len(fired)
+            visits[key] += 1
+            happened += self._apply(point, fired[turn : turn + 1] if one_by_one else fired, begins)
             adrift = self.completion.adrift or adrift
         self.completion.adrift = adrift
         self.completion.check_adrift(point.t)

@@ -62,6 +62,24 @@ def pushed() -> ia.Network:
     return net.connect(net.step.y, net.push.f)
 
 
+def held_twice() -> ia.Network:
+    """A mass of 1 kg that two frictions hold and an inerter of 5 kg drives: alone, either would hold the other."""
+    net = ia.Network(
+        "held_twice",
+        wall=ia.Fixed(),
+        ramp=ia.signals.Ramp(height=1.0, duration=0.2, start_time=0.3),
+        drive=ia.Speed(),
+        body=ia.Mass(m=1.0),
+        inerter=ia.Inerter(b=5.0),
+        front=ia.CoulombFriction(f_c=0.5),
+        back=ia.CoulombFriction(f_c=0.5),
+    )
+    net.connect(net.ramp.y, net.drive.v_ref)
+    net.connect(net.drive.flange, net.inerter.flange_a, net.front.flange_a)
+    net.connect(net.inerter.flange_b, net.front.flange_b, net.body.flange, net.back.flange_b)
+    return net.connect(net.back.flange_a, net.wall.flange)
+
+
 def relay(h: float) -> ia.Network:
     """Friction that overshoots by its hysteresis h [m/s]: it switches for ever once the mass rests."""
 
@@ -89,6 +107,7 @@ CASES: dict[str, tuple[Callable[[], ia.Network], float, str, Any, Any]] = {
     "stick-slip": (lambda: rubbing(push=lambda t: 0.4 * t, v=1.0), 3.0, "body.v", [STICKS, 2.5], []),
     "stop with friction": (stopped, 1.0, "body.v", [1 - HIT, 1 - HIT + HIT / 2], [1.5 * HIT]),
     "time event": (pushed, 1.0, "body.v", [0.3], []),
+    "held twice": (held_twice, 1.0, "body.v", [0.3, 0.5], []),
     "simultaneous events": (
         lambda: fallen(2.0, 4.0),
         1.25,
@@ -114,6 +133,7 @@ SPEEDS: dict[str, Callable[[Any], Any]] = {
     ),
     "stop with friction": lambda t: np.where(t < 1 - HIT, t - 1, np.maximum(0, 1 - HIT / 2 - t)),
     "time event": lambda t: 2 * np.maximum(0, t - 0.3),
+    "held twice": lambda t: 5 / 6 * np.clip((t - 0.3) / 0.2, 0, 1),
 }
 
 
