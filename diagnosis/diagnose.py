@@ -81,11 +81,7 @@ def diagnose(
     study.tell("refitting the parameters")
     study = replace(study, accuracy=replace(accuracy, steps=granted(study.steps_per_sample())))
     start, base = _refitted(study, campaign.start)
-    heard = with_residual_floors(campaign, base)
-    if heard is not campaign:
-        study.tell("refitting with the noise that a filter has left")
-        study = replace(study, campaign=heard)
-        start, base = _refitted(study, base.parameters, base)
+    study, start, base = _reheard(study, base) or (study, start, base)
     rounds: list[Round] = []
     notes = study.limits()
     best, rivals = base, Rivals()
@@ -99,6 +95,11 @@ def diagnose(
                 study.tell("the fit before had ended early: once more from where this one led")
                 best, base = without, base if best.effects else without
                 rounds.pop()
+                continue
+            again = _reheard(study, chosen)
+            if again is not None:
+                study, start, base = again
+                best, rivals, rounds = base, Rivals(), []
                 continue
             best, rivals = _revised(_pruned(chosen, study), rounds, study)
         notes = [*notes, *_left_out(study, budget, rounds)]
@@ -116,6 +117,19 @@ def _refitted(
     joint = JointFit(study, parameters, near=near)
     given = joint.vector(study.campaign.start, [])
     return joint.seen(given), joint.fitted()
+
+
+def _reheard(study: Study, model: Refit) -> tuple[Study, Refit, Refit] | None:
+    """Return the study with the noise that shows beside a model, and what `_refitted` then does.
+
+    It is None if no other noise shows.
+    """
+    heard = with_residual_floors(study.campaign, model)
+    if heard is study.campaign:
+        return None
+    study.tell("refitting with the noise that a filter has left")
+    study = replace(study, campaign=heard)
+    return study, *_refitted(study, model.parameters, None if model.effects else model)
 
 
 def granted(taken: float) -> int:

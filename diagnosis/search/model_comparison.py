@@ -12,10 +12,11 @@ from ...base import Array
 from ...identification import (
     Campaign,
     Experiment,
+    Heard,
     NoiseFloor,
     is_noise,
     residual_floor,
-    uncovered_floor,
+    uncovered_floors,
 )
 from ..criteria import (
     ALIKE_RESIDUAL_SHARE,
@@ -143,31 +144,38 @@ def is_clear(worse: Refit, better: Refit) -> bool:
     return clearness(worse, better) > (ALIKE_STANDARD_ERRORS if halves else CLEAR_STANDARD_ERRORS)
 
 
-def with_residual_floors(campaign: Campaign, base: Refit) -> Campaign:
+def with_residual_floors(campaign: Campaign, model: Refit) -> Campaign:
     """Return a campaign whose filtered channels have the noise that a model leaves in their bands.
 
     It is the campaign itself if none is filtered.
     """
     floors = [dict(experiment.floors) for experiment in campaign.experiments]
     for name in campaign.outputs:
-        uncovered = []
-        for experiment, missed, floor in zip(campaign.experiments, base.left, floors, strict=True):
-            residual = experiment.counted(experiment.sigma[name] * missed[name])
-            uncovered.append(_uncovered(experiment, residual, name, campaign.inputs))
-            if floor[name].is_filtered:
+        found = _uncovered(campaign, model, name)
+        for experiment, missed, floor, own in zip(
+            campaign.experiments, model.left, floors, found, strict=True
+        ):
+            if own is not None:
+                floor[name] = own
+            elif floor[name].is_filtered:
+                residual = experiment.counted(experiment.sigma[name] * missed[name])
                 floor[name] = residual_floor(residual, experiment.rate, floor[name])
-        found = sorted((floor for floor in uncovered if floor is not None), key=lambda floor: floor.sigma)
-        if 2 * len(found) > len(floors):
-            for floor, own in zip(floors, uncovered, strict=True):
-                floor[name] = own or found[len(found) // 2]
     return campaign if floors == [e.floors for e in campaign.experiments] else campaign.with_floors(floors)
 
 
-def _uncovered(
-    experiment: Experiment, residual: Array, name: str, inputs: Sequence[str]
-) -> NoiseFloor | None:
-    signal, *drives = (experiment.counted(experiment.compared.values[n]) for n in (name, *inputs))
-    return uncovered_floor(residual, signal, experiment.rate, experiment.floors[name], drives)
+def _uncovered(campaign: Campaign, model: Refit, name: str) -> Sequence[NoiseFloor | None]:
+    """Return the noise of a channel in each record that filters let through, None where they did not."""
+    heard = [
+        Heard(
+            experiment.counted(experiment.sigma[name] * missed[name]),
+            experiment.counted(experiment.compared.values[name]),
+            [experiment.counted(experiment.compared.values[drive]) for drive in campaign.inputs],
+            experiment.floors[name],
+            experiment.rate,
+        )
+        for experiment, missed in zip(campaign.experiments, model.left, strict=True)
+    ]
+    return uncovered_floors(heard) or [None] * len(heard)
 
 
 def best_of(models: Sequence[Refit]) -> Refit:

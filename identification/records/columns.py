@@ -16,6 +16,9 @@ GAP = 1.75  # in steps
 CLIPPED_SAMPLES = 5
 CLIPPED_STEEPNESS = 1.0  # of the step before a plateau, over the usual one
 COARSE_STEEPNESS = 1.5  # of that step over the smallest there is, up to which a coarse signal may turn
+TURNING_STEPS = (
+    4.0  # of a sensor, from which a signal comes in half the time that it stays at the last, turning
+)
 LARGEST_VALUE = 1e12
 MOVED_SHARE = 0.01  # of its range, by which a channel moves that does not rest
 SWITCHED_SHARE = 0.5  # of samples at the two extremes, above which a signal switches between them
@@ -83,9 +86,9 @@ def clipped(values: Array, others: Sequence[Array] = ()) -> int | None:
     """Return where a signal runs against a limit and stays there, at least twice; None if it does not.
 
     A plateau that is reached gently is none: the step before it must be as steep as the signal mostly is, and
-    steeper than one step of the sensor. Nor is one in which all other channels rest, or a signal clipped that
-    is mostly at its two extremes, as it switches between two levels, or that stays as long at others while
-    something moves, as it is coarse.
+    over half of its length before it, the signal must come from farther than it does where it turns. Nor is
+    one in which all other channels rest, or a signal clipped that is mostly at its two extremes, as it
+    switches between two levels, or that stays as long at others while something moves, as it is coarse.
     """
     low, high = float(values.min()), float(values.max())
     if np.mean((values == low) | (values == high)) > SWITCHED_SHARE:
@@ -95,14 +98,16 @@ def clipped(values: Array, others: Sequence[Array] = ()) -> int | None:
     if not len(moving):
         return None
     steep = max(CLIPPED_STEEPNESS * float(np.median(moving)), COARSE_STEEPNESS * float(moving.min()))
+    far = TURNING_STEPS * float(moving.min())
     long = [ends for ends in _stretches(change == 0) if ends[1] - ends[0] >= CLIPPED_SAMPLES - 1]
-    plateaus = [begin for begin, end in long if _move(others, begin, end)]
-    if any(low < values[begin] < high for begin in plateaus):
+    plateaus = [(begin, end) for begin, end in long if _move(others, begin, end)]
+    if any(low < values[begin] < high for begin, _ in plateaus):
         return None
     for limit in (high, low):
-        ends = [begin for begin in plateaus if values[begin] == limit and begin > 0]
-        runs = [n for n in ends if change[n - 1] + change[max(n - 2, 0)] > steep]
-        if len(runs) > 1:
+        ends = [(begin, end) for begin, end in plateaus if values[begin] == limit and begin > 0]
+        runs = [n for n, _ in ends if change[n - 1] + change[max(n - 2, 0)] > steep]
+        reached = [n for n, end in ends if abs(limit - values[max(0, n - max(2, (end - n) // 2))]) > far]
+        if len(runs) > 1 and len(reached) > 1:
             return runs[0]
     return None
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from math import inf
 
 import numpy as np
@@ -27,10 +27,6 @@ MEAN_POWER_SHARE = 0.02  # of what is missed that may lie in its mean
 EVEN_DEVIATIONS = 2.0  # of the scatter that the power of noise has from stretch to stretch
 STEADY_STRETCHES = 10  # of a record, of which the powers are compared
 QUIET_RANGE_SHARE = 1e-5  # below which no sensor's noise lies: the top of the spectrum was filtered away
-STANDING_OUT_RATIO = 10.0  # of the density at the top, above which noise was let through by a filter
-UNKNOWN_SHARE = 0.95  # of the measured power of octaves, above which a model says nothing of it
-EVEN_RATIO = 6.0  # of the densities in octaves, that noise keeps to though a filter has begun
-FOLLOWING_SHARE = 0.3  # of the power of octaves that may be linear in an input; by chance 0.04 to 0.1 is
 NORMAL_RATIO = 1.25  # of scatter over what it mostly is, up to which nothing strikes
 FILTERED_DENSITY_RATIO = 100.0  # of the density at the top, above which a channel passes what it measures
 
@@ -79,7 +75,7 @@ def spectral_floor(values: Array, rate: float | None = None) -> NoiseFloor:
     below what the steps of a digital sensor make. What lies far below any sensor's noise was left by a
     filter: at a rate [Hz] that is given, the band is told that the filter has left.
     """
-    density = _density(values)
+    density = density_of(values)
     level = _level(density, NOISE_BAND)
     sigma = level / _jumpiness(values)
     quantum = _quantum(values) / np.sqrt(12)
@@ -94,57 +90,14 @@ def spectral_floor(values: Array, rate: float | None = None) -> NoiseFloor:
 
 def residual_floor(residual: Array, rate: float, floor: NoiseFloor) -> NoiseFloor:
     """Estimate the noise of a filtered channel from what a fit leaves in the upper part of its band."""
-    density = _density(residual)
+    density = density_of(residual)
     top = len(density) - 1
     share = _passed(density, round(floor.share(rate) * top)) / top
     sigma = _level(density, [edge * share for edge in PASSED_BAND]) * float(np.sqrt(share))
     return NoiseFloor(max(sigma, floor.sigma), LEFT_BY_FIT, min(floor.band, 0.5 * rate * share))
 
 
-def uncovered_floor(
-    residual: Array, signal: Array, rate: float, floor: NoiseFloor, inputs: Sequence[Array] = ()
-) -> NoiseFloor | None:
-    """Return the noise that a filter let through, though the top of the spectrum tells of less, if any.
-
-    It is there if of two octaves, up to where the filter takes off more and more, a model says next to
-    nothing, and what was measured in them is about as strong at all frequencies, and at all times. What
-    follows an input is none: a random drive has an even and steady answer, too.
-
-    Args:
-        residual: what a model misses.
-        signal: what was measured.
-        rate: samples a second [Hz].
-        floor: what the top of the spectrum tells.
-        inputs: what drives the machine, at the same instants.
-    """
-    if floor.source not in (SPECTRUM, SENSOR_STEPS):
-        return None
-    density = _density(residual)
-    top = len(density) - 1
-    standing = np.flatnonzero(density > STANDING_OUT_RATIO * 2 * floor.sigma**2)
-    end = _passed(density, int(standing[-1])) if len(standing) else 0
-    if end < 4 * FEWEST_DENSITIES:
-        return None
-    octaves = slice(end // 4, end)
-    unknown = density[octaves].sum() > UNKNOWN_SHARE * _density(signal)[octaves].sum()
-    low, high = np.percentile(_smooth(density)[octaves], [5, 95])
-    if not unknown or high > EVEN_RATIO * low or not _is_steady(residual, end / 4 / top, end / top):
-        return None
-    if any(_following(residual, given, octaves) > FOLLOWING_SHARE for given in inputs):
-        return None
-    return residual_floor(residual, rate, replace(floor, band=0.5 * rate * end / top))
-
-
-def _following(residual: Array, given: Array, places: slice) -> float:
-    """Return the share of the power at some places of the spectrum that is linear in an input (coherence)."""
-    from scipy.signal import csd
-
-    power, drive = _density(residual)[places], _density(given)[places]
-    crossed = np.abs(csd(residual, given, nperseg=_stretch_length(residual))[1][places]) ** 2
-    return float(np.divide(crossed, drive, out=np.zeros_like(crossed), where=drive > 0).sum() / power.sum())
-
-
-def _is_steady(values: Array, low: float, high: float) -> bool:
+def is_steady(values: Array, low: float, high: float) -> bool:
     """Tell whether what lies in a band, in shares of the spectrum, is as strong at all times."""
     fast = _banded(values, (low, min(high, NOISE_BAND[1])))
     steady = _is_even(fast, STEADY_STRETCHES, high - low)
@@ -174,9 +127,9 @@ def is_noise(residual: Array, signal: Array, rate: float, stretches: int) -> boo
         rate: samples a second [Hz].
         stretches: of time, that are compared with each other.
     """
-    noise, density = residual_floor(residual, rate, NoiseFloor(0.0, "")), _density(residual)
+    noise, density = residual_floor(residual, rate, NoiseFloor(0.0, "")), density_of(residual)
     end = round(noise.share(rate) * len(density))
-    moving = _density(signal)
+    moving = density_of(signal)
     known = np.maximum(moving - density, 0.0)[end // 2 :].sum()
     follows = end < len(density) and known > WEAK_POWER_SHARE * moving.sum()
     if follows or 0.5 * float(np.mean(density[1:end])) > FLAT_RATIO * noise.white(rate) ** 2:
@@ -188,7 +141,7 @@ def is_noise(residual: Array, signal: Array, rate: float, stretches: int) -> boo
 
 def _passed(density: Array, last: int) -> int:
     """Return the last place, up to one that is given, above which a filter takes off more and more."""
-    smooth = _smooth(density)
+    smooth = smoothed(density)
     level = (
         place
         for place in range(last, FEWEST_DENSITIES, -1)
@@ -197,18 +150,19 @@ def _passed(density: Array, last: int) -> int:
     return next(level, last)
 
 
-def _smooth(density: Array) -> Array:
+def smoothed(density: Array) -> Array:
+    """Return a density without single peaks."""
     from scipy.ndimage import median_filter
 
     return np.asarray(median_filter(density, 5), dtype=float)
 
 
-def _density(values: Array) -> Array:
+def density_of(values: Array, length: int | None = None) -> Array:
+    """Return the power density of values that are 1 s apart, from stretches of a length."""
     from scipy.signal import welch
 
-    length = _stretch_length(values)
-    density: Array = np.asarray(welch(np.asarray(values, dtype=np.float64), nperseg=length)[1], dtype=float)
-    return density
+    length = length or _stretch_length(values)
+    return np.asarray(welch(np.asarray(values, dtype=np.float64), nperseg=length)[1], dtype=float)
 
 
 def _stretch_length(values: Array) -> int:

@@ -11,7 +11,16 @@ from typing import Any
 import inertance as ia
 import numpy as np
 import pytest
-from inertance.identification import Campaign, Filter, Record, residual_floor, spectral_floor, uncovered_floor
+from inertance.identification import (
+    Campaign,
+    Filter,
+    Heard,
+    NoiseFloor,
+    Record,
+    residual_floor,
+    spectral_floor,
+    uncovered_floors,
+)
 
 CHANNELS = {
     "F": {"input": "push.f", "unit": "N"},
@@ -63,22 +72,85 @@ def grid(values: Any, bits: int) -> Any:
     return step * np.round(values / step)
 
 
+def uncovered(
+    model: Any, measured: Any, rate: float, *drives: Any, parts: int = 1
+) -> list[NoiseFloor] | None:
+    """Look at a channel in records that are parts of one."""
+    pieces = zip(*(np.array_split(x, parts) for x in (measured - model, measured, *drives)), strict=True)
+    heard = [Heard(left, seen, driving, spectral_floor(seen, rate), rate) for left, seen, *driving in pieces]
+    return uncovered_floors(heard)
+
+
 @pytest.mark.parametrize("cutoff", [60.0, 200.0])
 def test_noise_that_a_filter_let_through_is_seen_above_the_steps_of_a_sensor(cutoff: float) -> None:
     """The steps of 16 bits fill the top of the spectrum, where the filter has left nothing."""
     rng, time = np.random.default_rng(5), np.arange(12000) / RATE
     signal, low = np.sin(11 * time), Filter(cutoff=cutoff)
     measured = grid(signal + low.apply(0.02 * rng.standard_normal(len(time)), RATE), 16)
-    top = spectral_floor(measured, RATE)
-    assert top.sigma < 1e-4
-    found = uncovered_floor(measured - signal, measured, RATE, top)
+    assert spectral_floor(measured, RATE).sigma < 1e-4
+    (found,) = uncovered(signal, measured, RATE) or [None]
     assert found is not None
     assert not found.is_sure
     assert found.white(RATE) == pytest.approx(0.02, rel=0.15)
-    every = measured[::5]
-    thinned = uncovered_floor(every - signal[::5], every, RATE / 5, top)
-    assert thinned is not None
-    assert thinned.sigma == pytest.approx(float(np.std(every - signal[::5])), rel=0.2)
+    missed = np.array_split((measured - signal)[::3], 6)
+    thinned = uncovered(signal[::3], measured[::3], RATE / 3, parts=6)
+    if cutoff < RATE / 6:
+        scatter = [float(np.std(part)) for part in missed]
+        assert [f.sigma for f in thinned or []] == pytest.approx(scatter, rel=0.2)
+    else:
+        assert thinned is None
+
+
+@pytest.mark.parametrize(("bits", "order"), [(9, 1), (9, 2), (10, 2), (12, 4)])
+@pytest.mark.parametrize("parts", [1, 8])
+def test_noise_that_is_hardly_above_the_steps_of_a_sensor(bits: int, order: int, parts: int) -> None:
+    """What a filter lets through lies on the even noise of rounding, a little above it or a hundred times."""
+    rng, time = np.random.default_rng(8), np.arange(8 * 2500) / RATE
+    signal = np.sin(11 * time) + 0.3 * np.sin(31 * time)
+    passed = Filter(cutoff=80.0, order=order).apply(0.004 * rng.standard_normal(len(time)), RATE)
+    measured = grid(signal + passed, bits)
+    found = uncovered(signal, measured, RATE, parts=parts)
+    assert found is not None
+    missed = np.array_split(measured - signal, parts)
+    assert [f.sigma for f in found] == pytest.approx([float(np.std(part)) for part in missed], rel=0.15)
+
+
+def test_records_that_were_sampled_at_other_rates_are_looked_at_together() -> None:
+    rng, heard = np.random.default_rng(10), []
+    for rate in (1000.0, 250.0, 500.0):
+        time = np.arange(6000) / RATE
+        signal = np.sin(11 * time) + 0.3 * np.sin(31 * time)
+        measured = grid(signal + Filter(cutoff=80.0).apply(0.004 * rng.standard_normal(len(time)), RATE), 10)
+        some = slice(None, None, round(RATE / rate))
+        missed = (measured - signal)[some]
+        heard.append(Heard(missed, measured[some], [], spectral_floor(measured[some], rate), rate))
+    found = uncovered_floors(heard)
+    assert found is not None
+    assert [f.sigma for f in found] == pytest.approx(
+        [float(np.std(each.residual)) for each in heard], rel=0.15
+    )
+    assert len({floor.band for floor in found}) == 1
+
+
+def test_white_noise_is_what_the_top_of_the_spectrum_tells() -> None:
+    rng, time = np.random.default_rng(9), np.arange(12000) / RATE
+    signal = np.sin(11 * time)
+    assert uncovered(signal, signal + 0.01 * rng.standard_normal(len(time)), RATE, parts=3) is None
+    assert uncovered(signal[:60], signal[:60] + 0.01 * rng.standard_normal(60), RATE) is None
+
+
+def test_a_record_that_is_too_short_has_the_noise_of_the_others() -> None:
+    rng, time = np.random.default_rng(5), np.arange(12000) / RATE
+    signal = np.sin(11 * time)
+    measured = grid(signal + Filter(cutoff=60.0).apply(0.02 * rng.standard_normal(len(time)), RATE), 16)
+    heard = [
+        Heard(measured[part] - signal[part], measured[part], [], spectral_floor(measured[part], RATE), RATE)
+        for part in (slice(0, 6000), slice(6000, 6040), slice(6040, None))
+    ]
+    found = uncovered_floors(heard)
+    assert found is not None
+    assert found[0].sigma != found[2].sigma
+    assert found[1].sigma == pytest.approx(np.hypot(found[0].sigma, found[2].sigma) / np.sqrt(2))
 
 
 def test_what_a_model_misses_of_a_motion_is_no_noise_of_a_filter() -> None:
@@ -88,20 +160,21 @@ def test_what_a_model_misses_of_a_motion_is_no_noise_of_a_filter() -> None:
     struck = rng.standard_normal(len(time)) * (time % 1.0 < 0.05)
     for missed in (0.1 * sweep, 0.1 * friction, Filter(cutoff=90.0).apply(struck, RATE)):
         measured = grid(sweep + missed + noise, 16)
-        assert uncovered_floor(measured - sweep, measured, RATE, spectral_floor(measured, RATE)) is None
+        for parts in (1, 5):
+            assert uncovered(sweep, measured, RATE, parts=parts) is None
 
 
 @pytest.mark.parametrize("share", [0.02, 0.2])
 def test_what_follows_a_random_drive_is_no_noise_of_a_filter(share: float) -> None:
     """Its answer is even and steady, and a model may say nothing of it; noise is also both."""
-    rng, low = np.random.default_rng(7), Filter(cutoff=60.0)
+    rng, low = np.random.default_rng(7), Filter(cutoff=90.0)
     drive, noise = (low.apply(rng.standard_normal(12000), RATE) for _ in range(2))
     slow = 20 * Filter(cutoff=3.0).apply(drive, RATE)
     for missed, is_noise in ((share * drive, False), (share * noise, True)):
         measured = grid(slow + missed, 16)
-        top = spectral_floor(measured, RATE)
-        found = uncovered_floor(measured - slow, measured, RATE, top, [np.zeros(len(drive)), drive])
-        assert (found is not None) == is_noise
+        for parts in (1, 3):
+            found = uncovered(slow, measured, RATE, np.zeros(len(drive)), drive, parts=parts)
+            assert (found is not None) == is_noise
 
 
 def test_low_passed_records_of_a_sound_machine_miss_nothing(cart: Any) -> None:

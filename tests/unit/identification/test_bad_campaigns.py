@@ -190,6 +190,10 @@ def test_a_coarse_sensor_that_turns_gently_is_not_saturated() -> None:
     step = np.ptp(force) / 320
     assert clipped(step * np.round(force / step), [other]) is None
     assert clipped(step * np.round(np.clip(force, -0.8, 0.8) / step), [other]) is not None
+    for seed in range(6):  # noise makes steps to and fro where it turns
+        noisy = force + 0.2 * step * np.random.default_rng(seed).standard_normal(len(time))
+        assert clipped(step * np.round(noisy / step), [other]) is None
+        assert clipped(step * np.round(np.clip(noisy, -0.8, 0.8) / step), [other]) is not None
 
 
 @pytest.mark.parametrize(("content", "told"), RECORDS.values(), ids=RECORDS)

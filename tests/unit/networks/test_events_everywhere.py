@@ -63,7 +63,7 @@ def pushed() -> ia.Network:
 
 
 def held_twice() -> ia.Network:
-    """A mass of 1 kg that two frictions hold and an inerter of 5 kg drives: alone, either would hold the other."""
+    """A mass of 1 kg that two frictions hold, and that an inerter of 5 kg drives."""
     net = ia.Network(
         "held_twice",
         wall=ia.Fixed(),

@@ -1,0 +1,143 @@
+"""Noise that filters let through, though the top of the spectrum tells of less: seen beside a model."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from ...base import Array
+from .noise import (
+    FEWEST_DENSITIES,
+    LEFT_BY_FIT,
+    LEVEL_RATIO,
+    SENSOR_STEPS,
+    SPECTRUM,
+    NoiseFloor,
+    density_of,
+    is_steady,
+    smoothed,
+)
+
+AVERAGES = 32  # stretches of all records, of which a channel's spectrum is the mean
+STRETCH_SAMPLES = (64, 1024)
+UNKNOWN_SHARE = 0.95  # of the measured power from a frequency on, above which a model says nothing of it
+LEAST_SPAN = (
+    2.5  # times that frequency, up to where noise is level at least: what a machine does falls before
+)
+EVEN_RATIO = 6.0  # of the densities there, that noise keeps to though a filter has begun
+STEADY_SHARE = 0.5  # of the records, in which it is as strong at all times
+FOLLOWING_SHARE = 0.3  # of the power there that may be linear in an input; by chance 0.04 to 0.1 is
+UNDERRATED_RATIO = 1.1  # of noise over what was thought, from which on that is corrected
+
+
+@dataclass(frozen=True, eq=False)
+class Heard:
+    """A channel in a record: what a model misses, what was measured, what drove it, the noise so far.
+
+    All of it was sampled at one rate [Hz].
+    """
+
+    residual: Array
+    measured: Array
+    drives: Sequence[Array]
+    floor: NoiseFloor
+    rate: float
+
+
+def uncovered_floors(records: Sequence[Heard]) -> list[NoiseFloor] | None:
+    """Return the noise of a channel in each record if filters let more through than was thought, else None.
+
+    From some frequency on, in the mean spectrum of all records, a model says nothing of what was measured.
+    Where that is level up to a multiple of this frequency, and as strong at all times, it is noise: what a
+    machine does on its own falls with frequency. It is taken to be as strong below, and above as strong as
+    was measured. What follows an input is none: a random drive has an even and steady answer, too.
+
+    Args:
+        records: of one channel; too short ones have the noise of the others.
+    """
+    if any(record.floor.source not in (SPECTRUM, SENSOR_STEPS) for record in records):
+        return None
+    lengths = _lengths([record for record in records if len(record.residual) >= STRETCH_SAMPLES[0]])
+    missed = {record: density_of(record.residual, length) for record, length in lengths.items()}
+    band = _level_band(missed, [density_of(record.measured, length) for record, length in lengths.items()])
+    if band is None or _following(lengths, band) > FOLLOWING_SHARE:
+        return None
+    shares = {
+        record: [2 * place / length for place in (band.start, band.stop)]
+        for record, length in lengths.items()
+    }
+    if np.mean([is_steady(record.residual, *share) for record, share in shares.items()]) < STEADY_SHARE:
+        return None
+    powers = {
+        record: float(np.median(density[band]) * band.stop + density[band.stop + 1 :].sum()) / lengths[record]
+        for record, density in missed.items()
+    }
+    mean = float(np.mean([*powers.values()]))
+    if mean < UNDERRATED_RATIO**2 * np.mean([record.floor.sigma**2 for record in lengths]):
+        return None
+    sigmas = [max(powers.get(record, mean) ** 0.5, record.floor.sigma) for record in records]
+    highest = float(np.mean([0.5 * record.rate * share[1] for record, share in shares.items()]))
+    return [NoiseFloor(sigma, LEFT_BY_FIT, highest) for sigma in sigmas]
+
+
+def _lengths(records: Sequence[Heard]) -> dict[Heard, int]:
+    """Return from how many samples at a time spectra are computed, of equal frequencies in all records."""
+    if not records:
+        return {}
+    seconds = [len(record.residual) / record.rate for record in records]
+    slowest = min(record.rate for record in records)
+    wanted = float(np.clip(slowest * sum(seconds) / AVERAGES, *STRETCH_SAMPLES)) / slowest
+    return {record: int(min(wanted, *seconds) * record.rate) for record in records}
+
+
+def _level_band(missed: Mapping[Heard, Array], measured: Sequence[Array]) -> slice | None:
+    """Return where in the spectrum a model says nothing and noise is level, None if nowhere far enough.
+
+    Each record counts by what its densities mostly are.
+    """
+    if not missed:
+        return None
+    weights = [1 / (np.median(density) or np.inf) for density in missed.values()]
+    left, whole = _mean(weights, [*missed.values()]), _mean(weights, measured)
+    unknown = np.cumsum(left[::-1])[::-1] >= UNKNOWN_SHARE * np.cumsum(whole[::-1])[::-1]
+    begin, top = max(1, int(np.argmax(unknown))), len(left) - 1
+    if not unknown.any():
+        return None
+    smooth = smoothed(left)
+    end = next(
+        (
+            place
+            for place in range(max(2 * begin, begin + FEWEST_DENSITIES), top + 1)
+            if smooth[place] < LEVEL_RATIO * np.median(smooth[max(begin, place // 2) : place])
+        ),
+        top,
+    )
+    if end < max(LEAST_SPAN * begin, begin + FEWEST_DENSITIES + 1):
+        return None
+    low, high = np.percentile(smooth[begin:end], [5, 95])
+    return slice(begin, end) if high <= EVEN_RATIO * low else None
+
+
+def _mean(weights: Sequence[float], spectra: Sequence[Array]) -> Array:
+    """Return the weighted mean of spectra up to where the shortest ends."""
+    end = min(len(spectrum) for spectrum in spectra)
+    return np.average([spectrum[:end] for spectrum in spectra], axis=0, weights=weights)
+
+
+def _following(lengths: Mapping[Heard, int], band: slice) -> float:
+    """Return the greatest share of the power in a band that is linear in an input, in all records alike."""
+    from scipy.signal import csd
+
+    power = np.sum([density_of(record.residual, length)[band] for record, length in lengths.items()])
+
+    def share(drives: Sequence[Array]) -> float:
+        pairs = [
+            (r.residual, drive, length) for (r, length), drive in zip(lengths.items(), drives, strict=True)
+        ]
+        crossed = np.abs(np.sum([csd(x, y, nperseg=length)[1][band] for x, y, length in pairs], axis=0)) ** 2
+        driving = np.sum([density_of(drive, length)[band] for _, drive, length in pairs], axis=0)
+        return float(np.divide(crossed, driving, out=np.zeros_like(crossed), where=driving > 0).sum() / power)
+
+    return max((share(drives) for drives in zip(*(r.drives for r in lengths), strict=True)), default=0.0)
