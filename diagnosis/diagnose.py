@@ -87,7 +87,8 @@ def diagnose(
     best, rivals = base, Rivals()
     try:
         while _may_go_on(best, base, study):
-            chosen = _chosen(run_round(study, best, rounds), base)
+            done = run_round(study, best, rounds)
+            chosen = _chosen(done, base, rounds[0])
             if chosen is None:
                 break
             without = _without(chosen.effects[-1], chosen, study)
@@ -178,12 +179,13 @@ def _may_go_on(best: Refit, base: Refit, study: Study) -> bool:
     return unexplained(best, base) > criteria.HIDDEN_RESIDUAL_SHARE
 
 
-def _chosen(done: Round, base: Refit) -> Refit | None:
+def _chosen(done: Round, base: Refit, first: Round) -> Refit | None:
     """Return the best model of a round among those clearly better than the first, the simplest of equals.
 
+    What only bends the law of another effect is none, as the `first` round shows.
     How much it must take away is counted in what the model without effects misses.
     """
-    clear = [found for found in done.fitted if is_clear(done.base, found) and not _only_bends(found)]
+    clear = [found for found in done.fitted if is_clear(done.base, found) and not _only_bends(found, first)]
     if not clear:
         return None
     best = _sited(_simplest(best_of(clear), clear), clear)
@@ -197,11 +199,26 @@ def _chosen(done: Round, base: Refit) -> Refit | None:
     return best if of_what_is_left or drop > criteria.FURTHER_EFFECT_SHARE * all_of_it else None
 
 
-def _only_bends(model: Refit) -> bool:
-    """Tell whether the last effect is of the nature of another at its site, whose law it only bends."""
+def _only_bends(model: Refit, first: Round) -> bool:
+    """Tell whether the last effect is of the nature of another in its motion, whose law it only bends."""
     *others, last = model.effects
-    beside = [placed for placed in others if placed.site.path == last.site.path]
+    beside = [placed for placed in others if _in_one_motion(placed, last, first)]
     return any(p.generalises(last) or (p.effect.memory and last.effect.memory) for p in beside)
+
+
+def _in_one_motion(placed: Hypothesis, other: Hypothesis, first: Round) -> bool:
+    """Tell whether effects stand at one site, or one of them, alone, took nearly all of the gap at either."""
+    if placed.site.path == other.site.path:
+        return True
+    left = {
+        model.effects[0].site.path: float(model.blocks.sum())
+        for model in first.fitted
+        if len(model.effects) == 1 and model.effects[0].effect.kind == placed.effect.kind
+    }
+    alone = [left.get(p.site.path, inf) for p in (placed, other)]
+    return max(alone) < min(
+        criteria.ONE_MOTION_RATIO * min(alone), criteria.NEARLY_ALL_LEFT * first.base.blocks.sum()
+    )
 
 
 def _simplest(best: Refit, clear: Sequence[Refit]) -> Refit:

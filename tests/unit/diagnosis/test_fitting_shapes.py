@@ -11,6 +11,7 @@ from inertance.diagnosis.effects.hypothesis import Hypothesis
 from inertance.diagnosis.effects.shaping import Shapes
 from inertance.diagnosis.effects.sites import BETWEEN, Site
 from inertance.diagnosis.search.model_comparison import Refit, clearness, stretches
+from inertance.diagnosis.search.round import Round
 from inertance.identification import Campaign, Record
 from numpy.typing import NDArray
 
@@ -126,4 +127,24 @@ def test_an_effect_may_only_bend_the_law_of_another_at_its_site(
     one = Hypothesis(effect_of(found), here, "one", {})
     for site, wanted in ((here, bends), (there, False)):
         model = Refit({}, (one, Hypothesis(effect_of(further), site, "other", {})), [], [], 0.0)
-        assert _only_bends(model) is wanted
+        assert _only_bends(model, Round(model, [], [])) is wanted
+
+
+@pytest.mark.parametrize(
+    ("alone_here", "alone_there", "bends"),
+    [(3.0, 3.5, True), (3.0, 5.0, False), (50.0, 51.0, False), (3.0, 70.0, False)],
+)
+def test_what_nearly_all_goes_by_at_two_sites_is_of_one_motion(
+    alone_here: float, alone_there: float, bends: bool
+) -> None:
+    """A motor and its arm behind a stiff shaft; of equal hystereses at two carts, each alone takes a part."""
+    here, there = (replace(hysteresis(TRAVEL).site, path=path) for path in ("motor", "arm"))
+    one, other = (replace(hysteresis(TRAVEL), site=site, name=site.path) for site in (here, there))
+
+    def leaving(share: float, *effects: Hypothesis) -> Refit:
+        return Refit({}, effects, [], [{"s": np.full(100, np.sqrt(share))}], 0.0, [2], 100.0)
+
+    alone = [leaving(alone_here, one), leaving(alone_there, other)]
+    model = leaving(1.0, one, other)
+    assert _only_bends(model, Round(leaving(100.0), [], alone)) is bends
+    assert not _only_bends(model, Round(leaving(100.0), [], alone[:1]))
