@@ -28,9 +28,7 @@ FURTHER_EFFECT_SHARE = 0.05  # [1] the same for a further one: less but mends th
 LEFT_EFFECT_SHARE = 0.5  # [1] of the square of what is left above noise: enough instead of that; blind
 GENERALISATION_SHARE = 0.25  # [1] of what a special case leaves that a generalisation takes away; blind
 SURE_GENERALISATION_SHARE = 0.75  # [1] the same, whether or not most stretches tell; blind
-NEARLY_ALL_LEFT = (
-    0.1  # [1] of the square of the gap, which an effect leaves that takes nearly all of it; blind
-)
+NEARLY_ALL_LEFT = 0.1  # [1] of the squared gap, which what takes nearly all of it leaves at most; blind
 ONE_MOTION_RATIO = 1.25  # [1] of what it leaves at two sites, up to which these are in one motion; blind
 PART_CHI_SQUARED = 4.0  # [chi squared] that a part, or one more quantity, must win; theory: 5 % of 1 dof
 EARLY_END_COST_RATIO = 0.9  # [1] of its cost to which a fit that has ended may still fall; blind
