@@ -215,10 +215,9 @@ def _in_one_motion(placed: Hypothesis, other: Hypothesis, first: Round) -> bool:
         for model in first.fitted
         if len(model.effects) == 1 and model.effects[0].effect.kind == placed.effect.kind
     }
-    alone = [left.get(p.site.path, inf) for p in (placed, other)]
-    return max(alone) < min(
-        criteria.ONE_MOTION_RATIO * min(alone), criteria.NEARLY_ALL_LEFT * first.base.blocks.sum()
-    )
+    less, more = sorted(left.get(p.site.path, inf) for p in (placed, other))
+    nearly_all = more < criteria.NEARLY_ALL_LEFT * float(first.base.blocks.sum())
+    return nearly_all and more < criteria.ONE_MOTION_RATIO * less
 
 
 def _simplest(best: Refit, clear: Sequence[Refit]) -> Refit:

@@ -199,8 +199,7 @@ CoreStatus core_fire(Core *c, int forced, const Observer *told, int begins, int 
         }
         if (one_by_one) /* another of them each time this situation comes back */
             status = apply(c, fired + visits % count, 1, told, begins, changed);
-        else
-            status = apply(c, fired, count, told, begins, changed);
+        else status = apply(c, fired, count, told, begins, changed);
         if (status != CORE_OK) return status;
         if (c->adrift) adrift = c->adrift;
         *happened = 1;

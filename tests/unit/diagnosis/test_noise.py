@@ -88,8 +88,9 @@ def test_noise_that_a_filter_let_through_is_seen_above_the_steps_of_a_sensor(cut
     signal, low = np.sin(11 * time), Filter(cutoff=cutoff)
     measured = grid(signal + low.apply(0.02 * rng.standard_normal(len(time)), RATE), 16)
     assert spectral_floor(measured, RATE).sigma < 1e-4
-    (found,) = uncovered(signal, measured, RATE) or [None]
-    assert found is not None
+    alone = uncovered(signal, measured, RATE)
+    assert alone is not None
+    (found,) = alone
     assert not found.is_sure
     assert found.white(RATE) == pytest.approx(0.02, rel=0.15)
     missed = np.array_split((measured - signal)[::3], 6)
