@@ -25,6 +25,7 @@ from .localisation import located, shares
 from .next_experiment import separating
 from .ranked import Ranked, ranked
 from .resolution import unresolved
+from .steadiness import Unsteady, unsteady
 from .verdict import Evidence, Verdict, moved_parameters
 
 NOT_BY_SINES = (
@@ -48,9 +49,11 @@ def decided(
 
     Where the time of the study is over, nothing is said of what was not looked for.
     """
-    best = certain_part(best, base, rounds, study)
-    first, beyond = rounds[0] if rounds else Round(base, [], []), _round_on(best, rounds)
     alone = replace(study, executor=None, report=None)
+    all_told = not best.effects or study.late() or _explains(best, base, study)
+    changing = [] if all_told else [*unsteady(alone, best)]
+    best = certain_part(best, base, rounds, study, changing)
+    first, beyond = rounds[0] if rounds else Round(base, [], []), _round_on(best, rounds)
     evidence = Evidence(alone, start, base, best, tuple(first.candidates), first.failed)
     closed = _closed(best, base, study)
     gap = gaps(study, start, base, best)
@@ -82,6 +85,7 @@ def decided(
         evidence=evidence,
         notes=(
             *notes,
+            *map(str, changing),
             *suspected,
             *_noises(evidence, gap),
             *cautions(study.campaign, best),
@@ -109,18 +113,21 @@ def _explains(best: Refit, base: Refit, study: Study) -> bool:
     return _leaves_noise(best, study) or _closed(best, base, study) >= EXPLAINED_GAP_SHARE
 
 
-def certain_part(best: Refit, base: Refit, rounds: Sequence[Round], study: Study) -> Refit:
+def certain_part(
+    best: Refit, base: Refit, rounds: Sequence[Round], study: Study, changing: Sequence[Unsteady] = ()
+) -> Refit:
     """Return the model with those effects that are no mere likeness of what is missing.
 
-    If something else stays missing, they are the first ones, as long as each takes most of what was left, and
-    all of them together most of the gap.
+    If something else stays missing, they are the first ones, as long as each takes most of what was left and
+    is not `changing` with time, and all of them together take most of the gap.
     """
     if _explains(best, base, study):
         return best
     named, certain = {placed.label for placed in best.effects}, base
+    odd = {found.placed.label for found in changing}
     before = [done.base for done in rounds if set() < {p.label for p in done.base.effects} < named]
     for model in (*before, best):
-        if _taken(certain, model) < CERTAIN_RESIDUAL_SHARE:
+        if _taken(certain, model) < CERTAIN_RESIDUAL_SHARE or odd & {p.label for p in model.effects}:
             break
         certain = model
     return certain if _taken(base, certain) >= CERTAIN_GAP_SHARE else base

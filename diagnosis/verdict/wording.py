@@ -15,7 +15,7 @@ if TYPE_CHECKING:
 ALONE = {
     "none": "Nothing is missing: the model explains the data down to the noise.",
     "parameters": "No effect is missing; parameters were wrong.",
-    "unknown": "Something is missing, and no known effect clearly explains any of it.",
+    "unknown": "Something is missing that no known effect explains.",
     "interrupted": "The diagnosis was stopped before its end; no effect had been accepted by then.",
 }
 NAMED = {

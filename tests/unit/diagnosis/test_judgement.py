@@ -210,7 +210,7 @@ def test_an_unknown_verdict_tells_what_came_closest_and_why_that_is_not_it(
     assert unknown.closest.told == "sensor gain at x"
     assert unknown.closest.refused in unknown.sentence
     nothing = case.verdict(case.base, case.round(case.base))
-    assert nothing.sentence == "Something is missing, and no known effect clearly explains any of it."
+    assert nothing.sentence == "Something is missing that no known effect explains."
 
 
 @pytest.mark.parametrize("word", ["partial", "unknown"])

@@ -1,0 +1,80 @@
+"""Whether an effect is as strong throughout each record, as a law is that does not change with time."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import replace
+from typing import Any
+
+import inertance as ia
+import pytest
+from inertance.diagnosis.effects.effect import effect_of
+from inertance.diagnosis.effects.hypothesis import Hypothesis
+from inertance.diagnosis.models.study import study_of, thinned
+from inertance.diagnosis.search.joint_fit import JointFit
+from inertance.diagnosis.verdict.steadiness import Unsteady, unsteady
+from inertance.identification import Accuracy, Campaign, Record
+
+CHANNELS = {"F": {"input": "push.f", "unit": "N"}, "x": {"output": "carriage.s", "unit": "m"}}
+PRIORS = {"spring.k": {"rel": 0.1}, "guide.d": {"rel": 0.3}}
+LASTING, K3 = 6.0, 2e5
+
+
+class Aging(ia.Compliant):
+    """A cubic spring whose strength changes evenly over a record, by a share of its mean."""
+
+    clock = ia.RealInput("s", "time since the record began")
+    change = ia.parameter("1", "share by which it changes")
+
+    def equations(self) -> Any:
+        yield self.f == K3 * (1 + self.change * (self.clock / LASTING - 0.5)) * self.s_rel**3
+
+
+def aging(rig: ia.Network, change: float) -> ia.Network:
+    rig.add(old=Aging(change=change), clock=ia.signals.Clock())
+    rig.connect(rig.clock.y, rig.old.clock).connect(rig.wall.flange, rig.old.flange_a)
+    return rig.connect(rig.old.flange_b, rig.carriage.flange)
+
+
+@pytest.fixture(scope="module")
+def cart(carriage: Callable[..., Any]) -> Any:
+    return carriage(rate=200.0, duration=LASTING, noise=1e-5)
+
+
+def records(cart: Any, change: float, later: float = 0.0) -> list[dict[str, Record]]:
+    taken = [cart.measured(aging(cart.rig(), change), seed) for seed in (1, 2, 3)]
+    return [{"record": replace(record, time=record.time + later)} for record in taken]
+
+
+def found_in(cart: Any, change: float, later: float) -> list[Unsteady]:
+    """Fit a cubic spring that does not age, and ask whether it is steady."""
+    *train, test = records(cart, change, later)
+    campaign = thinned(Campaign(cart.rig(), CHANNELS, PRIORS, train, [test]))
+    study = study_of(campaign, Accuracy())
+    (site,) = (site for site in study.sites if site.path == "guide")
+    placed = Hypothesis(effect_of("cubic_stiffness"), site, "cubic_stiffness_1", {"k3": K3})
+    return [*unsteady(study, JointFit(study, campaign.start, [placed]).fitted())]
+
+
+@pytest.mark.parametrize("later", [0.0, 40.0])
+@pytest.mark.parametrize("change", [0.3, -0.3])
+def test_an_effect_that_ages_is_told_with_its_change(cart: Any, change: float, later: float) -> None:
+    (found,) = found_in(cart, change, later)
+    assert found.placed.label == "cubic_stiffness at guide"
+    assert found.change == pytest.approx(change, rel=0.15)
+    assert found.takes > 0.5
+    way = "grow" if change > 0 else "fade"
+    assert f"would have to {way} by {abs(found.change):.0%} from the beginning to the end" in str(found)
+
+
+def test_an_effect_that_does_not_age_is_steady(cart: Any) -> None:
+    assert found_in(cart, 0.0, 40.0) == []
+
+
+def test_what_ages_is_not_named_as_a_law_that_does_not(cart: Any) -> None:
+    *train, test = records(cart, -1.2)
+    found = ia.diagnose(Campaign(cart.rig(), CHANNELS, PRIORS, train, [test]))
+    assert found.verdict in ("unknown", "partial")
+    assert "cubic_stiffness" not in [placed.effect.kind for placed in found.effects]
+    assert any("cubic_stiffness at guide would have to fade" in note for note in found.notes)
+    assert "too little to be named" not in found.sentence
