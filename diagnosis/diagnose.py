@@ -85,6 +85,7 @@ def diagnose(
     rounds: list[Round] = []
     notes = study.limits()
     best, rivals = base, Rivals()
+    known: tuple[Study, Refit, Refit, Refit, list[Round]] | None = None
     try:
         while _may_go_on(best, base, study):
             done = run_round(study, best, rounds)
@@ -97,15 +98,19 @@ def diagnose(
                 best, base = without, base if best.effects else without
                 rounds.pop()
                 continue
-            again = _reheard(study, chosen)
-            if again is not None:
+            known = study, start, base, chosen, rounds
+            if not study.late() and (again := _reheard(study, chosen)):
                 study, start, base = again
                 best, rivals, rounds = base, Rivals(), []
                 continue
             best, rivals = _revised(_pruned(chosen, study), rounds, study)
         notes = [*notes, *_left_out(study, budget, rounds)]
+        if known and study.late() and not best.effects:
+            study, start, base, best, rounds = known
         return decided(study, start, base, best, rounds, notes, rivals)
     except KeyboardInterrupt:
+        if known and not best.effects:
+            study, start, base, best, rounds = known
         verdict = decided(replace(study, deadline=-inf), start, base, best, rounds, notes, rivals)
         told = "interrupted; what is known so far is the error's `verdict`"
         raise DiagnosisInterruptedError(told, verdict) from None

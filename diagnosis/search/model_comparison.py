@@ -151,21 +151,19 @@ def with_residual_floors(campaign: Campaign, model: Refit) -> Campaign:
     """
     floors = [dict(experiment.floors) for experiment in campaign.experiments]
     for name in campaign.outputs:
-        found = _uncovered(campaign, model, name)
-        for experiment, missed, floor, own in zip(
-            campaign.experiments, model.left, floors, found, strict=True
-        ):
+        heard = _heard(campaign, model, name)
+        uncovered: Sequence[NoiseFloor | None] = uncovered_floors(heard) or [None] * len(heard)
+        for one, floor, own in zip(heard, floors, uncovered, strict=True):
             if own is not None:
                 floor[name] = own
-            elif floor[name].is_filtered:
-                residual = experiment.counted(experiment.sigma[name] * missed[name])
-                floor[name] = residual_floor(residual, experiment.rate, floor[name])
+            elif one.floor.is_filtered:
+                floor[name] = residual_floor(one.residual, one.rate, one.floor)
     return campaign if floors == [e.floors for e in campaign.experiments] else campaign.with_floors(floors)
 
 
-def _uncovered(campaign: Campaign, model: Refit, name: str) -> Sequence[NoiseFloor | None]:
-    """Return the noise of a channel in each record that filters let through, None where they did not."""
-    heard = [
+def _heard(campaign: Campaign, model: Refit, name: str) -> list[Heard]:
+    """Return a channel in each record, beside what a model misses of it."""
+    return [
         Heard(
             experiment.counted(experiment.sigma[name] * missed[name]),
             experiment.counted(experiment.compared.values[name]),
@@ -175,7 +173,6 @@ def _uncovered(campaign: Campaign, model: Refit, name: str) -> Sequence[NoiseFlo
         )
         for experiment, missed in zip(campaign.experiments, model.left, strict=True)
     ]
-    return uncovered_floors(heard) or [None] * len(heard)
 
 
 def best_of(models: Sequence[Refit]) -> Refit:

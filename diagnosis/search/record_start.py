@@ -48,7 +48,7 @@ def parted(experiment: Experiment, unknown: Array) -> tuple[Array | None, dict[s
 
 
 def projected(columns: Array, nuisances: Array) -> Array:
-    """Take off what start values and offsets can explain (variable projection)."""
+    """Take off what nuisances, as start values and offsets, can explain (variable projection)."""
     return np.asarray(columns - nuisances @ solved(nuisances, columns))
 
 

@@ -6,11 +6,11 @@ from collections.abc import Iterator
 
 import numpy as np
 
-from ...base import Array
 from ..criteria import KNOWN_STANDARD_DEVIATIONS
 from ..models.study import Study
 from ..search.joint_fit import JointFit
 from ..search.model_comparison import Refit
+from ..search.record_start import projected
 
 
 def unresolved(study: Study, best: Refit) -> Iterator[str]:
@@ -28,15 +28,9 @@ def unresolved(study: Study, best: Refit) -> Iterator[str]:
     for placed, sizes in zip(best.effects, joint.sizes, strict=True):
         units = placed.units(study.campaign)
         for (name, value), size in zip(placed.values.items(), sizes, strict=True):
-            known = _own(slopes, column) / max(1.0, best.misfit)
+            own = projected(slopes[:, column], np.delete(slopes, column, axis=1))
+            known = float(np.linalg.norm(own)) / max(1.0, best.misfit)
             column += 1
             if known < KNOWN_STANDARD_DEVIATIONS:
                 told, sd = f"{placed.name}.{name} = {value:.4g} {units[name]}", size / max(known, 1e-300)
                 yield f"{told} has a standard deviation of {sd:.2g}: these records do not tell its value"
-
-
-def _own(slopes: Array, column: int) -> float:
-    """Return the length of what a column has that no combination of the others does."""
-    others = np.delete(slopes, column, axis=1)
-    found = np.linalg.lstsq(others, slopes[:, column], rcond=None)[0]
-    return float(np.linalg.norm(slopes[:, column] - others @ found))

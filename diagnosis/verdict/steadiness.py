@@ -7,12 +7,12 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from ...base import Array
 from ..criteria import UNSTEADY_SHARE
 from ..effects.hypothesis import Hypothesis
 from ..models.study import Study
 from ..search.joint_fit import JointFit
 from ..search.model_comparison import Refit
+from ..search.record_start import projected
 
 
 @dataclass(frozen=True)
@@ -56,21 +56,15 @@ def unsteady(study: Study, model: Refit) -> Iterator[Unsteady]:
             for e in study.campaign.training
         ]
     )
-    left = _without(slopes, missed)
+    left = projected(missed, slopes)
     for placed in model.effects:
         sizes = np.array([not quantity.shape for quantity in placed.quantities])
         own = slice(begin, begin + len(sizes))
         begin = own.stop
-        changing = _without(slopes, elapsed * (slopes[:, own] @ (vector[own] * sizes)))
+        changing = projected(elapsed * (slopes[:, own] @ (vector[own] * sizes)), slopes)
         length = float(changing @ changing)
         if not length:
             continue
         share = float(changing @ left) ** 2 / (length * float(left @ left))
         if share > UNSTEADY_SHARE:
             yield Unsteady(placed, 2 * float(changing @ left) / length, share)
-
-
-def _without(slopes: Array, values: Array) -> Array:
-    """Return what no combination of slopes makes of some values."""
-    found = np.linalg.lstsq(slopes, values, rcond=None)[0]
-    return np.asarray(values - slopes @ found)

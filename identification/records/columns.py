@@ -16,9 +16,7 @@ GAP = 1.75  # in steps
 CLIPPED_SAMPLES = 5
 CLIPPED_STEEPNESS = 1.0  # of the step before a plateau, over the usual one
 COARSE_STEEPNESS = 1.5  # of that step over the smallest there is, up to which a coarse signal may turn
-TURNING_STEPS = (
-    4.0  # of a sensor, from which a signal comes in half the time that it stays at the last, turning
-)
+TURNING_STEPS = 4.0  # of a sensor, from which a signal comes in half the time it stays at the last
 LARGEST_VALUE = 1e12
 MOVED_SHARE = 0.01  # of its range, by which a channel moves that does not rest
 SWITCHED_SHARE = 0.5  # of samples at the two extremes, above which a signal switches between them

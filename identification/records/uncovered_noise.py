@@ -23,9 +23,7 @@ from .noise import (
 AVERAGES = 32  # stretches of all records, of which a channel's spectrum is the mean
 STRETCH_SAMPLES = (64, 1024)
 UNKNOWN_SHARE = 0.95  # of the measured power from a frequency on, above which a model says nothing of it
-LEAST_SPAN = (
-    2.5  # times that frequency, up to where noise is level at least: what a machine does falls before
-)
+LEAST_SPAN = 2.5  # times that frequency, up to where noise is level at least; a machine's answer falls
 EVEN_RATIO = 6.0  # of the densities there, that noise keeps to though a filter has begun
 STEADY_SHARE = 0.5  # of the records, in which it is as strong at all times
 FOLLOWING_SHARE = 0.3  # of the power there that may be linear in an input; by chance 0.04 to 0.1 is
@@ -55,11 +53,12 @@ def uncovered_floors(records: Sequence[Heard]) -> list[NoiseFloor] | None:
     was measured. What follows an input is none: a random drive has an even and steady answer, too.
 
     Args:
-        records: of one channel; too short ones have the noise of the others.
+        records: of one channel; too short ones, and those of which nothing is missed, have the noise of the
+            others.
     """
     if any(record.floor.source not in (SPECTRUM, SENSOR_STEPS) for record in records):
         return None
-    lengths = _lengths([record for record in records if len(record.residual) >= STRETCH_SAMPLES[0]])
+    lengths = _lengths([record for record in records if _is_heard(record)])
     missed = {record: density_of(record.residual, length) for record, length in lengths.items()}
     band = _level_band(missed, [density_of(record.measured, length) for record, length in lengths.items()])
     if band is None or _following(lengths, band) > FOLLOWING_SHARE:
@@ -82,6 +81,10 @@ def uncovered_floors(records: Sequence[Heard]) -> list[NoiseFloor] | None:
     return [NoiseFloor(sigma, LEFT_BY_FIT, highest) for sigma in sigmas]
 
 
+def _is_heard(record: Heard) -> bool:
+    return len(record.residual) >= STRETCH_SAMPLES[0] and bool(np.ptp(record.residual))
+
+
 def _lengths(records: Sequence[Heard]) -> dict[Heard, int]:
     """Return from how many samples at a time spectra are computed, of equal frequencies in all records."""
     if not records:
@@ -89,7 +92,7 @@ def _lengths(records: Sequence[Heard]) -> dict[Heard, int]:
     seconds = [len(record.residual) / record.rate for record in records]
     slowest = min(record.rate for record in records)
     wanted = float(np.clip(slowest * sum(seconds) / AVERAGES, *STRETCH_SAMPLES)) / slowest
-    return {record: int(min(wanted, *seconds) * record.rate) for record in records}
+    return {record: round(min(wanted, *seconds) * record.rate) for record in records}
 
 
 def _level_band(missed: Mapping[Heard, Array], measured: Sequence[Array]) -> slice | None:

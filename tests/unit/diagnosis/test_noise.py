@@ -154,6 +154,22 @@ def test_a_record_that_is_too_short_has_the_noise_of_the_others() -> None:
     assert found[1].sigma == pytest.approx(np.hypot(found[0].sigma, found[2].sigma) / np.sqrt(2))
 
 
+@pytest.mark.parametrize("left", [0.0, 0.3])
+def test_records_of_which_nothing_is_missed_have_the_noise_of_the_others(left: float) -> None:
+    """A prescribed motion is met to the last digit; one that is off by a constant tells of no noise."""
+    rng, time = np.random.default_rng(5), np.arange(12000) / RATE
+    signal = np.sin(11 * time)
+    measured = grid(signal + Filter(cutoff=60.0).apply(0.02 * rng.standard_normal(len(time)), RATE), 16)
+    floor = spectral_floor(measured, RATE)
+    met = Heard(np.full(len(time), left), measured, [signal], floor, RATE)
+    missed = Heard(measured - signal, measured, [signal], floor, RATE)
+    assert uncovered_floors([met, met]) is None
+    alone, found = uncovered_floors([missed]), uncovered_floors([met, missed])
+    assert alone is not None
+    assert found is not None
+    assert [one.sigma for one in found] == pytest.approx([alone[0].sigma] * 2)
+
+
 def test_what_a_model_misses_of_a_motion_is_no_noise_of_a_filter() -> None:
     rng, time = np.random.default_rng(6), np.arange(12000) / RATE
     sweep = np.sin(2 * np.pi * 5 * time**2)

@@ -3,6 +3,8 @@
 import json
 from collections.abc import Callable
 from concurrent.futures import ProcessPoolExecutor
+from dataclasses import replace
+from importlib import import_module
 from multiprocessing import get_context
 from pathlib import Path
 from typing import Any
@@ -19,6 +21,8 @@ from scipy.interpolate import CubicSpline
 
 Array = NDArray[np.float64]
 Sensor = Callable[[Array, Array], Array]
+
+search = import_module("inertance.diagnosis.diagnose")
 
 RATE, DURATION, NOISE = 250.0, 6.0, 2e-5
 
@@ -75,6 +79,40 @@ def test_an_interrupted_diagnosis_states_no_verdict(cart: Any, tmp_path: Path, l
     assert json.loads(found.save(tmp_path / "v.json").read_text())["verdict"] == "interrupted"
     page = ia.diagnosis.write_report(found, tmp_path / "v.html").read_text(encoding="utf-8")
     assert "Nothing yet: the diagnosis was stopped before its end" in page
+
+
+@pytest.mark.parametrize("stopped", [True, False])
+def test_an_effect_found_before_noise_was_heard_again_is_kept(
+    cart: Any, monkeypatch: pytest.MonkeyPatch, stopped: bool
+) -> None:
+    """The search begins once more with other noise; broken off there, it tells what it had found."""
+    hear = search.with_residual_floors
+
+    def other_noise(campaign: Campaign, model: Refit) -> Campaign:
+        if not model.effects:
+            return hear(campaign, model)
+        if stopped:
+            raise KeyboardInterrupt
+        return campaign.with_floors([{**experiment.floors} for experiment in campaign.experiments])
+
+    def rounds(study: Any, best: Refit, done: Any) -> Any:
+        found = search_round(study, best, done)
+        monkeypatch.setattr(type(study), "late", lambda _: len(begun) > 1)
+        begun.append(best)
+        return replace(found, fitted=[]) if len(begun) > 1 else found
+
+    begun: list[Refit] = []
+    search_round = search.run_round
+    monkeypatch.setattr(search, "with_residual_floors", other_noise)
+    monkeypatch.setattr(search, "run_round", rounds)
+    if stopped:
+        with pytest.raises(DiagnosisInterruptedError) as interrupted:
+            verdict_on(cart, cart.rubbing())
+        found = interrupted.value.verdict
+    else:
+        found = verdict_on(cart, cart.rubbing(), budget=600.0)
+        assert len(begun) == 2
+    assert [(p.effect.kind, p.site.path) for p in found.effects] == [("coulomb_friction", "guide")]
 
 
 def test_missing_friction_is_named_and_corrected(cart: Any, tmp_path: Path) -> None:
