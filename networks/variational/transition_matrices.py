@@ -26,7 +26,7 @@ class Steps:
     Attributes:
         map: (intervals, states, states).
         own: (intervals, states, parameters).
-        weight: (intervals, states, states).
+        weight: (intervals, states, states); (intervals, states, 0) if nothing but parameters is to change.
     """
 
     map: Array
@@ -66,46 +66,48 @@ def _followed(maps: Array, moved: Array, added: Array) -> Array:
     return states
 
 
-def steps_along(points: Points, slopes: Slopes, to_x: Array, to_p: Array) -> Steps:
+def steps_along(points: Points, slopes: Slopes, to_x: Array, to_p: Array, pushed: bool) -> Steps:
     """Return the steps between all points, from the slopes in states and parameters there.
 
+    If more than parameters is to change, they are `pushed` by what else does.
     Intervals over which slopes change much, as at a clearance, are cut into parts.
     """
-    A, B = _rates(to_x, to_p)
+    A, B = _rates(to_x, to_p, pushed)
     scale = _balance(A)
     lengths = np.diff(points.t)
     if slopes.still:
-        matrices = _repeated(points, A, B, scale)
+        matrices = _repeated(points, A, to_p[:, : len(scale)], scale)
     else:
         matrices = _single(lengths, _middle(A), _middle(B), scale)
         changing = np.flatnonzero(_size(np.diff(A, axis=0), scale) * lengths > UNEVENNESS)
         if len(changing):
-            matrices[changing], bent = _in_parts(points, changing, 2, slopes, scale)
+            matrices[changing], bent = _in_parts(points, changing, 2, slopes, scale, pushed)
             least = np.maximum(2 * bent / UNEVENNESS, 1.0)
             parts = np.minimum(2 ** np.ceil(np.log2(least)), MOST_PARTS).astype(int)
             for count in np.unique(parts[parts > 2]):
                 some = changing[parts == count]
-                matrices[some], _ = _in_parts(points, some, count, slopes, scale)
+                matrices[some], _ = _in_parts(points, some, count, slopes, scale, pushed)
     ends = np.cumsum([len(scale), to_p.shape[2]])
     return Steps(*np.split(matrices, ends, axis=2))
 
 
-def _rates(to_x: Array, to_p: Array) -> tuple[Array, Array]:
+def _rates(to_x: Array, to_p: Array, pushed: bool) -> tuple[Array, Array]:
     """Return the slopes of the states' rates in the states, and in what forces them: parameters and rates."""
     n = to_x.shape[2]
     A = to_x[:, :n]
-    return A, np.concatenate([to_p[:, :n], np.broadcast_to(np.eye(n), A.shape)], axis=2)
+    own = to_p[:, :n]
+    return A, np.concatenate([own, np.broadcast_to(np.eye(n), A.shape)], axis=2) if pushed else own
 
 
 def _in_parts(
-    points: Points, intervals: Any, count: int, slopes: Slopes, scale: Array
+    points: Points, intervals: Any, count: int, slopes: Slopes, scale: Array, pushed: bool
 ) -> tuple[Array, Array]:
     """Return the matrices of intervals in parts, and how far slopes in their middle are off a line."""
     n, finer = len(scale), points.within(intervals, count)
     to_x, to_p, _ = slopes(finer)
-    A, B = (m.reshape(len(intervals), count + 1, n, -1) for m in _rates(to_x, to_p))
+    A, B = (m.reshape(len(intervals), count + 1, n, -1) for m in _rates(to_x, to_p, pushed))
     t = finer.t.reshape(len(intervals), count + 1)
-    a, b = (0.5 * (m[:, 1:] + m[:, :-1]).reshape(-1, n, m.shape[3]) for m in (A, B))
+    a, b = (0.5 * (m[:, 1:] + m[:, :-1]).reshape(len(t) * count, n, m.shape[3]) for m in (A, B))
     steps = _single(np.diff(t).ravel(), a, b, scale).reshape(len(t), count, n, -1)
     total = steps[:, 0]
     for k in range(1, count):
@@ -162,5 +164,5 @@ def _repeated(points: Points, A: Array, B: Array, scale: Array) -> Array:
     few = _single(lengths[first], A[first + 1], np.broadcast_to(np.eye(n), (len(first), n, n)), scale)
     many = few[kind.ravel()]
     weight = many[:, :, n:]
-    own = weight @ _middle(B[:, :, : B.shape[2] - n])
+    own = weight @ _middle(B)
     return np.concatenate([many[:, :, :n], own, weight], axis=2)

@@ -118,7 +118,7 @@ class Variations:
         ):
             raise ModelError(f"start is an array of numbers of shape {(nx, count)}, got {shown(start)}")
         moved = np.hstack([np.zeros((nx, count)) if start is None else start, np.eye(nx)])
-        line = self._linearised(result)
+        line = self._linearised(result, pushed=False)
         added = np.zeros((len(line.steps.own), nx, count + nx))
         added[:, :, :count] = line.steps.own
         slopes = line.to_x[:, nx:] @ line.steps.carry(self._held(result.segments[0], moved), added)
@@ -231,13 +231,13 @@ class Variations:
         of_q[[place[name] for name in self.parameters], range(len(self.parameters))] = 1.0
         return start_slopes(result.closed, point, start_values(self.dae, start, {}), of_q)
 
-    def _linearised(self, result: Result) -> _Line:
-        """Return the slopes along a run; those of the last run are kept."""
-        if self._line is None or self._line.result is not result:
+    def _linearised(self, result: Result, pushed: bool = True) -> _Line:
+        """Return the slopes along a run, also in what is `pushed`; those of the last run are kept."""
+        if self._line is None or self._line.result is not result or (pushed and not self._line.pushed):
             self._check_jumps(result)
             points = result.points
             to_x, to_p, to_u = self._slopes(points)
-            steps = steps_along(points, self._slopes, to_x, to_p)
+            steps = steps_along(points, self._slopes, to_x, to_p, pushed)
             passed = dict(passages(result))
             edges = np.cumsum([len(segment) for segment in result.segments])[:-1] - 1
             switched, by_u = edges[[*passed]], np.zeros((0, 0, 0))
@@ -245,7 +245,7 @@ class Variations:
                 parts = np.cumsum([to_x.shape[2], to_p.shape[2]])
                 by_x, by_p, by_u = np.split(self._saltation(result.closed, [*passed.values()]), parts, axis=2)
                 steps.map[switched], steps.own[switched], steps.weight[switched] = by_x, by_p, 0.0
-            self._line = _Line(result, to_x, to_p, to_u, steps, edges, switched, by_u)
+            self._line = _Line(result, to_x, to_p, to_u, steps, edges, switched, by_u, pushed)
         return self._line
 
     def _check_jumps(self, result: Result) -> None:
@@ -284,7 +284,7 @@ class Variations:
 class _Line:
     """A run with the slopes along it; `edges` are the last points of its segments but the last.
 
-    Those of them at which modes switch are `switched`.
+    Those of them at which modes switch are `switched`; if it is `pushed`, more than parameters is to change.
     """
 
     result: Result
@@ -295,6 +295,7 @@ class _Line:
     edges: NDArray[np.intp]
     switched: NDArray[np.intp]
     crossed_by_u: Array
+    pushed: bool
 
 
 def _differentiated(values: Array, time: Array, edges: Any) -> Array:

@@ -55,3 +55,16 @@ def test_an_input_whose_derivatives_act_has_none() -> None:
     dae = drawn().dae()
     run = ia.simulate(dae, 1.0, inputs={"drive.s_ref": lambda t: 0.1 * np.sin(3 * t), "push.f": 0.0})
     assert Variations(dae, ["cell.f"], []).adjoint(run, np.ones((len(run.time), 1)), "drive.s_ref") is None
+
+
+def test_slopes_are_the_same_without_parameters_and_after_inputs_were_pushed() -> None:
+    """Each asks for another part of what is known along the run; a hard spring is followed in parts."""
+    dae = carriage(stop=ia.CubicSpring(k=0.0, k3=1e6)).dae()
+    run = ia.simulate(dae, 2.0, step=0.02, inputs={"push.f": lambda t: 50 * np.sin(4 * t)})
+    change = {"push.f": np.ones((len(run.time), 1))}
+    alone, beside, pushed = (Variations(dae, ["mass.s"], names) for names in ([], ["spring.k"], ["spring.k"]))
+    moved = pushed.pushed(run, change)
+    slopes = beside.along(run)
+    assert alone.along(run) == pytest.approx(slopes[:, :, 1:], rel=1e-9)
+    assert pushed.along(run) == pytest.approx(slopes, rel=1e-12)
+    assert beside.pushed(run, change) == pytest.approx(moved, rel=1e-12)
