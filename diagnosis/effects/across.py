@@ -121,6 +121,7 @@ register(
         both(d=(*DAMPING, -inf), d_u=(("d_u", "N/m"), ("d_u", "N.m/rad"), -inf)),
         _drifting,
         lambda motion, _: [motion.v, motion.elapsed * motion.v],
+        ages=True,
         plain=("viscous_damping", (1.0, 0.0)),
     )
 )

@@ -111,6 +111,7 @@ register(
         both(f_c=(*COULOMB, -inf), f_u=(("f_u", "N/s"), ("tau_u", "N.m/s"), -inf)),
         _drifting,
         lambda motion, _: [motion.direction, motion.elapsed * motion.direction],
+        ages=True,
         plain=("coulomb_friction", (1.0, 0.0)),
     )
 )

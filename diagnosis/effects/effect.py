@@ -105,6 +105,7 @@ class Effect:
         step: share of a quantity over which its slopes are differences; 0 for slopes along the run, which
             channels do not have, and which say little of where impacts end up.
         memory: whether its force depends on how the site moved before.
+        ages: whether it changes as time goes on.
         origin: from where on its site the distance counts, on which its force depends: where it rests.
         grounded: whether it acts from the ground alone, as gravity does, not between two moving parts.
         credible: whether values are those of such an effect, and do not only bend its law into another.
@@ -122,6 +123,7 @@ class Effect:
     parameters: Callable[[Site, str, Values], dict[str, float]] | None = None
     step: float = 0.0
     memory: bool = False
+    ages: bool = False
     origin: Callable[[Site], float] = field(default=lambda site: site.rest)
     grounded: bool = False
     credible: Callable[[Values], bool] = field(default=lambda values: True)

@@ -39,6 +39,8 @@ class Unsteady:
 def unsteady(study: Study, model: Refit) -> Iterator[Unsteady]:
     """Yield the effects of a model that its training records want to be weaker or stronger as time goes on.
 
+    What changes with time by its own law, as friction that drifts, may do so in another way than it says.
+
     With r what a model misses in units of noise, J its slopes and g = sum(size * dr/dsize) of an effect, b of
     r = J*x + b*t*g is fitted by least squares, t going from -1 to 1 in each record: the change is 2*b.
     """
@@ -63,7 +65,7 @@ def unsteady(study: Study, model: Refit) -> Iterator[Unsteady]:
         begin = own.stop
         changing = projected(elapsed * (slopes[:, own] @ (vector[own] * sizes)), slopes)
         length = float(changing @ changing)
-        if not length:
+        if placed.effect.ages or not length:
             continue
         share = float(changing @ left) ** 2 / (length * float(left @ left))
         if share > UNSTEADY_SHARE:

@@ -8,6 +8,8 @@ from typing import Any
 
 import inertance as ia
 import pytest
+from casadi import tanh
+from inertance import der
 from inertance.diagnosis.effects.effect import effect_of
 from inertance.diagnosis.effects.hypothesis import Hypothesis
 from inertance.diagnosis.models.study import study_of, thinned
@@ -69,6 +71,27 @@ def test_an_effect_that_ages_is_told_with_its_change(cart: Any, change: float, l
 
 def test_an_effect_that_does_not_age_is_steady(cart: Any) -> None:
     assert found_in(cart, 0.0, 40.0) == []
+
+
+class Wearing(ia.Compliant):
+    """Friction that falls faster and faster."""
+
+    clock = ia.RealInput("s", "time since the record began")
+    v_rel = ia.variable("m/s", "relative speed of the flanges")
+
+    def equations(self) -> Any:
+        yield self.v_rel == der(self.s_rel)
+        yield self.f == 0.8 * (1 - 0.9 * (self.clock / LASTING) ** 3) * tanh(self.v_rel / 1e-3)
+
+
+def test_an_effect_that_drifts_by_another_course_than_its_own_is_named(cart: Any) -> None:
+    truth = cart.rig()
+    truth.add(pad=Wearing(), clock=ia.signals.Clock())
+    truth.connect(truth.clock.y, truth.pad.clock).connect(truth.wall.flange, truth.pad.flange_a)
+    truth.connect(truth.pad.flange_b, truth.carriage.flange)
+    *train, test = ({"record": cart.measured(truth, seed)} for seed in (1, 2, 3))
+    found = ia.diagnose(Campaign(cart.rig(), CHANNELS, PRIORS, train, [test]))
+    assert [(p.effect.kind, p.site.path) for p in found.effects] == [("friction_drift", "guide")]
 
 
 def test_what_ages_is_not_named_as_a_law_that_does_not(cart: Any) -> None:
