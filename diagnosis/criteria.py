@@ -100,6 +100,7 @@ RELATIVE_TOLERANCES = 1e-7, 1e-5  # [1] finest and coarsest of runs; data
 TOLERANCE_OVER_NOISE = 1e-3  # [1] relative tolerance of runs over the share of noise in records; blind
 SOLVER_STEPS_PER_SAMPLE = 50  # [1] granted; a model as given that needs more is far too fast; effort
 SOLVER_STEPS_RATIO = 20.0  # [1] of what the model as given takes, granted to what is changed in it; effort
+IMPACT_STEPS_RATIO = 16  # [1] of these, granted to what is in series, where stops are hit; effort
 FMU_STEPS_PER_SAMPLE = 2, 8  # [1] fewest and most communication steps between compared instants; effort
 FMU_STEP_ERROR_OVER_NOISE = 0.1  # [noise] by which half the communication step may change a run; data
 FMU_RELATIVE_TOLERANCE = 1e-6  # [1] of runs of an FMU; data

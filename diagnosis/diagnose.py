@@ -89,7 +89,7 @@ def diagnose(
     try:
         while _may_go_on(best, base, study):
             done = run_round(study, best, rounds)
-            chosen = _chosen(done, base, rounds[0])
+            chosen = _chosen(done, base)
             if chosen is None:
                 break
             without = _without(chosen.effects[-1], chosen, study)
@@ -104,7 +104,7 @@ def diagnose(
                 best, rivals, rounds = base, Rivals(), []
                 continue
             best, rivals = _revised(_pruned(chosen, study), rounds, study)
-        notes = [*notes, *_left_out(study, budget, rounds)]
+        notes = [*notes, *_left_out(study, budget, rounds), *_unscreened(rounds)]
         if known and study.late() and not best.effects:
             study, start, base, best, rounds = known
         return decided(study, start, base, best, rounds, notes, rivals)
@@ -152,6 +152,13 @@ def _left_out(study: Study, budget: float | None, rounds: Sequence[Round]) -> li
     return [f"the budget of {budget:g} s ended: {fits}; give more time for the full verdict"]
 
 
+def _unscreened(rounds: Sequence[Round]) -> list[str]:
+    """Say beside what nothing further could be looked for, and why."""
+    beside = [" and ".join(p.label for p in done.base.effects) or "the model as given" for done in rounds]
+    told = zip(beside, (done.unscreened for done in rounds), strict=True)
+    return [f"beside {model} nothing was looked for: {why}" for model, why in told if why]
+
+
 def _check_keys(campaign: Campaign) -> None:
     """Raise for what a fit understands and a diagnosis would leave out."""
     problems = [
@@ -184,13 +191,12 @@ def _may_go_on(best: Refit, base: Refit, study: Study) -> bool:
     return unexplained(best, base) > criteria.HIDDEN_RESIDUAL_SHARE
 
 
-def _chosen(done: Round, base: Refit, first: Round) -> Refit | None:
+def _chosen(done: Round, base: Refit) -> Refit | None:
     """Return the best model of a round among those clearly better than the first, the simplest of equals.
 
-    What only bends the law of another effect is none, as the `first` round shows.
     How much it must take away is counted in what the model without effects misses.
     """
-    clear = [found for found in done.fitted if is_clear(done.base, found) and not _only_bends(found, first)]
+    clear = [found for found in done.fitted if is_clear(done.base, found)]
     if not clear:
         return None
     best = _sited(_simplest(best_of(clear), clear), clear)
@@ -202,27 +208,6 @@ def _chosen(done: Round, base: Refit, first: Round) -> Refit | None:
         return best if drop > criteria.FIRST_EFFECT_SHARE * all_of_it else None
     of_what_is_left = drop > criteria.LEFT_EFFECT_SHARE * (done.base.blocks.sum() - base.independent)
     return best if of_what_is_left or drop > criteria.FURTHER_EFFECT_SHARE * all_of_it else None
-
-
-def _only_bends(model: Refit, first: Round) -> bool:
-    """Tell whether the last effect is of the nature of another in its motion, whose law it only bends."""
-    *others, last = model.effects
-    beside = [placed for placed in others if _in_one_motion(placed, last, first)]
-    return any(p.generalises(last) or (p.effect.memory and last.effect.memory) for p in beside)
-
-
-def _in_one_motion(placed: Hypothesis, other: Hypothesis, first: Round) -> bool:
-    """Tell whether effects stand at one site, or one of them, alone, took nearly all of the gap at either."""
-    if placed.site.path == other.site.path:
-        return True
-    left = {
-        model.effects[0].site.path: float(model.blocks.sum())
-        for model in first.fitted
-        if len(model.effects) == 1 and model.effects[0].effect.kind == placed.effect.kind
-    }
-    less, more = sorted(left.get(p.site.path, inf) for p in (placed, other))
-    nearly_all = more < criteria.NEARLY_ALL_LEFT * float(first.base.blocks.sum())
-    return nearly_all and more < criteria.ONE_MOTION_RATIO * less
 
 
 def _simplest(best: Refit, clear: Sequence[Refit]) -> Refit:

@@ -19,6 +19,7 @@ from ..criteria import (
     ACTIVE_POWER_SHARE,
     COMPARISON_RATE_HZ,
     FAST_NOISE_RATIO,
+    IMPACT_STEPS_RATIO,
     NOISE_PEAK_STANDARD_DEVIATIONS,
     SOLVER_STEPS_PER_SAMPLE,
 )
@@ -118,6 +119,13 @@ class Study:
     def screened(self) -> tuple[list[Experiment], float]:
         """Return the records by which effects are screened, and how many a sample of theirs stands for."""
         return self.campaign.training, 1.0
+
+    def accuracy_with(self, effects: Sequence[Hypothesis]) -> Accuracy:
+        """Return how runs of the model with effects are computed: stops that are hit take more steps."""
+        steps = self.accuracy.steps
+        if steps is None or not any(placed.effect.place == "series" for placed in effects):
+            return self.accuracy
+        return replace(self.accuracy, steps=IMPACT_STEPS_RATIO * steps)
 
     def steps_per_sample(self) -> float:
         """Return how many steps of the integrator the model, as it was given, takes for a sample at most.

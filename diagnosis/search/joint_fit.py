@@ -61,7 +61,7 @@ class JointFit:
         effects: Sequence[Hypothesis] = (),
         near: Refit | None = None,
     ) -> None:
-        self.study, self.campaign, self.accuracy = study, study.campaign, study.accuracy
+        self.study, self.campaign, self.accuracy = study, study.campaign, study.accuracy_with(effects)
         self.effects, self.names = tuple(effects), list(parameters)
         priors = [self.campaign.priors[name] for name in self.names]
         self.center = np.array([prior.center for prior in priors])

@@ -5,9 +5,12 @@ from __future__ import annotations
 from collections import deque
 from collections.abc import Collection, Sequence
 from dataclasses import dataclass, field
+from math import inf
 
+from ...components import InertanceError
 from ...identification import Campaign
 from .. import criteria
+from ..effects.hypothesis import Hypothesis
 from ..models.study import Study
 from .crew import LATE, Crew, Fit, Outcome
 from .model_comparison import Refit, unexplained
@@ -15,18 +18,21 @@ from .needless import needless
 from .score_test import Candidate, screen
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(eq=False)
 class Round:
     """One round of the search: the model so far, the candidates, what fits of them gave, why some gave none.
 
     Attributes:
         failed: by label of a candidate, why its fit came to nothing.
+        unscreened: why there are no candidates, or none where the parameters were given, if it cannot be run
+            beside probes.
     """
 
     base: Refit
     candidates: list[Candidate]
     fitted: list[Refit]
     failed: dict[str, str] = field(default_factory=dict)
+    unscreened: str = ""
 
 
 def run_round(study: Study, base: Refit, rounds: list[Round]) -> Round:
@@ -34,7 +40,13 @@ def run_round(study: Study, base: Refit, rounds: list[Round]) -> Round:
     told = " on top of what was found" if base.effects else ""
     study.tell(f"screening effects{told}")
     crew = Crew(study)
-    candidates = screen(study, base.parameters, base.effects)
+    try:
+        candidates = screen(study, base.parameters, base.effects)
+    except InertanceError as error:
+        if not base.effects:
+            raise
+        rounds.append(Round(base, [], [], unscreened=_first_line(error)))
+        return rounds[-1]
     waiting = _leading(candidates, {placed.label for placed in base.effects})
     tried, fitted, kept = list[Candidate](), list[Refit](), 0.0
     rounds.append(Round(base, list(candidates), fitted))
@@ -47,7 +59,7 @@ def run_round(study: Study, base: Refit, rounds: list[Round]) -> Round:
             waiting.remove(ready)
             tried.append(ready)
             fit = Fit.of(ready, base, fitted)
-            if why := needless(study, fit.placed, base, fitted):
+            if why := needless(study, fit.placed, base, fitted) or only_bends(fit.placed, base, rounds[0]):
                 failed[ready.label] = why
             else:
                 under_way.append((ready, crew.begin(fit)))
@@ -62,14 +74,45 @@ def run_round(study: Study, base: Refit, rounds: list[Round]) -> Round:
             kept = max(kept, min(candidate.gain, base.cost - found.cost))
         waiting = _promising(waiting, kept)
         over = not waiting and not under_way and early is None and not study.late()
-        if over and _much_is_left((base, *fitted), base):
+        if over and _much_is_left(study.campaign, (base, *fitted), base):
             study.tell("much is left: screening where the parameters were given")
-            early = screen(study, study.campaign.start)
+            try:
+                early = screen(study, study.campaign.start)
+            except InertanceError as error:
+                early, rounds[-1].unscreened = [], _first_line(error)
             waiting = _reserve(candidates, early, tried, _ran_away(study.campaign, base))
     failed.update((c.label, LATE) for c in waiting)
     screened = {c.label for c in candidates}
     rounds[-1].candidates.extend(c for c in early or () if c.label not in screened)
     return rounds[-1]
+
+
+def _first_line(error: InertanceError) -> str:
+    return str(error).partition("\n")[0]
+
+
+def only_bends(placed: Hypothesis, base: Refit, first: Round) -> str:
+    """Return of which effect of a model another one would only bend the law, being of its nature and motion.
+
+    The `first` round shows what is one motion.
+    """
+    of = (p for p in base.effects if p.generalises(placed) or (p.effect.memory and placed.effect.memory))
+    bent = next((p for p in of if _in_one_motion(p, placed, first)), None)
+    return f"it would only bend the law of {bent.label}" if bent is not None else ""
+
+
+def _in_one_motion(placed: Hypothesis, other: Hypothesis, first: Round) -> bool:
+    """Tell whether effects stand at one site, or one of them, alone, took nearly all of the gap at either."""
+    if placed.site.path == other.site.path:
+        return True
+    left = {
+        model.effects[0].site.path: float(model.blocks.sum())
+        for model in first.fitted
+        if len(model.effects) == 1 and model.effects[0].effect.kind == placed.effect.kind
+    }
+    less, more = sorted(left.get(p.site.path, inf) for p in (placed, other))
+    nearly_all = more < criteria.NEARLY_ALL_LEFT * float(first.base.blocks.sum())
+    return nearly_all and more < criteria.ONE_MOTION_RATIO * less
 
 
 def _keep(fitted: list[Refit], found: Refit) -> None:
@@ -88,10 +131,14 @@ def _ran_away(campaign: Campaign, base: Refit) -> bool:
     return max(moved, default=0.0) > criteria.MOVED_STANDARD_DEVIATIONS
 
 
-def _much_is_left(models: Sequence[Refit], base: Refit) -> bool:
+def _much_is_left(campaign: Campaign, models: Sequence[Refit], base: Refit) -> bool:
+    """Tell whether the best model leaves more than one that is right would.
+
+    A little may be left of one whose parameters stayed near what was assumed.
+    """
     best = min(models, key=lambda model: model.misfit)
-    share = unexplained(best, base)
-    return best.misfit > criteria.COLOURED_MISFIT and share > criteria.HIDDEN_RESIDUAL_SHARE
+    least = criteria.HIDDEN_RESIDUAL_SHARE if _ran_away(campaign, best) else criteria.NEARLY_ALL_LEFT
+    return best.misfit > criteria.COLOURED_MISFIT and unexplained(best, base) > least
 
 
 def _promising(waiting: Sequence[Candidate], kept: float) -> list[Candidate]:

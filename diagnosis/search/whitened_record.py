@@ -44,9 +44,10 @@ class WhitenedRecord:
         self._predictor, self._experiment = predictor, experiment
         self._stand: Any = predictor.stand(driven(experiment, effects))
         self.measured = experiment.compared
+        accuracy = study.accuracy_with(effects)
 
         def run_from(start: Array | None, own: Mapping[str, float]) -> _Run:
-            return self._stand.run({**parameters, **own}, start, study.accuracy), own
+            return self._stand.run({**parameters, **own}, start, accuracy), own
 
         def beside(run: _Run) -> tuple[Array, Array]:
             found, own = run
@@ -55,7 +56,7 @@ class WhitenedRecord:
             return weighed(experiment, found, seen, own, count)
 
         def rest() -> Array:
-            start: Array = self._stand.rest(parameters, study.accuracy)
+            start: Array = self._stand.rest(parameters, accuracy)
             return start
 
         run, _ = begun(experiment, rest, run_from, beside)

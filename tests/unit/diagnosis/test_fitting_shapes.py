@@ -5,13 +5,13 @@ from dataclasses import replace
 import inertance as ia
 import numpy as np
 import pytest
-from inertance.diagnosis.diagnose import _only_bends, _worth_it
+from inertance.diagnosis.diagnose import _worth_it
 from inertance.diagnosis.effects.effect import effect_of
 from inertance.diagnosis.effects.hypothesis import Hypothesis
 from inertance.diagnosis.effects.shaping import Shapes
 from inertance.diagnosis.effects.sites import BETWEEN, Site
 from inertance.diagnosis.search.model_comparison import Refit, clearness, stretches
-from inertance.diagnosis.search.round import Round
+from inertance.diagnosis.search.round import Round, only_bends
 from inertance.identification import Campaign, Record
 from numpy.typing import NDArray
 
@@ -126,8 +126,9 @@ def test_an_effect_may_only_bend_the_law_of_another_at_its_site(
     here, there = (replace(hysteresis(TRAVEL).site, path=path) for path in ("rail", "belt"))
     one = Hypothesis(effect_of(found), here, "one", {})
     for site, wanted in ((here, bends), (there, False)):
-        model = Refit({}, (one, Hypothesis(effect_of(further), site, "other", {})), [], [], 0.0)
-        assert _only_bends(model, Round(model, [], [])) is wanted
+        model = Refit({}, (one,), [], [], 0.0)
+        other = Hypothesis(effect_of(further), site, "other", {})
+        assert bool(only_bends(other, model, Round(model, [], []))) is wanted
 
 
 @pytest.mark.parametrize(
@@ -145,6 +146,6 @@ def test_what_nearly_all_goes_by_at_two_sites_is_of_one_motion(
         return Refit({}, effects, [], [{"s": np.full(100, np.sqrt(share))}], 0.0, [2], 100.0)
 
     alone = [leaving(alone_here, one), leaving(alone_there, other)]
-    model = leaving(1.0, one, other)
-    assert _only_bends(model, Round(leaving(100.0), [], alone)) is bends
-    assert not _only_bends(model, Round(leaving(100.0), [], alone[:1]))
+    model = leaving(50.0, one)
+    assert bool(only_bends(other, model, Round(leaving(100.0), [], alone))) is bends
+    assert not only_bends(other, model, Round(leaving(100.0), [], alone[:1]))

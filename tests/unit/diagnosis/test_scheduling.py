@@ -15,6 +15,7 @@ from inertance.diagnosis.effects.sites import Site
 from inertance.diagnosis.models.study import Study, study_of
 from inertance.diagnosis.search import crew as fitters
 from inertance.diagnosis.search import round as searched
+from inertance.diagnosis.search import score_test
 from inertance.diagnosis.search.joint_fit import JointFit
 from inertance.diagnosis.search.model_comparison import Refit
 from inertance.diagnosis.search.needless import needless
@@ -142,6 +143,67 @@ def test_an_effect_that_the_model_has_as_a_fitted_parameter_is_not_fitted(cart: 
     )  # its level is taken as exact
     stuck = Refit({**given.campaign.start, "rail.f_c": 0.0}, (), [], [], 0.0)
     assert not needless(given, rail("rail", f_c=0.1), stuck, [])
+
+
+def test_what_would_only_bend_the_law_of_what_was_found_is_not_fitted(
+    cart: Any, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    given = study(cart, cart.rig(), cart.rig())
+    site = rail("guide").site
+    kinds = "coulomb_friction", "presliding_friction", "cubic_damping"
+    candidates = [Candidate(effect_of(kind), site, {}, 900.0, 1.0, {}) for kind in kinds]
+    monkeypatch.setattr(searched, "screen", lambda *given: list(candidates))
+    monkeypatch.setattr(fitters.Crew, "begin", lambda *given: lambda: "tried")
+    base = left(rail("guide", "hysteresis", k=1.0, s_y=1.0, n=2.0), 1.05)
+    alone = searched.run_round(given, replace(base, effects=()), [])
+    assert set(alone.failed.values()) == {"tried"}
+    done = searched.run_round(given, base, [alone])
+    assert done.failed["presliding_friction at guide"] == "it would only bend the law of hysteresis at guide"
+    assert done.failed["cubic_damping at guide"] == "tried"
+
+
+def test_a_model_that_cannot_be_screened_ends_the_search_and_nothing_else(
+    cart: Any, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """With what was found it runs; beside probes it may not."""
+    screened = score_test.screen
+
+    def screen(study: Study, parameters: Any, effects: Any = ()) -> list[Candidate]:
+        if effects:
+            raise ia.SimulationError("'cart': integration failed at t = 2 s\nmore of it")
+        return screened(study, parameters)
+
+    monkeypatch.setattr(searched, "screen", screen)
+    other = cart.rubbing()
+    other.add(stop=ia.CubicSpring(k=0.0, k3=3e5))
+    other.connect(other.wall.flange, other.stop.flange_a).connect(other.stop.flange_b, other.carriage.flange)
+    records = [{"record": cart.measured(other, seed), "initial": "rest"} for seed in (1, 2, 3)]
+    found = ia.diagnose(Campaign(cart.rig(), CHANNELS, PRIORS, records[:2], records[2:], noise={"x": NOISE}))
+    assert any("nothing was looked for: 'cart': integration failed at t = 2 s" in n for n in found.notes)
+    assert found.verdict in ("partial", "unknown")
+
+
+@pytest.mark.parametrize(
+    ("misfit", "away", "more"), [(2.0, 0.0, False), (2.0, 5.0, True), (4.0, 0.0, True), (1.05, 5.0, False)]
+)
+def test_a_little_may_be_left_beside_parameters_as_they_were_assumed(
+    cart: Any, misfit: float, away: float, more: bool
+) -> None:
+    """A likeness of play takes 98 % of its gap, beside a friction seven standard deviations off."""
+    campaign = study(cart, cart.rig(), cart.rig()).campaign
+    base = replace(left(rail("guide"), 10.0), effects=())
+    found = replace(left(rail("guide"), misfit), parameters={"spring.k": 800.0 * (1 + 0.2 * away)})
+    assert searched._much_is_left(campaign, [base, found], base) is more
+
+
+def test_impacts_are_granted_more_steps(cart: Any) -> None:
+    given = study(cart, cart.rig(), cart.rig())
+    given = replace(given, accuracy=replace(given.accuracy, steps=50))
+    play = replace(rail("guide"), effect=effect_of("backlash"))
+    assert JointFit(given, given.campaign.start, [rail("guide", f_c=1.0)]).accuracy.steps == 50
+    assert given.accuracy_with([rail("guide"), play]).steps == 16 * 50
+    free = replace(given, accuracy=replace(given.accuracy, steps=None))
+    assert free.accuracy_with([play]).steps is None
 
 
 def test_the_best_start_goes_on_with_the_slopes_it_has(cart: Any, monkeypatch: pytest.MonkeyPatch) -> None:

@@ -13,6 +13,7 @@ import inertance as ia
 import numpy as np
 import pytest
 from inertance.diagnosis import DiagnosisInterruptedError, Verdict, diagnose
+from inertance.diagnosis.search import model_comparison
 from inertance.diagnosis.search.joint_fit import JointFit
 from inertance.diagnosis.search.model_comparison import Refit, best_of, clearness, is_clear
 from inertance.identification import Campaign
@@ -86,7 +87,7 @@ def test_an_effect_found_before_noise_was_heard_again_is_kept(
     cart: Any, monkeypatch: pytest.MonkeyPatch, stopped: bool
 ) -> None:
     """The search begins once more with other noise; broken off there, it tells what it had found."""
-    hear = search.with_residual_floors
+    hear = model_comparison.with_residual_floors
 
     def other_noise(campaign: Campaign, model: Refit) -> Campaign:
         if not model.effects:
