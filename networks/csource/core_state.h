@@ -90,6 +90,7 @@ struct Core {
     int pending; /* one more than the indicator on whose crossing the core stands */
 
     double h, last_error, last_h; /* next step size; of the last accepted step */
+    int corners;     /* of data, still to be landed on */
     double interval; /* what time is long or short against: step of communication or of output */
     int crowd;       /* events in an interval that are more than can be meant */
     double recent[CHATTER_COUNT], mark;
@@ -165,6 +166,7 @@ typedef struct Record {
 
 /* record.c */
 void core_record_at(Record *r, double t, double *value, double *rate);
+double core_corner_after(const Core *c, double t, double *length);
 #endif
 
 /* legs.c */

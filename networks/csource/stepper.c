@@ -12,6 +12,8 @@
 /* Share of an interval below which a step need not be shorter to see an indicator rise. */
 #define SHORTEST 1e-9
 #define NOT_FINITE "indicators are not finite"
+/* Corners of data landed on, once one was too much for a step that would end among them. */
+#define CORNERS 16
 #define MOST_STEPS 10000000
 #define MOST_WORK 5e7
 #define PATIENCE 1e6
@@ -44,12 +46,34 @@ static double first_step(const Core *c, const Travel *travel, double most) {
     return fmin(h, most);
 }
 
+/* Where the next corner of data is, and how long the piece before it. */
+static double corner_ahead(const Core *c, double *length) {
+#ifdef CORE_RECORDS
+    return core_corner_after(c, c->t, length);
+#else
+    (void)c;
+    *length = 0;
+    return INFINITY;
+#endif
+}
+
+/* Let a refused step end at the corner that it has met, if a shorter one would not get beyond it by far. */
+static void end_at_corner(Core *c, Travel *travel, double refused) {
+    double length, corner = corner_ahead(c, &length);
+    if (corner - c->t >= refused || travel->h >= length) return;
+    c->corners = CORNERS;
+    travel->bound = corner;
+    travel->h = travel->tried = corner - c->t;
+}
+
 /* Take back a step that is too long, or leaves the finite numbers, for a shorter one. */
 CoreStatus core_refuse(Core *c, Travel *travel, int finite, double error) {
     if (!finite && travel->fixed > 0) return failed(c, "the states left the finite numbers");
     c->rejected++;
     c->limits[c->worst]++;
+    double refused = travel->h;
     travel->h *= finite ? fmax(SLOWER, SAFETY * pow(error, -1 / ORDER)) : 0.25;
+    if (finite) end_at_corner(c, travel, refused);
     if (travel->h > TINY * fabs(c->t) && travel->h > 1e-290) return CORE_OK;
     failed(c, "no step is short enough");
     return travel->told ? CORE_DISCARD : CORE_ERROR; /* no step of communication would be either */
@@ -70,7 +94,9 @@ double core_accept(Core *c, Travel *travel, double error) {
     c->h = h * (again ? fmin(scale, 1) : scale);
     if (!again) c->limits[c->worst]++;
     if (!again && h < travel->kept) c->h = fmax(c->h, travel->kept); /* shorter only for where it stops */
-    double t = h == travel->bound - c->t ? travel->bound : c->t + h;
+    int stops = h == travel->bound - c->t;
+    double t = stops ? travel->bound : c->t + h;
+    c->corners -= stops && c->corners > 0;
     c->step.h = t - c->t;
     travel->h = 0;
     return t;
@@ -185,7 +211,9 @@ static int is_there(const Core *c, double bound) { return bound - c->t <= 4 * TI
 
 /* Set out for a step that ends at `bound` or before. */
 static CoreStatus set_out(Core *c, Travel *travel, double bound) {
+    double length;
     if (is_there(c, bound)) return arrive(c, bound);
+    if (c->corners > 0) bound = fmin(bound, corner_ahead(c, &length));
     travel->bound = bound;
     travel->kept = c->h;
     travel->h = travel->tried = chosen_step(c, travel, bound);
