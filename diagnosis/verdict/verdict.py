@@ -131,6 +131,10 @@ class Verdict:
         """The verdict in a sentence or two."""
         return sentence_of(self)
 
+    def __str__(self) -> str:
+        """Say what was found, and what limits it."""
+        return "\n".join([f"{self.verdict}: {self.sentence}", *self.notes])
+
     @property
     def assurance(self) -> str:
         """The confidence in each effect, in words."""

@@ -31,8 +31,8 @@ void core_record_at(Record *r, double t, double *value, double *rate) {
     *rate = c1 + x * (2 * c2 + x * 3 * c3);
 }
 
-/* The next instant after t, by more than rounding, at which the pieces of any data meet, and the length of the
- * piece that ends there. */
+/* The next instant after t, by more than rounding, at which the pieces of any data meet, and the length of
+ * the piece that ends there. */
 double core_corner_after(const Core *c, double t, double *length) {
     double next = INFINITY;
     for (int i = 0; i < NU; i++) {

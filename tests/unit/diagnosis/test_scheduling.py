@@ -201,7 +201,7 @@ def test_impacts_are_granted_more_steps(cart: Any) -> None:
     given = replace(given, accuracy=replace(given.accuracy, steps=50))
     play = replace(rail("guide"), effect=effect_of("backlash"))
     assert JointFit(given, given.campaign.start, [rail("guide", f_c=1.0)]).accuracy.steps == 50
-    assert given.accuracy_with([rail("guide"), play]).steps == 16 * 50
+    assert given.accuracy_with([rail("guide"), play]).steps == 4 * 50
     free = replace(given, accuracy=replace(given.accuracy, steps=None))
     assert free.accuracy_with([play]).steps is None
 
