@@ -128,12 +128,12 @@ def _told(pair: Odds) -> str:
 
 def _inseparable(study: Study, models: Sequence[Forecast], made: Planned, odds: Sequence[Odds]) -> str:
     """Say that no input parts models, and what else to measure."""
-    best = max(odds, key=lambda pair: pair.distance)
-    remedy = telling_sensor(study, models, made) or "measure another quantity, or drive another input"
+    most = max(pair.distance for pair in odds)
+    *first, last = (model.told for model in models)
     return (
-        f"{_told(best)} cannot be told apart by any input within the limits: where they part most, by a "
-        f"{made.candidate.told}, {best.distance:.2g} standard deviations are left once either is fitted again; "
-        f"{remedy}"
+        f"{', '.join(first)} and {last} cannot be told apart by any input within the limits: where they part most, "
+        f"by a {made.candidate.told}, {most:.2g} standard deviations are left once either is fitted again; "
+        f"{telling_sensor(study, models, made)}"
     )
 
 

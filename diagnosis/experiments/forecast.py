@@ -12,10 +12,12 @@ from ...base import Array
 from ...components import SimulationError
 from ...identification import Campaign, Experiment
 from .. import criteria
+from ..effects.hypothesis import told
 from ..models.study import Study
 from ..search.joint_fit import JointFit
 from ..search.model_comparison import Refit
 from ..search.record_run import RecordRun
+from ..search.record_start import nuisance_slopes, projected
 from .candidates import Candidate
 from .envelope import watched
 from .trial import taken, trial
@@ -23,7 +25,10 @@ from .trial import taken, trial
 
 @dataclass(frozen=True, eq=False)
 class Seen:
-    """What a model foresees of an experiment: its run, its outputs and their slopes, in units of noise."""
+    """What a model foresees of an experiment: its run, its outputs and their slopes, in units of noise.
+
+    Offsets, where outputs have any, are taken off.
+    """
 
     run: RecordRun
     values: Array
@@ -54,7 +59,7 @@ class Forecast:
     @property
     def told(self) -> str:
         """Its effects, in words."""
-        return " and ".join(p.label for p in self.model.effects) or "the model as given"
+        return " with ".join(told(*p.key) for p in self.model.effects) or "the model as given"
 
     def watching(self, campaign: Campaign) -> Forecast:
         """Return it for a campaign with further outputs, of which it knows no more than before."""
@@ -72,6 +77,10 @@ class Forecast:
         values = np.concatenate([run.seen[name] * weights[name] for name in run.seen])
         if not (np.isfinite(values).all() and np.isfinite(rows).all()):
             raise SimulationError("what is foreseen grows beyond bounds")
+        if slopes:
+            offsets = nuisance_slopes(experiment, run.found, weights)
+            left = projected(np.column_stack([values, rows]), offsets)
+            values, rows = left[:, 0], left[:, 1:]
         return Seen(run, values, rows)
 
 

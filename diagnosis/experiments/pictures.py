@@ -34,7 +34,7 @@ def drawn(design: Design, path: Any = None) -> Figure:
     rows[0].set_title(design.told, loc="left", fontsize=10)
     for number, name in enumerate(outputs):
         _draw_output(design, name, rows[count + 2 * number], rows[count + 2 * number + 1])
-    rows[count].legend(frameon=False, fontsize=8, loc="upper right", ncols=2)
+    rows[count].legend(frameon=False, fontsize=8, loc="lower right", bbox_to_anchor=(1, 0.97), ncols=3)
     rows[-1].set_xlabel("time [s]", fontsize=9)
     if path is not None:
         figure.savefig(path, dpi=120)

@@ -17,10 +17,17 @@ from .separation import all_odds
 from .trial import trial
 
 
-def telling_sensor(study: Study, models: Sequence[Forecast], made: Planned) -> str | None:
-    """Return which one more quantity would part all models most, in words; None if none does."""
+ANOTHER = "measure another quantity, or drive another input"
+NONE_PARTS = (
+    "no motion of its sites and no force through them would part them either, if it were measured: to this model "
+    "they are one, and either corrects it"
+)
+
+
+def telling_sensor(study: Study, models: Sequence[Forecast], made: Planned) -> str:
+    """Return which one more quantity would part all models most, in words, or that none does."""
     if isinstance(study, FMUStudy):
-        return None
+        return ANOTHER
     study.tell("what other sensors would tell")
     campaign, channels = copy(study.campaign), {c.path: c for c in _unmeasured(study)}
     campaign.measured = {**campaign.measured, **channels}
@@ -32,11 +39,11 @@ def telling_sensor(study: Study, models: Sequence[Forecast], made: Planned) -> s
         watched = [model.watching(campaign) for model in models]
         seen = [model.seen(experiment) for model in watched]
     except InertanceError:
-        return None
+        return ANOTHER
     parted = {path: _least_odds(watched, seen, path, list(channels)) for path in channels}
     best = max(parted, key=lambda path: parted[path], default="")
     if parted.get(best, 0.0) < criteria.DECISIVE_LOG_ODDS:
-        return None
+        return NONE_PARTS
     share, unit = f"{criteria.NEW_SENSOR_NOISE_SHARE:.1%}", channels[best].si
     return f"measure '{best}' [{unit}], too: with noise of {share} of its range it parts them"
 

@@ -13,7 +13,10 @@ from .envelope import rest_of
 
 
 def trial(campaign: Campaign, drives: Mapping[str, Array], rate: float) -> Experiment:
-    """Return an experiment that drives inputs, about where they rest, with samples at a rate [Hz]."""
+    """Return an experiment that drives inputs, about where they rest, with samples at a rate [Hz].
+
+    Outputs have offsets of their own, if those of the first record that is fitted have.
+    """
     time = np.arange(len(next(iter(drives.values())))) / rate
     values = {name: np.full(len(time), rest_of(campaign, name)) for name in campaign.inputs}
     values |= {name: np.zeros(len(time)) for name in campaign.outputs}
@@ -21,7 +24,8 @@ def trial(campaign: Campaign, drives: Mapping[str, Array], rate: float) -> Exper
         values[name] = values[name] + moved
     every = max(1, int(rate / criteria.COMPARISON_RATE_HZ))
     record = Record("trial", time, values)
-    return Experiment(record, "trial", initial="rest", every=every, floors=campaign.floors)
+    offset = campaign.training[0].offset if campaign.training else ()
+    return Experiment(record, "trial", initial="rest", offset=offset, every=every, floors=campaign.floors)
 
 
 def taken(limits: Mapping[str, Limit], run: RecordRun) -> float:

@@ -157,7 +157,7 @@ class Campaign:
             problems.add(*dead_sensors(channels, self.training))
         stated = read_noise(self.noise, channels, self.channels, problems)
         problems.add(*noise_beside_signals(stated, channels, self.training))
-        if self.planned and not self.train:
+        if self.planned and not self.train and not problems.found:
             problems.add(*needed(self.allowed, channels), *noise_needed(stated, self.outputs))
             problems.add(*(["test: without [[train]] there is nothing to test"] if self.test else []))
         self.stages = []
@@ -171,9 +171,9 @@ class Campaign:
         self.notes += [note for e in self.experiments for note in strange(e, channels, self.machine.inputs)]
         since, count = since_their_runs_began(self.experiments), len(self.training)
         self.training, self.testing = since[:count], since[count:]
-        self._weigh([*self._noise(stated)])
-        if not self.training:
-            self.floors = {name: NoiseFloor(sigma, "stated") for name, sigma in stated.items()}
+        self.floors = {name: NoiseFloor(sigma, "stated") for name, sigma in stated.items()}
+        if self.training:
+            self._weigh([*self._noise(stated)])
 
     def __reduce__(self) -> tuple[Any, ...]:
         return Campaign, tuple(getattr(self, entry.name) for entry in fields(self) if entry.init)
@@ -257,8 +257,7 @@ class Campaign:
         count = len(self.training)
         given = [replace(e, floors=floor) for e, floor in zip(self.experiments, floors, strict=True)]
         self.training, self.testing = given[:count], given[count:]
-        if self.training:
-            self.floors = {name: _median([e.floors[name] for e in self.training]) for name in self.outputs}
+        self.floors = {name: _median([e.floors[name] for e in self.training]) for name in self.outputs}
 
     @property
     def dae(self) -> DAE:

@@ -76,14 +76,15 @@ def read_limits(
         with problems.of(where):
             if name in WHOLE and name not in channels:
                 whole[name] = _amount(entry, WHOLE[name], WHOLE[name], 1.0)
-            elif (of := _quantity(name, channels, machine)) is not None:
-                quantities[name] = _limit(entry, of)
+            else:
+                of = _quantity(name, channels, machine)
+                quantities[name] = _limit(entry, of, where, problems)
     problems.add(*_impossible(whole, quantities))
     return Limits(quantities, **whole)
 
 
-def _quantity(name: str, channels: Mapping[str, Channel], machine: Machine) -> Channel | None:
-    """Return what a name stands for, as a channel; None for one that is faulty and told of already."""
+def _quantity(name: str, channels: Mapping[str, Channel], machine: Machine) -> Channel:
+    """Return what a name stands for, as a channel."""
     if name in channels:
         return channels[name]
     if not isinstance(machine, DAE) or name not in machine.names():
@@ -94,27 +95,33 @@ def _quantity(name: str, channels: Mapping[str, Channel], machine: Machine) -> C
     return Channel(name, False, unit, unit)
 
 
-def _limit(entry: Any, of: Channel) -> Limit:
+def _limit(entry: Any, of: Channel, where: str, problems: Problems) -> Limit:
     if not isinstance(entry, Mapping) or not entry:
         raise ModelError(f"a table of {', '.join(_fitting(of))} is needed, got {entry!r}")
-    peaks = [inf] * ORDERS
+    peaks, band = [inf] * ORDERS, None
     for key, value in entry.items():
-        if key not in KEYS:
-            told = nearest(str(key), KEYS) or f"; known are {', '.join(KEYS)}"
-            raise ModelError(f"there is no key '{key}'{told}")
-        if key == "band":
-            continue
-        order = _order(key, of.si)
-        if order is None:
-            raise ModelError(
-                f"{key} is in {' or '.join(UNITS[key])}, and what is limited in {of.si or '1'}: "
-                f"give {', '.join(_fitting(of))}"
-            )
-        size = unit_for(of.unit, of.si).factor
-        unit = rate_unit(of.unit, order) if of.unit else "1"
-        with_unit = _amount(value, rate_unit(of.si, order), unit, size, key)
-        peaks[order] = min(peaks[order], with_unit)
-    return Limit(of.path, tuple(peaks), _band(entry["band"], of) if "band" in entry else None)
+        with problems.of(where):
+            if key == "band":
+                band = _band(value, of)
+            else:
+                order, peak = _peak(key, value, of)
+                peaks[order] = min(peaks[order], peak)
+    return Limit(of.path, tuple(peaks), band)
+
+
+def _peak(key: str, value: Any, of: Channel) -> tuple[int, float]:
+    """Return of which derivative a key is the limit, and that in SI units."""
+    if key not in UNITS:
+        known = nearest(str(key), KEYS) or f"; known are {', '.join(KEYS)}"
+        raise ModelError(f"there is no key '{key}'{known}")
+    order = _order(key, of.si)
+    if order is None:
+        raise ModelError(
+            f"{key} is in {' or '.join(UNITS[key])}, and what is limited in {of.si or '1'}: "
+            f"give {', '.join(_fitting(of))}"
+        )
+    unit = rate_unit(of.unit, order) if of.unit else "1"
+    return order, _amount(value, rate_unit(of.si, order), unit, unit_for(of.unit, of.si).factor, key)
 
 
 def _order(key: str, si: str) -> int | None:
@@ -136,11 +143,11 @@ def _amount(value: Any, si: str, unit: str, size: float, key: str = "") -> float
         figure, _, written = value.strip().partition(" ")
         try:
             number = float(figure) * (unit_for(written, si).factor if written else size)
+        except ModelError as error:
+            raise ModelError(f"{of}{error}") from None
         except ValueError:
             told = f"a number [{unit}], or a text such as '2 {unit}'"
             raise ModelError(f"{of}must be {told}, got {value!r}") from None
-        except ModelError as error:
-            raise ModelError(f"{of}{error}") from None
     elif is_number(value):
         number = float(value) * size
     else:
