@@ -38,9 +38,9 @@ What the rig bears stands in the campaign; without it, what was measured bounds 
   F = { force = "1.5 kN" }                                  an output: held by the model
 
 \b
-next.csv holds the time and the inputs, in the units of the campaign. Play it, and add what was measured, part of it
-as [[train]], part as [[test]]. See `inertance docs design`. Exit code 1: no input within the limits tells them apart;
-the message says what else to measure."""
+next.csv holds the time and the inputs, in the units of the campaign. Play it, and add what was measured,
+one half as [[train]], the other as [[test]]: see `inertance docs design`. Exit code 1: no input within the
+limits tells them apart; the message says what else to measure."""
 
 
 def design(
@@ -59,7 +59,7 @@ def design(
     jobs: Annotated[int, typer.Option(min=0, help="Processes that fit models; 0 for all cores.")] = 0,
     solver: Annotated[str, typer.Option(help=SOLVER_NAMES)] = "auto",
 ) -> None:
-    """Design the next experiment: the input that tells hypotheses apart, or parameters best, within limits."""
+    """Design the next experiment: the input that parts hypotheses, or tells parameters, best within limits."""
     from ..diagnosis import design as designed
     from ..diagnosis import read_model
     from ..identification import Campaign
@@ -72,9 +72,7 @@ def design(
     with failing(FAILED, InertanceError), failing(WRONG_USE, ModelError):
         read = Campaign.load(campaign, reader=read_model, planned=True)
         with progress("reading") as tell, Processes(count, "spawn") if count > 1 else nullcontext() as pool:
-            found = designed(
-                read, verdict, parameters=parameters, executor=pool, solver=solver, report=tell
-            )
+            found = designed(read, verdict, parameters=parameters, executor=pool, solver=solver, report=tell)
     wrote = [found.save(out)] if out is not None else []
     if json is not None:
         wrote.append(found.to_json(json))

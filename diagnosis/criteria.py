@@ -166,6 +166,7 @@ SHUTTLE_SHARE = 0.4  # [1] of the time in which what goes to and fro moves; tell
 DESIGN_DRAWS = 2  # [1] of other parameters for which an experiment is to tell of them, too; effort
 UNTOLD_SHARE = 0.7  # [sd before] above which an experiment tells next to nothing of a parameter; telling
 REFINED_AMPLITUDE_FACTORS = 0.5, 0.7, 1.4, 2.0  # [1] tried about the best; effort
+REFINED_FREQUENCY_FACTORS = 0.8, 0.9, 1.1, 1.25  # [1] of a sine, tried beside the best; effort
 REFINED_SEEDS = 3  # [1] of multisines tried in the band of the best; effort
 NEW_SENSOR_NOISE_SHARE = 1e-3  # [range] of noise of a sensor that is proposed; data: a good one
 

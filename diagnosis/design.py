@@ -109,7 +109,9 @@ def _for_hypotheses(study: Study, models: Sequence[Refit]) -> Design:
     """Return the experiment that parts models; of the likeliest ones, the first that stands the refits."""
     forecasts = [Forecast(study, model) for model in models]
     found = selected(study, forecasts, lambda made: merit(all_odds(forecasts, made.seen)))
-    checked = [(one.made, refitted(study, forecasts, one.made, all_odds(forecasts, one.made.seen))) for one in found]
+    checked = [
+        (one.made, refitted(study, forecasts, one.made, all_odds(forecasts, one.made.seen))) for one in found
+    ]
     made, odds = max(checked, key=lambda pair: merit(pair[1]))
     if not any(pair.is_decisive for pair in odds):
         raise InseparableError(_inseparable(study, forecasts, made, odds))

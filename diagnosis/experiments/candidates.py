@@ -15,6 +15,9 @@ from .. import criteria
 from .envelope import Envelope
 
 Signal = Callable[[Any], Any]
+Named = tuple[
+    str, tuple[float, float], Signal
+]  # what it is called, its band [Hz], a function of time of any size
 
 
 @dataclass(frozen=True, eq=False)
@@ -66,26 +69,40 @@ def together(inputs: Sequence[Envelope], lasting: float, rate: float, seed: int)
     return _made(drives, f"multisines (seed {seed})", band, lasting, rate)
 
 
-def refined(
-    best: Candidate, inputs: Sequence[Envelope], lasting: float, rate: float
-) -> Iterator[Candidate]:
-    """Yield what lies near a candidate: other amplitudes, and multisines of other phases or in a part of it."""
+def refined(best: Candidate, inputs: Sequence[Envelope], lasting: float, rate: float) -> Iterator[Candidate]:
+    """Yield what lies near a candidate: other amplitudes, frequencies or parts of its band, and phases."""
     for factor in criteria.REFINED_AMPLITUDE_FACTORS:
         if factor * best.share <= 1:
             yield best.scaled(factor)
     moving = [one for one in inputs if one.channel in best.drives]
-    for seed in range(1, 1 + criteria.REFINED_SEEDS):
-        if len(moving) > 1:
+    if len(moving) > 1:
+        for seed in range(1, 1 + criteria.REFINED_SEEDS):
             yield together(moving, lasting, rate, seed).scaled(best.share)
-            continue
-        (one,) = moving
-        told, signal = f"multisine (seed {seed})", _multisine(one, best.band, lasting, seed)
+        return
+    (one,), (low, high) = moving, best.band
+    for told, band, signal in _near(one, low, high, lasting):
+        yield _made({one.channel: (one, signal)}, told, band, lasting, rate).scaled(best.share)
+
+
+def _near(one: Envelope, low: float, high: float, lasting: float) -> Iterator[Named]:
+    """Yield excitations of an input in a band and in parts of it; sines beside one that is best."""
+    if low == high:
+        for factor in criteria.REFINED_FREQUENCY_FACTORS:
+            frequency = factor * low
+            if one.band[0] <= frequency <= one.band[1]:
+                yield "sine", (frequency, frequency), _sine(frequency, lasting)
+        return
+    for seed in range(1, 1 + criteria.REFINED_SEEDS):
+        signal = _multisine(one, (low, high), lasting, seed)
         if signal is not None:
-            yield _made({one.channel: (one, signal)}, told, best.band, lasting, rate).scaled(best.share)
+            yield f"multisine (seed {seed})", (low, high), signal
+    share = (high / low) ** (1 / 3)
+    for band in ((low, low * share), (low * share, high / share), (high / share, high)):
+        yield "chirp", band, Chirp(1.0, *band, lasting)
 
 
-def _signals(one: Envelope, lasting: float) -> Iterator[tuple[str, tuple[float, float], Signal]]:
-    """Yield excitations of an input: what they are called, their bands, functions of time of any size."""
+def _signals(one: Envelope, lasting: float) -> Iterator[Named]:
+    """Yield excitations of an input."""
     (low, high), middle = one.band, float(np.sqrt(one.band[0] * one.band[1]))
     for told, band in (("", (low, high)), ("slow ", (low, middle)), ("fast ", (middle, high))):
         signal = _multisine(one, band, lasting, 0)
@@ -93,7 +110,7 @@ def _signals(one: Envelope, lasting: float) -> Iterator[tuple[str, tuple[float, 
             yield f"{told}multisine (seed 0)", band, signal
     yield "chirp", (low, high), Chirp(1.0, low, high, lasting)
     for frequency in np.geomspace(low, high, criteria.TRIAL_FREQUENCIES).tolist():
-        yield "sine", (frequency, frequency), SineDwells((1.0,), (frequency,), max(1, int(lasting * frequency)))
+        yield "sine", (frequency, frequency), _sine(frequency, lasting)
     steps = np.geomspace(low, high, criteria.DESIGN_STEPS)
     cycles = int(lasting / float(np.sum(1 / steps)))
     if cycles:
@@ -102,6 +119,10 @@ def _signals(one: Envelope, lasting: float) -> Iterator[tuple[str, tuple[float, 
     for frequency in (low, middle):
         shuttle = Shuttle(1.0, frequency, min(1.0, max(criteria.SHUTTLE_SHARE, frequency / high)))
         yield "to and fro with rests", (frequency, high), shuttle
+
+
+def _sine(frequency: float, lasting: float) -> SineDwells:
+    return SineDwells((1.0,), (frequency,), max(1, int(lasting * frequency + 1e-9)))
 
 
 def _multisine(one: Envelope, band: tuple[float, float], lasting: float, seed: int) -> Multisine | None:

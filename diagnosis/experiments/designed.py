@@ -107,4 +107,6 @@ class Design:
 
 def played(campaign: Campaign, made: Planned) -> dict[str, Array]:
     """Return what is played on each input that moves, in SI units."""
-    return {name: made.experiment.record.values[name] for name in campaign.inputs if name in made.candidate.drives}
+    return {
+        name: made.experiment.record.values[name] for name in campaign.inputs if name in made.candidate.drives
+    }

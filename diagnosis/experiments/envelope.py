@@ -39,8 +39,11 @@ class Envelope:
         return values / max(self.limit.share(values, rate), 1e-300)
 
 
-def envelopes(campaign: Campaign) -> list[Envelope]:
-    """Return what may be asked of each input; of one that nothing limits, and nothing has moved, nothing."""
+def envelopes(campaign: Campaign, lasting: float) -> list[Envelope]:
+    """Return what may be asked of each input in an experiment of a length [s].
+
+    An input that nothing limits, and nothing has moved, is left out.
+    """
     records = [e.record for e in campaign.training]
     found = []
     for name in campaign.inputs:
@@ -49,9 +52,9 @@ def envelopes(campaign: Campaign) -> list[Envelope]:
         moved = any(np.ptp(record.values[name]) for record in records)
         if given is not None and (moved or given.band is not None):
             limit = given if min(given.peaks) < inf else _measured(campaign, name)
-            band = given.band or band_of(records, name, seconds(campaign))
+            band = given.band or band_of(records, name, lasting)
         elif given is None and moved:
-            limit, band = _measured(campaign, name), band_of(records, name, seconds(campaign))
+            limit, band = _measured(campaign, name), band_of(records, name, lasting)
         else:
             continue
         found.append(Envelope(name, rest, band, limit))
@@ -67,6 +70,12 @@ def rest_of(campaign: Campaign, name: str) -> float:
     return middle if abs(middle) > criteria.REST_SHARE * float(np.abs(values - middle).max()) else 0.0
 
 
+def given_beside_inputs(campaign: Campaign) -> dict[str, Limit]:
+    """Return the limits that are given of what is not driven."""
+    given = campaign.allowed.quantities
+    return {name: limit for name, limit in given.items() if name not in campaign.inputs}
+
+
 def watched(campaign: Campaign) -> dict[str, Limit]:
     """Return the limits of what is not driven: as given; of an output without any, as far as it was measured."""
     measured = {}
@@ -74,8 +83,7 @@ def watched(campaign: Campaign) -> dict[str, Limit]:
         for name in campaign.outputs:
             peak = max(_peak(e.record, name, 0) for e in campaign.training)
             measured[name] = Limit(campaign.measured[name].path, (peak, inf, inf))
-    given = {name: one for name, one in campaign.allowed.quantities.items() if name not in campaign.inputs}
-    return measured | given
+    return measured | given_beside_inputs(campaign)
 
 
 def seconds(campaign: Campaign) -> float:

@@ -16,7 +16,11 @@ if TYPE_CHECKING:
 
     from .designed import Design
 
-INPUT, COLOURS, NOISE = "#333333", ("#1f77b4", "#d95f02", "#2a9d5c", "#8e44ad", "#b8860b", "#c0392b"), "#bbbbbb"
+INPUT, COLOURS, NOISE = (
+    "#333333",
+    ("#1f77b4", "#d95f02", "#2a9d5c", "#8e44ad", "#b8860b", "#c0392b"),
+    "#bbbbbb",
+)
 
 
 def drawn(design: Design, path: Any = None) -> Figure:

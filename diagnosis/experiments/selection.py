@@ -23,16 +23,15 @@ class Rated:
     merit: float
 
 
-def selected(
-    study: Study, models: Sequence[Forecast], merit: Callable[[Planned], float]
-) -> list[Rated]:
+def selected(study: Study, models: Sequence[Forecast], merit: Callable[[Planned], float]) -> list[Rated]:
     """Return experiments that the rig bears, the best first.
 
     Raises:
         ModelError: if no input may move, or if no excitation can be run within the limits.
     """
     campaign = study.campaign
-    inputs, rate, lasting = envelopes(campaign), sampling_rate(campaign), seconds(campaign)
+    rate, lasting = sampling_rate(campaign), seconds(campaign)
+    inputs = envelopes(campaign, lasting)
     if not inputs:
         raise ModelError(f"{campaign.source}: {NO_INPUT}")
 

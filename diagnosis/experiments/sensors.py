@@ -16,7 +16,6 @@ from .forecast import Forecast, Planned, Seen
 from .separation import all_odds
 from .trial import trial
 
-
 ANOTHER = "measure another quantity, or drive another input"
 NONE_PARTS = (
     "no motion of its sites and no force through them would part them either, if it were measured: to this model "
@@ -32,9 +31,7 @@ def telling_sensor(study: Study, models: Sequence[Forecast], made: Planned) -> s
     campaign, channels = copy(study.campaign), {c.path: c for c in _unmeasured(study)}
     campaign.measured = {**campaign.measured, **channels}
     floors = {**campaign.floors, **{path: NoiseFloor(1.0, "stated") for path in channels}}
-    experiment = replace(
-        trial(campaign, made.candidate.drives, made.experiment.record.rate), floors=floors
-    )
+    experiment = replace(trial(campaign, made.candidate.drives, made.experiment.record.rate), floors=floors)
     try:
         watched = [model.watching(campaign) for model in models]
         seen = [model.seen(experiment) for model in watched]
@@ -48,9 +45,7 @@ def telling_sensor(study: Study, models: Sequence[Forecast], made: Planned) -> s
     return f"measure '{best}' [{unit}], too: with noise of {share} of its range it parts them"
 
 
-def _least_odds(
-    models: Sequence[Forecast], seen: Sequence[Seen], path: str, others: Sequence[str]
-) -> float:
+def _least_odds(models: Sequence[Forecast], seen: Sequence[Seen], path: str, others: Sequence[str]) -> float:
     """Return the least logarithm of odds of any pair of models, with one more output."""
     names = list(seen[0].run.seen)
     span = max(float(np.ptp(one.run.seen[path])) for one in seen)

@@ -210,5 +210,7 @@ def exceeded(
             reached = float(np.abs(values - np.median(values)).max())
             if reached > EXCEEDED * limit.peaks[0]:
                 unit = unit_for(channels[name].unit, channels[name].si)
-                went, may = (f"{v / unit.factor:.3g} {channels[name].unit}" for v in (reached, limit.peaks[0]))
+                went, may = (
+                    f"{v / unit.factor:.3g} {channels[name].unit}" for v in (reached, limit.peaks[0])
+                )
                 yield f"{experiment.name}: '{name}' went {went} from its middle, beyond its limit of {may}"
