@@ -59,7 +59,7 @@ def design(
     jobs: Annotated[int, typer.Option(min=0, help="Processes that fit models; 0 for all cores.")] = 0,
     solver: Annotated[str, typer.Option(help=SOLVER_NAMES)] = "auto",
 ) -> None:
-    """Design the next experiment: the input that parts hypotheses, or tells parameters, best within limits."""
+    """Design the next experiment: what parts hypotheses, or tells parameters, best within limits."""
     from ..diagnosis import design as designed
     from ..diagnosis import read_model
     from ..identification import Campaign

@@ -30,8 +30,8 @@ from .search.model_comparison import Refit
 from .verdict.verdict import Verdict
 
 NO_RECORDS = (
-    "to tell hypotheses apart, [[train]] records are needed that leave them open; before there are any, design "
-    "to identify parameters (--parameters; in Python, parameters=True)"
+    "to tell hypotheses apart, [[train]] records are needed that leave them open; before there are any, "
+    "design to identify parameters (--parameters; in Python, parameters=True)"
 )
 
 
@@ -65,8 +65,8 @@ def design(
         InseparableError: if no input within the limits parts the hypotheses, with what else to measure.
         ModelError: for a verdict that leaves nothing open, and for limits that are missing or nothing meets.
 
-    Source: W. G. Hunter, A. M. Reiner, Technometrics 7 (1965) 307-323; K. Chaloner, I. Verdinelli, Statistical
-    Science 10 (1995) 273-304.
+    Source: W. G. Hunter, A. M. Reiner, Technometrics 7 (1965) 307-323; K. Chaloner, I. Verdinelli,
+    Statistical Science 10 (1995) 273-304.
     """
     demand(
         "design()",
@@ -109,9 +109,8 @@ def _for_hypotheses(study: Study, models: Sequence[Refit]) -> Design:
     """Return the experiment that parts models; of the likeliest ones, the first that stands the refits."""
     forecasts = [Forecast(study, model) for model in models]
     found = selected(study, forecasts, lambda made: merit(all_odds(forecasts, made.seen)))
-    checked = [
-        (one.made, refitted(study, forecasts, one.made, all_odds(forecasts, one.made.seen))) for one in found
-    ]
+    foreseen = ((one.made, all_odds(forecasts, one.made.seen)) for one in found)
+    checked = [(made, refitted(study, forecasts, made, odds)) for made, odds in foreseen]
     made, odds = max(checked, key=lambda pair: merit(pair[1]))
     if not any(pair.is_decisive for pair in odds):
         raise InseparableError(_inseparable(study, forecasts, made, odds))
@@ -133,8 +132,9 @@ def _inseparable(study: Study, models: Sequence[Forecast], made: Planned, odds: 
     most = max(pair.distance for pair in odds)
     *first, last = (model.told for model in models)
     return (
-        f"{', '.join(first)} and {last} cannot be told apart by any input within the limits: where they part most, "
-        f"by a {made.candidate.told}, {most:.2g} standard deviations are left once either is fitted again; "
+        f"{', '.join(first)} and {last} cannot be told apart by any input within the limits: where they part "
+        f"most, by a {made.candidate.told}, {most:.2g} standard deviations are left once either is fitted "
+        "again; "
         f"{telling_sensor(study, models, made)}"
     )
 

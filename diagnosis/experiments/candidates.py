@@ -63,7 +63,7 @@ def together(inputs: Sequence[Envelope], lasting: float, rate: float, seed: int)
     drives: dict[str, tuple[Envelope, Signal]] = {}
     for number, one in enumerate(inputs):
         signal = _multisine(one, one.band, lasting, len(inputs) * seed + number)
-        drives[one.channel] = one, signal or Chirp(1.0, *one.band, lasting)
+        drives[one.channel] = one, signal or Chirp(1.0, one.band[0], one.band[1], lasting)
     ends = np.array([one.band for one in inputs])
     band = float(ends[:, 0].min()), float(ends[:, 1].max())
     return _made(drives, f"multisines (seed {seed})", band, lasting, rate)
@@ -98,7 +98,7 @@ def _near(one: Envelope, low: float, high: float, lasting: float) -> Iterator[Na
             yield f"multisine (seed {seed})", (low, high), signal
     share = (high / low) ** (1 / 3)
     for band in ((low, low * share), (low * share, high / share), (high / share, high)):
-        yield "chirp", band, Chirp(1.0, *band, lasting)
+        yield "chirp", band, Chirp(1.0, band[0], band[1], lasting)
 
 
 def _signals(one: Envelope, lasting: float) -> Iterator[Named]:

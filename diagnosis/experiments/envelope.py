@@ -62,7 +62,7 @@ def envelopes(campaign: Campaign, lasting: float) -> list[Envelope]:
 
 
 def rest_of(campaign: Campaign, name: str) -> float:
-    """Return where an input rests: at 0, or in the middle of what was measured if that is clearly elsewhere."""
+    """Return where an input rests: at 0, or in the middle of what was measured if that is elsewhere."""
     if not campaign.training:
         return 0.0
     values = campaign.training[0].record.values[name]
@@ -77,7 +77,7 @@ def given_beside_inputs(campaign: Campaign) -> dict[str, Limit]:
 
 
 def watched(campaign: Campaign) -> dict[str, Limit]:
-    """Return the limits of what is not driven: as given; of an output without any, as far as it was measured."""
+    """Return the limits of what is not driven: as given; of other outputs, as far as was measured."""
     measured = {}
     if campaign.training:
         for name in campaign.outputs:
@@ -87,7 +87,7 @@ def watched(campaign: Campaign) -> dict[str, Limit]:
 
 
 def seconds(campaign: Campaign) -> float:
-    """Return how long an experiment lasts: as limited, otherwise as long as the longest record that is fitted."""
+    """Return how long an experiment lasts: as limited, otherwise as the longest record that is fitted [s]."""
     if campaign.allowed.duration is not None:
         return campaign.allowed.duration
     return max(float(np.ptp(e.record.time)) for e in campaign.training)

@@ -1,4 +1,4 @@
-"""Selection: the excitation with the largest merit, of candidates within the limits and near the best of them."""
+"""Selection: the excitations with the largest merit, of candidates within the limits and near the best."""
 
 from __future__ import annotations
 

@@ -18,8 +18,8 @@ from .trial import trial
 
 ANOTHER = "measure another quantity, or drive another input"
 NONE_PARTS = (
-    "no motion of its sites and no force through them would part them either, if it were measured: to this model "
-    "they are one, and either corrects it"
+    "no motion of its sites and no force through them would part them either, if it were measured: to this "
+    "model they are one, and either corrects it"
 )
 
 

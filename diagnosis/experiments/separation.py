@@ -59,8 +59,8 @@ class Odds:
 def apart(one: Forecast, other: Forecast, seen: tuple[Seen, Seen]) -> Odds:
     """Return how far an experiment parts two models.
 
-    With the difference d of what is foreseen and its slopes J in what both models leave open, of covariance C,
-    all in units of noise, or of what the better model misses if that is more, the squared distance is
+    With the difference d of what is foreseen and its slopes J in what both models leave open, of covariance
+    C, all in units of noise, or of what the better model misses if that is more, the squared distance is
 
         D^2 = d' (I + J C J')^-1 d
 
