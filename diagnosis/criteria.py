@@ -162,6 +162,7 @@ DESIGN_STEPS = 6  # [1] of a stepped sine; effort
 DESIGN_FADE_SHARE = 0.1  # [duration] of a fade at most; telling
 DESIGN_SHRINKINGS, DESIGN_SHRINKING = 6, 0.97  # [1] runs until limits hold, and to where; effort
 DESIGN_CHECKS = 3  # [1] of the best experiments to which the rivals are refitted; effort
+DESIGN_REFIT_SHAPES = 4  # [1] from which rivals are fitted to it, beside their own; effort
 SHUTTLE_SHARE = 0.4  # [1] of the time in which what goes to and fro moves; telling
 DESIGN_DRAWS = 2  # [1] of other parameters for which an experiment is to tell of them, too; effort
 UNTOLD_SHARE = 0.7  # [sd before] above which an experiment tells next to nothing of a parameter; telling

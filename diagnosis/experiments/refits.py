@@ -10,8 +10,10 @@ from itertools import combinations
 import numpy as np
 
 from ...components import InertanceError
+from .. import criteria
 from ..models.study import Study
-from ..search.joint_fit import JointFit
+from ..search.joint_fit import FitStart, JointFit
+from ..search.model_comparison import Refit
 from .forecast import Forecast, Planned, Seen
 from .separation import Odds
 
@@ -43,10 +45,20 @@ def _distance(study: Study, rival: Forecast, made: Planned, truth: Seen) -> floa
     campaign.training, campaign.testing = [*campaign.training, experiment], []
     model = rival.model
     near = replace(model, starts=[*model.starts[:count], {}])
-    start = [(model.parameters, dict(p.values)) for p in model.effects[-1:]]
     try:
         joint = JointFit(replace(study, campaign=campaign), model.parameters, model.effects, near)
-        cost = joint.fitted(start).cost
+        cost = joint.fitted(_starts(model)).cost
     except InertanceError:
         return float("inf")
     return float(np.sqrt(max(0.0, cost - model.cost)))
+
+
+def _starts(model: Refit) -> list[FitStart]:
+    """Return values to fit a model from: as they are, and with other shapes of its last effect."""
+    if not model.effects:
+        return []
+    last = model.effects[-1]
+    shapes = [shape for shape in last.effect.shaped(last.site.domain, last.site) if shape]
+    chosen = np.linspace(0, len(shapes) - 1, min(len(shapes), criteria.DESIGN_REFIT_SHAPES)).round()
+    others = [{**last.values, **shapes[int(number)]} for number in chosen]
+    return [(model.parameters, values) for values in (dict(last.values), *others)]

@@ -19,8 +19,8 @@ MODEL = """import inertance as ia
 
 
 def build():
-    net = ia.Network("rig", wall=ia.Fixed(), spring=ia.Spring(k=800.0), carriage=ia.Mass(m=2.0), push=ia.Force())
-    net.add(guide=ia.Damper(d=6.0))
+    net = ia.Network("rig", wall=ia.Fixed(), spring=ia.Spring(k=800.0), guide=ia.Damper(d=6.0))
+    net.add(carriage=ia.Mass(m=2.0), push=ia.Force())
     net.connect(net.wall.flange, net.spring.flange_a, net.guide.flange_a)
     return net.connect(net.carriage.flange, net.spring.flange_b, net.guide.flange_b, net.push.flange)
 """
@@ -91,9 +91,10 @@ def drags(tmp_path_factory: pytest.TempPathFactory) -> tuple[Campaign, ia.diagno
 
 
 def test_rivals_are_parted_and_the_truth_is_the_likelier_one(drags: tuple[Any, ia.diagnosis.Design]) -> None:
-    given, made = drags
+    made = drags[1]
     (pair,) = made.odds
-    assert pair.is_decisive and pair.right > 0.9
+    assert pair.is_decisive
+    assert pair.right > 0.9
     new = record(ia.Sampled(made.time, made.inputs["F"]), 7)
     missed = {}
     for model, seen in zip(made.models, made.made.seen, strict=True):
@@ -121,14 +122,16 @@ def test_it_begins_and_ends_at_rest_and_is_read_back(
     given, made = drags
     force = made.inputs["F"]
     speed = np.abs(np.gradient(force, made.time))
-    assert np.abs(force[[0, -1]]).max() < 1e-9 and speed[[0, -1]].max() < 0.05 * speed.max()
+    assert np.abs(force[[0, -1]]).max() < 1e-9
+    assert speed[[0, -1]].max() < 0.05 * speed.max()
     read = read_record(made.save(tmp_path / "next.csv"), {"F": given.measured["F"]})
     assert read.values["F"] == pytest.approx(force, rel=1e-6, abs=1e-6)
     assert read.rate == pytest.approx(RATE)
     made.plot(tmp_path / "next.png")
     assert (tmp_path / "next.png").stat().st_size > 10_000
     told = json.loads(made.to_json(tmp_path / "next.json").read_text())
-    assert told["odds"][0]["right"] == made.odds[0].right and told["experiment"] == made.told
+    assert told["odds"][0]["right"] == made.odds[0].right
+    assert told["experiment"] == made.told
 
 
 def test_delays_before_and_after_a_linear_machine_are_said_to_be_one(tmp_path: Path) -> None:
