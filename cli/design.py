@@ -39,8 +39,8 @@ What the rig bears stands in the campaign; without it, what was measured bounds 
 
 \b
 next.csv holds the time and the inputs, in the units of the campaign. Play it twice, add one run as
-[[train]], the other as [[test]], and diagnose again: see `inertance docs design`. Exit code 1: no input within
-the limits tells the hypotheses apart; the message says what else to measure."""
+[[train]], the other as [[test]], and diagnose again: see `inertance docs design`. Exit code 1: no input
+within the limits tells the hypotheses apart; the message says what else to measure."""
 
 
 def design(
