@@ -114,7 +114,7 @@ def _for_hypotheses(study: Study, models: Sequence[Refit]) -> Design:
     made, odds = max(checked, key=lambda pair: merit(pair[1]))
     if not any(pair.is_decisive for pair in odds):
         raise InseparableError(_inseparable(study, forecasts, made, odds))
-    notes = [f"{_told(pair)}: it will hardly part them" for pair in odds if not pair.is_decisive]
+    notes = [f"{_told(pair)}: {why}" for pair in odds if (why := _doubt(pair))]
     inputs = played(study.campaign, made)
     time = made.experiment.record.time
     return Design(
@@ -125,6 +125,14 @@ def _for_hypotheses(study: Study, models: Sequence[Refit]) -> Design:
 
 def _told(pair: Odds) -> str:
     return f"{pair.one} and {pair.other}"
+
+
+def _doubt(pair: Odds) -> str:
+    """Say why an experiment may not part a pair, nothing if it will."""
+    if not pair.is_decisive:
+        return "it will hardly part them"
+    told = "what parts them is far below the noise, where a small error of either model undoes it"
+    return told if pair.is_faint else ""
 
 
 def _inseparable(study: Study, models: Sequence[Forecast], made: Planned, odds: Sequence[Odds]) -> str:

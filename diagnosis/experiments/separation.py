@@ -8,7 +8,7 @@ from itertools import combinations
 
 import numpy as np
 
-from ..criteria import DECISIVE_LOG_ODDS
+from ..criteria import DECISIVE_LOG_ODDS, NOISE_MISFIT
 from .forecast import Forecast, Seen
 
 
@@ -20,12 +20,14 @@ class Odds:
         one, other: the models, in words.
         distance: between them, in standard deviations of the noise along what parts them.
         rms: of the difference of their predictions as they are, in units of noise.
+        samples: of all outputs, that are compared.
     """
 
     one: str
     other: str
     distance: float
     rms: float
+    samples: int
 
     @property
     def log_odds(self) -> float:
@@ -43,6 +45,11 @@ class Odds:
     def is_decisive(self) -> bool:
         """Whether the odds will be strong."""
         return self.log_odds >= DECISIVE_LOG_ODDS
+
+    @property
+    def is_faint(self) -> bool:
+        """Whether what parts them is so far below the noise that errors of a model may pass for it."""
+        return self.distance**2 / self.samples < NOISE_MISFIT**2 - 1
 
     def to_dict(self) -> dict[str, str | float]:
         """Return it as plain values, as in the JSON file."""
@@ -82,7 +89,7 @@ def apart(one: Forecast, other: Forecast, seen: tuple[Seen, Seen]) -> Odds:
     absorbed = score * scale @ np.linalg.solve(known * np.outer(scale, scale), score * scale)
     squared = float(difference @ difference)
     distance = float(np.sqrt(max(0.0, squared - float(absorbed))))
-    return Odds(one.told, other.told, distance, float(np.sqrt(squared / len(difference))))
+    return Odds(one.told, other.told, distance, float(np.sqrt(squared / len(difference))), len(difference))
 
 
 def all_odds(models: Sequence[Forecast], seen: Sequence[Seen]) -> list[Odds]:
