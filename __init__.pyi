@@ -142,6 +142,7 @@ from .components import signals as signals
 from .components import supply as supply
 from .components import thermal as thermal
 from .components import variable as variable
+from .diagnosis import design as design
 from .diagnosis import diagnose as diagnose
 from .diagnosis import missing_force as missing_force
 from .fmu import FMU as FMU

@@ -6,7 +6,7 @@ from typing import Annotated
 
 import typer
 
-from . import cache, components, demo, diagnose, docs, fit, fmu, modelica, new, run
+from . import cache, components, demo, design, diagnose, docs, fit, fmu, modelica, new, run
 from .failure import clean
 
 EXAMPLES = """\b
@@ -20,6 +20,8 @@ Examples:
   inertance fmu export model.py:build a.fmu  the network for other tools
   inertance fmu check model.py:build       is the FMU what the network is?
   inertance modelica model.py:build --out a.mo  as Modelica text
+  inertance diagnose campaign.toml         what parts measurement and model
+  inertance design campaign.toml --out next.csv  the experiment that tells most
   inertance run --help                     data in, results and plots out
   inertance cache                          the compiled models that are kept
 
@@ -39,6 +41,7 @@ app.command(epilog=components.EXAMPLES)(clean(components.components))
 app.command(epilog=run.EXAMPLES)(clean(run.run))
 app.command(epilog=fit.EXAMPLES)(clean(fit.fit))
 app.command(epilog=diagnose.EXAMPLES)(clean(diagnose.diagnose))
+app.command(epilog=design.EXAMPLES)(clean(design.design))
 app.command(epilog=modelica.EXAMPLES)(clean(modelica.modelica))
 app.command(epilog=docs.EXAMPLES)(clean(docs.docs))
 app.command(epilog=cache.EXAMPLES)(clean(cache.cache))

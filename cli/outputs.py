@@ -9,7 +9,7 @@ from typing import Any
 from ..base import OutputError, check_output, writing
 from .failure import WRONG_USE, fail
 
-PAGES, JSON, PICTURES = (".html", ".htm"), (".json",), (".png", ".pdf", ".svg")
+PAGES, JSON, PICTURES, TABLES = (".html", ".htm"), (".json",), (".png", ".pdf", ".svg"), (".csv",)
 
 
 def expect(option: str, path: Path | None, endings: Iterable[str]) -> None:

@@ -155,6 +155,21 @@ TRIAL_AMPLITUDE_SHARES = 0.25, 1.0  # [largest that was measured]; effort
 INPUT_BAND_ENERGY_SHARES = 0.05, 0.95  # [1] of an input's energy below the band's ends; telling
 PEAK_QUANTILE = 0.999  # [1] of a signal that counts as its largest; data
 SEPARATING_MISFIT = 2.0  # [noise] rms by which models must part to be told apart; telling
+DECISIVE_LOG_ODDS = 3.0  # [1] expected of the right model over another, to play it; theory: odds of 20
+REST_SHARE = 0.1  # [largest distance from it] of the middle of an input, within which it rests at 0; data
+DESIGN_AMPLITUDE_SHARES = 1.0, 0.3  # [largest allowed] at which each excitation is tried; effort
+DESIGN_STEPS = 6  # [1] of a stepped sine; effort
+DESIGN_FADE_SHARE = 0.1  # [duration] of a fade at most; telling
+DESIGN_SHRINKINGS, DESIGN_SHRINKING = 6, 0.97  # [1] runs until limits hold, and to where; effort
+DESIGN_CHECKS = 3  # [1] of the best experiments to which the rivals are refitted; effort
+DESIGN_REFIT_SHAPES = 4  # [1] from which rivals are fitted to it, beside their own; effort
+SHUTTLE_SHARE = 0.4  # [1] of the time in which what goes to and fro moves; telling
+DESIGN_DRAWS = 2  # [1] of other parameters for which an experiment is to tell of them, too; effort
+UNTOLD_SHARE = 0.7  # [sd before] above which an experiment tells next to nothing of a parameter; telling
+REFINED_AMPLITUDE_FACTORS = 0.5, 0.7, 1.4, 2.0  # [1] tried about the best; effort
+REFINED_FREQUENCY_FACTORS = 0.8, 0.9, 1.1, 1.25  # [1] of a sine, tried beside the best; effort
+REFINED_SEEDS = 3  # [1] of multisines tried in the band of the best; effort
+NEW_SENSOR_NOISE_SHARE = 1e-3  # [range] of noise of a sensor that is proposed; data: a good one
 
 # The report
 CHANCE_PROBABILITY = 0.05  # [1] of a test gain without the effect above which it is chance; telling

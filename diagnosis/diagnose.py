@@ -73,7 +73,7 @@ def diagnose(
         executor=(executor, optional(instance(Executor))),
     )
     campaign = thinned(Campaign.of(campaign, read_model))
-    _check_keys(campaign)
+    check_keys(campaign)
     samples = sum(len(experiment.record.time) for experiment in campaign.training)
     foreseen = samples * criteria.RUNS_PER_MODEL
     accuracy = Accuracy(solver, rtol or relative_tolerance(campaign), foreseen=foreseen)
@@ -159,7 +159,7 @@ def _unscreened(rounds: Sequence[Round]) -> list[str]:
     return [f"beside {model} nothing was looked for: {why}" for model, why in told if why]
 
 
-def _check_keys(campaign: Campaign) -> None:
+def check_keys(campaign: Campaign) -> None:
     """Raise for what a fit understands and a diagnosis would leave out."""
     problems = [
         f"{experiment.name}: shooting is for fits; a diagnosis runs records in one piece: shorten the window"

@@ -2,6 +2,8 @@
 
 from .campaign.campaign import Campaign as Campaign
 from .campaign.experiment import Experiment as Experiment
+from .campaign.limits import Limit as Limit
+from .campaign.limits import Limits as Limits
 from .campaign.machine import Machine as Machine
 from .campaign.machine import fmu_and_kind as fmu_and_kind
 from .campaign.machine import read_network as read_network
@@ -24,6 +26,7 @@ from .fitting.suspects import told_of as told_of
 from .fitting.uncertainty import uncertainty as uncertainty
 from .records.excitation import Chirp as Chirp
 from .records.excitation import Multisine as Multisine
+from .records.excitation import Shuttle as Shuttle
 from .records.excitation import SineDwells as SineDwells
 from .records.excitation import sampled as sampled
 from .records.filters import Filter as Filter
@@ -50,6 +53,7 @@ __all__ = [
     "NoiseFloor",
     "Prediction",
     "Record",
+    "Shuttle",
     "SineDwells",
     "fit",
     "read_record",

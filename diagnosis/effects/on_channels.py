@@ -31,16 +31,29 @@ def _late(t: Array, y: Array, p: Values) -> Array:
 
 
 def _lagging(t: Array, y: Array, p: Values) -> Array:
-    """Return what follows y with time constant T, y being straight between its samples."""
+    """Return what follows y with time constant T, y being curved between its samples as runs take it.
+
+    On a cubic y it nears y less T, T^2, T^3 times its derivatives in turn, as exp(-t/T).
+    """
+    from scipy.interpolate import CubicSpline
     from scipy.signal import lfilter
 
-    if p["T"] <= 0:
+    lag, step = p["T"], float(t[1] - t[0])
+    if lag <= 0:
         return y
-    step = float(t[1] - t[0])
-    a = np.exp(-step / p["T"])
-    share = p["T"] / step * (1 - a)
-    lagging: Array = y[0] + lfilter([1 - share, share - a], [1, -a], y - y[0])
-    return lagging
+    third, second, first, value = CubicSpline(t, y - y[0]).c
+    jerk = 6 * third
+    begins = _steady(value, first, 2 * second, jerk, lag)
+    value = value + step * (first + step * (second + step * third))
+    first, second = first + step * (2 * second + step * 3 * third), second + step * 3 * third
+    decay = np.exp(-step / lag)
+    followed = lfilter([1.0], [1.0, -decay], _steady(value, first, 2 * second, jerk, lag) - decay * begins)
+    return np.asarray(y[0] + np.append(0.0, followed))
+
+
+def _steady(value: Array, speed: Array, acceleration: Array, jerk: Array, lag: float) -> Array:
+    """Return what a lag makes of a cubic in the long run."""
+    return value - lag * (speed - lag * (acceleration - lag * jerk))
 
 
 def _dead_zone(t: Array, y: Array, p: Values) -> Array:

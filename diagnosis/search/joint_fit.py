@@ -251,7 +251,15 @@ class JointFit:
         """Return the stand of a record, its inputs as the actuators pass them on."""
         if any(placed.effect.drives for placed in effects):
             return self.predictor.stand(driven(experiment, effects))
-        return self.stands[id(experiment)]
+        return self.stands.get(id(experiment)) or self.predictor.stand(experiment)
+
+    def foreseen(self, experiment: Experiment, slopes: bool = True) -> tuple[RecordRun, Array]:
+        """Return what is to be seen in a planned experiment, from rest, and how that slopes in the vector."""
+        parameters, effects = self.unpacked(self.start)
+        given = parameters | inserted(effects)
+        found = self._driven(experiment, effects).run(given, None, self.accuracy, slopes)
+        run = RecordRun(experiment, effects, given, None, found)
+        return run, self._slopes(run) if slopes else np.zeros((0, len(self.start)))
 
     def _slopes(self, run: RecordRun) -> Array:
         """Return d(weighted prediction)/d(vector), channels one below the other."""

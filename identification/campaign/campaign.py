@@ -22,6 +22,7 @@ from .checks import (
     dead_sensors,
     floors_of,
     noise_beside_signals,
+    noise_needed,
     notes_of_records,
     rates_that_differ,
     records_fitted_twice,
@@ -30,6 +31,7 @@ from .checks import (
     tests_that_are_fitted,
 )
 from .experiment import Experiment, read_experiments, repeat_problems, strange
+from .limits import Limits, exceeded, needed, read_limits
 from .machine import Machine, Reader, read_network
 from .priors import Prior, is_per_record, read_priors
 from .problems import TABLE, TEXT, Kind, Problems
@@ -38,7 +40,7 @@ from .stages import Stage, read_stages
 from .ties import changes, limits_of, read_ties, shares, tied
 
 REQUIRED_KEYS = ("model", "channels", "parameters", "train")
-TABLES = ("port", "channels", "parameters", "noise")
+TABLES = ("port", "channels", "parameters", "noise", "limits")
 LISTS = ("train", "test", "stage")
 KINDS = {
     "model": TEXT,
@@ -71,6 +73,10 @@ class Campaign:
         validate: whether to refuse an FMU whose description its schema does not allow.
         reader: what reads the model; `inertance.diagnosis.read_model` for an FMU, or a network with one in
             it, which only `diagnose` takes.
+        limits: what a designed experiment may ask of the rig: {"duration": s, "rate": Hz}, and by channel or
+            quantity of the model {"travel", "speed", "acceleration", "force", "torque", "amplitude", "band"}.
+        planned: whether there may be no records yet, as before any rig exists; noise and limits are needed
+            then.
 
     Raises:
         ModelError: telling everything that is wrong at once, with file and key.
@@ -106,6 +112,8 @@ class Campaign:
     source: str = "campaign"
     validate: bool = True
     reader: Reader = read_network
+    limits: Mapping[str, Any] = field(default_factory=dict)
+    planned: bool = False
     network: Network = field(init=False, repr=False)
     machine: Machine = field(init=False, repr=False)
     measured: dict[str, Channel] = field(init=False, repr=False)
@@ -115,6 +123,7 @@ class Campaign:
     testing: list[Experiment] = field(init=False, repr=False)
     stages: list[Stage] = field(init=False, repr=False)
     floors: dict[str, NoiseFloor] = field(init=False, repr=False)
+    allowed: Limits = field(init=False, repr=False)
     notes: list[str] = field(init=False, repr=False)
 
     def __post_init__(self) -> None:
@@ -137,7 +146,8 @@ class Campaign:
         problems.stop()
         self.measured = channels = read_channels(self.channels, self.machine, problems)
         notes = self._tie(problems)
-        self.training = self._read("train", self.train, problems)
+        self.allowed = read_limits(self.limits, channels, self.machine, problems)
+        self.training = self._read("train", self.train, problems) if self.train or not self.planned else []
         self.testing = self._read("test", self.test, problems)
         problems.add(*tests_that_are_fitted(self.training, self.testing))
         if not isinstance(self.machine, DAE):
@@ -147,16 +157,23 @@ class Campaign:
             problems.add(*dead_sensors(channels, self.training))
         stated = read_noise(self.noise, channels, self.channels, problems)
         problems.add(*noise_beside_signals(stated, channels, self.training))
+        if self.planned and not self.train and not problems.found:
+            problems.add(*needed(self.allowed, channels), *noise_needed(stated, self.outputs))
+            problems.add(*(["test: without [[train]] there is nothing to test"] if self.test else []))
+        self.stages = []
         if self.training and len(self.training) == len(self.train):
             self.stages = read_stages(self.stage, self.priors, self.outputs, self.training, problems)
             problems.add(*records_fitted_twice(self.stages, self.training))
         problems.stop()
         self.notes = [*notes, *notes_of_records(self.experiments)]
+        self.notes += exceeded(self.allowed, channels, self.experiments)
         self.notes += [*rates_that_differ(self.experiments), *resting_inputs(channels, self.training)]
         self.notes += [note for e in self.experiments for note in strange(e, channels, self.machine.inputs)]
         since, count = since_their_runs_began(self.experiments), len(self.training)
         self.training, self.testing = since[:count], since[count:]
-        self._weigh([*self._noise(stated)])
+        self.floors = {name: NoiseFloor(sigma, "stated") for name, sigma in stated.items()}
+        if self.training:
+            self._weigh([*self._noise(stated)])
 
     def __reduce__(self) -> tuple[Any, ...]:
         return Campaign, tuple(getattr(self, entry.name) for entry in fields(self) if entry.init)
@@ -182,8 +199,15 @@ class Campaign:
             ) from error
 
     @classmethod
-    def load(cls, path: str | Path, *, validate: bool = True, reader: Reader = read_network) -> Self:
-        """Read a campaign from a TOML file; `validate` and `reader` as above.
+    def load(
+        cls,
+        path: str | Path,
+        *,
+        validate: bool = True,
+        reader: Reader = read_network,
+        planned: bool = False,
+    ) -> Self:
+        """Read a campaign from a TOML file; `validate`, `reader` and `planned` as above.
 
         Raises:
             ModelError: telling everything that is wrong at once.
@@ -196,22 +220,30 @@ class Campaign:
             raise ModelError(f"{path}: this is not TOML ({error})") from error
         problems = Problems(str(path))
         problems.sound("", entries, KINDS)
-        missing = [key for key in REQUIRED_KEYS if key not in entries]
+        wanted = [key for key in REQUIRED_KEYS if not (planned and key == "train")]
+        missing = [key for key in wanted if key not in entries]
         problems.add(*(f"{key}: {KINDS[key].told} must be given" for key in missing))
         problems.stop()
-        return cls(**entries, base=path.parent, source=str(path), validate=validate, reader=reader)
+        given = {"base": path.parent, "source": str(path), "train": entries.pop("train", ())}
+        return cls(**entries, **given, validate=validate, reader=reader, planned=planned)
 
     @classmethod
-    def of(cls, given: Campaign | str | Path, reader: Reader = read_network) -> Campaign:
-        """Return a campaign that was given as one, or as the path of its TOML file; `reader` as above.
+    def of(
+        cls, given: Campaign | str | Path, reader: Reader = read_network, planned: bool = False
+    ) -> Campaign:
+        """Return a campaign that was given as one, or as the path of its TOML file.
+
+        `reader` and `planned` as above.
 
         Raises:
             ModelError: for anything else, and telling everything that is wrong at once.
         """
         if isinstance(given, Campaign):
+            if not (given.training or planned):
+                raise ModelError(f"{given.source}: train: at least one record is needed")
             return given
         if isinstance(given, str | Path):
-            return cls.load(given, reader=reader)
+            return cls.load(given, reader=reader, planned=planned)
         raise ModelError(f"a Campaign or the path of its TOML file is needed, got {shown(given)}")
 
     def with_floors(self, floors: Sequence[Mapping[str, NoiseFloor]]) -> Campaign:

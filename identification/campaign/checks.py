@@ -71,6 +71,13 @@ def noise_beside_signals(
             )
 
 
+def noise_needed(stated: Mapping[str, float], outputs: Sequence[str]) -> Iterator[str]:
+    """Yield outputs whose noise nothing tells, where there are no records."""
+    for name in outputs:
+        if name not in stated:
+            yield f"noise.{name}: the standard deviation must be given: there are no records to tell it"
+
+
 def dead_sensors(channels: Mapping[str, Channel], training: Sequence[Experiment]) -> Iterator[str]:
     """Yield outputs that never move."""
     for name, value in _constant(channels, training, driven=False):
@@ -106,7 +113,7 @@ def notes_of_records(experiments: Sequence[Experiment]) -> Iterator[str]:
 def rates_that_differ(experiments: Sequence[Experiment]) -> Iterator[str]:
     """Yield a note if records were not all sampled alike."""
     rates = {e.name: e.record.rate for e in experiments}
-    if max(rates.values()) > 1.01 * min(rates.values()):
+    if rates and max(rates.values()) > 1.01 * min(rates.values()):
         told = ", ".join(f"{name} {rate:g} Hz" for name, rate in rates.items())
         yield f"sampling rates differ ({told}); each record is simulated at its own"
 

@@ -140,6 +140,30 @@ class SineDwells:
         return value
 
 
+@dataclass(frozen=True)
+class Shuttle:
+    """From one side to the other and back, with a rest on each: for dry friction, whose rest tells most.
+
+    Args:
+        amplitude: of the sides.
+        frequency: of going to and fro [Hz].
+        moving: share of the time in which it moves; a quintic each time, as smooth as a fade.
+    """
+
+    amplitude: float
+    frequency: float
+    moving: float = 0.4
+
+    def __post_init__(self) -> None:
+        _check(self, amplitude=finite(), frequency=above(0, "Hz"), moving=between(0.01, 1))
+
+    def __call__(self, t: Any) -> Any:
+        turns = self.frequency * t
+        phase = 2 * (turns - ca.floor(turns)) / self.moving
+        there, back = _smooth_step(phase), _smooth_step(phase - 1 / self.moving)
+        return self.amplitude * (2 * (there - back) - 1)
+
+
 def _smooth_step(share: Any) -> Any:
     """Return a step from 0 to 1, twice continuously differentiable."""
     share = ca.fmin(ca.fmax(share, 0), 1)

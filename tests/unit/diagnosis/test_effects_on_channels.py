@@ -30,6 +30,16 @@ def test_a_shifted_sensor_shows_what_was_or_will_be(delay: float) -> None:
     assert shown == pytest.approx(true, abs=0.2)  # beyond the record it goes on with its speed
 
 
+@pytest.mark.parametrize("lag", [1e-5, 0.0016, 0.012, 0.4])
+def test_a_lag_is_that_of_the_curve_through_the_samples(lag: float) -> None:
+    """Also of less than a sample: straight between samples, a sine would be 5e-3 smaller."""
+    turning = 2 * np.pi * 8.0
+    wave, answer = np.exp(1j * turning * TIME), 1 / (1 + 1j * turning * lag)
+    true = np.real(answer * wave)
+    true += (wave.real[0] - true[0]) * np.exp(-(TIME - TIME[0]) / lag)
+    assert changed("actuator_lag", wave.real, T=lag) == pytest.approx(true, abs=3e-4)
+
+
 @pytest.mark.parametrize("delay", [0.0113, -0.0113])
 def test_a_shifted_command_steps_where_it_should(delay: float) -> None:
     """Between samples it is curved, as runs take it, and so it rings for a few of them."""
