@@ -169,7 +169,8 @@ WINDOW_SHARE_TOLD = 0.01  # [1] of what is left below which a stretch is not tol
 
 # The missing force and its law
 FORCE_SIZE_RATIO = 10.0  # [size that would explain what is missed] that a force may have; effort: it is free
-FORCE_TIMES_AT_FIRST, FORCE_TIMES = 6, 14  # [1] tried for how fast a force changes; effort
+FORCE_TIMES_AT_FIRST, FORCE_TIMES = 6, 12  # [1] tried for how fast a force changes; effort
+FORCE_EVERY = 4  # [1] measurement by which that is told, of so many; effort
 FORCE_RUNS = 6  # [1] with the force so far, along which it is sought anew; effort
 FORCE_HALVINGS = 4  # [1] of a force that a run cannot take; effort
 FORCE_SETTLED = 1.02  # [what smoothing promises] that a run with the force may miss; data

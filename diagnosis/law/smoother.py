@@ -17,7 +17,7 @@ Gaussian process regression models, 2010.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
@@ -49,6 +49,37 @@ class Course:
     columns: Array
     shared: int
     priors: Array
+
+    @property
+    def measured(self) -> Any:
+        """Which outputs were measured, (points, outputs)."""
+        return np.any(self.to_x != 0, axis=2) | np.any(self.to_f != 0, axis=2)
+
+    def coarser(self, every: int) -> Course:
+        """Return it from one of so many measured points to the next, a force straight between them."""
+        kept = np.flatnonzero(self.measured.any(axis=1))[::every]
+        if len(kept) < 2:
+            return self
+        first, after = kept[:-1], kept[1:]
+        lasting = self.t[after] - self.t[first]
+        map = np.tile(np.eye(self.map.shape[1]), (len(first), 1, 1))
+        here, there = np.zeros((2, len(first), *self.here.shape[1:]))
+        for number in range(int(np.diff(kept).max())):
+            which = np.flatnonzero(first + number < after)
+            at = first[which] + number
+            passed = ((self.t[at + n] - self.t[first[which]]) / lasting[which] for n in (0, 1))
+            begun, ended = (share[:, None, None] for share in passed)
+            near, far = self.here[at], self.there[at]
+            here[which] = self.map[at] @ here[which] + near * (1 - begun) + far * (1 - ended)
+            there[which] = self.map[at] @ there[which] + near * begun + far * ended
+            map[which] = self.map[at] @ map[which]
+        points = [part[kept] for part in (self.to_x, self.to_f, self.columns)]
+        return Course(self.t[kept], map, here, there, *points, self.shared, self.priors)
+
+    def beside(self, count: int) -> Course:
+        """Return it with its sites so many times over."""
+        parts = {name: np.tile(getattr(self, name), (1, 1, count)) for name in ("here", "there", "to_f")}
+        return replace(self, **parts)
 
 
 @dataclass(frozen=True, eq=False)
@@ -194,6 +225,7 @@ def smoothed(found: Filtered) -> tuple[Array, Array]:
 
 
 UNSEEN = 1e200  # variance of what was not measured
+STEPS_TOGETHER = 64  # whose transitions are made at once
 
 
 class _Stack:
@@ -217,41 +249,44 @@ class _Stack:
         self.map = stacked([c.map for c in courses])
         for number, course in enumerate(courses):
             self.map[len(course.map) :, number] = np.eye(n)
-        weights = [
-            np.where(np.any(c.to_x != 0, axis=2) | np.any(c.to_f != 0, axis=2), 1.0, 2 * UNSEEN)
-            for c in courses
-        ]
         self.weight = np.full((self.points, len(courses), self.outputs), 2 * UNSEEN)
-        for number, weight in enumerate(weights):
-            self.weight[: len(weight), number] = weight
+        for number, course in enumerate(courses):
+            self.weight[: len(course.t), number] = np.where(course.measured, 1.0, 2 * UNSEEN)
         self.measured: Any = (self.weight < UNSEEN).any(axis=1)
         steps = stacked([np.diff(c.t) for c in courses])
         kept, added = zip(*(roughness.over(step) for step in steps.T), strict=True)
         self.kept, self.added = np.stack(kept, 1), np.stack(added, 1)
         self.here, self.there = np.swapaxes(here, 2, 3), np.swapaxes(there, 2, 3)  # (k, r, s, n)
-        self._h = np.zeros((*self.shape[:2], n + order))
+        self._part: tuple[int, Array, Array] = -1, kept[0], kept[0]
 
     def seen(self, k: int, j: int) -> Array:
         """Return the row of an output at a point, (records, sites, size)."""
-        n = self.shape[2]
-        h = np.zeros_like(self._h)
+        records, sites, n, order = self.shape
+        h = np.zeros((records, sites, n + order))
         h[:, :, :n] = self.to_x[k, :, None, j]
         h[:, :, n] = self.to_f[k, :, j]
         return h
 
     def step(self, k: int) -> tuple[Array, Array]:
         """Return transition and added covariance of an interval, (records, sites, size, size)."""
-        records, sites, n, order = self.shape
-        T = np.zeros((records, sites, n + order, n + order))
-        kept, there = self.kept[k], self.there[k]
-        T[:, :, :n, :n] = self.map[k, :, None]
-        T[:, :, n:, n:] = kept
-        T[:, :, :n, n:] = there[..., None] * kept[:, :, :1, :]
-        T[:, :, :n, n] += self.here[k]
-        G = np.zeros((records, sites, n + order, order))
-        G[:, :, :n, 0] = there
-        G[:, :, n:] = np.eye(order)
-        return T, G @ self.added[k] @ np.swapaxes(G, 2, 3)
+        part, place = divmod(k, STEPS_TOGETHER)
+        if part != self._part[0]:
+            self._part = part, *self._steps(slice(part * STEPS_TOGETHER, (part + 1) * STEPS_TOGETHER))
+        return self._part[1][place], self._part[2][place]
+
+    def _steps(self, at: slice) -> tuple[Array, Array]:
+        """Return transitions and added covariances of intervals."""
+        n, order = self.shape[2:]
+        kept, here, there = self.kept[at], self.here[at], self.there[at]
+        T = np.zeros((*kept.shape[:3], n + order, n + order))
+        T[..., :n, :n] = self.map[at, :, None]
+        T[..., n:, n:] = kept
+        T[..., :n, n:] = there[..., None] * kept[..., :1, :]
+        T[..., :n, n] += here
+        G = np.zeros((*kept.shape[:3], n + order, order))
+        G[..., :n, 0] = there
+        G[..., n:, :] = np.eye(order)
+        return T, G @ self.added[at] @ np.swapaxes(G, -1, -2)
 
 
 def _solved(gram: Array, courses: Sequence[Course]) -> tuple[Array, Array]:
