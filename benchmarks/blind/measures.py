@@ -91,7 +91,7 @@ def null_cases(cases: Sequence[Scored]) -> list[Scored]:
 
 
 def alarm(case: Scored) -> bool:
-    return case.said in ("effect", "ambiguous", "partial", "unknown")
+    return case.said in ("effect", "ambiguous", "partial", "law", "unknown")
 
 
 def _answer(effect: dict[str, Any]) -> Answer:

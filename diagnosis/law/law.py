@@ -75,6 +75,11 @@ class Law:
         return tuple(UNITS[self.site.domain][variable] for variable in self.variables)
 
     @property
+    def told(self) -> str:
+        """Where it acts and over what, in words."""
+        return f"a law of {' and '.join(self.variables)} at {self.site.path}"
+
+    @property
     def is_static(self) -> bool:
         """Whether a component can have it: a law of position, of speed, or of both."""
         return self.variables in STATIC
@@ -159,10 +164,11 @@ def rows_of(grid: Grid, values: Array) -> list[tuple[float, ...]]:
 
 
 class Drawing:
-    """Laws tried of a force at a site, along runs that it has made."""
+    """Laws tried of a force at a site, along runs that it, or one at a site elsewhere, has made."""
 
-    def __init__(self, site: Site, settled: Settled) -> None:
-        self.site, self.settled, self.number = site, settled, settled.number
+    def __init__(self, site: Site, settled: Settled, number: int | None = None) -> None:
+        self.site, self.settled = site, settled
+        self.number = settled.number if number is None else number
         self.runs, self.left = settled.runs, settled.misfit
         runs, number = self.runs, self.number
         motions = [run.motion(number) for run in runs]
@@ -185,6 +191,10 @@ class Drawing:
         """Return the law over variables."""
         grid = self.grid(variables)
         return fitted(self.tallies(grid), grid)
+
+    def foreseen(self) -> float:
+        """Return the most that a static law foresees of what is missing."""
+        return max(self.share(self.fitted(variables)) for variables in STATIC)
 
     def share(self, law: Fitted) -> float:
         """Return the share of what is missing that a law foresees."""

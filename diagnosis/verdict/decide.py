@@ -15,7 +15,8 @@ from ..criteria import (
     NOISE_MISFIT,
 )
 from ..effects.hypothesis import Hypothesis
-from ..models.study import Study
+from ..law.sought import Sought, sought
+from ..models.study import FMUStudy, Study
 from ..search.model_comparison import Refit, are_alike, clearness
 from ..search.revision import Rivals
 from ..search.round import Round, same_motion
@@ -28,6 +29,7 @@ from .resolution import unresolved
 from .steadiness import Unsteady, unsteady
 from .verdict import Evidence, Verdict, moved_parameters
 
+OPEN_END = "partial", "unknown"  # verdicts that leave something unexplained
 NOT_BY_SINES = (
     "No sine within what was measured parts them by more than twice the noise; measure another quantity, or "
     "excite another input."
@@ -55,17 +57,22 @@ def decided(
     best = certain_part(best, base, rounds, study, changing)
     first, beyond = rounds[0] if rounds else Round(base, [], []), _round_on(best, rounds)
     evidence = Evidence(alone, start, base, best, tuple(first.candidates), first.failed)
-    closed = _closed(best, base, study)
-    gap = gaps(study, start, base, best)
     word = _word(evidence)
     if study.late() and (best.effects or best.misfit > NOISE_MISFIT):
         word = "interrupted"
+    beyond_list = _sought(study, best) if word in OPEN_END else None
+    after = best
+    if beyond_list is not None and beyond_list.model is not None:
+        word, after = "law", beyond_list.model
+        evidence = replace(evidence, after=after)
+    closed = _closed(after, base, study)
+    gap = gaps(study, start, base, after)
     alike = _alike(best, rounds, rivals)
     others = {_other(f, best).effect.kind for f in alike} - {p.effect.kind for p in best.effects}
     further = None
     if word == "effect" and others:
         word, further = "ambiguous", separating(study, best, alike[0]) or NOT_BY_SINES
-    open_end = word in ("partial", "unknown")
+    open_end = word in OPEN_END
     astray = led_astray(study.campaign, base) if best is not base else ()
     doubts = () if study.late() else unresolved(alone, best)
     suspected = suspicions(study, best) if open_end else ()
@@ -80,7 +87,7 @@ def decided(
         ranking=_ranked(study, first),
         gap=gap,
         closed=closed,
-        parameters=best.parameters,
+        parameters=after.parameters,
         network=study.campaign.network,
         evidence=evidence,
         notes=(
@@ -93,7 +100,16 @@ def decided(
             *doubts,
         ),
         further=_ranked(study, beyond) if best.effects and beyond is not None else (),
+        sought=beyond_list,
     )
+
+
+def _sought(study: Study, model: Refit) -> Sought | None:
+    """Return what comes of looking for a law beside a model, whose equations must be known."""
+    if isinstance(study, FMUStudy):
+        return None
+    study.tell("looking for a law of its own")
+    return sought(study, model)
 
 
 def _closed(best: Refit, base: Refit, study: Study) -> float:

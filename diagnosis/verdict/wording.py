@@ -26,12 +26,15 @@ NAMED = {
 
 def sentence_of(verdict: Verdict) -> str:
     """Return a verdict in a sentence or two."""
-    named = " and ".join(told(*placed.key) for placed in verdict.effects)
+    law = [verdict.law.told] if verdict.law is not None else []
+    named = " and ".join([*(told(*placed.key) for placed in verdict.effects), *law])
     closing = f"{verdict.closed:.0%} of the gap, from {_fall(verdict.gap)}"
     words = ALONE | NAMED if named else ALONE
     if verdict.verdict in words:
         sentence = words[verdict.verdict].format(f"{named}, which closes {closing}") + _others(verdict)
         return sentence + closest_of(verdict) if verdict.verdict in ("partial", "unknown") else sentence
+    if law:
+        return f"Nothing listed explains it alone: what is missing is {named}; adding it closes {closing}."
     return f"What is missing is {named}; adding it closes {closing}.{_others(verdict)}"
 
 
