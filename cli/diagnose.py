@@ -106,6 +106,10 @@ def show(verdict: Verdict) -> None:
     _show_ranking(console, "effects fitted on top of what was found", verdict.further)
     _show_parameters(console, verdict)
     told = [verdict.remainder] if verdict.remainder else []
+    if verdict.law is not None:
+        told.append(str(verdict.law))
+    elif verdict.sought is not None:
+        told.append(verdict.sought.active)
     told += [
         f"{placed.label}: the same motion as at {', '.join(placed.site.same)}, which no data part"
         for placed in verdict.effects

@@ -78,7 +78,7 @@ def make(draft: Draft, folder: Path) -> dict[str, Any]:
 
 
 def _drive(machine: Machine, begin: str, rng: np.random.Generator) -> Array:
-    """Return the input of all records at half steps: random, a sweep, levels of a sine; random again, sines."""
+    """Return the input of all records at half steps: random, a sweep, a sine; random again, two sines."""
     size, low, high = machine.drive
     seconds = LASTING + (BEFORE if begin == "motion" else 0.0)
     t = np.arange(2 * round(seconds * RATE) + 1) / (2 * RATE)

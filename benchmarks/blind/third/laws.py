@@ -24,7 +24,10 @@ def _steps(rng: np.random.Generator, least: float) -> Callable[[Array], Array]:
     widths = rng.uniform(least, 0.6, 4)
 
     def curve(x: Array) -> Array:
-        return sum(h * (np.tanh((x - p) / w) + np.tanh(p / w)) for p, h, w in zip(places, heights, widths))
+        return sum(
+            h * (np.tanh((x - p) / w) + np.tanh(p / w))
+            for p, h, w in zip(places, heights, widths, strict=True)
+        )
 
     return curve
 
@@ -41,7 +44,7 @@ def _comb(rng: np.random.Generator) -> Law:
     sizes = (1.0, rng.uniform(0.4, 0.9))
 
     def law(s: Array, v: Array) -> Array:
-        waves = zip(sizes, periods, phases)
+        waves = zip(sizes, periods, phases, strict=True)
         return sum(a * (np.sin(2 * np.pi * s / p + f) - np.sin(f)) for a, p, f in waves)
 
     return law
@@ -64,7 +67,7 @@ def _map(rng: np.random.Generator) -> Law:
     places, widths, sizes = rng.uniform(-1.2, 1.2, 3), rng.uniform(0.4, 0.9, 3), rng.uniform(0.3, 2.0, 3)
 
     def law(s: Array, v: Array) -> Array:
-        bumps = sum(a * np.exp(-(((s - p) / w) ** 2)) for a, p, w in zip(sizes, places, widths))
+        bumps = sum(a * np.exp(-(((s - p) / w) ** 2)) for a, p, w in zip(sizes, places, widths, strict=True))
         return (0.2 + bumps) * curve(v)
 
     return law

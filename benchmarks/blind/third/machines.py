@@ -1,4 +1,4 @@
-"""Machines of the third generation: masses, springs, dampers and one thing more, by Runge and Kutta's method."""
+"""Machines of the third generation: masses, springs, dampers, one thing more; Runge and Kutta's method."""
 
 from __future__ import annotations
 
@@ -78,12 +78,12 @@ MACHINES = {
     ),
     "rotor": Machine(
         "rotor",
-        {"coupling.k": 40.0, "coupling.d": 0.03, "bearing.d": 0.12, "brake.d": 0.1},
-        ("coupling.k", "bearing.d", "brake.d"),
+        {"coupling.c": 40.0, "coupling.d": 0.03, "bearing.d": 0.12, "brake.d": 0.1},
+        ("coupling.c", "bearing.d", "brake.d"),
         (0.02, 0.03),
         {
             "bearing": Joint((1.0, 0.0), ("bearing", "motor"), "", "bearing.d"),
-            "coupling": Joint((-1.0, 1.0), ("coupling",), "coupling.k", "coupling.d"),
+            "coupling": Joint((-1.0, 1.0), ("coupling",), "coupling.c", "coupling.d"),
             "brake": Joint((0.0, 1.0), ("brake", "load"), "", "brake.d"),
         },
         {"w": (0, 1, "motor.w", "rad/s"), "angle": (1, 0, "load.phi", "rad")},
@@ -96,7 +96,7 @@ MACHINES = {
 
 @dataclass(frozen=True)
 class Cause:
-    """What acts in a joint beside the model: a force, a share of the first inertia or of a stiffness over time.
+    """What acts beside the model: a force, a share of an inertia or of a stiffness over time.
 
     Attributes:
         loose: mass, half the room and stiffness of a part that rattles on the first coordinate.

@@ -49,7 +49,7 @@ def by_kind(cases: Sequence[Scored]) -> Rows:
 def right(case: Scored) -> bool:
     """Tell whether a law is named where it acts, within a tenth of its range; or none where none acts."""
     if case.label["verdict"] != "law":
-        return case.said in ("partial", "unknown")
+        return case.said not in ("law", "failed")
     return case.said == "law" and sited(case) and error(case) <= WITHIN
 
 
