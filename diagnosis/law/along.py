@@ -15,7 +15,7 @@ from ..effects.hypothesis import Hypothesis, driven, sensed
 from ..models.probes import motion_at
 from ..models.study import NetworkPredictor, Study
 from ..search.record_start import nuisance_slopes
-from .smoother import Course
+from .course import Course
 
 FORCE = "missing force"  # the channel by which a force acts at a site
 

@@ -157,10 +157,15 @@ def element_of(site: Site, grid: Grid, values: Array, origin: float) -> Componen
 def rows_of(grid: Grid, values: Array) -> list[tuple[float, ...]]:
     """Return rows of a table; of a smooth law so many that what is between them does not matter."""
     if not grid.axes[0].smooth:
-        return [(*place, value) for place, value in zip(grid.places.tolist(), values.tolist(), strict=True)]
+        return _written(grid.places, values)
     (axis,) = grid.axes
     fine = np.linspace(axis.points[0], axis.points[-1], LAW_FINER * (len(axis.points) - 1) + 1)
-    return list(zip(fine.tolist(), (axis.basis(fine) @ values).tolist(), strict=True))
+    return _written(fine[:, None], axis.basis(fine) @ values)
+
+
+def _written(places: Array, values: Array) -> list[tuple[float, ...]]:
+    """Return rows with the digits that count."""
+    return [tuple(float(f"{x:.8g}") for x in row) for row in np.column_stack([places, values]).tolist()]
 
 
 class Drawing:

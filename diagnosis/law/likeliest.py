@@ -8,7 +8,8 @@ import numpy as np
 
 from ...base import Array
 from ..criteria import FORCE_EVERY, FORCE_SIZE_RATIO, FORCE_TIMES, FORCE_TIMES_AT_FIRST
-from .smoother import Course, Roughness, filtered
+from .course import Course, Roughness
+from .smoother import filtered
 
 FORGETS_AFTER = {1: 2 * FORCE_SIZE_RATIO**2, 2: (4 / 3 * 3**1.5 * FORCE_SIZE_RATIO**2) ** (1 / 3)}
 """By order, over how many times the time in which it changes by its size a force forgets itself."""

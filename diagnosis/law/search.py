@@ -13,8 +13,9 @@ from ..criteria import FORCE_HALVINGS, FORCE_PARAMETER_STEP, FORCE_RUNS, FORCE_S
 from ..models.study import Study
 from ..search.model_comparison import Refit
 from .along import Bench, Beside, Force
+from .course import Roughness
 from .likeliest import likeliest
-from .smoother import Roughness, filtered, smoothed
+from .smoother import filtered, smoothed
 
 
 @dataclass(frozen=True, eq=False)

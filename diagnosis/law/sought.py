@@ -83,9 +83,14 @@ ALL_OF_IT, SPANS_TOLD = 0.99, 3
 
 
 def sought(study: Study, model: Refit) -> Sought | None:
-    """Return what comes of looking for a static law beside a model; None where no force can be found."""
+    """Return what comes of looking for a static law beside a model; None where no force can be found.
+
+    Sites other than the likeliest are tried if no law there foresees enough.
+    """
     try:
         missing = force_of(study, model)
+        if missing.misfit > missing.before:
+            return None
         missing, foreseen = _at_best(study, model, missing)
         law = Drawing(missing.site, missing.settled).law(among=STATIC)
     except InertanceError:

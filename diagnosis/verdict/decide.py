@@ -15,8 +15,7 @@ from ..criteria import (
     NOISE_MISFIT,
 )
 from ..effects.hypothesis import Hypothesis
-from ..law.sought import Sought, sought
-from ..models.study import FMUStudy, Study
+from ..models.study import Study
 from ..search.model_comparison import Refit, are_alike, clearness
 from ..search.revision import Rivals
 from ..search.round import Round, same_motion
@@ -60,13 +59,8 @@ def decided(
     word = _word(evidence)
     if study.late() and (best.effects or best.misfit > NOISE_MISFIT):
         word = "interrupted"
-    beyond_list = _sought(study, best) if word in OPEN_END else None
-    after = best
-    if beyond_list is not None and beyond_list.model is not None:
-        word, after = "law", beyond_list.model
-        evidence = replace(evidence, after=after)
-    closed = _closed(after, base, study)
-    gap = gaps(study, start, base, after)
+    closed = closed_by(best, base, study)
+    gap = gaps(study, start, base, best)
     alike = _alike(best, rounds, rivals)
     others = {_other(f, best).effect.kind for f in alike} - {p.effect.kind for p in best.effects}
     further = None
@@ -87,7 +81,7 @@ def decided(
         ranking=_ranked(study, first),
         gap=gap,
         closed=closed,
-        parameters=after.parameters,
+        parameters=best.parameters,
         network=study.campaign.network,
         evidence=evidence,
         notes=(
@@ -100,19 +94,10 @@ def decided(
             *doubts,
         ),
         further=_ranked(study, beyond) if best.effects and beyond is not None else (),
-        sought=beyond_list,
     )
 
 
-def _sought(study: Study, model: Refit) -> Sought | None:
-    """Return what comes of looking for a law beside a model, whose equations must be known."""
-    if isinstance(study, FMUStudy):
-        return None
-    study.tell("looking for a law of its own")
-    return sought(study, model)
-
-
-def _closed(best: Refit, base: Refit, study: Study) -> float:
+def closed_by(best: Refit, base: Refit, study: Study) -> float:
     """Return the share that a model closes of what lies between another one and noise, as that looks."""
     underrated = best.misfit > COLOURED_MISFIT and best.is_noise(study.judged)
     noise = best.misfit if underrated else 1.0
@@ -126,7 +111,7 @@ def _leaves_noise(model: Refit, study: Study) -> bool:
 
 def _explains(best: Refit, base: Refit, study: Study) -> bool:
     """Tell whether nothing but noise is left, or what no law is so right that it would not leave it."""
-    return _leaves_noise(best, study) or _closed(best, base, study) >= EXPLAINED_GAP_SHARE
+    return _leaves_noise(best, study) or closed_by(best, base, study) >= EXPLAINED_GAP_SHARE
 
 
 def certain_part(
