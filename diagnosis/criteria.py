@@ -182,6 +182,7 @@ LAW_STIFFNESSES = tuple(10.0**n for n in range(-8, 3))  # [1] of a law against b
 LAW_WEAKEST_PRIOR = 1e-9  # [1] against values that nothing tells of; data
 LAW_PAIR_SHARE = 0.5  # [1] of what a law of one variable leaves that one of two must come below; effort
 LAW_FINER = 4  # [1] rows of a table for each point of a smooth law; data
+LAW_HELD_SHARE = 1e-3  # [1] of what tells a parameter by which it is held while a law is fitted; data
 LAW_POLISHES = 6  # [1] runs with a law in the model, along which it is fitted anew; effort
 LAW_STEP_SHARE, LAW_STEP_WITHIN = 0.3, 0.03  # [range of force], [largest speed] of a step at rest; telling
 LAW_EVEN_SHARE = 0.03  # [range of force] by which a law may miss a symmetry; telling

@@ -58,13 +58,13 @@ class Course:
             here[which] = self.map[at] @ here[which] + near * (1 - begun) + far * (1 - ended)
             there[which] = self.map[at] @ there[which] + near * begun + far * ended
             map[which] = self.map[at] @ map[which]
-        points = [part[kept] for part in (self.to_x, self.to_f, self.columns)]
-        return Course(self.t[kept], map, here, there, *points, self.shared, self.priors)
+        to_x, to_f, columns = self.to_x[kept], self.to_f[kept], self.columns[kept]
+        return Course(self.t[kept], map, here, there, to_x, to_f, columns, self.shared, self.priors)
 
     def beside(self, count: int) -> Course:
         """Return it with its sites so many times over."""
-        parts = {name: np.tile(getattr(self, name), (1, 1, count)) for name in ("here", "there", "to_f")}
-        return replace(self, **parts)
+        here, there, to_f = (np.tile(part, (1, 1, count)) for part in (self.here, self.there, self.to_f))
+        return replace(self, here=here, there=there, to_f=to_f)
 
 
 @dataclass(frozen=True, eq=False)

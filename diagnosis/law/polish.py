@@ -9,7 +9,7 @@ import numpy as np
 
 from ...base import Array
 from ...components import SimulationError
-from ..criteria import FORCE_LAW_STIFFNESS, LAW_POLISHES, START_DROP_RATIO
+from ..criteria import FORCE_LAW_STIFFNESS, LAW_HELD_SHARE, LAW_POLISHES, START_DROP_RATIO
 from ..effects.edits import Edit, between
 from ..effects.effect import Effect, Values
 from ..effects.hypothesis import Hypothesis
@@ -115,10 +115,10 @@ def _run(
 
 def _step(study: Study, law: Law, here: _Trial) -> Callable[[float], _Trial]:
     """Return what makes a trial a share of the way to what is best along the runs so far."""
-    tallies = Tallies.of(here.runs, law.number, law.grid, law.origin, here.values)
-    found = fitted(tallies, law.grid, stiffness=law.fit.stiffness)
     centers, scales = here.runs[0].bench.centers, here.runs[0].bench.scales
     before = (np.array([*here.given.values()]) - centers) / scales
+    tallies = Tallies.of(here.runs, law.number, law.grid, law.origin, here.values)
+    found = fitted(tallies.held(before, LAW_HELD_SHARE), law.grid, stiffness=law.fit.stiffness)
     unknown = np.concatenate([found.moved, found.values])
     begun = {}
     for run in here.runs:

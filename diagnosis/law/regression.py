@@ -55,6 +55,20 @@ class Tallies:
             raise SimulationError(f"a force at {run.bench.sites[number].path} makes the model unstable")
         return cls(np.array(grams), np.array(counts), shared)
 
+    def held(self, near: Array, share: float) -> Tallies:
+        """Return them with parameters tied to where they are, by a share of what the records tell of each.
+
+        What a law can do as well is told by next to nothing else, and stays.
+        """
+        gram, own = self.gram.copy(), slice(1, 1 + self.shared)
+        place = np.arange(1, 1 + self.shared)
+        size = share * gram[:, place, place]
+        gram[:, place, place] += size
+        gram[:, own, 0] += size * near
+        gram[:, 0, own] += size * near
+        gram[:, 0, 0] += size @ near**2
+        return replace(self, gram=gram)
+
 
 def beside(
     run: Beside, number: int, grid: Grid | None, origin: float, within: Array | None

@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import Any
+
+import numpy as np
 
 from ...components import InertanceError
 from ..criteria import LAW_CHANGING_SHARE, LAW_CLOSED_SHARE, LAW_FORESEEN_SHARE, LAW_SITES
@@ -104,7 +106,15 @@ def sought(study: Study, model: Refit) -> Sought | None:
         found = polished(study, law)
     except InertanceError:
         return Sought(model, missing, foreseen, None, "cannot be run in the model")
-    return Sought(model, missing, foreseen, found, _refused(model, found))
+    return Sought(model, missing, foreseen, _drawn(missing, found), _refused(model, found))
+
+
+def _drawn(missing: MissingForce, found: Polished) -> Polished:
+    """Return a law with the missing force as that is beside the parameters that it was polished with."""
+    bench = missing.search.bench
+    given = np.array([found.model.parameters[name] for name in bench.names])
+    forces = missing.settled.beside((given - bench.centers) / bench.scales)
+    return replace(found, law=replace(found.law, forces=tuple(forces)))
 
 
 def _at_best(study: Study, model: Refit, missing: MissingForce) -> tuple[MissingForce, dict[str, float]]:
