@@ -16,6 +16,8 @@ from .law import STATIC, Drawing, Law
 from .missing_force import MissingForce, force_of
 from .polish import Polished, polished
 
+ALL_OF_IT, SPANS_TOLD = 0.99, 3  # [1] of a force's square that is all of it, stretches told in a sentence
+
 
 @dataclass(frozen=True, eq=False)
 class Sought:
@@ -49,10 +51,10 @@ class Sought:
     @property
     def ruled_out(self) -> str:
         """What it rules out that no law holds, in words."""
-        sites = " or ".join([", ".join([*self.foreseen][:-1]), [*self.foreseen][-1]]).removeprefix(" or ")
         most = max(0.0, *self.foreseen.values())
+        sites = " or ".join(self.foreseen)
         told = f"No static law of position and speed at {sites} foresees more than {most:.0%} of it"
-        return f"{told}; the best one {self.refused}." if self.found is not None else f"{told}."
+        return f"{told}; the best one {self.refused}." if most >= LAW_FORESEEN_SHARE else f"{told}."
 
     @property
     def active(self) -> str:
@@ -81,9 +83,6 @@ class Sought:
         }
 
 
-ALL_OF_IT, SPANS_TOLD = 0.99, 3
-
-
 def sought(study: Study, model: Refit) -> Sought | None:
     """Return what comes of looking for a static law beside a model; None where no force can be found.
 
@@ -93,13 +92,11 @@ def sought(study: Study, model: Refit) -> Sought | None:
         missing = force_of(study, model)
         if missing.misfit > missing.before:
             return None
-        missing, foreseen = _at_best(study, model, missing)
-        law = Drawing(missing.site, missing.settled).law(among=STATIC)
+        missing, law, foreseen = _best_law(study, model, missing)
     except InertanceError:
         return None
-    foreseen = {missing.site.path: law.explained} | foreseen | {missing.site.path: law.explained}
     if law.explained < LAW_FORESEEN_SHARE:
-        return Sought(model, missing, foreseen, None, "foresees too little")
+        return Sought(model, missing, foreseen, None, "foresees too little of it")
     if study.late():
         return Sought(model, missing, foreseen, None, "was not tried in free runs: the time ended")
     try:
@@ -117,23 +114,27 @@ def _drawn(missing: MissingForce, found: Polished) -> Polished:
     return replace(found, law=replace(found.law, forces=tuple(forces)))
 
 
-def _at_best(study: Study, model: Refit, missing: MissingForce) -> tuple[MissingForce, dict[str, float]]:
-    """Return the force where a static law foresees most of it, and by site how much that is.
+def _best_law(
+    study: Study, model: Refit, missing: MissingForce
+) -> tuple[MissingForce, Law, dict[str, float]]:
+    """Return the force where a static law foresees most of it, the law, and by site how much that is.
 
     The likeliest site for a force is kept if a law there foresees enough.
     """
-    sites, alike = missing.search.bench.sites, missing.alike
-    others = [one.site for one in missing.ranking if one.site not in (*alike, missing.site.path)]
-    foreseen = {missing.site.path: Drawing(missing.site, missing.settled).foreseen()}
-    if foreseen[missing.site.path] >= LAW_FORESEEN_SHARE:
-        return missing, foreseen
+    law = Drawing(missing.site, missing.settled).law(among=STATIC)
+    first, sites = missing.site.path, missing.search.bench.sites
+    foreseen = {first: law.explained}
+    if law.explained >= LAW_FORESEEN_SHARE:
+        return missing, law, foreseen
+    others = [one.site for one in missing.ranking if one.site not in (*missing.alike, first)]
     for path in others[: LAW_SITES - 1]:
         number = next(n for n, site in enumerate(sites) if site.path == path)
         foreseen[path] = Drawing(sites[number], missing.settled, number).foreseen()
     best = max(foreseen, key=lambda path: foreseen[path])
-    if best != missing.site.path and foreseen[best] >= LAW_FORESEEN_SHARE:
-        return force_of(study, model, best), foreseen
-    return missing, foreseen
+    if best != first and foreseen[best] >= LAW_FORESEEN_SHARE:
+        missing = force_of(study, model, best)
+        law = Drawing(missing.site, missing.settled).law(among=STATIC)
+    return missing, law, foreseen
 
 
 def _refused(model: Refit, found: Polished) -> str:

@@ -307,7 +307,7 @@ def test_every_verdict_has_a_report(word: str, jammed: Verdict, tmp_path: Path) 
     )
     read = Sections()
     read.feed(text)
-    assert read.found == SECTIONS
+    assert read.found == [name for name in SECTIONS if name != "force"]
     assert f'class="verdict {word}"' in text
 
 
