@@ -23,6 +23,7 @@ from .terminal import CommandConsole, progress, table_of
 if TYPE_CHECKING:
     from ..diagnosis import Ranked, Verdict
 
+LONGEST_LINE = 400  # characters of a line that corrects the model
 EXAMPLES = """\b
 Examples:
   inertance diagnose campaign.toml
@@ -106,6 +107,10 @@ def show(verdict: Verdict) -> None:
     _show_ranking(console, "effects fitted on top of what was found", verdict.further)
     _show_parameters(console, verdict)
     told = [verdict.remainder] if verdict.remainder else []
+    if verdict.law is not None:
+        told.append(str(verdict.law))
+    elif verdict.sought is not None:
+        told.append(verdict.sought.active)
     told += [
         f"{placed.label}: the same motion as at {', '.join(placed.site.same)}, which no data part"
         for placed in verdict.effects
@@ -114,9 +119,17 @@ def show(verdict: Verdict) -> None:
     for line in told:
         _print(console, line)
     for line in verdict.lines:
-        _print(console, f"  {line}", soft_wrap=True)
+        _print(console, f"  {_shortened(line)}", soft_wrap=True)
     for note in (*verdict.evidence.campaign.notes, *verdict.notes):
         _print(console, f"note: {note}")
+
+
+def _shortened(line: str) -> str:
+    """Return a line without the middle of a table, which the report and the JSON file hold."""
+    if len(line) <= LONGEST_LINE:
+        return line
+    half = LONGEST_LINE // 2
+    return f"{line[:half]} ... (all of it in the report) ... {line[-half:]}"
 
 
 def _show_ranking(console: CommandConsole, title: str, ranking: Sequence[Ranked]) -> None:

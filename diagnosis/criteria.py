@@ -184,7 +184,8 @@ WINDOW_SHARE_TOLD = 0.01  # [1] of what is left below which a stretch is not tol
 
 # The missing force and its law
 FORCE_SIZE_RATIO = 10.0  # [size that would explain what is missed] that a force may have; effort: it is free
-FORCE_TIMES_AT_FIRST, FORCE_TIMES = 6, 14  # [1] tried for how fast a force changes; effort
+FORCE_TIMES_AT_FIRST, FORCE_TIMES = 6, 12  # [1] tried for how fast a force changes; effort
+FORCE_EVERY = 4  # [1] measurement by which that is told, of so many; effort
 FORCE_RUNS = 6  # [1] with the force so far, along which it is sought anew; effort
 FORCE_HALVINGS = 4  # [1] of a force that a run cannot take; effort
 FORCE_SETTLED = 1.02  # [what smoothing promises] that a run with the force may miss; data
@@ -196,6 +197,7 @@ LAW_STIFFNESSES = tuple(10.0**n for n in range(-8, 3))  # [1] of a law against b
 LAW_WEAKEST_PRIOR = 1e-9  # [1] against values that nothing tells of; data
 LAW_PAIR_SHARE = 0.5  # [1] of what a law of one variable leaves that one of two must come below; effort
 LAW_FINER = 4  # [1] rows of a table for each point of a smooth law; data
+LAW_HELD_SHARE = 1e-3  # [1] of what tells a parameter by which it is held while a law is fitted; data
 LAW_POLISHES = 6  # [1] runs with a law in the model, along which it is fitted anew; effort
 LAW_STEP_SHARE, LAW_STEP_WITHIN = 0.3, 0.03  # [range of force], [largest speed] of a step at rest; telling
 LAW_EVEN_SHARE = 0.03  # [range of force] by which a law may miss a symmetry; telling
@@ -204,4 +206,8 @@ LAW_MEMORY_SHARE = 0.1  # [1] of what is missing that no law of position and spe
 LAW_POINTS_DRAWN = 4000  # [1] of a record; telling
 FORCE_PARAMETER_STEP = 1.0  # [scale of the prior] by which a parameter may move from run to run; data
 FORCE_LAW_STIFFNESS = 1e-4  # [1] of a law drawn through the force before it is fitted to runs; effort
+LAW_SITES = 3  # [1] at which laws are tried, the likeliest for a force first; effort
+LAW_FORESEEN_SHARE = 0.8  # [1] of what is missing that a law must foresee to be tried in free runs; blind
+LAW_CLOSED_SHARE = 0.8  # [1] of the gap on the test runs that a law must close; blind
+LAW_CHANGING_SHARE = 0.1  # [1] of the square of what it leaves, that it takes by changing with time; blind
 LAW_LEAST_GAIN = 0.01  # [1] of what is missing that a richer law must foresee more; effort

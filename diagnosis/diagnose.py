@@ -32,6 +32,7 @@ from .search.model_comparison import (
 )
 from .search.revision import Rivals, exchanged
 from .search.round import Round, run_round
+from .verdict.beyond import beyond_the_list
 from .verdict.decide import decided
 from .verdict.verdict import DiagnosisInterruptedError, Verdict
 
@@ -50,7 +51,8 @@ def diagnose(
 
     The parameters are refitted; every effect at every site is screened by a one-sided score test; the
     leading ones are fitted together with the parameters and ranked by the test records, which are never
-    fitted; what cannot be told apart forms a class.
+    fitted; what cannot be told apart forms a class. Where nothing listed explains enough of what a network
+    lacks, a static law of its own is looked for.
 
     Args:
         campaign: records, channels, priors and model, or the path of the TOML file that tells them.
@@ -107,7 +109,7 @@ def diagnose(
         notes = [*notes, *_left_out(study, budget, rounds), *_unscreened(rounds)]
         if known and study.late() and not best.effects:
             study, start, base, best, rounds = known
-        return decided(study, start, base, best, rounds, notes, rivals)
+        return beyond_the_list(study, decided(study, start, base, best, rounds, notes, rivals))
     except KeyboardInterrupt:
         if known and not best.effects:
             study, start, base, best, rounds = known

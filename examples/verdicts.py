@@ -2,7 +2,7 @@
 
 The machine that is measured differs each time, the model never: nothing at all, parameters only, friction,
 more of everything by 3 % (a heavier carriage, or a position sensor that reads 3 % low: a force alone cannot
-tell), and a stop that no known effect is like.
+tell), a stop that no known effect is like, and a jolt, which no law of the machine is.
 
     python examples/verdicts.py [CASE]
 """
@@ -54,24 +54,33 @@ def with_a_stop() -> Network:
     return net.connect(net.stop.flange_b, net.carriage.flange)
 
 
+def jolted(seed: int) -> Sampled:
+    """Return the random force with a jolt in it that nobody measures."""
+    force = random_force(seed)
+    t = np.asarray(force.time)
+    return Sampled(t, force.values + 40.0 * np.exp(-(((t - 2 - seed) / 0.1) ** 2)) * np.sin(30 * t))
+
+
 def random_force(seed: int) -> Sampled:
     """Return a random force from 0.5 to 8 Hz."""
     force = Multisine(rms=5.0, low=0.5, high=8.0, period=DURATION, seed=seed)
     return sampled(force, DURATION, RATE, fade=0.5)
 
 
-def measured(machine: Network, force: Sampled, seed: int) -> Record:
-    """Return what an instrument with noise records of a machine under a force."""
-    run = machine.simulate(DURATION, inputs={"push.f": force}, step=1 / RATE, rtol=1e-9, atol=1e-11)
+def measured(machine: Network, force: Sampled, acting: Sampled, seed: int) -> Record:
+    """Return what an instrument with noise records of a machine, and the force that it knows of."""
+    run = machine.simulate(DURATION, inputs={"push.f": acting}, step=1 / RATE, rtol=1e-9, atol=1e-11)
     s = run["carriage.s"][np.searchsorted(run.time, force.time + 1e-6, side="right") - 1]
     noise = NOISE * np.random.default_rng(seed).standard_normal(len(s))
     return Record(f"run {seed}", force.time, {"F": force.values, "s": s + noise})
 
 
-def verdict_on(machine: Network) -> Verdict:
+def verdict_on(machine: Network, acting: Callable[[int], Sampled] | None = None) -> Verdict:
     """Hold three records of a machine against the model: two are fitted, one is the test."""
+    forces = {seed: random_force(seed) for seed in (1, 2, 3)}
     records = [
-        {"record": measured(machine, random_force(seed), seed), "initial": "rest"} for seed in (1, 2, 3)
+        {"record": measured(machine, force, acting(seed) if acting else force, seed), "initial": "rest"}
+        for seed, force in forces.items()
     ]
     campaign = Campaign(
         rig(),
@@ -89,7 +98,8 @@ CASES: dict[str, Callable[[], Verdict]] = {
     "parameters": lambda: verdict_on(rig(k=980.0, d=9.0)),
     "effect": lambda: verdict_on(with_friction()),
     "ambiguous": lambda: verdict_on(rig(k=824.0, d=6.18, m=2.06)),
-    "unknown": lambda: verdict_on(with_a_stop()),
+    "law": lambda: verdict_on(with_a_stop()),
+    "unknown": lambda: verdict_on(rig(k=820.0), jolted),
 }
 
 

@@ -1,6 +1,6 @@
 """Make the cases of the blind benchmark; the library is not imported here.
 
-python benchmarks/blind/generate.py FOLDER [--generation 2] [--cases 240] [--seed 1] [--jobs 2]
+python benchmarks/blind/generate.py FOLDER [--generation 1] [--cases 240] [--seed 1] [--jobs 2]
 
 FOLDER/cases/0001/ holds campaign.toml, model.py and the records, without a hint of what is wrong;
 FOLDER/sealed.json the hash of every label; FOLDER/labels/ the labels, for the scorer alone.
@@ -21,11 +21,16 @@ import numpy as np
 import plan
 import second.case
 import second.plan
-from plan import Draft
+import third.case
+import third.plan
 from seal import seal
 
 SCORED, CALIBRATION = 1, 1001
-GENERATIONS = {1: (plan.drafts, case.make, 240), 2: (second.plan.drafts, second.case.make, 300)}
+GENERATIONS: dict[int, tuple[Any, Any, int]] = {
+    1: (plan.drafts, case.make, 240),
+    2: (second.plan.drafts, second.case.make, 300),
+    3: (third.plan.drafts, third.case.make, 60),
+}
 
 
 def generate(folder: Path, count: int, seed: int = SCORED, jobs: int = 2, generation: int = 1) -> None:
@@ -48,7 +53,7 @@ def generate(folder: Path, count: int, seed: int = SCORED, jobs: int = 2, genera
     seal(folder, labels, salts, reopen=seed == CALIBRATION)
 
 
-def _made(job: tuple[int, Draft, Path, str]) -> str:
+def _made(job: tuple[int, Any, Path, str]) -> str:
     generation, draft, folder, name = job
     label: dict[str, Any] = GENERATIONS[generation][1](draft, folder / "cases" / name)
     (folder / "labels" / "parts" / f"{name}.json").write_text(json.dumps(label))
@@ -63,7 +68,7 @@ def main(arguments: Sequence[str] | None = None) -> None:
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawTextHelpFormatter)
     parser.add_argument("folder", type=Path)
     parser.add_argument("--generation", type=int, choices=GENERATIONS, default=1)
-    parser.add_argument("--cases", type=int, help="240, and 300 of the second generation, if not given")
+    parser.add_argument("--cases", type=int, help="240, 300 or 60 by generation, if not given")
     parser.add_argument("--seed", type=int, default=SCORED, help=f"{CALIBRATION} is the calibration set")
     parser.add_argument("--jobs", type=int, default=2)
     given = parser.parse_args(arguments)

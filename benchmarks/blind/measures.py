@@ -85,13 +85,21 @@ def share(
     return measure, figure, target
 
 
+def is_outside(case: Scored) -> bool:
+    """Tell whether it is seen that something outside the list acts; a stop is a static law of its site."""
+    stops = {site for e in case.label["effects"] if e["kind"] == "impacts" for site in e["sites"]}
+    return case.said in ("partial", "unknown") or (
+        case.said == "law" and case.verdict["law"]["site"] in stops
+    )
+
+
 def null_cases(cases: Sequence[Scored]) -> list[Scored]:
     """Return those without an effect."""
     return [c for c in cases if c.label["group"] in ("none", "parameters")]
 
 
 def alarm(case: Scored) -> bool:
-    return case.said in ("effect", "ambiguous", "partial", "unknown")
+    return case.said in ("effect", "ambiguous", "partial", "law", "unknown")
 
 
 def _answer(effect: dict[str, Any]) -> Answer:

@@ -15,7 +15,7 @@ from ..effects.hypothesis import Hypothesis, driven, sensed
 from ..models.probes import motion_at
 from ..models.study import NetworkPredictor, Study
 from ..search.record_start import nuisance_slopes
-from .smoother import Course
+from .course import Course
 
 FORCE = "missing force"  # the channel by which a force acts at a site
 
@@ -45,6 +45,7 @@ class Bench:
 
     def __init__(self, study: Study, parameters: Sequence[str], effects: Sequence[Hypothesis] = ()) -> None:
         self.study, self.effects, self.names = study, tuple(effects), list(parameters)
+        self.accuracy = study.accuracy_with(effects)
         self.sites = [site for site in study.sites if "across" in site.places]
         self.predictor = NetworkPredictor(study.campaign, effects, self.names, self.sites)
         self.scales = np.array([study.campaign.priors[name].scale for name in self.names])
@@ -60,7 +61,7 @@ class Bench:
         if experiment.initial == "rest":
             return Begin(None, own)
         stand = self.predictor.stand(driven(experiment, self.effects))
-        rest = stand.rest({**given, **own}, self.study.accuracy)
+        rest = stand.rest({**given, **own}, self.accuracy)
         pairs = zip(stand.state_names, rest.tolist(), strict=True)
         return Begin(np.array([known.get(name, value) for name, value in pairs]), own)
 
@@ -75,7 +76,7 @@ class Bench:
     ) -> Beside:
         """Run a record with a force at a site."""
         stand = self._stand(driven(experiment, self.effects), number, force)
-        found = stand.run({**given, **begin.own}, begin.start, self.study.accuracy, slopes)
+        found = stand.run({**given, **begin.own}, begin.start, self.accuracy, slopes)
         return Beside(self, experiment, given, begin, number, force, found)
 
     def _stand(self, experiment: Experiment, number: int, force: Force | None) -> RecordModel:

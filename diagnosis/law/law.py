@@ -75,6 +75,11 @@ class Law:
         return tuple(UNITS[self.site.domain][variable] for variable in self.variables)
 
     @property
+    def told(self) -> str:
+        """Where it acts and over what, in words."""
+        return f"a law of {' and '.join(self.variables)} at {self.site.path}"
+
+    @property
     def is_static(self) -> bool:
         """Whether a component can have it: a law of position, of speed, or of both."""
         return self.variables in STATIC
@@ -152,17 +157,23 @@ def element_of(site: Site, grid: Grid, values: Array, origin: float) -> Componen
 def rows_of(grid: Grid, values: Array) -> list[tuple[float, ...]]:
     """Return rows of a table; of a smooth law so many that what is between them does not matter."""
     if not grid.axes[0].smooth:
-        return [(*place, value) for place, value in zip(grid.places.tolist(), values.tolist(), strict=True)]
+        return _written(grid.places, values)
     (axis,) = grid.axes
     fine = np.linspace(axis.points[0], axis.points[-1], LAW_FINER * (len(axis.points) - 1) + 1)
-    return list(zip(fine.tolist(), (axis.basis(fine) @ values).tolist(), strict=True))
+    return _written(fine[:, None], axis.basis(fine) @ values)
+
+
+def _written(places: Array, values: Array) -> list[tuple[float, ...]]:
+    """Return rows with the digits that count."""
+    return [tuple(float(f"{x:.8g}") for x in row) for row in np.column_stack([places, values]).tolist()]
 
 
 class Drawing:
-    """Laws tried of a force at a site, along runs that it has made."""
+    """Laws tried of a force at a site, along runs that it, or one at a site elsewhere, has made."""
 
-    def __init__(self, site: Site, settled: Settled) -> None:
-        self.site, self.settled, self.number = site, settled, settled.number
+    def __init__(self, site: Site, settled: Settled, number: int | None = None) -> None:
+        self.site, self.settled = site, settled
+        self.number = settled.number if number is None else number
         self.runs, self.left = settled.runs, settled.misfit
         runs, number = self.runs, self.number
         motions = [run.motion(number) for run in runs]
@@ -185,6 +196,10 @@ class Drawing:
         """Return the law over variables."""
         grid = self.grid(variables)
         return fitted(self.tallies(grid), grid)
+
+    def foreseen(self) -> float:
+        """Return the most that a static law foresees of what is missing."""
+        return max(self.share(self.fitted(variables)) for variables in STATIC)
 
     def share(self, law: Fitted) -> float:
         """Return the share of what is missing that a law foresees."""

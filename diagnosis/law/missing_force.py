@@ -6,8 +6,11 @@ from collections.abc import Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
+import numpy as np
+
 from ...base import Array
 from ...components import ModelError, nearest
+from ..criteria import PART_CHI_SQUARED
 from ..effects.effect import Motion
 from ..effects.sites import Site
 from ..models.study import Study
@@ -16,6 +19,7 @@ from .axes import VARIABLES
 from .law import STATIC, Drawing, Law
 from .polish import polished
 from .search import Search, Settled
+from .spans import spans
 
 
 @dataclass(frozen=True, eq=False)
@@ -77,6 +81,11 @@ class MissingForce:
         return "N.m" if self.site.domain == "rotational" else "N"
 
     @property
+    def told(self) -> str:
+        """Its root mean square with the unit."""
+        return f"{self.settled.rms:.3g} {self.unit}"
+
+    @property
     def force(self) -> dict[str, Array]:
         """The force by record."""
         return {one.record: one.force for one in self.records}
@@ -85,6 +94,23 @@ class MissingForce:
     def standard_error(self) -> dict[str, Array]:
         """Its standard error by record."""
         return {one.record: one.standard_error for one in self.records}
+
+    @property
+    def alike(self) -> list[str]:
+        """The other sites that the records do not part from its own, as they are of one motion."""
+        sites = {site.path: site for site in self.search.bench.sites}
+        near = [one.site for one in self.ranking if one.evidence > -PART_CHI_SQUARED / 2]
+        found = [path for one in (self.site.path, *near) for path in (one, *sites[one].same)]
+        return [path for path in dict.fromkeys(found) if path != self.site.path]
+
+    @property
+    def active(self) -> list[dict[str, float | str]]:
+        """The stretches that hold most of its square; all of each record where it is spread out.
+
+        Each is {"record", "from", "to", "share"}, its instants in s.
+        """
+        even = [(one, np.linspace(one.time[0], one.time[-1], len(one.time))) for one in self.records]
+        return spans([(one.record, t, np.interp(t, one.time, one.force) ** 2) for one, t in even])
 
     def law(self, variables: Sequence[str] | None = None) -> Law:
         """Return what the force depends on, and how.
@@ -106,8 +132,8 @@ class MissingForce:
         """
         drawing = Drawing(self.site, self.settled)
         law = drawing.law(among=STATIC) if variables is None else drawing.law(_variables(variables))
-        fitted, model = polished(self.search.study, law)
-        return fitted, model.misfit
+        found = polished(self.search.study, law)
+        return found.law, found.model.misfit
 
     def plot(self, path: Any = None) -> Any:
         """Draw it over time and over position and speed, and return the figure; given a path, save it."""
@@ -117,7 +143,7 @@ class MissingForce:
 
     def __str__(self) -> str:
         """Say where, how large, and how much it explains."""
-        told = f"missing force at {self.site.path}: {self.settled.rms:.3g} {self.unit} rms"
+        told = f"missing force at {self.site.path}: {self.told} rms"
         return f"{told}; leaves {self.misfit:.3g} times the noise, {self.before:.3g} times without"
 
 

@@ -9,7 +9,7 @@ import numpy as np
 
 from ...base import Array
 from ...components import SimulationError
-from ..criteria import FORCE_LAW_STIFFNESS, LAW_POLISHES, START_DROP_RATIO
+from ..criteria import FORCE_LAW_STIFFNESS, LAW_HELD_SHARE, LAW_POLISHES, START_DROP_RATIO
 from ..effects.edits import Edit, between
 from ..effects.effect import Effect, Values
 from ..effects.hypothesis import Hypothesis
@@ -17,22 +17,23 @@ from ..effects.sites import Site
 from ..models.study import Study
 from ..search.joint_fit import JointFit
 from ..search.model_comparison import Refit
+from ..search.record_start import projected
 from .along import Begin, Bench, Beside
 from .law import Law, element_of
-from .regression import Tallies, beside, fitted, own_of, through
+from .regression import Tallies, apart, beside, fitted, moved, own_of, through
 
-KIND = "law"
+KIND, NAME = "law", "missing"  # of a law among effects, and of its component
 
 
-def placed(law: Law, values: Array) -> Hypothesis:
-    """Return a law with values at its points as what a model may be missing."""
-    element = element_of(law.site, law.grid, values, law.origin)
+def placed(law: Law, name: str = NAME) -> Hypothesis:
+    """Return a law as what a model may be missing, by the name that it is to have there."""
+    element = element_of(law.site, law.grid, law.values, law.origin)
 
     def edits(site: Site, name: str, _: Values) -> list[Edit]:
         return between(name, element, site.fixed, site.moving)
 
     effect = Effect(KIND, "across", {law.site.domain: ()}, edits)
-    return Hypothesis(effect, law.site, "missing", {})
+    return Hypothesis(effect, law.site, name, {})
 
 
 @dataclass(frozen=True, eq=False)
@@ -49,12 +50,31 @@ class _Trial:
         return float(sum((run.left**2).sum() for run in self.runs))
 
 
-def polished(study: Study, law: Law) -> tuple[Law, Refit]:
-    """Return a law fitted to free runs of the model that has it, and that model held against all records.
+@dataclass(frozen=True, eq=False)
+class Polished:
+    """A law fitted to free runs of the model that has it.
+
+    Attributes:
+        model: with the law, held against all records.
+        changing: share of the square of what is left that it would take if it grew or faded with time.
+    """
+
+    law: Law
+    model: Refit
+    changing: float
+
+
+def polished(study: Study, law: Law) -> Polished:
+    """Return a law fitted to free runs of the model that has it beside the effects that it was drawn with.
 
     Raises:
         SimulationError: if it cannot be run.
     """
+    with np.errstate(over="ignore", invalid="ignore"):  # of models that a law makes unstable, told below
+        return _polished(study, law)
+
+
+def _polished(study: Study, law: Law) -> Polished:
     first = law.runs[0].bench
     priors = study.campaign.priors
     given = {name: priors[name].at(float(b)) for name, b in zip(first.names, law.fit.moved, strict=True)}
@@ -80,37 +100,61 @@ def polished(study: Study, law: Law) -> tuple[Law, Refit]:
         if ended:
             break
     found = replace(law, values=here.values)
-    joint = JointFit(study, here.given, [placed(law, here.values)])
-    return found, joint.seen(joint.start)
+    joint = JointFit(study, here.given, [*first.effects, placed(found)])
+    return Polished(found, joint.seen(joint.start), _changing(found, here))
 
 
 def _run(
     study: Study, law: Law, values: Array, given: Mapping[str, float], begins: Mapping[str, Begin]
 ) -> _Trial:
-    bench = Bench(study, [*given], [placed(law, values)])
+    effects = law.runs[0].bench.effects
+    bench = Bench(study, [*given], [*effects, placed(replace(law, values=values))])
     runs = [bench.run(e, given, begins[e.name]) for e in study.campaign.training]
     return _Trial(values, given, runs)
 
 
 def _step(study: Study, law: Law, here: _Trial) -> Callable[[float], _Trial]:
     """Return what makes a trial a share of the way to what is best along the runs so far."""
-    tallies = Tallies.of(here.runs, law.number, law.grid, law.origin, here.values)
-    found = fitted(tallies, law.grid, stiffness=law.fit.stiffness)
     centers, scales = here.runs[0].bench.centers, here.runs[0].bench.scales
     before = (np.array([*here.given.values()]) - centers) / scales
+    tallies = Tallies.of(here.runs, law.number, law.grid, law.origin, here.values)
+    found = fitted(tallies.held(before, LAW_HELD_SHARE), law.grid, stiffness=law.fit.stiffness)
     unknown = np.concatenate([found.moved, found.values])
-    moved = {}
+    begun = {}
     for run in here.runs:
         stacked, own, priors, _ = beside(run, law.number, law.grid, law.origin, here.values)
         left = stacked[:, :, 0] - stacked[:, :, 1:] @ unknown
-        moved[run.experiment.name] = own_of(left, own, priors)
+        begun[run.experiment.name] = own_of(left, own, priors)
 
     def trial(share: float) -> _Trial:
         values = here.values + share * (found.values - here.values)
         parameters = before + share * (found.moved - before)
         known = study.campaign.priors
         given = {name: known[name].at(float(b)) for name, b in zip(here.given, parameters, strict=True)}
-        begins = {run.experiment.name: run.began(share * moved[run.experiment.name], 0) for run in here.runs}
+        begins = {run.experiment.name: run.began(share * begun[run.experiment.name], 0) for run in here.runs}
         return _run(study, law, values, given, begins)
 
     return trial
+
+
+def _changing(law: Law, trial: _Trial) -> float:
+    """Return the share of the square of what is left that a law would take if it changed with time.
+
+    Like effects, see `verdict.steadiness`: by a share of itself that grows from the beginning of each record
+    to its end, beside all that the law and the parameters can do.
+    """
+    rows = []
+    for run in trial.runs:
+        stacked, own, priors, _ = beside(run, law.number, law.grid, law.origin, law.values)
+        motion = moved(run, law.number, law.origin)
+        elapsed = np.interp(run.t, run.t[[0, -1]], [-1.0, 1.0])
+        grown = run.answers(law.number, (elapsed * (law.grid.basis(motion) @ law.values))[:, None])
+        whole = apart(np.concatenate([stacked, grown], axis=2), own, priors)
+        rows.append(whole.reshape(-1, whole.shape[2]))
+    flat = np.vstack(rows)
+    if not np.isfinite(flat).all():
+        raise SimulationError(f"the law at {law.site.path} makes the model unstable")
+    inner = slice(1, flat.shape[1] - 1)
+    left, grown = projected(flat[:, [0, -1]] / np.linalg.norm(flat[:, [0, -1]], axis=0), flat[:, inner]).T
+    length = float(grown @ grown) * float(left @ left)
+    return float(grown @ left) ** 2 / length if length else 0.0

@@ -7,7 +7,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from ...base import Array
+from ...base import Array, SimulationError
 from ..criteria import LAW_FOLDS, LAW_STIFFNESSES, LAW_WEAKEST_PRIOR
 from ..effects.effect import Motion
 from .along import Beside
@@ -37,17 +37,37 @@ class Tallies:
         origin: float = 0.0,
         within: Array | None = None,
     ) -> Tallies:
-        """Return those of runs with a force at a site, or with a law with values `within` the model."""
+        """Return those of runs with a force at a site, or with a law with values `within` the model.
+
+        Raises:
+            SimulationError: if the model is unstable with it.
+        """
         grams, counts, shared = [], [], 0
         for run in runs:
             stacked, own, priors, shared = beside(run, number, grid, origin, within)
-            left = _off(stacked, own, priors)
+            left = apart(stacked, own, priors)
             pieces = LAW_FOLDS
             for piece in np.array_split(left, pieces):
                 flat = piece.reshape(-1, piece.shape[2])
                 grams.append(flat.T @ flat)
                 counts.append(run.experiment.independent / pieces)
+        if not np.isfinite(grams).all():
+            raise SimulationError(f"a force at {run.bench.sites[number].path} makes the model unstable")
         return cls(np.array(grams), np.array(counts), shared)
+
+    def held(self, near: Array, share: float) -> Tallies:
+        """Return them with parameters tied to where they are, by a share of what the records tell of each.
+
+        What a law can do as well is told by next to nothing else, and stays.
+        """
+        gram, own = self.gram.copy(), slice(1, 1 + self.shared)
+        place = np.arange(1, 1 + self.shared)
+        size = share * gram[:, place, place]
+        gram[:, place, place] += size
+        gram[:, own, 0] += size * near
+        gram[:, 0, own] += size * near
+        gram[:, 0, 0] += size @ near**2
+        return replace(self, gram=gram)
 
 
 def beside(
@@ -77,8 +97,8 @@ def own_of(left: Array, own: Array, priors: Array) -> Array:
     return np.asarray(np.linalg.lstsq(basis, np.append(flat, np.zeros(len(priors))), rcond=1e-8)[0] / size)
 
 
-def _off(columns: Array, own: Array, priors: Array) -> Array:
-    """Take off columns what is known of one record alone explains."""
+def apart(columns: Array, own: Array, priors: Array) -> Array:
+    """Return columns without what is known of one record alone explains."""
     flat = columns.reshape(-1, columns.shape[2])
     free = own.reshape(len(flat), -1)
     if not free.shape[1]:

@@ -13,8 +13,9 @@ from ..criteria import FORCE_HALVINGS, FORCE_PARAMETER_STEP, FORCE_RUNS, FORCE_S
 from ..models.study import Study
 from ..search.model_comparison import Refit
 from .along import Bench, Beside, Force
+from .course import Roughness
 from .likeliest import likeliest
-from .smoother import Roughness, filtered, smoothed
+from .smoother import filtered, smoothed
 
 
 @dataclass(frozen=True, eq=False)
@@ -66,11 +67,14 @@ def _misfit(runs: Sequence[Beside]) -> float:
 
 
 class Search:
-    """The forces at sites of a model that explain records, sought by smoothing along runs with them."""
+    """The forces at sites of a model that explain records, sought by smoothing along runs with them.
+
+    What effects in the model do stays as it is.
+    """
 
     def __init__(self, study: Study, near: Refit) -> None:
         self.study, self.given = study, dict(near.parameters)
-        self.bench = Bench(study, [*near.parameters])
+        self.bench = Bench(study, [*near.parameters], near.effects)
         starts = zip(study.campaign.training, near.starts, strict=False)
         self.nominal = [self.bench.run(e, self.given, self.bench.begin(e, self.given, s)) for e, s in starts]
 

@@ -23,71 +23,7 @@ from typing import Any
 import numpy as np
 
 from ...base import Array
-
-
-@dataclass(frozen=True, eq=False)
-class Course:
-    """A machine along a run of one record, in units of noise.
-
-    Attributes:
-        t: points of the run [s].
-        map: of the states from each point to the next, (intervals, states, states).
-        here, there: of a force at each site at both ends of an interval, (intervals, states, sites).
-        to_x, to_f: of the outputs, (points, outputs, states or sites); zero where nothing was measured.
-        columns: what was measured, less what the run predicts, then its slopes in what is known but for its
-            priors, then in what is known of this record alone, (points, outputs, columns).
-        shared: how many slopes are in what all records share.
-        priors: weights of the columns of this record alone, 0 for what nothing is known of.
-    """
-
-    t: Array
-    map: Array
-    here: Array
-    there: Array
-    to_x: Array
-    to_f: Array
-    columns: Array
-    shared: int
-    priors: Array
-
-
-@dataclass(frozen=True, eq=False)
-class Roughness:
-    """How fast a force may change: a Matern process of order 1 or 2, of a size, over a time.
-
-    Attributes:
-        order: 1 for a force that may jump, 2 for one with a steady slope.
-        size: standard deviation by site.
-        time: by site, over which the force forgets [s].
-    """
-
-    order: int
-    size: Array
-    time: Array
-
-    @property
-    def start(self) -> Array:
-        """The covariance of force and slope, (sites, order, order)."""
-        if self.order == 1:
-            return np.asarray(self.size**2)[:, None, None]
-        slope = self.size**2 * 3 / self.time**2
-        return np.stack([self.size**2, slope], axis=1)[:, :, None] * np.eye(2)
-
-    def of(self, place: int) -> Roughness:
-        """Return that of one site."""
-        return Roughness(self.order, self.size[place : place + 1], self.time[place : place + 1])
-
-    def over(self, step: Array) -> tuple[Array, Array]:
-        """Return transition and added covariance over steps, (steps, sites, order, order)."""
-        h = step[:, None]
-        if self.order == 1:
-            kept = np.exp(-h / self.time)[:, :, None, None]
-        else:
-            rate = np.sqrt(3.0) / self.time
-            part = np.array([[1 + rate * h, h + 0 * rate], [-(rate**2) * h, 1 - rate * h]])
-            kept = np.moveaxis(part, (0, 1), (2, 3)) * np.exp(-rate * h)[:, :, None, None]
-        start = self.start
-        return kept, start - kept @ start @ np.swapaxes(kept, 2, 3)
+from .course import Course, Roughness
 
 
 @dataclass(frozen=True, eq=False)
@@ -194,6 +130,7 @@ def smoothed(found: Filtered) -> tuple[Array, Array]:
 
 
 UNSEEN = 1e200  # variance of what was not measured
+STEPS_TOGETHER = 64  # whose transitions are made at once
 
 
 class _Stack:
@@ -217,41 +154,44 @@ class _Stack:
         self.map = stacked([c.map for c in courses])
         for number, course in enumerate(courses):
             self.map[len(course.map) :, number] = np.eye(n)
-        weights = [
-            np.where(np.any(c.to_x != 0, axis=2) | np.any(c.to_f != 0, axis=2), 1.0, 2 * UNSEEN)
-            for c in courses
-        ]
         self.weight = np.full((self.points, len(courses), self.outputs), 2 * UNSEEN)
-        for number, weight in enumerate(weights):
-            self.weight[: len(weight), number] = weight
+        for number, course in enumerate(courses):
+            self.weight[: len(course.t), number] = np.where(course.measured, 1.0, 2 * UNSEEN)
         self.measured: Any = (self.weight < UNSEEN).any(axis=1)
         steps = stacked([np.diff(c.t) for c in courses])
         kept, added = zip(*(roughness.over(step) for step in steps.T), strict=True)
         self.kept, self.added = np.stack(kept, 1), np.stack(added, 1)
         self.here, self.there = np.swapaxes(here, 2, 3), np.swapaxes(there, 2, 3)  # (k, r, s, n)
-        self._h = np.zeros((*self.shape[:2], n + order))
+        self._part: tuple[int, Array, Array] = -1, kept[0], kept[0]
 
     def seen(self, k: int, j: int) -> Array:
         """Return the row of an output at a point, (records, sites, size)."""
-        n = self.shape[2]
-        h = np.zeros_like(self._h)
+        records, sites, n, order = self.shape
+        h = np.zeros((records, sites, n + order))
         h[:, :, :n] = self.to_x[k, :, None, j]
         h[:, :, n] = self.to_f[k, :, j]
         return h
 
     def step(self, k: int) -> tuple[Array, Array]:
         """Return transition and added covariance of an interval, (records, sites, size, size)."""
-        records, sites, n, order = self.shape
-        T = np.zeros((records, sites, n + order, n + order))
-        kept, there = self.kept[k], self.there[k]
-        T[:, :, :n, :n] = self.map[k, :, None]
-        T[:, :, n:, n:] = kept
-        T[:, :, :n, n:] = there[..., None] * kept[:, :, :1, :]
-        T[:, :, :n, n] += self.here[k]
-        G = np.zeros((records, sites, n + order, order))
-        G[:, :, :n, 0] = there
-        G[:, :, n:] = np.eye(order)
-        return T, G @ self.added[k] @ np.swapaxes(G, 2, 3)
+        part, place = divmod(k, STEPS_TOGETHER)
+        if part != self._part[0]:
+            self._part = part, *self._steps(slice(part * STEPS_TOGETHER, (part + 1) * STEPS_TOGETHER))
+        return self._part[1][place], self._part[2][place]
+
+    def _steps(self, at: slice) -> tuple[Array, Array]:
+        """Return transitions and added covariances of intervals."""
+        n, order = self.shape[2:]
+        kept, here, there = self.kept[at], self.here[at], self.there[at]
+        T = np.zeros((*kept.shape[:3], n + order, n + order))
+        T[..., :n, :n] = self.map[at, :, None]
+        T[..., n:, n:] = kept
+        T[..., :n, n:] = there[..., None] * kept[..., :1, :]
+        T[..., :n, n] += here
+        G = np.zeros((*kept.shape[:3], n + order, order))
+        G[..., :n, 0] = there
+        G[..., n:, :] = np.eye(order)
+        return T, G @ self.added[at] @ np.swapaxes(G, -1, -2)
 
 
 def _solved(gram: Array, courses: Sequence[Course]) -> tuple[Array, Array]:

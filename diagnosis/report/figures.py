@@ -40,7 +40,7 @@ def bars(verdict: Verdict, stages: Stages) -> Figure:
     note = {"xref": "paper", "x": 1, "y": 0, "yref": "y", "text": "noise", "showarrow": False}
     span = [np.log10(0.5), np.log10(max(highest, 2.0)) + 0.1]
     layout = {
-        "yaxis": _axis("misfit / noise", type="log", range=span, dtick=1),
+        "yaxis": axis_of("misfit / noise", type="log", range=span, dtick=1),
         "shapes": [_dashed(1)],
         "annotations": [{**note, "xanchor": "right", "yanchor": "bottom"}],
         "barmode": "group",
@@ -75,21 +75,21 @@ def _record(verdict: Verdict, stages: Stages, number: int, most: int) -> Figure:
         curves += [(stage, colour, measured - gone, signal) for stage, colour, gone in missed]
         curves += [(*shown, left) for shown in missed[-2:]]
         for stage, colour, values, axis in curves:
-            look = _line(colour, 2.2 if stage == "measured" else 1.1)
+            look = line_of(colour, 2.2 if stage == "measured" else 1.1)
             legend = {"yaxis": axis, "legendgroup": stage, "showlegend": row == 0 and axis == signal}
-            data.append(_curve(stage, **look, **legend, samples=_packed(record.time, values, most)))
+            data.append(curve_of(stage, **look, **legend, samples=packed(record.time, values, most)))
         height = 1 / len(campaign.outputs)
         top = 1 - row * height
         for axis, low, high, told in ((signal, 0.42, 0.98, name), (left, 0.08, 0.36, "residual")):
             domain = [top - (1 - low) * height, top - (1 - high) * height]
-            layout[axis.replace("y", "yaxis")] = _axis(f"{told} [{unit}]", domain=domain)
+            layout[axis.replace("y", "yaxis")] = axis_of(f"{told} [{unit}]", domain=domain)
         shapes.append(_band(left, 2 * sigma))
-    layout["xaxis"] = _axis("time [s]", anchor=f"y{2 * len(campaign.outputs)}")
+    layout["xaxis"] = axis_of("time [s]", anchor=f"y{2 * len(campaign.outputs)}")
     layout["height"] = 90 + 270 * len(campaign.outputs)
     return {"data": data, "layout": layout}
 
 
-def _packed(time: Array, values: Array, most: int) -> dict[str, Any]:
+def packed(time: Array, values: Array, most: int) -> dict[str, Any]:
     """Return evenly spaced samples in two bytes each; of too many, the extremes of short stretches."""
     step = float(time[-1] - time[0]) / (len(time) - 1)
     stride = -(-2 * len(values) // most) if len(values) > most else 1
@@ -127,10 +127,10 @@ def _cloud(verdict: Verdict, stages: Stages, channel: str, against: Array, title
     for stage, fitted, colour in _coloured(stages)[-2:]:
         missed = np.concatenate(fitted.counted(experiments, channel))
         marker = {"color": colour, "size": 3, "opacity": 0.3}
-        points = _points(against[::every], missed[::every])
-        data.append(_curve(stage, mode="markers", marker=marker, **points))
-        data.append(_curve(stage, **_line(colour, 2.5), **_points(*_means(against, missed))))
-    return _small(data, _axis(title), _axis(f"residual [{unit}]"))
+        points = points_of(against[::every], missed[::every])
+        data.append(curve_of(stage, mode="markers", marker=marker, **points))
+        data.append(curve_of(stage, **line_of(colour, 2.5), **points_of(*_means(against, missed))))
+    return _small(data, axis_of(title), axis_of(f"residual [{unit}]"))
 
 
 def _means(x: Array, y: Array) -> tuple[Array, Array]:
@@ -153,10 +153,10 @@ def spectra(verdict: Verdict, stages: Stages, channel: str) -> Figure:
         ]
         common = found[0][0]
         density = np.mean([np.interp(common, f, d) for f, d in found], axis=0)
-        data.append(_curve(stage, **_line(colour, 1.5), **_points(common[1:], density[1:])))
-    power = _axis(f"PSD [({unit})²/Hz]", type="log", exponentformat="power", nticks=6)
+        data.append(curve_of(stage, **line_of(colour, 1.5), **points_of(common[1:], density[1:])))
+    power = axis_of(f"PSD [({unit})²/Hz]", type="log", exponentformat="power", nticks=6)
     noise = _dashed(2 * sigma**2 / records[0].rate)
-    return _small(data, _axis("frequency [Hz]", type="log"), power, shapes=[noise])
+    return _small(data, axis_of("frequency [Hz]", type="log"), power, shapes=[noise])
 
 
 def _noise(verdict: Verdict, channel: str) -> tuple[float, str]:
@@ -173,20 +173,23 @@ def _small(data: list[dict[str, Any]], x: Figure, y: Figure, **more: Any) -> Fig
     return {"data": data, "layout": {"xaxis": x, "yaxis": y, "height": 260, **more}}
 
 
-def _curve(stage: str, **more: Any) -> dict[str, Any]:
+def curve_of(stage: str, **more: Any) -> dict[str, Any]:
+    """Return a curve, not in the legend."""
     return {"type": "scatter", "name": stage, "showlegend": False, "hoverinfo": "x+y", **more}
 
 
-def _line(colour: str, width: float) -> dict[str, Any]:
+def line_of(colour: str, width: float) -> dict[str, Any]:
+    """Return the look of a line."""
     return {"mode": "lines", "line": {"color": colour, "width": width}}
 
 
-def _points(x: Array, y: Array) -> dict[str, list[float]]:
+def points_of(x: Array, y: Array) -> dict[str, list[float]]:
     """Return coordinates with the digits that a plot needs."""
     return {axis: [float(f"{v:.5g}") for v in values.tolist()] for axis, values in (("x", x), ("y", y))}
 
 
-def _axis(title: str, **more: Any) -> dict[str, Any]:
+def axis_of(title: str, **more: Any) -> dict[str, Any]:
+    """Return an axis."""
     common = {"exponentformat": "SI", "automargin": True, "zeroline": False}
     return {**common, "title": {"text": title}, **more}
 

@@ -51,6 +51,9 @@ def marks_of(verdict: Verdict) -> dict[str, str]:
         mark(placed.site.path, placed.effect.kind.replace("_", " "))
         if placed.edits:
             mark(placed.name, "added")
+    if verdict.law is not None:
+        mark(verdict.law.site.path, f"law of {' and '.join(verdict.law.variables)}")
+        mark(verdict.missing[-1].name, "added")
     for kind, site in verdict.equivalent if verdict.effects else ():
         mark(site, f"or {kind.replace('_', ' ')}")
     if verdict.verdict == "unknown" and verdict.where:

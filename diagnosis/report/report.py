@@ -16,6 +16,7 @@ from ..verdict.ranked import Ranked
 from ..verdict.verdict import Verdict
 from ..verdict.wording import sure
 from .figures import MEASURED_COLOUR, STAGE_COLOURS, Figure, Stages, bars, clouds, over_time, spectra
+from .force_section import force_blocks, force_title
 from .network_drawing import drawings
 from .text import (
     advice,
@@ -70,9 +71,12 @@ def _sections(verdict: Verdict, figures: dict[str, Figure]) -> Iterator[str]:
     evidence = verdict.evidence
     stages = {"nominal": evidence.nominal, "refit": evidence.refit}  # by what they are called in the report
     if evidence.after is not evidence.refit:
-        stages["with the effect" if verdict.effects else "with the best candidate"] = evidence.after
+        stages[_last_stage(verdict)] = evidence.after
     told = "".join(f"<p>{escape(line)}</p>" for line in conclusion(verdict))
     yield f'<section id="verdict" class="verdict {verdict.verdict}">{told}</section>'
+    force = "".join(_force(verdict, figures))
+    if force:
+        yield _section("force", force_title(verdict), [force])
     yield _section("where", "Where", drawings(verdict))
     yield _section("gap", "Gap before and after", _gap(verdict, stages, figures))
     yield _section("signals", "Measured and simulated", _signals(verdict, stages, figures))
@@ -90,6 +94,18 @@ def _section(name: str, title: str, blocks: Iterator[str] | Sequence[str]) -> st
     return f'<section id="{name}"><h2>{title}</h2>{"".join(blocks)}</section>'
 
 
+def _last_stage(verdict: Verdict) -> str:
+    """Return what the model with all that was found is called."""
+    if verdict.law is not None:
+        return "with the law"
+    return "with the effect" if verdict.effects else "with the best candidate"
+
+
+def _force(verdict: Verdict, figures: dict[str, Figure]) -> Iterator[str]:
+    for block in force_blocks(verdict):
+        yield block if isinstance(block, str) else _figure(*block, figures)
+
+
 def _gap(verdict: Verdict, stages: Stages, figures: dict[str, Figure]) -> Iterator[str]:
     campaign, runs = verdict.evidence.campaign, verdict.evidence.judged
     yield f"<p>Root mean square of what the model misses on the {runs}, over that of the noise.</p>"
@@ -103,7 +119,7 @@ def _gap(verdict: Verdict, stages: Stages, figures: dict[str, Figure]) -> Iterat
     yield _table(["channel", *stages, "noise", "left"], rows, numbers=range(1, len(stages) + 2))
     yield '<p class="faint">First line: share of the root mean square of the measured signal about its mean '
     yield "(NRMSE). "
-    closed = f" Closed: {verdict.closed:.1%} of what lies between refit and noise." if verdict.effects else ""
+    closed = f" Closed: {verdict.closed:.1%} of what lies between refit and noise." if verdict.missing else ""
     yield f"Second line: in the unit of the channel.{closed}</p>"
 
 
@@ -120,7 +136,9 @@ def _signals(verdict: Verdict, stages: Stages, figures: dict[str, Figure]) -> It
 def _residual(verdict: Verdict, stages: Stages, figures: dict[str, Figure]) -> Iterator[str]:
     evidence, campaign = verdict.evidence, verdict.evidence.campaign
     leading = [placed.site.path for placed in verdict.effects]
-    if not leading and verdict.verdict == "unknown":
+    if verdict.sought is not None and not leading:
+        leading = [verdict.sought.missing.site.path]
+    elif not leading and verdict.verdict == "unknown":
         leading = list(verdict.where)
     place = next((c.site for c in evidence.screened if c.site.path in leading[:1]), None)
     motions, units = [], ("", "", "")

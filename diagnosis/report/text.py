@@ -12,6 +12,7 @@ from ...identification import Experiment, Prior
 from ...networks import pretty_unit
 from .. import criteria
 from ..effects.effect import EFFECTS
+from ..effects.hypothesis import told
 from ..search.score_test import Candidate
 from ..verdict.ranked import Ranked
 from ..verdict.verdict import Verdict
@@ -147,6 +148,17 @@ def advice(verdict: Verdict) -> str:
     if verdict.verdict == "ambiguous":
         return (
             "Runs at other amplitudes, with rests and slow reversals, which these effects answer differently."
+        )
+    if verdict.verdict == "law":
+        return (
+            "Runs that go beyond the positions and speeds of these records, where the law is a straight "
+            "guess; a run of yet another excitation would confirm it."
+        )
+    if verdict.verdict == "effect" and verdict.equivalent:
+        others = ", ".join(told(*key) for key in verdict.equivalent)
+        return (
+            "The motion or the force of one of these places alone: these channels cannot part what was found "
+            f"from {others}. A run of yet another excitation would confirm all else."
         )
     if verdict.verdict == "effect":
         return "Nothing is needed to name the cause. A run of yet another excitation would confirm it."

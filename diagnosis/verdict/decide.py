@@ -28,6 +28,7 @@ from .resolution import unresolved
 from .steadiness import Unsteady, unsteady
 from .verdict import Evidence, Verdict, moved_parameters
 
+OPEN_END = "partial", "unknown"  # verdicts that leave something unexplained
 NOT_BY_SINES = (
     "No sine within what was measured parts them by more than twice the noise; measure another quantity, or "
     "excite another input."
@@ -55,17 +56,17 @@ def decided(
     best = certain_part(best, base, rounds, study, changing)
     first, beyond = rounds[0] if rounds else Round(base, [], []), _round_on(best, rounds)
     evidence = Evidence(alone, start, base, best, tuple(first.candidates), first.failed)
-    closed = _closed(best, base, study)
-    gap = gaps(study, start, base, best)
     word = _word(evidence)
     if study.late() and (best.effects or best.misfit > NOISE_MISFIT):
         word = "interrupted"
+    closed = closed_by(best, base, study)
+    gap = gaps(study, start, base, best)
     alike = _alike(best, rounds, rivals)
     others = {_other(f, best).effect.kind for f in alike} - {p.effect.kind for p in best.effects}
     further = None
     if word == "effect" and others:
         word, further = "ambiguous", separating(study, best, alike[0]) or NOT_BY_SINES
-    open_end = word in ("partial", "unknown")
+    open_end = word in OPEN_END
     astray = led_astray(study.campaign, base) if best is not base else ()
     doubts = () if study.late() else unresolved(alone, best)
     suspected = suspicions(study, best) if open_end else ()
@@ -96,7 +97,7 @@ def decided(
     )
 
 
-def _closed(best: Refit, base: Refit, study: Study) -> float:
+def closed_by(best: Refit, base: Refit, study: Study) -> float:
     """Return the share that a model closes of what lies between another one and noise, as that looks."""
     underrated = best.misfit > COLOURED_MISFIT and best.is_noise(study.judged)
     noise = best.misfit if underrated else 1.0
@@ -110,7 +111,7 @@ def _leaves_noise(model: Refit, study: Study) -> bool:
 
 def _explains(best: Refit, base: Refit, study: Study) -> bool:
     """Tell whether nothing but noise is left, or what no law is so right that it would not leave it."""
-    return _leaves_noise(best, study) or _closed(best, base, study) >= EXPLAINED_GAP_SHARE
+    return _leaves_noise(best, study) or closed_by(best, base, study) >= EXPLAINED_GAP_SHARE
 
 
 def certain_part(

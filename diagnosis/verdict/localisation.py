@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
-from itertools import pairwise
 from typing import Any
 
 import numpy as np
@@ -14,6 +13,7 @@ from .. import criteria
 from ..effects.effect import Motion
 from ..effects.hypothesis import inserted
 from ..effects.sites import Site
+from ..law.spans import spans
 from ..models.study import Study
 from ..search.model_comparison import Refit
 from ..search.score_test import Candidate
@@ -63,33 +63,8 @@ def windows(
 
     Each is {"record", "from", "to", "share"}, its instants in s.
     """
-    stretches: list[tuple[Record, int, int, float]] = []
-    for experiment, residuals in zip(experiments, missed, strict=True):
-        record, above = experiment.compared, excess(experiment, residuals)
-        count = max(1, round(len(above) / (record.rate * criteria.WINDOW_SECONDS)))
-        ends = np.linspace(0, len(above), count + 1).astype(int)
-        stretches += [(record, a, b, max(float(above[a:b].sum()), 0.0)) for a, b in pairwise(ends)]
-    sizes = np.array([size for *_, size in stretches])
-    order, total = np.argsort(-sizes), float(sizes.sum())
-    held = np.cumsum(sizes[order]) / max(total, 1e-300)
-    count = int(np.searchsorted(held, criteria.WINDOWS_GAP_SHARE)) + 1
-    if count < criteria.LOCAL_TIME_SHARE * len(sizes):
-        stretches = [stretches[number] for number in sorted(order[:count].tolist())]
-    joined: list[tuple[Record, int, int, float]] = []
-    for record, a, b, size in stretches:
-        if joined and joined[-1][0] is record and joined[-1][2] == a:
-            _, a, _, before = joined.pop()
-            size += before
-        joined.append((record, a, b, size))
-    return [
-        {
-            "record": record.name,
-            "from": round(float(record.time[a]), 4),
-            "to": round(float(record.time[min(b, len(record.time) - 1)]), 4),
-            "share": round(size / total, 4) if total else 0.0,
-        }
-        for record, a, b, size in joined
-    ]
+    pairs = zip(experiments, missed, strict=True)
+    return spans([(e.compared.name, e.compared.time, excess(e, residuals)) for e, residuals in pairs])
 
 
 def band(experiments: Sequence[Experiment], missed: Sequence[Mapping[str, Array]]) -> list[float]:

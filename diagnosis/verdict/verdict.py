@@ -13,6 +13,9 @@ from ...identification import Campaign
 from ...networks import Network
 from ..criteria import MOVED_STANDARD_DEVIATIONS
 from ..effects.hypothesis import Hypothesis, told, with_effects
+from ..law.law import Law
+from ..law.polish import placed as law_placed
+from ..law.sought import Sought
 from ..models.study import Study
 from ..search.model_comparison import Refit
 from ..search.score_test import Candidate
@@ -93,8 +96,9 @@ class Verdict:
     """What a diagnosis found.
 
     Attributes:
-        verdict: "effect", "parameters", "none", "ambiguous", "partial", "unknown" or "interrupted".
-        effects: what is missing, with its parameters; for "partial", what certainly explains a part of it.
+        verdict: "effect", "parameters", "none", "ambiguous", "partial", "law", "unknown" or "interrupted".
+        effects: what is missing, with its parameters; for "partial", what certainly explains a part of it,
+            for "law" what is missing beside the law.
         confidence: of each effect.
         equivalent: (kind, site) of what these data cannot tell from one of them.
         next_experiment: the excitation that would tell them apart, in words.
@@ -108,6 +112,7 @@ class Verdict:
         evidence: the records, the fitted models and what was screened, for the report.
         notes: what limits the verdict.
         further: those that were fitted on top of the effects, and not accepted.
+        sought: for "law", "partial" and "unknown", what came of looking for a static law of its own.
     """
 
     verdict: str
@@ -125,6 +130,18 @@ class Verdict:
     evidence: Evidence = field(repr=False)
     notes: tuple[str, ...] = ()
     further: tuple[Ranked, ...] = ()
+    sought: Sought | None = field(default=None, repr=False)
+
+    @property
+    def law(self) -> Law | None:
+        """The law that is missing, for "law"."""
+        return self.sought.law if self.sought is not None else None
+
+    @property
+    def missing(self) -> tuple[Hypothesis, ...]:
+        """What is to be inserted: the effects, and the law."""
+        law = self.law
+        return self.effects if law is None else (*self.effects, law_placed(law))
 
     @property
     def sentence(self) -> str:
@@ -154,8 +171,8 @@ class Verdict:
 
     @property
     def lines(self) -> list[str]:
-        """Python lines that add the effects to the network `net` for good."""
-        made = [str(edit) for placed in self.effects for edit in placed.edits]
+        """Python lines that add the effects and the law to the network `net` for good."""
+        made = [str(edit) for placed in self.missing for edit in placed.edits]
         for placed in self.effects:
             if not placed.edits:
                 values = ", ".join(f"{name} = {value:.6g}" for name, value in placed.values.items())
@@ -187,6 +204,7 @@ class Verdict:
             "ranking": [ranked.to_dict() for ranked in self.ranking],
             "further": [ranked.to_dict() for ranked in self.further],
             "remainder": {"share": 1 - self.closed, **self.windows} if self.windows else None,
+            **self._law,
             "gap": {name: gap.to_dict() for name, gap in self.gap.items()},
             "closed": self.closed,
             "parameters": dict(self.parameters),
@@ -194,14 +212,24 @@ class Verdict:
             "notes": list(self.notes),
         }
 
+    @property
+    def _law(self) -> dict[str, Any]:
+        """What came of looking for a law, as in the JSON file."""
+        if self.sought is None:
+            return {"law": None, "no_law": None}
+        law, alike = self.law, self.sought.missing.alike
+        if law is None:
+            return {"law": None, "no_law": self.sought.to_dict()}
+        return {"law": {**law.to_dict(), "same_motion": alike, "closed": self.closed}, "no_law": None}
+
     def save(self, path: str | Path) -> Path:
         """Write the JSON file."""
         check_output(path, [".json"])
         return write_text(path, json.dumps(self.to_dict(), indent=1) + "\n")
 
     def corrected(self) -> Network:
-        """Return the network with the effects inserted."""
-        return with_effects(self.network, self.effects)
+        """Return the network with the effects and the law inserted."""
+        return with_effects(self.network, self.missing)
 
 
 def moved_parameters(campaign: Campaign, parameters: Mapping[str, float]) -> list[str]:

@@ -26,13 +26,21 @@ NAMED = {
 
 def sentence_of(verdict: Verdict) -> str:
     """Return a verdict in a sentence or two."""
-    named = " and ".join(told(*placed.key) for placed in verdict.effects)
+    law = [verdict.law.told] if verdict.law is not None else []
+    named = " and ".join([*(told(*placed.key) for placed in verdict.effects), *law])
     closing = f"{verdict.closed:.0%} of the gap, from {_fall(verdict.gap)}"
     words = ALONE | NAMED if named else ALONE
     if verdict.verdict in words:
         sentence = words[verdict.verdict].format(f"{named}, which closes {closing}") + _others(verdict)
-        return sentence + closest_of(verdict) if verdict.verdict in ("partial", "unknown") else sentence
+        return sentence + closest_of(verdict) + _no_law(verdict) if verdict.windows else sentence
+    if law:
+        return f"Nothing listed explains it alone: what is missing is {named}; adding it closes {closing}."
     return f"What is missing is {named}; adding it closes {closing}.{_others(verdict)}"
+
+
+def _no_law(verdict: Verdict) -> str:
+    """Return what it rules out that no static law of its own holds."""
+    return f" {verdict.sought.ruled_out}" if verdict.sought is not None else ""
 
 
 def _others(verdict: Verdict) -> str:

@@ -8,7 +8,7 @@ EXAMPLE = "verdicts"
 
 
 def test_there_is_a_case_for_each_verdict(example: Any) -> None:
-    assert set(example.CASES) == {"none", "parameters", "effect", "ambiguous", "unknown"}
+    assert set(example.CASES) == {"none", "parameters", "effect", "ambiguous", "law", "unknown"}
 
 
 @pytest.mark.parametrize("case", ["none", "parameters", "unknown"])
@@ -16,6 +16,13 @@ def test_verdicts_without_an_effect(example: Any, case: str) -> None:
     found = example.CASES[case]()
     assert found.verdict == case
     assert case == "unknown" or found.effects == ()
+
+
+def test_a_stop_is_a_law_of_position(example: Any) -> None:
+    found = example.CASES["law"]()
+    assert found.verdict == "law"
+    assert found.law.site.path == "guide"
+    assert "position" in found.law.variables
 
 
 def test_friction_is_named(example: Any) -> None:

@@ -6,7 +6,7 @@ from collections.abc import Callable, Sequence
 from statistics import mean, median, quantiles
 from typing import Any
 
-from measures import Scored, alarm, null_cases, share
+from measures import Scored, alarm, is_outside, null_cases, share
 
 Rows = list[tuple[str, str, str]]
 GROUPS = ("effect", "pair", "twice", "triple", "none", "parameters", "unknown")
@@ -54,7 +54,7 @@ def right(case: Scored) -> bool:
     """Tell whether a verdict is right in every way that is scored."""
     group = case.label["group"]
     if group == "unknown":
-        return case.said in ("partial", "unknown")
+        return is_outside(case)
     return case.hit if case.label["effects"] else not alarm(case) and case.said != "failed"
 
 

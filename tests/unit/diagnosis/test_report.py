@@ -31,7 +31,7 @@ from inertance.machines import Sinusoid
 
 RATE, NOISE, SECONDS = 200.0, 2e-4, 4.0
 SECTIONS = [
-    "verdict", "where", "gap", "signals", "residual", "ranking", "ruled-out", "correction", "next",
+    "verdict", "force", "where", "gap", "signals", "residual", "ranking", "ruled-out", "correction", "next",
     "parameters", "notes",
 ]  # fmt: skip
 CHROMIUM = next(filter(None, map(shutil.which, ("chromium", "chromium-browser", "google-chrome"))), None)
@@ -307,7 +307,7 @@ def test_every_verdict_has_a_report(word: str, jammed: Verdict, tmp_path: Path) 
     )
     read = Sections()
     read.feed(text)
-    assert read.found == SECTIONS
+    assert read.found == [name for name in SECTIONS if name != "force"]
     assert f'class="verdict {word}"' in text
 
 
@@ -349,7 +349,7 @@ def test_browser_draws_it_without_error_or_network(page: Path, tmp_path: Path) -
     assert found is not None, "the page's scripts failed"
     plots, whole, near, other, width, requests = json.loads(found[1])
     assert [address for address in requests if not address.startswith("data:")] == []
-    assert plots == 6
+    assert plots == 7
     assert whole == other == "801 points from 0.00"
     assert near == "105 points from 0.99"
     assert width == "fits"

@@ -40,7 +40,7 @@ REL, NOISE, TRAIN, X = (
     'file = "train.csv"',
     '"carriage.s", unit = "m"',
 )
-VERDICTS = "none", "parameters", "effect", "ambiguous", "partial", "unknown", "interrupted"
+VERDICTS = "none", "parameters", "effect", "ambiguous", "partial", "law", "unknown", "interrupted"
 
 
 @cache

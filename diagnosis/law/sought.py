@@ -1,0 +1,148 @@
+"""A law of its own, where nothing listed explains what a model misses: sought, polished and judged."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field, replace
+from typing import Any
+
+import numpy as np
+
+from ...components import InertanceError
+from ..criteria import LAW_CHANGING_SHARE, LAW_CLOSED_SHARE, LAW_FORESEEN_SHARE, LAW_SITES
+from ..models.study import Study
+from ..search.model_comparison import Refit, is_clear
+from .law import STATIC, Drawing, Law
+from .missing_force import MissingForce, force_of
+from .polish import Polished, polished
+
+ALL_OF_IT, SPANS_TOLD = 0.99, 3  # [1] of a force's square that is all of it, stretches told in a sentence
+
+
+@dataclass(frozen=True, eq=False)
+class Sought:
+    """What came of looking for a static law beside a model.
+
+    Attributes:
+        before: the model.
+        missing: the force that explains what it misses, where the least suffices or a law foresees most.
+        foreseen: by site, the most of what is missing that a law of position, speed or both foresees there,
+            in stretches that it was not fitted to.
+        found: the law, fitted to free runs; None where none foresees enough.
+        refused: why it is none of this machine; "" if it is one.
+    """
+
+    before: Refit
+    missing: MissingForce = field(repr=False)
+    foreseen: Mapping[str, float]
+    found: Polished | None = field(repr=False)
+    refused: str
+
+    @property
+    def law(self) -> Law | None:
+        """The law, if it holds."""
+        return self.found.law if self.found is not None and not self.refused else None
+
+    @property
+    def model(self) -> Refit | None:
+        """The model with the law, if it holds."""
+        return self.found.model if self.found is not None and not self.refused else None
+
+    @property
+    def ruled_out(self) -> str:
+        """What it rules out that no law holds, in words."""
+        most = max(0.0, *self.foreseen.values())
+        sites = " or ".join(self.foreseen)
+        told = f"No static law of position and speed at {sites} foresees more than {most:.0%} of it"
+        return f"{told}; the best one {self.refused}." if most >= LAW_FORESEEN_SHARE else f"{told}."
+
+    @property
+    def active(self) -> str:
+        """Where the missing force acts, and when, in words."""
+        missing, spans = self.missing, self.missing.active
+        force = f"The force that would explain it acts at {missing.site.path}, {missing.told} rms"
+        held = sum(float(span["share"]) for span in spans)
+        if held > ALL_OF_IT:
+            return f"{force}, throughout the records."
+        when = ", ".join(f"{s['record']} {s['from']:g} to {s['to']:g} s" for s in spans[:SPANS_TOLD])
+        more = f" and {len(spans) - SPANS_TOLD} more stretches" if len(spans) > SPANS_TOLD else ""
+        return f"{force}, {held:.0%} of its square in {when}{more}."
+
+    def to_dict(self) -> dict[str, Any]:
+        """Return it as in the JSON file of a verdict, where no law holds."""
+        return {
+            "foreseen": {site: round(share, 4) for site, share in self.foreseen.items()},
+            "refused": self.refused,
+            "force": {
+                "site": self.missing.site.path,
+                "rms": self.missing.settled.rms,
+                "unit": self.missing.unit,
+                "leaves": self.missing.misfit,
+                "windows": self.missing.active,
+            },
+        }
+
+
+def sought(study: Study, model: Refit) -> Sought | None:
+    """Return what comes of looking for a static law beside a model; None where no force can be found.
+
+    Sites other than the likeliest are tried if no law there foresees enough.
+    """
+    try:
+        missing = force_of(study, model)
+        if missing.misfit > missing.before:
+            return None
+        missing, law, foreseen = _best_law(study, model, missing)
+    except InertanceError:
+        return None
+    if law.explained < LAW_FORESEEN_SHARE:
+        return Sought(model, missing, foreseen, None, "foresees too little of it")
+    if study.late():
+        return Sought(model, missing, foreseen, None, "was not tried in free runs: the time ended")
+    try:
+        found = polished(study, law)
+    except InertanceError:
+        return Sought(model, missing, foreseen, None, "cannot be run in the model")
+    return Sought(model, missing, foreseen, _drawn(missing, found), _refused(model, found))
+
+
+def _drawn(missing: MissingForce, found: Polished) -> Polished:
+    """Return a law with the missing force as that is beside the parameters that it was polished with."""
+    bench = missing.search.bench
+    given = np.array([found.model.parameters[name] for name in bench.names])
+    forces = missing.settled.beside((given - bench.centers) / bench.scales)
+    return replace(found, law=replace(found.law, forces=tuple(forces)))
+
+
+def _best_law(
+    study: Study, model: Refit, missing: MissingForce
+) -> tuple[MissingForce, Law, dict[str, float]]:
+    """Return the force where a static law foresees most of it, the law, and by site how much that is.
+
+    The likeliest site for a force is kept if a law there foresees enough.
+    """
+    law = Drawing(missing.site, missing.settled).law(among=STATIC)
+    first, sites = missing.site.path, missing.search.bench.sites
+    foreseen = {first: law.explained}
+    if law.explained >= LAW_FORESEEN_SHARE:
+        return missing, law, foreseen
+    others = [one.site for one in missing.ranking if one.site not in (*missing.alike, first)]
+    for path in others[: LAW_SITES - 1]:
+        number = next(n for n, site in enumerate(sites) if site.path == path)
+        foreseen[path] = Drawing(sites[number], missing.settled, number).foreseen()
+    best = max(foreseen, key=lambda path: foreseen[path])
+    if best != first and foreseen[best] >= LAW_FORESEEN_SHARE:
+        missing = force_of(study, model, best)
+        law = Drawing(missing.site, missing.settled).law(among=STATIC)
+    return missing, law, foreseen
+
+
+def _refused(model: Refit, found: Polished) -> str:
+    """Return why a law does not hold on the test runs."""
+    closed = (model.misfit - found.model.misfit) / max(model.misfit - 1.0, 1e-9)
+    if not is_clear(model, found.model) or closed < LAW_CLOSED_SHARE:
+        return f"closes {max(closed, 0.0):.0%} of the gap in free runs"
+    if found.changing > LAW_CHANGING_SHARE:
+        takes = f"{found.changing:.0%} off the square of what it leaves"
+        return f"would have to change with time, which takes {takes}"
+    return ""

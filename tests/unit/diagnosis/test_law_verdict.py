@@ -1,0 +1,183 @@
+"""A verdict beyond the list: a law of its own where one acts, none where none does, and what is told."""
+
+import re
+from dataclasses import replace
+from pathlib import Path
+from typing import Any
+
+import casadi as ca
+import inertance as ia
+import numpy as np
+import pytest
+from fmpy import simulate_fmu
+from inertance.analysis import linearise
+from inertance.cli.diagnose import show
+from inertance.diagnosis import Verdict, write_report
+from inertance.diagnosis.models.study import Study
+from inertance.diagnosis.report.text import advice
+from inertance.diagnosis.search.joint_fit import JointFit
+from inertance.diagnosis.verdict.beyond import beyond_the_list
+from inertance.diagnosis.verdict.decide import decided
+from inertance.identification import Accuracy, Campaign, Multisine, Record, sampled
+
+NOISE, RATE, SECONDS, BEGINS = 5e-5, 200.0, 6.0, 31.0
+
+
+class Odd(ia.CompliantWithSpeed):
+    """A law that no list has: f = 4 tanh((v - 0.1)/0.05) + 4 tanh(2) + 2 tanh((v + 0.3)/0.1) - 2 tanh(3)."""
+
+    def equations(self) -> Any:
+        v = self.v_rel
+        steps = 4 * (ca.tanh((v - 0.1) / 0.05) + np.tanh(2)) + 2 * (ca.tanh((v + 0.3) / 0.1) - np.tanh(3))
+        yield self.f == steps
+
+
+def odd(v: Any) -> Any:
+    return 4 * (np.tanh((v - 0.1) / 0.05) + np.tanh(2)) + 2 * (np.tanh((v + 0.3) / 0.1) - np.tanh(3))
+
+
+def carts(k: float = 400.0, lacks: bool = False) -> ia.Network:
+    net = ia.Network("carts", wall=ia.Fixed(), spring=ia.SpringDamper(k=k, d=6.0), push=ia.Force())
+    net.add(cart=ia.Mass(m=1.0), link=ia.SpringDamper(k=900.0, d=3.0), second=ia.Mass(m=0.7))
+    net.connect(net.wall.flange, net.spring.flange_a)
+    net.connect(net.spring.flange_b, net.cart.flange, net.push.flange, net.link.flange_a)
+    net.connect(net.link.flange_b, net.second.flange)
+    if lacks:
+        net.add(extra=Odd())
+        net.connect(net.cart.flange, net.extra.flange_a).connect(net.second.flange, net.extra.flange_b)
+    return net
+
+
+def campaign(lacks: bool, knocked: float = 0.0) -> Campaign:
+    """Return records that begin in motion, late by the clock; a knock is not measured."""
+    true, rng, records = carts(430.0, lacks), np.random.default_rng(5), []
+    for number in range(3):
+        size = 9.0 - number
+        shape = Multisine(rms=size, low=0.4, high=5.0, period=3.0, seed=number)
+        force = sampled(shape, stop=SECONDS + 1, rate=RATE, fade=0.3)
+        t = np.asarray(force.time)
+        knock = knocked * np.exp(-(((t - 3 - number / 2) / 0.15) ** 2)) * np.sin(20 * t)
+        pushed = {"push.f": ia.Sampled(t, np.asarray(force.values) + knock)}
+        run = true.simulate(SECONDS + 1, step=1 / RATE, inputs=pushed)
+        kept = t >= 1.0
+        noise = NOISE * rng.standard_normal((2, len(t)))
+        seen = {
+            name: (np.interp(t, run.time, run[f"{name}.s"]) + own)[kept]
+            for name, own in zip(("cart", "second"), noise, strict=True)
+        }
+        values = {"F": np.asarray(force.values)[kept], **seen}
+        records.append({"record": Record(f"run {number}", t[kept] + BEGINS, values)})
+    outputs = {name: {"output": f"{name}.s", "unit": "m"} for name in ("cart", "second")}
+    return Campaign(
+        carts(),
+        channels={"F": {"input": "push.f", "unit": "N"}, **outputs},
+        parameters={"spring.k": {"rel": 0.1}, "link.d": {"rel": 0.2}},
+        train=records[:2],
+        test=records[2:],
+        noise=dict.fromkeys(outputs, NOISE),
+    )
+
+
+def verdict_on(records: Campaign) -> Verdict:
+    """Return the verdict where nothing of the list was worth a fit."""
+    study = Study(records, Accuracy())
+    nominal = JointFit(study, records.start)
+    start, base = nominal.seen(nominal.start), nominal.fitted()
+    plain = decided(study, start, base, base, [], [], {})
+    assert plain.verdict == "unknown"
+    assert plain.to_dict()["law"] is None
+    return beyond_the_list(study, plain)
+
+
+@pytest.fixture(scope="module")
+def lawful() -> Verdict:
+    """Return the verdict on two carts with a law of speed between them."""
+    return verdict_on(campaign(lacks=True))
+
+
+@pytest.fixture(scope="module")
+def knocked() -> Verdict:
+    """Return the verdict on carts that were knocked once in each record."""
+    return verdict_on(campaign(lacks=False, knocked=40.0))
+
+
+def test_a_law_that_no_list_has_is_the_verdict(lawful: Verdict) -> None:
+    law = lawful.law
+    assert lawful.verdict == "law"
+    assert law is not None
+    assert (law.site.path, law.variables) == ("link", ("speed",))
+    assert lawful.closed > 0.95
+    assert lawful.effects == ()
+    speed = np.concatenate([motion.v for motion in law.motions])
+    v = np.linspace(*np.quantile(speed, [0.05, 0.95]), 60)
+    true = odd(v) + (3.0 - lawful.parameters["link.d"]) * v
+    found = law.grid.axes[0].basis(v) @ law.values
+    assert np.abs(found - true).max() < 0.1 * np.ptp(true)
+    told = lawful.to_dict()["law"]
+    assert (told["site"], told["variables"], told["units"]) == ("link", ["speed"], ["m/s", "N"])
+    assert told["closed"] == lawful.closed
+    assert len(told["standard_error"]) == len(told["table"])
+    assert "a law of speed at link" in lawful.sentence
+    assert lawful.to_dict()["no_law"] is None
+    assert lawful.to_dict()["remainder"] is None
+
+
+def test_the_network_with_the_law_runs_linearises_and_is_an_fmu(lawful: Verdict, tmp_path: Path) -> None:
+    network = lawful.corrected()
+    true = carts(430.0, lacks=True)
+    shape = Multisine(rms=8.0, low=0.4, high=5.0, period=3.0, seed=9)
+    push = {"push.f": sampled(shape, stop=3.0, rate=RATE, fade=0.3)}
+    runs = [
+        net.simulate(3.0, step=0.01, inputs=push, parameters=values)
+        for net, values in ((network, lawful.parameters), (true, {}), (carts(), lawful.parameters))
+    ]
+    missed = [float(np.std(run["second.s"] - runs[1]["second.s"])) for run in runs]
+    assert missed[2] > 10 * NOISE
+    assert missed[0] < 0.1 * missed[2]
+    linear = linearise(network, ["push.f"], ["cart.s"])
+    assert np.linalg.eigvals(linear.A).real.max() < 0
+    net = carts()
+    exec("from inertance import TabulatedForce\n" + "\n".join(lawful.lines), {"net": net})
+    again = net.simulate(3.0, step=0.01, inputs=push, parameters=lawful.parameters)
+    assert np.allclose(again["second.s"], runs[0]["second.s"], atol=1e-9)
+    path = ia.export_fmu(network, tmp_path / "carts.fmu", outputs=["second.s"])
+    found = simulate_fmu(str(path), stop_time=1.0, output_interval=0.01, start_values={"push.f": 5.0})
+    own = network.simulate(1.0, step=0.01, inputs={"push.f": lambda t: 5.0})
+    assert found["second.s"][-1] == pytest.approx(own["second.s"][-1], rel=1e-4)
+
+
+def test_a_knock_is_no_law(knocked: Verdict) -> None:
+    assert knocked.verdict == "unknown"
+    assert knocked.law is None
+    told = knocked.to_dict()
+    assert told["law"] is None
+    assert max(told["no_law"]["foreseen"].values()) < 0.5
+    windows = told["no_law"]["force"]["windows"]
+    assert {window["record"] for window in windows} == {"run 0", "run 1"}
+    for window in windows:
+        middle = BEGINS + 3 + int(window["record"][-1]) / 2
+        assert middle - 0.8 < window["from"] < window["to"] < middle + 0.8
+    assert "No static law of position and speed" in knocked.sentence
+    assert knocked.sought is not None
+    assert "of its square in run 0" in knocked.sought.active
+
+
+def test_no_law_is_sought_when_time_is_over(knocked: Verdict) -> None:
+    plain = replace(knocked, sought=None)
+    study = replace(knocked.evidence.study, deadline=-np.inf)
+    assert beyond_the_list(study, plain) is plain
+
+
+def test_both_are_shown(lawful: Verdict, knocked: Verdict, tmp_path: Path, capsys: Any) -> None:
+    for verdict, drawn in ((lawful, ["law"]), (knocked, ["force-time", "force-position", "force-speed"])):
+        page = write_report(verdict, tmp_path / f"{verdict.verdict}.html").read_text(encoding="utf-8")
+        sections = re.findall(r'<section id="([a-z-]+)"', page)
+        assert sections[:2] == ["verdict", "force"]
+        figures = re.findall(r'data-figure="([a-z0-9-]+)"', page)
+        assert figures[: len(drawn)] == drawn
+    show(lawful)
+    told = capsys.readouterr().out
+    assert told.startswith("law: ")
+    assert "TabulatedForce" in told
+    assert max(map(len, told.splitlines())) < 600
+    assert "straight guess" in advice(lawful)
