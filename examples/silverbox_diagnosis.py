@@ -68,9 +68,7 @@ def main() -> None:
     """Print the verdict and write the report."""
     parser = argparse.ArgumentParser(description="Silverbox: what a linear model of an oscillator lacks.")
     parser.add_argument("--data", type=Path, default=DATA, help="directory of the records (%(default)s)")
-    parser.add_argument(
-        "--out", type=Path, default=Path("out"), help="directory of the report (%(default)s)"
-    )
+    parser.add_argument("--out", type=Path, default=Path("out"), help="directory of the report (%(default)s)")
     options = parser.parse_args()
     for name in (TRAIN, *TESTS):
         if not (options.data / f"{name}.csv").is_file():
