@@ -51,10 +51,10 @@ class Sought:
     @property
     def ruled_out(self) -> str:
         """What it rules out that no law holds, in words."""
-        most = max(0.0, *self.foreseen.values())
-        sites = " or ".join(self.foreseen)
-        told = f"No static law of position and speed at {sites} foresees more than {most:.0%} of it"
-        return f"{told}; the best one {self.refused}." if most >= LAW_FORESEEN_SHARE else f"{told}."
+        most, sites = max(0.0, *self.foreseen.values()), " or ".join(self.foreseen)
+        if most >= LAW_FORESEEN_SHARE:
+            return f"The best static law of position and speed at {sites} {self.refused}."
+        return f"No static law of position and speed at {sites} foresees more than {most:.0%} of it."
 
     @property
     def active(self) -> str:

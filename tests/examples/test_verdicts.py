@@ -18,11 +18,10 @@ def test_verdicts_without_an_effect(example: Any, case: str) -> None:
     assert case == "unknown" or found.effects == ()
 
 
-def test_a_stop_is_a_law_of_position(example: Any) -> None:
+def test_what_no_effect_is_like_is_a_law(example: Any) -> None:
     found = example.CASES["law"]()
     assert found.verdict == "law"
-    assert found.law.site.path == "guide"
-    assert "position" in found.law.variables
+    assert (found.law.site.path, found.law.variables) == ("guide", ("speed",))
 
 
 def test_friction_is_named(example: Any) -> None:
