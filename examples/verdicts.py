@@ -2,7 +2,7 @@
 
 The machine that is measured differs each time, the model never: nothing at all, parameters only, friction,
 more of everything by 3 % (a heavier carriage, or a position sensor that reads 3 % low: a force alone cannot
-tell), a guide that rubs as no known effect does, and a soft stop that is struck now and then.
+tell), and a stop that no known effect is like.
 
     python examples/verdicts.py [CASE]
 """
@@ -23,7 +23,6 @@ from inertance import (
     Network,
     Sampled,
     Spring,
-    TabulatedForce,
     diagnose,
 )
 from inertance.diagnosis import Verdict
@@ -53,14 +52,6 @@ def with_a_stop() -> Network:
     net = rig(k=820.0).add(stop=ElastoGap(k=4e4, d=60.0, s_rel0=-0.012))
     net.connect(net.wall.flange, net.stop.flange_a)
     return net.connect(net.stop.flange_b, net.carriage.flange)
-
-
-def with_odd_rubbing() -> Network:
-    """Return the carriage in a guide that rubs little one way up to a speed, and much beyond it."""
-    points = ((-0.4, -0.8), (-0.1, -0.6), (0.0, 0.0), (0.06, 0.1), (0.12, 2.4), (0.2, 2.6), (0.4, 2.7))
-    net = rig(k=820.0).add(shoe=TabulatedForce(table=points, interpolation="smooth"))
-    net.connect(net.wall.flange, net.shoe.flange_a)
-    return net.connect(net.shoe.flange_b, net.carriage.flange)
 
 
 def random_force(seed: int) -> Sampled:
@@ -98,7 +89,6 @@ CASES: dict[str, Callable[[], Verdict]] = {
     "parameters": lambda: verdict_on(rig(k=980.0, d=9.0)),
     "effect": lambda: verdict_on(with_friction()),
     "ambiguous": lambda: verdict_on(rig(k=824.0, d=6.18, m=2.06)),
-    "law": lambda: verdict_on(with_odd_rubbing()),
     "unknown": lambda: verdict_on(with_a_stop()),
 }
 

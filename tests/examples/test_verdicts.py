@@ -8,7 +8,7 @@ EXAMPLE = "verdicts"
 
 
 def test_there_is_a_case_for_each_verdict(example: Any) -> None:
-    assert set(example.CASES) == {"none", "parameters", "effect", "ambiguous", "law", "unknown"}
+    assert set(example.CASES) == {"none", "parameters", "effect", "ambiguous", "unknown"}
 
 
 @pytest.mark.parametrize("case", ["none", "parameters", "unknown"])
@@ -16,12 +16,6 @@ def test_verdicts_without_an_effect(example: Any, case: str) -> None:
     found = example.CASES[case]()
     assert found.verdict == case
     assert case == "unknown" or found.effects == ()
-
-
-def test_what_no_effect_is_like_is_a_law(example: Any) -> None:
-    found = example.CASES["law"]()
-    assert found.verdict == "law"
-    assert (found.law.site.path, found.law.variables) == ("guide", ("speed",))
 
 
 def test_friction_is_named(example: Any) -> None:
