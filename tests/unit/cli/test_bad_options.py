@@ -18,6 +18,7 @@ GOOD = {
     "run": ["model.py:free", "--stop", "0.1"],
     "fit": ["none.toml"],
     "diagnose": ["none.toml"],
+    "design": ["none.toml", "--out", "next.csv"],
     "docs": ["cli"],
     "modelica": ["model.py:free"],
     "new rig": ["rig"],
