@@ -16,6 +16,8 @@ from ..effects.hypothesis import Hypothesis, told, with_effects
 from ..models.study import Study
 from ..search.model_comparison import Refit
 from ..search.score_test import Candidate
+from .counterfactual import Counterfactual as Counterfactual
+from .counterfactual import Parted as Parted
 from .gap import Gap as Gap
 from .ranked import Ranked as Ranked
 from .wording import remainder_of, sentence_of, sure
@@ -108,6 +110,8 @@ class Verdict:
         evidence: the records, the fitted models and what was screened, for the report.
         notes: what limits the verdict.
         further: those that were fitted on top of the effects, and not accepted.
+        counterfactual: how well the machine is predicted after its changes, by record and channel.
+        parted: effects that test runs cannot tell from one of those found, and a counterfactual can.
     """
 
     verdict: str
@@ -125,6 +129,8 @@ class Verdict:
     evidence: Evidence = field(repr=False)
     notes: tuple[str, ...] = ()
     further: tuple[Ranked, ...] = ()
+    counterfactual: tuple[Counterfactual, ...] = ()
+    parted: tuple[Parted, ...] = ()
 
     @property
     def sentence(self) -> str:
@@ -185,6 +191,8 @@ class Verdict:
             "remainder": {"share": 1 - self.closed, **self.windows} if self.windows else None,
             "gap": {name: gap.to_dict() for name, gap in self.gap.items()},
             "closed": self.closed,
+            "counterfactual": [one.to_dict() for one in self.counterfactual],
+            "parted": [one.to_dict() for one in self.parted],
             "parameters": dict(self.parameters),
             "record_values": [one.to_dict() for one in self.evidence.own_values],
             "notes": list(self.notes),
