@@ -102,6 +102,7 @@ def show(verdict: Verdict) -> None:
     for name, gap in verdict.gap.items():
         table.add_row(name, *(f"{value:.4g}" for value in (gap.nominal, gap.refit, gap.after, gap.floor)))
     console.print(table)
+    _show_counterfactual(console, verdict)
     off = f"by what they take off the squared residual of the {verdict.evidence.judged}"
     _show_ranking(console, f"effects fitted, {off}", verdict.ranking)
     _show_ranking(console, "effects fitted on top of what was found", verdict.further)
@@ -130,6 +131,21 @@ def _shortened(line: str) -> str:
         return line
     half = LONGEST_LINE // 2
     return f"{line[:half]} ... (all of it in the report) ... {line[-half:]}"
+
+
+def _show_counterfactual(console: CommandConsole, verdict: Verdict) -> None:
+    """Print how well the machine is predicted after its changes."""
+    headings = ("record", "channel", "change", "refitted", "after", "noise", "after/noise")
+    title = "the machine after a change, NRMSE of its prediction"
+    table = table_of(title, headings, words=("record", "channel", "change"), overflow="fold")
+    for one in verdict.counterfactual:
+        values = (one.refit, one.after, one.floor, one.over_noise)
+        numbers = ("-" if value is None else f"{value:.4g}" for value in values)
+        table.add_row(one.record, one.channel, one.change, *numbers)
+    if table.row_count:
+        console.print(table)
+    for problem in dict.fromkeys(f"{o.record}: {o.problem}" for o in verdict.counterfactual if o.problem):
+        _print(console, problem)
 
 
 def _show_ranking(console: CommandConsole, title: str, ranking: Sequence[Ranked]) -> None:

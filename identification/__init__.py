@@ -1,6 +1,7 @@
 """Records of measurements, excitations, and fitting parameters to them."""
 
 from .campaign.campaign import Campaign as Campaign
+from .campaign.change import Change as Change
 from .campaign.experiment import Experiment as Experiment
 from .campaign.limits import Limit as Limit
 from .campaign.limits import Limits as Limits

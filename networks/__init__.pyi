@@ -13,6 +13,7 @@ from .given import dae_of as dae_of
 from .given import element_of as element_of
 from .given import network_of as network_of
 from .model_file import UserCodeError as UserCodeError
+from .model_file import load_component as load_component
 from .model_file import load_model as load_model
 from .network import Network as Network
 from .results.animation import Motion as Motion

@@ -1,4 +1,4 @@
-"""The network that `path/to/file.py:function` stands for."""
+"""The network, or the component, that `path/to/file.py:function` stands for."""
 
 from __future__ import annotations
 
@@ -6,6 +6,7 @@ import traceback
 from pathlib import Path
 
 from ..base import InertanceError, ModelError, is_utf_16, module_of, nearest, there_is_file
+from ..components import Component
 from .network import Network
 
 
@@ -24,6 +25,22 @@ def load_model(model: str, base: Path = Path(), asked: str = "model") -> Network
     Raises:
         ModelError: telling what is wrong; a UserCodeError, with file and line, for what the file raises.
     """
+    network = _returned(model, base, asked, "Network")
+    if not isinstance(network, Network):
+        raise ModelError(f"{model} returned {type(network).__name__}, but {asked} returns a Network")
+    return network
+
+
+def load_component(model: str, base: Path = Path(), asked: str = "component") -> Component:
+    """Return the component that a function of a Python file returns; arguments and errors as `load_model`."""
+    component = _returned(model, base, asked, "component")
+    if not isinstance(component, Component):
+        raise ModelError(f"{model} returned {type(component).__name__}, but {asked} returns a component")
+    return component
+
+
+def _returned(model: str, base: Path, asked: str, wanted: str) -> object:
+    """Return what a function of a Python file returns; what that should be is `wanted`."""
     file, _, name = model.rpartition(":")
     path = base / file
     if not file or path.suffix != ".py":
@@ -34,11 +51,11 @@ def load_model(model: str, base: Path = Path(), asked: str = "model") -> Network
     try:
         module = module_of(path)
         function = getattr(module, name, None)
-        network = function() if callable(function) else None
+        made: object = function() if callable(function) else None
     except InertanceError as error:
         raise UserCodeError(f"{_place(path, error)}: {error}") from error
     except SystemExit as error:
-        told = f"the model ends Python (sys.exit({error.code!r})); let it return a Network"
+        told = f"the model ends Python (sys.exit({error.code!r})); let it return a {wanted}"
         raise UserCodeError(f"{_place(path, error)}: {told}") from error
     except Exception as error:
         raise UserCodeError(f"{_place(path, error)}: {type(error).__name__}: {error}") from error
@@ -47,9 +64,7 @@ def load_model(model: str, base: Path = Path(), asked: str = "model") -> Network
         own = [n for n, home in named.items() if home == module.__name__]
         known = f"; it has {', '.join(own)}" if own else ""
         raise ModelError(f"{path} has no function '{name}'{nearest(name, own) or known}")
-    if not isinstance(network, Network):
-        raise ModelError(f"{model} returned {type(network).__name__}, but {asked} returns a Network")
-    return network
+    return made
 
 
 def _place(path: Path, error: BaseException) -> str:

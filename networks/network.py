@@ -6,7 +6,7 @@ from collections.abc import Iterable, Mapping
 from math import inf
 from typing import TYPE_CHECKING, Any, Never, Self
 
-from ..base import ModelError, check_keywords, interruptible, nearest, text
+from ..base import ModelError, check_keywords, interruptible, text
 from ..components.language import Component, PortRef, parts_of
 from .simulation.settings import ATOL, RTOL
 
@@ -122,16 +122,48 @@ class Network(Component):
     def with_values(self, **values: Any) -> Self:
         """Return a copy with some components exchanged; connections go to the new ones.
 
+        Args:
+            values: components by name; those inside others by path, as in `**{"axle.spring": Spring(k=9.0)}`.
+
         Raises:
-            ModelError: for a name the network does not have, with the nearest one.
+            ModelError: for a name the network does not have, with the nearest one; for a component without a
+                port at which the other is joined.
         """
+        from .changes import exchange
+
         copy = self.clone()
-        for name, component in values.items():
-            if name not in copy._parts or not isinstance(component, Component):
-                known = nearest(name, copy._parts)
-                raise ModelError(f"Network '{self.name}' has no component '{name}'{known} to exchange")
-            old, copy._parts[name] = copy._parts[name], component
-            copy._refer({old: component})
+        for path, component in values.items():
+            if not isinstance(component, Component):
+                raise ModelError(f"Network '{self.name}': '{path}' takes a component, got {component!r}")
+            exchange(copy, path, component)
+        return copy
+
+    def without(self, *paths: str) -> Self:
+        """Return a copy without some components; what was joined at their ports stays joined.
+
+        An element that `insert` put at a port leaves what it stood between joined to each other.
+
+        Args:
+            paths: names of components; of those inside other networks, paths such as "axle.damper".
+
+        Raises:
+            ModelError: for a path that leads nowhere, with the nearest name; for a part that its component
+                cannot be without; for a component at which another one is inserted.
+
+        Example:
+            >>> from inertance import Damper, Fixed, Mass, Network, Spring
+            >>> net = Network("oscillator", wall=Fixed(), spring=Spring(k=100.0), mass=Mass(m=1.0))
+            >>> _ = net.add(damper=Damper(d=2.0))
+            >>> _ = net.connect(net.wall.flange, net.spring.flange_a, net.damper.flange_a)
+            >>> _ = net.connect(net.spring.flange_b, net.damper.flange_b, net.mass.flange)
+            >>> net.without("damper")
+            <Network 'oscillator': wall: Fixed, spring: Spring, mass: Mass>
+        """
+        from .changes import remove
+
+        copy = self.clone()
+        for path in paths:
+            remove(copy, path)
         return copy
 
     def clone(self) -> Self:

@@ -215,7 +215,7 @@ class ReplayedStand:
             rows = model.replay.run(
                 self.fine,
                 given,
-                box.own({**parameters, **self.experiment.values}),
+                box.own(self.experiment.given(parameters)),
                 box.started,
                 load,
                 self.refined,

@@ -18,16 +18,16 @@ def moving(campaign: Campaign) -> Campaign:
 
     Dry friction may then hold any force below its break-away, and no model tells which.
     """
-    records = campaign.experiments
+    records = campaign.all_records
     still = [standing([e.compared.values[name] for name in campaign.inputs], e.rate) for e in records]
     if not any(found.any() for found in still) or campaign.network.dae().state_names:
         return campaign
-    rid, count = copy(campaign), len(campaign.training)
+    rid, count, end = copy(campaign), len(campaign.training), len(campaign.experiments)
     left = [
         replace(experiment, omitted=found) if found.any() and not found.all() else experiment
         for experiment, found in zip(records, still, strict=True)
     ]
-    rid.training, rid.testing = left[:count], left[count:]
+    rid.training, rid.testing, rid.changed = left[:count], left[count:end], left[end:]
     return rid
 
 

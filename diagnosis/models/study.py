@@ -13,8 +13,18 @@ from typing import Any
 import numpy as np
 
 from ...base import Array
-from ...identification import Accuracy, Campaign, Experiment, Filter, Prediction, RecordModel, spectral_floor
-from ...networks import Variations
+from ...components import ModelError
+from ...identification import (
+    Accuracy,
+    Campaign,
+    Change,
+    Experiment,
+    Filter,
+    Prediction,
+    RecordModel,
+    spectral_floor,
+)
+from ...networks import DAE, Variations
 from ..criteria import (
     ACTIVE_POWER_SHARE,
     COMPARISON_RATE_HZ,
@@ -45,6 +55,7 @@ class NetworkPredictor:
         sites: Sequence[Site],
     ) -> None:
         changed = with_effects(campaign.network, effects)
+        self.effects, self.network, self.parameters = effects, changed, list(parameters)
         self.dae = (probed(changed, sites) if sites else changed).dae()
         self.channels = campaign.measured
         outputs = [c.path for c in self.channels.values() if not c.driven]
@@ -56,7 +67,24 @@ class NetworkPredictor:
         """Return the network on a record."""
         offsets = {f"{clock}.offset": -experiment.began for clock in self.clocks}
         set_back = replace(experiment, values={**experiment.values, **offsets})
-        return RecordModel(self.dae, set_back, self.channels, self.variations, self.own)
+        if experiment.change is None or not experiment.change.rebuilds:
+            return RecordModel(self.dae, set_back, self.channels, self.variations, self.own)
+        dae = self._rebuilt(experiment.change)
+        outputs = [c.path for c in self.channels.values() if not c.driven]
+        parameters = [path for path in self.parameters if not experiment.change.replaces(path)]
+        own = [path for path in self.own if not experiment.change.replaces(path)]
+        return RecordModel(dae, set_back, self.channels, Variations(dae, outputs, [*parameters, *own]), own)
+
+    def _rebuilt(self, change: Change) -> DAE:
+        """Return the equations with the components changed, once no effect is seen to go with them."""
+        for placed in self.effects:
+            gone = change.replaces(placed.site.path)
+            stays = placed.effect.place != "series" and any(not change.replaces(p) for p in placed.site.same)
+            if placed.site.domain != "channel" and gone and not stays:
+                raise ModelError(
+                    f"whether {placed.label} goes with '{gone}', which the change takes away, no model tells"
+                )
+        return change.applied(self.network).dae()
 
     def instants(self, found: Any) -> Array:
         """Return at which instants of a run changes are to be given: its points [s]."""
@@ -219,9 +247,9 @@ def thinned(campaign: Campaign, rate: float = COMPARISON_RATE_HZ) -> Campaign:
     """
     smooth = [name for name in campaign.inputs if not campaign.measured[name].held]
     thin = copy(campaign)
-    thin.training, thin.testing = (
+    thin.training, thin.testing, thin.changed = (
         [_slowed(experiment, smooth, rate) for experiment in experiments]
-        for experiments in (campaign.training, campaign.testing)
+        for experiments in (campaign.training, campaign.testing, campaign.changed)
     )
     return thin if isinstance(thin.machine, FMUModel) else moving(thin)
 

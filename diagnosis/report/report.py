@@ -79,6 +79,8 @@ def _sections(verdict: Verdict, figures: dict[str, Figure]) -> Iterator[str]:
         yield _section("force", force_title(verdict), [force])
     yield _section("where", "Where", drawings(verdict))
     yield _section("gap", "Gap before and after", _gap(verdict, stages, figures))
+    if verdict.counterfactual:
+        yield _section("counterfactual", "The machine after a change", _counterfactual(verdict))
     yield _section("signals", "Measured and simulated", _signals(verdict, stages, figures))
     yield _section("residual", "What is left, before and after", _residual(verdict, stages, figures))
     yield _section("ranking", "Ranking", _ranking(verdict))
@@ -121,6 +123,20 @@ def _gap(verdict: Verdict, stages: Stages, figures: dict[str, Figure]) -> Iterat
     yield "(NRMSE). "
     closed = f" Closed: {verdict.closed:.1%} of what lies between refit and noise." if verdict.missing else ""
     yield f"Second line: in the unit of the channel.{closed}</p>"
+
+
+def _counterfactual(verdict: Verdict) -> Iterator[str]:
+    yield "<p>Records of the machine after a change, none of them fitted: what the refitted model and the "
+    yield "verdict's network miss, as a share of the signal's root mean square about its mean (NRMSE).</p>"
+    rows = []
+    for one in verdict.counterfactual:
+        told = [escape(text) for text in (one.record, one.channel, one.change)]
+        shares = ["–" if value is None else f"{value:.3%}" for value in (one.refit, one.after, one.floor)]
+        over = "–" if one.over_noise is None else number(one.over_noise)
+        rows.append([*told, *shares, over, escape(one.problem)])
+    headers = ["record", "channel", "change", "refit", "after", "noise", "after over noise", ""]
+    yield _table(headers, rows, range(3, 7))
+    yield from (f"<p>{escape(one.told)}.</p>" for one in verdict.parted)
 
 
 def _signals(verdict: Verdict, stages: Stages, figures: dict[str, Figure]) -> Iterator[str]:

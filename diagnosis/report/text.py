@@ -16,7 +16,7 @@ from ..effects.hypothesis import told
 from ..search.score_test import Candidate
 from ..verdict.ranked import Ranked
 from ..verdict.verdict import Verdict
-from ..verdict.wording import left_of
+from ..verdict.wording import foretold, left_of
 
 SOURCES = {"stated": "as stated", "spectrum": "from the top of the spectrum"}  # of noise, in words
 
@@ -49,6 +49,7 @@ def conclusion(verdict: Verdict) -> Iterator[str]:
     yield f"Left: {left_of(verdict.gap)}."
     if verdict.effects:
         yield f"Confidence: {verdict.assurance}."
+    yield from (f"{line}." for line in foretold(verdict))
     campaign = verdict.evidence.campaign
     runs = _runs("training", campaign.training)
     runs += f" and {_runs('test', campaign.testing)}" if campaign.testing else ", no test runs"

@@ -163,6 +163,15 @@ class JointFit:
         blocks = stretches(judged)
         return Refit(fitted, placed, found[:count], found[count:], cost, blocks, independent, starts, own)
 
+    def predicted(self, experiment: Experiment) -> dict[str, Array]:
+        """Return what the start leaves of a record that is not of the fit: weighted residuals by channel.
+
+        Raises:
+            InertanceError: if the model cannot be run as the machine of the record was changed.
+        """
+        self.stands[id(experiment)] = self.predictor.stand(experiment)
+        return self._by_channel(experiment, self.linearise(self.start, experiment, False)[0])
+
     @computing("a trial of the parameters")
     def stacked(self, vector: Array, slopes: bool) -> tuple[Array, Array | None]:
         """Return residuals of all training records and of the priors, and their slopes if wanted."""

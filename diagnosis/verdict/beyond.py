@@ -6,6 +6,7 @@ from dataclasses import replace
 
 from ..law.sought import sought
 from ..models.study import FMUStudy, Study
+from .counterfactual import Foretold, counterfactuals
 from .decide import OPEN_END, closed_by
 from .gap import gaps
 from .verdict import Verdict
@@ -32,5 +33,6 @@ def beyond_the_list(study: Study, verdict: Verdict) -> Verdict:
         closed=closed_by(model, evidence.refit, study),
         parameters=model.parameters,
         evidence=replace(evidence, after=model),
+        counterfactual=tuple(counterfactuals(Foretold(evidence.study), evidence.refit, model)),
         sought=found,
     )

@@ -20,6 +20,7 @@ from ..search.model_comparison import Refit, are_alike, clearness
 from ..search.revision import Rivals
 from ..search.round import Round, same_motion
 from .cautions import cautions, led_astray, suspicions
+from .counterfactual import Foretold, counterfactuals, parting, told_apart
 from .gap import Gap, gaps
 from .localisation import located, shares
 from .next_experiment import separating
@@ -55,13 +56,16 @@ def decided(
     changing = [] if all_told else [*unsteady(alone, best)]
     best = certain_part(best, base, rounds, study, changing)
     first, beyond = rounds[0] if rounds else Round(base, [], []), _round_on(best, rounds)
+    known, foretold = [best, *_alike(best, rounds, rivals)], Foretold(alone)
+    if study.campaign.changed:
+        study.tell("predicting the machine after its changes")
+    best, alike, apart = told_apart(foretold, known) if not study.late() else (best, known[1:], {})
     evidence = Evidence(alone, start, base, best, tuple(first.candidates), first.failed)
     word = _word(evidence)
     if study.late() and (best.effects or best.misfit > NOISE_MISFIT):
         word = "interrupted"
     closed = closed_by(best, base, study)
     gap = gaps(study, start, base, best)
-    alike = _alike(best, rounds, rivals)
     others = {_other(f, best).effect.kind for f in alike} - {p.effect.kind for p in best.effects}
     further = None
     if word == "effect" and others:
@@ -73,7 +77,7 @@ def decided(
     return Verdict(
         verdict=word,
         effects=best.effects,
-        confidence=tuple(_confidence(best, n, rounds, rivals) for n in range(len(best.effects))),
+        confidence=tuple(_confidence(best, n, rounds, rivals, apart) for n in range(len(best.effects))),
         equivalent=_class(best, first, alike),
         next_experiment=further,
         where=shares(first.candidates),
@@ -94,6 +98,12 @@ def decided(
             *doubts,
         ),
         further=_ranked(study, beyond) if best.effects and beyond is not None else (),
+        counterfactual=tuple(counterfactuals(foretold, base, best)),
+        parted=tuple(
+            parting(foretold, best, other, _other(other, best), apart[id(other)])
+            for other in known
+            if id(other) in apart
+        ),
     )
 
 
@@ -204,19 +214,27 @@ def _class(best: Refit, first: Round, alike: Sequence[Refit]) -> tuple[tuple[str
     return tuple(dict.fromkeys([*(_other(f, best).key for f in alike), *moved]))
 
 
-def _confidence(best: Refit, position: int, rounds: Sequence[Round], rivals: Rivals) -> float:
-    """Return the chance that no other fitted effect is better on further data, a half of what is alike."""
+def _confidence(
+    best: Refit, position: int, rounds: Sequence[Round], rivals: Rivals, apart: Mapping[int, float]
+) -> float:
+    """Return the chance that no other fitted effect is better on further data, a half of what is alike.
+
+    Records of a changed machine may tell some models `apart`, by so many standard errors.
+    """
     from scipy.stats import norm
+
+    def clear(worse: Refit, better: Refit) -> float:
+        return max(clearness(worse, better), apart.get(id(worse), 0.0))
 
     placed = best.effects[position]
     done = rounds[position]
     own = next((f for f in done.fitted if f.effects[-1].label == placed.label), None)
     margins = [
-        clearness(f, best) for f in rivals.get(placed.label, ()) if not _other(f, best).generalises(placed)
+        clear(f, best) for f in rivals.get(placed.label, ()) if not _other(f, best).generalises(placed)
     ]
     if own is not None:
         margins.append(clearness(done.base, own))
         if placed.label not in rivals:
             rest = (f for f in done.fitted if f is not own and not f.effects[-1].generalises(placed))
-            margins += [clearness(f, own) for f in rest]
+            margins += [clear(f, own) for f in rest]
     return float(norm.cdf(max(0.0, min(margins, default=0.0))))

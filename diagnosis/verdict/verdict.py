@@ -19,6 +19,8 @@ from ..law.sought import Sought
 from ..models.study import Study
 from ..search.model_comparison import Refit
 from ..search.score_test import Candidate
+from .counterfactual import Counterfactual as Counterfactual
+from .counterfactual import Parted as Parted
 from .gap import Gap as Gap
 from .ranked import Ranked as Ranked
 from .wording import remainder_of, sentence_of, sure
@@ -113,6 +115,8 @@ class Verdict:
         notes: what limits the verdict.
         further: those that were fitted on top of the effects, and not accepted.
         sought: for "law", "partial" and "unknown", what came of looking for a static law of its own.
+        counterfactual: how well the machine is predicted after its changes, by record and channel.
+        parted: effects that test runs cannot tell from one of those found, and a counterfactual can.
     """
 
     verdict: str
@@ -131,6 +135,8 @@ class Verdict:
     notes: tuple[str, ...] = ()
     further: tuple[Ranked, ...] = ()
     sought: Sought | None = field(default=None, repr=False)
+    counterfactual: tuple[Counterfactual, ...] = ()
+    parted: tuple[Parted, ...] = ()
 
     @property
     def law(self) -> Law | None:
@@ -207,6 +213,8 @@ class Verdict:
             **self._law,
             "gap": {name: gap.to_dict() for name, gap in self.gap.items()},
             "closed": self.closed,
+            "counterfactual": [one.to_dict() for one in self.counterfactual],
+            "parted": [one.to_dict() for one in self.parted],
             "parameters": dict(self.parameters),
             "record_values": [one.to_dict() for one in self.evidence.own_values],
             "notes": list(self.notes),

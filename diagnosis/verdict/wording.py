@@ -44,6 +44,25 @@ def _no_law(verdict: Verdict) -> str:
 
 
 def _others(verdict: Verdict) -> str:
+    """Return what the data cannot tell from what was found, and what only a counterfactual tells from it."""
+    return _alike(verdict) + "".join(f" {one.told}." for one in verdict.parted)
+
+
+def foretold(verdict: Verdict) -> Iterator[str]:
+    """Yield how well the machine is predicted after its changes, or why it is not, by record."""
+    for record in dict.fromkeys(one.record for one in verdict.counterfactual):
+        own = [one for one in verdict.counterfactual if one.record == record]
+        missed = ", ".join(
+            f"{one.channel} to {one.over_noise:.3g} times the noise"
+            for one in own
+            if one.over_noise is not None
+        )
+        told = f"predicts {missed}" if missed else "does not predict it"
+        problem = f" ({own[0].problem})" if own[0].problem else ""
+        yield f"{record}, {own[0].change}: the verdict's network {told}{problem}"
+
+
+def _alike(verdict: Verdict) -> str:
     """Return what the data cannot tell from what was found."""
     others = ", ".join(told(*key) for key in verdict.equivalent)
     if len(verdict.effects) > 1 and others:

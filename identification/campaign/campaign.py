@@ -30,6 +30,7 @@ from .checks import (
     starts_of_an_fmu,
     tests_that_are_fitted,
 )
+from .counterfactuals import read_counterfactuals
 from .experiment import Experiment, read_experiments, repeat_problems, strange
 from .limits import Limits, exceeded, needed, read_limits
 from .machine import Machine, Reader, read_network
@@ -41,7 +42,7 @@ from .ties import changes, limits_of, read_ties, shares, tied
 
 REQUIRED_KEYS = ("model", "channels", "parameters", "train")
 TABLES = ("port", "channels", "parameters", "noise", "limits")
-LISTS = ("train", "test", "stage")
+LISTS = ("train", "test", "stage", "counterfactual")
 KINDS = {
     "model": TEXT,
     **{key: Kind(f"a table [{key}]", TABLE.takes) for key in TABLES},
@@ -66,6 +67,8 @@ class Campaign:
             "shooting" [s], "values" (parameters that were other than in the model).
         test: records never fitted.
         noise: standard deviation of an output channel, in its unit.
+        counterfactual: records of the machine after a change, predicted and never fitted, each as those above
+            with "set" or "scale" (parameters), "remove" or "exchange" (components).
         stage: stages of the fit, each {"parameters", "channels", "train", "filter"}; one of everything if
             empty.
         port: of an FMU: {"force", "position", "velocity"} -> its variables where other parts may act on it.
@@ -109,6 +112,7 @@ class Campaign:
     stage: Sequence[Mapping[str, Any]] = ()
     port: Mapping[str, str] = field(default_factory=dict)
     base: Path = field(default_factory=Path)
+    counterfactual: Sequence[Mapping[str, Any]] = ()
     source: str = "campaign"
     validate: bool = True
     reader: Reader = read_network
@@ -121,6 +125,7 @@ class Campaign:
     per_record: dict[str, Prior] = field(init=False, repr=False)
     training: list[Experiment] = field(init=False, repr=False)
     testing: list[Experiment] = field(init=False, repr=False)
+    changed: list[Experiment] = field(init=False, repr=False)
     stages: list[Stage] = field(init=False, repr=False)
     floors: dict[str, NoiseFloor] = field(init=False, repr=False)
     allowed: Limits = field(init=False, repr=False)
@@ -149,10 +154,14 @@ class Campaign:
         self.allowed = read_limits(self.limits, channels, self.machine, problems)
         self.training = self._read("train", self.train, problems) if self.train or not self.planned else []
         self.testing = self._read("test", self.test, problems)
-        problems.add(*tests_that_are_fitted(self.training, self.testing))
+        known = channels, self.network, self.machine, self.priors, self.per_record
+        changed = read_counterfactuals(self.counterfactual, *known, self.base, problems)
+        self.changed = [self._own(experiment) for experiment in changed]
+        problems.add(*tests_that_are_fitted(self.training, self.testing, "test"))
+        problems.add(*tests_that_are_fitted(self.training, self.changed, "counterfactual"))
         if not isinstance(self.machine, DAE):
-            problems.add(*starts_of_an_fmu(self.experiments))
-        problems.add(*repeat_problems(self.experiments, channels))
+            problems.add(*starts_of_an_fmu(self.all_records))
+        problems.add(*repeat_problems(self.all_records, channels))
         if len(self.training) == len(self.train):
             problems.add(*dead_sensors(channels, self.training))
         stated = read_noise(self.noise, channels, self.channels, problems)
@@ -165,15 +174,19 @@ class Campaign:
             self.stages = read_stages(self.stage, self.priors, self.outputs, self.training, problems)
             problems.add(*records_fitted_twice(self.stages, self.training))
         problems.stop()
-        self.notes = [*notes, *notes_of_records(self.experiments)]
+        self.notes = [*notes, *notes_of_records(self.all_records)]
         self.notes += exceeded(self.allowed, channels, self.experiments)
-        self.notes += [*rates_that_differ(self.experiments), *resting_inputs(channels, self.training)]
-        self.notes += [note for e in self.experiments for note in strange(e, channels, self.machine.inputs)]
+        self.notes += [*rates_that_differ(self.all_records), *resting_inputs(channels, self.training)]
+        self.notes += [note for e in self.all_records for note in strange(e, channels, self.machine.inputs)]
         since, count = since_their_runs_began(self.experiments), len(self.training)
         self.training, self.testing = since[:count], since[count:]
+        self.changed = since_their_runs_began(self.changed)
         self.floors = {name: NoiseFloor(sigma, "stated") for name, sigma in stated.items()}
         if self.training:
-            self._weigh([*self._noise(stated)])
+            floors = [*self._noise(stated)]
+            pairs = zip(self.changed, floors[len(self.experiments) :], strict=True)
+            self.changed = [replace(e, floors=own) for e, own in pairs]
+            self._weigh(floors[: len(self.experiments)])
 
     def __reduce__(self) -> tuple[Any, ...]:
         return Campaign, tuple(getattr(self, entry.name) for entry in fields(self) if entry.init)
@@ -254,10 +267,12 @@ class Campaign:
         return other
 
     def _weigh(self, floors: Sequence[Mapping[str, NoiseFloor]]) -> None:
-        count = len(self.training)
+        count, before = len(self.training), getattr(self, "floors", {})
         given = [replace(e, floors=floor) for e, floor in zip(self.experiments, floors, strict=True)]
         self.training, self.testing = given[:count], given[count:]
         self.floors = {name: _median([e.floors[name] for e in self.training]) for name in self.outputs}
+        other = {name: floor for name, floor in self.floors.items() if before and floor != before[name]}
+        self.changed = [replace(e, floors={**e.floors, **other}) for e in self.changed]
 
     @property
     def dae(self) -> DAE:
@@ -290,8 +305,13 @@ class Campaign:
 
     @property
     def experiments(self) -> list[Experiment]:
-        """All records, those to fit first."""
+        """All records of the model as it is, those to fit first."""
         return [*self.training, *self.testing]
+
+    @property
+    def all_records(self) -> list[Experiment]:
+        """All records, those of the model as it is first, then those of `changed` machines."""
+        return [*self.experiments, *self.changed]
 
     @property
     def start(self) -> dict[str, float]:
@@ -313,15 +333,19 @@ class Campaign:
 
     def _read(self, kind: str, entries: Sequence[Mapping[str, Any]], problems: Problems) -> list[Experiment]:
         known = self.measured, self.machine, self.priors
-        return [
-            replace(e, unknown={path: p for path, p in self.per_record.items() if path not in e.values})
-            for e in read_experiments(kind, entries, *known, self.base, problems)
-        ]
+        return [self._own(e) for e in read_experiments(kind, entries, *known, self.base, problems)]
+
+    def _own(self, experiment: Experiment) -> Experiment:
+        """Return an experiment that knows of which parameters it has a value of its own."""
+        left = experiment.given({path: prior.center for path, prior in self.per_record.items()})
+        fixed = {*experiment.values, *(experiment.change.values if experiment.change else ())}
+        own = {path: p for path, p in self.per_record.items() if path in left and path not in fixed}
+        return replace(experiment, unknown=own)
 
     def _noise(self, stated: Mapping[str, float]) -> Iterator[dict[str, NoiseFloor]]:
         """Yield the noise of each experiment, of each output: as stated, by repeats, or by its spectrum."""
-        by_source = {str(e.source): e.record for e in self.experiments}
-        pairs = [(e.record, by_source[e.repeat_of]) for e in self.experiments if e.repeat_of in by_source]
+        by_source = {str(e.source): e.record for e in self.all_records}
+        pairs = [(e.record, by_source[e.repeat_of]) for e in self.all_records if e.repeat_of in by_source]
         told = {name: NoiseFloor(sigma, "stated") for name, sigma in stated.items()}
 
         def spectrum(e: Experiment, name: str) -> Iterator[NoiseFloor]:
@@ -334,7 +358,7 @@ class Campaign:
         usual = {
             name: _median([f for e in self.training for f in spectrum(e, name)]) for name in self.outputs
         }
-        for e in self.experiments:
+        for e in self.all_records:
             floors = {name: next(spectrum(e, name), usual[name]) for name in self.outputs}
             yield floors | {name: replace(floor, band=floors[name].band) for name, floor in told.items()}
 

@@ -18,13 +18,15 @@ from .stages import Stage
 LEAST_NOISE_SHARE = 1e-12  # of the largest value measured: numbers resolve it 4000 times
 
 
-def tests_that_are_fitted(training: Sequence[Experiment], testing: Sequence[Experiment]) -> Iterator[str]:
-    """Yield tests that share samples with a record that is fitted."""
+def tests_that_are_fitted(
+    training: Sequence[Experiment], testing: Sequence[Experiment], kind: str
+) -> Iterator[str]:
+    """Yield tests, or other records of a kind, that share samples with a record that is fitted."""
     for number, experiment in enumerate(testing, start=1):
         twins = [n for n, e in enumerate(training, start=1) if experiment.overlaps(e)]
         if twins:
             yield (
-                f"[[test]] {number}: '{experiment.name}' is also [[train]] {twins[0]}; what was "
+                f"[[{kind}]] {number}: '{experiment.name}' is also [[train]] {twins[0]}; what was "
                 "fitted tests nothing: give a record of another excitation, or another window"
             )
 

@@ -17,6 +17,7 @@ from ..records.columns import stuck
 from ..records.noise import NoiseFloor
 from ..records.reading import read_record
 from ..records.record import Channel, Record, outputs_of
+from .change import Change
 from .machine import Machine
 from .priors import Prior
 from .problems import FILE, INTERVAL, NUMBER, TABLE, TEXT, TEXTS, Kind, Problems
@@ -55,6 +56,7 @@ class Experiment:
         every: outputs are compared at every so many samples; inputs keep all of theirs.
         floors: noise of its outputs.
         omitted: at which instants outputs are not compared; none if not given.
+        change: of a counterfactual, how its machine had been changed.
     """
 
     record: Record
@@ -70,6 +72,12 @@ class Experiment:
     every: int = 1
     floors: Mapping[str, NoiseFloor] = field(default_factory=dict)
     omitted: Flags | None = None
+    change: Change | None = None
+
+    def given(self, parameters: Mapping[str, float]) -> dict[str, float]:
+        """Return parameters of the model as they were in this record."""
+        before = parameters if self.change is None else self.change.given(parameters)
+        return {**before, **self.values}
 
     @property
     def name(self) -> str:
@@ -138,16 +146,26 @@ def read_experiments(
     experiments = []
     for number, entry in enumerate(entries, start=1):
         where = f"[[{kind}]] {number}"
-        sound = problems.sound(where, entry, KINDS)
-        told = (
-            [*_experiment_problems(entry, channels), *_value_problems(entry, machine, priors)]
-            if sound
-            else []
-        )
-        if sound and problems.none(where, told):
-            with problems.of(where):
-                experiments.append(_experiment(entry, channels, base))
+        if problems.sound(where, entry, KINDS):
+            experiments += read_experiment(where, entry, channels, machine, priors, base, problems)
     return experiments
+
+
+def read_experiment(
+    where: str,
+    entry: Mapping[str, Any],
+    channels: Mapping[str, Channel],
+    machine: Machine,
+    priors: Mapping[str, Prior],
+    base: Path,
+    problems: Problems,
+) -> list[Experiment]:
+    """Return the record of an entry with sound keys; nothing if anything is wrong, which is noted."""
+    told = [*_experiment_problems(entry, channels), *_value_problems(entry, machine, priors)]
+    if problems.none(where, told):
+        with problems.of(where):
+            return [_experiment(entry, channels, base)]
+    return []
 
 
 def _experiment_problems(entry: Mapping[str, Any], channels: Mapping[str, Channel]) -> Iterator[str]:
@@ -251,7 +269,7 @@ def _unlike(one: Experiment, other: Experiment, channels: Mapping[str, Channel])
         rates = f"{one.record.rate:g} and {other.record.rate:g} Hz"
         yield f"{one.name}: repeat_of: sampled otherwise than '{other.name}' ({rates}); resample one of them"
         return
-    if one.values != other.values:
+    if one.given({}) != other.given({}) or one.change != other.change:
         yield f"{one.name}: repeat_of: its values differ from those of '{other.name}'; repeats have the same"
         return
     count = min(len(one.record.time), len(other.record.time))

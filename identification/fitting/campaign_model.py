@@ -107,7 +107,7 @@ class RecordModel:
                 self._measured_starts[begin] = self._measured_start(begin)
             guess = self._measured_starts[begin]
         given: dict[str, Any] = {"guess": guess, "rtol": accuracy.rtol, "atol": accuracy.atol}
-        values = {**parameters, **self.experiment.values}
+        values = self.experiment.given(parameters)
         run = self._simulate(begin + step, begin=begin, step=step, parameters=values, **given)
         return run.initial.values.copy()
 
@@ -150,7 +150,7 @@ class RecordModel:
         try:
             run = self._simulate(
                 float(time[-1]), begin=float(time[0]), step=step, guess=given,
-                parameters={**parameters, **self.experiment.values},
+                parameters=self.experiment.given(parameters),
                 solver=accuracy.solver, rtol=accuracy.rtol, atol=accuracy.atol, max_steps=steps * len(time),
             )  # fmt: skip
         except SimulationError as error:

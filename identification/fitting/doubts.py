@@ -87,8 +87,8 @@ def over_noise(fit: Fit, comparison: Comparison, channel: str) -> float:
 def _misfit(fit: Fit, channel: str) -> Iterator[str]:
     ratios = {c: over_noise(fit, c, channel) for c in fit.comparisons}
     train, test = (
-        {c: ratio for c, ratio in ratios.items() if c.tested == tested and np.isfinite(ratio)}
-        for tested in (False, True)
+        {c: ratio for c, ratio in ratios.items() if c.kind in kinds and np.isfinite(ratio)}
+        for kinds in (("train",), ("test",))
     )
     if not train:
         return
@@ -107,6 +107,15 @@ def _misfit(fit: Fit, channel: str) -> Iterator[str]:
         )
     elif left > INCOMPLETE_RATIO:
         yield _incomplete(channel, train, test)
+    for comparison, ratio in ratios.items():
+        change = comparison.experiment.change
+        if change is not None and ratio > INCOMPLETE_RATIO * max(left, 1.0):
+            told = change.told(fit.campaign.dae)
+            yield (
+                f"{comparison.experiment.name}: {channel}: after a change ({told}) it is missed by "
+                f"{ratio:.3g} times the noise, the training records by {left:.3g} times: the model fits them "
+                "for another reason than the right one, or the change is not what it says"
+            )
     for comparison, ratio in test.items():
         if ratio > INCOMPLETE_RATIO and ratio > OUTLIER_RATIO * max(left, 1.0):
             yield (

@@ -9,8 +9,9 @@ from pathlib import Path
 
 from ...base import Array, between, computing, demand, function, instance, one_of, optional, whole
 from ...components import ModelError, SimulationError
-from ...networks import COARSEST, FINEST, SOLVERS
+from ...networks import COARSEST, DAE, FINEST, SOLVERS
 from ..campaign.campaign import Campaign
+from ..campaign.experiment import Experiment
 from .campaign_model import Accuracy, CampaignModel, Values
 from .doubts import is_doubtful
 from .outcome import Comparison, Fit, FitInterruptedError
@@ -109,8 +110,9 @@ def _compared(found: Fit, bench: CampaignModel, accuracy: Accuracy) -> list[Comp
         )
     }
     testing = CampaignModel(campaign.dae, campaign.measured, campaign.testing)
+    changed = [CampaignModel(_machine_of(campaign, e), campaign.measured, [e]) for e in campaign.changed]
     comparisons = []
-    for tested, model in ((False, bench), (True, testing)):
+    for tested, model in ((False, bench), *((True, model) for model in (testing, *changed))):
         for stand in model.stands:
             block = ResidualBlock(stand, campaign.outputs, campaign.sigma, None)
             before: dict[str, Array] = {}
@@ -127,6 +129,12 @@ def _compared(found: Fit, bench: CampaignModel, accuracy: Accuracy) -> list[Comp
                 problem = str(error)
             comparisons.append(Comparison(stand.experiment, tested, before, after, problem, own, errors))
     return comparisons
+
+
+def _machine_of(campaign: Campaign, experiment: Experiment) -> DAE:
+    """Return the machine of a record, after the change that it names."""
+    change = experiment.change
+    return change.applied(campaign.network).dae() if change and change.rebuilds else campaign.dae
 
 
 def _nuisances(

@@ -58,7 +58,7 @@ def _own(fit: Fit) -> Rows:
         for name, value in c.own.items():
             start, unit = fit.campaign.per_record[name].center, fit.campaign.dae.unit(name)
             numbers = f"{value:.6g}", f"{c.own_errors[name]:.2g}", f"{start:.6g}"
-            rows.append((c.experiment.name, _kind(c), name, *numbers, unit))
+            rows.append((c.experiment.name, c.kind, name, *numbers, unit))
     return rows
 
 
@@ -70,7 +70,7 @@ def _records(fit: Fit) -> Rows:
             before, after = (c.rms(name, predicted) for predicted in (c.before, c.after))
             noise, size = f"{floor.sigma:.3g} ({floor.source})", c.size(name)
             share = f"{after / size:.3%}" if size else "-"
-            record = c.experiment.name, _kind(c), name
+            record = c.experiment.name, c.kind, name
             rows.append((*record, f"{before:.4g}", f"{after:.4g}", noise, share, _unit(fit, name)))
     return rows
 
@@ -78,10 +78,6 @@ def _records(fit: Fit) -> Rows:
 def _unit(fit: Fit, channel: str) -> str:
     measured = fit.campaign.measured[channel]
     return measured.si or measured.unit
-
-
-def _kind(comparison: Comparison) -> str:
-    return "test" if comparison.tested else "train"
 
 
 def as_dict(fit: Fit) -> dict[str, Any]:
@@ -114,6 +110,7 @@ def as_dict(fit: Fit) -> dict[str, Any]:
                 "record": c.experiment.name, "tested": c.tested, "channel": name,
                 "before": c.rms(name, c.before), "after": c.rms(name, c.after), "size": c.size(name),
                 "over_noise": over_noise(fit, c, name),
+                **_told_change(fit, c),
             }
             for c in fit.comparisons
             for name in fit.campaign.outputs
@@ -125,6 +122,11 @@ def as_dict(fit: Fit) -> dict[str, Any]:
         "interrupted": fit.interrupted,
         "warnings": fit.warnings,
     }  # fmt: skip
+
+
+def _told_change(fit: Fit, comparison: Comparison) -> dict[str, str]:
+    change = comparison.experiment.change
+    return {} if change is None else {"change": change.told(fit.campaign.machine)}
 
 
 def _worst(comparison: Comparison, channel: str) -> slice:
@@ -142,7 +144,7 @@ def _title(fit: Fit, comparison: Comparison, channel: str, near: slice) -> str:
     part = ", where the fit misses most" if near.stop - near.start < count else ""
     left = over_noise(fit, comparison, channel)
     told = f"{left:.3g} times the noise left" if np.isfinite(left) else "not simulated"
-    return f"{comparison.experiment.name} ({_kind(comparison)}): {told}{part}"
+    return f"{comparison.experiment.name} ({comparison.kind}): {told}{part}"
 
 
 def plot(fit: Fit, channel: str) -> Any:

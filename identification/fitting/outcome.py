@@ -63,6 +63,13 @@ class Comparison:
     own: Mapping[str, float] = field(default_factory=dict)
     own_errors: Mapping[str, float] = field(default_factory=dict)
 
+    @property
+    def kind(self) -> str:
+        """Whether it was fitted, a test, or of the machine after a change: train, test or counterfactual."""
+        if self.experiment.change is not None:
+            return "counterfactual"
+        return "test" if self.tested else "train"
+
     def residual(self, channel: str, predicted: Mapping[str, Array]) -> Array:
         """Return measured less predicted."""
         return self.experiment.record.values[channel] - predicted[channel]
