@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
-from typing import TYPE_CHECKING
+from itertools import takewhile
+from typing import TYPE_CHECKING, cast
 
 from ..base import ModelError, nearest
 from ..components.language import Component, PortRef, parts_of
@@ -68,14 +69,8 @@ def _owners(network: Network, path: str) -> list[Component]:
 
 def _networks(owners: Sequence[Component]) -> list[Network]:
     """Return the networks, whose connections may change, that come before the first owner that is none."""
-    from .network import Network
-
-    found = list[Network]()
-    for owner in owners:
-        if not isinstance(owner, Network):
-            break
-        found.append(owner)
-    return found
+    found = takewhile(lambda owner: "_joined" in vars(owner), owners)
+    return [cast("Network", owner) for owner in found]
 
 
 def _within(component: Component) -> Iterator[Component]:

@@ -14,6 +14,7 @@ from __future__ import annotations
 import argparse
 import json
 from collections.abc import Callable, Sequence
+from copy import deepcopy
 from dataclasses import asdict, dataclass, replace
 from itertools import product
 from pathlib import Path
@@ -27,6 +28,7 @@ from numpy.typing import NDArray
 Array = NDArray[np.float64]
 RATE, BEGIN, LENGTH = 100.0, 2.0, 8.0  # [Hz], [s], [s]
 NOISE_SHARE = 3e-3  # of the root mean square of each channel
+SENSITIVE = 3.0  # [noise] by a thousandth of a stiffness: motions that parameters a fit knows do not tell
 WITHIN = 1.5  # [noise] of the prediction that a right verdict makes
 CHANGES = ("mass added", "spring exchanged", "damper removed")
 
@@ -133,7 +135,10 @@ def changed(machine: Machine, change: str, draw: np.random.Generator) -> tuple[M
 
 @dataclass(frozen=True)
 class Outcome:
-    """What became of a case: what models miss of the changed machine, in true noise, worst channel."""
+    """What became of a case: what models miss of the changed machine, in true noise, worst channel.
+
+    `sensitivity` is what one more thousandth of the first stiffness changes there, likewise: what no fit knows.
+    """
 
     case: int
     law: str
@@ -144,6 +149,7 @@ class Outcome:
     right: bool
     refit: float
     after: float
+    sensitivity: float
 
 
 def outcome(number: int, name: str, masses: int, change: str) -> Outcome:
@@ -153,7 +159,9 @@ def outcome(number: int, name: str, masses: int, change: str) -> Outcome:
     place = masses if name in ("cubic spring", "hysteresis") else 1
     records = [measured(machine, law, place, draw)[0] for _ in range(3)]
     other, entry = changed(machine, change, draw)
+    twin = deepcopy(draw)
     record, noise = measured(other, law, place, draw)
+    near, _ = measured(replace(other, k1=1.001 * other.k1), law, place, twin)
     outputs = {"x1": "carriage.s", "x2": "tool.s"}
     deviations = {"spring.k": 0.2, "damper.d": 0.5, "leaf.k": 0.2, "pad.d": 0.5}
     verdict = diagnose(
@@ -179,8 +187,9 @@ def outcome(number: int, name: str, masses: int, change: str) -> Outcome:
         max((getattr(missed[c], of) or np.inf) * missed[c].size / noise[c] for c in noise)
         for of in ("refit", "after")
     )
+    sensitivity = max(float(np.std(near.values[c] - record.values[c])) / noise[c] for c in noise)
     found = ", ".join(placed.label for placed in verdict.effects)
-    return Outcome(number, name, masses, change, verdict.verdict, found, right, refit, after)
+    return Outcome(number, name, masses, change, verdict.verdict, found, right, refit, after, sensitivity)
 
 
 def main(arguments: Sequence[str] | None = None) -> None:
@@ -198,11 +207,14 @@ def main(arguments: Sequence[str] | None = None) -> None:
             done.append(one)
             print(
                 f"{number:3d} {name:14s} {masses} {change:16s} {one.verdict:10s} {one.found:42s} "
-                f"{'right' if one.right else 'other':6s} refit {one.refit:8.3g}  after {one.after:6.3g}",
+                f"{'right' if one.right else 'other':6s} refit {one.refit:8.3g}  after {one.after:6.3g}  "
+                f"0.1 % of stiffness {one.sensitivity:.2g}",
                 flush=True,
             )
     right = [one for one in done if one.right]
-    for told, group in (("all", done), ("right verdicts", right)):
+    tame = [one for one in right if one.sensitivity < SENSITIVE]
+    groups = {"all": done, "right verdicts": right, f"of these less sensitive than {SENSITIVE:g}": tame}
+    for told, group in groups.items():
         within = sum(one.after <= WITHIN for one in group)
         print(f"{told}: {within} of {len(group)} predicted within {WITHIN} times the noise")
     if options.out:
