@@ -137,7 +137,7 @@ def changed(machine: Machine, change: str, draw: np.random.Generator) -> tuple[M
 class Outcome:
     """What became of a case: what models miss of the changed machine, in true noise, worst channel.
 
-    `sensitivity` is what one more thousandth of the first stiffness changes there, likewise: what no fit knows.
+    `sensitivity` is what a thousandth of the first stiffness changes there, likewise: what no fit knows.
     """
 
     case: int
