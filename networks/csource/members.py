@@ -118,5 +118,6 @@ class Told:
         self.tried += other.tried
         self.messages |= {int(places[k]): text for k, text in other.messages.items()}
         of_member = np.asarray(places)
-        for rows in other.events:
-            self.events.append(np.column_stack([of_member[rows[:, 0].astype(int)], rows[:, 1:]]))
+        for own, rows in ((self.events, other.events), (self.crossings, other.crossings)):
+            if own is not None:
+                own += [np.column_stack([of_member[r[:, 0].astype(int)], r[:, 1:]]) for r in rows or ()]

@@ -18,7 +18,7 @@ from ..flattening.flat import Flat
 from ..simulation.bound_dae import BoundDAE
 from ..simulation.input_signals import SignalKey
 from ..simulation.legs import Leg
-from ..simulation.settings import Settings
+from ..simulation.settings import Settings, Tolerance
 from ..simulation.starting import Start
 from .signals import Inputs, closed_with, data_of, formulas_of, legs_of
 from .starts import Starts
@@ -69,9 +69,18 @@ class Asked:
 
     @cached_property
     def task(self) -> Task:
-        """What is done with members."""
-        settings = self.settings
-        return Task(self.program, settings.outputs, (settings.rtol, settings.atol))
+        """What is done with members, to the tolerance that is asked for."""
+        return self.task_to(self.settings.tolerance)
+
+    def task_to(self, tolerance: Tolerance) -> Task:
+        """Return what is done with members, to some tolerance."""
+        return Task(self.program, self.settings.outputs, (tolerance.rtol, tolerance.atol))
+
+    @property
+    def signs(self) -> Array:
+        """By which signals that are named after unknowns differ from them."""
+        dae = self.dae
+        return np.array([dae.root(dae.name_of(v))[1] for v in (*dae.states, *dae.algebraic)])
 
     def members(self) -> Members:
         """Return what differs between members."""
@@ -116,6 +125,6 @@ class Asked:
             return
         there = np.array([*found], dtype=np.int64)
         points, constants = map(np.array, zip(*found.values(), strict=True))
-        again = self.task.blank(len(found))
+        again = self.task.blank(len(found), told.crossings is not None)
         self.task.run(replace(members.some(there), found=(points, constants)), again)
         told.take_over(there, again)

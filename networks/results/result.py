@@ -133,6 +133,11 @@ class Result(OverTime):
             self._signals[name] = found
         return self._signals[name]
 
+    @property
+    def asked_for(self) -> frozenset[str]:
+        """Names of the signals that were computed so far."""
+        return frozenset(self._signals)
+
     def _state(self, name: str) -> Array | None:
         """Return what was recorded, if a name stands for a state."""
         dae = self.dae

@@ -28,13 +28,13 @@ from .initialization import StartValues, start_values
 from .progress import Progress
 from .resolution import resolution_notes
 from .run import Run, ending_in_results, limiting_state
+from .run_asked import RUNS, RunAsked
 from .sensitivity import Sensitivities
 from .settings import ATOL, RTOL, Settings
 from .smooth import run_smooth, smooth_stepper
 from .solver_choice import Choice, chosen
 
 
-@interruptible()
 def simulate(
     network: Component | DAE,
     stop: float,
@@ -90,20 +90,35 @@ def simulate(
     """
     check_keywords("simulate()", unknown, simulate)
     settings = Settings(begin, stop, step, rtol, atol, solver, progress, max_steps, max_step)
-    began, dae = clock.perf_counter(), dae_of(network)
-    followed = listed("sensitivities", sensitivities)
-    closed = bound(dae, named("inputs", inputs))
-    check_covered(dae.name, closed.signals, begin, stop)
-    q = closed.blank(dae.parameters.values(dict(named("parameters", parameters))))
-    wanted = start_values(dae, named("start", start), named("guess", guess))
+    asked = RunAsked(
+        dae_of(network),
+        settings,
+        named("start", start),
+        named("guess", guess),
+        named("inputs", inputs),
+        dict(named("parameters", parameters)),
+        listed("sensitivities", sensitivities),
+    )
+    runs = RUNS.get() or run_alone
+    return runs(asked)
+
+
+@interruptible()
+def run_alone(asked: RunAsked) -> Result:
+    """Return the result of a run that is asked for; see `simulate`."""
+    settings, dae, began = asked.settings, asked.dae, clock.perf_counter()
+    closed = bound(dae, asked.inputs)
+    check_covered(dae.name, closed.signals, settings.begin, settings.stop)
+    q = closed.blank(dae.parameters.values(asked.parameters))
+    wanted = start_values(dae, asked.start, asked.guess)
 
     def run_by(choice: Choice) -> Result:
         run = started(closed, settings, q, wanted)
-        run.legs = closed.legs(q, begin, stop)
-        return _finished(run, choice, wanted, followed, began)
+        run.legs = closed.legs(q, settings.begin, settings.stop)
+        return _finished(run, choice, wanted, asked.sensitivities, began)
 
-    choice = chosen(closed, settings, bool(followed))
-    if choice.account is None or not choice.compiled or max_steps is not None:
+    choice = chosen(closed, settings, bool(asked.sensitivities))
+    if choice.account is None or not choice.compiled or settings.max_steps is not None:
         return run_by(choice)
     try:
         return run_by(choice)
