@@ -76,7 +76,7 @@ class Asked:
         """Return what is done with members, to some tolerance."""
         return Task(self.program, self.settings.outputs, (tolerance.rtol, tolerance.atol))
 
-    @property
+    @cached_property
     def signs(self) -> Array:
         """By which signals that are named after unknowns differ from them."""
         dae = self.dae

@@ -33,6 +33,8 @@ FEWEST = 2  # runs that go side by side
 BLOCK, LEAST_BLOCK, BLOCK_SECONDS = 64, 16, 30.0  # runs at once; fewer where alone they take longer [s]
 MOST_VALUES = 8_000_000  # of all of them
 
+Rows = tuple[Array, Array, Array]
+
 
 class Unlike(Exception):  # noqa: N818 - a reason, no error
     """Why a run goes alone."""
@@ -87,6 +89,7 @@ class Kind:
     against: str = ""
     _program: CrewProgram | None = None
     _begun: bool = False
+    _ready: bool = False
     _wanted: tuple[str, ...] = ()
 
     @contextmanager
@@ -104,8 +107,8 @@ class Kind:
 
         That is so once the program is there; it is compiled beside what goes on if runs will take longer.
         """
-        if self.against or self.runs < FEWEST:
-            return False
+        if self._ready or self.against or self.runs < FEWEST:
+            return self._ready
         seconds = left * self.spent / self.runs
         with self._noting():
             if self._program is None and seconds >= WRITE_SECONDS:
@@ -113,8 +116,8 @@ class Kind:
             if self._program is not None and not self._begun and seconds >= LANES_SECONDS:
                 self._program.best.begin()
                 self._begun = True
-            return self._begun and self._program is not None and self._program.best.is_ready()
-        return False
+            self._ready = self._begun and self._program is not None and self._program.best.is_ready()
+        return self._ready
 
     @property
     def at_once(self) -> int:
@@ -181,10 +184,14 @@ class Kind:
         seconds: float,
     ) -> list[Result | None]:
         """Return whole results of the members that came to their ends."""
+        closed = [bound(asked.dae, choice) for choice in asked.choices]
+        outputs, constants, signs = asked.settings.outputs, asked.dae.constants.numel(), asked.signs
+        told.values[:, :, : len(signs)] *= signs
+        for rows in told.crossings or []:
+            rows[:, 3 + constants : 3 + constants + len(signs)] *= signs
         happened, crossed = (
             _by_member(np.concatenate(rows), len(runs)) for rows in (told.events, told.crossings or [])
         )
-        closed = [bound(asked.dae, choice) for choice in asked.choices]
         why = f"beside {len(runs) - 1} others that are like it"
         found: list[Result | None] = []
         for member, run in enumerate(runs):
@@ -195,7 +202,7 @@ class Kind:
                 "solver": "compiled", "why": why, "rtol": run.settings.rtol, "atol": run.settings.atol,
                 "steps": int(told.steps[member]), "integrator calls": 1, "seconds": seconds,
             }  # fmt: skip
-            rows, begins = _rows(asked, crossed[member], told.values[member])
+            rows, begins = _rows(outputs, constants, crossed[member], told.values[member])
             legs = list(members.legs[members.legs_of[member]])
             own = closed[asked.chosen[member]]
             found.append(
@@ -218,19 +225,21 @@ def _by_member(rows: Array, count: int) -> list[Array]:
     return np.split(rows, np.searchsorted(rows[:, 0], np.arange(1, count)))
 
 
-def _rows(asked: Asked, crossed: Array, values: Array) -> tuple[tuple[Array, Array, Array], list[int]]:
+def _rows(outputs: Array, constants: int, crossed: Array, values: Array) -> tuple[Rows, list[int]]:
     """Return instants, constants of segments, and values of a member, and the rows where segments begin.
 
     At an instant with an event stand the points before and after, and no output.
     """
-    outputs, constants = asked.settings.outputs, asked.dae.constants.numel()
     begins, t = crossed[:, 1] > 0, crossed[:, 2]
-    q, at_events = crossed[:, 3 : 3 + constants], crossed[:, 3 + constants :]
-    kept = ~np.isin(outputs, t)
+    q, at_events = crossed[begins, 3 : 3 + constants], crossed[:, 3 + constants :]
+    if len(t) == 1:
+        return (outputs, q, values), [0]
+    near = np.searchsorted(outputs, t)
+    kept = np.ones(len(outputs), dtype=bool)
+    kept[near[outputs[np.minimum(near, len(outputs) - 1)] == t]] = False
     times = np.concatenate([t, outputs[kept]])
     order = np.argsort(times, kind="stable")
     place = np.empty(len(order), dtype=np.int64)
     place[order] = np.arange(len(order))
     joined = np.concatenate([at_events, values[kept]])[order]
-    joined[:, : len(asked.signs)] *= asked.signs
-    return (times[order], q[begins], joined), place[: len(t)][begins].tolist()
+    return (times[order], q, joined), place[: len(t)][begins].tolist()
