@@ -66,7 +66,7 @@ class MemberResult(Result):
             for a, b, q in zip(begins, ends, constants, strict=True)
         ]
         self._signals = {name: values[:, nx + nz + k] for k, name in enumerate(signals)}
-        self._sensitivities = {}
+        self._followed = lambda _: {}
         self._limiting = self._limiting_state
         self._dense_output = partial(DenseOutput, legs, "compiled", tolerance)
         self._bookkeeping = energy_book

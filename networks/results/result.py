@@ -92,7 +92,7 @@ class Result(OverTime):
     _figures: dict[str, Any]
     initial: StartReport
     notes: list[str]
-    _sensitivities: dict[str, Array]
+    _followed: Callable[[Result], dict[str, Array]]
     _limiting: Callable[[], str]
     _dense_output: Callable[[Points], DenseOutput]
     _bookkeeping: Callable[[Result, DenseOutput], EnergyBook]
@@ -190,6 +190,10 @@ class Result(OverTime):
     @cached_property
     def _follow_again(self) -> DenseOutput:
         return self._dense_output(self.points)
+
+    @cached_property
+    def _sensitivities(self) -> dict[str, Array]:
+        return self._followed(self)
 
     def sensitivity(self, name: str, parameter: str) -> Array:
         """Return d(signal)/d(parameter) along a run asked for with `sensitivities=`.

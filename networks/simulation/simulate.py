@@ -13,7 +13,7 @@ from typing import Any, Never
 
 import numpy as np
 
-from ...base import ModelError, SimulationError, check_keywords, heed, interruptible, listed, named
+from ...base import Array, SimulationError, check_keywords, heed, interruptible, listed, named
 from ...components.language import Component
 from ..dae import DAE
 from ..given import dae_of
@@ -29,7 +29,7 @@ from .progress import Progress
 from .resolution import resolution_notes
 from .run import Run, ending_in_results, limiting_state
 from .run_asked import RUNS, RunAsked
-from .sensitivity import Sensitivities
+from .sensitivity import Sensitivities, check_followed, sensitivities_along
 from .settings import ATOL, RTOL, Settings
 from .smooth import run_smooth, smooth_stepper
 from .solver_choice import Choice, chosen
@@ -73,7 +73,9 @@ def simulate(
         solver: "auto", "cvodes", "idas", "rosenbrock", or "compiled" (in C, needs a compiler). "auto" is
             "compiled" where that pays, as where runs are many or long, and can be; "idas" otherwise where
             algebraic unknowns are left, "cvodes" where not. `stats` of the result tell which, and why.
-        sensitivities: parameters whose forward sensitivities are wanted (smooth networks).
+        sensitivities: parameters whose forward sensitivities are wanted. CVODES and IDAS follow those of smooth
+            networks; along other runs they are computed from point to point and over events when they are
+            asked for, as exactly as the points resolve what happens between them.
         progress: show progress; by default on runs that last over a second on a terminal.
         max_steps: steps of the integrator after which the run is given up; no limit if not given. Solver
             "compiled" also gives up where events between two outputs are 20 times their share of it.
@@ -109,6 +111,7 @@ def run_alone(asked: RunAsked) -> Result:
     settings, dae, began = asked.settings, asked.dae, clock.perf_counter()
     closed = bound(dae, asked.inputs)
     check_covered(dae.name, closed.signals, settings.begin, settings.stop)
+    check_followed(dae, asked.sensitivities)
     q = closed.blank(dae.parameters.values(asked.parameters))
     wanted = start_values(dae, asked.start, asked.guess)
 
@@ -133,13 +136,13 @@ def _finished(
 ) -> Result:
     """Go from the start of a run to its end; return what it computed."""
     closed, settings = run.closed, run.settings
-    follow = None
-    if sensitivities:
-        if choice.compiled:
-            raise ModelError("solver 'compiled' does not follow sensitivities; use 'auto'")
+    follow = along = None
+    if sensitivities and (choice.compiled or closed.dae.hybrid):
+        along = partial(sensitivities_along, names=sensitivities, wanted=wanted)
+    elif sensitivities:
         follow = Sensitivities(closed, sensitivities, run.point, wanted)
     solver, go = _way(run, choice, follow)
-    result = partial(collected, run, solver, choice.why, began, follow)
+    result = partial(collected, run, solver, choice.why, began, follow, along)
     show = Progress(closed.dae.name, settings.begin, settings.stop, settings.progress)
     with show as progress, ending_in_results(run, result), _counted(run, choice):
         go(progress)
@@ -173,7 +176,14 @@ def _way(run: Run, choice: Choice, follow: Sensitivities | None) -> tuple[str, C
     return stepper.solver, go
 
 
-def collected(run: Run, solver: str, why: str, began: float, follow: Sensitivities | None) -> Result:
+def collected(
+    run: Run,
+    solver: str,
+    why: str,
+    began: float,
+    follow: Sensitivities | None = None,
+    along: Callable[[Result], dict[str, Array]] | None = None,
+) -> Result:
     """Return what a run has recorded, its start at least, with figures on how it went."""
     closed, settings = run.closed, run.settings
     if not run.segments:
@@ -198,5 +208,6 @@ def collected(run: Run, solver: str, why: str, began: float, follow: Sensitiviti
     limiting = partial(limiting_state, run)
     between = partial(DenseOutput, run.legs, solver, settings.tolerance)
     return Result(
-        closed, run.segments, run.events, stats, run.initial, notes, followed, limiting, between, energy_book
+        closed, run.segments, run.events, stats, run.initial, notes, along or (lambda _: followed), limiting,
+        between, energy_book,
     )

@@ -176,7 +176,7 @@ def against_compiling(closed: BoundDAE, settings: Settings) -> str:
 
 def _against(closed: BoundDAE, tolerance: Tolerance, followed: bool) -> str:
     """Say what only CVODES and IDAS can do."""
-    if followed:
+    if followed and not closed.dae.hybrid:
         return "sensitivities are followed"
     if closed.courses:
         return f"input '{next(iter(closed.courses))}' is a Polynomial"
