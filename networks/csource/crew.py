@@ -119,7 +119,7 @@ class CrewProgram:
         return int(self.library.ensemble_size(4))
 
     def blank(self, members: int, outputs: Array, crossings: bool = False) -> Told:
-        """Return what is told of members that have not begun, of their `crossings`, too, if that is wanted."""
+        """Return what is told of members that have not begun; of their `crossings`, too, if wanted."""
         return Told.blank(members, outputs, self.width, self.lanes, crossings)
 
     def run(

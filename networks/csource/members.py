@@ -101,9 +101,7 @@ class Told:
     crossings: list[Array] | None = None
 
     @classmethod
-    def blank(
-        cls, members: int, outputs: Array, signals: int, lanes: int, crossings: bool = False
-    ) -> Told:
+    def blank(cls, members: int, outputs: Array, signals: int, lanes: int, crossings: bool = False) -> Told:
         """Return what is told of members that have not begun."""
         status, steps, rejected = np.zeros((3, members), dtype=np.int64)
         values = np.full((members, len(outputs), signals), np.nan)

@@ -22,13 +22,13 @@ from ...base import (
 from ..csource.members import Members, Told
 from ..dae import DAE
 from ..given import dae_of
-from ..simulation.progress import Progress
-from ..simulation.settings import ATOL, RTOL, Settings
 from ..lanes.asked import Asked
 from ..lanes.signals import Inputs
 from ..lanes.starts import Starts
 from ..lanes.table import Columns, check_no_options, columns_of, member_count
 from ..lanes.table import spread as spread_out
+from ..simulation.progress import Progress
+from ..simulation.settings import ATOL, RTOL, Settings
 from ..sweeps.design import Design
 from .blocks import spread
 from .result import Ensemble, ensemble_of

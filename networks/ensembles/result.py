@@ -11,8 +11,8 @@ import numpy as np
 
 from ...base import Array, Ints, ModelError, UnknownNameError, nearest, number, shown
 from ...base.html import page, table_of_texts
-from ..csource.native import event_of
 from ..csource.members import Status, Told
+from ..csource.native import event_of
 from ..dae import DAE
 from ..lanes.asked import Asked
 from ..lanes.table import Columns, spread

@@ -13,8 +13,8 @@ import casadi as ca
 import numpy as np
 
 from ...base import Array
-from .jacobians import Points, Slopes
 from ..flattening.vectors import pick
+from .jacobians import Points, Slopes
 
 if TYPE_CHECKING:
     from ..dae import DAE

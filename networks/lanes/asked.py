@@ -1,4 +1,4 @@
-"""What is asked of members: the program they share, what differs between them, and how those go that it cannot start."""
+"""What is asked of members: the program they share, what differs, and how those go that it cannot start."""
 
 from __future__ import annotations
 

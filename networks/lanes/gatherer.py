@@ -20,7 +20,7 @@ Done = TypeVar("Done")
 
 
 class Gatherer:
-    """Lets works go on one at a time, each to where it asks for a run, and runs those that are alike together.
+    """Lets works go on one at a time, each to where it asks for a run, and runs like ones together.
 
     A work is a function that may ask for runs by `simulate`. It is called once, in a thread of its own while
     others are under way; never do two go on at the same instant. First works are called one after another,

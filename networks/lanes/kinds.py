@@ -124,7 +124,9 @@ class Kind:
         """How many such runs go at once: a few for each lane, fewer where they are long or large."""
         width = self._program.width if self._program is not None else 1
         soon = int(BLOCK_SECONDS * self.runs / max(self.spent, 1e-9))
-        return min(BLOCK, max(LEAST_BLOCK, soon), MOST_VALUES // (width * len(self.like.settings.outputs)) or 1)
+        return min(
+            BLOCK, max(LEAST_BLOCK, soon), MOST_VALUES // (width * len(self.like.settings.outputs)) or 1
+        )
 
     def _write(self, asked: RunAsked) -> None:
         """Write the program, and see whether it is kept."""
@@ -155,7 +157,9 @@ class Kind:
         starts = {name: np.array([float(run.start[name]) for run in runs]) for name in self.like.starts}
         parameters = np.array([dae.parameters.values(run.parameters) for run in runs])
         signals = (*_unknowns(dae), *self._wanted)
-        return Asked(dae, self.like.settings, signals, len(runs), parameters, Starts(dae, starts), Inputs(inputs))
+        return Asked(
+            dae, self.like.settings, signals, len(runs), parameters, Starts(dae, starts), Inputs(inputs)
+        )
 
     def results(self, runs: Sequence[RunAsked]) -> list[Result | None]:
         """Return what came of runs side by side; None for those that have to go alone."""

@@ -32,7 +32,9 @@ if TYPE_CHECKING:
     from ..csource.native_program import NativeProgram
 
 CACHED_BINDINGS, CACHED_LEGS = 4, 64  # bindings of a DAE, and legs, that are kept
-BINDING_THREAD: ContextVar[int] = ContextVar("BINDING_THREAD", default=0)  # for which it goes on, if not itself
+BINDING_THREAD: ContextVar[int] = ContextVar(
+    "BINDING_THREAD", default=0
+)  # for which it goes on, if not itself
 _LEGS: dict[tuple[Any, ...], list[Leg]] = {}  # where equations hold signals as given
 
 

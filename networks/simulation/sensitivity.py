@@ -1,4 +1,4 @@
-"""Forward sensitivities: how states depend on parameters, beside CVODES or IDAS or along a run by any solver."""
+"""Forward sensitivities: how states depend on parameters, beside CVODES and IDAS or along any run."""
 
 from __future__ import annotations
 
@@ -68,8 +68,8 @@ def check_followed(dae: DAE, names: Iterable[str]) -> None:
         raise ModelError("sensitivities cannot be computed:", told)
     if dae.impulses.numel():
         raise ModelError(
-            f"'{dae.name}' has shocks, through which sensitivities are not followed; compare runs instead, or "
-            "use compliant stops"
+            f"'{dae.name}' has shocks, through which sensitivities are not followed; compare runs instead, "
+            "or use compliant stops"
         )
 
 

@@ -73,9 +73,9 @@ def simulate(
         solver: "auto", "cvodes", "idas", "rosenbrock", or "compiled" (in C, needs a compiler). "auto" is
             "compiled" where that pays, as where runs are many or long, and can be; "idas" otherwise where
             algebraic unknowns are left, "cvodes" where not. `stats` of the result tell which, and why.
-        sensitivities: parameters whose forward sensitivities are wanted. CVODES and IDAS follow those of smooth
-            networks; along other runs they are computed from point to point and over events when they are
-            asked for, as exactly as the points resolve what happens between them.
+        sensitivities: parameters whose forward sensitivities are wanted. CVODES and IDAS follow those of
+            smooth networks; along other runs they are computed from point to point and over events when
+            they are asked for, as exactly as the points resolve what happens between them.
         progress: show progress; by default on runs that last over a second on a terminal.
         max_steps: steps of the integrator after which the run is given up; no limit if not given. Solver
             "compiled" also gives up where events between two outputs are 20 times their share of it.
@@ -208,6 +208,14 @@ def collected(
     limiting = partial(limiting_state, run)
     between = partial(DenseOutput, run.legs, solver, settings.tolerance)
     return Result(
-        closed, run.segments, run.events, stats, run.initial, notes, along or (lambda _: followed), limiting,
-        between, energy_book,
+        closed,
+        run.segments,
+        run.events,
+        stats,
+        run.initial,
+        notes,
+        along or (lambda _: followed),
+        limiting,
+        between,
+        energy_book,
     )

