@@ -18,6 +18,7 @@ import pypi
 import smooth_pfi
 import sweep
 import tmdi
+import unasked
 
 BENCHMARKS = {
     "smooth_pfi": smooth_pfi.main,
@@ -28,6 +29,7 @@ BENCHMARKS = {
     "tmdi": tmdi.main,
     "layouts": layouts.main,
     "sweep": sweep.main,
+    "unasked": unasked.main,
 }
 
 

@@ -5,6 +5,7 @@ imports, and a small network of another kind run before.
 """
 
 import json
+import resource
 import sys
 from itertools import pairwise
 from time import perf_counter, process_time
@@ -36,6 +37,12 @@ def assemble(n: int) -> Network:
     return net
 
 
+def memory() -> float:
+    """Return the most memory that this process has had [GiB]."""
+    most = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss
+    return most / (2**30 if sys.platform == "darwin" else 2**20)
+
+
 def main() -> None:
     n = int(sys.argv[1])
     warm_up()
@@ -49,7 +56,8 @@ def main() -> None:
     marks.append(perf_counter())
     cpu, wall = process_time() - cpu, marks[-1] - marks[0]
     stages = [b - a for a, b in pairwise(marks)]
-    print(json.dumps({"wall": wall, "cpu": cpu, "stages": stages, "value": value}))
+    told = {"wall": wall, "cpu": cpu, "stages": stages, "memory": memory(), "value": value}
+    print(json.dumps(told | {"solver": run.stats["solver"], "steps": run.stats["steps"]}))
 
 
 if __name__ == "__main__":

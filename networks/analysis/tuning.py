@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+from functools import partial
 from typing import Any
 
 import numpy as np
@@ -13,6 +14,7 @@ from ...base.checks import check_keywords
 from ...base.html import page, table_of_texts
 from ..dae import DAE
 from ..given import dae_of
+from ..lanes.gatherer import Gatherer
 from ..network import Network
 from .descent import BOUND_MARGIN, Bounds, TuningProblem, check_names
 from .measures import NO_VALUE, Measure, measured
@@ -192,5 +194,6 @@ def scatter(
     shift = norm.ppf(norm.cdf(-3) + unit * (norm.cdf(3) - norm.cdf(-3)))
     scattered = np.array([given[name] for name in spread]) * (1 + shift * np.array(list(spread.values())))
     designs = [parameters | dict(zip(spread, row, strict=True)) for row in scattered.tolist()]
-    nominal, *values = (float(measured(measure, dae, design)) for design in (parameters, *designs))
+    works = [partial(measured, measure, dae, design) for design in (parameters, *designs)]
+    nominal, *values = map(float, Gatherer(len(works)).results(works))
     return Scatter(nominal, np.array(values))

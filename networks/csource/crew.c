@@ -7,7 +7,8 @@
 
 /* Sizes of what the caller makes room for, and how many lanes there are. */
 EXPORT size_t ensemble_size(int kind) {
-    return (const size_t[]){sizeof(Crew), sizeof(Block), sizeof(Record), sizeof(Legs), LANES, MESSAGE}[kind];
+    return (const size_t[]){sizeof(Crew), sizeof(Block), sizeof(Record), sizeof(Legs),
+                            LANES,        MESSAGE,       CROSSING}[kind];
 }
 
 #define EACH_LANE(k, lanes)         \

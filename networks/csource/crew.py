@@ -36,6 +36,7 @@ WIDE = ("wide.h", "wide_core.h", "wide_linear.c", "wide_step.c", "wide_watch.c")
 WIDE_FUNCTIONS = ("model_inputs", "model_motion", "model_slope", "model_watch", "model_variables")
 FLAGS = ("-DCORE_RECORDS", "-O2", "-ffp-contract=fast")
 EVENT_ROOM, MESSAGE_ROOM = 4096, 64
+CROSSING_ROOM, LANE_CROSSINGS = 1024, 64  # of all until a pause, and beyond that for each lane
 ALIGNMENT = 128  # bytes, of the widest vectors or more
 FIRST_ROUNDS, PATIENCE = 64, 0.05  # rounds and seconds [s] until the C program looks up from its work
 DOUBLES, INTEGERS = POINTER(c_double), POINTER(c_longlong)
@@ -56,9 +57,11 @@ class _Block(Structure):
         + [("messages", POINTER(c_char)), ("message_members", INTEGERS)]
         + [(name, DOUBLES) for name in ("event_times", "impulses")]
         + [(name, INTEGERS) for name in ("event_members", "changes", "stays")]
+        + [("crossings", DOUBLES)]
         + [(name, c_longlong) for name in ("output_count", "member_count", "entered", "event_count")]
-        + [(name, c_longlong) for name in ("event_room", "message_count", "message_room", "most_between")]
-        + [(name, c_longlong) for name in ("budget", "rounds", "tried")]
+        + [(name, c_longlong) for name in ("event_room", "message_count", "message_room")]
+        + [(name, c_longlong) for name in ("crossing_count", "crossing_room", "crossing_most")]
+        + [(name, c_longlong) for name in ("most_between", "budget", "rounds", "tried")]
     )  # fmt: skip
 
 
@@ -80,28 +83,44 @@ class CrewProgram:
     free: Sequence[tuple[str, int]]
     changes: int
 
+    @property
+    def goes_wide(self) -> bool:
+        """Whether members may go side by side: GCC leaves vectors unaligned on Windows."""
+        return self.wide is not None and sys.platform != "win32"
+
+    @cached_property
+    def best(self) -> Library:
+        """The program with vectors, for the very processor it runs on.
+
+        Raises:
+            ToolchainError: if there is no C compiler.
+        """
+        return self._wide_library("-march=native", f"-DPROCESSOR={_processor()}")
+
+    def _wide_library(self, *more: str) -> Library:
+        texts, flags = self.wide or ({}, ())
+        return Library({**texts, **self.texts}, (*FLAGS, *flags, *more))
+
     @cached_property
     def library(self) -> Any:
-        """The compiled program: with vectors, and for the very processor it runs on, if the compiler can."""
-        native = "-march=native", f"-DPROCESSOR={_processor()}"
-        if self.wide is not None and sys.platform != "win32":  # GCC leaves vectors unaligned there
-            texts, flags = self.wide
-            for more in (native, ()):
+        """The compiled program: the best one that the compiler can make."""
+        if self.goes_wide:
+            for make in (lambda: self.best, self._wide_library):
                 with suppress(ToolchainError):
-                    return Library({**texts, **self.texts}, (*FLAGS, *flags, *more)).load(_loaded)
+                    return make().load(_loaded)
         return Library(self.texts, FLAGS).load(_loaded)
 
     def __getstate__(self) -> dict[str, Any]:
-        return {name: value for name, value in vars(self).items() if name != "library"}
+        return {name: value for name, value in vars(self).items() if name not in ("library", "best")}
 
     @property
     def lanes(self) -> int:
         """How many members go side by side."""
         return int(self.library.ensemble_size(4))
 
-    def blank(self, members: int, outputs: Array) -> Told:
-        """Return what is told of members that have not begun."""
-        return Told.blank(members, outputs, self.width, self.lanes)
+    def blank(self, members: int, outputs: Array, crossings: bool = False) -> Told:
+        """Return what is told of members that have not begun; of their `crossings`, too, if wanted."""
+        return Told.blank(members, outputs, self.width, self.lanes, crossings)
 
     def run(
         self,
@@ -171,6 +190,8 @@ class _Room:
             "message_members": np.empty(self._message_room, np.int64),
             **{name: np.empty(events, np.int64) for name in ("event_members", "changes", "stays")},
         }  # fmt: skip
+        if told.crossings is not None:
+            doubles["crossings"] = np.empty((CROSSING_ROOM + LANE_CROSSINGS * program.lanes, int(size(6))))
         if members.found:
             doubles |= dict(zip(("points", "constants"), members.found, strict=True))
         self._arrays = {name: np.ascontiguousarray(a, dtype=float) for name, a in doubles.items()}
@@ -200,6 +221,8 @@ class _Room:
             member_count=self._count,
             event_room=EVENT_ROOM,
             message_room=MESSAGE_ROOM,
+            crossing_room=CROSSING_ROOM,
+            crossing_most=len(self._arrays.get("crossings", ())),
             most_between=MOST_BETWEEN,
             **{name: _pointer(array) for name, array in self._arrays.items()},
         )
@@ -212,7 +235,9 @@ class _Room:
         for k, member in enumerate(self._arrays["message_members"][: block.message_count].tolist()):
             text = texts[k * length : (k + 1) * length].partition(b"\0")[0]
             told.messages[member] = text.decode(errors="replace")
-        block.event_count = block.message_count = 0
+        if told.crossings is not None:
+            told.crossings.append(self._arrays["crossings"][: block.crossing_count].copy())
+        block.event_count = block.message_count = block.crossing_count = 0
         told.rounds, told.tried = block.rounds, block.tried
 
 

@@ -15,6 +15,8 @@
 #define EXPORT __attribute__((visibility("default")))
 #endif
 
+#define CROSSING (3 + NQ + NW) /* member, whether a segment begins, instant, constants, what is asked for */
+
 enum { WAITING, ARRIVED, UNSTARTED, STUCK, FAILED }; /* what came of a member */
 
 /* Shared with crew.py, field by field. Arrays of events and messages are drained by whoever calls, when a
@@ -35,7 +37,9 @@ typedef struct {
     long long *message_members;
     double *event_times, *impulses;
     long long *event_members, *changes, *stays;
+    double *crossings; /* rows of CROSSING numbers: where members begin, before and after events; or absent */
     long long output_count, member_count, entered, event_count, event_room, message_count, message_room;
+    long long crossing_count, crossing_room, crossing_most; /* it pauses with so many; there is no room for more */
     long long most_between; /* steps from one output to the next */
     long long budget, rounds, tried; /* how often lanes may step together, and did; steps of theirs */
 } Block;
@@ -49,6 +53,8 @@ typedef struct {
     Record record[ROOM(NU)];
     long long member, next, counted; /* next output; steps when the last one was written */
     int ahead; /* the lane knows more than the core */
+    double crossed; /* instant of the last crossing that is written down */
+    int lost; /* there was no room for one */
 } Lane;
 
 typedef struct {

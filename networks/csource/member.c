@@ -16,6 +16,25 @@ void member_writes(Lane *lane, double t, const double y[]) {
     core_evaluate(&lane->core, model_variables, t, y, &(Call){.res = {row}});
 }
 
+/* Write down where a member stands before an event, or where a segment begins. */
+static void crosses(Lane *lane, int begins) {
+    Block *block = lane->block;
+    Core *c = &lane->core;
+    if (!block->crossings || (!begins && c->t == lane->crossed)) return;
+    lane->crossed = c->t;
+    if (block->crossing_count >= block->crossing_most) {
+        lane->lost = 1;
+        return;
+    }
+    double *row = block->crossings + block->crossing_count++ * CROSSING;
+    row[0] = (double)lane->member;
+    row[1] = begins;
+    row[2] = c->t;
+    memcpy(row + 3, c->q, NQ * sizeof *row);
+    core_evaluate(c, model_variables, c->t, c->y, &(Call){.res = {row + 3 + NQ}});
+    if (block->crossing_count >= block->crossing_room) block->budget = 0;
+}
+
 static int stepped(void *context, Core *c, double until) {
     Lane *lane = context;
     const Block *block = lane->block;
@@ -34,7 +53,9 @@ static int stepped(void *context, Core *c, double until) {
 static void landed(void *context, Core *c, int after, int switched) {
     Lane *lane = context;
     const Block *block = lane->block;
+    if (!after) crosses(lane, 0);
     if (!after || !switched || core_rates(c, 0) != CORE_OK) return;
+    crosses(lane, 1);
     if (lane->next > 0 && block->outputs[lane->next - 1] == c->t) lane->next--;
     if (lane->next < block->output_count && block->outputs[lane->next] <= c->t)
         member_writes(lane, c->t, c->y);
@@ -99,8 +120,12 @@ static CoreStatus depart(Lane *lane) {
     lane->travel =
         (Travel){.stop = block->stop, .rtol = block->rtol, .atol = block->atol, .told = &lane->told};
     lane->next = lane->counted = 0;
+    lane->crossed = -INFINITY;
+    lane->lost = 0;
     CoreStatus status = core_depart(c, &lane->travel);
-    if (status == CORE_OK) member_writes(lane, c->t, c->y);
+    if (status != CORE_OK) return status;
+    crosses(lane, 1);
+    member_writes(lane, c->t, c->y);
     return status;
 }
 
@@ -131,6 +156,7 @@ void member_ends(Lane *lane, CoreStatus status) {
     block->steps[member] = c->steps;
     block->rejected[member] = c->rejected;
     block->status[member] = status == CORE_OK ? ARRIVED : status == CORE_DISCARD ? STUCK : FAILED;
+    if (status == CORE_OK && lane->lost) block->status[member] = UNSTARTED;
     if (status == CORE_OK) return;
     memcpy(block->messages + block->message_count * MESSAGE, c->message, MESSAGE);
     block->message_members[block->message_count++] = member;

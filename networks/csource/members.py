@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from enum import IntEnum
 
 import numpy as np
@@ -84,6 +84,8 @@ class Told:
         rounds: how often they stepped together; tried: their steps, at most `lanes` a round.
         messages: why members failed.
         events: rows of member, instant, change, whether it stays, impulse, those of a member in their order.
+        crossings: rows of member, whether a segment begins, instant, constants, signals: where members begin,
+            and before and after what happens on their way; None if that is not wanted.
     """
 
     values: Array
@@ -96,13 +98,15 @@ class Told:
     tried: int = 0
     messages: dict[int, str] = field(default_factory=dict)
     events: list[Array] = field(default_factory=list)
+    crossings: list[Array] | None = None
 
     @classmethod
-    def blank(cls, members: int, outputs: Array, signals: int, lanes: int) -> Told:
+    def blank(cls, members: int, outputs: Array, signals: int, lanes: int, crossings: bool = False) -> Told:
         """Return what is told of members that have not begun."""
         status, steps, rejected = np.zeros((3, members), dtype=np.int64)
         values = np.full((members, len(outputs), signals), np.nan)
-        return cls(values, np.full(members, outputs[0]), status, steps, rejected, lanes)
+        told = cls(values, np.full(members, outputs[0]), status, steps, rejected, lanes)
+        return replace(told, crossings=[]) if crossings else told
 
     def take_over(self, places: Integers | range, other: Told) -> None:
         """Take over what is told of the members at those places."""
@@ -112,5 +116,6 @@ class Told:
         self.tried += other.tried
         self.messages |= {int(places[k]): text for k, text in other.messages.items()}
         of_member = np.asarray(places)
-        for rows in other.events:
-            self.events.append(np.column_stack([of_member[rows[:, 0].astype(int)], rows[:, 1:]]))
+        for own, rows in ((self.events, other.events), (self.crossings, other.crossings)):
+            if own is not None:
+                own += [np.column_stack([of_member[r[:, 0].astype(int)], r[:, 1:]]) for r in rows or ()]

@@ -5,14 +5,12 @@ from __future__ import annotations
 import pickle
 import time
 from collections.abc import Callable, Iterator
-from dataclasses import dataclass
 from functools import lru_cache
 from math import ceil
 from typing import Any
 
-from ...base import Array
-from ..csource.crew import CrewProgram
 from ..csource.members import Members, Status, Told
+from ..lanes.task import Task
 from ..sweeps.pool import Point, Pool
 from ..sweeps.work import Row
 
@@ -20,42 +18,27 @@ BLOCK_LANES = 8  # members of a block, a lane
 MOST_VALUES = 2_000_000  # of a block, which travel back
 
 
-@dataclass(frozen=True, eq=False)
-class Task:
-    """What is done with members."""
+def spread(
+    task: Task, members: Members, told: Told, executor: Any, workers: int | None, at: Callable[[int], None]
+) -> None:
+    """Run members in blocks by an executor, as a sweep does its points; `at` hears how many are done."""
+    done, pool = 0, Pool(executor, workers, pickle.dumps(task), work_on_blocks)
+    for row in pool.rows(_blocks(task, members)):
+        places = range(int(row.key), int(row.key) + len(row.values["members"]))
+        if row.error:
+            told.messages |= dict.fromkeys(places, row.error)
+            told.status[places] = Status.FAILED
+        else:
+            told.take_over(places, row.results["told"])
+        done += len(places)
+        at(done)
 
-    program: CrewProgram
-    outputs: Array
-    tolerance: tuple[float, float]
 
-    def blank(self, members: int) -> Told:
-        """Return what is told of members that have not begun."""
-        return self.program.blank(members, self.outputs)
-
-    def run(self, members: Members, told: Told, at: Callable[[int], None] = lambda _: None) -> None:
-        """Run members in this process."""
-        self.program.run(members, self.outputs, self.tolerance, told, at)
-
-    def spread(
-        self, members: Members, told: Told, executor: Any, workers: int | None, at: Callable[[int], None]
-    ) -> None:
-        """Run members in blocks by an executor, as a sweep does its points; `at` hears how many are done."""
-        done, pool = 0, Pool(executor, workers, pickle.dumps(self), work_on_blocks)
-        for row in pool.rows(self._blocks(members)):
-            places = range(int(row.key), int(row.key) + len(row.values["members"]))
-            if row.error:
-                told.messages |= dict.fromkeys(places, row.error)
-                told.status[places] = Status.FAILED
-            else:
-                told.take_over(places, row.results["told"])
-            done += len(places)
-            at(done)
-
-    def _blocks(self, members: Members) -> Iterator[Point]:
-        each = max(1, len(self.outputs) * self.program.width)
-        size = max(1, min(BLOCK_LANES * self.program.lanes, ceil(MOST_VALUES / each)))
-        for first in range(0, len(members), size):
-            yield str(first), {"members": members.some(slice(first, first + size))}
+def _blocks(task: Task, members: Members) -> Iterator[Point]:
+    each = max(1, len(task.outputs) * task.program.width)
+    size = max(1, min(BLOCK_LANES * task.program.lanes, ceil(MOST_VALUES / each)))
+    for first in range(0, len(members), size):
+        yield str(first), {"members": members.some(slice(first, first + size))}
 
 
 @lru_cache(maxsize=4)

@@ -19,12 +19,19 @@ from ...base import (
     optional,
     whole,
 )
+from ..csource.members import Members, Told
 from ..dae import DAE
 from ..given import dae_of
+from ..lanes.asked import Asked
+from ..lanes.signals import Inputs
+from ..lanes.starts import Starts
+from ..lanes.table import Columns, check_no_options, columns_of, member_count
+from ..lanes.table import spread as spread_out
 from ..simulation.progress import Progress
 from ..simulation.settings import ATOL, RTOL, Settings
-from .asked import asked_of
-from .result import Ensemble
+from ..sweeps.design import Design
+from .blocks import spread
+from .result import Ensemble, ensemble_of
 
 if TYPE_CHECKING:
     from ..network import Network
@@ -108,18 +115,46 @@ def ensemble(
     for name in names:
         dae.expression(name)
     with interruptible():
-        asked = asked_of(dae, settings, names, parameters, starts, inputs)
+        asked, varied = _asked(dae, settings, names, parameters, starts, inputs)
         members, told = asked.members(), asked.task.blank(asked.count)
     show = Progress(dae.name, 0, asked.count, progress, "members")
+
+    def so_far() -> Ensemble:
+        return ensemble_of(asked, varied, told, clock.perf_counter() - began)
+
+    def go(members: Members, told: Told) -> None:
+        if executor is None and workers == 0:
+            with interruptible():
+                asked.task.run(members, told, bar.at)
+        else:
+            spread(asked.task, members, told, executor, workers, bar.at)
+
     try:
         with show as bar:
-            asked.run(members, told, executor, workers, bar)
+            asked.run(members, told, go)
     except KeyboardInterrupt:
-        so_far = asked.result(told, clock.perf_counter() - began)
-        text = f"'{dae.name}': interrupted: {so_far.done} of {asked.count} members are done"
-        raise RunInterruptedError(f"{text}, and in the error's `result`", so_far) from None
-    found = asked.result(told, clock.perf_counter() - began)
+        kept = so_far()
+        text = f"'{dae.name}': interrupted: {kept.done} of {asked.count} members are done"
+        raise RunInterruptedError(f"{text}, and in the error's `result`", kept) from None
+    found = so_far()
     if len(found.errors) == asked.count:
         first = next(iter(found.errors.values()))
         raise SimulationError(f"none of {asked.count} members could be run; the first: {first}", found)
     return found
+
+
+def _asked(
+    dae: DAE, settings: Settings, signals: tuple[str, ...], parameters: Any, starts: Any, inputs: Any
+) -> tuple[Asked, Design | Columns]:
+    """Check what is given for members, and gather it; return with it what is varied."""
+    design = parameters if isinstance(parameters, Design) else None
+    if design is not None:
+        parameters = dict(zip(design.names, zip(*design.points, strict=True), strict=True))
+    changed, begun, fed = columns_of("parameters", parameters), columns_of("starts", starts), Inputs(inputs)
+    check_no_options(dae, changed)
+    lengths = {f"parameters '{name}'": len(values) for name, values in changed.items()}
+    lengths |= {f"starts '{name}'": len(values) for name, values in begun.items()}
+    count = member_count(lengths | fed.lengths)
+    rows = dae.parameters.rows(spread_out(changed, count), count)
+    asked = Asked(dae, settings, signals, count, rows, Starts(dae, spread_out(begun, count)), fed)
+    return asked, design or changed

@@ -11,14 +11,19 @@ import numpy as np
 
 from ...base import Array, Ints, ModelError, UnknownNameError, nearest, number, shown
 from ...base.html import page, table_of_texts
+from ..csource.members import Status, Told
 from ..csource.native import event_of
 from ..dae import DAE
+from ..lanes.asked import Asked
+from ..lanes.table import Columns, spread
 from ..results.recorded import Recorded
+from ..simulation.blame import with_remedies
 from ..simulation.events.switcher import Event
 from ..sweeps.design import Design
 from ..sweeps.sweep import Sweep
 from .measures import swept
-from .table import Columns, spread
+
+UNFINISHED = "not done when the ensemble was interrupted"
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -136,3 +141,27 @@ class Ensemble:
             for name, value in self.stats.items()
         ]
         return page(self.dae.name, self._told(), table_of_texts(("", ""), rows))
+
+
+def ensemble_of(asked: Asked, varied: Design | Columns, told: Told, seconds: float) -> Ensemble:
+    """Return what came of members so far."""
+    dae, open_ = asked.dae, np.flatnonzero(told.status == Status.WAITING).tolist()
+    failed = {member: _failure(dae, member, text) for member, text in told.messages.items()}
+    errors = dict(sorted({**dict.fromkeys(open_, UNFINISHED), **failed}.items()))
+    stats = {
+        "members": asked.count,
+        "failed": len(errors),
+        "lanes": told.lanes,
+        "lane efficiency": told.tried / max(1, told.rounds * told.lanes),
+        "steps": int(told.steps.sum()),
+        "rejected": int(told.rejected.sum()),
+        "seconds": seconds,
+    }
+    events = np.concatenate([np.zeros((0, 5)), *told.events])
+    events = events[np.argsort(events[:, 0], kind="stable")]
+    return Ensemble(dae, asked.settings.outputs, asked.signals, told.values, errors, stats, events, varied)
+
+
+def _failure(dae: DAE, member: int, text: str) -> str:
+    named = f"'{dae.name}': "
+    return f"{named}member {member}: {with_remedies(dae, text.removeprefix(named))}"

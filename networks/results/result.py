@@ -92,7 +92,7 @@ class Result(OverTime):
     _figures: dict[str, Any]
     initial: StartReport
     notes: list[str]
-    _sensitivities: dict[str, Array]
+    _followed: Callable[[Result], dict[str, Array]]
     _limiting: Callable[[], str]
     _dense_output: Callable[[Points], DenseOutput]
     _bookkeeping: Callable[[Result, DenseOutput], EnergyBook]
@@ -132,6 +132,11 @@ class Result(OverTime):
                 found = self.closed.signal(name)(*self.points.arguments)[0].ravel()
             self._signals[name] = found
         return self._signals[name]
+
+    @property
+    def asked_for(self) -> frozenset[str]:
+        """Names of the signals that were computed so far."""
+        return frozenset(self._signals)
 
     def _state(self, name: str) -> Array | None:
         """Return what was recorded, if a name stands for a state."""
@@ -185,6 +190,10 @@ class Result(OverTime):
     @cached_property
     def _follow_again(self) -> DenseOutput:
         return self._dense_output(self.points)
+
+    @cached_property
+    def _sensitivities(self) -> dict[str, Array]:
+        return self._followed(self)
 
     def sensitivity(self, name: str, parameter: str) -> Array:
         """Return d(signal)/d(parameter) along a run asked for with `sensitivities=`.

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from contextvars import ContextVar
 from functools import cache, cached_property, partial
 from hashlib import sha256
 from itertools import accumulate, pairwise, starmap
@@ -31,6 +32,9 @@ if TYPE_CHECKING:
     from ..csource.native_program import NativeProgram
 
 CACHED_BINDINGS, CACHED_LEGS = 4, 64  # bindings of a DAE, and legs, that are kept
+BINDING_THREAD: ContextVar[int] = ContextVar(
+    "BINDING_THREAD", default=0
+)  # for which it goes on, if not itself
 _LEGS: dict[tuple[Any, ...], list[Leg]] = {}  # where equations hold signals as given
 
 
@@ -206,7 +210,7 @@ def bound(dae: DAE, inputs: Mapping[str, Any]) -> BoundDAE:
         ModelError: for unknown inputs and for inputs without a signal.
     """
     chosen = chosen_signals(dae, named("inputs", inputs))
-    known, key = dae.bindings, (get_ident(), SignalKey(chosen))
+    known, key = dae.bindings, (BINDING_THREAD.get() or get_ident(), SignalKey(chosen))
     binding = known[key] = known.pop(key, None) or BoundDAE(dae, chosen)
     if len(known) > CACHED_BINDINGS:
         del known[next(iter(known))]

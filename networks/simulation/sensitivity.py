@@ -1,35 +1,36 @@
-"""Forward sensitivities of smooth runs: how states depend on parameters."""
+"""Forward sensitivities: how states depend on parameters, beside CVODES and IDAS or along any run."""
 
 from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from typing import TYPE_CHECKING
 
 import casadi as ca
 import numpy as np
 
-from ...base import Array, Ints, ModelError, nearest
+from ...base import Array, Ints, ModelError, SimulationError, nearest
+from ..dae import DAE
+from ..evaluation.jacobians import Slopes
+from ..evaluation.linearised import held, linearised
+from ..evaluation.saltation import SaltationMatrices
+from ..flattening.vectors import pick
 from .bound_dae import BoundDAE
 from .initialization import StartValues
 from .integrator import Stepper
 from .point import Point
 
+if TYPE_CHECKING:
+    from ..results.result import Result
+
 
 class Sensitivities:
-    """d(states)/d(parameters) along a run, from the start values that follow from fixed ones."""
+    """d(states)/d(parameters) along a smooth run by CVODES or IDAS, which go beside it.
+
+    They begin with the start values that follow from fixed ones.
+    """
 
     def __init__(self, closed: BoundDAE, names: tuple[str, ...], point: Point, wanted: StartValues) -> None:
-        dae = closed.dae
-        table = dae.parameters
-        unknown = [n for n in names if n not in table.index]
-        if unknown:
-            told = [f"there is no parameter '{n}'{nearest(n, table.index)}" for n in unknown]
-            raise ModelError("sensitivities cannot be computed:", told)
-        if dae.hybrid:
-            raise ModelError(
-                f"'{dae.name}' switches modes; forward sensitivities are for smooth networks "
-                "(use the regularised friction elements)"
-            )
-        self.names = names
-        self._of_q = np.zeros((len(point.q), len(names)))
-        self._of_q[[table.index[n] for n in names], range(len(names))] = 1.0
+        self.names, self._of_q = names, slopes_of_constants(closed.dae, point, names)
         self._slopes: list[Array] = [start_slopes(closed, point, wanted, self._of_q)]
 
     def advance(
@@ -53,6 +54,54 @@ class Sensitivities:
             return {}
         stacked = np.array(self._slopes[:points])
         return {name: stacked[:, :, k] for k, name in enumerate(self.names)}
+
+
+def check_followed(dae: DAE, names: Iterable[str]) -> None:
+    """Refuse sensitivities that cannot be computed.
+
+    Raises:
+        ModelError: for unknown parameters, and for networks with shocks.
+    """
+    table = dae.parameters
+    told = [f"there is no parameter '{n}'{nearest(n, table.index)}" for n in names if n not in table.index]
+    if told:
+        raise ModelError("sensitivities cannot be computed:", told)
+    if dae.impulses.numel():
+        raise ModelError(
+            f"'{dae.name}' has shocks, through which sensitivities are not followed; compare runs instead, "
+            "or use compliant stops"
+        )
+
+
+def slopes_of_constants(dae: DAE, point: Point, names: Sequence[str]) -> Array:
+    """Return the slopes of what is constant in a segment in some parameters."""
+    of_q = np.zeros((len(point.q), len(names)))
+    of_q[[dae.parameters.index[n] for n in names], range(len(names))] = 1.0
+    return of_q
+
+
+def sensitivities_along(result: Result, names: Sequence[str], wanted: StartValues) -> dict[str, Array]:
+    """Return d(states)/d(parameter) at the points of a run by any solver, events included, (points, states).
+
+    From point to point by state-transition matrices, and over events by saltation matrices.
+
+    Raises:
+        SimulationError: where a prescribed motion jumps, or slopes are beyond what can be followed.
+    """
+    dae = result.dae
+    for event in result.events:
+        if event.mode not in dae.switching.mode_names:
+            raise SimulationError(
+                f"'{dae.name}': {event.component} jumps at t = {event.time:.9g} s, and sensitivities are not "
+                "followed through its shock; give a ramp instead of the jump, or exact=False"
+            )
+    columns = pick(dae.p, [dae.parameters.index[name] for name in names])
+    line = linearised(result, Slopes(dae, dae.ode, columns), SaltationMatrices(dae, columns), pushed=False)
+    first = result.segments[0]
+    point = Point(*first.point(0))
+    moved = start_slopes(result.closed, point, wanted, slopes_of_constants(dae, point, names))
+    states = line.steps.carry(held(dae, first, moved), line.steps.own)
+    return {name: states[:, :, k] for k, name in enumerate(names)}
 
 
 def start_slopes(closed: BoundDAE, point: Point, wanted: StartValues, of_q: Array) -> Array:

@@ -13,7 +13,7 @@ from typing import Any, Never
 
 import numpy as np
 
-from ...base import ModelError, SimulationError, check_keywords, heed, interruptible, listed, named
+from ...base import Array, SimulationError, check_keywords, heed, interruptible, listed, named
 from ...components.language import Component
 from ..dae import DAE
 from ..given import dae_of
@@ -28,13 +28,13 @@ from .initialization import StartValues, start_values
 from .progress import Progress
 from .resolution import resolution_notes
 from .run import Run, ending_in_results, limiting_state
-from .sensitivity import Sensitivities
+from .run_asked import RUNS, RunAsked
+from .sensitivity import Sensitivities, check_followed, sensitivities_along
 from .settings import ATOL, RTOL, Settings
 from .smooth import run_smooth, smooth_stepper
 from .solver_choice import Choice, chosen
 
 
-@interruptible()
 def simulate(
     network: Component | DAE,
     stop: float,
@@ -73,7 +73,9 @@ def simulate(
         solver: "auto", "cvodes", "idas", "rosenbrock", or "compiled" (in C, needs a compiler). "auto" is
             "compiled" where that pays, as where runs are many or long, and can be; "idas" otherwise where
             algebraic unknowns are left, "cvodes" where not. `stats` of the result tell which, and why.
-        sensitivities: parameters whose forward sensitivities are wanted (smooth networks).
+        sensitivities: parameters whose forward sensitivities are wanted. CVODES and IDAS follow those of
+            smooth networks; along other runs they are computed from point to point and over events when
+            they are asked for, as exactly as the points resolve what happens between them.
         progress: show progress; by default on runs that last over a second on a terminal.
         max_steps: steps of the integrator after which the run is given up; no limit if not given. Solver
             "compiled" also gives up where events between two outputs are 20 times their share of it.
@@ -90,20 +92,36 @@ def simulate(
     """
     check_keywords("simulate()", unknown, simulate)
     settings = Settings(begin, stop, step, rtol, atol, solver, progress, max_steps, max_step)
-    began, dae = clock.perf_counter(), dae_of(network)
-    followed = listed("sensitivities", sensitivities)
-    closed = bound(dae, named("inputs", inputs))
-    check_covered(dae.name, closed.signals, begin, stop)
-    q = closed.blank(dae.parameters.values(dict(named("parameters", parameters))))
-    wanted = start_values(dae, named("start", start), named("guess", guess))
+    asked = RunAsked(
+        dae_of(network),
+        settings,
+        named("start", start),
+        named("guess", guess),
+        named("inputs", inputs),
+        dict(named("parameters", parameters)),
+        listed("sensitivities", sensitivities),
+    )
+    runs = RUNS.get() or run_alone
+    return runs(asked)
+
+
+@interruptible()
+def run_alone(asked: RunAsked) -> Result:
+    """Return the result of a run that is asked for; see `simulate`."""
+    settings, dae, began = asked.settings, asked.dae, clock.perf_counter()
+    closed = bound(dae, asked.inputs)
+    check_covered(dae.name, closed.signals, settings.begin, settings.stop)
+    check_followed(dae, asked.sensitivities)
+    q = closed.blank(dae.parameters.values(asked.parameters))
+    wanted = start_values(dae, asked.start, asked.guess)
 
     def run_by(choice: Choice) -> Result:
         run = started(closed, settings, q, wanted)
-        run.legs = closed.legs(q, begin, stop)
-        return _finished(run, choice, wanted, followed, began)
+        run.legs = closed.legs(q, settings.begin, settings.stop)
+        return _finished(run, choice, wanted, asked.sensitivities, began)
 
-    choice = chosen(closed, settings, bool(followed))
-    if choice.account is None or not choice.compiled or max_steps is not None:
+    choice = chosen(closed, settings, bool(asked.sensitivities))
+    if choice.account is None or not choice.compiled or settings.max_steps is not None:
         return run_by(choice)
     try:
         return run_by(choice)
@@ -118,13 +136,13 @@ def _finished(
 ) -> Result:
     """Go from the start of a run to its end; return what it computed."""
     closed, settings = run.closed, run.settings
-    follow = None
-    if sensitivities:
-        if choice.compiled:
-            raise ModelError("solver 'compiled' does not follow sensitivities; use 'auto'")
+    follow = along = None
+    if sensitivities and (choice.compiled or closed.dae.hybrid):
+        along = partial(sensitivities_along, names=sensitivities, wanted=wanted)
+    elif sensitivities:
         follow = Sensitivities(closed, sensitivities, run.point, wanted)
     solver, go = _way(run, choice, follow)
-    result = partial(collected, run, solver, choice.why, began, follow)
+    result = partial(collected, run, solver, choice.why, began, follow, along)
     show = Progress(closed.dae.name, settings.begin, settings.stop, settings.progress)
     with show as progress, ending_in_results(run, result), _counted(run, choice):
         go(progress)
@@ -158,7 +176,14 @@ def _way(run: Run, choice: Choice, follow: Sensitivities | None) -> tuple[str, C
     return stepper.solver, go
 
 
-def collected(run: Run, solver: str, why: str, began: float, follow: Sensitivities | None) -> Result:
+def collected(
+    run: Run,
+    solver: str,
+    why: str,
+    began: float,
+    follow: Sensitivities | None = None,
+    along: Callable[[Result], dict[str, Array]] | None = None,
+) -> Result:
     """Return what a run has recorded, its start at least, with figures on how it went."""
     closed, settings = run.closed, run.settings
     if not run.segments:
@@ -183,5 +208,14 @@ def collected(run: Run, solver: str, why: str, began: float, follow: Sensitiviti
     limiting = partial(limiting_state, run)
     between = partial(DenseOutput, run.legs, solver, settings.tolerance)
     return Result(
-        closed, run.segments, run.events, stats, run.initial, notes, followed, limiting, between, energy_book
+        closed,
+        run.segments,
+        run.events,
+        stats,
+        run.initial,
+        notes,
+        along or (lambda _: followed),
+        limiting,
+        between,
+        energy_book,
     )

@@ -156,14 +156,27 @@ def chosen(closed: BoundDAE, settings: Settings, followed: bool) -> Choice:
         compiled, why = account.load(closed, f"runs of {foreseen} samples are foreseen")
     else:
         compiled, why = account.told(closed)
-    if compiled and closed.dae.hybrid and not foreseen:
-        tolerance = tolerance.times(HYBRID_SHARE)
+    if compiled:
+        tolerance = compiled_tolerance(closed.dae, settings)
     return Choice(compiled, why, tolerance, account)
+
+
+def compiled_tolerance(dae: DAE, settings: Settings) -> Tolerance:
+    """Return to what tolerance a run goes if it goes compiled."""
+    closer = settings.solver == "auto" and dae.hybrid and not _FORESEEN.get(dae.flat, 0)
+    return settings.tolerance.times(HYBRID_SHARE) if closer else settings.tolerance
+
+
+def against_compiling(closed: BoundDAE, settings: Settings) -> str:
+    """Say what speaks against compiling a run that follows no sensitivities; nothing if it was asked for."""
+    if settings.solver == "compiled":
+        return ""
+    return _against(closed, settings.tolerance, followed=False) or _account(closed).against
 
 
 def _against(closed: BoundDAE, tolerance: Tolerance, followed: bool) -> str:
     """Say what only CVODES and IDAS can do."""
-    if followed:
+    if followed and not closed.dae.hybrid:
         return "sensitivities are followed"
     if closed.courses:
         return f"input '{next(iter(closed.courses))}' is a Polynomial"

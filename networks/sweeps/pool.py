@@ -46,7 +46,7 @@ class Pool:
         self.workers = workers or _processors()
         self.blob, self.work, self.own = blob, done, executor is None
         self.executor: Executor = executor or Processes(self.workers)
-        self.width = 2 * (self.workers if self.own else _width(executor))
+        self.width = 2 * processes_of(None if self.own else executor, workers)
         self.pending: dict[Future[list[Row]], list[Point]] = {}
         self.suspects: deque[tuple[Point, int]] = deque()
         self.size = 1
@@ -67,7 +67,8 @@ class Pool:
     def _computed(self, left: list[Point]) -> Iterator[Row]:
         while left or self.pending or self.suspects:
             while left and not self.suspects and len(self.pending) < self.width:
-                self._submit([left.pop() for _ in range(min(self.size, len(left)))])
+                size = min(self.size, -(-2 * len(left) // self.width))
+                self._submit([left.pop() for _ in range(size)])
             _load_tables()
             if self.suspects and not self.pending:
                 yield from self._alone(*self.suspects.popleft())
@@ -92,7 +93,8 @@ class Pool:
                 broken = True
             else:
                 seconds = sum(row.seconds for row in rows) / len(rows)
-                self.size = max(1, min(MOST_POINTS, int(TASK_SECONDS / max(seconds, 1e-6))))
+                size = min(MOST_POINTS, int(TASK_SECONDS / max(seconds, 1e-6)))
+                self.size = max(1, size, *(row.at_once for row in rows))
                 yield from rows
         if broken:
             self._renew()
@@ -146,7 +148,10 @@ def _processors() -> int:
     return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
 
 
-def _width(executor: Any) -> int:
-    client = getattr(executor, "_client", None)
-    threads = sum(client.nthreads().values()) if client is not None else 0
+def processes_of(executor: Any, workers: int | None) -> int:
+    """Return how many points are computed at the same time, by an executor or by processes of one's own."""
+    if executor is None:
+        return workers or _processors()
+    client = getattr(executor, "_client", executor)
+    threads = sum(client.nthreads().values()) if hasattr(client, "nthreads") else 0
     return threads or getattr(executor, "_max_workers", None) or _processors()

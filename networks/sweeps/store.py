@@ -19,6 +19,7 @@ if TYPE_CHECKING:
     import pandas as pd
 
 FOLDING_SECONDS = 30.0
+KEPT = ("key", "values", "results", "error", "seconds")
 
 
 @contextmanager
@@ -58,7 +59,8 @@ class Store:
         self.rows[row.key] = row
         if self.path is None:
             return
-        line = json.dumps({"mark": self.mark, "row": asdict(row)})
+        kept = {name: value for name, value in asdict(row).items() if name in KEPT}
+        line = json.dumps({"mark": self.mark, "row": kept})
         try:
             if self._journal is None:
                 self._journal = self.journal.open("a", encoding="utf-8")

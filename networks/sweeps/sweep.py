@@ -4,16 +4,19 @@ from __future__ import annotations
 
 import inspect
 import json
+from collections import Counter
 from collections.abc import Callable, Generator, Iterable, Mapping
 from contextlib import closing
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from hashlib import sha256
+from math import ceil
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from ...base import ModelError, SimulationError, boolean, demand, nearest, optional, path_of, whole
 from ...base.html import more, page, table_of_texts
 from ..dae import DAE
+from ..lanes.gatherer import Gatherer
 from ..simulation.progress import Progress
 from .design import Design, grid
 from .store import Store, opened
@@ -43,11 +46,13 @@ class Sweep:
         table: a row for each point that was done, in their order: parameters, results, `error` (empty if all
             went well) and `seconds`; its index counts the points of the design.
         resumed: how many of them were in the file already.
+        runs: how runs of the others went, and how many: side by side in lanes, or why alone.
     """
 
     design: Design
     table: pd.DataFrame
     resumed: int
+    runs: Mapping[str, int] = field(default_factory=dict)
 
     @property
     def failed(self) -> pd.DataFrame:
@@ -133,7 +138,7 @@ def sweep(
         for key in asked.keys() & store.rows.keys():
             store.rows[key] = replace(store.rows[key], values=asked[key])
         points = {key: v for key, v in asked.items() if key not in store.rows}
-        rows = _rows(model, Work(measure, dae), points, executor, workers)
+        rows = _rows(model, Work(measure, dae, Gatherer(len(points))), points, executor, workers)
         return _gathered(design, keys, store, rows, Progress(title, 0, len(points), progress, "points"))
 
 
@@ -144,12 +149,14 @@ def _gathered(design: Design, keys: list[str], store: Store, rows: Generator[Row
     def done() -> Sweep:
         there = [n for n, key in enumerate(keys) if key in store.rows]
         table = store.table(keys[n] for n in there).set_axis(there, axis=0).rename_axis("point")
-        return Sweep(design, table, resumed)
+        return Sweep(design, table, resumed, dict(runs.most_common()))
 
+    runs = Counter[str]()
     try:
         with show as bar, closing(rows):
             for count, row in enumerate(rows, start=1):
                 store.add(row)
+                runs.update(row.runs)
                 bar.at(count)
     except KeyboardInterrupt:
         so_far = done()
@@ -173,13 +180,14 @@ def _rows(
     if not points:
         return
     if workers == 0 and executor is None:
-        yield from (here.row(key, values) for key, values in points.items())
+        yield from here.rows([*points.items()])
         return
-    from .pool import Pool
+    from .pool import Pool, processes_of
 
-    blob = packed(model, here.measure)
+    expected = ceil(len(points) / processes_of(executor, workers))
+    blob = packed(model, here.measure, expected)
     if executor is None:
-        bequeath(blob, here)
+        bequeath(blob, replace(here, gatherer=Gatherer(expected)))
     yield from Pool(executor, workers, blob).rows(points.items())
 
 

@@ -4,13 +4,16 @@ from __future__ import annotations
 
 import pickle
 import time
-from collections.abc import Callable
-from dataclasses import dataclass
+from collections import Counter
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, field, replace
+from functools import partial
 from pathlib import Path
 from typing import Any
 
 from ...base import InertanceError, ModelError
 from ..dae import DAE
+from ..lanes.gatherer import Gatherer
 from ..model_file import UserCodeError, load_model
 from ..network import Network
 
@@ -22,13 +25,20 @@ _ASSEMBLED: dict[bytes, Work] = {}
 
 @dataclass(frozen=True)
 class Row:
-    """What came of a point, the values of parameters: results, or an error; `key` says which point."""
+    """What came of a point, the values of parameters: results, or an error; `key` says which point.
+
+    Attributes:
+        at_once: how many points whoever computed it would take at once.
+        runs: how runs of its block went, and how many: side by side, or why alone.
+    """
 
     key: str
     values: Values
     results: dict[str, Any]
     error: str
     seconds: float
+    at_once: int = 1
+    runs: Mapping[str, int] = field(default_factory=dict)
 
 
 @dataclass(frozen=True)
@@ -37,6 +47,20 @@ class Work:
 
     measure: Callable[..., Any]
     dae: DAE | None
+    gatherer: Gatherer
+
+    def rows(self, points: Sequence[tuple[str, Values]]) -> Iterator[Row]:
+        """Yield what comes of points; those whose runs go side by side share the time that takes."""
+        began = time.perf_counter()
+        for block in self.gatherer.blocks([partial(self.row, *point) for point in points]):
+            now = time.perf_counter()
+            runs, self.gatherer.told = dict(self.gatherer.told), Counter()
+            for row in block:
+                yield replace(
+                    row, seconds=(now - began) / len(block), at_once=self.gatherer.at_once, runs=runs
+                )
+                runs = {}
+            began = time.perf_counter()
 
     def row(self, key: str, values: Values) -> Row:
         started = time.perf_counter()
@@ -50,8 +74,12 @@ class Work:
         return Row(key, values, results, error, time.perf_counter() - started)
 
 
-def packed(model: Model, measure: Callable[..., Any]) -> bytes:
-    """Return model and measure as bytes for other processes; a ModelError says that they cannot be sent."""
+def packed(model: Model, measure: Callable[..., Any], expected: int) -> bytes:
+    """Return model and measure as bytes for other processes, each of which gets as many points as `expected`.
+
+    Raises:
+        ModelError: if they cannot be sent.
+    """
     try:
         import cloudpickle as pickler  # type: ignore[import-not-found, import-untyped, unused-ignore]
     except ImportError:
@@ -60,7 +88,7 @@ def packed(model: Model, measure: Callable[..., Any]) -> bytes:
         file, _, function = model.rpartition(":")
         model = f"{Path(file).resolve()}:{function}"
     try:
-        return bytes(pickler.dumps((model, measure)))
+        return bytes(pickler.dumps((model, measure, expected)))
     except Exception as error:
         raise ModelError(
             f"model and measure cannot be sent to other processes ({error}); define functions at the top "
@@ -77,9 +105,9 @@ def bequeath(blob: bytes, work: Work) -> None:
 def work(blob: bytes, points: list[tuple[str, Values]]) -> list[Row]:
     """Return what comes of some points; runs in another process."""
     if blob not in _ASSEMBLED:
-        model, measure = pickle.loads(blob)
-        bequeath(blob, Work(measure, equations(model)))
-    return [_ASSEMBLED[blob].row(key, values) for key, values in points]
+        model, measure, expected = pickle.loads(blob)
+        bequeath(blob, Work(measure, equations(model), Gatherer(expected)))
+    return [*_ASSEMBLED[blob].rows(points)]
 
 
 def equations(model: Model) -> DAE | None:

@@ -3,12 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
 from typing import Any
 
 import casadi as ca
 import numpy as np
-from numpy.typing import NDArray
 
 from ...base import (
     Array,
@@ -27,14 +25,14 @@ from ...base import (
 from ..dae import DAE
 from ..evaluation.compiled import Batch, dense
 from ..evaluation.jacobians import Slopes
+from ..evaluation.linearised import Line, held, linearised
+from ..evaluation.saltation import SaltationMatrices
 from ..flattening.vectors import pick
-from ..results.result import Result, Segment
+from ..results.result import Result
 from ..simulation.events.switcher import Point
 from ..simulation.initialization import start_values
 from ..simulation.sensitivity import start_slopes
 from .forced import Forced
-from .saltation import SaltationMatrices, passages
-from .transition_matrices import Steps, steps_along
 
 
 class Variations:
@@ -91,7 +89,7 @@ class Variations:
         self._values = Batch(ca.Function("values", dae.arguments(), dense(ca.vertcat(*wanted))))
         self._slopes = Slopes(dae, ca.vertcat(dae.ode, *wanted), columns)
         self._saltation = SaltationMatrices(dae, columns)
-        self._line: _Line | None = None
+        self._line: Line | None = None
 
     def values(self, result: Result, at: Any) -> Array:
         """Return the signals themselves at some of the points of a run, (points, signals)."""
@@ -121,7 +119,7 @@ class Variations:
         line = self._linearised(result, pushed=False)
         added = np.zeros((len(line.steps.own), nx, count + nx))
         added[:, :, :count] = line.steps.own
-        slopes = line.to_x[:, nx:] @ line.steps.carry(self._held(result.segments[0], moved), added)
+        slopes = line.to_x[:, nx:] @ line.steps.carry(held(self.dae, result.segments[0], moved), added)
         slopes[:, :, :count] += line.to_p[:, nx:]
         return slopes
 
@@ -231,21 +229,11 @@ class Variations:
         of_q[[place[name] for name in self.parameters], range(len(self.parameters))] = 1.0
         return start_slopes(result.closed, point, start_values(self.dae, start, {}), of_q)
 
-    def _linearised(self, result: Result, pushed: bool = True) -> _Line:
+    def _linearised(self, result: Result, pushed: bool = True) -> Line:
         """Return the slopes along a run, also in what is `pushed`; those of the last run are kept."""
         if self._line is None or self._line.result is not result or (pushed and not self._line.pushed):
             self._check_jumps(result)
-            points = result.points
-            to_x, to_p, to_u = self._slopes(points)
-            steps = steps_along(points, self._slopes, to_x, to_p, pushed)
-            passed = dict(passages(result))
-            edges = np.cumsum([len(segment) for segment in result.segments])[:-1] - 1
-            switched, by_u = edges[[*passed]], np.zeros((0, 0, 0))
-            if passed:
-                parts = np.cumsum([to_x.shape[2], to_p.shape[2]])
-                by_x, by_p, by_u = np.split(self._saltation(result.closed, [*passed.values()]), parts, axis=2)
-                steps.map[switched], steps.own[switched], steps.weight[switched] = by_x, by_p, 0.0
-            self._line = _Line(result, to_x, to_p, to_u, steps, edges, switched, by_u, pushed)
+            self._line = linearised(result, self._slopes, self._saltation, pushed)
         return self._line
 
     def _check_jumps(self, result: Result) -> None:
@@ -258,17 +246,7 @@ class Variations:
                     "compare runs"
                 )
 
-    def _held(self, segment: Segment, moved: Array) -> Array:
-        """Take out changes of what the modes hold at the start, such as the speed of what sticks."""
-        modes, start = segment.q[self.dae.p.numel() :], segment.point(0)[1]
-        for change in self.dae.switching.changes:
-            if modes[change.mode] == change.target:
-                held = {reset[0] for reset in change.resets}
-                rows = [row for row, root in enumerate(self.dae.states) if root in held and start[row] == 0.0]
-                moved[rows] = 0.0
-        return moved
-
-    def _pushes(self, line: _Line, changes: Mapping[str, Array]) -> tuple[list[int], Array]:
+    def _pushes(self, line: Line, changes: Mapping[str, Array]) -> tuple[list[int], Array]:
         """Return the rows of u that changes of inputs change, and by how much, (points, rows, columns)."""
         rows = [i for i, declared in enumerate(self.dae.inputs) if declared.path in changes]
         columns = []
@@ -278,24 +256,6 @@ class Variations:
                 change = _differentiated(change, line.result.time, line.edges + 1)
             columns.append(declared.sign * change)
         return rows, np.stack(columns, axis=1)
-
-
-@dataclass(frozen=True, eq=False)
-class _Line:
-    """A run with the slopes along it; `edges` are the last points of its segments but the last.
-
-    Those of them at which modes switch are `switched`; if it is `pushed`, more than parameters is to change.
-    """
-
-    result: Result
-    to_x: Array
-    to_p: Array
-    to_u: Array
-    steps: Steps
-    edges: NDArray[np.intp]
-    switched: NDArray[np.intp]
-    crossed_by_u: Array
-    pushed: bool
 
 
 def _differentiated(values: Array, time: Array, edges: Any) -> Array:

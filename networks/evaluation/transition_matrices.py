@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 
 from ...base import Array, SimulationError
-from ..evaluation.jacobians import Points, Slopes
+from .jacobians import Points, Slopes
 
 MOST_PARTS = 32
 UNEVENNESS = 0.01  # of slopes over an interval, times its length, from which it is cut into parts

@@ -13,12 +13,12 @@ import casadi as ca
 import numpy as np
 
 from ...base import Array
-from ..evaluation.jacobians import Points, Slopes
 from ..flattening.vectors import pick
-from ..results.result import Result
+from .jacobians import Points, Slopes
 
 if TYPE_CHECKING:
     from ..dae import DAE
+    from ..results.result import Result
     from ..simulation.bound_dae import BoundDAE
 
 GRAZING_RATE = 1e-9

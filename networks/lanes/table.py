@@ -10,7 +10,6 @@ import numpy as np
 from ...base import Array, ModelError, named, shown
 from ...components.language import Option, Sampled
 from ..dae import DAE
-from ..sweeps.design import Design
 
 Columns = dict[str, Array]
 
@@ -20,11 +19,9 @@ def columns_of(what: str, given: Any) -> Columns:
 
     Args:
         what: the argument, for errors.
-        given: a mapping, a table of pandas, or a `Design`.
+        given: a mapping, or a table of pandas.
     """
-    if isinstance(given, Design):
-        given = dict(zip(given.names, zip(*given.points, strict=True), strict=True))
-    elif hasattr(given, "columns") and hasattr(given, "to_numpy"):
+    if hasattr(given, "columns") and hasattr(given, "to_numpy"):
         given = {str(name): given[name].to_numpy() for name in given.columns}
     return {name: _column(f"{what} '{name}'", values) for name, values in named(what, given).items()}
 

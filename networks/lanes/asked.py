@@ -1,7 +1,8 @@
-"""What is asked of an ensemble, and how its members go: together here, in blocks elsewhere, as they start."""
+"""What is asked of members: the program they share, what differs, and how those go that it cannot start."""
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import Any
@@ -14,34 +15,27 @@ from ..csource.crew import CrewProgram, crew_program
 from ..csource.members import Integers, Members, Signals, Status, Told
 from ..dae import DAE
 from ..flattening.flat import Flat
-from ..simulation.blame import with_remedies
 from ..simulation.bound_dae import BoundDAE
 from ..simulation.input_signals import SignalKey
 from ..simulation.legs import Leg
-from ..simulation.progress import Progress
-from ..simulation.settings import Settings
+from ..simulation.settings import Settings, Tolerance
 from ..simulation.starting import Start
-from ..sweeps.design import Design
-from .blocks import Task
-from .result import Ensemble
 from .signals import Inputs, closed_with, data_of, formulas_of, legs_of
 from .starts import Starts
-from .table import Columns, check_no_options, columns_of, member_count, spread
+from .task import Task
 
 _PROGRAMS: WeakKeyDictionary[Flat, dict[Any, CrewProgram]] = WeakKeyDictionary()
-UNFINISHED = "not done when the ensemble was interrupted"
 MOST_PROGRAMS = 8  # of one network that are kept
 
 
 @dataclass(eq=False)
 class Asked:
-    """What is asked of an ensemble."""
+    """What is asked of members."""
 
     dae: DAE
     settings: Settings
     signals: tuple[str, ...]
     count: int
-    varied: Design | Columns
     parameters: Array
     starts: Starts
     inputs: Inputs
@@ -75,9 +69,18 @@ class Asked:
 
     @cached_property
     def task(self) -> Task:
-        """What is done with members."""
-        settings = self.settings
-        return Task(self.program, settings.outputs, (settings.rtol, settings.atol))
+        """What is done with members, to the tolerance that is asked for."""
+        return self.task_to(self.settings.tolerance)
+
+    def task_to(self, tolerance: Tolerance) -> Task:
+        """Return what is done with members, to some tolerance."""
+        return Task(self.program, self.settings.outputs, (tolerance.rtol, tolerance.atol))
+
+    @cached_property
+    def signs(self) -> Array:
+        """By which signals that are named after unknowns differ from them."""
+        dae = self.dae
+        return np.array([dae.root(dae.name_of(v))[1] for v in (*dae.states, *dae.algebraic)])
 
     def members(self) -> Members:
         """Return what differs between members."""
@@ -95,15 +98,12 @@ class Asked:
         self.starts.fill(guesses, aims, self.start.aims if self.start else [])
         return Members(self.parameters, guesses, aims, signals, legs, self.chosen, of_member)
 
-    def run(self, members: Members, told: Told, executor: Any, workers: int | None, bar: Progress) -> None:
-        """Run all members."""
+    def run(self, members: Members, told: Told, go: Callable[[Members, Told], None]) -> None:
+        """Run all members; `go` runs those that the program may start."""
         if self.start is None:
             told.status[:] = Status.UNSTARTED
-        elif executor is None and workers == 0:
-            with interruptible():
-                self.task.run(members, told, bar.at)
         else:
-            self.task.spread(members, told, executor, workers, bar.at)
+            go(members, told)
         unstarted = np.flatnonzero(told.status == Status.UNSTARTED)
         if len(unstarted):
             with interruptible():
@@ -125,44 +125,6 @@ class Asked:
             return
         there = np.array([*found], dtype=np.int64)
         points, constants = map(np.array, zip(*found.values(), strict=True))
-        again = self.task.blank(len(found))
+        again = self.task.blank(len(found), told.crossings is not None)
         self.task.run(replace(members.some(there), found=(points, constants)), again)
         told.take_over(there, again)
-
-    def result(self, told: Told, seconds: float) -> Ensemble:
-        """Return what came of members so far."""
-        open_ = np.flatnonzero(told.status == Status.WAITING).tolist()
-        failed = {member: self._told(member, text) for member, text in told.messages.items()}
-        errors = dict(sorted({**dict.fromkeys(open_, UNFINISHED), **failed}.items()))
-        stats = {
-            "members": self.count,
-            "failed": len(errors),
-            "lanes": told.lanes,
-            "lane efficiency": told.tried / max(1, told.rounds * told.lanes),
-            "steps": int(told.steps.sum()),
-            "rejected": int(told.rejected.sum()),
-            "seconds": seconds,
-        }
-        events = np.concatenate([np.zeros((0, 5)), *told.events])
-        events = events[np.argsort(events[:, 0], kind="stable")]
-        return Ensemble(
-            self.dae, self.settings.outputs, self.signals, told.values, errors, stats, events, self.varied
-        )
-
-    def _told(self, member: int, text: str) -> str:
-        named = f"'{self.dae.name}': "
-        return f"{named}member {member}: {with_remedies(self.dae, text.removeprefix(named))}"
-
-
-def asked_of(
-    dae: DAE, settings: Settings, signals: tuple[str, ...], parameters: Any, starts: Any, inputs: Any
-) -> Asked:
-    """Check what is given for members, and gather it."""
-    changed, begun, fed = columns_of("parameters", parameters), columns_of("starts", starts), Inputs(inputs)
-    check_no_options(dae, changed)
-    lengths = {f"parameters '{name}'": len(values) for name, values in changed.items()}
-    lengths |= {f"starts '{name}'": len(values) for name, values in begun.items()}
-    count = member_count(lengths | fed.lengths)
-    rows = dae.parameters.rows(spread(changed, count), count)
-    varied = parameters if isinstance(parameters, Design) else changed
-    return Asked(dae, settings, signals, count, varied, rows, Starts(dae, spread(begun, count)), fed)
