@@ -11,7 +11,7 @@ from typing import Any
 
 import numpy as np
 
-from ...base import Array, InertanceError, interruptible
+from ...base import Array, InertanceError, interruptible, is_number
 from ...components.language import Sampled
 from ..csource.crew import CrewProgram
 from ..csource.members import Members, Status, Told
@@ -163,8 +163,14 @@ class Kind:
 
     def results(self, runs: Sequence[RunAsked]) -> list[Result | None]:
         """Return what came of runs side by side; None for those that have to go alone."""
-        if len(runs) < FEWEST:
-            return [None] * len(runs)
+        found: list[Result | None] = [None] * len(runs)
+        sound = [place for place, run in enumerate(runs) if _is_sound(run)]
+        if len(sound) >= FEWEST:
+            for place, result in zip(sound, self._together([runs[k] for k in sound]), strict=True):
+                found[place] = result
+        return found
+
+    def _together(self, runs: Sequence[RunAsked]) -> list[Result | None]:
         began = clock.perf_counter()
         tolerance = compiled_tolerance(self.like.dae, self.like.settings)
         try:
@@ -215,6 +221,15 @@ class Kind:
                 )
             )
         return found
+
+
+def _is_sound(asked: RunAsked) -> bool:
+    """Tell whether the numbers of a run are such as a run can have; if not, it says so by itself."""
+    try:
+        asked.dae.parameters.values(asked.parameters)
+    except InertanceError:
+        return False
+    return all(is_number(value) for value in asked.start.values())
 
 
 def _unknowns(dae: DAE) -> tuple[str, ...]:
