@@ -197,11 +197,9 @@ class Kind:
         closed = [bound(asked.dae, choice) for choice in asked.choices]
         outputs, constants, signs = asked.settings.outputs, asked.dae.constants.numel(), asked.signs
         told.values[:, :, : len(signs)] *= signs
-        for rows in told.crossings or []:
-            rows[:, 3 + constants : 3 + constants + len(signs)] *= signs
-        happened, crossed = (
-            _by_member(np.concatenate(rows), len(runs)) for rows in (told.events, told.crossings or [])
-        )
+        for crossing in told.crossings or []:
+            crossing[:, 3 + constants : 3 + constants + len(signs)] *= signs
+        happened, crossed = (_by_member(rows, len(runs)) for rows in (told.events, told.crossings or []))
         why = f"beside {len(runs) - 1} others that are like it"
         found: list[Result | None] = []
         for member, run in enumerate(runs):
@@ -237,8 +235,9 @@ def _unknowns(dae: DAE) -> tuple[str, ...]:
     return tuple(dae.name_of(v) for v in (*dae.states, *dae.algebraic))
 
 
-def _by_member(rows: Array, count: int) -> list[Array]:
+def _by_member(told: Sequence[Array], count: int) -> list[Array]:
     """Return rows that begin with the number of a member by member, in their order."""
+    rows = np.concatenate(told) if told else np.zeros((0, 1))
     order = np.argsort(rows[:, 0], kind="stable")
     rows = rows[order]
     return np.split(rows, np.searchsorted(rows[:, 0], np.arange(1, count)))
