@@ -95,9 +95,9 @@ class CrewProgram:
         Raises:
             ToolchainError: if there is no C compiler.
         """
-        return self._wide_library("-march=native", f"-DPROCESSOR={_processor()}")
+        return self._with_vectors(("-march=native", f"-DPROCESSOR={_processor()}"))
 
-    def _wide_library(self, *more: str) -> Library:
+    def _with_vectors(self, more: Sequence[str] = ()) -> Library:
         texts, flags = self.wide or ({}, ())
         return Library({**texts, **self.texts}, (*FLAGS, *flags, *more))
 
@@ -105,9 +105,10 @@ class CrewProgram:
     def library(self) -> Any:
         """The compiled program: the best one that the compiler can make."""
         if self.goes_wide:
-            for make in (lambda: self.best, self._wide_library):
-                with suppress(ToolchainError):
-                    return make().load(_loaded)
+            with suppress(ToolchainError):
+                return self.best.load(_loaded)
+            with suppress(ToolchainError):
+                return self._with_vectors().load(_loaded)
         return Library(self.texts, FLAGS).load(_loaded)
 
     def __getstate__(self) -> dict[str, Any]:

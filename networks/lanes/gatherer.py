@@ -173,14 +173,19 @@ class _Task:
 
     def _ask(self, asked: RunAsked) -> Result:
         """Wait for a run; called in the thread of the work."""
-        if self._left:
-            raise _Abandoned
+        self._check_left()
         self.asked, self.answer, self._error = asked, None, None
         self._pause.release()
         self._turn.acquire()
+        self._check_left()
+        self.asked = None
+        return self._answered()
+
+    def _check_left(self) -> None:
         if self._left:
             raise _Abandoned
-        self.asked = None
+
+    def _answered(self) -> Result:
         if self._error is not None:
             error, self._error = self._error, None
             raise error

@@ -11,7 +11,7 @@ from typing import Any
 
 import numpy as np
 
-from ...base import Array, InertanceError, interruptible
+from ...base import Array, InertanceError, interruptible, is_number
 from ...components.language import Sampled
 from ..csource.crew import CrewProgram
 from ..csource.members import Members, Status, Told
@@ -163,8 +163,14 @@ class Kind:
 
     def results(self, runs: Sequence[RunAsked]) -> list[Result | None]:
         """Return what came of runs side by side; None for those that have to go alone."""
-        if len(runs) < FEWEST:
-            return [None] * len(runs)
+        found: list[Result | None] = [None] * len(runs)
+        sound = [place for place, run in enumerate(runs) if _is_sound(run)]
+        if len(sound) >= FEWEST:
+            for place, result in zip(sound, self._together([runs[k] for k in sound]), strict=True):
+                found[place] = result
+        return found
+
+    def _together(self, runs: Sequence[RunAsked]) -> list[Result | None]:
         began = clock.perf_counter()
         tolerance = compiled_tolerance(self.like.dae, self.like.settings)
         try:
@@ -191,11 +197,9 @@ class Kind:
         closed = [bound(asked.dae, choice) for choice in asked.choices]
         outputs, constants, signs = asked.settings.outputs, asked.dae.constants.numel(), asked.signs
         told.values[:, :, : len(signs)] *= signs
-        for rows in told.crossings or []:
-            rows[:, 3 + constants : 3 + constants + len(signs)] *= signs
-        happened, crossed = (
-            _by_member(np.concatenate(rows), len(runs)) for rows in (told.events, told.crossings or [])
-        )
+        for crossing in told.crossings or []:
+            crossing[:, 3 + constants : 3 + constants + len(signs)] *= signs
+        happened, crossed = (_by_member(rows, len(runs)) for rows in (told.events, told.crossings or []))
         why = f"beside {len(runs) - 1} others that are like it"
         found: list[Result | None] = []
         for member, run in enumerate(runs):
@@ -217,13 +221,23 @@ class Kind:
         return found
 
 
+def _is_sound(asked: RunAsked) -> bool:
+    """Tell whether the numbers of a run are such as a run can have; if not, it says so by itself."""
+    try:
+        asked.dae.parameters.values(asked.parameters)
+    except InertanceError:
+        return False
+    return all(is_number(value) for value in asked.start.values())
+
+
 def _unknowns(dae: DAE) -> tuple[str, ...]:
     """Return names of the states and of the algebraic unknowns."""
     return tuple(dae.name_of(v) for v in (*dae.states, *dae.algebraic))
 
 
-def _by_member(rows: Array, count: int) -> list[Array]:
+def _by_member(told: Sequence[Array], count: int) -> list[Array]:
     """Return rows that begin with the number of a member by member, in their order."""
+    rows = np.concatenate(told) if told else np.zeros((0, 1))
     order = np.argsort(rows[:, 0], kind="stable")
     rows = rows[order]
     return np.split(rows, np.searchsorted(rows[:, 0], np.arange(1, count)))

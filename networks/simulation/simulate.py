@@ -35,6 +35,7 @@ from .smooth import run_smooth, smooth_stepper
 from .solver_choice import Choice, chosen
 
 
+@interruptible()
 def simulate(
     network: Component | DAE,
     stop: float,

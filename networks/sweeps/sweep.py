@@ -85,8 +85,9 @@ def sweep(
     """Return a measure of a network at many points.
 
     Every point gets one row: its results, or the message of its error. A process that dies is replaced and
-    its points are done again. With a `path`, rows are on the disk as they come; the same call goes on where
-    an interrupted one stopped. Ctrl-C keeps what is done.
+    its points are done again. Runs that measures ask for by `simulate` go side by side in lanes, as those of
+    an ensemble, where they are alike and that pays; `runs` of the sweep tells. With a `path`, rows are on
+    the disk as they come; the same call goes on where an interrupted one stopped. Ctrl-C keeps what is done.
 
     Args:
         model: a network; a function that returns one; "path/to/file.py:function"; or None, if the measure
