@@ -24,12 +24,14 @@ class Change:
     Attributes:
         values: parameters that were set, in SI units.
         factors: parameters that were scaled, and by what.
+        unscaled: what those are in the model.
         removed: paths of components that were taken out; what was joined at their ports stays joined.
         exchanged: components in the place of others, by path.
     """
 
     values: Mapping[str, float] = field(default_factory=dict)
     factors: Mapping[str, float] = field(default_factory=dict)
+    unscaled: Mapping[str, float] = field(default_factory=dict)
     removed: tuple[str, ...] = ()
     exchanged: Mapping[str, Component] = field(default_factory=dict)
 
@@ -55,7 +57,7 @@ class Change:
     def given(self, parameters: Mapping[str, float]) -> dict[str, float]:
         """Return parameters of the model as they were after the change."""
         left = {path: value for path, value in parameters.items() if not self.replaces(path)}
-        scaled = {path: left[path] * factor for path, factor in self.factors.items() if path in left}
+        scaled = {path: left.get(path, self.unscaled[path]) * by for path, by in self.factors.items()}
         return left | scaled | dict(self.values)
 
     def told(self, machine: Machine) -> str:
@@ -110,7 +112,8 @@ def read_change(
         return None
     given = {path: _in_si(value, changed.unit(path)) for path, value in values.items()}
     scaled = {path: float(factor) for path, factor in factors.items()}
-    return Change(given, scaled, change.removed, change.exchanged)
+    unscaled = {path: changed.parameter_values[path] for path in factors}
+    return Change(given, scaled, unscaled, change.removed, change.exchanged)
 
 
 def _component(path: str, given: Any, base: Path) -> Component:

@@ -269,7 +269,7 @@ def _unlike(one: Experiment, other: Experiment, channels: Mapping[str, Channel])
         rates = f"{one.record.rate:g} and {other.record.rate:g} Hz"
         yield f"{one.name}: repeat_of: sampled otherwise than '{other.name}' ({rates}); resample one of them"
         return
-    if one.given({}) != other.given({}) or one.change != other.change:
+    if one.values != other.values or repr(one.change) != repr(other.change):
         yield f"{one.name}: repeat_of: its values differ from those of '{other.name}'; repeats have the same"
         return
     count = min(len(one.record.time), len(other.record.time))

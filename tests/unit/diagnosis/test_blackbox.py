@@ -334,3 +334,15 @@ def test_fit_says_what_to_do_with_an_fmu_whatever_was_imported(fmus: Path, befor
     typed = CliRunner().invoke(app, ["fit", str(fmus / "campaign.toml")])
     assert typed.exit_code == 2
     assert "`inertance diagnose` fits its parameters" in " ".join(typed.output.split())
+
+
+def test_the_machine_after_a_change_of_parameters_is_predicted(cart: Any, fmus: Path) -> None:
+    heavy = cart.measured(cart.rig().with_values(carriage=ia.Mass(m=3.0)), 3)
+    entry = {"record": heavy, "initial": "rest"}
+    scaled = {**entry, "scale": {"carriage.m": 1.5}}
+    found = diagnose(campaign_on(cart, "rig2.fmu", fmus, cart.rig(), counterfactual=[scaled]))
+    (told,) = found.counterfactual
+    assert told.change == "carriage.m times 1.5"
+    assert told.over_noise == pytest.approx(1.0, abs=0.15)
+    with pytest.raises(ia.ModelError, match="is an FMU, whose components cannot be removed or exchanged"):
+        campaign_on(cart, "rig2.fmu", fmus, cart.rig(), counterfactual=[{**entry, "remove": ["guide"]}])

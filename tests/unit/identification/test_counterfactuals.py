@@ -50,11 +50,11 @@ def after(found: Fit) -> list[float]:
 
 
 def test_each_kind_of_change_is_predicted_to_the_noise() -> None:
-    heavy, soft = record(m=3.5, seed=2), record(k=0.5 * K, seed=3)
+    heavy, soft = record(m=3.5, seed=2), record(m=1.5 * M, k=0.5 * K, seed=3)
     free, other = record(d=0.0, seed=4), record(k=500.0, d=1.0, seed=5)
     given = campaign(
         {"record": heavy, "set": {"mass.m": "3500 g"}},
-        {"record": soft, "scale": {"spring.k": 0.5}},
+        {"record": soft, "scale": {"spring.k": 0.5, "mass.m": 1.5}},
         {"record": free, "remove": ["damper"]},
         {"record": other, "exchange": {"spring": ia.Spring(k=500.0)}, "set": {"damper.d": 1.0}},
     )
@@ -63,7 +63,7 @@ def test_each_kind_of_change_is_predicted_to_the_noise() -> None:
     assert after(found) == pytest.approx([1.0] * 4, abs=0.15)
     assert [c.experiment.change.told(given.machine) for c in found.comparisons if c.experiment.change] == [
         "mass.m = 3.5 kg",
-        "spring.k times 0.5",
+        "spring.k times 0.5; mass.m times 1.5",
         "without damper",
         "damper.d = 1 N.s/m; another spring: Spring(k=500.0)",
     ]
