@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
 import casadi as ca
@@ -56,7 +56,7 @@ class Sensitivities:
         return {name: stacked[:, :, k] for k, name in enumerate(self.names)}
 
 
-def check_followed(dae: DAE, names: Iterable[str]) -> None:
+def check_followed(dae: DAE, names: Sequence[str]) -> None:
     """Refuse sensitivities that cannot be computed.
 
     Raises:
@@ -66,7 +66,7 @@ def check_followed(dae: DAE, names: Iterable[str]) -> None:
     told = [f"there is no parameter '{n}'{nearest(n, table.index)}" for n in names if n not in table.index]
     if told:
         raise ModelError("sensitivities cannot be computed:", told)
-    if dae.impulses.numel():
+    if names and dae.impulses.numel():
         raise ModelError(
             f"'{dae.name}' has shocks, through which sensitivities are not followed; compare runs instead, "
             "or use compliant stops"
