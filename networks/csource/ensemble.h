@@ -39,8 +39,7 @@ typedef struct {
     long long *event_members, *changes, *stays;
     double *crossings; /* rows of CROSSING numbers: where members begin, before and after events; or absent */
     long long output_count, member_count, entered, event_count, event_room, message_count, message_room;
-    long long crossing_count, crossing_room,
-        crossing_most; /* it pauses with so many; there is no room for more */
+    long long crossing_count, crossing_room, crossing_most; /* pauses at room */
     long long most_between; /* steps from one output to the next */
     long long budget, rounds, tried; /* how often lanes may step together, and did; steps of theirs */
 } Block;

@@ -112,7 +112,8 @@ def run_alone(asked: RunAsked) -> Result:
     settings, dae, began = asked.settings, asked.dae, clock.perf_counter()
     closed = bound(dae, asked.inputs)
     check_covered(dae.name, closed.signals, settings.begin, settings.stop)
-    check_followed(dae, asked.sensitivities)
+    if asked.sensitivities:
+        check_followed(dae, asked.sensitivities)
     q = closed.blank(dae.parameters.values(asked.parameters))
     wanted = start_values(dae, asked.start, asked.guess)
 
