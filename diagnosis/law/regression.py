@@ -52,7 +52,7 @@ class Tallies:
                 grams.append(flat.T @ flat)
                 counts.append(run.experiment.independent / pieces)
         if not np.isfinite(grams).all():
-            raise SimulationError(f"a force at {run.bench.sites[number].path} makes the model unstable")
+            raise SimulationError(f"a force at {runs[0].bench.sites[number].path} makes the model unstable")
         return cls(np.array(grams), np.array(counts), shared)
 
     def held(self, near: Array, share: float) -> Tallies:

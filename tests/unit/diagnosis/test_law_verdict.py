@@ -109,7 +109,7 @@ def test_a_law_that_no_list_has_is_the_verdict(lawful: Verdict) -> None:
     assert lawful.closed > 0.95
     assert lawful.effects == ()
     speed = np.concatenate([motion.v for motion in law.motions])
-    v = np.linspace(*np.quantile(speed, [0.05, 0.95]), 60)
+    v = np.linspace(float(np.quantile(speed, 0.05)), float(np.quantile(speed, 0.95)), 60)
     true = odd(v) + (3.0 - lawful.parameters["link.d"]) * v
     found = law.grid.axes[0].basis(v) @ law.values
     assert np.abs(found - true).max() < 0.1 * np.ptp(true)

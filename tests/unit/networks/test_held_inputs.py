@@ -9,8 +9,8 @@ import numpy as np
 import pytest
 from inertance.fmu import FMU
 from inertance.networks import Stepwise, Variations
+from inertance.networks.evaluation.saltation import passages
 from inertance.networks.simulation.legs import legs_of
-from inertance.networks.variational.saltation import passages
 from numpy.typing import NDArray
 from scipy.linalg import expm
 
