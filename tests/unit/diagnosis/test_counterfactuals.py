@@ -39,7 +39,7 @@ class Case:
         self.runs = [{"record": rig.measured(truth, seed), "initial": "rest"} for seed in (1, 2)]
 
     def campaign(self, *changed: dict[str, Any]) -> Campaign:
-        own = {"train": self.runs[:1], "test": self.runs[1:], "noise": {"x": NOISE}}
+        own: dict[str, Any] = {"train": self.runs[:1], "test": self.runs[1:], "noise": {"x": NOISE}}
         return Campaign(self.rig.rig(), CHANNELS, KNOWN, counterfactual=changed, **own)
 
     def model(self, study: Study, kind: str, **values: float) -> Refit:
