@@ -6,7 +6,7 @@ from collections.abc import Iterable, Mapping
 from math import inf
 from typing import TYPE_CHECKING, Any, Never, Self
 
-from ..base import ModelError, check_keywords, interruptible, text
+from ..base import ModelError, check_keywords, interruptible, listed, text
 from ..components.language import Component, PortRef, parts_of
 from .simulation.settings import ATOL, RTOL
 
@@ -162,7 +162,7 @@ class Network(Component):
         from .changes import remove
 
         copy = self.clone()
-        for path in paths:
+        for path in listed("paths", paths):
             remove(copy, path)
         return copy
 
