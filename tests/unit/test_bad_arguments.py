@@ -231,7 +231,7 @@ GOOD: dict[str, Callable[[], Any]] = {
     "spectrogram.run": run, "spectrogram.window": lambda: 0.09, "order_tracking.run": turning,
     "order_tracking.name": lambda: "rotor.phi", "order_tracking.shaft": lambda: "rotor.phi",
     "Campbell.crossings.order": lambda: 1.0, "OrderSpectrum.track.order": lambda: 1.0,
-    "diagnose.campaign": lambda: "none.toml",
+    "diagnose.campaign": lambda: "none.toml", "design.campaign": lambda: "none.toml",
     "fit.campaign": lambda: "none.toml",
     "linearise.inputs": lambda: ["push.f"], "sweep.parameters": lambda: {"spring.k": [1.0, 2.0]},
     "sweep.measure": lambda: lambda dae, values: values["spring.k"], "sobol_indices.measure": lambda: "value",
