@@ -12,7 +12,7 @@ from typing import Any, Self
 
 import numpy as np
 
-from ...base import demand, function, instance, path_of, shown, text_of, there_is_file
+from ...base import boolean, demand, function, instance, path_of, shown, text_of, there_is_file
 from ...components import ModelError
 from ...networks import DAE, Network
 from ..records.noise import NoiseFloor, repeated_floor, spectral_floor
@@ -132,7 +132,7 @@ class Campaign:
     notes: list[str] = field(init=False, repr=False)
 
     def __post_init__(self) -> None:
-        demand("Campaign", reader=(self.reader, function))
+        demand("Campaign", reader=(self.reader, function), planned=(self.planned, boolean))
         self.source = str(self.source)
         problems = Problems(self.source)
         entries = {key: getattr(self, key) for key in KINDS}
