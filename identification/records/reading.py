@@ -59,7 +59,8 @@ def read_record(
         raise ModelError(f"record {path.name} cannot be used:", problems)
     values = {name: unit_for(c.unit, c.si).to_si(columns[name][rows]) for name, c in channels.items()}
     kinds = {name: channel.interpolation for name, channel in channels.items()}
-    return _even(path.name, time[rows], values, kinds, columns[temperature][rows] if temperature else None)
+    found = _even(path.name, time[rows], values, kinds, columns[temperature][rows] if temperature else None)
+    return found if window is None else replace(found, began=float(np.nanmin(time)))
 
 
 def _time(table: Table, window: tuple[float, float] | None, problems: list[str]) -> Array:

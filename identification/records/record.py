@@ -58,6 +58,7 @@ class Record:
         values: channels by name, in SI units.
         notes: what was tolerated or changed on reading.
         temperature: a channel for effects that follow it, if there is one.
+        began: the first instant of what it was cut from [s]; None if that is its own.
 
     Raises:
         ModelError: for instants that are not even, and columns of other lengths or with values that are no
@@ -69,6 +70,7 @@ class Record:
     values: dict[str, Array]
     notes: tuple[str, ...] = ()
     temperature: Array | None = field(default=None, repr=False)
+    began: float | None = field(default=None, repr=False)
     _signals: dict[tuple[str, str, float], Sampled] = field(default_factory=dict, init=False, repr=False)
 
     def __post_init__(self) -> None:
@@ -138,7 +140,8 @@ class Record:
             ModelError: if too little is left.
         """
         demand("window()", begin=(begin, finite("s")), end=(end, finite("s")))
-        return self._taken(rows_within(self.name, self.time, (begin, end)))
+        began = float(self.time[0]) if self.began is None else self.began
+        return replace(self._taken(rows_within(self.name, self.time, (begin, end))), began=began)
 
     def thinned(self, every: int) -> Self:
         """Return every so many samples as they are, noise and all."""
