@@ -15,7 +15,7 @@ NOISE_MISFIT = 1.03  # [noise] rms residual at which nothing is left to find; nu
 COLOURED_MISFIT = 1.1  # [noise] rms residual above which something is left; nulls
 MOVED_STANDARD_DEVIATIONS = 3.0  # [sd of the prior] of a parameter that has moved; theory: 0.3 % of them
 CERTAIN_RESIDUAL_SHARE = 0.5  # [1] of what was left squared that each effect takes away to be named; blind
-CERTAIN_GAP_SHARE = 0.75  # [1] of the squared gap that those named take away together; blind
+CERTAIN_GAP_SHARE = 0.9  # [1] of the squared gap above noise that those named take away together; blind
 UNSTEADY_SHARE = 0.1  # [1] of the square of what is left, that an effect takes by changing with time; blind
 EXPLAINED_GAP_SHARE = 0.95  # [1] of the gap below which what was found is not all that is missing; blind
 
@@ -46,6 +46,7 @@ FITS_UNDER_WAY = 3  # [1] at once, and before those are left out that promise mu
 HOPELESS_GAIN_RATIO = 0.4  # [1] of the best drop of chi squared kept, below which one is left out; blind
 RIVAL_DROP_RATIO = 0.7  # [1] of the best drop of the squared test residual: what may have come close; blind
 RIVALS_PER_EFFECT = 5  # [1] that are tried again beside what was found since; effort
+RIVALS_SCREENED = 6  # [1] that are tried besides, as screened beside what was found since; effort
 HIDDEN_RESIDUAL_SHARE = 0.01  # [1] of the squared test residual above which more is fitted; blind
 SERIES_START_SIZES = 0.3, 1.0, 3.0  # [screened size] of effects in series, to start from; blind
 FOUND_EFFECT_DEVIATIONS = 10.0  # [own size] by which an effect that was found may still change; effort
@@ -121,6 +122,7 @@ LEAST_COMPLIANCE = 1e-15  # [m/N or rad/(N.m)] of an effect; data
 
 # Values that no machine has: refused beyond the first, doubtful beyond the second
 RIPPLE_PERIODS_PASSED = 1.5, 3.0  # [1] fewest in the range of the site; theory: once it must come back
+LEAST_PASSES = 1.5  # [1] of a place, for friction that depends on it; theory: twice, to tell it from time
 TURNS_OF_A_SPRING = 20.0, 3.0  # [rev] most in the range of a shaft that a stiffness holds; data
 FRICTION_OVER_FORCE = 10.0, 1.0  # [largest force in model and records] of dry friction; data
 FRICTION_COEFFICIENT = 10.0, 1.0  # [1] of load-dependent friction; data: dry metal has 0.1 to 1

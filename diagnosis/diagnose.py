@@ -17,8 +17,9 @@ from ..identification import Accuracy, Campaign
 from ..networks import COARSEST, FINEST, SOLVERS
 from . import criteria
 from .effects.hypothesis import Hypothesis
+from .law.forced import screened_along
 from .models.fmu_network import read_model
-from .models.study import Report, Study, study_of, thinned
+from .models.study import FMUStudy, Report, Study, study_of, thinned
 from .search.crew import LATE
 from .search.joint_fit import JointFit
 from .search.model_comparison import (
@@ -30,10 +31,10 @@ from .search.model_comparison import (
     unexplained,
     with_residual_floors,
 )
-from .search.revision import Rivals, exchanged
-from .search.round import Round, run_round
+from .search.revision import Rivals, exchanged, without
+from .search.round import Round, go_on, run_round
 from .verdict.beyond import beyond_the_list
-from .verdict.decide import decided
+from .verdict.decide import decided, explains
 from .verdict.verdict import DiagnosisInterruptedError, Verdict
 
 
@@ -91,13 +92,13 @@ def diagnose(
     try:
         while _may_go_on(best, base, study):
             done = run_round(study, best, rounds)
-            chosen = _chosen(done, base)
+            chosen = _chosen(done, base) or _chosen_along(study, done, rounds[0], base)
             if chosen is None:
                 break
-            without = _without(chosen.effects[-1], chosen, study)
-            if without is not None and without.cost < criteria.EARLY_END_COST_RATIO * best.cost:
+            less = without(chosen.effects[-1], chosen, study)
+            if less is not None and less.cost < criteria.EARLY_END_COST_RATIO * best.cost:
                 study.tell("the fit before had ended early: once more from where this one led")
-                best, base = without, base if best.effects else without
+                best, base = less, base if best.effects else less
                 rounds.pop()
                 continue
             known = study, start, base, chosen, rounds
@@ -116,6 +117,23 @@ def diagnose(
         verdict = decided(replace(study, deadline=-inf), start, base, best, rounds, notes, rivals)
         told = "interrupted; what is known so far is the error's `verdict`"
         raise DiagnosisInterruptedError(told, verdict) from None
+
+
+def _chosen_along(study: Study, done: Round, first: Round, base: Refit) -> Refit | None:
+    """Return the best model of a round that came to nothing, gone on with along the missing force.
+
+    It is sought only where much is left, of a network.
+    """
+    model = done.base
+    if study.late() or isinstance(study, FMUStudy) or explains(model, base, study):
+        return None
+    study.tell("screening effects along the motion that the missing force makes")
+    try:
+        candidates, near = screened_along(study, model)
+    except InertanceError:
+        return None
+    go_on(study, done, candidates, near, first)
+    return _chosen(done, base)
 
 
 def _refitted(
@@ -256,7 +274,7 @@ def _pruned(best: Refit, study: Study) -> Refit:
     """Return the model without those effects that a later one has made needless, as its special cases are."""
     *earlier, last = best.effects
     for placed in earlier:
-        less = _without(placed, best, study)
+        less = without(placed, best, study)
         if less is not None and not _is_needed(placed, last, best, less):
             best = less
     return best
@@ -274,8 +292,10 @@ def _revised(best: Refit, rounds: Sequence[Round], study: Study) -> tuple[Refit,
     for _ in range(criteria.MOST_EFFECTS):
         rivals: Rivals = {}
         for placed, others in exchanged(study, best, rounds):
-            rivals[placed.label] = others
-            models = (best, *others)
+            at = best.effects.index(placed)
+            richer = [other for other in others if other.effects[at].generalises(placed)]
+            rivals[placed.label] = [other for other in others if other not in richer]
+            models = (best, *rivals[placed.label], *(o for o in richer if _worth_it(best, o)))
             better = _simplest(best_of(models), models)
             if _is_worth_exchanging(best, better):
                 best = better
@@ -289,16 +309,3 @@ def _is_worth_exchanging(model: Refit, other: Refit) -> bool:
     """Tell whether another model is clearly better, or as good for clearly less."""
     won = _price(model, other) - _price(other, other)
     return other is not model and (won > criteria.PART_CHI_SQUARED or not are_alike(model, other))
-
-
-def _without(placed: Hypothesis, model: Refit, study: Study) -> Refit | None:
-    """Return a model without one of its effects, fitted again from where it is; None if it cannot be run."""
-    others = [p for p in model.effects if p is not placed]
-    sites = study.sites
-    others = [p.beside([other for other in others if other is not p], sites) for p in others]
-    starts = [(model.parameters, p.values) for p in others[-1:]]
-    starts += [(model.parameters, p.joined(placed)) for p in others[-1:] if p.generalises(placed)]
-    try:
-        return JointFit(study, model.parameters, others, model).fitted(starts)
-    except InertanceError:
-        return None

@@ -159,6 +159,7 @@ register(
         both(f=(("f_constant", "N", -inf), ("tau_constant", "N.m", -inf))),
         _pushed,
         lambda motion, _: [-np.ones_like(motion.s)],
+        displaces=True,
     )
 )
 across(
@@ -168,4 +169,5 @@ across(
     lambda motion, _: [np.sin(motion.s), np.cos(motion.s)],
     origin=lambda site: 0.0,
     grounded=True,
+    displaces=True,
 )

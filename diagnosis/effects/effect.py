@@ -108,6 +108,7 @@ class Effect:
         ages: whether it changes as time goes on.
         origin: from where on its site the distance counts, on which its force depends: where it rests.
         grounded: whether it acts from the ground alone, as gravity does, not between two moving parts.
+        displaces: whether it acts on what stands still, so that a machine rests elsewhere than without it.
         credible: whether values are those of such an effect, and do not only bend its law into another.
         plain: a special case: its kind, and what each size is then, over its one size, or over each of them.
     """
@@ -126,6 +127,7 @@ class Effect:
     ages: bool = False
     origin: Callable[[Site], float] = field(default=lambda site: site.rest)
     grounded: bool = False
+    displaces: bool = False
     credible: Callable[[Values], bool] = field(default=lambda values: True)
     plain: tuple[str, tuple[float, ...] | tuple[tuple[float, ...], ...]] | None = None
 

@@ -56,7 +56,7 @@ class Hypothesis(SitedEffect):
     def units(self, campaign: Campaign) -> dict[str, str]:
         """Return the units of its parameters; of an effect on a channel, in that channel's."""
         si = campaign.measured[self.site.path].si if self.site.domain == "channel" else ""
-        own = {"unit": si, "unit/s": rate_unit(si)}
+        own = {"unit": si, "unit/s": rate_unit(si), "unit/s2": rate_unit(si, 2)}
         return {quantity.name: own.get(quantity.unit, quantity.unit) for quantity in self.quantities}
 
     @property

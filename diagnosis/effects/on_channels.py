@@ -84,7 +84,13 @@ def _on_channel(
 _on_channel("sensor_delay", _late, _DELAY)
 _on_channel("sensor_bias", lambda t, y, p: y + p["bias"], Quantity("bias", "unit", -inf))
 _on_channel("sensor_gain", lambda t, y, p: y * (1 + p["gain"]), Quantity("gain", "1", -inf))
-_on_channel("sensor_drift", lambda t, y, p: y + p["rate"] * t, Quantity("rate", "unit/s", -inf), ages=True)
+_on_channel(
+    "sensor_drift",
+    lambda t, y, p: y + (p["rate"] + p["bend"] * t) * t,
+    Quantity("rate", "unit/s", -inf),
+    Quantity("bend", "unit/s2", -inf),
+    ages=True,
+)
 _on_channel("actuator_delay", _late, _DELAY, drives=True)
 _on_channel("actuator_lag", _lagging, Quantity("T", "s"), drives=True)
 _on_channel("actuator_dead_zone", _dead_zone, _WIDTH, drives=True)

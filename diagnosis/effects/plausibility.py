@@ -71,6 +71,15 @@ def _ripple(placed: Hypothesis, _: Campaign) -> Iterator[_Doubt]:
     )
 
 
+def _friction_along_the_way(placed: Hypothesis, _: Campaign) -> Iterator[_Doubt]:
+    if "period" not in placed.values or not _is_dry(placed):
+        return
+    passed = 2 * placed.site.travel / placed.values["period"]
+    if passed < criteria.RIPPLE_PERIODS_PASSED[0]:
+        told = "it would be seen once along the way: that is a change with time, in a motion that never turns"
+        yield _Doubt(-placed.site.passes, (-criteria.LEAST_PASSES,) * 2, told)
+
+
 def _spring_on_a_shaft(placed: Hypothesis, _: Campaign) -> Iterator[_Doubt]:
     sizes = placed.effect.sizes(placed.site.domain)
     stiff = any(q.unit.startswith("N.m/rad") and not q.name.startswith("d") for q in sizes)
@@ -149,6 +158,7 @@ def _is_dry(placed: Hypothesis) -> bool:
 RULES: tuple[Callable[[Hypothesis, Campaign], Iterator[_Doubt]], ...] = (
     _absent,
     _ripple,
+    _friction_along_the_way,
     _spring_on_a_shaft,
     _sticking,
     _own_load,

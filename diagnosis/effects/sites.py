@@ -44,6 +44,7 @@ class Site:
         speed, travel: usual relative speed, and half the range of the distance, in it; of a channel the
             largest size of its signal.
         force: largest force through the site in it.
+        passes: how often the motion that returns most passes a place of its range: once, if it never turns.
         largest: largest force through any site of its domain in it.
         instant: whether only forces that depend on the present motion can act here.
         grounded: whether one of its flanges is held by the ground.
@@ -65,6 +66,7 @@ class Site:
     speed: float = 1.0
     force: float = 1.0
     travel: float = 1.0
+    passes: float = inf
     largest: float = inf
     instant: bool = False
     grounded: bool = False

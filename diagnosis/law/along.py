@@ -8,16 +8,14 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from ...base import Array
-from ...identification import Experiment, Prediction, RecordModel
-from ...identification.records.record import Channel
+from ...identification import Experiment, Prediction
 from ..effects.effect import Motion
 from ..effects.hypothesis import Hypothesis, driven, sensed
+from ..models.force import Force, push_of
 from ..models.probes import motion_at
 from ..models.study import NetworkPredictor, Study
 from ..search.record_start import nuisance_slopes
 from .course import Course
-
-FORCE = "missing force"  # the channel by which a force acts at a site
 
 
 @dataclass(frozen=True, eq=False)
@@ -26,18 +24,6 @@ class Begin:
 
     start: Array | None
     own: Mapping[str, float]
-
-
-@dataclass(frozen=True, eq=False)
-class Force:
-    """A force at instants of a run, straight between them."""
-
-    t: Array
-    values: Array
-
-    def at(self, t: Array) -> Array:
-        """Return it at instants."""
-        return np.interp(t, self.t, self.values)
 
 
 class Bench:
@@ -50,10 +36,6 @@ class Bench:
         self.predictor = NetworkPredictor(study.campaign, effects, self.names, self.sites)
         self.scales = np.array([study.campaign.priors[name].scale for name in self.names])
         self.centers = np.array([study.campaign.priors[name].center for name in self.names])
-
-    def path(self, number: int) -> str:
-        """Return the input of the force at a site."""
-        return f"push_{number}.u"
 
     def begin(self, experiment: Experiment, given: Mapping[str, float], known: Mapping[str, float]) -> Begin:
         """Return where a record seems to begin; states by name that are `known` to begin elsewhere, do."""
@@ -75,20 +57,9 @@ class Bench:
         slopes: bool = True,
     ) -> Beside:
         """Run a record with a force at a site."""
-        stand = self._stand(driven(experiment, self.effects), number, force)
+        stand = self.predictor.stand(driven(experiment, self.effects), number, force)
         found = stand.run({**given, **begin.own}, begin.start, self.accuracy, slopes)
         return Beside(self, experiment, given, begin, number, force, found)
-
-    def _stand(self, experiment: Experiment, number: int, force: Force | None) -> RecordModel:
-        if force is None:
-            return self.predictor.stand(experiment)
-        record, channels = experiment.record, dict(self.predictor.channels)
-        record = replace(record, values={**record.values, FORCE: force.at(record.time)})
-        channels[FORCE] = Channel(self.path(number), True, "", "", "linear")
-        plain = self.predictor
-        pushed = NetworkPredictor.__new__(NetworkPredictor)
-        pushed.__dict__.update({**plain.__dict__, "channels": channels})
-        return pushed.stand(replace(experiment, record=record))
 
 
 @dataclass(frozen=True, eq=False)
@@ -136,7 +107,7 @@ class Beside:
 
         From (points, columns) to (instants, outputs, columns).
         """
-        moved = self.bench.predictor.variations.pushed(self.found.run, {self.bench.path(number): forces})
+        moved = self.bench.predictor.variations.pushed(self.found.run, {push_of(number): forces})
         return np.asarray(moved[self.found.at] * self._weights)
 
     @property
@@ -177,7 +148,7 @@ class Beside:
     def course(self, numbers: Sequence[int], fixed: bool = False) -> Course:
         """Return the machine along the run, for forces at some of the sites."""
         found, bench = self.found, self.bench
-        line = bench.predictor.variations.forced(found.run, [bench.path(n) for n in numbers])
+        line = bench.predictor.variations.forced(found.run, [push_of(n) for n in numbers])
         columns, shared, priors = self.columns(fixed)
         points = len(self.t)
         spread = np.zeros((points, *columns.shape[1:]))

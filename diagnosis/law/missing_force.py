@@ -8,7 +8,7 @@ from typing import Any
 
 import numpy as np
 
-from ...base import Array
+from ...base import Array, computing
 from ...components import ModelError, nearest
 from ..criteria import PART_CHI_SQUARED
 from ..effects.effect import Motion
@@ -147,6 +147,7 @@ class MissingForce:
         return f"{told}; leaves {self.misfit:.3g} times the noise, {self.before:.3g} times without"
 
 
+@computing("the search for the missing force")
 def force_of(study: Study, refit: Refit, site: str | None = None) -> MissingForce:
     """Return the missing force in a study, sought from where its parameters alone lead."""
     search = Search(study, refit)

@@ -7,7 +7,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from ...base import Array
+from ...base import Array, computing
 from ...components import SimulationError
 from ..criteria import FORCE_LAW_STIFFNESS, LAW_HELD_SHARE, LAW_POLISHES, START_DROP_RATIO
 from ..effects.edits import Edit, between
@@ -64,6 +64,7 @@ class Polished:
     changing: float
 
 
+@computing("a law in free runs")
 def polished(study: Study, law: Law) -> Polished:
     """Return a law fitted to free runs of the model that has it beside the effects that it was drawn with.
 

@@ -10,9 +10,10 @@ import numpy as np
 from ...base import Array
 from ...components import ModelError, SimulationError
 from ..criteria import FORCE_HALVINGS, FORCE_PARAMETER_STEP, FORCE_RUNS, FORCE_SETTLED, FORCE_SIZE_RATIO
+from ..models.force import Force
 from ..models.study import Study
 from ..search.model_comparison import Refit
-from .along import Bench, Beside, Force
+from .along import Bench, Beside
 from .course import Roughness
 from .likeliest import likeliest
 from .smoother import filtered, smoothed
@@ -162,6 +163,24 @@ class Search:
                 break
         assert best is not None
         return best
+
+    def resized(self, found: Settled) -> Settled:
+        """Return a force of the size that it was found to have, where it could first be of any.
+
+        What is steady in it is so told from where records begin, and from sensors whose zero is unknown.
+        """
+        here, number = list(found.runs), found.number
+        courses = [beside.course([number]) for beside in here]
+        size = np.array([found.rms]) / FORCE_SIZE_RATIO
+        tried = [(filtered(courses, rough), rough) for rough in likeliest(courses, size)]
+        passed, rough = max(tried, key=lambda one: float(one[0].evidence[0]))
+        forces, errors = (
+            [Force(beside.t, part[: len(beside.t), place, 0]) for place, beside in enumerate(here)]
+            for part in smoothed(passed)
+        )
+        after = self._after(number, here, forces, passed.unknown[:, 0], courses[0].shared)
+        evidence = float(passed.evidence[0])
+        return Settled(number, after[0].given, rough, tuple(after), tuple(forces), tuple(errors), evidence)
 
     def _after(
         self, number: int, runs: Sequence[Beside], forces: Sequence[Force], unknown: Array, shared: int

@@ -8,6 +8,7 @@ from typing import Any
 
 import numpy as np
 
+from ...base import computing
 from ...components import InertanceError
 from ..criteria import LAW_CHANGING_SHARE, LAW_CLOSED_SHARE, LAW_FORESEEN_SHARE, LAW_SITES
 from ..models.study import Study
@@ -114,6 +115,7 @@ def _drawn(missing: MissingForce, found: Polished) -> Polished:
     return replace(found, law=replace(found.law, forces=tuple(forces)))
 
 
+@computing("the search for a law")
 def _best_law(
     study: Study, model: Refit, missing: MissingForce
 ) -> tuple[MissingForce, Law, dict[str, float]]:

@@ -44,6 +44,11 @@ class FMUPrediction:
     given: Mapping[str, float]
     port: Motion | None
 
+    @property
+    def reach(self) -> Array:
+        """How far states get whose start is looked for: there are none."""
+        return np.zeros(0)
+
 
 class FMUPredictor:
     """An FMU with effects at its port; slopes in parameters, also of effects, are differences of runs."""

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 from dataclasses import replace
+from math import inf
 from typing import Any
 
 import numpy as np
@@ -109,4 +110,5 @@ def scaled(site: Site, motions: Sequence[Motion], resting: int | None = 0) -> Si
     ends = min(float(m.s.min()) for m in motions), max(float(m.s.max()) for m in motions)
     usual = sum(m.distance * float(m.t[-1] - m.t[0]) for m in motions) / lasting
     rest, middle = usual if resting is None else float(motions[resting].s[0]), sum(ends) / 2
-    return replace(site, rest=rest, middle=middle, speed=speed, force=force, travel=travel)
+    passes = max(float(np.abs(np.diff(m.s)).sum() / np.ptp(m.s)) if m.travel else inf for m in motions)
+    return replace(site, rest=rest, middle=middle, speed=speed, force=force, travel=travel, passes=passes)

@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from concurrent.futures import Executor
 from copy import copy
 from dataclasses import dataclass, replace
+from functools import cached_property
 from math import inf
 from time import monotonic
 from typing import Any
@@ -24,6 +25,7 @@ from ...identification import (
     RecordModel,
     spectral_floor,
 )
+from ...identification.records.record import Channel
 from ...networks import DAE, Variations
 from ..criteria import (
     ACTIVE_POWER_SHARE,
@@ -38,6 +40,7 @@ from ..effects.hypothesis import Hypothesis, with_effects
 from ..effects.sites import Site, sites_of
 from .fmu_model import FMUModel
 from .fmu_predictor import FMUPrediction, FMUPredictor, ReplayedStand
+from .force import Force, pushed
 from .prescribed import moving
 from .probes import motion_at, probed
 
@@ -63,17 +66,22 @@ class NetworkPredictor:
         self.clocks = [name for placed in effects for name in placed.clocks]
         self.variations = Variations(self.dae, outputs, [*parameters, *self.own])
 
-    def stand(self, experiment: Experiment) -> RecordModel:
-        """Return the network on a record."""
+    def stand(
+        self, experiment: Experiment, number: int | None = None, force: Force | None = None
+    ) -> RecordModel:
+        """Return the network on a record, if it is given with a force at one of the sites."""
+        channels: Mapping[str, Channel] = self.channels
+        if number is not None and force is not None:
+            experiment, channels = pushed(experiment, channels, number, force)
         offsets = {f"{clock}.offset": -experiment.began for clock in self.clocks}
         set_back = replace(experiment, values={**experiment.values, **offsets})
         if experiment.change is None or not experiment.change.rebuilds:
-            return RecordModel(self.dae, set_back, self.channels, self.variations, self.own)
+            return RecordModel(self.dae, set_back, channels, self.variations, self.own)
         dae = self._rebuilt(experiment.change)
         outputs = [c.path for c in self.channels.values() if not c.driven]
         parameters = [path for path in self.parameters if not experiment.change.replaces(path)]
         own = [path for path in self.own if not experiment.change.replaces(path)]
-        return RecordModel(dae, set_back, self.channels, Variations(dae, outputs, [*parameters, *own]), own)
+        return RecordModel(dae, set_back, channels, Variations(dae, outputs, [*parameters, *own]), own)
 
     def _rebuilt(self, change: Change) -> DAE:
         """Return the equations with the components changed, once no effect is seen to go with them."""
@@ -148,6 +156,18 @@ class Study:
         """Return the records by which effects are screened, and how many a sample of theirs stands for."""
         return self.campaign.training, 1.0
 
+    def displaced(self, effects: Sequence[Hypothesis]) -> Study:
+        """Return the study of a model with effects, which may rest elsewhere than the model without them.
+
+        Where it does, records that begin at rest begin at states that are estimated.
+        """
+        return self.unsettled if any(placed.effect.displaces for placed in effects) else self
+
+    @cached_property
+    def unsettled(self) -> Study:
+        """The study with records that begin at states that are estimated, also those that begin at rest."""
+        return replace(self, campaign=begun_anywhere(self.campaign))
+
     def accuracy_with(self, effects: Sequence[Hypothesis]) -> Accuracy:
         """Return how runs of the model with effects are computed: stops that are hit take more steps."""
         steps = self.accuracy.steps
@@ -193,6 +213,10 @@ class FMUStudy(Study):
     ) -> FMUPredictor:
         """Return its runs."""
         return FMUPredictor(self.box, self.campaign, effects, parameters)
+
+    def displaced(self, effects: Sequence[Hypothesis]) -> Study:
+        """Return the study as it is: an FMU begins from its own start values."""
+        return self
 
     @property
     def sites(self) -> list[Site]:
@@ -252,6 +276,16 @@ def thinned(campaign: Campaign, rate: float = COMPARISON_RATE_HZ) -> Campaign:
         for experiments in (campaign.training, campaign.testing, campaign.changed)
     )
     return thin if isinstance(thin.machine, FMUModel) else moving(thin)
+
+
+def begun_anywhere(campaign: Campaign) -> Campaign:
+    """Return a campaign in which the states where records begin are estimated."""
+    free = copy(campaign)
+    free.training, free.testing, free.changed = (
+        [e if e.initial == "fit" else replace(e, initial="fit") for e in experiments]
+        for experiments in (campaign.training, campaign.testing, campaign.changed)
+    )
+    return free
 
 
 def _slowed(experiment: Experiment, driven: Sequence[str], rate: float) -> Experiment:

@@ -30,6 +30,10 @@ DESCENT = Ending(
 )
 
 
+def _reach(run: RecordRun) -> Array:
+    return run.found.reach
+
+
 @dataclass(frozen=True, eq=False)
 class _Begin:
     """How far a record begins from where it seems to, and how that slopes, as they were last looked for."""
@@ -61,6 +65,7 @@ class JointFit:
         effects: Sequence[Hypothesis] = (),
         near: Refit | None = None,
     ) -> None:
+        study = study.displaced(effects)
         self.study, self.campaign, self.accuracy = study, study.campaign, study.accuracy_with(effects)
         self.effects, self.names = tuple(effects), list(parameters)
         priors = [self.campaign.priors[name] for name in self.names]
@@ -240,7 +245,7 @@ class JointFit:
         known = self.begins.get(id(experiment))
         guess = self._guess(stand, experiment, rest) if known is None else known.moved
         drop = criteria.START_DROP_RATIO if known is None else drop
-        run, moved = begun(experiment, rest, run_from, lambda tried: tried.weighed, guess, drop)
+        run, moved = begun(experiment, rest, run_from, lambda tried: tried.weighed, _reach, guess, drop)
         if moved is not None and drop is not None:
             self.begins[id(experiment)] = _Begin(moved, run.weighed[1])
             if run.start is not None:

@@ -10,7 +10,12 @@ import numpy as np
 from ...base import Array
 from ...components import SimulationError
 from ...identification import Experiment
-from ..criteria import START_DROP_RATIO, START_HALVINGS, START_SINGULAR_VALUE_RATIO, START_STEPS
+from ..criteria import (
+    START_DROP_RATIO,
+    START_HALVINGS,
+    START_SINGULAR_VALUE_RATIO,
+    START_STEPS,
+)
 from ..models.study import Predicted
 
 Run = TypeVar("Run")
@@ -57,6 +62,7 @@ def begun(
     rest: Callable[[], Array],
     run_from: Callable[[Array | None, Mapping[str, float]], Run],
     weighed: Callable[[Run], tuple[Array, Array]],
+    reach: Callable[[Run], Array],
     known: Array | None = None,
     drop: float | None = START_DROP_RATIO,
 ) -> tuple[Run, Array | None]:
@@ -67,6 +73,7 @@ def begun(
         rest: returns the states at the start, as they seem to be.
         run_from: makes a run from states at the start, of a record at rest from None, with own values.
         weighed: as of `settled`.
+        reach: how far each state gets in a run.
         known: how far a record of the same model was found to be from the guess.
         drop: share of the squared residual that another start must promise to be looked for; None if what is
             known shall do.
@@ -81,7 +88,9 @@ def begun(
     bounds = np.tile([[-np.inf], [np.inf]], len(guess))
     bounds[:, len(guess) - count :] = np.reshape([p.range for p in experiment.unknown.values()], (-1, 2)).T
     least = START_DROP_RATIO if drop is None else drop
-    begin, run = settled(begin, lambda at: run_from(*parted(experiment, at)), weighed, bounds, least)
+    begin, run = settled(
+        begin, lambda at: run_from(*parted(experiment, at)), weighed, bounds, least, (guess, reach)
+    )
     return run, begin - guess
 
 
@@ -91,6 +100,7 @@ def settled(
     weighed: Callable[[Run], tuple[Array, Array]],
     bounds: Array,
     drop: float = START_DROP_RATIO,
+    near: tuple[Array, Callable[[Run], Array]] | None = None,
 ) -> tuple[Array, Run]:
     """Return with which unknowns a run fits its record best, and that run: Gauss-Newton in them alone.
 
@@ -104,6 +114,8 @@ def settled(
             then those of offsets.
         bounds: least and largest unknowns.
         drop: share of the squared residual that a step must promise to be worth a run.
+        near: what they seem to be, and how far each state gets in a run. A state that leaves no trace, as the
+            stretch of a stop that springs back at once, stays within about that: as if it were known to.
     """
 
     def lifted(run: Run) -> tuple[Array, Array]:
@@ -112,7 +124,18 @@ def settled(
         return found[:, 0], found[:, 1:]
 
     run = run_from(begin)
-    residual, slopes = lifted(run)
+    tie = np.zeros(len(begin))
+    if near is not None:
+        reach = near[1](run)
+        tie[: len(reach)] = 1 / np.where(reach > 0, reach, np.inf)
+
+    def missed_by(run: Run, at: Array) -> tuple[Array, Array]:
+        residual, slopes = lifted(run)
+        if near is None:
+            return residual, slopes
+        return np.append(residual, tie * (near[0] - at)), np.vstack([slopes, np.diag(tie)])
+
+    residual, slopes = missed_by(run, begin)
     for _ in range(START_STEPS):
         step, before = solved(slopes, residual), float(residual @ residual)
         left = residual - slopes @ (np.clip(begin + step, *bounds) - begin)
@@ -124,7 +147,7 @@ def settled(
                 tried = run_from(moved)
             except SimulationError:
                 continue
-            missed, rates = lifted(tried)
+            missed, rates = missed_by(tried, moved)
             if float(missed @ missed) < before:
                 break
         else:

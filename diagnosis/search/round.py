@@ -39,7 +39,6 @@ def run_round(study: Study, base: Refit, rounds: list[Round]) -> Round:
     """Screen all effects on top of a model and fit the leading ones; what is known stands in `rounds`."""
     told = " on top of what was found" if base.effects else ""
     study.tell(f"screening effects{told}")
-    crew = Crew(study)
     try:
         candidates = screen(study, base.parameters, base.effects)
     except InertanceError as error:
@@ -47,11 +46,37 @@ def run_round(study: Study, base: Refit, rounds: list[Round]) -> Round:
             raise
         rounds.append(Round(base, [], [], unscreened=_first_line(error)))
         return rounds[-1]
-    waiting = _leading(candidates, {placed.label for placed in base.effects})
-    tried, fitted, kept = list[Candidate](), list[Refit](), 0.0
-    rounds.append(Round(base, list(candidates), fitted))
-    failed = rounds[-1].failed
+    rounds.append(Round(base, list(candidates), []))
     early: list[Candidate] | None = [] if base.effects else None
+    _fit(study, rounds[-1], candidates, rounds[0], early)
+    return rounds[-1]
+
+
+def go_on(study: Study, done: Round, candidates: Sequence[Candidate], near: Refit, first: Round) -> None:
+    """Fit candidates in a round that came to nothing, from where they were screened; records begin `near`.
+
+    A candidate that was fitted before is fitted once more, and the better fit stays.
+    """
+    _fit(study, done, candidates, first, [], near)
+    known = {c.label for c in done.candidates}
+    done.candidates.extend(c for c in candidates if c.label not in known)
+
+
+def _fit(
+    study: Study,
+    done: Round,
+    candidates: Sequence[Candidate],
+    first: Round,
+    early: list[Candidate] | None,
+    near: Refit | None = None,
+) -> None:
+    """Fit the leading candidates of a round.
+
+    `early` are those that were screened where the parameters were given, None as long as they were not.
+    """
+    base, fitted, failed = near or done.base, done.fitted, done.failed
+    waiting = leading(candidates, {placed.label for placed in base.effects})
+    crew, tried, kept = Crew(study), list[Candidate](), 0.0
     under_way = deque[tuple[Candidate, Outcome]]()
     while under_way or (waiting and not study.late()):
         ready = _ready(waiting, [candidate for candidate, _ in under_way])
@@ -59,7 +84,7 @@ def run_round(study: Study, base: Refit, rounds: list[Round]) -> Round:
             waiting.remove(ready)
             tried.append(ready)
             fit = Fit.of(ready, base, fitted)
-            if why := needless(study, fit.placed, base, fitted) or only_bends(fit.placed, base, rounds[0]):
+            if why := needless(study, fit.placed, base, fitted) or only_bends(fit.placed, base, first):
                 failed[ready.label] = why
             else:
                 under_way.append((ready, crew.begin(fit)))
@@ -72,19 +97,18 @@ def run_round(study: Study, base: Refit, rounds: list[Round]) -> Round:
         else:
             _keep(fitted, found)
             kept = max(kept, min(candidate.gain, base.cost - found.cost))
-        waiting = _promising(waiting, kept)
+        waiting = _promising(waiting, kept, fitted)
         over = not waiting and not under_way and early is None and not study.late()
         if over and _much_is_left(study.campaign, (base, *fitted), base):
             study.tell("much is left: screening where the parameters were given")
             try:
                 early = screen(study, study.campaign.start)
             except InertanceError as error:
-                early, rounds[-1].unscreened = [], _first_line(error)
+                early, done.unscreened = [], _first_line(error)
             waiting = _reserve(candidates, early, tried, _ran_away(study.campaign, base))
     failed.update((c.label, LATE) for c in waiting)
     screened = {c.label for c in candidates}
-    rounds[-1].candidates.extend(c for c in early or () if c.label not in screened)
-    return rounds[-1]
+    done.candidates.extend(c for c in early or () if c.label not in screened)
 
 
 def _first_line(error: InertanceError) -> str:
@@ -141,13 +165,18 @@ def _much_is_left(campaign: Campaign, models: Sequence[Refit], base: Refit) -> b
     return best.misfit > criteria.COLOURED_MISFIT and unexplained(best, base) > least
 
 
-def _promising(waiting: Sequence[Candidate], kept: float) -> list[Candidate]:
+def _promising(waiting: Sequence[Candidate], kept: float, fitted: Sequence[Refit]) -> list[Candidate]:
     """Return those that may be best, by the best promise that was kept, and their special cases.
 
-    Screening underrates what is in series.
+    Screening underrates what is in series, and what generalises the best fit so far by a shape of its own.
     """
     least = criteria.HOPELESS_GAIN_RATIO * kept
-    good = [c for c in waiting if c.effect.place == "series" or c.gain > least]
+    best = min(fitted, key=lambda model: model.cost, default=None)
+    good = [
+        c
+        for c in waiting
+        if c.effect.place == "series" or c.gain > least or (best and c.generalises(best.effects[-1]))
+    ]
     return [c for c in waiting if c in good or any(other.generalises(c) for other in good)]
 
 
@@ -157,7 +186,7 @@ def _ready(waiting: Sequence[Candidate], under_way: Sequence[Candidate]) -> Cand
     return next(first, None)
 
 
-def _leading(candidates: Sequence[Candidate], found: Collection[str]) -> list[Candidate]:
+def leading(candidates: Sequence[Candidate], found: Collection[str]) -> list[Candidate]:
     """Return the candidates worth a fit, one for each motion and kind, whose site is the same for all kinds.
 
     What was found, by its label, is not looked for again; special cases go before what generalises them.
@@ -196,7 +225,7 @@ def _reserve(
     worth = (c for c in candidates if c.effect.place == "series" and c.gain > criteria.LEAST_CHI_SQUARED_GAIN)
     series = [c for c in worth if not any(c is other or same_motion(c, other) for other in tried)]
     labels = set[str]() if away else {c.label for c in tried}
-    hidden = [c for c in _leading(early, ()) if c.label not in labels]
+    hidden = [c for c in leading(early, ()) if c.label not in labels]
     return [*series[: criteria.RESERVES_PER_ROUND], *hidden[: criteria.RESERVES_PER_ROUND]]
 
 

@@ -17,13 +17,14 @@ from typing import Any
 import numpy as np
 
 from ...base import Array, computing
+from ...identification import Prior
 from ..criteria import CHANNEL_PROBE_SHARE, DEPENDENT_EIGENVALUE_RATIO, FOUND_EFFECT_DEVIATIONS
 from ..effects.effect import EFFECTS, Effect, Motion
 from ..effects.hypothesis import Hypothesis, SitedEffect, inserted, rubbed
 from ..effects.sites import Site, surrounded
 from ..models.probes import scaled
 from ..models.study import Study
-from .whitened_record import WhitenedRecord
+from .whitened_record import Forced, WhitenedRecord
 
 
 @dataclass(frozen=True, eq=False)
@@ -33,7 +34,7 @@ class Candidate(SitedEffect):
     Attributes:
         gain: drop of the squared residual, in units of noise, over what the nominal parameters can do.
         share: what is left of its signature once the parameters' slopes are taken off, 0 to 1.
-        parameters: those of the model that it was screened on.
+        parameters: those of the model that it was screened on; along a missing force, those that suit it.
     """
 
     values: dict[str, float]
@@ -72,14 +73,27 @@ class _Sums:
 
 @computing("the screening of effects")
 def screen(
-    study: Study, parameters: Mapping[str, float], effects: Sequence[Hypothesis] = ()
+    study: Study,
+    parameters: Mapping[str, float],
+    effects: Sequence[Hypothesis] = (),
+    forced: Sequence[Forced] = (),
 ) -> list[Candidate]:
-    """Return candidates beside refitted parameters and effects found already, the most explaining first."""
+    """Return candidates beside refitted parameters and effects found already, the most explaining first.
+
+    They are screened along runs of the model, or of the model that is `forced` in each record, if it is.
+    """
+    study = study.displaced(effects)
     sites, found = [rubbed(site, effects) for site in study.sites], inserted(effects)
     given = {**parameters, **found}
     experiments, count = study.screened()
     predictor = study.predictor(effects, [*given], sites)
-    records = [WhitenedRecord(study, predictor, e, given, effects, count) for e in experiments]
+    numbers = {site.path: number for number, site in enumerate(sites)}
+    runs: list[tuple[int, Forced] | None] = [(numbers[one.site], one) for one in forced]
+    runs = runs or [None] * len(experiments)
+    records = [
+        WhitenedRecord(study, predictor, e, given, effects, count, run)
+        for e, run in zip(experiments, runs, strict=True)
+    ]
     motions = [[record.motion(number, site) for record in records] for number, site in enumerate(sites)]
     resting = next((n for n, experiment in enumerate(experiments) if experiment.initial == "rest"), None)
     sites = surrounded([scaled(site, moved, resting) for site, moved in zip(sites, motions, strict=True)])
@@ -95,7 +109,8 @@ def screen(
     }
     for index, record in enumerate(records):
         _add(sums, record, slopes[index], sites, [moved[index] for moved in motions], motions, reach)
-    return sorted(_scored(sums, parameters), key=lambda candidate: -candidate.gain)
+    priors = study.campaign.priors if forced else {}
+    return sorted(_scored(sums, parameters, priors), key=lambda candidate: -candidate.gain)
 
 
 def _add(
@@ -180,25 +195,31 @@ def _channel_changes(
     for effect in EFFECTS.values():
         if effect.change is None:
             continue
-        quantity = effect.quantities["channel"][0]
+        sizes = effect.sizes("channel")
         for name, path in (record.inputs if effect.drives else record.outputs).items():
             signal = record.measured.values[name] if effect.drives else record.predicted[name]
             if not np.ptp(signal):
                 continue
             part = CHANNEL_PROBE_SHARE * float(np.ptp(signal))
-            small = {"s": 1 / record.measured.rate, "unit": part}.get(quantity.unit, 1.0)
+            nothing = dict.fromkeys([q.name for q in sizes], 0.0)
+            small = [{"s": 1 / record.measured.rate, "unit": part}.get(q.unit, 1.0) for q in sizes]
             site = Site(name, "channel", path, "", frozenset({"channel"}), travel=reach[name])
             for shape in effect.shaped("channel", site):
-                change = (record.passed_on(effect, signal, {quantity.name: small, **shape}) - signal) / small
+                changes = np.column_stack(
+                    [
+                        (record.passed_on(effect, signal, {**nothing, q.name: size, **shape}) - signal) / size
+                        for q, size in zip(sizes, small, strict=True)
+                    ]
+                )
                 if effect.drives:
-                    own = record.to_inputs({path: record.acting(name, change)[:, None]})
+                    own = record.to_inputs({path: record.acting(name, changes)})
                 else:
-                    own = record.to_output(name, change)
+                    own = record.to_output(name, changes)
                 yield effect, site, shape, own
 
 
-def _scored(sums: _Sums, parameters: Mapping[str, float]) -> Iterator[Candidate]:
-    """Yield the best shape of each effect at each site."""
+def _scored(sums: _Sums, parameters: Mapping[str, float], priors: Mapping[str, Prior]) -> Iterator[Candidate]:
+    """Yield the best shape of each effect at each site; parameters with `priors` move with it."""
     best: dict[tuple[str, str], Candidate] = {}
     count = len(sums.prior)
     for tally in sums.tallies.values():
@@ -210,7 +231,13 @@ def _scored(sums: _Sums, parameters: Mapping[str, float]) -> Iterator[Candidate]
         size = np.trace(own)
         share = float(np.trace(matrix) / size) if size > 0 else 0.0
         chosen = dict(zip([q.name for q in sizes], values.tolist(), strict=True)) | tally.shape
-        candidate = Candidate(tally.effect, tally.site, chosen, gain, share, parameters)
+        further = (sums.moved - sums.prior @ crossed.T @ values).tolist()
+        beside = {
+            name: priors[name].at((value - priors[name].center) / priors[name].scale + step)
+            for (name, value), step in zip(parameters.items(), further, strict=False)
+            if priors
+        }
+        candidate = Candidate(tally.effect, tally.site, chosen, gain, share, beside or parameters)
         if candidate.key not in best or gain > best[candidate.key].gain:
             best[candidate.key] = candidate
     yield from best.values()

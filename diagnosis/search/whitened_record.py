@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
-from dataclasses import replace
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
@@ -14,9 +14,28 @@ from ..criteria import DEPENDENT_EIGENVALUE_RATIO, START_SINGULAR_VALUE_RATIO
 from ..effects.effect import Effect, Motion, Values
 from ..effects.hypothesis import Hypothesis, acted, driven, sensed
 from ..effects.sites import Site
-from ..models.study import Predicted, Predictor, Study
+from ..models.force import Force, push_of
+from ..models.study import NetworkPredictor, Predicted, Predictor, Study
 from .own_values import weighed
 from .record_start import begun
+
+
+@dataclass(frozen=True, eq=False)
+class Forced:
+    """A run of a record with a force at a site that makes up for what is missing there.
+
+    Attributes:
+        site: path of the site.
+        force: over time.
+        start: states at the start by name; none at rest.
+        own: the record's own values.
+    """
+
+    site: str
+    force: Force
+    start: Mapping[str, float]
+    own: Mapping[str, float]
+
 
 _Run = tuple[Predicted, Mapping[str, float]]  # and with what values of its own
 
@@ -24,7 +43,8 @@ _Run = tuple[Predicted, Mapping[str, float]]  # and with what values of its own
 class WhitenedRecord:
     """One record beside a prediction, whitened (in units of noise), less what nobody measured explains.
 
-    It may stand for a `count` of records like it.
+    It may stand for a `count` of records like it. The prediction may be `forced` at a site, by its number, so
+    that the machine moves as it was measured; the residual is that without the force, along this motion.
     """
 
     def __init__(
@@ -35,6 +55,7 @@ class WhitenedRecord:
         parameters: Mapping[str, float],
         effects: Sequence[Hypothesis],
         count: float = 1.0,
+        forced: tuple[int, Forced] | None = None,
     ) -> None:
         channels = study.campaign.measured.items()
         self.outputs = {name: c.path for name, c in channels if not c.driven}
@@ -43,6 +64,9 @@ class WhitenedRecord:
         self.weights = weights = {name: count**0.5 * one for name, one in experiment.weights.items()}
         self._predictor, self._experiment = predictor, experiment
         self._stand: Any = predictor.stand(driven(experiment, effects))
+        if forced is not None:
+            assert isinstance(predictor, NetworkPredictor)
+            self._stand = predictor.stand(driven(experiment, effects), forced[0], forced[1].force)
         self.measured = experiment.compared
         accuracy = study.accuracy_with(effects)
 
@@ -59,7 +83,10 @@ class WhitenedRecord:
             start: Array = self._stand.rest(parameters, accuracy)
             return start
 
-        run, _ = begun(experiment, rest, run_from, beside)
+        if forced is None:
+            run, _ = begun(experiment, rest, run_from, beside, lambda run: run[0].reach)
+        else:
+            run = run_from(self._begin(forced[1], experiment, rest), forced[1].own)
         self._found = found = run[0]
         self.time = predictor.instants(found)  # at which changes of inputs are to be given [s]
         elapsed = experiment.elapsed(found.time)
@@ -68,6 +95,16 @@ class WhitenedRecord:
         self._basis = _orthonormal(free)
         self.residual = self.off(missed)
         self.slopes = self.off(np.concatenate([found.slopes[n] * weights[n][:, None] for n in self.outputs]))
+        if forced is not None:
+            number, force = forced[0], forced[1].force
+            self.residual += self.to_inputs({push_of(number): force.at(self.time)[:, None]})[:, 0]
+
+    def _begin(self, forced: Forced, experiment: Experiment, rest: Callable[[], Array]) -> Array | None:
+        """Return where a run with a force begins."""
+        if experiment.initial == "rest":
+            return None
+        pairs = zip(self._stand.state_names, rest().tolist(), strict=True)
+        return np.array([forced.start.get(name, value) for name, value in pairs])
 
     def passed_on(self, effect: Effect, signal: Array, values: Values) -> Array:
         """Return a channel at the instants of the record as a sensor or an actuator passes it on."""
@@ -108,18 +145,18 @@ class WhitenedRecord:
         found: Array | None = self._stand.adjoint(self._found, np.column_stack(weights), name)
         return found
 
-    def acting(self, channel: str, change: Array) -> Array:
-        """Return a change of an input channel, given at instants of the record, at the instants `time`."""
+    def acting(self, channel: str, changes: Array) -> Array:
+        """Return changes of an input channel, columns at instants of the record, at the instants `time`."""
         driving = self._channels[channel]
         begin = self.measured.time + driving.delay
         if not driving.held:
-            return np.interp(self.time, begin, change)
-        return change[np.maximum(np.searchsorted(begin, self.time, side="right") - 1, 0)]
+            return np.column_stack([np.interp(self.time, begin, change) for change in changes.T])
+        return changes[np.maximum(np.searchsorted(begin, self.time, side="right") - 1, 0)]
 
-    def to_output(self, channel: str, change: Array) -> Array:
-        """Return a change of one output channel, given at the instants of the record, as a column."""
-        parts = [change * self.weights[n] * (n == channel) for n in self.outputs]
-        return self.off(np.concatenate(parts)[:, None])
+    def to_output(self, channel: str, changes: Array) -> Array:
+        """Return changes of one output channel, columns at the instants of the record, in all outputs."""
+        parts = [changes * self.weights[n][:, None] * (n == channel) for n in self.outputs]
+        return self.off(np.concatenate(parts))
 
 
 def _orthonormal(columns: Array) -> Array:

@@ -21,7 +21,7 @@ def beyond_the_list(study: Study, verdict: Verdict) -> Verdict:
         return verdict
     study.tell("looking for a law of its own")
     evidence = verdict.evidence
-    found = sought(evidence.study, evidence.after)
+    found = sought(evidence.study.displaced(evidence.after.effects), evidence.after)
     if found is None or found.model is None:
         return replace(verdict, sought=found)
     model = found.model

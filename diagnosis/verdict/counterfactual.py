@@ -125,7 +125,7 @@ def _left(study: Study, model: Refit) -> list[Left]:
     """Return what a model leaves of each record of the machine after a change."""
     joint = JointFit(study, model.parameters, model.effects)
     found = list[Left]()
-    for experiment in study.campaign.changed:
+    for experiment in joint.campaign.changed:
         try:
             found.append(joint.predicted(experiment))
         except InertanceError as error:

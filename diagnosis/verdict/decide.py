@@ -52,7 +52,7 @@ def decided(
     Where the time of the study is over, nothing is said of what was not looked for.
     """
     alone = replace(study, executor=None, report=None)
-    all_told = not best.effects or study.late() or _explains(best, base, study)
+    all_told = not best.effects or study.late() or _leaves_noise(best, study)
     changing = [] if all_told else [*unsteady(alone, best)]
     best = certain_part(best, base, rounds, study, changing)
     first, beyond = rounds[0] if rounds else Round(base, [], []), _round_on(best, rounds)
@@ -119,7 +119,7 @@ def _leaves_noise(model: Refit, study: Study) -> bool:
     return model.misfit <= COLOURED_MISFIT or model.is_noise(study.judged)
 
 
-def _explains(best: Refit, base: Refit, study: Study) -> bool:
+def explains(best: Refit, base: Refit, study: Study) -> bool:
     """Tell whether nothing but noise is left, or what no law is so right that it would not leave it."""
     return _leaves_noise(best, study) or closed_by(best, base, study) >= EXPLAINED_GAP_SHARE
 
@@ -129,10 +129,11 @@ def certain_part(
 ) -> Refit:
     """Return the model with those effects that are no mere likeness of what is missing.
 
-    If something else stays missing, they are the first ones, as long as each takes most of what was left and
-    is not `changing` with time, and all of them together take most of the gap.
+    They are all, where these explain enough and none is `changing` with time. If something else stays
+    missing, they are the first ones, as long as each takes most of what was left and does not change, and all
+    of them together take most of the gap.
     """
-    if _explains(best, base, study):
+    if explains(best, base, study) and not changing:
         return best
     named, certain = {placed.label for placed in best.effects}, base
     odd = {found.placed.label for found in changing}
@@ -141,7 +142,8 @@ def certain_part(
         if _taken(certain, model) < CERTAIN_RESIDUAL_SHARE or odd & {p.label for p in model.effects}:
             break
         certain = model
-    return certain if _taken(base, certain) >= CERTAIN_GAP_SHARE else base
+    left = (certain.misfit**2 - 1) / max(base.misfit**2 - 1, 1e-9)
+    return certain if 1 - left >= CERTAIN_GAP_SHARE else base
 
 
 def _taken(before: Refit, after: Refit) -> float:
@@ -152,7 +154,7 @@ def _taken(before: Refit, after: Refit) -> float:
 def _word(evidence: Evidence) -> str:
     refitted, best, study = evidence.refit, evidence.after, evidence.study
     if best.effects:
-        return "effect" if _explains(best, refitted, study) else "partial"
+        return "effect" if explains(best, refitted, study) else "partial"
     if not _leaves_noise(refitted, study):
         return "unknown"
     moved = moved_parameters(evidence.campaign, best.parameters)

@@ -32,6 +32,7 @@ def shares(candidates: Sequence[Candidate]) -> dict[str, float]:
 
 def located(study: Study, fitted: Refit, candidates: Sequence[Candidate]) -> dict[str, Any]:
     """Return windows of time, the band of frequency and the regime of motion that hold a model's gap."""
+    study = study.displaced(fitted.effects)
     records = study.campaign.experiments
     missed = [*fitted.train, *fitted.test]
     spans = windows(records, missed)

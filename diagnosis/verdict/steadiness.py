@@ -45,9 +45,10 @@ def unsteady(study: Study, model: Refit) -> Iterator[Unsteady]:
     r = J*x + b*t*g is fitted by least squares, t going from -1 to 1 in each record: the change is 2*b.
     """
     joint = JointFit(study, model.parameters, model.effects, model)
+    training = joint.campaign.training
     vector, begin = joint.start, len(joint.names)
-    rows = [joint.linearise(vector, experiment, True) for experiment in study.campaign.training]
-    counts = [len(study.campaign.outputs) * len(e.compared.time) for e in study.campaign.training]
+    rows = [joint.linearise(vector, experiment, True) for experiment in training]
+    counts = [len(study.campaign.outputs) * len(e.compared.time) for e in training]
     missed = np.concatenate([left[:count] for (left, _), count in zip(rows, counts, strict=True)])
     slopes = np.vstack([columns[:count] for (_, columns), count in zip(rows, counts, strict=True)])
     elapsed = np.concatenate(
@@ -55,7 +56,7 @@ def unsteady(study: Study, model: Refit) -> Iterator[Unsteady]:
             np.tile(
                 np.interp(e.compared.time, e.compared.time[[0, -1]], [-1.0, 1.0]), len(study.campaign.outputs)
             )
-            for e in study.campaign.training
+            for e in training
         ]
     )
     left = projected(missed, slopes)

@@ -70,6 +70,12 @@ class Prediction:
     end_slopes: Array
     run: Result = field(repr=False)
 
+    @property
+    def reach(self) -> Array:
+        """How far from zero each state gets, once what springs back at once has done so."""
+        begun = len(self.run.points.x) // 100 + 1
+        return np.asarray(np.abs(self.run.points.x[begun:]).max(axis=0, initial=0.0))
+
 
 class RecordModel:
     """A network on one record: its own equations with the record's inputs, compiled once.

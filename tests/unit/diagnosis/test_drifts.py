@@ -4,9 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import replace
+from pathlib import Path
 from typing import Any
 
 import inertance as ia
+import numpy as np
 import pytest
 from inertance.identification import Campaign, Record
 
@@ -61,3 +63,36 @@ def test_pieces_of_a_run_go_on_where_others_ended(cart: Any) -> None:
     assert began([second, other, first], cart) == pytest.approx([100.0, 250.0, 100.0])
     late = on_a_clock_of_its_own(cart.measured(warming(), 2), 110.0)
     assert began([first, late], cart) == [100.0, 110.0]
+
+
+def test_a_window_is_of_a_run_that_began_where_its_file_does(cart: Any, tmp_path: Path) -> None:
+    """A drift that has gone on before the window is no offset."""
+    whole = on_a_clock_of_its_own(cart.measured(warming(), 1), 100.0)
+    assert began([whole.window(103.0, 106.0)], cart) == [100.0]
+    assert began([whole.window(101.0, 106.0).window(104.0, 106.0)], cart) == [100.0]
+    np.savez(tmp_path / "run.npz", time=whole.time, **whole.values)
+    entry = {"file": str(tmp_path / "run.npz"), "window": [103.0, 106.0]}
+    campaign = Campaign(cart.rig(), CHANNELS, PRIORS, [entry])
+    assert campaign.training[0].began == 100.0
+    assert campaign.training[0].record.time[0] == pytest.approx(103.0)
+
+
+def test_a_run_that_begins_soon_after_another_is_one_of_its_own(cart: Any) -> None:
+    """Nobody starts a machine once more within a second, but a logger goes on with another file."""
+    first = on_a_clock_of_its_own(cart.measured(warming(), 1), 100.0)
+    for pause, begins in ((0.3, 100.0), (0.85, 106.85)):
+        other = on_a_clock_of_its_own(cart.measured(warming(), 2), 106.0 - 1 / cart.rate + pause)
+        assert began([first, other], cart)[1] == pytest.approx(begins, abs=0.01)
+
+
+def test_a_sensor_that_drifts_along_a_curve_needs_no_other_effect(cart: Any) -> None:
+    def drifting(t: Any, x: Any) -> Any:
+        return x + 2e-4 * (t / 6.0) ** 1.3
+
+    records = [cart.measured(cart.rig(k=820.0), seed, drifting) for seed in (1, 2, 3)]
+    train, test = [{"record": record} for record in records[:2]], [{"record": records[2]}]
+    found = ia.diagnose(Campaign(cart.rig(), CHANNELS, PRIORS, train, test))
+    assert [placed.label for placed in found.effects] == ["sensor_drift at x"]
+    rate, bend = found.effects[0].values["rate"], found.effects[0].values["bend"]
+    assert 6.0 * (rate + 6.0 * bend) == pytest.approx(2e-4, rel=0.05)
+    assert found.effects[0].units(found.evidence.campaign) == {"rate": "m/s", "bend": "m/s2"}

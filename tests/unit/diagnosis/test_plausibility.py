@@ -51,6 +51,10 @@ REFUSED = {
     "a ripple that is passed once": (
         "position_ripple", at(travel=2.0), {"tau_sin": 1.0, "tau_cos": 0.5, "period": 3.9}, "passed 1 times",
     ),
+    "friction along a way that is passed once": (
+        "position_dependent_friction", at(travel=100.0, passes=1.0),
+        {"tau_c": 1.0, "tau_cos": 0.5, "tau_sin": 0.1, "period": 270.0}, "in a motion that never turns",
+    ),
     "a stiffness on a shaft that turns": (
         "linear_stiffness", at(travel=600 * np.pi), {"c": 1e-3}, "a shaft that turns 600 times",
     ),
