@@ -70,8 +70,9 @@ def test_a_window_is_of_a_run_that_began_where_its_file_does(cart: Any, tmp_path
     whole = on_a_clock_of_its_own(cart.measured(warming(), 1), 100.0)
     assert began([whole.window(103.0, 106.0)], cart) == [100.0]
     assert began([whole.window(101.0, 106.0).window(104.0, 106.0)], cart) == [100.0]
-    np.savez(tmp_path / "run.npz", time=whole.time, **whole.values)
-    entry = {"file": str(tmp_path / "run.npz"), "window": [103.0, 106.0]}
+    columns = np.column_stack([whole.time, whole.values["F"], whole.values["x"]])
+    np.savetxt(tmp_path / "run.csv", columns, delimiter=",", header="time,F,x", comments="")
+    entry = {"file": str(tmp_path / "run.csv"), "window": [103.0, 106.0]}
     campaign = Campaign(cart.rig(), CHANNELS, PRIORS, [entry])
     assert campaign.training[0].began == 100.0
     assert campaign.training[0].record.time[0] == pytest.approx(103.0)

@@ -4,7 +4,7 @@ from inertance.diagnosis.effects.effect import effect_of
 from inertance.diagnosis.effects.hypothesis import Hypothesis
 from inertance.diagnosis.effects.sites import BETWEEN, Site
 from inertance.diagnosis.search.model_comparison import Refit
-from inertance.diagnosis.search.round import Round, _leading, _reserve, same_motion
+from inertance.diagnosis.search.round import Round, _reserve, leading, same_motion
 from inertance.diagnosis.search.score_test import Candidate
 from inertance.diagnosis.verdict.decide import _class
 
@@ -23,7 +23,7 @@ def fitted(candidate: Candidate) -> Refit:
 def test_sites_of_one_motion_are_fitted_once_and_stand_in_the_class() -> None:
     candidates = [across("screw", 1, 900.0), across("thread", 2, 900.0), across("rail", 2, 800.0)]
     base = Refit({}, (), [], [], 0.0)
-    assert [c.site.path for c in _leading(candidates, set())] == ["thread", "rail"]
+    assert [c.site.path for c in leading(candidates, set())] == ["thread", "rail"]
     own, other = fitted(candidates[1]), fitted(candidates[2])
     members = _class(own, Round(base, candidates, [own, other]), [other])
     assert members == (("linear_stiffness", "rail"), ("linear_stiffness", "screw"))
@@ -32,7 +32,7 @@ def test_sites_of_one_motion_are_fitted_once_and_stand_in_the_class() -> None:
 def test_each_channel_is_fitted() -> None:
     sites = [Site(name, "channel", f"carriage.{name}", "", frozenset({"channel"})) for name in ("s", "a")]
     candidates = [Candidate(effect_of("sensor_gain"), site, {"gain": 0.1}, 900.0, 1.0, {}) for site in sites]
-    assert _leading(candidates, set()) == candidates
+    assert leading(candidates, set()) == candidates
 
 
 def test_what_leads_where_parameters_were_given_is_tried_if_much_is_left() -> None:
@@ -44,7 +44,7 @@ def test_what_leads_where_parameters_were_given_is_tried_if_much_is_left() -> No
 
 def test_a_part_gives_way_to_the_whole_that_moves_alike() -> None:
     candidates = [across("screw.thread", 2, 900.0), across("screw", 1, 900.0), across("rail", 2, 800.0)]
-    assert [c.site.path for c in _leading(candidates, set())] == ["screw", "rail"]
+    assert [c.site.path for c in leading(candidates, set())] == ["screw", "rail"]
 
 
 def test_what_explains_nothing_is_no_motion_of_its_own() -> None:
