@@ -86,12 +86,13 @@ def diagnose(
     start, base = _refitted(study, campaign.start)
     study, start, base = _reheard(study, base) or (study, start, base)
     rounds: list[Round] = []
+    before: list[Round] = []
     notes = study.limits()
     best, rivals = base, Rivals()
     known: tuple[Study, Refit, Refit, Refit, list[Round]] | None = None
     try:
         while _may_go_on(best, base, study):
-            done = run_round(study, best, rounds)
+            done = run_round(study, best, rounds, before)
             chosen = _chosen(done, base) or _chosen_along(study, done, rounds[0], base)
             if chosen is None:
                 break
@@ -104,7 +105,7 @@ def diagnose(
             known = study, start, base, chosen, rounds
             if not study.late() and (again := _reheard(study, chosen)):
                 study, start, base = again
-                best, rivals, rounds = base, Rivals(), []
+                best, rivals, before, rounds = base, Rivals(), rounds, []
                 continue
             best, rivals = _revised(_pruned(chosen, study), rounds, study)
         notes = [*notes, *_left_out(study, budget, rounds), *_unscreened(rounds)]

@@ -33,12 +33,20 @@ class Fit:
     known: float  # cost of the best model of the round so far
 
     @classmethod
-    def of(cls, candidate: Candidate, base: Refit, fitted: Sequence[Refit]) -> Fit:
-        """Return that of a candidate by what is known now, whoever makes it, and when."""
+    def of(
+        cls, candidate: Candidate, base: Refit, fitted: Sequence[Refit], before: Refit | None = None
+    ) -> Fit:
+        """Return that of a candidate by what is known now, whoever makes it, and when.
+
+        Where it was fitted `before`, with other noise in mind, it begins as screened and where that ended.
+        """
         name = f"{candidate.effect.kind}_{len(base.effects) + 1}"
         placed = Hypothesis(candidate.effect, candidate.site, name, candidate.values)
         known = min((model.cost for model in fitted), default=inf)
-        return cls(placed, base, _starts(candidate, fitted), known)
+        if before is None:
+            return cls(placed, base, _starts(candidate, fitted), known)
+        ended = before.parameters, before.effects[-1].values
+        return cls(placed, base, [ended, (candidate.parameters, candidate.values)], known)
 
 
 class Crew:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections import deque
-from collections.abc import Collection, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass, field
 from math import inf
 
@@ -35,8 +35,11 @@ class Round:
     unscreened: str = ""
 
 
-def run_round(study: Study, base: Refit, rounds: list[Round]) -> Round:
-    """Screen all effects on top of a model and fit the leading ones; what is known stands in `rounds`."""
+def run_round(study: Study, base: Refit, rounds: list[Round], before: Sequence[Round] = ()) -> Round:
+    """Screen all effects on top of a model and fit the leading ones; what is known stands in `rounds`.
+
+    What was fitted in rounds `before`, with other noise in mind, goes on from there.
+    """
     told = " on top of what was found" if base.effects else ""
     study.tell(f"screening effects{told}")
     try:
@@ -48,7 +51,10 @@ def run_round(study: Study, base: Refit, rounds: list[Round]) -> Round:
         return rounds[-1]
     rounds.append(Round(base, list(candidates), []))
     early: list[Candidate] | None = [] if base.effects else None
-    _fit(study, rounds[-1], candidates, rounds[0], early)
+    labels = [placed.label for placed in base.effects]
+    same = (done for done in before if [placed.label for placed in done.base.effects] == labels)
+    known = {model.effects[-1].label: model for done in same for model in done.fitted}
+    _fit(study, rounds[-1], candidates, rounds[0], early, known=known)
     return rounds[-1]
 
 
@@ -69,10 +75,12 @@ def _fit(
     first: Round,
     early: list[Candidate] | None,
     near: Refit | None = None,
+    known: Mapping[str, Refit] | None = None,
 ) -> None:
     """Fit the leading candidates of a round.
 
-    `early` are those that were screened where the parameters were given, None as long as they were not.
+    `early` are those that were screened where the parameters were given, None as long as they were not; by
+    label, `known` are models from where fits may go on.
     """
     base, fitted, failed = near or done.base, done.fitted, done.failed
     waiting = leading(candidates, {placed.label for placed in base.effects})
@@ -83,7 +91,7 @@ def _fit(
         if ready is not None and len(under_way) < criteria.FITS_UNDER_WAY and not study.late():
             waiting.remove(ready)
             tried.append(ready)
-            fit = Fit.of(ready, base, fitted)
+            fit = Fit.of(ready, base, fitted, (known or {}).get(ready.label))
             if why := needless(study, fit.placed, base, fitted) or only_bends(fit.placed, base, first):
                 failed[ready.label] = why
             else:

@@ -96,8 +96,8 @@ def test_an_effect_found_before_noise_was_heard_again_is_kept(
             raise KeyboardInterrupt
         return campaign.with_floors([{**experiment.floors} for experiment in campaign.experiments])
 
-    def rounds(study: Any, best: Refit, done: Any) -> Any:
-        found = search_round(study, best, done)
+    def rounds(study: Any, best: Refit, done: Any, before: Any) -> Any:
+        found = search_round(study, best, done, before)
         monkeypatch.setattr(type(study), "late", lambda _: len(begun) > 1)
         begun.append(best)
         return replace(found, fitted=[]) if len(begun) > 1 else found
