@@ -123,10 +123,10 @@ def diagnose(
 def _chosen_along(study: Study, done: Round, first: Round, base: Refit) -> Refit | None:
     """Return the best model of a round that came to nothing, gone on with along the missing force.
 
-    It is sought only where much is left, of a network.
+    It is sought only of a network of which nothing is found otherwise.
     """
     model = done.base
-    if study.late() or isinstance(study, FMUStudy) or explains(model, base, study):
+    if model.effects or study.late() or isinstance(study, FMUStudy) or explains(model, base, study):
         return None
     study.tell("screening effects along the motion that the missing force makes")
     try:

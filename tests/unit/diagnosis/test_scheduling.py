@@ -12,7 +12,6 @@ import pytest
 from inertance.diagnosis.effects.effect import effect_of
 from inertance.diagnosis.effects.hypothesis import Hypothesis
 from inertance.diagnosis.effects.sites import Site
-from inertance.diagnosis.law import forced as law_forced
 from inertance.diagnosis.models.study import Study, study_of
 from inertance.diagnosis.search import crew as fitters
 from inertance.diagnosis.search import round as searched
@@ -169,13 +168,12 @@ def test_a_model_that_cannot_be_screened_ends_the_search_and_nothing_else(
     """With what was found it runs; beside probes it may not."""
     screened = score_test.screen
 
-    def screen(study: Study, parameters: Any, effects: Any = (), forced: Any = ()) -> list[Candidate]:
+    def screen(study: Study, parameters: Any, effects: Any = ()) -> list[Candidate]:
         if effects:
             raise ia.SimulationError("'cart': integration failed at t = 2 s\nmore of it")
         return screened(study, parameters)
 
     monkeypatch.setattr(searched, "screen", screen)
-    monkeypatch.setattr(law_forced, "screen", screen)
     other = cart.rubbing()
     other.add(stop=ia.CubicSpring(k=0.0, k3=3e5))
     other.connect(other.wall.flange, other.stop.flange_a).connect(other.stop.flange_b, other.carriage.flange)
