@@ -131,6 +131,11 @@ class Effect:
     credible: Callable[[Values], bool] = field(default=lambda values: True)
     plain: tuple[str, tuple[float, ...] | tuple[tuple[float, ...], ...]] | None = None
 
+    @property
+    def is_static(self) -> bool:
+        """Whether it is a force across a site that position and speed alone decide."""
+        return self.place == "across" and not self.memory and not self.ages
+
     def generalises(self, kind: str) -> bool:
         """Tell whether a kind is a special case of this one."""
         return self.plain is not None and self.plain[0] == kind

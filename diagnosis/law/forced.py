@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import replace
 
 from ...base import computing
+from ..criteria import HOPELESS_GAIN_RATIO
 from ..models.study import Study
 from ..search.model_comparison import Refit
 from ..search.score_test import Candidate, screen
@@ -31,6 +32,8 @@ def screened_along(study: Study, model: Refit) -> tuple[list[Candidate], Refit]:
         if run.force is not None
     ]
     found = screen(study, settled.given, model.effects, forced)
+    least = HOPELESS_GAIN_RATIO * max((candidate.gain for candidate in found), default=0.0)
+    found = [candidate for candidate in found if candidate.gain > least]
     return found, replace(model, starts=[*starts, *model.starts[len(starts) :]])
 
 

@@ -19,6 +19,7 @@ from ..models.study import Study
 from ..search.model_comparison import Refit, are_alike, clearness
 from ..search.revision import Rivals
 from ..search.round import Round, same_motion
+from .all_records import alike_by_all
 from .cautions import cautions, led_astray, suspicions
 from .counterfactual import Foretold, counterfactuals, parting, told_apart
 from .gap import Gap, gaps
@@ -56,7 +57,7 @@ def decided(
     changing = [] if all_told else [*unsteady(alone, best)]
     best = certain_part(best, base, rounds, study, changing)
     first, beyond = rounds[0] if rounds else Round(base, [], []), _round_on(best, rounds)
-    known, foretold = [best, *_alike(best, rounds, rivals)], Foretold(alone)
+    known, foretold = [best, *_alike(best, rounds, rivals, alone)], Foretold(alone)
     if study.campaign.changed:
         study.tell("predicting the machine after its changes")
     best, alike, apart = told_apart(foretold, known) if not study.late() else (best, known[1:], {})
@@ -66,7 +67,7 @@ def decided(
         word = "interrupted"
     closed = closed_by(best, base, study)
     gap = gaps(study, start, base, best)
-    others = {_other(f, best).effect.kind for f in alike} - {p.effect.kind for p in best.effects}
+    others = any(_kinds(other) != _kinds(best) for other in alike)
     further = None
     if word == "effect" and others:
         word, further = "ambiguous", separating(study, best, alike[0]) or NOT_BY_SINES
@@ -186,11 +187,15 @@ def _noises(evidence: Evidence, gaps: Mapping[str, Gap]) -> Iterator[str]:
             )
 
 
+def _kinds(model: Refit) -> list[str]:
+    return sorted(placed.effect.kind for placed in model.effects)
+
+
 def _labels(model: Refit) -> list[str]:
     return [placed.label for placed in model.effects]
 
 
-def _alike(best: Refit, rounds: Sequence[Round], rivals: Rivals) -> list[Refit]:
+def _alike(best: Refit, rounds: Sequence[Round], rivals: Rivals, study: Study) -> list[Refit]:
     """Return models with another effect for one of those found that are as good, the likest first."""
     if not best.effects:
         return []
@@ -200,7 +205,9 @@ def _alike(best: Refit, rounds: Sequence[Round], rivals: Rivals) -> list[Refit]:
         if _labels(done.base) == [placed.label for placed in earlier]:
             models += [f for f in done.fitted if not f.effects[-1].effect.generalises(last.effect.kind)]
     others = [f for f in models if len(f.effects) == len(best.effects) and {*_labels(f)} != {*_labels(best)}]
-    return sorted((f for f in others if are_alike(f, best)), key=lambda f: abs(clearness(f, best)))
+    alike = [f for f in others if are_alike(f, best)]
+    alike += alike_by_all(study, best, [f for f in others if f not in alike])
+    return sorted(alike, key=lambda f: abs(clearness(f, best)))
 
 
 def _other(model: Refit, best: Refit) -> Hypothesis:

@@ -3,6 +3,7 @@
 import json
 import re
 from collections.abc import Callable, Sequence
+from copy import copy
 from dataclasses import dataclass, replace
 from types import SimpleNamespace
 from typing import Any, cast
@@ -21,6 +22,7 @@ from inertance.diagnosis.search.joint_fit import JointFit
 from inertance.diagnosis.search.model_comparison import Refit
 from inertance.diagnosis.search.round import Round
 from inertance.diagnosis.search.score_test import Candidate, screen
+from inertance.diagnosis.verdict.all_records import alike_by_all
 from inertance.diagnosis.verdict.cautions import cautions, led_astray
 from inertance.diagnosis.verdict.decide import certain_part, decided
 from inertance.diagnosis.verdict.gap import gaps
@@ -370,6 +372,17 @@ def test_what_was_found_first_is_held_against_its_rivals_beside_what_was_found_s
 
 def _kinds(model: Refit) -> list[str]:
     return [placed.effect.kind for placed in model.effects]
+
+
+def test_what_parameters_owe_to_noise_of_the_training_tells_no_models_apart(case: Case) -> None:
+    """Two names of one thing part on test records by more than stretches scatter, and on all by nothing."""
+    friction, study = case.friction, case.study
+    twin = replace(friction, test=with_more(friction, 0.05).test)
+    assert 0 < abs(twin.blocks.sum() / friction.blocks.sum() - 1) < 0.01
+    assert [*alike_by_all(study, friction, [twin, case.weak])] == [twin]
+    alone = copy(study.campaign)
+    alone.testing = []
+    assert [*alike_by_all(replace(study, campaign=alone), friction, [twin])] == []
 
 
 def test_a_class_holds_what_is_as_good_in_the_place_of_either_effect(case: Case) -> None:

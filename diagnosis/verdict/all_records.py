@@ -1,0 +1,41 @@
+"""Models that the test records tell apart by what their parameters owe to the training records alone."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from copy import copy
+from dataclasses import replace
+
+from ...components import InertanceError
+from ..criteria import ALIKE_CHI_SQUARED, NEARLY_ALIKE_SHARE
+from ..models.study import Study
+from ..search.joint_fit import JointFit
+from ..search.model_comparison import Refit
+
+
+def alike_by_all(study: Study, best: Refit, others: Sequence[Refit]) -> Iterator[Refit]:
+    """Yield models that are about as good as the best, and as likely once both are fitted to all records.
+
+    On the test records parameters err in all stretches at once, by what noise made of them in the training,
+    which no test on stretches knows.
+    """
+    squares = float(best.blocks.sum())
+    near = [f for f in others if abs(float(f.blocks.sum()) - squares) < NEARLY_ALIKE_SHARE * squares]
+    if not near or not study.campaign.testing or study.late():
+        return
+    whole = copy(study.campaign)
+    whole.training, whole.testing = [*whole.training, *whole.testing], []
+    study = replace(study, campaign=whole)
+    allowed = ALIKE_CHI_SQUARED * max(1.0, best.misfit**2)
+    least = _cost(study, best)
+    for other in near:
+        if abs(_cost(study, other) - least) < allowed:
+            yield other
+
+
+def _cost(study: Study, model: Refit) -> float:
+    """Return what a model costs that is fitted to all records of a study."""
+    try:
+        return JointFit(study, model.parameters, model.effects, model).fitted().cost
+    except InertanceError:
+        return float("nan")
