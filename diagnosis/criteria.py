@@ -25,6 +25,7 @@ CLEAR_RESIDUAL_RATIO = 0.5  # [1] of the squared test residual, below which 2 of
 ALIKE_STANDARD_ERRORS = 2.0  # [standard errors] within which models are alike; theory: 95 % of them
 ALIKE_RESIDUAL_SHARE = 1e-3  # [1] of the squared test residual within which models are alike; blind
 NEARLY_ALIKE_SHARE = 0.01  # [1] the same within which all records together are asked; effort
+NEARLY_ALIKE_MODELS = 3  # [1] of these, the nearest; effort
 ALIKE_CHI_SQUARED = 10.0  # [chi squared] over all records for models to be alike; theory: 0.2 % of 1 dof
 FIRST_EFFECT_SHARE = 0.01  # [1] of the squared test residual that an effect must take away; nulls
 FURTHER_EFFECT_SHARE = 0.05  # [1] the same for a further one: less but mends the shapes of those found; blind

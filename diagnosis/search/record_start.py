@@ -89,7 +89,12 @@ def begun(
     bounds[:, len(guess) - count :] = np.reshape([p.range for p in experiment.unknown.values()], (-1, 2)).T
     least = START_DROP_RATIO if drop is None else drop
     begin, run = settled(
-        begin, lambda at: run_from(*parted(experiment, at)), weighed, bounds, least, (guess, reach)
+        begin,
+        lambda at: run_from(*parted(experiment, at)),
+        weighed,
+        bounds,
+        least,
+        None if at_rest else (guess, reach),
     )
     return run, begin - guess
 

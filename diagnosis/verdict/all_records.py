@@ -7,7 +7,7 @@ from copy import copy
 from dataclasses import replace
 
 from ...components import InertanceError
-from ..criteria import ALIKE_CHI_SQUARED, NEARLY_ALIKE_SHARE
+from ..criteria import ALIKE_CHI_SQUARED, NEARLY_ALIKE_MODELS, NEARLY_ALIKE_SHARE
 from ..models.study import Study
 from ..search.joint_fit import JointFit
 from ..search.model_comparison import Refit
@@ -20,7 +20,9 @@ def alike_by_all(study: Study, best: Refit, others: Sequence[Refit]) -> Iterator
     which no test on stretches knows.
     """
     squares = float(best.blocks.sum())
-    near = [f for f in others if abs(float(f.blocks.sum()) - squares) < NEARLY_ALIKE_SHARE * squares]
+    away = {id(f): abs(float(f.blocks.sum()) - squares) for f in others}
+    near = [f for f in others if away[id(f)] < NEARLY_ALIKE_SHARE * squares]
+    near = sorted(near, key=lambda f: away[id(f)])[:NEARLY_ALIKE_MODELS]
     if not near or not study.campaign.testing or study.late():
         return
     whole = copy(study.campaign)

@@ -6,7 +6,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
-from ..criteria import CERTAIN_GAP_SHARE, CLEAR_STANDARD_ERRORS
+from ..criteria import CERTAIN_RESIDUAL_SHARE, CLEAR_STANDARD_ERRORS
 from ..effects.hypothesis import told
 from ..search.model_comparison import Refit, clearness
 
@@ -61,7 +61,7 @@ class Ranked:
         """Why it is not the verdict, by what it does for the test runs."""
         if self.test_gain <= 0:
             return "makes the test runs worse"
-        if self.is_clear and self.test_gain >= CERTAIN_GAP_SHARE:
+        if self.is_clear and self.test_gain >= CERTAIN_RESIDUAL_SHARE:
             return "is clear, but by what is left it looks like something else"
         if self.is_clear:
             return "is clear, but too little to be named"

@@ -10,7 +10,7 @@ from typing import Any, Self
 import numpy as np
 from numpy.typing import NDArray
 
-from ...base import Array, above, between, demand, finite, instance, one_of, shown, text, whole
+from ...base import Array, above, between, demand, finite, instance, one_of, optional, shown, text, whole
 from ...components import ModelError, Sampled, UnknownNameError, nearest
 from ...components.language import INTERPOLATIONS
 from .columns import JITTER, LEAST_SAMPLES
@@ -74,7 +74,7 @@ class Record:
     _signals: dict[tuple[str, str, float], Sampled] = field(default_factory=dict, init=False, repr=False)
 
     def __post_init__(self) -> None:
-        demand("a Record", name=(self.name, text))
+        demand("a Record", name=(self.name, text), began=(self.began, optional(finite("s"))))
         if instance(Mapping)(self.values):
             told = f"values map channels to columns, such as {{'F': force}}, got {shown(self.values)}"
             raise ModelError(f"record '{self.name}': {told}")

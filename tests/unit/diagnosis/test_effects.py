@@ -282,5 +282,5 @@ def test_the_drift_of_a_sensor_of_speed_is_an_acceleration() -> None:
     channels = {"F": {"input": "push.f"}, "v": {"output": "mass.v", "unit": "km/h"}}
     campaign = Campaign(net, channels, {"mass.m": {"rel": 0.1}}, [{"record": record}])
     site = Site("v", "channel", "mass.v", "", frozenset({"channel"}))
-    placed = Hypothesis(effect_of("sensor_drift"), site, "drift_1", {"rate": 0.1})
-    assert placed.units(campaign) == {"rate": "m/s2"}
+    placed = Hypothesis(effect_of("sensor_drift"), site, "drift_1", {"rate": 0.1, "bend": 0.0})
+    assert placed.units(campaign) == {"rate": "m/s2", "bend": "m/s3"}

@@ -13,6 +13,8 @@ from fmpy import simulate_fmu
 from inertance.analysis import linearise
 from inertance.cli.diagnose import show
 from inertance.diagnosis import Verdict, write_report
+from inertance.diagnosis.effects.effect import effect_of
+from inertance.diagnosis.effects.hypothesis import Hypothesis
 from inertance.diagnosis.models.study import Study
 from inertance.diagnosis.report.text import advice
 from inertance.diagnosis.search.joint_fit import JointFit
@@ -120,6 +122,32 @@ def test_a_law_that_no_list_has_is_the_verdict(lawful: Verdict) -> None:
     assert "a law of speed at link" in lawful.sentence
     assert lawful.to_dict()["no_law"] is None
     assert lawful.to_dict()["remainder"] is None
+
+
+def test_a_law_takes_the_place_of_effects_that_are_laws_like_it() -> None:
+    """Damping was called certain: the force that is left beside it has a law, and so has their sum."""
+    records = campaign(lacks=True)
+    study = Study(records, Accuracy())
+    nominal = JointFit(study, records.start)
+    start, base = nominal.seen(nominal.start), nominal.fitted()
+    (site,) = (site for site in study.sites if site.path == "link")
+    damping = Hypothesis(effect_of("quadratic_damping"), site, "quadratic_damping_1", {"c": 5.0})
+    best = JointFit(study, base.parameters, [damping]).fitted()
+    plain = decided(study, start, base, base, [], [], {})
+    certain = replace(
+        plain,
+        verdict="partial",
+        effects=best.effects,
+        confidence=(0.9,),
+        equivalent=(("cubic_damping", "link"),),
+        evidence=replace(plain.evidence, after=best),
+    )
+    found = beyond_the_list(study, certain)
+    assert found.verdict == "law"
+    assert found.law is not None
+    assert found.law.site.path == "link"
+    assert (found.effects, found.confidence, found.equivalent) == ((), (), ())
+    assert found.closed > 0.95
 
 
 def test_the_network_with_the_law_runs_linearises_and_is_an_fmu(lawful: Verdict, tmp_path: Path) -> None:
