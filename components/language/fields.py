@@ -12,6 +12,7 @@ from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any, ClassVar
 
 from ...base.checks import is_number, number
+from ...base.errors import ModelError
 from .domain import AnyDomain, Domain, OtherDomain
 from .sampled import Sampled
 
@@ -38,7 +39,15 @@ class Field:
         return re.sub(r"(?<=[a-z])(?=[A-Z])", " ", word).lower()
 
     def __set_name__(self, owner: type, name: str) -> None:
-        self.name = name
+        self.__dict__["name"] = name
+
+    def __setattr__(self, attribute: str, value: Any) -> None:
+        if self.__dict__.get("name"):
+            raise ModelError(
+                f"{self.kind} '{self.name}' is declared once for all elements of its kind; set it on one: "
+                f"element.{self.name} = ..., or when that is made"
+            )
+        super().__setattr__(attribute, value)
 
     def __get__(self, instance: Component | None, owner: type) -> Any:
         return self if instance is None else instance._get(self)

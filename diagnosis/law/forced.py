@@ -18,8 +18,8 @@ from .missing_force import force_of
 def screened_along(study: Study, model: Refit) -> tuple[list[Candidate], Refit]:
     """Return what explains most of the missing force of a model, and the model with where its records begin.
 
-    Along its own runs a model is screened where it moves, along these where the machine does: that finds
-    ripple that holds the machine in its valleys, and springs that harden to twice their stiffness.
+    Along its own runs a model is screened where it moves, along these where the machine does, which is
+    elsewhere if ripple holds it in its valleys.
     """
     study = study.displaced(model.effects).unsettled
     missing = force_of(study, model)

@@ -16,7 +16,7 @@ from ..search.model_comparison import Refit
 from .along import Bench, Beside
 from .course import Roughness
 from .likeliest import likeliest
-from .smoother import filtered, smoothed
+from .smoother import Filtered, filtered, smoothed
 
 
 @dataclass(frozen=True, eq=False)
@@ -141,23 +141,16 @@ class Search:
 
     def settled(self, number: int, rough: Roughness, runs: Sequence[Beside] | None = None) -> Settled:
         """Return the force at a site along the motion that it makes, run after run until it stays."""
-        here, after = list(runs or self.nominal), list[Beside]()
+        here = list(runs or self.nominal)
         size, best = rough.size / FORCE_SIZE_RATIO, None
         for count in range(FORCE_RUNS):
             courses = [beside.course([number]) for beside in here]
             if count in (1, 2):
                 (rough,) = likeliest(courses, size, [rough.order])
             passed = filtered(courses, rough)
-            force, error = smoothed(passed)
             promised = float(np.sqrt(passed.chi_squared[0] / sum(run.residual.size for run in here)))
-            forces, errors = (
-                [Force(beside.t, part[: len(beside.t), place, 0]) for place, beside in enumerate(here)]
-                for part in (force, error)
-            )
-            after = self._after(number, here, forces, passed.unknown[:, 0], courses[0].shared)
-            given, here = after[0].given, after
-            evidence = float(passed.evidence[0])
-            found = Settled(number, given, rough, tuple(here), tuple(forces), tuple(errors), evidence)
+            found = self._moved_on(number, here, courses[0].shared, passed, rough)
+            here = list(found.runs)
             best = found if best is None or found.misfit < best.misfit else best
             if best.misfit < FORCE_SETTLED * promised:
                 break
@@ -174,11 +167,17 @@ class Search:
         size = np.array([found.rms]) / FORCE_SIZE_RATIO
         tried = [(filtered(courses, rough), rough) for rough in likeliest(courses, size)]
         passed, rough = max(tried, key=lambda one: float(one[0].evidence[0]))
+        return self._moved_on(number, here, courses[0].shared, passed, rough)
+
+    def _moved_on(
+        self, number: int, here: Sequence[Beside], shared: int, passed: Filtered, rough: Roughness
+    ) -> Settled:
+        """Return the force that a filter has passed along runs, and the runs that it makes."""
         forces, errors = (
             [Force(beside.t, part[: len(beside.t), place, 0]) for place, beside in enumerate(here)]
             for part in smoothed(passed)
         )
-        after = self._after(number, here, forces, passed.unknown[:, 0], courses[0].shared)
+        after = self._after(number, here, forces, passed.unknown[:, 0], shared)
         evidence = float(passed.evidence[0])
         return Settled(number, after[0].given, rough, tuple(after), tuple(forces), tuple(errors), evidence)
 

@@ -227,6 +227,16 @@ def test_samples_are_met_and_smooth_in_between() -> None:
     assert abs(np.diff(run["mass.a"])).max() < 16 * 0.01 * 4 * 3
 
 
+def test_what_all_elements_of_a_kind_share_is_not_set_through_one() -> None:
+    """A start value set so would have been that of every mass from then on, without a word."""
+    mass = ia.Mass(m=2.0)
+    with pytest.raises(ia.ModelError, match=r"variable 's' is declared once .* element\.s = \.\.\."):
+        mass.s.start = 0.3
+    assert ia.Mass.s.start == 0.0
+    mass.s = 0.3
+    assert ia.Network("one", mass=mass).simulate(0.1)["mass.s"][0] == 0.3
+
+
 def test_a_value_set_later_acts_as_one_given_at_once() -> None:
     """It changed what was shown, and nothing of the run."""
     net: Any = hung(ia.Spring(k=100.0), s=0.1)

@@ -42,7 +42,7 @@ def test_a_machine_at_rest_rests_where_what_is_missing_lets_it(cart: Any) -> Non
     net = cart.rig(k=820.0)
     net.add(weight=ia.ConstantForce(f_constant=WEIGHT)).connect(net.weight.flange, net.carriage.flange)
     sunk = WEIGHT / 820.0
-    net.carriage.s.start = sunk
+    net.carriage.s = sunk
     records = [cart.measured(net, seed) for seed in (1, 2, 3)]
     given = study(cart, records, "rest")
     weight = at(given, "constant_force", "guide", f_constant=1.0)
