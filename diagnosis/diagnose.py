@@ -27,6 +27,7 @@ from .search.model_comparison import (
     are_alike,
     best_of,
     clearness,
+    gap_taken,
     is_clear,
     unexplained,
     with_residual_floors,
@@ -91,11 +92,21 @@ def diagnose(
     best, rivals = base, Rivals()
     known: tuple[Study, Refit, Refit, Refit, list[Round]] | None = None
     try:
-        while _may_go_on(best, base, study):
-            done = run_round(study, best, rounds, before)
-            chosen = _chosen(done, base) or _chosen_along(study, done, rounds[0], base)
+        looked_at: Refit | None = None
+        while True:
+            chosen = None
+            if _may_go_on(best, base, study):
+                done = run_round(study, best, rounds, before)
+                chosen = _chosen(done, base) or _chosen_along(study, done, rounds[0], base)
             if chosen is None:
-                break
+                if best is looked_at or not _is_worth_a_look(best, base, study):
+                    break
+                last = best
+                best, rivals = _revised(_pruned(best, study), rounds, study, anew=True)
+                looked_at = best
+                if best is last:
+                    break
+                continue
             less = without(chosen.effects[-1], chosen, study)
             if less is not None and less.cost < criteria.EARLY_END_COST_RATIO * best.cost:
                 study.tell("the fit before had ended early: once more from where this one led")
@@ -288,11 +299,16 @@ def _is_needed(placed: Hypothesis, last: Hypothesis, model: Refit, less: Refit) 
     return bool(clear and (halves or not last.generalises(placed)))
 
 
-def _revised(best: Refit, rounds: Sequence[Round], study: Study) -> tuple[Refit, Rivals]:
+def _is_worth_a_look(best: Refit, base: Refit, study: Study) -> bool:
+    """Tell whether several effects would be named, so that each is to be held against all others."""
+    return len(best.effects) > 1 and not study.late() and gap_taken(best, base) >= criteria.CERTAIN_GAP_SHARE
+
+
+def _revised(best: Refit, rounds: Sequence[Round], study: Study, anew: bool = False) -> tuple[Refit, Rivals]:
     """Return the model with effects exchanged for what does better beside the others, and the rivals."""
     for _ in range(criteria.MOST_EFFECTS):
         rivals: Rivals = {}
-        for placed, others in exchanged(study, best, rounds):
+        for placed, others in exchanged(study, best, rounds, anew):
             at = best.effects.index(placed)
             richer = [other for other in others if other.effects[at].generalises(placed)]
             rivals[placed.label] = [other for other in others if other not in richer]

@@ -191,3 +191,8 @@ def are_alike(one: Refit, other: Refit) -> bool:
 def unexplained(fitted: Refit, base: Refit) -> float:
     """Return what a model misses beyond noise, as a share of the squared test residual of another one."""
     return (fitted.misfit**2 - 1.0) / base.misfit**2
+
+
+def gap_taken(fitted: Refit, base: Refit) -> float:
+    """Return the share of the square of what another model misses beyond noise that a model takes away."""
+    return 1 - (fitted.misfit**2 - 1.0) / max(base.misfit**2 - 1.0, 1e-9)

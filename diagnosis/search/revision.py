@@ -20,20 +20,21 @@ Rivals = dict[str, list[Refit]]  # by label of an effect, the models in which an
 
 
 def exchanged(
-    study: Study, model: Refit, rounds: Sequence[Round]
+    study: Study, model: Refit, rounds: Sequence[Round], anew: bool
 ) -> Iterator[tuple[Hypothesis, list[Refit]]]:
     """Yield each effect but the last, with the models in which its rivals stand for it.
 
     What was found first was found beside a gap that the others made, where another effect may have come close
-    to it or have passed it: what explains most beside the others is screened anew.
+    to it or have passed it. If asked for, what explains most beside the others is screened `anew`.
     """
     for position, placed in enumerate(model.effects[:-1]):
         if study.late():
             return
         study.tell(f"trying rivals of {placed.label} beside what was found since")
         fits = [_again(rival, placed, model) for rival in _rivals(placed, model, rounds)]
-        known = {fit.placed.label for fit in fits}
-        fits += [fit for fit in _anew(study, placed, model) if fit.placed.label not in known]
+        if anew:
+            known = {fit.placed.label for fit in fits}
+            fits += [fit for fit in _anew(study, placed, model) if fit.placed.label not in known]
         crew = Crew(study)
         begun = [crew.begin(fit) for fit in fits]
         found = [outcome for outcome in (fit() for fit in begun) if isinstance(outcome, Refit)]

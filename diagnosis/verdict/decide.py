@@ -16,7 +16,7 @@ from ..criteria import (
 )
 from ..effects.hypothesis import Hypothesis
 from ..models.study import Study
-from ..search.model_comparison import Refit, are_alike, clearness
+from ..search.model_comparison import Refit, are_alike, clearness, gap_taken
 from ..search.revision import Rivals
 from ..search.round import Round, same_motion
 from .all_records import alike_by_all
@@ -143,8 +143,7 @@ def certain_part(
         if _taken(certain, model) < CERTAIN_RESIDUAL_SHARE or odd & {p.label for p in model.effects}:
             break
         certain = model
-    left = (certain.misfit**2 - 1) / max(base.misfit**2 - 1, 1e-9)
-    return certain if 1 - left >= CERTAIN_GAP_SHARE else base
+    return certain if gap_taken(certain, base) >= CERTAIN_GAP_SHARE else base
 
 
 def _taken(before: Refit, after: Refit) -> float:

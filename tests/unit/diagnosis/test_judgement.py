@@ -363,7 +363,7 @@ def test_what_was_found_first_is_held_against_its_rivals_beside_what_was_found_s
     kept, rivals = _revised(revised, [case.round(case.base, damping, case.friction)], case.study)
     assert kept is revised
     alone = [case.round(case.base, damping), case.round(damping, both)]
-    assert _kinds(_revised(both, alone, case.study)[0]) == ["coulomb_friction", "sensor_gain"]
+    assert _kinds(_revised(both, alone, case.study, anew=True)[0]) == ["coulomb_friction", "sensor_gain"]
     named = {label: [_kinds(model) for model in models] for label, models in rivals.items()}
     assert [*named] == [revised.effects[0].label]
     assert ["viscous_damping", "sensor_gain"] in named[revised.effects[0].label]
