@@ -77,7 +77,8 @@ def _friction_along_the_way(placed: Hypothesis, _: Campaign) -> Iterator[_Doubt]
     passed = 2 * placed.site.travel / placed.values["period"]
     if passed < criteria.RIPPLE_PERIODS_PASSED[0]:
         told = "it would be seen once along the way: that is a change with time, in a motion that never turns"
-        yield _Doubt(-placed.site.passes, (-criteria.LEAST_PASSES,) * 2, told)
+        least = criteria.LEAST_PASSES
+        yield _Doubt(-placed.site.passes, (-least, -least), told)
 
 
 def _spring_on_a_shaft(placed: Hypothesis, _: Campaign) -> Iterator[_Doubt]:
