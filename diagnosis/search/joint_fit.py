@@ -19,7 +19,7 @@ from ..models.study import Standing, Study
 from .model_comparison import Refit, stretches
 from .own_values import own_values
 from .record_run import RecordRun
-from .record_start import begun, projected
+from .record_start import begun, projected, reach_of
 
 FitStart = tuple[Mapping[str, float], Mapping[str, float]]
 DESCENT = Ending(
@@ -28,10 +28,6 @@ DESCENT = Ending(
     criteria.DESCENT_LEAST_RADIUS,
     criteria.DESCENT_STEPS,
 )
-
-
-def _reach(run: RecordRun) -> Array:
-    return run.found.reach
 
 
 @dataclass(frozen=True, eq=False)
@@ -245,7 +241,15 @@ class JointFit:
         known = self.begins.get(id(experiment))
         guess = self._guess(stand, experiment, rest) if known is None else known.moved
         drop = criteria.START_DROP_RATIO if known is None else drop
-        run, moved = begun(experiment, rest, run_from, lambda tried: tried.weighed, _reach, guess, drop)
+        run, moved = begun(
+            experiment,
+            rest,
+            run_from,
+            lambda tried: tried.weighed,
+            lambda tried: reach_of(experiment, tried.found),
+            guess,
+            drop,
+        )
         if moved is not None and drop is not None:
             self.begins[id(experiment)] = _Begin(moved, run.weighed[1])
             if run.start is not None:

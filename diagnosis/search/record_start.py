@@ -10,12 +10,7 @@ import numpy as np
 from ...base import Array
 from ...components import SimulationError
 from ...identification import Experiment
-from ..criteria import (
-    START_DROP_RATIO,
-    START_HALVINGS,
-    START_SINGULAR_VALUE_RATIO,
-    START_STEPS,
-)
+from ..criteria import START_DROP_RATIO, START_HALVINGS, START_SINGULAR_VALUE_RATIO, START_STEPS
 from ..models.study import Predicted
 
 Run = TypeVar("Run")
@@ -73,7 +68,7 @@ def begun(
         rest: returns the states at the start, as they seem to be.
         run_from: makes a run from states at the start, of a record at rest from None, with own values.
         weighed: as of `settled`.
-        reach: how far each state gets in a run.
+        reach: how far each state gets in a run, as of `reach_of`.
         known: how far a record of the same model was found to be from the guess.
         drop: share of the squared residual that another start must promise to be looked for; None if what is
             known shall do.
@@ -128,22 +123,15 @@ def settled(
         found = projected(np.column_stack([residual, slopes[:, : len(begin)]]), slopes[:, len(begin) :])
         return found[:, 0], found[:, 1:]
 
-    run = run_from(begin)
-    tie = np.zeros(len(begin))
+    run, tie, guess = run_from(begin), np.zeros(len(begin)), begin
     if near is not None:
-        reach = near[1](run)
-        tie[: len(reach)] = 1 / np.where(reach > 0, reach, np.inf)
-
-    def missed_by(run: Run, at: Array) -> tuple[Array, Array]:
-        residual, slopes = lifted(run)
-        if near is None:
-            return residual, slopes
-        return np.append(residual, tie * (near[0] - at)), np.vstack([slopes, np.diag(tie)])
-
-    residual, slopes = missed_by(run, begin)
+        guess, reach = near[0], near[1](run)
+        tie[: len(reach)] = np.divide(1.0, reach, out=np.zeros_like(reach), where=reach > 0)
+    residual, slopes = lifted(run)
     for _ in range(START_STEPS):
-        step, before = solved(slopes, residual), float(residual @ residual)
-        left = residual - slopes @ (np.clip(begin + step, *bounds) - begin)
+        missed, rows = np.append(residual, tie * (guess - begin)), np.vstack([slopes, np.diag(tie)])
+        step, before = solved(rows, missed), float(missed @ missed)
+        left = missed - rows @ (np.clip(begin + step, *bounds) - begin)
         if before <= (1 + drop) * float(left @ left):
             break
         for halving in range(START_HALVINGS):
@@ -152,13 +140,22 @@ def settled(
                 tried = run_from(moved)
             except SimulationError:
                 continue
-            missed, rates = missed_by(tried, moved)
-            if float(missed @ missed) < before:
+            after, rates = lifted(tried)
+            if float(after @ after) + float(np.sum((tie * (guess - moved)) ** 2)) < before:
                 break
         else:
             break
-        begin, run, residual, slopes = moved, tried, missed, rates
+        begin, run, residual, slopes = moved, tried, after, rates
     return begin, run
+
+
+def reach_of(experiment: Experiment, found: Predicted) -> Array:
+    """Return how far each state gets in a run, or would if that moved as much as was measured; 0 at rest."""
+    moved = [
+        np.sqrt(sum(float(np.sum(((y - y.mean()) * experiment.weights[n]) ** 2)) for n, y in values.items()))
+        for values in ({n: experiment.compared.values[n] for n in found.values}, found.values)
+    ]
+    return found.reach * max(1.0, moved[0] / moved[1]) if moved[1] > 0 else np.zeros_like(found.reach)
 
 
 def solved(slopes: Array, residual: Array) -> Array:

@@ -17,7 +17,7 @@ from ..effects.sites import Site
 from ..models.force import Force, push_of
 from ..models.study import NetworkPredictor, Predicted, Predictor, Study
 from .own_values import weighed
-from .record_start import begun
+from .record_start import begun, reach_of
 
 
 @dataclass(frozen=True, eq=False)
@@ -84,7 +84,7 @@ class WhitenedRecord:
             return start
 
         if forced is None:
-            run, _ = begun(experiment, rest, run_from, beside, lambda run: run[0].reach)
+            run, _ = begun(experiment, rest, run_from, beside, lambda run: reach_of(experiment, run[0]))
         else:
             run = run_from(self._begin(forced[1], experiment, rest), forced[1].own)
         self._found = found = run[0]

@@ -118,3 +118,23 @@ def test_what_leaves_no_trace_stays_where_it_seems_to_be(tied: bool) -> None:
     near = (np.zeros(2), lambda run: np.ones(2)) if tied else None
     begin, _ = settled(np.zeros(2), lambda at: at, weighed, np.tile([[-np.inf], [np.inf]], 2), near=near)
     assert np.abs(begin).max() < 2.0 if tied else np.abs(begin).max() > 1e5
+
+
+@pytest.mark.parametrize("push", [0.0, 1e-9, 1e-3])
+def test_a_decay_begins_where_it_does_however_little_the_force_channel_holds(cart: Any, push: float) -> None:
+    """With accelerations alone it seems to begin at rest, where noise of a force hardly moves the model."""
+    time, records = np.arange(0.0, 4.0, 1 / 250.0), list[Record]()
+    for seed, begin in ((1, -5e-3), (2, 4e-3)):
+        truth, rng = cart.rig(k=820.0), np.random.default_rng(seed)
+        truth.carriage.s = begin
+        run = truth.simulate(time[-1], step=1 / 250.0, inputs={"push.f": 0.0}, rtol=1e-9, atol=1e-12)
+        seen = np.interp(time, run.time, run["carriage.a"]) + 1e-2 * rng.standard_normal(len(time))
+        records.append(Record(f"run {seed}", time, {"F": push * rng.standard_normal(len(time)), "a": seen}))
+    channels = {"F": CHANNELS["F"], "a": {"output": "carriage.a", "unit": "m/s2"}}
+    train, test = ([{"record": record}] for record in records)
+    campaign = Campaign(cart.rig(), channels, PRIORS, train, test, noise={"a": 1e-2})
+    given = study_of(thinned(campaign), Accuracy())
+    found = JointFit(given, given.campaign.start).fitted()
+    assert found.misfit == pytest.approx(1.0, abs=0.1)
+    begins = [start["carriage.s"] for start in found.starts]
+    assert begins == pytest.approx([-5e-3, 4e-3], rel=0.01)
