@@ -9,6 +9,7 @@ from .experiment import Experiment
 
 PAUSE_SHARE = 0.25  # of the shorter of two records, up to which one goes on where the other ended
 LONGEST_PAUSE = 0.5  # [s] likewise: nobody begins another run so soon
+LONGEST_PAUSE_SAMPLES = 2.5  # likewise, of slow records: two samples from the last
 
 
 def since_their_runs_began(experiments: Sequence[Experiment]) -> list[Experiment]:
@@ -28,8 +29,8 @@ def _is_followed(one: Experiment, other: Experiment) -> bool:
     if one.source == other.source:
         return True
     lasting = [float(e.record.time[-1] - e.record.time[0]) for e in (one, other)]
-    longest = min(PAUSE_SHARE * min(lasting), LONGEST_PAUSE)
-    return 0 <= _begin(other) - float(one.record.time[-1]) <= longest
+    longest = max(LONGEST_PAUSE, LONGEST_PAUSE_SAMPLES / one.record.rate)
+    return 0 <= _begin(other) - float(one.record.time[-1]) <= min(PAUSE_SHARE * min(lasting), longest)
 
 
 def _first(experiment: Experiment) -> float:

@@ -86,6 +86,18 @@ def test_a_run_that_begins_soon_after_another_is_one_of_its_own(cart: Any) -> No
         assert began([first, other], cart)[1] == pytest.approx(begins, abs=0.01)
 
 
+@pytest.mark.parametrize("rate", [0.2, 1.0, 50.0])
+def test_a_slow_record_goes_on_with_the_next_sample(cart: Any, rate: float) -> None:
+    """Half a second is less than a step of a record that was taken once a second."""
+    time = np.arange(200) / rate
+    drive, seen = np.sin(np.arange(200) / 9), np.cos(np.arange(200) / 7)
+    first = Record("first", time, {"F": drive, "x": seen})
+    other = Record("other", time + time[-1] + 1 / rate, {"F": drive[::-1], "x": seen[::-1]})
+    assert began([first, other], cart) == [0.0, 0.0]
+    late = replace(other, name="late", time=time + time[-1] + max(0.8, 4 / rate))
+    assert began([first, late], cart)[1] == late.time[0]
+
+
 def test_a_sensor_that_drifts_along_a_curve_needs_no_other_effect(cart: Any) -> None:
     def drifting(t: Any, x: Any) -> Any:
         return x + 2e-4 * (t / 6.0) ** 1.3
