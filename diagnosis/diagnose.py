@@ -97,7 +97,7 @@ def diagnose(
             chosen = None
             if _may_go_on(best, base, study):
                 done = run_round(study, best, rounds, before)
-                chosen = _chosen(done, base) or _chosen_along(study, done, rounds[0], base)
+                chosen = _chosen(done, base) or _chosen_along(study, done, base)
             if chosen is None:
                 if best is looked_at or not _is_worth_a_look(best, base, study):
                     break
@@ -131,8 +131,8 @@ def diagnose(
         raise DiagnosisInterruptedError(told, verdict) from None
 
 
-def _chosen_along(study: Study, done: Round, first: Round, base: Refit) -> Refit | None:
-    """Return the best model of a round that came to nothing, gone on with along the missing force.
+def _chosen_along(study: Study, done: Round, base: Refit) -> Refit | None:
+    """Return the best model of a first round that came to nothing, gone on with along the missing force.
 
     It is sought only of a network of which nothing is found otherwise.
     """
@@ -144,7 +144,7 @@ def _chosen_along(study: Study, done: Round, first: Round, base: Refit) -> Refit
         candidates, near = screened_along(study, model)
     except InertanceError:
         return None
-    go_on(study, done, candidates, near, first)
+    go_on(study, done, candidates, near)
     return _chosen(done, base)
 
 
@@ -186,7 +186,7 @@ def _left_out(study: Study, budget: float | None, rounds: Sequence[Round]) -> li
 
 def _unscreened(rounds: Sequence[Round]) -> list[str]:
     """Say beside what nothing further could be looked for, and why."""
-    beside = [" and ".join(p.label for p in done.base.effects) or "the model as given" for done in rounds]
+    beside = [" and ".join(done.base.labels) or "the model as given" for done in rounds]
     told = zip(beside, (done.unscreened for done in rounds), strict=True)
     return [f"beside {model} nothing was looked for: {why}" for model, why in told if why]
 

@@ -12,8 +12,9 @@ from ...identification import Experiment, Prediction
 from ..effects.effect import Motion
 from ..effects.hypothesis import Hypothesis, driven, sensed
 from ..models.force import Force, push_of
+from ..models.network_predictor import NetworkPredictor
 from ..models.probes import motion_at
-from ..models.study import NetworkPredictor, Study
+from ..models.study import Study
 from ..search.record_start import nuisance_slopes
 from .course import Course
 

@@ -21,7 +21,7 @@ def screened_along(study: Study, model: Refit) -> tuple[list[Candidate], Refit]:
     Along its own runs a model is screened where it moves, along these where the machine does, which is
     elsewhere if ripple holds it in its valleys.
     """
-    study = study.displaced(model.effects).unsettled
+    study = study.unsettled
     missing = force_of(study, model)
     settled = missing.search.resized(missing.settled)
     runs = settled.runs

@@ -2,31 +2,26 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Sequence
 from concurrent.futures import Executor
 from copy import copy
 from dataclasses import dataclass, replace
 from functools import cached_property
 from math import inf
 from time import monotonic
-from typing import Any
 
 import numpy as np
 
 from ...base import Array
-from ...components import ModelError
 from ...identification import (
     Accuracy,
     Campaign,
-    Change,
     Experiment,
     Filter,
     Prediction,
     RecordModel,
     spectral_floor,
 )
-from ...identification.records.record import Channel
-from ...networks import DAE, Variations
 from ..criteria import (
     ACTIVE_POWER_SHARE,
     COMPARISON_RATE_HZ,
@@ -35,73 +30,14 @@ from ..criteria import (
     NOISE_PEAK_STANDARD_DEVIATIONS,
     SOLVER_STEPS_PER_SAMPLE,
 )
-from ..effects.effect import Motion
-from ..effects.hypothesis import Hypothesis, with_effects
+from ..effects.hypothesis import Hypothesis
 from ..effects.sites import Site, sites_of
 from .fmu_model import FMUModel
 from .fmu_predictor import FMUPrediction, FMUPredictor, ReplayedStand
-from .force import Force, pushed
+from .network_predictor import NetworkPredictor
 from .prescribed import moving
-from .probes import motion_at, probed
 
 Report = Callable[[str], None]
-
-
-class NetworkPredictor:
-    """A network with effects in it, probed at sites; slopes come from the variational equations."""
-
-    def __init__(
-        self,
-        campaign: Campaign,
-        effects: Sequence[Hypothesis],
-        parameters: Sequence[str],
-        sites: Sequence[Site],
-    ) -> None:
-        changed = with_effects(campaign.network, effects)
-        self.effects, self.network, self.parameters = effects, changed, list(parameters)
-        self.dae = (probed(changed, sites) if sites else changed).dae()
-        self.channels = campaign.measured
-        outputs = [c.path for c in self.channels.values() if not c.driven]
-        self.own = list(campaign.per_record)
-        self.clocks = [name for placed in effects for name in placed.clocks]
-        self.variations = Variations(self.dae, outputs, [*parameters, *self.own])
-
-    def stand(
-        self, experiment: Experiment, number: int | None = None, force: Force | None = None
-    ) -> RecordModel:
-        """Return the network on a record, if it is given with a force at one of the sites."""
-        channels: Mapping[str, Channel] = self.channels
-        if number is not None and force is not None:
-            experiment, channels = pushed(experiment, channels, number, force)
-        offsets = {f"{clock}.offset": -experiment.began for clock in self.clocks}
-        set_back = replace(experiment, values={**experiment.values, **offsets})
-        if experiment.change is None or not experiment.change.rebuilds:
-            return RecordModel(self.dae, set_back, channels, self.variations, self.own)
-        dae = self._rebuilt(experiment.change)
-        outputs = [c.path for c in self.channels.values() if not c.driven]
-        parameters = [path for path in self.parameters if not experiment.change.replaces(path)]
-        own = [path for path in self.own if not experiment.change.replaces(path)]
-        return RecordModel(dae, set_back, channels, Variations(dae, outputs, [*parameters, *own]), own)
-
-    def _rebuilt(self, change: Change) -> DAE:
-        """Return the equations with the components changed, once no effect is seen to go with them."""
-        for placed in self.effects:
-            gone = change.replaces(placed.site.path)
-            stays = placed.effect.place != "series" and any(not change.replaces(p) for p in placed.site.same)
-            if placed.site.domain != "channel" and gone and not stays:
-                raise ModelError(
-                    f"whether {placed.label} goes with '{gone}', which the change takes away, no model tells"
-                )
-        return change.applied(self.network).dae()
-
-    def instants(self, found: Any) -> Array:
-        """Return at which instants of a run changes are to be given: its points [s]."""
-        time: Array = found.run.time
-        return time
-
-    def motion(self, found: Any, number: int, site: Site) -> Motion:
-        """Return how a probed site moves."""
-        return motion_at(found.run, number, site)
 
 
 Predictor = NetworkPredictor | FMUPredictor
@@ -270,22 +206,23 @@ def thinned(campaign: Campaign, rate: float = COMPARISON_RATE_HZ) -> Campaign:
     ones have none.
     """
     smooth = [name for name in campaign.inputs if not campaign.measured[name].held]
-    thin = copy(campaign)
-    thin.training, thin.testing, thin.changed = (
-        [_slowed(experiment, smooth, rate) for experiment in experiments]
-        for experiments in (campaign.training, campaign.testing, campaign.changed)
-    )
+    thin = _each(campaign, lambda experiment: _slowed(experiment, smooth, rate))
     return thin if isinstance(thin.machine, FMUModel) else moving(thin)
 
 
 def begun_anywhere(campaign: Campaign) -> Campaign:
     """Return a campaign in which the states where records begin are estimated."""
-    free = copy(campaign)
-    free.training, free.testing, free.changed = (
-        [e if e.initial == "fit" else replace(e, initial="fit") for e in experiments]
+    return _each(campaign, lambda e: e if e.initial == "fit" else replace(e, initial="fit"))
+
+
+def _each(campaign: Campaign, changed: Callable[[Experiment], Experiment]) -> Campaign:
+    """Return a campaign with each of its records changed."""
+    other = copy(campaign)
+    other.training, other.testing, other.changed = (
+        [changed(experiment) for experiment in experiments]
         for experiments in (campaign.training, campaign.testing, campaign.changed)
     )
-    return free
+    return other
 
 
 def _slowed(experiment: Experiment, driven: Sequence[str], rate: float) -> Experiment:

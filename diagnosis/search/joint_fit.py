@@ -19,7 +19,7 @@ from ..models.study import Standing, Study
 from .model_comparison import Refit, stretches
 from .own_values import own_values
 from .record_run import RecordRun
-from .record_start import begun, projected, reach_of
+from .record_start import begun, projected
 
 FitStart = tuple[Mapping[str, float], Mapping[str, float]]
 DESCENT = Ending(
@@ -241,15 +241,7 @@ class JointFit:
         known = self.begins.get(id(experiment))
         guess = self._guess(stand, experiment, rest) if known is None else known.moved
         drop = criteria.START_DROP_RATIO if known is None else drop
-        run, moved = begun(
-            experiment,
-            rest,
-            run_from,
-            lambda tried: tried.weighed,
-            lambda tried: reach_of(experiment, tried.found),
-            guess,
-            drop,
-        )
+        run, moved = begun(experiment, rest, run_from, lambda r: r.weighed, lambda r: r.reach, guess, drop)
         if moved is not None and drop is not None:
             self.begins[id(experiment)] = _Begin(moved, run.weighed[1])
             if run.start is not None:

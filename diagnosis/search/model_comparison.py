@@ -55,6 +55,11 @@ class Refit:
     own: Sequence[Mapping[str, float]] = ()
 
     @property
+    def labels(self) -> list[str]:
+        """Kind and site of its effects."""
+        return [placed.label for placed in self.effects]
+
+    @property
     def left(self) -> list[dict[str, Array]]:
         """The weighted residuals of all records, those of the training first."""
         return [*self.train, *self.test]

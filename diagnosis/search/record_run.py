@@ -13,6 +13,7 @@ from ...identification import Experiment
 from ..effects.hypothesis import Hypothesis, sensed
 from ..models.study import Predicted
 from .own_values import weighed
+from .record_start import reach_of
 
 
 @dataclass(frozen=True, eq=False)
@@ -35,6 +36,11 @@ class RecordRun:
     def weighed(self) -> tuple[Array, Array]:
         """The weighted residual, and the slopes of the prediction in what nobody measured."""
         return weighed(self.experiment, self.found, self.seen, self.given)
+
+    @property
+    def reach(self) -> Array:
+        """How far each state gets, as of `reach_of`."""
+        return reach_of(self.experiment, self.found)
 
     @property
     def residual(self) -> Array:

@@ -74,10 +74,10 @@ def _anew(study: Study, placed: Hypothesis, model: Refit) -> list[Fit]:
     except InertanceError:
         return []
     last = replace(model, effects=(*less.effects, placed))
-    taken = {p.label for p in model.effects}
     noise_is_left = model.misfit <= criteria.COLOURED_MISFIT or model.is_noise(study.judged)
-    least = criteria.RIVAL_DROP_RATIO * candidates[0].gain if noise_is_left else 0.0
-    promising = [c for c in leading(candidates, taken) if c.gain > least]
+    most = max((candidate.gain for candidate in candidates), default=0.0)
+    least = criteria.RIVAL_DROP_RATIO * most if noise_is_left else 0.0
+    promising = [c for c in leading(candidates, model.labels) if c.gain > least]
     fits = [Fit.of(candidate, less, [last]) for candidate in promising]
     return [
         replace(fit, placed=replace(fit.placed, name=_free_name(fit.placed, less.effects)), known=model.cost)
@@ -94,12 +94,11 @@ def _rivals(placed: Hypothesis, model: Refit, rounds: Sequence[Round]) -> list[R
     done = next((r for r in rounds if any(f.effects[-1].label == placed.label for f in r.fitted)), None)
     if done is None:
         return []
-    taken = {placed.label for placed in model.effects}
     most = max(_drop(f, done) for f in done.fitted)
     rivals = [
         f
         for f in done.fitted
-        if f.effects[-1].label not in taken
+        if f.effects[-1].label not in model.labels
         and not any(f.effects[-1].generalises(p) or p.generalises(f.effects[-1]) for p in model.effects)
         and _drop(f, done) > criteria.RIVAL_DROP_RATIO * most
         and clearness(done.base, f) > criteria.CLEAR_STANDARD_ERRORS

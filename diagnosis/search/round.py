@@ -51,19 +51,19 @@ def run_round(study: Study, base: Refit, rounds: list[Round], before: Sequence[R
         return rounds[-1]
     rounds.append(Round(base, list(candidates), []))
     early: list[Candidate] | None = [] if base.effects else None
-    labels = [placed.label for placed in base.effects]
-    same = (done for done in before if [placed.label for placed in done.base.effects] == labels)
+    same = (done for done in before if done.base.labels == base.labels)
     known = {model.effects[-1].label: model for done in same for model in done.fitted}
     _fit(study, rounds[-1], candidates, rounds[0], early, known=known)
     return rounds[-1]
 
 
-def go_on(study: Study, done: Round, candidates: Sequence[Candidate], near: Refit, first: Round) -> None:
-    """Fit candidates in a round that came to nothing, from where they were screened; records begin `near`.
+def go_on(study: Study, done: Round, candidates: Sequence[Candidate], near: Refit) -> None:
+    """Fit candidates in a first round that came to nothing, from where they were screened.
 
-    A candidate that was fitted before is fitted once more, and the better fit stays.
+    Records begin where those of the model do that is `near`. A candidate that was fitted before is fitted
+    once more, and the better fit stays.
     """
-    _fit(study, done, candidates, first, [], near)
+    _fit(study, done, candidates, done, [], near)
     known = {c.label for c in done.candidates}
     done.candidates.extend(c for c in candidates if c.label not in known)
 
@@ -83,7 +83,7 @@ def _fit(
     label, `known` are models from where fits may go on.
     """
     base, fitted, failed = near or done.base, done.fitted, done.failed
-    waiting = leading(candidates, {placed.label for placed in base.effects})
+    waiting = leading(candidates, base.labels)
     crew, tried, kept = Crew(study), list[Candidate](), 0.0
     under_way = deque[tuple[Candidate, Outcome]]()
     while under_way or (waiting and not study.late()):

@@ -15,7 +15,8 @@ from ..effects.effect import Effect, Motion, Values
 from ..effects.hypothesis import Hypothesis, acted, driven, sensed
 from ..effects.sites import Site
 from ..models.force import Force, push_of
-from ..models.study import NetworkPredictor, Predicted, Predictor, Study
+from ..models.network_predictor import NetworkPredictor
+from ..models.study import Predicted, Predictor, Study
 from .own_values import weighed
 from .record_start import begun, reach_of
 
@@ -63,10 +64,12 @@ class WhitenedRecord:
         self._channels = study.campaign.measured
         self.weights = weights = {name: count**0.5 * one for name, one in experiment.weights.items()}
         self._predictor, self._experiment = predictor, experiment
-        self._stand: Any = predictor.stand(driven(experiment, effects))
-        if forced is not None:
+        given = driven(experiment, effects)
+        if forced is None:
+            self._stand: Any = predictor.stand(given)
+        else:
             assert isinstance(predictor, NetworkPredictor)
-            self._stand = predictor.stand(driven(experiment, effects), forced[0], forced[1].force)
+            self._stand = predictor.stand(given, forced[0], forced[1].force)
         self.measured = experiment.compared
         accuracy = study.accuracy_with(effects)
 

@@ -29,7 +29,7 @@ def beyond_the_list(study: Study, verdict: Verdict) -> Verdict:
     found = _alone(evidence.study, found) or found
     model, before = found.model, found.before
     assert model is not None
-    kept = [number for number, placed in enumerate(verdict.effects) if placed.label in _labels(before)]
+    kept = [number for number, placed in enumerate(verdict.effects) if placed.label in before.labels]
     return replace(
         verdict,
         verdict="law",
@@ -59,10 +59,4 @@ def _alone(study: Study, found: Sought) -> Sought | None:
         return None
     study.tell(f"looking for it in place of {' and '.join(placed.label for placed in parts)}")
     alone = sought(study.displaced(less.effects), less)
-    if alone is None or alone.law is None or alone.model is None or alone.law.site.path != site.path:
-        return None
-    return alone
-
-
-def _labels(model: Refit) -> set[str]:
-    return {placed.label for placed in model.effects}
+    return alone if alone and alone.law and alone.law.site.path == site.path else None

@@ -136,11 +136,11 @@ def certain_part(
     """
     if explains(best, base, study) and not changing:
         return best
-    named, certain = {placed.label for placed in best.effects}, base
+    named, certain = {*best.labels}, base
     odd = {found.placed.label for found in changing}
-    before = [done.base for done in rounds if set() < {p.label for p in done.base.effects} < named]
+    before = [done.base for done in rounds if set() < {*done.base.labels} < named]
     for model in (*before, best):
-        if _taken(certain, model) < CERTAIN_RESIDUAL_SHARE or odd & {p.label for p in model.effects}:
+        if _taken(certain, model) < CERTAIN_RESIDUAL_SHARE or odd & {*model.labels}:
             break
         certain = model
     return certain if gap_taken(certain, base) >= CERTAIN_GAP_SHARE else base
@@ -163,8 +163,7 @@ def _word(evidence: Evidence) -> str:
 
 def _round_on(model: Refit, rounds: Sequence[Round]) -> Round | None:
     """Return the round that looked for more than the effects of a model, if one did."""
-    labels = [placed.label for placed in model.effects]
-    return next((done for done in rounds if [p.label for p in done.base.effects] == labels), None)
+    return next((done for done in rounds if done.base.labels == model.labels), None)
 
 
 def _ranked(study: Study, done: Round) -> tuple[Ranked, ...]:
@@ -190,10 +189,6 @@ def _kinds(model: Refit) -> list[str]:
     return sorted(placed.effect.kind for placed in model.effects)
 
 
-def _labels(model: Refit) -> list[str]:
-    return [placed.label for placed in model.effects]
-
-
 def _alike(best: Refit, rounds: Sequence[Round], rivals: Rivals, study: Study) -> list[Refit]:
     """Return models with another effect for one of those found that are as good, the likest first."""
     if not best.effects:
@@ -201,9 +196,9 @@ def _alike(best: Refit, rounds: Sequence[Round], rivals: Rivals, study: Study) -
     *earlier, last = best.effects
     models = [f for placed in earlier for f in rivals.get(placed.label, ())]
     for done in rounds:
-        if _labels(done.base) == [placed.label for placed in earlier]:
+        if done.base.labels == [placed.label for placed in earlier]:
             models += [f for f in done.fitted if not f.effects[-1].effect.generalises(last.effect.kind)]
-    others = [f for f in models if len(f.effects) == len(best.effects) and {*_labels(f)} != {*_labels(best)}]
+    others = [f for f in models if len(f.effects) == len(best.effects) and {*f.labels} != {*best.labels}]
     alike = [f for f in others if are_alike(f, best)]
     alike += alike_by_all(study, best, [f for f in others if f not in alike])
     return sorted(alike, key=lambda f: abs(clearness(f, best)))
@@ -211,12 +206,12 @@ def _alike(best: Refit, rounds: Sequence[Round], rivals: Rivals, study: Study) -
 
 def _other(model: Refit, best: Refit) -> Hypothesis:
     """Return the effect that a model has and another has not."""
-    return next(placed for placed in model.effects if placed.label not in _labels(best))
+    return next(placed for placed in model.effects if placed.label not in best.labels)
 
 
 def _class(best: Refit, first: Round, alike: Sequence[Refit]) -> tuple[tuple[str, str], ...]:
     """Return kind and site of what cannot be told from an effect: by its fit, or by screening already."""
-    labels = _labels(best)[:1]
+    labels = best.labels[:1]
     chosen = next((c for c in first.candidates if c.label in labels), None)
     moved = [c.key for c in first.candidates if chosen and c is not chosen and same_motion(c, chosen)]
     return tuple(dict.fromkeys([*(_other(f, best).key for f in alike), *moved]))

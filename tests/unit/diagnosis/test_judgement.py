@@ -324,6 +324,10 @@ class Held:
     def blocks(self) -> NDArray[np.float64]:
         return np.full(10, self.misfit**2)
 
+    @property
+    def labels(self) -> list[str]:
+        return [placed.label for placed in self.effects]
+
     def is_noise(self, _: Any) -> bool:
         return False
 
