@@ -102,7 +102,9 @@ def diagnose(
                 if best is looked_at or not _is_worth_a_look(best, base, study):
                     break
                 last = best
-                best, rivals = _revised(_pruned(best, study), rounds, study, anew=True)
+                needed = _pruned(best, study)
+                tried = rivals if needed is best else {}
+                best, rivals = _revised(needed, rounds, study, tried, anew=True)
                 looked_at = best
                 if best is last:
                     break
@@ -304,18 +306,24 @@ def _is_worth_a_look(best: Refit, base: Refit, study: Study) -> bool:
     return len(best.effects) > 1 and not study.late() and gap_taken(best, base) >= criteria.CERTAIN_GAP_SHARE
 
 
-def _revised(best: Refit, rounds: Sequence[Round], study: Study, anew: bool = False) -> tuple[Refit, Rivals]:
-    """Return the model with effects exchanged for what does better beside the others, and the rivals."""
+def _revised(
+    best: Refit, rounds: Sequence[Round], study: Study, known: Rivals | None = None, anew: bool = False
+) -> tuple[Refit, Rivals]:
+    """Return the model with effects exchanged for what does better beside the others, and the rivals.
+
+    Those that are `known` stand beside the model as it is given.
+    """
+    known = known or {}
     for _ in range(criteria.MOST_EFFECTS):
         rivals: Rivals = {}
-        for placed, others in exchanged(study, best, rounds, anew):
+        for placed, others in exchanged(study, best, rounds, known, anew):
             at = best.effects.index(placed)
             richer = [other for other in others if other.effects[at].generalises(placed)]
             rivals[placed.label] = [other for other in others if other not in richer]
             models = (best, *rivals[placed.label], *(o for o in richer if _worth_it(best, o)))
             better = _simplest(best_of(models), models)
             if _is_worth_exchanging(best, better):
-                best = better
+                best, known = better, {}
                 break
         else:
             return best, rivals

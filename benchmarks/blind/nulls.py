@@ -38,7 +38,7 @@ def null(folder: Path, rng: np.random.Generator) -> Campaign:
 
     def predicted(experiments: Sequence[Experiment]) -> Iterator[Experiment]:
         bench = CampaignModel(campaign.dae, campaign.measured, experiments)
-        runs = bench.simulate(campaign.start, slopes=False)
+        runs = bench.simulate(campaign.start)
         for experiment, run in zip(experiments, runs, strict=True):
             seen = {n: v + campaign.sigma[n] * rng.standard_normal(len(v)) for n, v in run.values.items()}
             yield replace(

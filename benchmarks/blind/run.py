@@ -1,7 +1,7 @@
 """Generate the blind cases, diagnose each in a process of its own, open the labels, print the table.
 
 python benchmarks/blind/run.py [--generation 2] [--folder DIR] [--cases N | --sample N] [--seed 1] [--jobs 2]
-                               [--baselines] [--gate]
+                               [--cores 1] [--baselines] [--gate]
 
 What is there already is kept, so a run that was broken off goes on where it stopped. With --gate the exit
 code is 1 if a sample of this size, which tells no share well, says that something is broken.
@@ -17,6 +17,7 @@ import sys
 import time
 from collections.abc import Sequence
 from concurrent.futures import ThreadPoolExecutor
+from functools import partial
 from pathlib import Path
 
 from generate import CALIBRATION, GENERATIONS, SCORED, generate
@@ -26,12 +27,12 @@ LIMIT = 600.0
 NAMES = {1: "blind", 2: "blind2", 3: "blind3"}
 
 
-def diagnose(case: Path) -> str:
+def diagnose(case: Path, cores: int = 1) -> str:
     """Write verdict.json for a case through the command line, and verdict.run.json with what it took."""
     verdict, note = case / "verdict.json", case / "verdict.run.json"
     if note.exists():
         return case.name
-    command = [sys.executable, "-m", "inertance", "diagnose", "campaign.toml", "--jobs", "1"]
+    command = [sys.executable, "-m", "inertance", "diagnose", "campaign.toml", "--jobs", str(cores)]
     command += ["--json", verdict.name]
     alone = {**os.environ, "OPENBLAS_NUM_THREADS": "1"}
     begin = time.perf_counter()
@@ -54,7 +55,8 @@ def main(arguments: Sequence[str] | None = None) -> None:
     parser.add_argument("--cases", type=int, help="240, 300 or 60 by generation, if not given")
     parser.add_argument("--sample", type=int, help="only so many cases; any first 24, 30 or 12 are balanced")
     parser.add_argument("--seed", type=int, default=SCORED, help=f"{CALIBRATION} is the calibration set")
-    parser.add_argument("--jobs", type=int, default=2)
+    parser.add_argument("--jobs", type=int, default=2, help="cases at a time")
+    parser.add_argument("--cores", type=int, default=1, help="processes of each diagnosis")
     parser.add_argument("--baselines", action="store_true", help="run the baselines, too")
     parser.add_argument("--gate", action="store_true", help="end with exit code 1 if the score is poor")
     given = parser.parse_args(arguments)
@@ -63,7 +65,7 @@ def main(arguments: Sequence[str] | None = None) -> None:
     generate(folder, count, given.seed, given.jobs, given.generation)
     cases = sorted(path for path in (folder / "cases").iterdir() if path.is_dir())
     with ThreadPoolExecutor(given.jobs) as pool:
-        for done, name in enumerate(pool.map(diagnose, cases), start=1):
+        for done, name in enumerate(pool.map(partial(diagnose, cores=given.cores), cases), start=1):
             print(f"\r{done}/{len(cases)} cases diagnosed ({name})", end="", file=sys.stderr, flush=True)
     print(file=sys.stderr)
     if given.baselines:

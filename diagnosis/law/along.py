@@ -55,11 +55,10 @@ class Bench:
         begin: Begin,
         number: int = 0,
         force: Force | None = None,
-        slopes: bool = True,
     ) -> Beside:
         """Run a record with a force at a site."""
         stand = self.predictor.stand(driven(experiment, self.effects), number, force)
-        found = stand.run({**given, **begin.own}, begin.start, self.accuracy, slopes)
+        found = stand.run({**given, **begin.own}, begin.start, self.accuracy)
         return Beside(self, experiment, given, begin, number, force, found)
 
 

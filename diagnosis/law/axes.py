@@ -40,10 +40,10 @@ class Axis:
         count = (LAW_POINTS_OF_PAIRS if pair else LAW_POINTS)[VARIABLES.index(variable)]
         if variable == "speed" and low < 0 < high:
             most = max(-low, high)
-            widest = np.arcsinh(1 / LAW_SLOW_SHARE)
-            points = most * LAW_SLOW_SHARE * np.sinh(np.linspace(-widest, widest, count | 1))
-            points = np.concatenate([[low], points[(points > low) & (points < high)], [high]])
-            return cls(variable, points)
+            widest, slow = np.arcsinh(1 / LAW_SLOW_SHARE), most * LAW_SLOW_SHARE
+            points = slow * np.sinh(np.linspace(-widest, widest, count | 1))
+            inside = (points > low + slow) & (points < high - slow)
+            return cls(variable, np.concatenate([[low], points[inside], [high]]))
         return cls(variable, np.linspace(low, high, count), smooth=not pair and variable == "position")
 
     def basis(self, values: Array) -> Array:

@@ -71,7 +71,7 @@ def _own(study: Study, model: Refit, number: int) -> tuple[list[Array], list[Mot
     forces, motions = [], []
     for experiment, start in zip(study.campaign.training, model.starts, strict=False):
         begin = bench.begin(experiment, model.parameters, start)
-        run = bench.run(experiment, model.parameters, begin, slopes=False)
+        run = bench.run(experiment, model.parameters, begin)
         name = f"{placed.name}.{placed.site.mechanics.through}"
         if name not in run.found.run:
             return [], []

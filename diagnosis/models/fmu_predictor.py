@@ -6,6 +6,7 @@ import re
 import weakref
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+from functools import cached_property
 from typing import Any
 
 import numpy as np
@@ -34,15 +35,37 @@ ROUNDING_SHARE = 1e-6  # of the time between samples, by which a held one is ask
 
 @dataclass(frozen=True, eq=False)
 class FMUPrediction:
-    """What a run shows: the output channels, their slopes, and how the port moves, in SI units."""
+    """What a run shows: the output channels, and how the port moves, in SI units.
 
+    Slopes of the channels, as of `Prediction`, take further runs once they are asked for.
+    """
+
+    stand: ReplayedStand
     time: Array
     values: dict[str, Array]
-    slopes: dict[str, Array]
-    own_slopes: dict[str, Array]
-    start_slopes: dict[str, Array]
     given: Mapping[str, float]
     port: Motion | None
+
+    @property
+    def slopes(self) -> dict[str, Array]:
+        """d(channel)/d(parameters)."""
+        own = len(self.stand.experiment.unknown)
+        return {name: moved[:, : moved.shape[1] - own] for name, moved in self._moved.items()}
+
+    @property
+    def own_slopes(self) -> dict[str, Array]:
+        """d(channel)/d(parameters of which the record has an unknown value of its own)."""
+        own = len(self.stand.experiment.unknown)
+        return {name: moved[:, moved.shape[1] - own :] for name, moved in self._moved.items()}
+
+    @property
+    def start_slopes(self) -> dict[str, Array]:
+        """d(channel)/d(states at the start): there are none."""
+        return {name: np.zeros((len(self.time), 0)) for name in self.values}
+
+    @cached_property
+    def _moved(self) -> dict[str, Array]:
+        return self.stand.differences(self.given, self.values)
 
     @property
     def reach(self) -> Array:
@@ -169,26 +192,25 @@ class ReplayedStand:
         parameters: Mapping[str, float],
         start: Array | None = None,
         accuracy: Accuracy | None = None,
-        slopes: bool = True,
     ) -> FMUPrediction:
         """Run the record; see `RecordModel.run`."""
-        model, port = self.model, self.model.box.port
+        port = self.model.box.port
         table = self._table(parameters, self.given)
-        values = self._channels(table)
+        motion = self._motion(port, table) if port is not None else None
+        return FMUPrediction(self, self.time, self._channels(table), dict(parameters), motion)
+
+    def differences(self, parameters: Mapping[str, float], values: Mapping[str, Array]) -> dict[str, Array]:
+        """Return d(channel)/d(parameters, own ones) beside a run that gave `values`."""
+        model = self.model
         columns = {name: [np.zeros((len(self.time), 0))] for name in values}
-        none = {name: column[0] for name, column in columns.items()}
         shared = [name for name in model.steps if name not in model.own]
-        for name in (*shared, *self.experiment.unknown) if slopes else ():
+        for name in (*shared, *self.experiment.unknown):
             step = model.steps[name]
             step = step if parameters[name] + step <= model.highest.get(name, np.inf) else -step
             moved = self.predicted({**parameters, name: parameters[name] + step})
             for channel, column in columns.items():
                 column.append(((moved[channel] - values[channel]) / step)[:, None])
-        moved_by = {name: np.hstack(column) for name, column in columns.items()}
-        by_p = {name: column[:, : len(shared)] for name, column in moved_by.items()}
-        by_own = {name: column[:, len(shared) :] for name, column in moved_by.items()}
-        motion = self._motion(port, table) if port is not None else None
-        return FMUPrediction(self.time, values, by_p, by_own, none, dict(parameters), motion)
+        return {name: np.hstack(column) for name, column in columns.items()}
 
     def predicted(
         self, parameters: Mapping[str, float], given: Array | None = None, push: Array | float = 0.0

@@ -121,7 +121,7 @@ class Study:
         model, taken = self.predictor(), list[float]()
         for experiment in self.campaign.training:
             stand = model.stand(experiment)
-            found = stand.run(given, stand.rest(given, whole), whole, slopes=False)
+            found = stand.run(given, stand.rest(given, whole), whole)
             assert isinstance(found, Prediction)
             taken.append(found.run.stats["steps"] / len(found.time))
         return max(taken)
@@ -175,7 +175,7 @@ class FMUStudy(Study):
         """Tell that its inside is not looked at, and when its port gives energy off."""
         box, model = self.box, self.predictor()
         told = box.limits(model.taken)
-        port = model.stand(self.campaign.training[0]).run(self.campaign.start, slopes=False).port
+        port = model.stand(self.campaign.training[0]).run(self.campaign.start).port
         if box.port is None or port is None:
             return told
         power = float(np.trapezoid(port.f * port.v, port.t))

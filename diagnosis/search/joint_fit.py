@@ -19,7 +19,7 @@ from ..models.study import Standing, Study
 from .model_comparison import Refit, stretches
 from .own_values import own_values
 from .record_run import RecordRun
-from .record_start import begun, projected
+from .record_start import apart, begun, projected
 
 FitStart = tuple[Mapping[str, float], Mapping[str, float]]
 DESCENT = Ending(
@@ -83,8 +83,9 @@ class JointFit:
         self.predictor = study.predictor(effects, [*self.names, *paths])
         self.stands = {id(e): self.predictor.stand(e) for e in self.campaign.experiments}
         self.begins: dict[int, _Begin] = {}  # by record, unless all of it is known
-        self.starts = dict(zip(self.stands, near.starts, strict=True)) if near is not None else {}
+        self.starts = {} if near is None else near.starts_of(self.campaign.experiments)
         self.own: dict[int, dict[str, float]] = {}  # by record, the values that it has of its own
+        self._last: dict[int, tuple[object, RecordRun]] = {}  # by record, and from where
         self._sloped: tuple[Array, list[Array]] = self.start[:0], []  # the last, and its residuals
 
     def vector(self, parameters: Mapping[str, float], values: Sequence[Mapping[str, float]]) -> Array:
@@ -204,13 +205,18 @@ class JointFit:
         plain = not slopes and not experiment.unknown and begins_as_known
 
         def run_from(start: Array | None, own: Mapping[str, float]) -> RecordRun:
+            key = vector.tobytes(), None if start is None else start.tobytes(), tuple(own.items())
+            last = self._last.get(id(experiment))
+            if last is not None and last[0] == key:
+                return last[1]
             values = {**given, **own}
-            found = stand.run(values, start, self.accuracy, not plain)
-            return RecordRun(experiment, effects, values, start, found)
+            run = RecordRun(experiment, effects, values, start, stand.run(values, start, self.accuracy))
+            self._last[id(experiment)] = key, run
+            return run
 
         run = self._begun(stand, run_from, experiment, given, None if trial else drop)
         if plain and known is not None:
-            residual, nuisances = run.residual, known.slopes
+            residual, nuisances = run.missed, known.slopes
         else:
             residual, nuisances = run.weighed
         if experiment.unknown:
@@ -239,23 +245,15 @@ class JointFit:
             return stand.rest(given, self.accuracy)
 
         known = self.begins.get(id(experiment))
-        guess = self._guess(stand, experiment, rest) if known is None else known.moved
+        start = self.starts.get(id(experiment), {})
+        guess = apart(stand, start, rest, len(experiment.unknown)) if known is None else known.moved
         drop = criteria.START_DROP_RATIO if known is None else drop
-        run, moved = begun(experiment, rest, run_from, lambda r: r.weighed, lambda r: r.reach, guess, drop)
+        run, moved = begun(experiment, rest, run_from, guess, drop)
         if moved is not None and drop is not None:
             self.begins[id(experiment)] = _Begin(moved, run.weighed[1])
             if run.start is not None:
                 self.starts[id(experiment)] = dict(zip(stand.state_names, run.start.tolist(), strict=True))
         return run
-
-    def _guess(self, stand: Standing, experiment: Experiment, rest: Callable[[], Array]) -> Array | None:
-        """Return how far a record begins from where it seems to, by where another model begins."""
-        start = self.starts.get(id(experiment))
-        if not start:
-            return None
-        seeming = dict(zip(stand.state_names, rest().tolist(), strict=True))
-        moved = [start.get(name, value) - value for name, value in seeming.items()]
-        return np.array([*moved, *[0.0] * len(experiment.unknown)])
 
     def _driven(self, experiment: Experiment, effects: Sequence[Hypothesis]) -> Standing:
         """Return the stand of a record, its inputs as the actuators pass them on."""
@@ -267,7 +265,7 @@ class JointFit:
         """Return what is to be seen in a planned experiment, from rest, and how that slopes in the vector."""
         parameters, effects = self.unpacked(self.start)
         given = parameters | inserted(effects)
-        found = self._driven(experiment, effects).run(given, None, self.accuracy, slopes)
+        found = self._driven(experiment, effects).run(given, None, self.accuracy)
         run = RecordRun(experiment, effects, given, None, found)
         return run, self._slopes(run) if slopes else np.zeros((0, len(self.start)))
 
@@ -301,7 +299,7 @@ class JointFit:
             effects = tuple(other if p is placed else p for p in run.effects)
             given, found = {**run.given, **other.network_parameters}, run.found
             if placed.effect.drives or placed.effect.change is None:
-                found = self._driven(run.experiment, effects).run(given, run.start, self.accuracy, False)
+                found = self._driven(run.experiment, effects).run(given, run.start, self.accuracy)
             for name, now in replace(run, effects=effects, found=found).seen.items():
                 columns[name].append((now - base[name]) / step * scale)
         return {name: np.column_stack(moved) for name, moved in columns.items()}

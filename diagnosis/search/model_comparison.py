@@ -54,6 +54,10 @@ class Refit:
     starts: Sequence[Mapping[str, float]] = ()
     own: Sequence[Mapping[str, float]] = ()
 
+    def starts_of(self, experiments: Sequence[Experiment]) -> dict[int, Mapping[str, float]]:
+        """Return by record, as `id` tells them, where each begins."""
+        return dict(zip(map(id, experiments), self.starts, strict=False))
+
     @property
     def labels(self) -> list[str]:
         """Kind and site of its effects."""

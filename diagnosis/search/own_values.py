@@ -7,7 +7,7 @@ from collections.abc import Mapping
 import numpy as np
 
 from ...base import Array
-from ...identification import Experiment
+from ...identification import Experiment, Prior
 from ..criteria import BOUND_SCALE_TOLERANCE
 from ..models.study import Predicted
 from .record_start import nuisance_slopes, solved
@@ -32,24 +32,37 @@ def weighed(
         own: with what values of its own it was run.
         count: of records that it stands for.
     """
+    residual, priors = missed(experiment, seen, own, count), experiment.unknown
     weights = {name: count**0.5 * weight for name, weight in experiment.weights.items()}
-    missed = [(experiment.compared.values[n] - seen[n]) * weights[n] for n in seen]
     slopes = nuisance_slopes(experiment, found, weights)
-    priors = experiment.unknown
     if not priors:
-        return np.concatenate(missed), slopes
-    at = np.array([(own[name] - prior.center) / prior.scale for name, prior in priors.items()])
-    weight = count**0.5 * np.array([prior.scale / prior.sd for prior in priors.values()])
+        return residual, slopes
+    at, weight = _own(priors, own, count)
     places = _places(experiment, slopes)
     slopes = np.vstack([slopes, np.zeros((len(at), slopes.shape[1]))])
     slopes[-len(at) :, places] = np.diag(weight)
-    residual = np.concatenate([*missed, -weight * at])
     low, high = np.array([prior.range for prior in priors.values()]).T
     lowest, highest = at <= low + BOUND_SCALE_TOLERANCE, at >= high - BOUND_SCALE_TOLERANCE
     if (lowest | highest).any():
         step = solved(slopes, residual)[places]
         slopes[:, places] *= ~((lowest & (step < 0)) | (highest & (step > 0)))
     return residual, slopes
+
+
+def missed(
+    experiment: Experiment, seen: Mapping[str, Array], own: Mapping[str, float], count: float = 1.0
+) -> Array:
+    """Return the weighted residual alone; arguments and rows as above."""
+    weights, measured = experiment.weights, experiment.compared.values
+    rows = [(measured[n] - seen[n]) * (count**0.5 * weights[n]) for n in seen]
+    at, weight = _own(experiment.unknown, own, count)
+    return np.concatenate([*rows, -weight * at])
+
+
+def _own(priors: Mapping[str, Prior], own: Mapping[str, float], count: float) -> tuple[Array, Array]:
+    """Return how far own values are from what was assumed, and what that weighs, in units of their scales."""
+    at = np.array([(own[name] - prior.center) / prior.scale for name, prior in priors.items()])
+    return at, count**0.5 * np.array([prior.scale / prior.sd for prior in priors.values()])
 
 
 def _places(experiment: Experiment, slopes: Array) -> slice:

@@ -12,19 +12,23 @@ from ...base import Array
 from ...identification import Experiment
 from ..effects.hypothesis import Hypothesis, sensed
 from ..models.study import Predicted
-from .own_values import weighed
+from .own_values import missed, weighed
 from .record_start import reach_of
 
 
 @dataclass(frozen=True, eq=False)
 class RecordRun:
-    """A run on a record, and what it was computed with: effects, parameters and states at the start."""
+    """A run on a record, and what it was computed with: effects, parameters and states at the start.
+
+    It may stand for a `count` of records like it.
+    """
 
     experiment: Experiment
     effects: tuple[Hypothesis, ...]
     given: Mapping[str, float]
     start: Array | None
     found: Predicted
+    count: float = 1.0
 
     @cached_property
     def seen(self) -> dict[str, Array]:
@@ -35,18 +39,17 @@ class RecordRun:
     @cached_property
     def weighed(self) -> tuple[Array, Array]:
         """The weighted residual, and the slopes of the prediction in what nobody measured."""
-        return weighed(self.experiment, self.found, self.seen, self.given)
+        return weighed(self.experiment, self.found, self.seen, self.given, self.count)
 
     @property
     def reach(self) -> Array:
         """How far each state gets, as of `reach_of`."""
         return reach_of(self.experiment, self.found)
 
-    @property
-    def residual(self) -> Array:
-        """The weighted residual, channels one below the other, without the priors of own values."""
-        measured, weights = self.experiment.compared.values, self.experiment.weights
-        return np.concatenate([(measured[n] - seen) * weights[n] for n, seen in self.seen.items()])
+    @cached_property
+    def missed(self) -> Array:
+        """The weighted residual alone, which takes no slopes."""
+        return missed(self.experiment, self.seen, self.given, self.count)
 
     def slopes(self, name: str) -> Array:
         """Return slopes of a channel as its sensor passes them on; sensors are linear but for a constant."""

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from typing import TypeVar
+from typing import Protocol, TypeVar
 
 import numpy as np
 
@@ -11,9 +11,29 @@ from ...base import Array
 from ...components import SimulationError
 from ...identification import Experiment
 from ..criteria import START_DROP_RATIO, START_HALVINGS, START_SINGULAR_VALUE_RATIO, START_STEPS
-from ..models.study import Predicted
+from ..models.study import Predicted, Standing
 
-Run = TypeVar("Run")
+
+class Weighed(Protocol):
+    """A run beside its record.
+
+    Attributes:
+        missed: the weighted residual.
+        weighed: the same, and the slopes of the prediction, the unknowns first, then those of offsets.
+        reach: how far each state gets, as of `reach_of`.
+    """
+
+    @property
+    def missed(self) -> Array: ...
+
+    @property
+    def weighed(self) -> tuple[Array, Array]: ...
+
+    @property
+    def reach(self) -> Array: ...
+
+
+Run = TypeVar("Run", bound=Weighed)
 
 
 def nuisance_slopes(experiment: Experiment, found: Predicted, weights: Mapping[str, Array]) -> Array:
@@ -56,8 +76,6 @@ def begun(
     experiment: Experiment,
     rest: Callable[[], Array],
     run_from: Callable[[Array | None, Mapping[str, float]], Run],
-    weighed: Callable[[Run], tuple[Array, Array]],
-    reach: Callable[[Run], Array],
     known: Array | None = None,
     drop: float | None = START_DROP_RATIO,
 ) -> tuple[Run, Array | None]:
@@ -67,8 +85,6 @@ def begun(
         experiment: the record, and whether it begins at rest.
         rest: returns the states at the start, as they seem to be.
         run_from: makes a run from states at the start, of a record at rest from None, with own values.
-        weighed: as of `settled`.
-        reach: how far each state gets in a run, as of `reach_of`.
         known: how far a record of the same model was found to be from the guess.
         drop: share of the squared residual that another start must promise to be looked for; None if what is
             known shall do.
@@ -86,21 +102,31 @@ def begun(
     begin, run = settled(
         begin,
         lambda at: run_from(*parted(experiment, at)),
-        weighed,
         bounds,
         least,
-        None if at_rest else (guess, reach),
+        None if at_rest else guess,
     )
     return run, begin - guess
+
+
+def apart(stand: Standing, start: Mapping[str, float], rest: Callable[[], Array], own: int) -> Array | None:
+    """Return how far a record that begins at some states, by name, is from where it seems to begin.
+
+    It has so many values of its `own`, which are as assumed; None if no states are known.
+    """
+    if not start:
+        return None
+    seeming = dict(zip(stand.state_names, rest().tolist(), strict=True))
+    moved = [start.get(name, value) - value for name, value in seeming.items()]
+    return np.array([*moved, *[0.0] * own])
 
 
 def settled(
     begin: Array,
     run_from: Callable[[Array], Run],
-    weighed: Callable[[Run], tuple[Array, Array]],
     bounds: Array,
     drop: float = START_DROP_RATIO,
-    near: tuple[Array, Callable[[Run], Array]] | None = None,
+    near: Array | None = None,
 ) -> tuple[Array, Run]:
     """Return with which unknowns a run fits its record best, and that run: Gauss-Newton in them alone.
 
@@ -110,23 +136,22 @@ def settled(
     Args:
         begin: states at the start and own values, as they seem to be.
         run_from: makes a run with such unknowns.
-        weighed: returns of a run its weighted residual and the slopes of its prediction, the unknowns first,
-            then those of offsets.
         bounds: least and largest unknowns.
         drop: share of the squared residual that a step must promise to be worth a run.
-        near: what they seem to be, and how far each state gets in a run. A state that leaves no trace, as the
-            stretch of a stop that springs back at once, stays within about that: as if it were known to.
+        near: what they seem to be. A state that leaves no trace, as the stretch of a stop that springs back
+            at once, stays about as near as it gets in a run: as if it were known to.
     """
 
     def lifted(run: Run) -> tuple[Array, Array]:
-        residual, slopes = weighed(run)
+        residual, slopes = run.weighed
         found = projected(np.column_stack([residual, slopes[:, : len(begin)]]), slopes[:, len(begin) :])
         return found[:, 0], found[:, 1:]
 
     run, tie, guess = run_from(begin), np.zeros(len(begin)), begin
     if near is not None:
-        guess, reach = near[0], near[1](run)
+        guess, reach = near, run.reach
         tie[: len(reach)] = np.divide(1.0, reach, out=np.zeros_like(reach), where=reach > 0)
+    offsets = run.weighed[1][:, len(begin) :]
     residual, slopes = lifted(run)
     for _ in range(START_STEPS):
         missed, rows = np.append(residual, tie * (guess - begin)), np.vstack([slopes, np.diag(tie)])
@@ -138,14 +163,16 @@ def settled(
             moved = np.clip(begin + step / 2**halving, *bounds)
             try:
                 tried = run_from(moved)
+                after = projected(tried.missed[:, None], offsets)[:, 0]
+                if float(after @ after) + float(np.sum((tie * (guess - moved)) ** 2)) >= before:
+                    continue
+                residual, slopes = lifted(tried)
             except SimulationError:
                 continue
-            after, rates = lifted(tried)
-            if float(after @ after) + float(np.sum((tie * (guess - moved)) ** 2)) < before:
-                break
+            begin, run = moved, tried
+            break
         else:
             break
-        begin, run, residual, slopes = moved, tried, after, rates
     return begin, run
 
 

@@ -20,25 +20,28 @@ Rivals = dict[str, list[Refit]]  # by label of an effect, the models in which an
 
 
 def exchanged(
-    study: Study, model: Refit, rounds: Sequence[Round], anew: bool
+    study: Study, model: Refit, rounds: Sequence[Round], known: Rivals, anew: bool
 ) -> Iterator[tuple[Hypothesis, list[Refit]]]:
     """Yield each effect but the last, with the models in which its rivals stand for it.
 
     What was found first was found beside a gap that the others made, where another effect may have come close
-    to it or have passed it. If asked for, what explains most beside the others is screened `anew`.
+    to it or have passed it. If asked for, what explains most beside the others is screened `anew`. What is
+    `known` is not fitted again.
     """
     for position, placed in enumerate(model.effects[:-1]):
         if study.late():
             return
         study.tell(f"trying rivals of {placed.label} beside what was found since")
-        fits = [_again(rival, placed, model) for rival in _rivals(placed, model, rounds)]
+        before, fits = known.get(placed.label, []), list[Fit]()
+        if placed.label not in known:
+            fits = [_again(rival, placed, model) for rival in _rivals(placed, model, rounds)]
         if anew:
-            known = {fit.placed.label for fit in fits}
-            fits += [fit for fit in _anew(study, placed, model) if fit.placed.label not in known]
+            tried = {other.effects[position].label for other in before} | {fit.placed.label for fit in fits}
+            fits += [fit for fit in _anew(study, placed, model) if fit.placed.label not in tried]
         crew = Crew(study)
         begun = [crew.begin(fit) for fit in fits]
         found = [outcome for outcome in (fit() for fit in begun) if isinstance(outcome, Refit)]
-        yield placed, [_ordered(other, position) for other in found]
+        yield placed, [*before, *(_ordered(other, position) for other in found)]
 
 
 def without(placed: Hypothesis, model: Refit, study: Study) -> Refit | None:
@@ -70,7 +73,7 @@ def _anew(study: Study, placed: Hypothesis, model: Refit) -> list[Fit]:
     if less is None:
         return []
     try:
-        candidates = screen(study, less.parameters, less.effects)
+        candidates = screen(study, less.parameters, less.effects, near=less)
     except InertanceError:
         return []
     last = replace(model, effects=(*less.effects, placed))

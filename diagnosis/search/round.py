@@ -43,7 +43,7 @@ def run_round(study: Study, base: Refit, rounds: list[Round], before: Sequence[R
     told = " on top of what was found" if base.effects else ""
     study.tell(f"screening effects{told}")
     try:
-        candidates = screen(study, base.parameters, base.effects)
+        candidates = screen(study, base.parameters, base.effects, near=base)
     except InertanceError as error:
         if not base.effects:
             raise

@@ -24,6 +24,7 @@ from ..effects.hypothesis import Hypothesis, SitedEffect, inserted, rubbed
 from ..effects.sites import Site, surrounded
 from ..models.probes import scaled
 from ..models.study import Study
+from .model_comparison import Refit
 from .whitened_record import Forced, WhitenedRecord
 
 
@@ -77,9 +78,11 @@ def screen(
     parameters: Mapping[str, float],
     effects: Sequence[Hypothesis] = (),
     forced: Sequence[Forced] = (),
+    near: Refit | None = None,
 ) -> list[Candidate]:
     """Return candidates beside refitted parameters and effects found already, the most explaining first.
 
+    Records are first thought to begin where those of a model do that is `near`.
     They are screened along runs of the model, or of the model that is `forced` in each record, if it is.
     """
     study = study.displaced(effects)
@@ -90,8 +93,9 @@ def screen(
     numbers = {site.path: number for number, site in enumerate(sites)}
     runs: list[tuple[int, Forced] | None] = [(numbers[one.site], one) for one in forced]
     runs = runs or [None] * len(experiments)
+    starts = near.starts_of(study.campaign.experiments) if near is not None else {}
     records = [
-        WhitenedRecord(study, predictor, e, given, effects, count, run)
+        WhitenedRecord(study, predictor, e, given, effects, count, run, starts.get(id(e)))
         for e, run in zip(experiments, runs, strict=True)
     ]
     motions = [[record.motion(number, site) for record in records] for number, site in enumerate(sites)]

@@ -12,13 +12,13 @@ from ...base import Array
 from ...identification import Experiment
 from ..criteria import DEPENDENT_EIGENVALUE_RATIO, START_SINGULAR_VALUE_RATIO
 from ..effects.effect import Effect, Motion, Values
-from ..effects.hypothesis import Hypothesis, acted, driven, sensed
+from ..effects.hypothesis import Hypothesis, acted, driven
 from ..effects.sites import Site
 from ..models.force import Force, push_of
 from ..models.network_predictor import NetworkPredictor
-from ..models.study import Predicted, Predictor, Study
-from .own_values import weighed
-from .record_start import begun, reach_of
+from ..models.study import Predictor, Study
+from .record_run import RecordRun
+from .record_start import apart, begun
 
 
 @dataclass(frozen=True, eq=False)
@@ -38,14 +38,12 @@ class Forced:
     own: Mapping[str, float]
 
 
-_Run = tuple[Predicted, Mapping[str, float]]  # and with what values of its own
-
-
 class WhitenedRecord:
     """One record beside a prediction, whitened (in units of noise), less what nobody measured explains.
 
-    It may stand for a `count` of records like it. The prediction may be `forced` at a site, by its number, so
-    that the machine moves as it was measured; the residual is that without the force, along this motion.
+    It may stand for a `count` of records like it, and is thought to begin near `start`. The prediction may be
+    `forced` at a site, by its number, so that the machine moves as it was measured; the residual is that
+    without the force, along this motion.
     """
 
     def __init__(
@@ -57,6 +55,7 @@ class WhitenedRecord:
         effects: Sequence[Hypothesis],
         count: float = 1.0,
         forced: tuple[int, Forced] | None = None,
+        start: Mapping[str, float] | None = None,
     ) -> None:
         channels = study.campaign.measured.items()
         self.outputs = {name: c.path for name, c in channels if not c.driven}
@@ -73,28 +72,25 @@ class WhitenedRecord:
         self.measured = experiment.compared
         accuracy = study.accuracy_with(effects)
 
-        def run_from(start: Array | None, own: Mapping[str, float]) -> _Run:
-            return self._stand.run({**parameters, **own}, start, accuracy), own
-
-        def beside(run: _Run) -> tuple[Array, Array]:
-            found, own = run
-            elapsed = experiment.elapsed(found.time)
-            seen = {n: sensed(elapsed, n, v, effects) for n, v in found.values.items()}
-            return weighed(experiment, found, seen, own, count)
+        def run_from(start: Array | None, own: Mapping[str, float]) -> RecordRun:
+            given = {**parameters, **own}
+            found = self._stand.run(given, start, accuracy)
+            return RecordRun(experiment, tuple(effects), given, start, found, count)
 
         def rest() -> Array:
             start: Array = self._stand.rest(parameters, accuracy)
             return start
 
         if forced is None:
-            run, _ = begun(experiment, rest, run_from, beside, lambda run: reach_of(experiment, run[0]))
+            run, _ = begun(
+                experiment, rest, run_from, apart(self._stand, start or {}, rest, len(experiment.unknown))
+            )
         else:
             run = run_from(self._begin(forced[1], experiment, rest), forced[1].own)
-        self._found = found = run[0]
+        self._found = found = run.found
         self.time = predictor.instants(found)  # at which changes of inputs are to be given [s]
-        elapsed = experiment.elapsed(found.time)
-        self.predicted = {n: sensed(elapsed, n, v, effects) for n, v in found.values.items()}
-        missed, free = beside(run)
+        self.predicted = run.seen
+        missed, free = run.weighed
         self._basis = _orthonormal(free)
         self.residual = self.off(missed)
         self.slopes = self.off(np.concatenate([found.slopes[n] * weights[n][:, None] for n in self.outputs]))

@@ -121,8 +121,10 @@ def moved(study: Study, fitted: Refit, site: Site, experiments: Sequence[Experim
         return [_signal(e.compared, site.path) for e in experiments]
     given, motions = fitted.parameters | inserted(fitted.effects), []
     model = study.predictor(fitted.effects, sites=[site])
+    starts = fitted.starts_of(study.campaign.experiments)
     for experiment in experiments:
-        record = WhitenedRecord(study, model, experiment, given, fitted.effects)
+        start = starts.get(id(experiment))
+        record = WhitenedRecord(study, model, experiment, given, fitted.effects, start=start)
         motion, t = record.motion(0, site), experiment.compared.time
         s, v, f, a = (np.interp(t, motion.t, x) for x in (motion.s, motion.v, motion.f, motion.a))
         motions.append(Motion(t, s, v, f, a))

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, field, replace
-from functools import partial
+from functools import cached_property, partial
 from typing import Any
 
 import numpy as np
@@ -45,30 +45,67 @@ class Accuracy:
 
 @dataclass(frozen=True, eq=False)
 class Prediction:
-    """What a network predicts for one stretch of a record.
+    """What a network predicts for one stretch of a record; slopes are computed once they are asked for.
 
     Attributes:
         time: instants of the record [s].
         at: the points of the run at these instants.
         values: output channels at these instants, SI units.
-        slopes: d(channel)/d(parameters), (instants, parameters), if asked for.
-        own_slopes: d(channel)/d(parameters of which the record has an unknown value of its own), as above.
-        start_slopes: d(channel)/d(states at the start), (instants, states), if asked for.
-        start, end: the states at the first and the last instant.
-        end_slopes: d(states at the end)/d(parameters, own ones, states at the start), if they are followed.
         run: the whole run, with its events and every other signal.
+        stand: the network on the record.
+        begins_anywhere: whether the states at the start were given, and do not follow from parameters.
     """
 
     time: Array
     at: NDArray[np.intp]
     values: dict[str, Array]
-    slopes: dict[str, Array]
-    own_slopes: dict[str, Array]
-    start_slopes: dict[str, Array]
-    start: Array
-    end: Array
-    end_slopes: Array
     run: Result = field(repr=False)
+    stand: RecordModel = field(repr=False)
+    begins_anywhere: bool
+
+    @property
+    def start(self) -> Array:
+        """The states at the first instant."""
+        return np.asarray(self.run.points.x[0])
+
+    @property
+    def end(self) -> Array:
+        """The states at the last instant."""
+        return np.asarray(self.run.points.x[-1])
+
+    @property
+    def slopes(self) -> dict[str, Array]:
+        """d(channel)/d(parameters), (instants, parameters)."""
+        return self._part(0)
+
+    @property
+    def own_slopes(self) -> dict[str, Array]:
+        """d(channel)/d(parameters of which the record has an unknown value of its own), as above."""
+        return self._part(1)
+
+    @property
+    def start_slopes(self) -> dict[str, Array]:
+        """d(channel)/d(states at the start), (instants, states)."""
+        return self._part(2)
+
+    @property
+    def end_slopes(self) -> Array:
+        """d(states at the end)/d(parameters, own ones, states at the start)."""
+        return self._moved[1]
+
+    def _part(self, number: int) -> dict[str, Array]:
+        shared, own = self.stand.shared, len(self.stand.own)
+        columns = (slice(shared), slice(shared, shared + own), slice(shared + own, None))[number]
+        return {name: self._moved[0][:, n, columns] for n, name in enumerate(self.values)}
+
+    @cached_property
+    def _moved(self) -> tuple[Array, Array]:
+        """Slopes of channels at the instants, and of states at the end: shared, own, states at the start."""
+        variations, outputs = self.stand.variations, len(self.values)
+        began = None if self.begins_anywhere else variations.start_slopes(self.run, {})
+        moved, count = variations.along(self.run, began), len(variations.parameters)
+        kept = [*range(self.stand.shared), *self.stand.own, *range(count, moved.shape[2])]
+        return moved[self.at[:, None, None], np.arange(outputs)[:, None], kept], moved[-1, outputs:][:, kept]
 
     @property
     def reach(self) -> Array:
@@ -135,7 +172,6 @@ class RecordModel:
         parameters: Values,
         start: Array | None,
         accuracy: Accuracy,
-        slopes: bool = True,
         span: tuple[int, int] | None = None,
     ) -> Prediction:
         """Run the record, or the samples from `span[0]` to `span[1]` of it.
@@ -144,7 +180,6 @@ class RecordModel:
             parameters: changed parameters by name.
             start: states at the start; the model's own if None.
             accuracy: solver and tolerances.
-            slopes: whether slopes are wanted.
             span: first and last sample.
         """
         first, last = span or (0, len(self.record.time) - 1)
@@ -172,21 +207,7 @@ class RecordModel:
         # An event at a sample ends a hair's breadth after it: what holds from there on is taken.
         at = np.searchsorted(run.time, time + 1e-3 * step, side="right") - 1
         values = dict(zip(self.outputs, self.variations.values(run, at).T, strict=False))
-        by_p: dict[str, Array] = {}
-        by_own: dict[str, Array] = {}
-        by_x: dict[str, Array] = {}
-        states = run.points.x
-        end = np.zeros((states.shape[1], 0))
-        if slopes:
-            began = self.variations.start_slopes(run, {}) if start is None else None
-            moved = self.variations.along(run, began)
-            count = len(self.variations.parameters)
-            kept = [*range(self.shared), *self.own, *range(count, moved.shape[2])]
-            parts = np.cumsum([self.shared, len(self.own)])
-            for n, name in enumerate(self.outputs):
-                by_p[name], by_own[name], by_x[name] = np.split(moved[at, n][:, kept], parts, axis=1)
-            end = moved[-1, len(self.outputs) :][:, kept]
-        return Prediction(time, at, values, by_p, by_own, by_x, states[0], states[-1], end, run)
+        return Prediction(time, at, values, run, self, start is not None)
 
     def pushed(self, found: Prediction, changes: Mapping[str, Array]) -> Array:
         """Return what small changes of inputs change in the outputs: (instants, outputs, changes).
@@ -271,8 +292,7 @@ class CampaignModel:
         parameters: Values,
         starts: Sequence[Array | None] | None = None,
         accuracy: Accuracy | None = None,
-        slopes: bool = True,
     ) -> list[Prediction]:
         """Return what is predicted for each record, each in one run."""
         pairs = zip(self.stands, starts or [None] * len(self.stands), strict=True)
-        return [stand.run(parameters, start, accuracy or Accuracy(), slopes) for stand, start in pairs]
+        return [stand.run(parameters, start, accuracy or Accuracy()) for stand, start in pairs]

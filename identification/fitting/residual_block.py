@@ -96,7 +96,7 @@ class ResidualBlock:
         begins = [float(self.record.time[first]) for first, _ in self.pieces]
         self.center = np.array([self.stand.rest(parameters, accuracy, begin) for begin in begins])
         runs = [
-            self.stand.run(parameters, start, accuracy, False, span).run
+            self.stand.run(parameters, start, accuracy, span).run
             for start, span in zip(self.center, self.pieces, strict=True)
         ]
         moved = [max(np.ptp(run[name]) for run in runs) for name in self.stand.dae.state_names]
@@ -109,7 +109,7 @@ class ResidualBlock:
         starts = self.center + moved * self.width
         values = {**parameters, **self.own_values(nuisances)}
         predictions = [
-            self.stand.run(values, start if self.free else None, accuracy, slopes, span)
+            self.stand.run(values, start if self.free else None, accuracy, span)
             for start, span in zip(starts, self.pieces, strict=True)
         ]
         parts = [self._channel(name, predictions, nuisances, slopes) for name in self.channels]

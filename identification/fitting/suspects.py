@@ -161,7 +161,7 @@ def _nominal(campaign: Campaign, accuracy: Accuracy) -> tuple[dict[str, float], 
     bench = CampaignModel(campaign.dae, campaign.measured, campaign.training)
     sizes, likeness = {}, {}
     try:
-        predicted = bench.simulate(campaign.start, accuracy=accuracy, slopes=False)
+        predicted = bench.simulate(campaign.start, accuracy=accuracy)
     except InertanceError:
         return {}, {}
     for name in campaign.outputs:

@@ -13,6 +13,7 @@ from numpy.typing import ArrayLike
 from ...base import Array
 
 MOST_POINTS, BATCH_ENTRIES = 512, 65536  # points of a batch; entries of the arguments at all of its points
+FEW, MOST_FEWS = 16, 8  # share of them that a small batch takes, and of which at most so many are taken
 
 
 class Compiled:
@@ -40,19 +41,23 @@ class Compiled:
         """
         for argument, value in zip(self._arguments, values, strict=True):
             argument[...] = value
-        return self._evaluated()
+        self._evaluated()
+        return self.results()
 
-    def some(self, *columns: Array) -> list[Array]:
-        """Evaluate at some points, at most as many as a mapped function takes; the others are of before."""
+    def at_some(self, columns: Sequence[Array]) -> list[Array]:
+        """Evaluate at some points, at most as many as a mapped function takes; the others are of before.
+
+        What is returned is overwritten by the next call.
+        """
         for argument, values in zip(self._arguments, columns, strict=True):
             argument[: len(values)] = values
-        return self._evaluated()
+        self._evaluated()
+        return self._results
 
-    def _evaluated(self) -> list[Array]:
+    def _evaluated(self) -> None:
         self._evaluate()
         if self._buffer.ret():
             raise RuntimeError(f"'{self.function.name()}' could not be evaluated")
-        return self.results()
 
     def results(self) -> list[Array]:
         """Return copies of what the results hold."""
@@ -79,28 +84,28 @@ class Batch:
 
     def __init__(self, function: Any) -> None:
         self._shapes = [function.size_out(i) for i in range(function.n_out())]
-        self._points = max(1, min(MOST_POINTS, BATCH_ENTRIES // max(1, function.nnz_in())))
-        self._mapped = Compiled(function.map(self._points))
+        most = max(1, min(MOST_POINTS, BATCH_ENTRIES // max(1, function.nnz_in())))
+        self._many = most, Compiled(function.map(most))
+        few = max(1, most // FEW)
+        self._few = few, Compiled(function.map(few))
         self._free = Lock()
 
     def __call__(self, *columns: Array) -> list[Array]:
         """Return one array a result, (points, rows, columns), of arguments (points, entries)."""
-        begins = range(0, len(columns[-1]), self._points)
-        pieces = [self._piece([values[k : k + self._points] for values in columns]) for k in begins]
-        if not pieces:
-            return [np.zeros((0, *shape)) for shape in self._shapes]
-        return [np.concatenate(parts) for parts in zip(*pieces, strict=True)]
-
-    def _piece(self, given: Sequence[Array]) -> list[Array]:
-        count = len(given[-1])
-        if count < self._points:
-            given = [np.resize(values, (self._points, values.shape[1])) for values in given]
-        with self._free:
-            found = self._mapped.some(*given)
-        return [
-            m.reshape(self._points, columns, rows)[:count].transpose(0, 2, 1)
-            for m, (rows, columns) in zip(found, self._shapes, strict=True)
-        ]
+        points = len(columns[-1])
+        found = [np.empty((points, *shape)) for shape in self._shapes]
+        begin = 0
+        while begin < points:
+            left = points - begin
+            size, mapped = self._many if left > MOST_FEWS * self._few[0] else self._few
+            end = min(begin + size, points)
+            with self._free:
+                parts = mapped.at_some([values[begin:end] for values in columns])
+                for whole, part, (rows, wide) in zip(found, parts, self._shapes, strict=True):
+                    by_point = part.reshape(size, wide, rows)[: end - begin]
+                    whole[begin:end] = by_point.transpose(0, 2, 1)
+            begin = end
+        return found
 
 
 def _buffer(size: tuple[int, int]) -> Array:

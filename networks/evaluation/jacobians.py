@@ -59,19 +59,19 @@ class Points:
         """Return some of the points."""
         return Points(self.closed, self.t[which], self.x[which], self.z[which], self.q[which])
 
-    def within(self, intervals: Any, parts: int) -> Points:
-        """Return points in equal parts of some intervals, ends included, by monotone cubics."""
+    def within(self, intervals: Any, parts: Any) -> Points:
+        """Return points in so many equal parts of intervals each, ends included, by monotone cubics."""
         first, last = self.only(intervals), self.only(intervals + 1)
-        share = np.linspace(0.0, 1.0, parts + 1)[None, :, None]
         step, change = (last.t - first.t)[:, None], last.x - first.x
-        slopes = (np.clip(step * end.rates, -3 * np.abs(change), 3 * np.abs(change)) for end in (first, last))
-        a, b = (slope[:, None] for slope in slopes)
-        x = first.x[:, None] + share**2 * (3 - 2 * share) * change[:, None]
-        x = x + share * (1 - share) ** 2 * a - share**2 * (1 - share) * b
-        z = first.z[:, None] + share * (last.z - first.z)[:, None]
-        t = (first.t[:, None] + share[:, :, 0] * step).ravel()
-        x, z = (m.reshape(len(t), m.shape[2]) for m in (x, z))
-        return Points(self.closed, t, x, z, np.repeat(first.q, parts + 1, axis=0))
+        a, b = (np.clip(step * end.rates, -3 * np.abs(change), 3 * np.abs(change)) for end in (first, last))
+        of = np.repeat(np.arange(len(parts)), parts + 1)
+        number = np.arange(len(of)) - np.repeat(np.cumsum(parts + 1) - parts - 1, parts + 1)
+        share = (number / parts[of])[:, None]
+        x = first.x[of] + share**2 * (3 - 2 * share) * change[of]
+        x = x + share * (1 - share) ** 2 * a[of] - share**2 * (1 - share) * b[of]
+        z = first.z[of] + share * (last.z - first.z)[of]
+        t = first.t[of] + share[:, 0] * step[of, 0]
+        return Points(self.closed, t, x, z, first.q[of])
 
     @property
     def stretches(self) -> tuple[Any, Any]:

@@ -13,6 +13,9 @@ from .jacobians import Points, Slopes
 
 MOST_PARTS = 32
 UNEVENNESS = 0.01  # of slopes over an interval, times its length, from which it is cut into parts
+BLOCK = 512  # intervals at a time, whose matrices stay in a processor's cache
+STRAIGHT = 0.1  # the same, up to which an interval stays whole where slopes go on in a line
+SOFT = 4.0  # size of slopes, times the length, up to which their exponential is summed as a series
 
 
 @dataclass(frozen=True, eq=False)
@@ -79,16 +82,26 @@ def steps_along(points: Points, slopes: Slopes, to_x: Array, to_p: Array, pushed
         matrices = _repeated(points, A, to_p[:, : len(scale)], scale)
     else:
         matrices = _single(lengths, _middle(A), _middle(B), scale)
-        changing = np.flatnonzero(_size(np.diff(A, axis=0), scale) * lengths > UNEVENNESS)
-        if len(changing):
-            matrices[changing], bent = _in_parts(points, changing, 2, slopes, scale, pushed)
-            least = np.maximum(2 * bent / UNEVENNESS, 1.0)
-            parts = np.minimum(2 ** np.ceil(np.log2(least)), MOST_PARTS).astype(int)
-            for count in np.unique(parts[parts > 2]):
-                some = changing[parts == count]
+        uneven = _uneven(A, lengths, scale)
+        if len(uneven):
+            halves = np.full(len(uneven), 2)
+            matrices[uneven], bent = _in_parts(points, uneven, halves, slopes, scale, pushed)
+            parts = np.minimum(2 ** np.ceil(np.log2(np.maximum(2 * bent / UNEVENNESS, 1.0))), MOST_PARTS)
+            fine = parts > 2
+            if np.any(fine):
+                some, count = uneven[fine], parts[fine].astype(int)
                 matrices[some], _ = _in_parts(points, some, count, slopes, scale, pushed)
     ends = np.cumsum([len(scale), to_p.shape[2]])
     return Steps(*np.split(matrices, ends, axis=2))
+
+
+def _uneven(A: Array, lengths: Array, scale: Array) -> Any:
+    """Return the intervals over which slopes change much, other than in a line with those beside them."""
+    changes = np.diff(A, axis=0)
+    change = _size(changes, scale) * lengths
+    turn = np.pad(_size(np.diff(changes, axis=0), scale), 1, constant_values=np.inf)
+    bent = np.maximum(turn[1:], turn[:-1]) * lengths > UNEVENNESS
+    return np.flatnonzero((change > STRAIGHT) | ((change > UNEVENNESS) & bent))
 
 
 def _rates(to_x: Array, to_p: Array, pushed: bool) -> tuple[Array, Array]:
@@ -100,21 +113,27 @@ def _rates(to_x: Array, to_p: Array, pushed: bool) -> tuple[Array, Array]:
 
 
 def _in_parts(
-    points: Points, intervals: Any, count: int, slopes: Slopes, scale: Array, pushed: bool
+    points: Points, intervals: Any, counts: Any, slopes: Slopes, scale: Array, pushed: bool
 ) -> tuple[Array, Array]:
     """Return the matrices of intervals in parts, and how far slopes in their middle are off a line."""
-    n, finer = len(scale), points.within(intervals, count)
+    n, finer = len(scale), points.within(intervals, counts)
     to_x, to_p, _ = slopes(finer)
-    A, B = (m.reshape(len(intervals), count + 1, n, -1) for m in _rates(to_x, to_p, pushed))
-    t = finer.t.reshape(len(intervals), count + 1)
-    a, b = (0.5 * (m[:, 1:] + m[:, :-1]).reshape(len(t) * count, n, m.shape[3]) for m in (A, B))
-    steps = _single(np.diff(t).ravel(), a, b, scale).reshape(len(t), count, n, -1)
-    total = steps[:, 0]
-    for k in range(1, count):
-        total = steps[:, k, :, :n] @ total
-        total[:, :, n:] += steps[:, k, :, n:]
-    bent = _size(A[:, count // 2] - 0.5 * (A[:, 0] + A[:, -1]), scale) * (t[:, -1] - t[:, 0])
-    return total, bent
+    A, B = _rates(to_x, to_p, pushed)
+    last = np.cumsum(counts + 1) - 1
+    first = last - counts
+    inside = np.ones(len(finer.t) - 1, dtype=bool)
+    inside[last[:-1]] = False
+    lengths, a, b = (m[inside] for m in (np.diff(finer.t), _middle(A), _middle(B)))
+    steps, begins = _single(lengths, a, b, scale), np.cumsum(counts) - counts
+    total = steps[begins]
+    for k in range(1, int(counts.max())):
+        on = np.flatnonzero(counts > k)
+        step = steps[begins[on] + k]
+        moved = step[:, :, :n] @ total[on]
+        moved[:, :, n:] += step[:, :, n:]
+        total[on] = moved
+    bent = _size(A[first + counts // 2] - 0.5 * (A[first] + A[last]), scale)
+    return total, bent * (finer.t[last] - finer.t[first])
 
 
 def _middle(values: Array) -> Array:
@@ -133,25 +152,53 @@ def _balance(A: Array) -> Array:
 
 def _size(A: Array, scale: Array) -> Array:
     """Return the largest entry of each matrix, balanced."""
-    return np.asarray(np.abs(A * scale.T / scale).max(axis=(1, 2), initial=0.0))
+    flat = A.reshape(len(A), -1) * (scale.T / scale).ravel()
+    return np.asarray(np.abs(flat).max(axis=1, initial=0.0))
 
 
 def _single(lengths: Array, A: Array, B: Array, scale: Array) -> Array:
-    """Return exp(h A), and its integral times B, side by side, by a rational approximation of order 5."""
-    h = lengths[:, None, None]
-    Z, b = h * A * scale.T / scale, h * B / scale
-    one, Z2 = np.eye(len(scale)), Z @ Z
+    """Return exp(h A), and its integral times B, side by side."""
+    n, columns = A.shape[1], A.shape[1] + B.shape[2]
+    found = np.empty((len(A), n, columns))
+    inner, outer = scale.T / scale, np.concatenate([scale / scale.T, np.tile(scale, B.shape[2])], axis=1)
+    for begin in range(0, len(A), BLOCK):
+        some = slice(begin, begin + BLOCK)
+        h = lengths[some, None, None]
+        found[some] = _exponential(h * A[some] * inner, h * B[some] / scale) * outer
+    return found
+
+
+def _exponential(Z: Array, b: Array) -> Array:
+    """Return exp(Z), and its integral times b: where Z is large, by a rational function."""
+    stiff = np.einsum("kij,kij->k", Z, Z) > SOFT**2
+    if not np.any(stiff):
+        return _series(Z, b)
+    found = np.empty((*Z.shape[:2], Z.shape[2] + b.shape[2]))
+    found[stiff], found[~stiff] = _rational(Z[stiff], b[stiff]), _series(Z[~stiff], b[~stiff])
+    return found
+
+
+def _series(Z: Array, b: Array) -> Array:
+    """Return exp(Z), and its integral times b, by terms up to order 9 and 8."""
+    one, Z2 = np.eye(Z.shape[1]), Z @ Z
+    Z3 = Z2 @ Z
+    mean = one / 24 + Z / 120 + Z2 / 720 + Z3 @ (one / 5040 + Z / 40320 + Z2 / 362880)
+    mean = one + Z / 2 + Z2 / 6 + Z3 @ mean
+    return np.concatenate([one + Z @ mean, mean @ b], axis=2)
+
+
+def _rational(Z: Array, b: Array) -> Array:
+    """Return exp(Z), and its integral times b, as Radau IIA of order 5 does, which damps what dies out."""
+    one, Z2 = np.eye(Z.shape[1]), Z @ Z
     Z3 = Z2 @ Z
     left = one - 0.6 * Z + 0.15 * Z2 - Z3 / 60
     right = np.concatenate([one + 0.4 * Z + 0.05 * Z2, (one - 0.1 * Z + Z2 / 60) @ b], axis=2)
     try:
-        found = np.asarray(np.linalg.solve(left, right), dtype=float) * scale
+        return np.asarray(np.linalg.solve(left, right), dtype=float)
     except np.linalg.LinAlgError:
         raise SimulationError(
             "slopes along the run are beyond what can be followed between its points"
         ) from None
-    found[:, :, : len(scale)] /= scale.T
-    return found
 
 
 def _repeated(points: Points, A: Array, B: Array, scale: Array) -> Array:

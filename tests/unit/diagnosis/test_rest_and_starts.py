@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import replace
+from types import SimpleNamespace
 from typing import Any
 
 import inertance as ia
@@ -112,11 +113,12 @@ def test_what_leaves_no_trace_stays_where_it_seems_to_be(tied: bool) -> None:
     """Of two states that make up for each other but for a trace, neither goes far."""
     slopes = np.array([[1.0, 1.0], [1.0, 1.0 + 1e-6]])
 
-    def weighed(at: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-        return np.array([1.0, 2.0]) - slopes @ at, slopes
+    def run_from(at: np.ndarray) -> Any:
+        missed = np.array([1.0, 2.0]) - slopes @ at
+        return SimpleNamespace(missed=missed, weighed=(missed, slopes), reach=np.ones(2))
 
-    near = (np.zeros(2), lambda run: np.ones(2)) if tied else None
-    begin, _ = settled(np.zeros(2), lambda at: at, weighed, np.tile([[-np.inf], [np.inf]], 2), near=near)
+    near = np.zeros(2) if tied else None
+    begin, _ = settled(np.zeros(2), run_from, np.tile([[-np.inf], [np.inf]], 2), near=near)
     assert np.abs(begin).max() < 2.0 if tied else np.abs(begin).max() > 1e5
 
 

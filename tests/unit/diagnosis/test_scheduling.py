@@ -24,6 +24,7 @@ from inertance.diagnosis.search.round import _ready
 from inertance.diagnosis.search.score_test import Candidate
 from inertance.identification import Accuracy, Campaign, Record
 from inertance.identification.fitting.campaign_model import RecordModel
+from inertance.networks import Variations
 
 CHANNELS = {"F": {"input": "push.f", "unit": "N"}, "x": {"output": "carriage.s", "unit": "m"}}
 PRIORS: dict[str, Any] = {"spring.k": {"rel": 0.2}, "guide.d": {"rel": 0.3}}
@@ -100,7 +101,7 @@ def test_fits_follow_each_other_alike_whenever_they_are_made(
     def begin(self: Any, fit: Any) -> Any:
         return crew.submit(made, b"", given.accuracy, given.deadline, fit.placed.site.path).result
 
-    monkeypatch.setattr(searched, "screen", lambda *given: list(candidates))
+    monkeypatch.setattr(searched, "screen", lambda *given, **near: list(candidates))
     monkeypatch.setattr(fitters.Crew, "begin", begin)
     base = replace(left(rail("a"), 2.0), effects=(), cost=10_000.0)
     done = searched.run_round(given, base, [])
@@ -152,7 +153,7 @@ def test_what_would_only_bend_the_law_of_what_was_found_is_not_fitted(
     site = rail("guide").site
     kinds = "coulomb_friction", "presliding_friction", "cubic_damping"
     candidates = [Candidate(effect_of(kind), site, {}, 900.0, 1.0, {}) for kind in kinds]
-    monkeypatch.setattr(searched, "screen", lambda *given: list(candidates))
+    monkeypatch.setattr(searched, "screen", lambda *given, **near: list(candidates))
     monkeypatch.setattr(fitters.Crew, "begin", lambda *given: lambda: "tried")
     base = left(rail("guide", "hysteresis", k=1.0, s_y=1.0, n=2.0), 1.05)
     alone = searched.run_round(given, replace(base, effects=()), [])
@@ -168,7 +169,7 @@ def test_a_model_that_cannot_be_screened_ends_the_search_and_nothing_else(
     """With what was found it runs; beside probes it may not."""
     screened = score_test.screen
 
-    def screen(study: Study, parameters: Any, effects: Any = ()) -> list[Candidate]:
+    def screen(study: Study, parameters: Any, effects: Any = (), near: Any = None) -> list[Candidate]:
         if effects:
             raise ia.SimulationError("'cart': integration failed at t = 2 s\nmore of it")
         return screened(study, parameters)
@@ -222,20 +223,24 @@ def test_the_best_start_goes_on_with_the_slopes_it_has(cart: Any, monkeypatch: p
     assert found.effects[-1].values["d"] == pytest.approx(1.0, rel=0.05)
 
 
+class Line(np.ndarray):
+    """A start that is itself what is seen of a run from there, beside a record at 0.5."""
+
+    weighed = property(lambda self: (self.missed, np.array([[0.0], [1.0]])))
+    missed = property(lambda self: np.array([2.0, 0.5 - self[0]]))
+
+
 @pytest.mark.parametrize(("drop", "runs"), [(1e-3, 2), (1.0, 1)])
 def test_a_record_begins_where_it_is_known_to_unless_another_start_promises_much(
     drop: float, runs: int
 ) -> None:
     made = []
 
-    def run_from(start: np.ndarray) -> np.ndarray:
+    def run_from(start: np.ndarray) -> Any:
         made.append(start)
-        return start
+        return start.view(Line)
 
-    def weighed(start: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-        return np.array([2.0, 0.5 - start[0]]), np.array([[0.0], [1.0]])
-
-    found, _ = settled(np.zeros(1), run_from, weighed, np.array([[-9.0], [9.0]]), drop)
+    found, _ = settled(np.zeros(1), run_from, np.array([[-9.0], [9.0]]), drop)
     assert len(made) == runs
     assert found[0] == (0.5 if runs == 2 else 0.0)
 
@@ -245,14 +250,20 @@ def test_a_trial_in_motion_takes_no_slopes_and_no_run_is_made_twice(
 ) -> None:
     given = study(cart, cart.rig(k=900.0, d=7.0), cart.rig(), cut=2.5)
     runs, run = list[tuple[Any, ...]](), RecordModel.run
+    sloped, along = list[Any](), Variations.along
 
-    def noted(self: RecordModel, parameters: Any, start: Any, accuracy: Any, slopes: bool = True) -> Any:
-        runs.append((slopes, self.record.name, *parameters.values(), *start))
-        return run(self, parameters, start, accuracy, slopes)
+    def noted(self: RecordModel, parameters: Any, start: Any, accuracy: Any) -> Any:
+        runs.append((self.record.name, *parameters.values(), *start))
+        return run(self, parameters, start, accuracy)
+
+    def followed(self: Variations, result: Any, start: Any = None) -> Any:
+        sloped.append(result)
+        return along(self, result, start)
 
     monkeypatch.setattr(RecordModel, "run", noted)
+    monkeypatch.setattr(Variations, "along", followed)
     found = JointFit(given, given.campaign.start).fitted()
-    assert sum(not slopes for slopes, *_ in runs) >= 2
+    assert len(sloped) <= len(runs) - 2
     assert len(set(runs)) == len(runs)
     assert found.parameters["spring.k"] == pytest.approx(900.0, rel=2e-3)
     assert found.parameters["guide.d"] == pytest.approx(7.0, rel=0.02)
