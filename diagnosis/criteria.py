@@ -85,6 +85,7 @@ BOUND_SCALE_TOLERANCE = 1e-9  # [scale of the prior] the same for bounds near 0;
 
 # Descents of a fit
 DESCENT_STEPS = 100  # [1] at most; effort
+DESCENT_REACH = 30  # [1] steps in which the best model so far must be in sight; blind
 DESCENT_RELATIVE_DROP = 1e-4  # [1] of chi squared that a step must promise; effort
 DESCENT_CHI_SQUARED_DROP = 1.0  # [chi squared] the same beside it; theory: a standard error
 DESCENT_LEAST_RADIUS = 1e-3  # [scale of the prior] below which steps see nothing but roughness; data

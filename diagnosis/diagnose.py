@@ -16,23 +16,19 @@ from ..components import InertanceError, ModelError
 from ..identification import Accuracy, Campaign
 from ..networks import COARSEST, FINEST, SOLVERS
 from . import criteria
-from .effects.hypothesis import Hypothesis
 from .law.forced import screened_along
 from .models.fmu_network import read_model
 from .models.study import FMUStudy, Report, Study, study_of, thinned
+from .search.choice import taken
 from .search.crew import LATE
 from .search.joint_fit import JointFit
 from .search.model_comparison import (
     Refit,
-    are_alike,
-    best_of,
-    clearness,
     gap_taken,
-    is_clear,
     unexplained,
     with_residual_floors,
 )
-from .search.revision import Rivals, exchanged, without
+from .search.revision import Rivals, Tried, pruned, revised, without
 from .search.round import Round, go_on, run_round
 from .verdict.beyond import beyond_the_list
 from .verdict.decide import decided, explains
@@ -89,7 +85,7 @@ def diagnose(
     rounds: list[Round] = []
     before: list[Round] = []
     notes = study.limits()
-    best, rivals = base, Rivals()
+    best, rivals, tried = base, Rivals(), Tried()
     known: tuple[Study, Refit, Refit, Refit, list[Round]] | None = None
     try:
         looked_at: Refit | None = None
@@ -97,14 +93,12 @@ def diagnose(
             chosen = None
             if _may_go_on(best, base, study):
                 done = run_round(study, best, rounds, before)
-                chosen = _chosen(done, base) or _chosen_along(study, done, base)
+                chosen = taken(done, base) or _chosen_along(study, done, base)
             if chosen is None:
                 if best is looked_at or not _is_worth_a_look(best, base, study):
                     break
                 last = best
-                needed = _pruned(best, study)
-                tried = rivals if needed is best else {}
-                best, rivals = _revised(needed, rounds, study, tried, anew=True)
+                best, rivals = revised(pruned(best, study), rounds, study, tried, anew=True)
                 looked_at = best
                 if best is last:
                     break
@@ -118,9 +112,9 @@ def diagnose(
             known = study, start, base, chosen, rounds
             if not study.late() and (again := _reheard(study, chosen)):
                 study, start, base = again
-                best, rivals, before, rounds = base, Rivals(), rounds, []
+                best, rivals, before, rounds, tried = base, Rivals(), rounds, [], {}
                 continue
-            best, rivals = _revised(_pruned(chosen, study), rounds, study)
+            best, rivals = revised(pruned(chosen, study), rounds, study, tried)
         notes = [*notes, *_left_out(study, budget, rounds), *_unscreened(rounds)]
         if known and study.late() and not best.effects:
             study, start, base, best, rounds = known
@@ -147,7 +141,7 @@ def _chosen_along(study: Study, done: Round, base: Refit) -> Refit | None:
     except InertanceError:
         return None
     go_on(study, done, candidates, near)
-    return _chosen(done, base)
+    return taken(done, base)
 
 
 def _refitted(
@@ -172,9 +166,9 @@ def _reheard(study: Study, model: Refit) -> tuple[Study, Refit, Refit] | None:
     return study, *_refitted(study, model.parameters, None if model.effects else model)
 
 
-def granted(taken: float) -> int:
+def granted(given: float) -> int:
     """Return how many steps of the integrator a sample may take, by how many the model as given takes."""
-    return max(criteria.SOLVER_STEPS_PER_SAMPLE, round(criteria.SOLVER_STEPS_RATIO * taken))
+    return max(criteria.SOLVER_STEPS_PER_SAMPLE, round(criteria.SOLVER_STEPS_RATIO * given))
 
 
 def _left_out(study: Study, budget: float | None, rounds: Sequence[Round]) -> list[str]:
@@ -225,112 +219,6 @@ def _may_go_on(best: Refit, base: Refit, study: Study) -> bool:
     return unexplained(best, base) > criteria.HIDDEN_RESIDUAL_SHARE
 
 
-def _chosen(done: Round, base: Refit) -> Refit | None:
-    """Return the best model of a round among those clearly better than the first, the simplest of equals.
-
-    How much it must take away is counted in what the model without effects misses.
-    """
-    clear = [found for found in done.fitted if is_clear(done.base, found)]
-    if not clear:
-        return None
-    best = _sited(_simplest(best_of(clear), clear), clear)
-    for other in clear:
-        if best.effects[-1].generalises(other.effects[-1]) and not _worth_it(other, best):
-            best = other
-    drop, all_of_it = done.base.blocks.sum() - best.blocks.sum(), base.blocks.sum()
-    if not done.base.effects:
-        return best if drop > criteria.FIRST_EFFECT_SHARE * all_of_it else None
-    of_what_is_left = drop > criteria.LEFT_EFFECT_SHARE * (done.base.blocks.sum() - base.independent)
-    return best if of_what_is_left or drop > criteria.FURTHER_EFFECT_SHARE * all_of_it else None
-
-
-def _simplest(best: Refit, clear: Sequence[Refit]) -> Refit:
-    """Return of the models that test records cannot tell from the best the one whose quantities pay."""
-    return min((f for f in clear if f is best or are_alike(f, best)), key=lambda f: _price(f, best))
-
-
-def _price(model: Refit, best: Refit) -> float:
-    """Return what a model misses of all records, in what the best leaves, and what its quantities cost."""
-    missed = (model.cost + float(model.blocks.sum())) / max(1.0, best.misfit**2)
-    return missed + criteria.PART_CHI_SQUARED * sum(len(p.quantities) for p in model.effects)
-
-
-def _sited(best: Refit, clear: Sequence[Refit]) -> Refit:
-    """Return a model or its like with the same effect elsewhere, if test records cannot tell them apart.
-
-    With equally many parameters the lower training cost decides; an assembly is preferred unless a part is
-    better by PART_CHI_SQUARED.
-    """
-    kind = best.effects[-1].effect.kind
-    alike = [f for f in clear if f.effects[-1].effect.kind == kind and are_alike(f, best)]
-    best = min(alike, key=lambda f: f.cost)
-    for other in alike:
-        near = other.cost < best.cost + criteria.PART_CHI_SQUARED
-        if near and other.effects[-1].site.holds(best.effects[-1].site):
-            best = other
-    return best
-
-
-def _worth_it(plain: Refit, richer: Refit) -> bool:
-    """Tell whether a generalisation does clearly better, and not only mends what no law has quite right.
-
-    One that leaves nothing but noise, where its special case clearly leaves more, does clearly better.
-    """
-    left = plain.misfit**2 - 1.0
-    taken = plain.misfit**2 - richer.misfit**2
-    nothing_left = richer.misfit <= criteria.NOISE_MISFIT and plain.misfit > criteria.COLOURED_MISFIT
-    nearly_all = taken > criteria.SURE_GENERALISATION_SHARE * left
-    clear = nothing_left or nearly_all or is_clear(plain, richer)
-    return taken > criteria.GENERALISATION_SHARE * left and clear
-
-
-def _pruned(best: Refit, study: Study) -> Refit:
-    """Return the model without those effects that a later one has made needless, as its special cases are."""
-    *earlier, last = best.effects
-    for placed in earlier:
-        less = without(placed, best, study)
-        if less is not None and not _is_needed(placed, last, best, less):
-            best = less
-    return best
-
-
-def _is_needed(placed: Hypothesis, last: Hypothesis, model: Refit, less: Refit) -> bool:
-    """Tell whether a model is clearly worse without an effect; by far, without a special case of another."""
-    halves = model.blocks.sum() < criteria.CLEAR_RESIDUAL_RATIO * less.blocks.sum()
-    clear = clearness(less, model) >= criteria.CLEAR_STANDARD_ERRORS
-    return bool(clear and (halves or not last.generalises(placed)))
-
-
 def _is_worth_a_look(best: Refit, base: Refit, study: Study) -> bool:
     """Tell whether several effects would be named, so that each is to be held against all others."""
     return len(best.effects) > 1 and not study.late() and gap_taken(best, base) >= criteria.CERTAIN_GAP_SHARE
-
-
-def _revised(
-    best: Refit, rounds: Sequence[Round], study: Study, known: Rivals | None = None, anew: bool = False
-) -> tuple[Refit, Rivals]:
-    """Return the model with effects exchanged for what does better beside the others, and the rivals.
-
-    Those that are `known` stand beside the model as it is given.
-    """
-    known = known or {}
-    for _ in range(criteria.MOST_EFFECTS):
-        rivals: Rivals = {}
-        for placed, others in exchanged(study, best, rounds, known, anew):
-            at = best.effects.index(placed)
-            richer = [other for other in others if other.effects[at].generalises(placed)]
-            rivals[placed.label] = [other for other in others if other not in richer]
-            models = (best, *rivals[placed.label], *(o for o in richer if _worth_it(best, o)))
-            better = _simplest(best_of(models), models)
-            if _is_worth_exchanging(best, better):
-                best, known = better, {}
-                break
-        else:
-            return best, rivals
-    return best, {}
-
-
-def _is_worth_exchanging(model: Refit, other: Refit) -> bool:
-    """Tell whether another model is clearly better, or as good for clearly less."""
-    won = _price(model, other) - _price(other, other)
-    return other is not model and (won > criteria.PART_CHI_SQUARED or not are_alike(model, other))

@@ -6,7 +6,6 @@ import pickle
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from functools import lru_cache, partial
-from math import inf
 
 from ...base import computing
 from ...components import InertanceError
@@ -30,7 +29,7 @@ class Fit:
     placed: Hypothesis
     base: Refit
     starts: Sequence[FitStart]
-    known: float  # cost of the best model of the round so far
+    known: float  # cost of the best model of the round so far, or of that without the effect
 
     @classmethod
     def of(
@@ -42,7 +41,7 @@ class Fit:
         """
         name = f"{candidate.effect.kind}_{len(base.effects) + 1}"
         placed = Hypothesis(candidate.effect, candidate.site, name, candidate.values)
-        known = min((model.cost for model in fitted), default=inf)
+        known = min((model.cost for model in fitted), default=base.cost)
         if before is None:
             return cls(placed, base, _starts(candidate, fitted), known)
         ended = before.parameters, before.effects[-1].values

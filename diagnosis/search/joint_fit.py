@@ -27,6 +27,7 @@ DESCENT = Ending(
     criteria.DESCENT_CHI_SQUARED_DROP,
     criteria.DESCENT_LEAST_RADIUS,
     criteria.DESCENT_STEPS,
+    reach=criteria.DESCENT_REACH,
 )
 
 
@@ -109,7 +110,8 @@ class JointFit:
         Args:
             starts: parameters, and values of the last effect, to start from; a step is taken from each, and
                 the one that comes out best is followed. The values that were given if there are none.
-            known: cost of the best model that is known; what cannot come there in `DESCENT.steps` is left.
+            known: cost of the best model that is known; what cannot come there in `DESCENT.reach` steps is
+                left.
         """
         earlier = [placed.values for placed in self.effects[:-1]]
         begins = [self.vector(parameters, [*earlier, values]) for parameters, values in starts]

@@ -10,38 +10,84 @@ from ...components import InertanceError
 from .. import criteria
 from ..effects.hypothesis import Hypothesis
 from ..models.study import Study
+from .choice import is_worth_exchanging, is_worth_it, simplest
 from .crew import Crew, Fit
 from .joint_fit import JointFit
-from .model_comparison import Refit, clearness
+from .model_comparison import Refit, best_of, clearness
 from .round import Round, leading
 from .score_test import screen
 
 Rivals = dict[str, list[Refit]]  # by label of an effect, the models in which another one stands for it
+Tried = dict[frozenset[str], Refit | str]  # by labels of effects, the model with them, or why there is none
+
+
+def revised(
+    best: Refit, rounds: Sequence[Round], study: Study, tried: Tried, anew: bool = False
+) -> tuple[Refit, Rivals]:
+    """Return the model with effects exchanged for what does better beside the others, and the rivals.
+
+    Models that were `tried` are not fitted again; those that are fitted are added to them.
+    """
+    for _ in range(criteria.MOST_EFFECTS):
+        rivals: Rivals = {}
+        for placed, others in exchanged(study, best, rounds, tried, anew):
+            at = best.effects.index(placed)
+            richer = [other for other in others if other.effects[at].generalises(placed)]
+            rivals[placed.label] = [other for other in others if other not in richer]
+            models = (best, *rivals[placed.label], *(o for o in richer if is_worth_it(best, o)))
+            better = simplest(best_of(models), models)
+            if is_worth_exchanging(best, better):
+                best = better
+                break
+        else:
+            return best, rivals
+    return best, {}
+
+
+def pruned(best: Refit, study: Study) -> Refit:
+    """Return the model without those effects that a later one has made needless, as its special cases are."""
+    *earlier, last = best.effects
+    for placed in earlier:
+        less = without(placed, best, study)
+        if less is not None and not _is_needed(placed, last, best, less):
+            best = less
+    return best
+
+
+def _is_needed(placed: Hypothesis, last: Hypothesis, model: Refit, less: Refit) -> bool:
+    """Tell whether a model is clearly worse without an effect; by far, without a special case of another."""
+    halves = model.blocks.sum() < criteria.CLEAR_RESIDUAL_RATIO * less.blocks.sum()
+    clear = clearness(less, model) >= criteria.CLEAR_STANDARD_ERRORS
+    return bool(clear and (halves or not last.generalises(placed)))
 
 
 def exchanged(
-    study: Study, model: Refit, rounds: Sequence[Round], known: Rivals, anew: bool
+    study: Study, model: Refit, rounds: Sequence[Round], tried: Tried, anew: bool
 ) -> Iterator[tuple[Hypothesis, list[Refit]]]:
     """Yield each effect but the last, with the models in which its rivals stand for it.
 
     What was found first was found beside a gap that the others made, where another effect may have come close
-    to it or have passed it. If asked for, what explains most beside the others is screened `anew`. What is
-    `known` is not fitted again.
+    to it or have passed it. If asked for, what explains most beside the others is screened `anew`.
     """
     for position, placed in enumerate(model.effects[:-1]):
         if study.late():
             return
         study.tell(f"trying rivals of {placed.label} beside what was found since")
-        before, fits = known.get(placed.label, []), list[Fit]()
-        if placed.label not in known:
-            fits = [_again(rival, placed, model) for rival in _rivals(placed, model, rounds)]
+        fits = [_again(rival, placed, model) for rival in _rivals(placed, model, rounds)]
         if anew:
-            tried = {other.effects[position].label for other in before} | {fit.placed.label for fit in fits}
-            fits += [fit for fit in _anew(study, placed, model) if fit.placed.label not in tried]
-        crew = Crew(study)
-        begun = [crew.begin(fit) for fit in fits]
-        found = [outcome for outcome in (fit() for fit in begun) if isinstance(outcome, Refit)]
-        yield placed, [*before, *(_ordered(other, position) for other in found)]
+            again = {fit.placed.label for fit in fits}
+            fits += [fit for fit in _anew(study, placed, model) if fit.placed.label not in again]
+        found = zip(fits, _made(study, fits, tried), strict=True)
+        yield placed, [_ordered(o, f.placed.label, position) for f, o in found if isinstance(o, Refit)]
+
+
+def _made(study: Study, fits: Sequence[Fit], tried: Tried) -> list[Refit | str]:
+    """Return what comes of fits, which are made unless they were tried."""
+    keys = [frozenset((*fit.base.labels, fit.placed.label)) for fit in fits]
+    crew = Crew(study)
+    begun = {key: crew.begin(fit) for key, fit in zip(keys, fits, strict=True) if key not in tried}
+    tried.update({key: outcome() for key, outcome in begun.items()})
+    return [tried[key] for key in keys]
 
 
 def without(placed: Hypothesis, model: Refit, study: Study) -> Refit | None:
@@ -118,7 +164,8 @@ def _free_name(placed: Hypothesis, others: Sequence[Hypothesis]) -> str:
     return next(name for name in names if all(name != other.name for other in others))
 
 
-def _ordered(model: Refit, position: int) -> Refit:
-    """Return a model with its last effect at a position among the others."""
-    *others, last = model.effects
-    return replace(model, effects=(*others[:position], last, *others[position:]))
+def _ordered(model: Refit, label: str, position: int) -> Refit:
+    """Return a model with one of its effects at a position among the others."""
+    (one,) = (placed for placed in model.effects if placed.label == label)
+    others = [placed for placed in model.effects if placed is not one]
+    return replace(model, effects=(*others[:position], one, *others[position:]))

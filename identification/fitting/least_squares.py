@@ -36,6 +36,7 @@ class Ending:
     radius: float  # of the trust region below which steps see nothing but roughness
     steps: int  # tried at most
     known: float = inf  # sum of squares that another descent has reached; what cannot come there ends
+    reach: int = 100  # steps within which it would have to, going on as it promises
 
 
 @dataclass(frozen=True, eq=False)
@@ -90,7 +91,7 @@ def descent(
         within = np.maximum(bounds[0] - x, -radius), np.minimum(bounds[1] - x, radius)
         step, promised = _step(slopes, rest, within)
         length = float(np.abs(step).max(initial=0.0))
-        apart = max(0.0, here.cost - ending.known) / ending.steps
+        apart = max(0.0, here.cost - ending.known) / ending.reach
         worth_a_run = promised > ending.relative * here.cost + ending.absolute + apart
         if exact and not worth_a_run:
             yield replace(here, ended="converged")
