@@ -5,11 +5,11 @@ from dataclasses import replace
 import inertance as ia
 import numpy as np
 import pytest
-from inertance.diagnosis.diagnose import _worth_it
 from inertance.diagnosis.effects.effect import effect_of
 from inertance.diagnosis.effects.hypothesis import Hypothesis
 from inertance.diagnosis.effects.shaping import Shapes
 from inertance.diagnosis.effects.sites import BETWEEN, Site
+from inertance.diagnosis.search.choice import is_worth_it
 from inertance.diagnosis.search.model_comparison import Refit, clearness, stretches
 from inertance.diagnosis.search.round import Round, only_bends
 from inertance.identification import Campaign, Record
@@ -76,7 +76,7 @@ def test_what_generalises_must_take_away_a_good_part_of_what_is_left(
             {}, (hysteresis(TRAVEL),), [], [{"s": residual}], 0.0, stretches(made.testing), len(residual)
         )
 
-    assert _worth_it(fitted(plain), fitted(richer)) is worth
+    assert is_worth_it(fitted(plain), fitted(richer)) is worth
 
 
 @pytest.mark.parametrize(("left", "worth"), [(0.0, True), (2.0, False)])
@@ -93,7 +93,7 @@ def test_what_generalises_is_worth_it_if_nothing_is_left_but_noise(left: float, 
 
     plain, richer = fitted(noise + burst), fitted(noise + left / 3 * burst)
     assert clearness(plain, richer) < 3
-    assert _worth_it(plain, richer) is worth
+    assert is_worth_it(plain, richer) is worth
 
 
 def test_what_takes_nearly_all_away_is_worth_it_though_most_stretches_do_not_tell() -> None:
@@ -108,7 +108,7 @@ def test_what_takes_nearly_all_away_is_worth_it_though_most_stretches_do_not_tel
 
     plain, richer = fitted(noise + burst), fitted(1.1 * noise)
     assert clearness(plain, richer) < 3
-    assert _worth_it(plain, richer)
+    assert is_worth_it(plain, richer)
 
 
 @pytest.mark.parametrize(

@@ -13,13 +13,13 @@ import pytest
 from inertance.cli import app
 from inertance.cli.diagnose import show
 from inertance.diagnosis import Gap, Ranked, Verdict, write_report
-from inertance.diagnosis.diagnose import _is_needed, _revised
 from inertance.diagnosis.effects.effect import effect_of
 from inertance.diagnosis.effects.hypothesis import Hypothesis
 from inertance.diagnosis.models.study import Study
 from inertance.diagnosis.report.text import conclusion, ruled_out
 from inertance.diagnosis.search.joint_fit import JointFit
 from inertance.diagnosis.search.model_comparison import Refit
+from inertance.diagnosis.search.revision import _is_needed, revised
 from inertance.diagnosis.search.round import Round
 from inertance.diagnosis.search.score_test import Candidate, screen
 from inertance.diagnosis.verdict.all_records import alike_by_all
@@ -360,18 +360,18 @@ def test_what_was_found_first_is_held_against_its_rivals_beside_what_was_found_s
     damping = case.fitted("viscous_damping")
     both = case.fitted("viscous_damping", "sensor_gain")
     rounds = [case.round(case.base, damping, case.friction), case.round(damping, both)]
-    revised, _ = _revised(both, rounds, case.study)
-    assert [placed.effect.kind for placed in revised.effects] == ["coulomb_friction", "sensor_gain"]
-    assert len({placed.name for placed in revised.effects}) == 2
-    assert revised.misfit < 1.1 < both.misfit
-    kept, rivals = _revised(revised, [case.round(case.base, damping, case.friction)], case.study)
-    assert kept is revised
+    better, _ = revised(both, rounds, case.study, {})
+    assert [placed.effect.kind for placed in better.effects] == ["coulomb_friction", "sensor_gain"]
+    assert len({placed.name for placed in better.effects}) == 2
+    assert better.misfit < 1.1 < both.misfit
+    kept, rivals = revised(better, [case.round(case.base, damping, case.friction)], case.study, {})
+    assert kept is better
     alone = [case.round(case.base, damping), case.round(damping, both)]
-    assert _kinds(_revised(both, alone, case.study, anew=True)[0]) == ["coulomb_friction", "sensor_gain"]
+    assert _kinds(revised(both, alone, case.study, {}, anew=True)[0]) == ["coulomb_friction", "sensor_gain"]
     named = {label: [_kinds(model) for model in models] for label, models in rivals.items()}
-    assert [*named] == [revised.effects[0].label]
-    assert ["viscous_damping", "sensor_gain"] in named[revised.effects[0].label]
-    assert all(kinds[1:] == ["sensor_gain"] for kinds in named[revised.effects[0].label])
+    assert [*named] == [better.effects[0].label]
+    assert ["viscous_damping", "sensor_gain"] in named[better.effects[0].label]
+    assert all(kinds[1:] == ["sensor_gain"] for kinds in named[better.effects[0].label])
 
 
 def _kinds(model: Refit) -> list[str]:
