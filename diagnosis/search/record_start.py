@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
+from functools import cached_property
 from typing import Protocol, TypeVar
 
 import numpy as np
@@ -23,10 +24,10 @@ class Weighed(Protocol):
         reach: how far each state gets, as of `reach_of`.
     """
 
-    @property
+    @cached_property
     def missed(self) -> Array: ...
 
-    @property
+    @cached_property
     def weighed(self) -> tuple[Array, Array]: ...
 
     @property
