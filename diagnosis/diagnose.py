@@ -28,8 +28,9 @@ from .search.model_comparison import (
     unexplained,
     with_residual_floors,
 )
-from .search.revision import Rivals, Tried, pruned, revised, without
+from .search.revision import Rivals, pruned, revised
 from .search.round import Round, go_on, run_round
+from .search.tried import Tried, without
 from .verdict.beyond import beyond_the_list
 from .verdict.decide import decided, explains
 from .verdict.verdict import DiagnosisInterruptedError, Verdict
@@ -85,7 +86,7 @@ def diagnose(
     rounds: list[Round] = []
     before: list[Round] = []
     notes = study.limits()
-    best, rivals, tried = base, Rivals(), Tried()
+    best, rivals, tried = base, Rivals(), Tried(study)
     known: tuple[Study, Refit, Refit, Refit, list[Round]] | None = None
     try:
         looked_at: Refit | None = None
@@ -98,12 +99,13 @@ def diagnose(
                 if best is looked_at or not _is_worth_a_look(best, base, study):
                     break
                 last = best
-                best, rivals = revised(pruned(best, study), rounds, study, tried, anew=True)
+                best, rivals = revised(pruned(best, tried), rounds, tried, anew=True)
                 looked_at = best
                 if best is last:
                     break
                 continue
-            less = without(chosen.effects[-1], chosen, study)
+            tried.begin(chosen, chosen.effects[:-1])
+            less = without(chosen.effects[-1], chosen, study, criteria.EARLY_END_COST_RATIO * best.cost)
             if less is not None and less.cost < criteria.EARLY_END_COST_RATIO * best.cost:
                 study.tell("the fit before had ended early: once more from where this one led")
                 best, base = less, base if best.effects else less
@@ -112,9 +114,9 @@ def diagnose(
             known = study, start, base, chosen, rounds
             if not study.late() and (again := _reheard(study, chosen)):
                 study, start, base = again
-                best, rivals, before, rounds, tried = base, Rivals(), rounds, [], {}
+                best, rivals, before, rounds, tried = base, Rivals(), rounds, [], Tried(study)
                 continue
-            best, rivals = revised(pruned(chosen, study), rounds, study, tried)
+            best, rivals = revised(pruned(chosen, tried), rounds, tried)
         notes = [*notes, *_left_out(study, budget, rounds), *_unscreened(rounds)]
         if known and study.late() and not best.effects:
             study, start, base, best, rounds = known

@@ -1,4 +1,4 @@
-"""Who fits effects on top of a model: this process, or others."""
+"""Who does what can be done side by side, such as fits of effects: this process, or others."""
 
 from __future__ import annotations
 
@@ -6,6 +6,7 @@ import pickle
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from functools import lru_cache, partial
+from typing import Any, TypeVar
 
 from ...base import computing
 from ...components import InertanceError
@@ -19,6 +20,7 @@ from .model_comparison import Refit
 from .score_test import Candidate
 
 LATE = "the time that was granted had passed"
+Done = TypeVar("Done")
 Outcome = Callable[[], Refit | str]  # of a fit: the model, or why there is none
 
 
@@ -49,7 +51,7 @@ class Fit:
 
 
 class Crew:
-    """Who makes fits: the executor of a study, or whoever asks for the outcome."""
+    """Who does the work of a study: its executor, or whoever asks for what comes of it."""
 
     def __init__(self, study: Study) -> None:
         self.study = study
@@ -57,14 +59,20 @@ class Crew:
 
     def begin(self, fit: Fit) -> Outcome:
         """Return what gives the fitted model, or why there is none, once it is called."""
+        return self.ask(_made, fit)
+
+    def ask(self, work: Callable[..., Done], *given: Any) -> Callable[[], Done]:
+        """Return what gives the result of work on the study, once it is called."""
         study = self.study
         if study.executor is None:
-            return partial(_made, study, fit)
-        return study.executor.submit(_job, self.payload, study.accuracy, study.deadline, fit).result
+            return partial(work, study, *given)
+        return study.executor.submit(_job, self.payload, study.accuracy, study.deadline, work, given).result
 
 
-def _job(payload: bytes, accuracy: Accuracy, deadline: float, fit: Fit) -> Refit | str:
-    return _made(study_of(_received(payload), accuracy, deadline=deadline), fit)
+def _job(
+    payload: bytes, accuracy: Accuracy, deadline: float, work: Callable[..., Done], given: Sequence[Any]
+) -> Done:
+    return work(study_of(_received(payload), accuracy, deadline=deadline), *given)
 
 
 def _sent(campaign: Campaign) -> bytes:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import replace
 from itertools import count
 
@@ -11,26 +11,20 @@ from .. import criteria
 from ..effects.hypothesis import Hypothesis
 from ..models.study import Study
 from .choice import is_worth_exchanging, is_worth_it, simplest
-from .crew import Crew, Fit
-from .joint_fit import JointFit
+from .crew import Fit
 from .model_comparison import Refit, best_of, clearness
 from .round import Round, leading
-from .score_test import screen
+from .score_test import Candidate, screen
+from .tried import Tried
 
 Rivals = dict[str, list[Refit]]  # by label of an effect, the models in which another one stands for it
-Tried = dict[frozenset[str], Refit | str]  # by labels of effects, the model with them, or why there is none
 
 
-def revised(
-    best: Refit, rounds: Sequence[Round], study: Study, tried: Tried, anew: bool = False
-) -> tuple[Refit, Rivals]:
-    """Return the model with effects exchanged for what does better beside the others, and the rivals.
-
-    Models that were `tried` are not fitted again; those that are fitted are added to them.
-    """
+def revised(best: Refit, rounds: Sequence[Round], tried: Tried, anew: bool = False) -> tuple[Refit, Rivals]:
+    """Return the model with effects exchanged for what does better beside the others, and the rivals."""
     for _ in range(criteria.MOST_EFFECTS):
         rivals: Rivals = {}
-        for placed, others in exchanged(study, best, rounds, tried, anew):
+        for placed, others in exchanged(tried, best, rounds, anew):
             at = best.effects.index(placed)
             richer = [other for other in others if other.effects[at].generalises(placed)]
             rivals[placed.label] = [other for other in others if other not in richer]
@@ -44,11 +38,12 @@ def revised(
     return best, {}
 
 
-def pruned(best: Refit, study: Study) -> Refit:
+def pruned(best: Refit, tried: Tried) -> Refit:
     """Return the model without those effects that a later one has made needless, as its special cases are."""
     *earlier, last = best.effects
+    tried.begin(best, earlier)
     for placed in earlier:
-        less = without(placed, best, study)
+        less = tried.without(placed, best)
         if less is not None and not _is_needed(placed, last, best, less):
             best = less
     return best
@@ -62,45 +57,43 @@ def _is_needed(placed: Hypothesis, last: Hypothesis, model: Refit, less: Refit) 
 
 
 def exchanged(
-    study: Study, model: Refit, rounds: Sequence[Round], tried: Tried, anew: bool
+    tried: Tried, model: Refit, rounds: Sequence[Round], anew: bool
 ) -> Iterator[tuple[Hypothesis, list[Refit]]]:
     """Yield each effect but the last, with the models in which its rivals stand for it.
 
     What was found first was found beside a gap that the others made, where another effect may have come close
     to it or have passed it. If asked for, what explains most beside the others is screened `anew`.
     """
-    for position, placed in enumerate(model.effects[:-1]):
-        if study.late():
+    *earlier, _ = model.effects
+    screened = _screened_beside(tried, model, earlier) if anew else {}
+    for position, placed in enumerate(earlier):
+        if tried.study.late():
             return
-        study.tell(f"trying rivals of {placed.label} beside what was found since")
+        tried.study.tell(f"trying rivals of {placed.label} beside what was found since")
         fits = [_again(rival, placed, model) for rival in _rivals(placed, model, rounds)]
-        if anew:
+        if placed.label in screened:
             again = {fit.placed.label for fit in fits}
-            fits += [fit for fit in _anew(study, placed, model) if fit.placed.label not in again]
-        found = zip(fits, _made(study, fits, tried), strict=True)
+            new = _anew(tried.study, placed, model, *screened[placed.label]())
+            fits += [fit for fit in new if fit.placed.label not in again]
+        found = zip(fits, tried.made(fits), strict=True)
         yield placed, [_ordered(o, f.placed.label, position) for f, o in found if isinstance(o, Refit)]
 
 
-def _made(study: Study, fits: Sequence[Fit], tried: Tried) -> list[Refit | str]:
-    """Return what comes of fits, which are made unless they were tried."""
-    keys = [frozenset((*fit.base.labels, fit.placed.label)) for fit in fits]
-    crew = Crew(study)
-    begun = {key: crew.begin(fit) for key, fit in zip(keys, fits, strict=True) if key not in tried}
-    tried.update({key: outcome() for key, outcome in begun.items()})
-    return [tried[key] for key in keys]
+def _screened_beside(
+    tried: Tried, model: Refit, effects: Sequence[Hypothesis]
+) -> dict[str, Callable[[], tuple[Refit, list[Candidate]]]]:
+    """Return what gives, by label of an effect, the model without it and what is screened beside that."""
+    tried.begin(model, effects)
+    others = {placed.label: tried.without(placed, model) for placed in effects}
+    return {label: tried.crew.ask(_screened, less) for label, less in others.items() if less is not None}
 
 
-def without(placed: Hypothesis, model: Refit, study: Study) -> Refit | None:
-    """Return a model without one of its effects, fitted again from where it is; None if it cannot be run."""
-    others = [p for p in model.effects if p is not placed]
-    sites = study.sites
-    others = [p.beside([other for other in others if other is not p], sites) for p in others]
-    starts = [(model.parameters, p.values) for p in others[-1:]]
-    starts += [(model.parameters, p.joined(placed)) for p in others[-1:] if p.generalises(placed)]
+def _screened(study: Study, model: Refit) -> tuple[Refit, list[Candidate]]:
+    """Return a model and what is screened beside it, which is nothing if it cannot be run beside probes."""
     try:
-        return JointFit(study, model.parameters, others, model).fitted(starts)
+        return model, screen(study, model.parameters, model.effects, near=model)
     except InertanceError:
-        return None
+        return model, []
 
 
 def _again(rival: Refit, placed: Hypothesis, model: Refit) -> Fit:
@@ -110,18 +103,13 @@ def _again(rival: Refit, placed: Hypothesis, model: Refit) -> Fit:
     return Fit(renamed, others, [(model.parameters, dict(last.values))], model.cost)
 
 
-def _anew(study: Study, placed: Hypothesis, model: Refit) -> list[Fit]:
+def _anew(
+    study: Study, placed: Hypothesis, model: Refit, less: Refit, candidates: Sequence[Candidate]
+) -> list[Fit]:
     """Return fits of what explains most beside the other effects of a model, in the place of one.
 
     Where nothing but noise is left, those are enough that explain about as much.
     """
-    less = without(placed, model, study)
-    if less is None:
-        return []
-    try:
-        candidates = screen(study, less.parameters, less.effects, near=less)
-    except InertanceError:
-        return []
     last = replace(model, effects=(*less.effects, placed))
     noise_is_left = model.misfit <= criteria.COLOURED_MISFIT or model.is_noise(study.judged)
     most = max((candidate.gain for candidate in candidates), default=0.0)

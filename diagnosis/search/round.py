@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections import deque
-from collections.abc import Collection, Mapping, Sequence
+from collections.abc import Callable, Collection, Mapping, Sequence
 from dataclasses import dataclass, field
 from math import inf
 
@@ -42,6 +42,7 @@ def run_round(study: Study, base: Refit, rounds: list[Round], before: Sequence[R
     """
     told = " on top of what was found" if base.effects else ""
     study.tell(f"screening effects{told}")
+    early = None if base.effects else Crew(study).ask(_screened_as_given)
     try:
         candidates = screen(study, base.parameters, base.effects, near=base)
     except InertanceError as error:
@@ -50,7 +51,6 @@ def run_round(study: Study, base: Refit, rounds: list[Round], before: Sequence[R
         rounds.append(Round(base, [], [], unscreened=_first_line(error)))
         return rounds[-1]
     rounds.append(Round(base, list(candidates), []))
-    early: list[Candidate] | None = [] if base.effects else None
     same = (done for done in before if done.base.labels == base.labels)
     known = {model.effects[-1].label: model for done in same for model in done.fitted}
     _fit(study, rounds[-1], candidates, rounds[0], early, known=known)
@@ -63,7 +63,7 @@ def go_on(study: Study, done: Round, candidates: Sequence[Candidate], near: Refi
     Records begin where those of the model do that is `near`. A candidate that was fitted before is fitted
     once more, and the better fit stays.
     """
-    _fit(study, done, candidates, done, [], near)
+    _fit(study, done, candidates, done, None, near)
     known = {c.label for c in done.candidates}
     done.candidates.extend(c for c in candidates if c.label not in known)
 
@@ -73,18 +73,18 @@ def _fit(
     done: Round,
     candidates: Sequence[Candidate],
     first: Round,
-    early: list[Candidate] | None,
+    early: Callable[[], tuple[list[Candidate], str]] | None,
     near: Refit | None = None,
     known: Mapping[str, Refit] | None = None,
 ) -> None:
     """Fit the leading candidates of a round.
 
-    `early` are those that were screened where the parameters were given, None as long as they were not; by
-    label, `known` are models from where fits may go on.
+    `early` gives those that are screened where the parameters were given, for when much is left; by label,
+    `known` are models from where fits may go on.
     """
     base, fitted, failed = near or done.base, done.fitted, done.failed
     waiting = leading(candidates, base.labels)
-    crew, tried, kept = Crew(study), list[Candidate](), 0.0
+    crew, tried, kept, hidden = Crew(study), list[Candidate](), 0.0, list[Candidate]()
     under_way = deque[tuple[Candidate, Outcome]]()
     while under_way or (waiting and not study.late()):
         ready = _ready(waiting, [candidate for candidate, _ in under_way])
@@ -106,17 +106,22 @@ def _fit(
             _keep(fitted, found)
             kept = max(kept, min(candidate.gain, base.cost - found.cost))
         waiting = _promising(waiting, kept, fitted)
-        over = not waiting and not under_way and early is None and not study.late()
-        if over and _much_is_left(study.campaign, (base, *fitted), base):
+        over = not waiting and not under_way and not study.late()
+        if over and early is not None and _much_is_left(study.campaign, (base, *fitted), base):
             study.tell("much is left: screening where the parameters were given")
-            try:
-                early = screen(study, study.campaign.start)
-            except InertanceError as error:
-                early, done.unscreened = [], _first_line(error)
-            waiting = _reserve(candidates, early, tried, _ran_away(study.campaign, base))
+            (hidden, done.unscreened), early = early(), None
+            waiting = _reserve(candidates, hidden, tried, _ran_away(study.campaign, base))
     failed.update((c.label, LATE) for c in waiting)
     screened = {c.label for c in candidates}
-    done.candidates.extend(c for c in early or () if c.label not in screened)
+    done.candidates.extend(c for c in hidden if c.label not in screened)
+
+
+def _screened_as_given(study: Study) -> tuple[list[Candidate], str]:
+    """Return effects as they are screened where the parameters were given; none with why they cannot be."""
+    try:
+        return screen(study, study.campaign.start), ""
+    except InertanceError as error:
+        return [], _first_line(error)
 
 
 def _first_line(error: InertanceError) -> str:

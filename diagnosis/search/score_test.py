@@ -106,7 +106,7 @@ def screen(
     slopes = [record.slopes * np.array(deviations) for record in records]
     sums = _Sums(slopes, records)
     left = [r.residual - columns @ sums.moved for r, columns in zip(records, slopes, strict=True)]
-    motions = [_missing(records, left, number, moved) for number, moved in enumerate(motions)]
+    motions = _missing(records, left, motions)
     reach = {
         name: max(float(np.abs(record.measured.values[name]).max()) for record in records)
         for name in study.campaign.measured
@@ -161,15 +161,17 @@ def _pressed(site: Site, sites: Sequence[Site]) -> Iterator[tuple[int, Site]]:
 
 
 def _missing(
-    records: Sequence[WhitenedRecord], left: Sequence[Array], number: int, motions: Sequence[Motion]
-) -> list[Motion]:
-    """Return motions of a site with how much of what is left a unit of force would explain along them all."""
-    parts = [r.explained(residual, f"push_{number}.u") for r, residual in zip(records, left, strict=True)]
-    known = [part for part in parts if part is not None]
-    if len(known) < len(parts):
-        return list(motions)
-    missed = np.concatenate([motion.s for motion in motions]), np.concatenate(known)
-    return [replace(motion, missed=missed) for motion in motions]
+    records: Sequence[WhitenedRecord], left: Sequence[Array], motions: Sequence[Sequence[Motion]]
+) -> list[list[Motion]]:
+    """Return motions of sites with how much of what is left a unit of force would explain along them all."""
+    pushes = [f"push_{number}.u" for number in range(len(motions))]
+    by_record = [[r.explained(part, push) for push in pushes] for r, part in zip(records, left, strict=True)]
+    told = []
+    for moved, parts in zip(motions, zip(*by_record, strict=True), strict=True):
+        known = [part for part in parts if part is not None]
+        missed = np.concatenate([motion.s for motion in moved]), np.concatenate([np.zeros(0), *known])
+        told.append([replace(m, missed=missed) for m in moved] if len(known) == len(parts) else list(moved))
+    return told
 
 
 def _forces(

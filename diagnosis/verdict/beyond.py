@@ -7,7 +7,7 @@ from dataclasses import replace
 from ..law.sought import Sought, sought
 from ..models.study import FMUStudy, Study
 from ..search.model_comparison import Refit
-from ..search.revision import without
+from ..search.tried import without
 from .counterfactual import Foretold, counterfactuals
 from .decide import OPEN_END, closed_by
 from .gap import gaps

@@ -123,7 +123,8 @@ class BoundDAE:
 
     @cached_property
     def _other_inputs(self) -> Batch:
-        return Batch(ca.Function("inputs", [self.q, self.t], [pick(self.u, self._others)]))
+        values = [self._input(*self.given[k]) for k in self._others]
+        return Batch(ca.Function("inputs", [self.q, self.t], [ca.densify(ca.vertcat(*values))]))
 
     def _tangent(self, variables: tuple[int, ...], algebraic: bool) -> Compiled:
         """Return a function of joined variables (and algebraic residuals) and their slopes in x and z."""

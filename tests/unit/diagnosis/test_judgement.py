@@ -22,6 +22,7 @@ from inertance.diagnosis.search.model_comparison import Refit
 from inertance.diagnosis.search.revision import _is_needed, revised
 from inertance.diagnosis.search.round import Round
 from inertance.diagnosis.search.score_test import Candidate, screen
+from inertance.diagnosis.search.tried import Tried
 from inertance.diagnosis.verdict.all_records import alike_by_all
 from inertance.diagnosis.verdict.cautions import cautions, led_astray
 from inertance.diagnosis.verdict.decide import certain_part, decided
@@ -360,14 +361,15 @@ def test_what_was_found_first_is_held_against_its_rivals_beside_what_was_found_s
     damping = case.fitted("viscous_damping")
     both = case.fitted("viscous_damping", "sensor_gain")
     rounds = [case.round(case.base, damping, case.friction), case.round(damping, both)]
-    better, _ = revised(both, rounds, case.study, {})
+    better, _ = revised(both, rounds, Tried(case.study))
     assert [placed.effect.kind for placed in better.effects] == ["coulomb_friction", "sensor_gain"]
     assert len({placed.name for placed in better.effects}) == 2
     assert better.misfit < 1.1 < both.misfit
-    kept, rivals = revised(better, [case.round(case.base, damping, case.friction)], case.study, {})
+    kept, rivals = revised(better, [case.round(case.base, damping, case.friction)], Tried(case.study))
     assert kept is better
     alone = [case.round(case.base, damping), case.round(damping, both)]
-    assert _kinds(revised(both, alone, case.study, {}, anew=True)[0]) == ["coulomb_friction", "sensor_gain"]
+    other, _ = revised(both, alone, Tried(case.study), anew=True)
+    assert _kinds(other) == ["coulomb_friction", "sensor_gain"]
     named = {label: [_kinds(model) for model in models] for label, models in rivals.items()}
     assert [*named] == [better.effects[0].label]
     assert ["viscous_damping", "sensor_gain"] in named[better.effects[0].label]
