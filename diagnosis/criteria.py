@@ -36,6 +36,7 @@ NEARLY_ALL_LEFT = 0.1  # [1] of the squared gap, which what takes nearly all of 
 ONE_MOTION_RATIO = 1.25  # [1] of what it leaves at two sites, up to which these are in one motion; blind
 PART_CHI_SQUARED = 4.0  # [chi squared] that a part, or one more quantity, must win; theory: 5 % of 1 dof
 EARLY_END_COST_RATIO = 0.9  # [1] of its cost to which a fit that has ended may still fall; blind
+SLIGHT_NOISE_RATIO = 1.2  # [1] by which noise may turn out other, and what was fitted beside it stays; theory
 STRETCH_SECONDS = 0.2, 1.0  # [s] shortest and longest by which test residuals are compared; data
 LEAST_STRETCHES = 40  # [1] wanted in all test records; theory: errors of a standard error below 12 %
 
@@ -59,6 +60,7 @@ START_SINGULAR_VALUE_RATIO = 1e-8  # [1] of the largest below which start values
 LEAST_INERTIA = 1e-12  # [kg, kg.m2] of a body that is added, as none has none; data
 START_DROP_RATIO = 1e-3  # [1] of the squared residual that a new start must promise to be worth a run; effort
 TRIED_START_DROP_RATIO = 1.0  # [1] the same on the way of a descent, where a linear answer will do; effort
+START_WON_SHARE = 0.1  # [1] of the drop that is asked for, which a step of it wins, or it is the last; effort
 START_STEPS, START_HALVINGS = 8, 4  # [1] runs of a record to find where it begins, and shorter steps; effort
 
 # Shapes that are screened, and how they follow in a fit
@@ -105,7 +107,7 @@ RELATIVE_TOLERANCES = 1e-7, 1e-5  # [1] finest and coarsest of runs; data
 TOLERANCE_OVER_NOISE = 1e-3  # [1] relative tolerance of runs over the share of noise in records; blind
 SOLVER_STEPS_PER_SAMPLE = 50  # [1] granted; a model as given that needs more is far too fast; effort
 SOLVER_STEPS_RATIO = 20.0  # [1] of what the model as given takes, granted to what is changed in it; effort
-IMPACT_STEPS_RATIO = 4  # [1] of these, granted in series; blind: stops of true plays take at most 31 a sample
+IMPACT_STEPS_RATIO = 2  # [1] of these, granted in series; blind: stops of true plays take at most 31 a sample
 FMU_STEPS_PER_SAMPLE = 2, 8  # [1] fewest and most communication steps between compared instants; effort
 FMU_STEP_ERROR_OVER_NOISE = 0.1  # [noise] by which half the communication step may change a run; data
 FMU_RELATIVE_TOLERANCE = 1e-6  # [1] of runs of an FMU; data

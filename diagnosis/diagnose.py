@@ -29,6 +29,7 @@ from .search.model_comparison import (
     with_residual_floors,
 )
 from .search.revision import Rivals, pruned, revised
+from .search.reweighed import reweighed
 from .search.round import Round, go_on, run_round
 from .search.tried import Tried, without
 from .verdict.beyond import beyond_the_list
@@ -82,7 +83,9 @@ def diagnose(
     study.tell("refitting the parameters")
     study = replace(study, accuracy=replace(accuracy, steps=granted(study.steps_per_sample())))
     start, base = _refitted(study, campaign.start)
-    study, start, base = _reheard(study, base) or (study, start, base)
+    heard = _heard(study, base)
+    if heard is not study:
+        study, (start, base) = heard, _refitted(heard, base.parameters, base)
     rounds: list[Round] = []
     before: list[Round] = []
     notes = study.limits()
@@ -112,10 +115,15 @@ def diagnose(
                 rounds.pop()
                 continue
             known = study, start, base, chosen, rounds
-            if not study.late() and (again := _reheard(study, chosen)):
-                study, start, base = again
-                best, rivals, before, rounds, tried = base, Rivals(), rounds, [], Tried(study)
-                continue
+            heard = study if study.late() else _heard(study, chosen)
+            if heard is not study:
+                again = reweighed(study, heard, start, base, chosen, rounds)
+                study, tried = heard, Tried(heard)
+                if again is None:
+                    start, base = _refitted(study, chosen.parameters)
+                    best, rivals, before, rounds = base, Rivals(), rounds, []
+                    continue
+                start, base, chosen, rounds = again
             best, rivals = revised(pruned(chosen, tried), rounds, tried)
         notes = [*notes, *_left_out(study, budget, rounds), *_unscreened(rounds)]
         if known and study.late() and not best.effects:
@@ -155,17 +163,13 @@ def _refitted(
     return joint.seen(given), joint.fitted()
 
 
-def _reheard(study: Study, model: Refit) -> tuple[Study, Refit, Refit] | None:
-    """Return the study with the noise that shows beside a model, and what `_refitted` then does.
-
-    It is None if no other noise shows.
-    """
+def _heard(study: Study, model: Refit) -> Study:
+    """Return the study with the noise that shows beside a model; itself if no other noise shows."""
     heard = with_residual_floors(study.campaign, model)
     if heard is study.campaign:
-        return None
+        return study
     study.tell("refitting with the noise that a filter has left")
-    study = replace(study, campaign=heard)
-    return study, *_refitted(study, model.parameters, None if model.effects else model)
+    return replace(study, campaign=heard)
 
 
 def granted(given: float) -> int:

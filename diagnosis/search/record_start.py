@@ -11,7 +11,13 @@ import numpy as np
 from ...base import Array
 from ...components import SimulationError
 from ...identification import Experiment
-from ..criteria import START_DROP_RATIO, START_HALVINGS, START_SINGULAR_VALUE_RATIO, START_STEPS
+from ..criteria import (
+    START_DROP_RATIO,
+    START_HALVINGS,
+    START_SINGULAR_VALUE_RATIO,
+    START_STEPS,
+    START_WON_SHARE,
+)
 from ..models.study import Predicted, Standing
 
 
@@ -138,7 +144,8 @@ def settled(
         begin: states at the start and own values, as they seem to be.
         run_from: makes a run with such unknowns.
         bounds: least and largest unknowns.
-        drop: share of the squared residual that a step must promise to be worth a run.
+        drop: share of the squared residual that a step must promise to be worth a run; one that wins next to
+            nothing of it is the last.
         near: what they seem to be. A state that leaves no trace, as the stretch of a stop that springs back
             at once, stays about as near as it gets in a run: as if it were known to.
     """
@@ -160,19 +167,20 @@ def settled(
         left = missed - rows @ (np.clip(begin + step, *bounds) - begin)
         if before <= (1 + drop) * float(left @ left):
             break
+        won = 0.0
         for halving in range(START_HALVINGS):
             moved = np.clip(begin + step / 2**halving, *bounds)
             try:
                 tried = run_from(moved)
-                after = projected(tried.missed[:, None], offsets)[:, 0]
-                if float(after @ after) + float(np.sum((tie * (guess - moved)) ** 2)) >= before:
+                after = np.append(projected(tried.missed[:, None], offsets), tie * (guess - moved))
+                if float(after @ after) >= before:
                     continue
                 residual, slopes = lifted(tried)
             except SimulationError:
                 continue
-            begin, run = moved, tried
+            begin, run, won = moved, tried, before - float(after @ after)
             break
-        else:
+        if won <= START_WON_SHARE * drop * before:
             break
     return begin, run
 

@@ -69,6 +69,8 @@ def descent(
         ending: when to end.
         learnt: whether slopes cost so much more than residuals that they are corrected by what each step
             really did (Broyden's update), and computed again only when steps do not keep what they promise.
+            What they lead to counts by the residuals that come with slopes, which may tell more: where these
+            have not become less, the descent goes back to where they were computed before.
 
     Raises:
         InertanceError: if there are no residuals at the start.
@@ -79,6 +81,7 @@ def descent(
     x = np.clip(start, *bounds)
     rest, slopes = _sloped(residuals, x)
     radius, exact, believed = 1.0, True, True
+    sure = Iterate(x, rest, slopes, 0)
     for number in range(1, ending.steps + 1):
         if not believed:
             try:
@@ -86,8 +89,15 @@ def descent(
             except InertanceError:
                 yield Iterate(x, rest, slopes, number, "no slopes")
                 return
-            exact = True
+            exact, found = True, Iterate(x, rest, slopes, number)
+            if found.cost >= sure.cost:
+                radius = SHRINK_RATIO * float(np.abs(x - sure.vector).max())
+                found = sure
+            sure, x, rest, slopes = found, found.vector, found.residual, found.slopes
         yield (here := Iterate(x, rest, slopes, number))
+        if radius < ending.radius:
+            yield replace(here, ended="no further descent")
+            return
         within = np.maximum(bounds[0] - x, -radius), np.minimum(bounds[1] - x, radius)
         step, promised = _step(slopes, rest, within)
         length = float(np.abs(step).max(initial=0.0))
@@ -103,9 +113,6 @@ def descent(
             x, rest, exact = np.clip(x + step, *bounds), found, not learnt
         elif exact:
             radius = SHRINK_RATIO * length
-            if radius < ending.radius:
-                yield replace(here, ended="no further descent")
-                return
         if kept > GOOD_RATIO:
             radius = max(radius, 2 * length)
         believed = exact or kept > GOOD_RATIO

@@ -23,6 +23,7 @@ ADJACENT_SHARE = 1e-25
 MISSED_SHARE = 0.02  # a flank between two of nine samples is off by 0.04 at least
 NEGLIGIBLE_SHARE = 1e-7
 UNSEEN_SHARE = 1e-8  # of a value that samples show at rest: what may hide between them
+EQUAL_SHARE = 1e-9  # of a step within which steps are equal but for rounding
 ROUNDING = 8 * np.finfo(float).eps
 HIDDEN_SHARE = 0.25
 STEP_SHARE = 0.5
@@ -170,11 +171,13 @@ def _looked_at(signals: TimeSignals, low: Array, high: Array, size: Array) -> tu
     missed = np.abs(np.einsum("oe,ber->bor", _QUARTIC, values[:, ::2]) - values[:, 1::2]).max(axis=1)
     largest = np.abs(values).max(axis=(0, 1), initial=0.0)
     least = NEGLIGIBLE_SHARE * size + ROUNDING * largest
-    with np.errstate(invalid="ignore"):
-        hidden = _hidden(signals, times, values)
-        known = hidden <= np.where(signals.formal, 0.0, HIDDEN_SHARE * ranges) + least
     few = ~signals.formal & signals.within_data(low, high)[:, None]
-    known |= broken | few
+    known = broken | few
+    asked = np.flatnonzero(~known.all(axis=1))
+    if len(asked):
+        with np.errstate(invalid="ignore"):
+            hidden = _hidden(signals, times[asked], values[asked])
+            known[asked] |= hidden <= np.where(signals.formal, 0.0, HIDDEN_SHARE * ranges[asked]) + least
     unknown = np.flatnonzero(~known.all(axis=1))
     scale = high - low
     if len(unknown):
@@ -217,8 +220,8 @@ def _hidden(signals: TimeSignals, times: Array, values: Array) -> Array:
 
 def _joined(low: Array, high: Array, scale: Array) -> list[Leg]:
     """Join neighbouring intervals of like scale, then parts that save fewer steps than a new start costs."""
-    columns = low.tolist(), high.tolist(), (STEP_SHARE * scale).tolist()
-    legs = [Leg(*part) for part in zip(*columns, strict=True)]
+    columns = _even(low, high, STEP_SHARE * scale)
+    legs = [Leg(*part) for part in zip(*(column.tolist() for column in columns), strict=True)]
     for belong in _alike, _hardly_worthwhile:
         joined: list[Leg] = []
         for leg in legs:
@@ -228,6 +231,16 @@ def _joined(low: Array, high: Array, scale: Array) -> list[Leg]:
             joined.append(leg)
         legs = joined
     return legs
+
+
+def _even(low: Array, high: Array, step: Array) -> tuple[Array, Array, Array]:
+    """Join neighbouring intervals of equal steps, but for rounding."""
+    if not len(step):
+        return low, high, step
+    with np.errstate(invalid="ignore"):
+        equal = (step[1:] == step[:-1]) | (np.abs(step[1:] - step[:-1]) < EQUAL_SHARE * step[1:])
+    begins = np.flatnonzero(np.append(True, ~equal))
+    return low[begins], high[np.append(begins[1:], len(high)) - 1], np.minimum.reduceat(step, begins)
 
 
 def _alike(before: Leg, after: Leg) -> bool:
