@@ -73,7 +73,8 @@ def steps_along(points: Points, slopes: Slopes, to_x: Array, to_p: Array, pushed
     """Return the steps between all points, from the slopes in states and parameters there.
 
     If more than parameters is to change, they are `pushed` by what else does.
-    Intervals over which slopes change much, as at a clearance, are cut into parts.
+    Intervals over which slopes change much, as at a clearance, are cut into parts, whose errors fall with the
+    square of their number.
     """
     A, B = _rates(to_x, to_p, pushed)
     scale = _balance(A)
@@ -86,7 +87,7 @@ def steps_along(points: Points, slopes: Slopes, to_x: Array, to_p: Array, pushed
         if len(uneven):
             halves = np.full(len(uneven), 2)
             matrices[uneven], bent = _in_parts(points, uneven, halves, slopes, scale, pushed)
-            parts = np.minimum(2 ** np.ceil(np.log2(np.maximum(2 * bent / UNEVENNESS, 1.0))), MOST_PARTS)
+            parts = np.minimum(np.ceil(2 * np.sqrt(bent / UNEVENNESS)), MOST_PARTS)
             fine = parts > 2
             if np.any(fine):
                 some, count = uneven[fine], parts[fine].astype(int)

@@ -20,8 +20,10 @@ from inertance.diagnosis.search.joint_fit import JointFit
 from inertance.diagnosis.search.model_comparison import Refit
 from inertance.diagnosis.search.needless import needless
 from inertance.diagnosis.search.record_start import settled
+from inertance.diagnosis.search.reweighed import reweighed
 from inertance.diagnosis.search.round import _ready
 from inertance.diagnosis.search.score_test import Candidate
+from inertance.diagnosis.search.tried import Tried
 from inertance.identification import Accuracy, Campaign, Record
 from inertance.identification.fitting.campaign_model import RecordModel
 from inertance.networks import Variations
@@ -202,7 +204,7 @@ def test_impacts_are_granted_more_steps(cart: Any) -> None:
     given = replace(given, accuracy=replace(given.accuracy, steps=50))
     play = replace(rail("guide"), effect=effect_of("backlash"))
     assert JointFit(given, given.campaign.start, [rail("guide", f_c=1.0)]).accuracy.steps == 50
-    assert given.accuracy_with([rail("guide"), play]).steps == 4 * 50
+    assert given.accuracy_with([rail("guide"), play]).steps == 2 * 50
     free = replace(given, accuracy=replace(given.accuracy, steps=None))
     assert free.accuracy_with([play]).steps is None
 
@@ -268,3 +270,65 @@ def test_a_trial_in_motion_takes_no_slopes_and_no_run_is_made_twice(
     assert found.parameters["spring.k"] == pytest.approx(900.0, rel=2e-3)
     assert found.parameters["guide.d"] == pytest.approx(7.0, rel=0.02)
     assert found.misfit == pytest.approx(1.0, abs=0.1)
+
+
+def test_a_step_that_wins_next_to_nothing_of_what_was_asked_for_is_the_last() -> None:
+    """Beside a record at 50 a start answers as if in a line, and hardly moves."""
+    made = []
+
+    class Stuck(Line):
+        missed = property(lambda self: np.array([2.0, 50.0 - self[0] / 10]))
+
+    def run_from(start: np.ndarray) -> Any:
+        made.append(start)
+        return start.view(Stuck)
+
+    for drop, runs in ((1e-3, 9), (9.0, 2), (1e4, 1)):
+        made.clear()
+        settled(np.zeros(1), run_from, np.array([[-900.0], [900.0]]), drop)
+        assert len(made) == runs
+
+
+def test_a_model_without_an_effect_is_fitted_once(cart: Any, monkeypatch: pytest.MonkeyPatch) -> None:
+    given = study(cart, cart.rubbing(), cart.rubbing())
+    found, fitted = list[Any](), JointFit.fitted
+    both = JointFit(given, given.campaign.start, [rail("guide", f_c=0.4)])
+    whole = both.seen(both.start)
+
+    def noted(self: JointFit, *starts: Any) -> Refit:
+        found.append(self.effects)
+        return fitted(self, *starts)
+
+    monkeypatch.setattr(JointFit, "fitted", noted)
+    tried = Tried(given)
+    tried.begin(whole, whole.effects)
+    first = tried.without(whole.effects[0], whole)
+    assert first is not None
+    assert first.effects == ()
+    assert tried.without(whole.effects[0], whole) is first
+    assert found == [()]
+
+
+@pytest.mark.parametrize(("ratio", "stays"), [(1.1, True), (2.0, False)])
+def test_models_stay_where_noise_hardly_turns_out_other(cart: Any, ratio: float, stays: bool) -> None:
+    given = study(cart, cart.rig(k=900.0), cart.rig(), {"spring.k": {"rel": 0.2}})
+    base = JointFit(given, given.campaign.start).fitted()
+    both = JointFit(given, given.campaign.start, [rail("guide", f_c=0.1)])
+    whole = both.seen(both.start)
+    louder = [
+        {name: replace(floor, sigma=ratio * floor.sigma) for name, floor in e.floors.items()}
+        for e in given.campaign.experiments
+    ]
+    heard = replace(given, campaign=given.campaign.with_floors(louder))
+    rounds = [searched.Round(base, [], [whole])]
+    again = reweighed(given, heard, base, base, whole, rounds)
+    if not stays:
+        assert again is None
+        return
+    assert again is not None
+    _, other, chosen, (done,) = again
+    assert other.misfit == pytest.approx(base.misfit / ratio, rel=1e-6)
+    assert other.parameters == base.parameters
+    assert done.base is other
+    assert done.fitted == [chosen]
+    assert chosen.cost <= whole.cost

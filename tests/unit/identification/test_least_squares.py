@@ -92,6 +92,23 @@ def test_learnt_slopes_are_computed_less_often() -> None:
     assert counted(learnt=True) < counted(learnt=False)
 
 
+def test_steps_that_only_seem_to_lead_down_are_taken_back() -> None:
+    """Without slopes too little is told to be left, as where starts are taken to answer in a line."""
+    costs = []
+
+    def residual(vector: Array, slopes: bool) -> tuple[Array, Array]:
+        left = 100.0 * np.arctan(10.0 * vector) * (1.0 if slopes else 0.5)
+        if slopes:
+            costs.append(float(left @ left))
+        return left, np.diag(1000.0 / (1.0 + (10.0 * vector) ** 2))
+
+    free = np.array([-np.inf]), np.array([np.inf])
+    _, cost = descend(residual, np.array([0.3]), free)
+    assert costs[1] > costs[0]
+    assert cost < 1.0
+    assert len(costs) < 8
+
+
 def test_what_lies_outside_ends_at_its_bound() -> None:
     def residual(vector: Array, slopes: bool) -> tuple[Array, Array]:
         return 10 * (vector - [2.0, 0.3]), 10 * np.eye(2)
