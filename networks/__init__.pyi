@@ -44,6 +44,7 @@ from .simulation.splines import piecewise as piecewise
 from .simulation.splines import sampled_at as sampled_at
 from .simulation.starting import Start as Start
 from .simulation.starting import starting_point as starting_point
+from .simulation.starting import states_at_start as states_at_start
 from .simulation.stepwise import Stepwise as Stepwise
 from .two_terminal import TwoTerminal as TwoTerminal
 from .two_terminal import bridge as bridge

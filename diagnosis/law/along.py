@@ -44,7 +44,7 @@ class Bench:
         if experiment.initial == "rest":
             return Begin(None, own)
         stand = self.predictor.stand(driven(experiment, self.effects))
-        rest = stand.rest({**given, **own}, self.accuracy)
+        rest = stand.rest({**given, **own})
         pairs = zip(stand.state_names, rest.tolist(), strict=True)
         return Begin(np.array([known.get(name, value) for name, value in pairs]), own)
 

@@ -183,7 +183,7 @@ class ReplayedStand:
             rates = CubicSpline(self.fine, given[:, model.place[source]])(self.fine, order)
             given[:, model.place[name]] = model.measures[source].factor / model.measures[name].factor * rates
 
-    def rest(self, parameters: Mapping[str, float], accuracy: Accuracy) -> Array:
+    def rest(self, parameters: Mapping[str, float]) -> Array:
         """Return the states at the start: those of the FMU are its own."""
         return np.zeros(0)
 

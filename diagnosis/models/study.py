@@ -121,7 +121,7 @@ class Study:
         model, taken = self.predictor(), list[float]()
         for experiment in self.campaign.training:
             stand = model.stand(experiment)
-            found = stand.run(given, stand.rest(given, whole), whole)
+            found = stand.run(given, stand.rest(given), whole)
             assert isinstance(found, Prediction)
             taken.append(found.run.stats["steps"] / len(found.time))
         return max(taken)

@@ -244,7 +244,7 @@ class JointFit:
         """Return the run of a record from where it begins, looked for at first, then as `begun` is told."""
 
         def rest() -> Array:
-            return stand.rest(given, self.accuracy)
+            return stand.rest(given)
 
         known = self.begins.get(id(experiment))
         start = self.starts.get(id(experiment), {})

@@ -78,7 +78,7 @@ class WhitenedRecord:
             return RecordRun(experiment, tuple(effects), given, start, found, count)
 
         def rest() -> Array:
-            start: Array = self._stand.rest(parameters, accuracy)
+            start: Array = self._stand.rest(parameters)
             return start
 
         if forced is None:

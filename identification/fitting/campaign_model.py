@@ -6,14 +6,24 @@ from collections.abc import Mapping, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, field, replace
 from functools import cached_property, partial
-from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from ...base import Array
 from ...components import ModelError, SimulationError
-from ...networks import ATOL, DAE, RTOL, Network, Result, Variations, dae_of, foresee, simulate
+from ...networks import (
+    ATOL,
+    DAE,
+    RTOL,
+    Network,
+    Result,
+    Variations,
+    dae_of,
+    foresee,
+    simulate,
+    states_at_start,
+)
 from ..campaign.experiment import Experiment
 from ..records.noise import spectral_floor
 from ..records.record import Channel
@@ -139,20 +149,16 @@ class RecordModel:
         self._simulate = partial(simulate, self.dae, inputs=self.inputs, progress=False)
         self._measured_starts: dict[float, dict[str, float]] = {}  # by instant
 
-    def rest(self, parameters: Values, accuracy: Accuracy, at: float | None = None) -> Array:
+    def rest(self, parameters: Values, at: float | None = None) -> Array:
         """Return the model's start values; motions that are measured start where they were measured."""
-        time = self.record.time
-        begin = float(time[0]) if at is None else at
-        step = float(time[1] - time[0])
+        begin = float(self.record.time[0]) if at is None else at
         guess: dict[str, float] = {}
         if self.experiment.initial == "fit":
             if begin not in self._measured_starts:
                 self._measured_starts[begin] = self._measured_start(begin)
             guess = self._measured_starts[begin]
-        given: dict[str, Any] = {"guess": guess, "rtol": accuracy.rtol, "atol": accuracy.atol}
         values = self.experiment.given(parameters)
-        run = self._simulate(begin + step, begin=begin, step=step, parameters=values, **given)
-        return run.initial.values.copy()
+        return states_at_start(self.dae, inputs=self.inputs, parameters=values, guess=guess, time=begin)
 
     def _measured_start(self, begin: float) -> dict[str, float]:
         record = self.experiment.record

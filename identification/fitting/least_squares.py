@@ -89,11 +89,12 @@ def descent(
             except InertanceError:
                 yield Iterate(x, rest, slopes, number, "no slopes")
                 return
-            exact, found = True, Iterate(x, rest, slopes, number)
-            if found.cost >= sure.cost:
+            exact, led_to = True, Iterate(x, rest, slopes, number)
+            if led_to.cost < sure.cost:
+                sure = led_to
+            else:
                 radius = SHRINK_RATIO * float(np.abs(x - sure.vector).max())
-                found = sure
-            sure, x, rest, slopes = found, found.vector, found.residual, found.slopes
+                x, rest, slopes = sure.vector, sure.residual, sure.slopes
         yield (here := Iterate(x, rest, slopes, number))
         if radius < ending.radius:
             yield replace(here, ended="no further descent")

@@ -94,7 +94,7 @@ class ResidualBlock:
         if not self.free:
             return
         begins = [float(self.record.time[first]) for first, _ in self.pieces]
-        self.center = np.array([self.stand.rest(parameters, accuracy, begin) for begin in begins])
+        self.center = np.array([self.stand.rest(parameters, begin) for begin in begins])
         runs = [
             self.stand.run(parameters, start, accuracy, span).run
             for start, span in zip(self.center, self.pieces, strict=True)

@@ -87,6 +87,26 @@ def starting_point(dae: DAE, inputs: Mapping[str, Any], start: Mapping[str, floa
     return Start(dae, *guessed(dae, wanted), modes, sizes, found[0], names, *found[1:])
 
 
+def states_at_start(
+    dae: DAE,
+    *,
+    inputs: Mapping[str, Any],
+    parameters: Mapping[str, float],
+    guess: Mapping[str, float],
+    time: float,
+) -> Array:
+    """Return the states with which a run from `time` [s] on begins; see `simulate` for the arguments.
+
+    Raises:
+        InitialConditionError: for start values that contradict each other.
+    """
+    closed = bound(dae, inputs)
+    check_covered(dae.name, closed.signals, time, time)
+    numbers = dae.parameters.values(parameters)
+    found = begun(closed, closed.blank(numbers), time, start_values(dae, {}, guess))
+    return found.initial.values.copy()
+
+
 def search(dae: DAE, wanted: StartValues) -> tuple[list[Aim], list[int], list[int]] | None:
     """Return what is sought, the states that this leads and those left free; None where that is too much."""
     aims = _aims(dae, wanted)
