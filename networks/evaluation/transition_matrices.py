@@ -13,6 +13,7 @@ from .jacobians import Points, Slopes
 
 MOST_PARTS = 32
 UNEVENNESS = 0.01  # of slopes over an interval, times its length, from which it is cut into parts
+CORNER = 3  # neighbouring intervals of them that there are at most at a corner of what is even elsewhere
 BLOCK = 512  # intervals at a time, whose matrices stay in a processor's cache
 STRAIGHT = 0.1  # the same, up to which an interval stays whole where slopes go on in a line
 SOFT = 4.0  # size of slopes, times the length, up to which their exponential is summed as a series
@@ -73,8 +74,8 @@ def steps_along(points: Points, slopes: Slopes, to_x: Array, to_p: Array, pushed
     """Return the steps between all points, from the slopes in states and parameters there.
 
     If more than parameters is to change, they are `pushed` by what else does.
-    Intervals over which slopes change much, as at a clearance, are cut into parts, whose errors fall with the
-    square of their number.
+    Intervals over which slopes change much, as at a clearance, are cut into parts. Errors fall with their
+    number at a corner, and with its square where slopes bend over many intervals.
     """
     A, B = _rates(to_x, to_p, pushed)
     scale = _balance(A)
@@ -87,7 +88,10 @@ def steps_along(points: Points, slopes: Slopes, to_x: Array, to_p: Array, pushed
         if len(uneven):
             halves = np.full(len(uneven), 2)
             matrices[uneven], bent = _in_parts(points, uneven, halves, slopes, scale, pushed)
-            parts = np.minimum(np.ceil(2 * np.sqrt(bent / UNEVENNESS)), MOST_PARTS)
+            alone = np.append(0, np.cumsum(np.diff(uneven) > 1))
+            corner = np.bincount(alone)[alone] <= CORNER
+            bends = bent / UNEVENNESS
+            parts = np.minimum(np.ceil(2 * np.where(corner, bends, np.sqrt(bends))), MOST_PARTS)
             fine = parts > 2
             if np.any(fine):
                 some, count = uneven[fine], parts[fine].astype(int)

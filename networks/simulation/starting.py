@@ -102,7 +102,7 @@ def states_at_start(
     """
     closed = bound(dae, inputs)
     check_covered(dae.name, closed.signals, time, time)
-    numbers = dae.parameters.values(parameters)
+    numbers = dae.parameters.values(dict(parameters))
     found = begun(closed, closed.blank(numbers), time, start_values(dae, {}, guess))
     return found.initial.values.copy()
 

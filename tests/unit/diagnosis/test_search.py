@@ -94,7 +94,11 @@ def test_an_effect_found_before_noise_was_heard_again_is_kept(
             return hear(campaign, model)
         if stopped:
             raise KeyboardInterrupt
-        return campaign.with_floors([{**experiment.floors} for experiment in campaign.experiments])
+        louder = [
+            {name: replace(floor, sigma=2 * floor.sigma) for name, floor in experiment.floors.items()}
+            for experiment in campaign.experiments
+        ]
+        return campaign.with_floors(louder)
 
     def rounds(study: Any, best: Refit, done: Any, before: Any) -> Any:
         found = search_round(study, best, done, before)
