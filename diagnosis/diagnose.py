@@ -108,7 +108,7 @@ def diagnose(
                     break
                 continue
             tried.begin(chosen, chosen.effects[:-1])
-            less = without(chosen.effects[-1], chosen, study, criteria.EARLY_END_COST_RATIO * best.cost)
+            less = without(study, chosen.effects[-1], chosen, criteria.EARLY_END_COST_RATIO * best.cost)
             if less is not None and less.cost < criteria.EARLY_END_COST_RATIO * best.cost:
                 study.tell("the fit before had ended early: once more from where this one led")
                 best, base = less, base if best.effects else less

@@ -73,7 +73,8 @@ def exchanged(
         fits = [_again(rival, placed, model) for rival in _rivals(placed, model, rounds)]
         if placed.label in screened:
             again = {fit.placed.label for fit in fits}
-            new = _anew(tried.study, placed, model, *screened[placed.label]())
+            less, candidates = screened[placed.label]
+            new = _anew(tried.study, placed, model, less, candidates())
             fits += [fit for fit in new if fit.placed.label not in again]
         found = zip(fits, tried.made(fits), strict=True)
         yield placed, [_ordered(o, f.placed.label, position) for f, o in found if isinstance(o, Refit)]
@@ -81,19 +82,21 @@ def exchanged(
 
 def _screened_beside(
     tried: Tried, model: Refit, effects: Sequence[Hypothesis]
-) -> dict[str, Callable[[], tuple[Refit, list[Candidate]]]]:
-    """Return what gives, by label of an effect, the model without it and what is screened beside that."""
+) -> dict[str, tuple[Refit, Callable[[], list[Candidate]]]]:
+    """Return, by label of an effect, the model without it and what gives the candidates beside that."""
     tried.begin(model, effects)
     others = {placed.label: tried.without(placed, model) for placed in effects}
-    return {label: tried.crew.ask(_screened, less) for label, less in others.items() if less is not None}
+    return {
+        label: (less, tried.crew.ask(_screened, less)) for label, less in others.items() if less is not None
+    }
 
 
-def _screened(study: Study, model: Refit) -> tuple[Refit, list[Candidate]]:
-    """Return a model and what is screened beside it, which is nothing if it cannot be run beside probes."""
+def _screened(study: Study, model: Refit) -> list[Candidate]:
+    """Return what is screened beside a model; nothing if it cannot be run beside probes."""
     try:
-        return model, screen(study, model.parameters, model.effects, near=model)
+        return screen(study, model.parameters, model.effects, near=model)
     except InertanceError:
-        return model, []
+        return []
 
 
 def _again(rival: Refit, placed: Hypothesis, model: Refit) -> Fit:

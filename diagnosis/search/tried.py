@@ -34,7 +34,7 @@ class Tried:
         """Begin to fit a model without each of some of its effects."""
         for placed in effects:
             if (model, placed.label) not in self._less:
-                outcome = self.crew.ask(_without, placed, model)
+                outcome = self.crew.ask(without, placed, model, model.cost)
                 self._less[model, placed.label] = cache(outcome)
 
     def without(self, placed: Hypothesis, model: Refit) -> Refit | None:
@@ -43,11 +43,7 @@ class Tried:
         return self._less[model, placed.label]()
 
 
-def _without(study: Study, placed: Hypothesis, model: Refit) -> Refit | None:
-    return without(placed, model, study, model.cost)
-
-
-def without(placed: Hypothesis, model: Refit, study: Study, known: float = inf) -> Refit | None:
+def without(study: Study, placed: Hypothesis, model: Refit, known: float = inf) -> Refit | None:
     """Return a model without one of its effects, fitted again from where it is; None if it cannot be run.
 
     The fit ends early where it cannot come to a `known` cost.

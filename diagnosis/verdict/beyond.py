@@ -54,7 +54,7 @@ def _alone(study: Study, found: Sought) -> Sought | None:
     parts = [p for p in found.before.effects if p.effect.is_static and p.site.path in here]
     less: Refit | None = found.before
     for placed in parts:
-        less = less and without(next(p for p in less.effects if p.label == placed.label), less, study)
+        less = less and without(study, next(p for p in less.effects if p.label == placed.label), less)
     if not parts or less is None:
         return None
     study.tell(f"looking for it in place of {' and '.join(placed.label for placed in parts)}")

@@ -74,8 +74,7 @@ def steps_along(points: Points, slopes: Slopes, to_x: Array, to_p: Array, pushed
     """Return the steps between all points, from the slopes in states and parameters there.
 
     If more than parameters is to change, they are `pushed` by what else does.
-    Intervals over which slopes change much, as at a clearance, are cut into parts. Errors fall with their
-    number at a corner, and with its square where slopes bend over many intervals.
+    Intervals over which slopes change much, as at a clearance, are cut into parts.
     """
     A, B = _rates(to_x, to_p, pushed)
     scale = _balance(A)
@@ -88,13 +87,10 @@ def steps_along(points: Points, slopes: Slopes, to_x: Array, to_p: Array, pushed
         if len(uneven):
             halves = np.full(len(uneven), 2)
             matrices[uneven], bent = _in_parts(points, uneven, halves, slopes, scale, pushed)
-            alone = np.append(0, np.cumsum(np.diff(uneven) > 1))
-            corner = np.bincount(alone)[alone] <= CORNER
-            bends = bent / UNEVENNESS
-            parts = np.minimum(np.ceil(2 * np.where(corner, bends, np.sqrt(bends))), MOST_PARTS)
+            parts = _parts(uneven, bent)
             fine = parts > 2
             if np.any(fine):
-                some, count = uneven[fine], parts[fine].astype(int)
+                some, count = uneven[fine], parts[fine]
                 matrices[some], _ = _in_parts(points, some, count, slopes, scale, pushed)
     ends = np.cumsum([len(scale), to_p.shape[2]])
     return Steps(*np.split(matrices, ends, axis=2))
@@ -107,6 +103,19 @@ def _uneven(A: Array, lengths: Array, scale: Array) -> Any:
     turn = np.pad(_size(np.diff(changes, axis=0), scale), 1, constant_values=np.inf)
     bent = np.maximum(turn[1:], turn[:-1]) * lengths > UNEVENNESS
     return np.flatnonzero((change > STRAIGHT) | ((change > UNEVENNESS) & bent))
+
+
+def _parts(uneven: Any, bent: Array) -> Any:
+    """Return into how many parts uneven intervals are cut, by how far slopes in their middle are off a line.
+
+    Errors fall with the number of parts at a corner, and with its square where slopes bend over many
+    intervals.
+    """
+    stretch = np.append(0, np.cumsum(np.diff(uneven) > 1))
+    is_corner = np.bincount(stretch)[stretch] <= CORNER
+    bends = bent / UNEVENNESS
+    parts = np.ceil(2 * np.where(is_corner, bends, np.sqrt(bends)))
+    return np.minimum(parts, MOST_PARTS).astype(int)
 
 
 def _rates(to_x: Array, to_p: Array, pushed: bool) -> tuple[Array, Array]:
