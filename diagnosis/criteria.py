@@ -60,6 +60,7 @@ START_SINGULAR_VALUE_RATIO = 1e-8  # [1] of the largest below which start values
 LEAST_INERTIA = 1e-12  # [kg, kg.m2] of a body that is added, as none has none; data
 START_DROP_RATIO = 1e-3  # [1] of the squared residual that a new start must promise to be worth a run; effort
 TRIED_START_DROP_RATIO = 1.0  # [1] the same on the way of a descent, where a linear answer will do; effort
+FAR_COST_RATIO = 2.0  # [1] of the best known cost, above which a model's starts are not refined; effort
 START_WON_SHARE = 0.1  # [1] of the drop that is asked for, which a step of it wins, or it is the last; effort
 START_STEPS, START_HALVINGS = 8, 4  # [1] runs of a record to find where it begins, and shorter steps; effort
 

@@ -116,16 +116,17 @@ class JointFit:
         earlier = [placed.values for placed in self.effects[:-1]]
         begins = [self.vector(parameters, [*earlier, values]) for parameters, values in starts]
         way = self._best_begun(begins or [self.start], known)
-        vector = way.here.vector
+        vector, cost = way.here.vector, way.here.cost
         for _ in range(1 + criteria.SHAPED_DESCENTS):
             for end in chain([way.here], way.further):
-                vector = end.vector
+                vector, cost = end.vector, end.cost
                 if self.study.late():
                     break
             if self.study.late() or not self.shapes.are_held(vector, way.bounds):
                 break
             way = self._stepped(vector, known)
-        return self.seen(vector)
+        far = cost > criteria.FAR_COST_RATIO * known
+        return self.seen(vector, criteria.TRIED_START_DROP_RATIO if far else criteria.START_DROP_RATIO)
 
     def _best_begun(self, starts: Sequence[Array], known: float) -> _Way:
         """Return the descent that comes out best after a step, of those that can be run."""
@@ -148,13 +149,13 @@ class JointFit:
         next(further)
         return _Way(next(further), further, bounds, dict(self.begins))
 
-    def seen(self, vector: Array) -> Refit:
-        """Return the model with the values of a vector, held against all records."""
+    def seen(self, vector: Array, drop: float = criteria.START_DROP_RATIO) -> Refit:
+        """Return the model with the values of a vector, held against all records; `drop` as for `begun`."""
         fitted, placed = self.unpacked(vector)
         at, train = self._sloped
         if not np.array_equal(at, vector) or self.own:
-            train = [self.linearise(vector, e, False)[0] for e in self.campaign.training]
-        left = [*train, *(self.linearise(vector, e, False)[0] for e in self.campaign.testing)]
+            train = [self.linearise(vector, e, False, drop)[0] for e in self.campaign.training]
+        left = [*train, *(self.linearise(vector, e, False, drop)[0] for e in self.campaign.testing)]
         count, experiments = len(train), self.campaign.experiments
         cost = sum(float(r @ r) for r in train)
         found = list(map(self._by_channel, experiments, left))
@@ -179,7 +180,8 @@ class JointFit:
     @computing("a trial of the parameters")
     def stacked(self, vector: Array, slopes: bool) -> tuple[Array, Array | None]:
         """Return residuals of all training records and of the priors, and their slopes if wanted."""
-        found = [self.linearise(vector, e, slopes, trial=True) for e in self.campaign.training]
+        drop = criteria.TRIED_START_DROP_RATIO if slopes else None
+        found = [self.linearise(vector, e, slopes, drop) for e in self.campaign.training]
         count = len(self.names)
         if slopes:
             self._sloped = vector.copy(), [residual for residual, _ in found]
@@ -190,20 +192,22 @@ class JointFit:
         return stacked, np.concatenate([*(-columns for _, columns in found), prior])
 
     def linearise(
-        self, vector: Array, experiment: Experiment, slopes: bool, trial: bool = False
+        self,
+        vector: Array,
+        experiment: Experiment,
+        slopes: bool,
+        drop: float | None = criteria.START_DROP_RATIO,
     ) -> tuple[Array, Array]:
         """Return the weighted residual of a record, and its slopes in the vector if they are wanted.
 
-        Channels stand one below the other, then the priors of the record's own values. In a `trial` the
-        record begins, by its own values, as it was last found to; with slopes it is looked for again if it is
-        far from there, without them never, which saves those of the start.
+        Channels stand one below the other, then the priors of the record's own values. Where the record
+        begins is looked for as `begun` does by `drop`; if that is None, it begins as it was last found to,
+        which saves slopes of the start.
         """
         parameters, effects = self.unpacked(vector)
         given = parameters | inserted(effects)
         stand, known = self._driven(experiment, effects), self.begins.get(id(experiment))
-        drop = criteria.TRIED_START_DROP_RATIO if trial else criteria.START_DROP_RATIO
-        trial = trial and not slopes
-        begins_as_known = experiment.initial == "rest" or (trial and known is not None)
+        begins_as_known = experiment.initial == "rest" or (drop is None and known is not None)
         plain = not slopes and not experiment.unknown and begins_as_known
 
         def run_from(start: Array | None, own: Mapping[str, float]) -> RecordRun:
@@ -216,7 +220,7 @@ class JointFit:
             self._last[id(experiment)] = key, run
             return run
 
-        run = self._begun(stand, run_from, experiment, given, None if trial else drop)
+        run = self._begun(stand, run_from, experiment, given, drop)
         if plain and known is not None:
             residual, nuisances = run.missed, known.slopes
         else:
@@ -249,7 +253,7 @@ class JointFit:
         known = self.begins.get(id(experiment))
         start = self.starts.get(id(experiment), {})
         guess = apart(stand, start, rest, len(experiment.unknown)) if known is None else known.moved
-        drop = criteria.START_DROP_RATIO if known is None else drop
+        drop = criteria.START_DROP_RATIO if known is None and not start else drop
         run, moved = begun(experiment, rest, run_from, guess, drop)
         if moved is not None and drop is not None:
             self.begins[id(experiment)] = _Begin(moved, run.weighed[1])

@@ -127,7 +127,7 @@ def _blocks(signals: TimeSignals, starts: Array, ends: Array) -> tuple[Array, Ar
     spent = 0
     while len(low):
         spent += len(low)
-        scale, shown = _looked_at(signals, low, high, size)
+        scale, shown = _looked_at(signals, low, high, size, closely=spent + 2 * len(low) > MOST_BLOCKS)
         shown = shown & (high - low <= widest) | (high <= np.nextafter(low, np.inf))
         if spent + 2 * np.count_nonzero(~shown) > MOST_BLOCKS:
             shown[:] = True
@@ -156,11 +156,14 @@ def _after_rest(low: Array, high: Array, scale: Array) -> Array:
     return np.where(np.isnan(scale), share[group], scale)
 
 
-def _looked_at(signals: TimeSignals, low: Array, high: Array, size: Array) -> tuple[Array, Flags]:
+def _looked_at(
+    signals: TimeSignals, low: Array, high: Array, size: Array, closely: bool
+) -> tuple[Array, Flags]:
     """Return how fine the course in each interval is, and which show all that happens.
 
     It is infinite at rest, and NaN where the course is a polynomial. The `size` of each signal, its range so
-    far, is updated.
+    far, is updated. Intervals that will be halved, as their samples tell, are not looked into unless
+    `closely`.
     """
     times = low[:, None] + (high - low)[:, None] * EIGHTHS
     values = signals(times.ravel()).reshape(len(low), 9, -1)
@@ -173,12 +176,14 @@ def _looked_at(signals: TimeSignals, low: Array, high: Array, size: Array) -> tu
     least = NEGLIGIBLE_SHARE * size + ROUNDING * largest
     few = ~signals.formal & signals.within_data(low, high)[:, None]
     known = broken | few
-    asked = np.flatnonzero(~known.all(axis=1))
+    even = missed <= MISSED_SHARE * ranges + least
+    final = closely | (few | even).all(axis=1) | (high <= np.nextafter(low, np.inf))
+    asked = np.flatnonzero(final & ~known.all(axis=1))
     if len(asked):
         with np.errstate(invalid="ignore"):
             hidden = _hidden(signals, times[asked], values[asked])
             known[asked] |= hidden <= np.where(signals.formal, 0.0, HIDDEN_SHARE * ranges[asked]) + least
-    unknown = np.flatnonzero(~known.all(axis=1))
+    unknown = asked[~known[asked].all(axis=1)]
     scale = high - low
     if len(unknown):
         allowed = HIDDEN_SHARE * ranges[unknown] + least + UNSEEN_SHARE * largest
@@ -187,9 +192,9 @@ def _looked_at(signals: TimeSignals, low: Array, high: Array, size: Array) -> tu
         known[unknown] |= bound
         share = np.where(bound, 1.0, allowed / np.where(bound, 1.0, between))
         scale[unknown] *= np.maximum(share.min(axis=1), 1 / 16)
-    rests, even = (((what <= least) & known).all(axis=1) for what in (ranges, missed))
-    shown = (few | (missed <= MISSED_SHARE * ranges + least) & known).all(axis=1)
-    return np.select([rests, even], [np.inf, np.nan], scale), shown
+    rests, polynomial = (((what <= least) & known).all(axis=1) for what in (ranges, missed))
+    shown = (few | even & known).all(axis=1)
+    return np.select([rests, polynomial], [np.inf, np.nan], scale), shown
 
 
 def _between(signals: TimeSignals, low: Array, high: Array, allowed: Array) -> Array:

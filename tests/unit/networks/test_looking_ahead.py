@@ -14,9 +14,9 @@ def test_crests_of_a_sum_of_sines_are_not_halved_again_and_again(monkeypatch: py
     """Bounds by slopes alone halve the intervals around each crest ten times over, 2500 for these 2 s."""
     looked, look_at = list[int](), legs._looked_at
 
-    def counted(signals: Any, low: Any, *rest: Any) -> Any:
+    def counted(signals: Any, low: Any, *rest: Any, **told: Any) -> Any:
         looked.append(len(low))
-        return look_at(signals, low, *rest)
+        return look_at(signals, low, *rest, **told)
 
     monkeypatch.setattr(legs, "_looked_at", counted)
     road = ia.Position(s_ref=RandomDisplacement(seed=1, period=8.0))
