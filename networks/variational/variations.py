@@ -206,13 +206,13 @@ class Variations:
         seen = np.einsum("ksx,ks->kx", line.to_x[:, nx:], weights)[:, :, None]
         back = line.steps.reversed().carry(seen[-1], seen[-2::-1])[::-1][1:, :, 0]
         share = 0.5 * np.einsum("kij,ki->kj", line.steps.weight, back)
-        share[line.edges] = 0.0
         forced = np.zeros((len(by_u), nx))
         forced[:-1] += share
         forced[1:] += share
         found = np.einsum("kx,kx->k", by_u[:, :nx], forced) + np.einsum("ks,ks->k", by_u[:, nx:], weights)
-        if len(line.edges):
-            found[line.edges] += np.einsum("kx,kx->k", line.crossed_by_u[:, :, row], back[line.edges])
+        if len(line.switched):
+            crossed = line.crossed_by_u[:, :, row]
+            found[line.switched] += np.einsum("kx,kx->k", crossed, back[line.switched])
         return np.asarray(self.dae.inputs[row].sign * found)
 
     def start_slopes(self, result: Result, start: Mapping[str, float]) -> Array:

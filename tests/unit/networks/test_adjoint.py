@@ -51,6 +51,23 @@ def test_backwards_is_forwards_transposed(network: ia.Network, inputs: Any, sign
     assert backwards @ change == pytest.approx(forwards, rel=1e-9)
 
 
+@pytest.mark.parametrize("more", [{}, {"rail": ia.CoulombFriction(f_c=2.0)}])
+def test_a_command_that_is_held_cuts_a_run_where_no_mode_switches(more: Any) -> None:
+    dae = carriage(**more).dae()
+    t = np.arange(0.0, 3.0, 0.1)
+    command = ia.Sampled(t, 8 * np.sign(RNG.standard_normal(len(t))), interpolation="hold")
+    run = ia.simulate(dae, 2.9, step=0.02, inputs={"push.f": command})
+    cuts, switches = len(run.segments) - 1, sum(event.mode is not None for event in run.events)
+    assert cuts > switches and bool(switches) == bool(more)
+    variations = Variations(dae, ["mass.s"], [])
+    change = RNG.standard_normal((len(run.time), 1))
+    weights = RNG.standard_normal((len(run.time), 1))
+    forwards = float(np.einsum("ks,ksc->", weights, variations.pushed(run, {"push.f": change})))
+    backwards = variations.adjoint(run, weights, "push.f")
+    assert backwards is not None
+    assert float(backwards @ change[:, 0]) == pytest.approx(forwards, rel=1e-9)
+
+
 def test_an_input_whose_derivatives_act_has_none() -> None:
     dae = drawn().dae()
     run = ia.simulate(dae, 1.0, inputs={"drive.s_ref": lambda t: 0.1 * np.sin(3 * t), "push.f": 0.0})
