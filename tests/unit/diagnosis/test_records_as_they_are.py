@@ -264,3 +264,30 @@ def test_effects_are_granted_steps_by_what_the_model_takes(cart: Any) -> None:
     assert 2.5 < taken < SOLVER_STEPS_PER_SAMPLE
     assert granted(taken) == round(20 * taken)
     assert granted(1.0) == SOLVER_STEPS_PER_SAMPLE
+
+
+def stepped(truth: ia.Network, seed: int) -> Record:
+    """Return random steps of a force that is held for 0.2 s each, and their answer."""
+    rng = np.random.default_rng(seed)
+    time = np.arange(0.0, 6.0, 5e-3)
+    held = np.repeat(30.0 * rng.standard_normal(30), 40)
+    drive = ia.Sampled(time, held, interpolation="hold")
+    run = truth.simulate(float(time[-1]), inputs={"push.f": drive}, step=5e-3, rtol=1e-8, atol=1e-11)
+    x = run["carriage.s"][np.searchsorted(run.time, time + 1e-6, side="right") - 1]
+    return Record(f"steps {seed}", time, {"F": held, "x": x + NOISE * rng.standard_normal(len(time))})
+
+
+@pytest.mark.parametrize("friction", [0.0, 2.0])
+def test_friction_is_found_under_commands_that_are_held(cart: Any, friction: float) -> None:
+    """Each step cuts a run where no mode switches."""
+    truth = cart.rig(k=4100.0)
+    if friction:
+        truth.add(rail=ia.CoulombFriction(f_c=friction))
+        truth.connect(truth.wall.flange, truth.rail.flange_a).connect(
+            truth.rail.flange_b, truth.carriage.flange
+        )
+    *train, test = [{"record": stepped(truth, seed), "initial": "rest"} for seed in (1, 2, 3)]
+    channels = {**CHANNELS, "F": {**CHANNELS["F"], "interpolation": "hold"}}
+    found = ia.diagnose(Campaign(cart.rig(), channels, PRIORS, train, [test], noise={"x": NOISE}))
+    assert [placed.effect.kind for placed in found.effects] == ["coulomb_friction"] * bool(friction)
+    assert found.verdict in ({"effect", "ambiguous"} if friction else {"parameters"})
