@@ -4,18 +4,20 @@ from collections.abc import Callable
 from concurrent.futures import Executor, Future
 from dataclasses import replace
 from functools import partial
+from math import inf
 from typing import Any
 
 import inertance as ia
 import numpy as np
 import pytest
+from inertance.diagnosis.criteria import START_DROP_RATIO, TRIED_START_DROP_RATIO
 from inertance.diagnosis.effects.effect import effect_of
 from inertance.diagnosis.effects.hypothesis import Hypothesis
 from inertance.diagnosis.effects.sites import Site
 from inertance.diagnosis.models.study import Study, study_of
 from inertance.diagnosis.search import crew as fitters
+from inertance.diagnosis.search import joint_fit, score_test
 from inertance.diagnosis.search import round as searched
-from inertance.diagnosis.search import score_test
 from inertance.diagnosis.search.joint_fit import JointFit
 from inertance.diagnosis.search.model_comparison import Refit
 from inertance.diagnosis.search.needless import needless
@@ -332,3 +334,40 @@ def test_models_stay_where_noise_hardly_turns_out_other(cart: Any, ratio: float,
     assert done.base is other
     assert done.fitted == [chosen]
     assert chosen.cost <= whole.cost
+
+
+@pytest.fixture
+def asked(monkeypatch: pytest.MonkeyPatch) -> list[float | None]:
+    """How closely it was asked each time where a record begins."""
+    drops, begin = list[float | None](), joint_fit.begun
+
+    def begun(experiment: Any, rest: Any, run_from: Any, known: Any, drop: float | None) -> Any:
+        drops.append(drop)
+        return begin(experiment, rest, run_from, known, drop)
+
+    monkeypatch.setattr(joint_fit, "begun", begun)
+    return drops
+
+
+def test_a_fit_begins_where_the_records_of_another_model_do(cart: Any, asked: list[float | None]) -> None:
+    shaken = study(cart, cart.rig(k=900.0), cart.rig(k=800.0), cut=1.13)
+    base = JointFit(shaken, {"spring.k": 800.0, "guide.d": 4.0}).fitted()
+    assert asked[0] == START_DROP_RATIO
+    asked.clear()
+    again = JointFit(shaken, base.parameters, [rail("guide", f_c=0.1)], base).fitted()
+    assert asked[0] == TRIED_START_DROP_RATIO
+    assert again.misfit == pytest.approx(base.misfit, rel=0.05)
+
+
+@pytest.mark.parametrize(("known", "drop"), [(inf, START_DROP_RATIO), (0.3, TRIED_START_DROP_RATIO)])
+def test_starts_of_a_model_that_is_far_behind_are_not_refined(
+    cart: Any, asked: list[float | None], known: float, drop: float
+) -> None:
+    truth = cart.rig(k=900.0).add(rail=ia.CoulombFriction(f_c=3.0))
+    truth.connect(truth.wall.flange, truth.rail.flange_a).connect(truth.rail.flange_b, truth.carriage.flange)
+    shaken = study(cart, truth, cart.rig(k=800.0), cut=1.13)
+    plain = JointFit(shaken, {"spring.k": 800.0, "guide.d": 4.0}).fitted()
+    asked.clear()
+    other = JointFit(shaken, {"spring.k": 800.0, "guide.d": 4.0}, near=plain).fitted(known=known * plain.cost)
+    assert asked[-1] == drop
+    assert other.misfit == pytest.approx(plain.misfit, rel=0.1)
