@@ -23,6 +23,7 @@ Examples:
   inertance fit campaign.toml
   inertance fit campaign.toml --json fit.json --plot fit.png
   inertance fit campaign.toml --starts 8 --workers 2
+  inertance fit campaign.toml --intervals
 
 campaign.toml says which model, channels, parameters and records: see `inertance docs identification`.
 `inertance new campaign DIR` writes one to begin with.
@@ -38,6 +39,9 @@ def fit(
     channel: Annotated[str | None, typer.Option(help="The channel to draw; the first output.")] = None,
     starts: Annotated[int, typer.Option(min=1, help="Number of starts, drawn from the priors.")] = 1,
     workers: Annotated[int, typer.Option(min=1, help="Processes for the starts.")] = 1,
+    intervals: Annotated[
+        bool, typer.Option("--intervals", help="Tell 95 % intervals, too: by profiles of the misfit.")
+    ] = False,
     solver: Annotated[str, typer.Option(help=SOLVER_NAMES)] = "auto",
 ) -> None:
     """Fit the uncertain parameters of a campaign to its training records."""
@@ -50,7 +54,7 @@ def fit(
     if channel is not None and channel not in read.outputs:
         fail(f"there is no output channel '{channel}'; there are {', '.join(read.outputs)}", WRONG_USE)
     with failing(WRONG_USE, ModelError):
-        found = _fitted(read, starts, workers, solver)
+        found = _fitted(read, starts, workers, solver, 0.95 if intervals else None)
     wrote = []
     if json is not None:
         wrote.append(found.to_json(json))
@@ -63,13 +67,20 @@ def fit(
         fail("interrupted before the end", INTERRUPTED)
 
 
-def _fitted(campaign: Campaign, starts: int, workers: int, solver: str) -> Fit:
+def _fitted(campaign: Campaign, starts: int, workers: int, solver: str, intervals: float | None) -> Fit:
     from ..identification import FitInterruptedError
     from ..identification import fit as fitted
 
     with progress("fitting") as tell:
         try:
             with Processes(workers, "spawn") if min(workers, starts) > 1 else nullcontext() as executor:
-                return fitted(campaign, starts=starts, executor=executor, solver=solver, report=tell)
+                return fitted(
+                    campaign,
+                    starts=starts,
+                    executor=executor,
+                    solver=solver,
+                    intervals=intervals,
+                    report=tell,
+                )
         except FitInterruptedError as interrupt:
             return interrupt.fit

@@ -15,6 +15,7 @@ from .fitting.campaign_model import Prediction as Prediction
 from .fitting.campaign_model import RecordModel as RecordModel
 from .fitting.doubts import left_prior as left_prior
 from .fitting.fit import fit as fit
+from .fitting.intervals import Interval as Interval
 from .fitting.least_squares import Ending as Ending
 from .fitting.least_squares import Iterate as Iterate
 from .fitting.least_squares import descent as descent
@@ -50,6 +51,7 @@ __all__ = [
     "Filter",
     "Fit",
     "FitInterruptedError",
+    "Interval",
     "Multisine",
     "NoiseFloor",
     "Prediction",

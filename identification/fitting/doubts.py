@@ -45,6 +45,8 @@ def _failures(fit: Fit) -> Iterator[str]:
     """Yield what a fit did not get done, and what its stages say of their values."""
     for done in fit.stages:
         yield from done.uncertainty.warnings
+    for name, interval in fit.intervals.items():
+        yield from interval.told(name)
     for number, done in enumerate(fit.stages, start=1):
         if done.optimum.ended == "interrupted":
             yield f"stage {number} was interrupted; the best values until then are kept"

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from concurrent.futures import Executor
 from dataclasses import replace
+from math import nan
 from pathlib import Path
 
 from ...base import Array, between, computing, demand, function, instance, one_of, optional, whole
@@ -14,6 +15,7 @@ from ..campaign.campaign import Campaign
 from ..campaign.experiment import Experiment
 from .campaign_model import Accuracy, CampaignModel, Values
 from .doubts import is_doubtful
+from .intervals import EndedEarlyError, Interval, profiled
 from .outcome import Comparison, Fit, FitInterruptedError
 from .problem import MOST_ITERATIONS, FitProblem
 from .residual_block import ResidualBlock
@@ -22,6 +24,7 @@ from .suspects import suspects
 from .uncertainty import uncertainty
 
 USUAL_RUNS = 20  # of a fit
+MOST_FITS_AGAIN = 5  # after profiles that led to a lower misfit
 STEPS_TO_A_START = 4  # of the least squares that find start and offsets of a test record
 Fitted = tuple[ResidualBlock, Array, dict[str, float]]  # a record in a stage: nuisances, standard errors
 
@@ -35,6 +38,7 @@ def fit(
     seed: int = 0,
     solver: str = "auto",
     rtol: float = 1e-7,
+    intervals: float | None = None,
     report: Callable[[str], None] | None = None,
 ) -> Fit:
     """Fit the parameters of a campaign to its training records: maximum a posteriori.
@@ -52,6 +56,8 @@ def fit(
         seed: of the draw.
         solver: as for `simulate`; "auto" foresees 20 runs of the training records.
         rtol: relative tolerance of the runs.
+        intervals: level of confidence, such as 0.95, of profile-likelihood intervals of all parameters, which
+            take some ten fits each; none if not given.
         report: called with a line of progress.
 
     Raises:
@@ -65,6 +71,7 @@ def fit(
         seed=(seed, whole(0)),
         rtol=(rtol, between(FINEST, COARSEST)),
         solver=(solver, one_of(SOLVERS)),
+        intervals=(intervals, optional(between(0.01, 0.9999))),
         report=(report, optional(function)),
         executor=(executor, optional(instance(Executor))),
     )
@@ -82,6 +89,8 @@ def fit(
         if starts > 1 and campaign.priors:
             fit_starts(found, starts, seed, executor, accuracy, tell)
         bench = fit_stages(found, accuracy, tell)
+        if intervals is not None:
+            bench = _profile(found, bench, intervals, accuracy, tell)
         tell("predicting the test records")
         found.comparisons.extend(_compared(found, bench, accuracy))
         if is_doubtful(found):
@@ -96,6 +105,34 @@ def fit(
     return found
 
 
+def _profile(
+    found: Fit, bench: CampaignModel, level: float, accuracy: Accuracy, tell: Callable[[str], None]
+) -> CampaignModel:
+    """Find intervals; where a profile leads to something better, fit again from there. Return the model."""
+    for _ in range(MOST_FITS_AGAIN):
+        try:
+            _find_intervals(found, level, tell)
+            return bench
+        except EndedEarlyError as better:
+            tell("a profile has led to a lower misfit: fitting again from there")
+            found.values.update(better.values)
+            found.stages.clear()
+            found.intervals.clear()
+            bench = fit_stages(found, accuracy, tell)
+    unknown = Interval(level, nan, nan, "profiles lead to ever lower misfits: fit from more starts")
+    found.intervals.update(dict.fromkeys(found.values, unknown))
+    return bench
+
+
+def _find_intervals(found: Fit, level: float, tell: Callable[[str], None]) -> None:
+    """Keep intervals as soon as each is known, in the stage that has fitted the parameter last."""
+    last = {name: done for done in found.stages for name in done.uncertainty.errors}
+    for done in found.stages:
+        errors = {name: e for name, e in done.uncertainty.errors.items() if last[name] is done}
+        for name, interval in profiled(done.problem, done.optimum, errors, level, tell):
+            found.intervals[name] = interval
+
+
 def _compared(found: Fit, bench: CampaignModel, accuracy: Accuracy) -> list[Comparison]:
     """Predict every record with the model's own and with the fitted parameters.
 
@@ -106,7 +143,7 @@ def _compared(found: Fit, bench: CampaignModel, accuracy: Accuracy) -> list[Comp
         block.stand.experiment: (block, nuisances, errors)
         for done in found.stages
         for block, nuisances, errors in zip(
-            done.blocks, done.optimum.nuisances, done.uncertainty.own, strict=True
+            done.problem.blocks, done.optimum.nuisances, done.uncertainty.own, strict=True
         )
     }
     testing = CampaignModel(campaign.dae, campaign.measured, campaign.testing)

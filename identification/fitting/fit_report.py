@@ -44,11 +44,19 @@ def _tables(fit: Fit) -> Iterator[tuple[Rows, set[int]]]:
 
 
 def _parameters(fit: Fit) -> Rows:
-    rows: Rows = [("parameter", "fitted", "std. error", "started at", "unit")]
+    rows: Rows = [("parameter", "fitted", "std. error", "started at", "unit", *_levels(fit))]
     for name, value in fit.values.items():
         error, start = fit.errors.get(name, np.nan), fit.campaign.priors[name].center
-        rows.append((name, f"{value:.6g}", f"{error:.2g}", f"{start:.6g}", fit.campaign.dae.unit(name)))
+        own = fit.intervals.get(name)
+        between = [] if not fit.intervals else [""] if own is None else [f"{own.low:.5g} to {own.high:.5g}"]
+        unit = fit.campaign.dae.unit(name)
+        rows.append((name, f"{value:.6g}", f"{error:.2g}", f"{start:.6g}", unit, *between))
     return rows
+
+
+def _levels(fit: Fit) -> list[str]:
+    """Return the head of the column of intervals, if there is one."""
+    return [f"{one.level:.3g} interval" for one in list(fit.intervals.values())[:1]]
 
 
 def _own(fit: Fit) -> Rows:
@@ -88,6 +96,7 @@ def as_dict(fit: Fit) -> dict[str, Any]:
             name: {
                 "value": value, "error": fit.errors.get(name), "start": priors[name].center,
                 "unit": units(name), "prior_deviations": priors[name].moved(value),
+                **_told_interval(fit, name),
             }
             for name, value in fit.values.items()
         },
@@ -122,6 +131,14 @@ def as_dict(fit: Fit) -> dict[str, Any]:
         "interrupted": fit.interrupted,
         "warnings": fit.warnings,
     }  # fmt: skip
+
+
+def _told_interval(fit: Fit, name: str) -> dict[str, Any]:
+    if name not in fit.intervals:
+        return {}
+    one = fit.intervals[name]
+    low, high = (end if np.isfinite(end) else None for end in (one.low, one.high))
+    return {"interval": {"level": one.level, "low": low, "high": high}}
 
 
 def _told_change(fit: Fit, comparison: Comparison) -> dict[str, str]:

@@ -16,8 +16,8 @@ from ...networks import Network
 from ..campaign.campaign import Campaign
 from ..campaign.experiment import Experiment
 from ..campaign.stages import Stage
-from .problem import Optimum
-from .residual_block import ResidualBlock
+from .intervals import Interval
+from .problem import FitProblem, Optimum
 from .suspects import Suspect
 from .uncertainty import Uncertainty
 
@@ -37,9 +37,9 @@ class FittedStage:
     """One stage of a fit and where it ended."""
 
     stage: Stage
+    problem: FitProblem
     optimum: Optimum
     uncertainty: Uncertainty
-    blocks: list[ResidualBlock]
 
 
 @dataclass(frozen=True, eq=False)
@@ -104,6 +104,7 @@ class Fit:
         comparisons: measured and predicted, for every record.
         starts: where each start of a multi-start led.
         suspects: channels that would explain a misfit in another unit, with another sign or exchanged.
+        intervals: by parameter, how far it may go while the others make up for it, if that was asked for.
         interrupted: whether Ctrl-C ended it before its end; `values` are the best until then.
     """
 
@@ -113,6 +114,7 @@ class Fit:
     comparisons: list[Comparison] = field(default_factory=list)
     starts: list[FittedStart] = field(default_factory=list)
     suspects: list[Suspect] = field(default_factory=list)
+    intervals: dict[str, Interval] = field(default_factory=dict)
     interrupted: bool = False
 
     @property

@@ -29,6 +29,7 @@ class Optimum:
     residual: Array
     slopes: Array  # columns in units of `scales`, then of the nuisances
     scales: Array  # units of the parameters
+    vector: Array  # parameters, from where they were assumed in units of `scales`, then the nuisances
     iterations: int
     ended: str  # why, in words
 
@@ -58,6 +59,8 @@ class FitProblem:
         report: Callable[[Iterate], None] | None = None,
         most: int = MOST_ITERATIONS,
         interruptible: bool = False,
+        begin: Array | None = None,
+        held: str | None = None,
     ) -> Optimum:
         """Return the best parameters near where they start, after at most so many steps.
 
@@ -65,6 +68,8 @@ class FitProblem:
             report: called with where the descent is, before each step.
             most: steps.
             interruptible: whether Ctrl-C ends it with what was found until then, once there is anything.
+            begin: a vector, as of an `Optimum`, to start from instead of the values that were given.
+            held: a parameter that stays where it begins.
         """
         given = np.array([self.values[name] for name in self.priors])
         own = [(np.zeros(block.nuisances), *block.bounds) for block in self.blocks]
@@ -72,6 +77,10 @@ class FitProblem:
             np.concatenate([(entries - self._center) / self.scales, *free])
             for entries, *free in zip((given, self._lower, self._upper), *own, strict=True)
         )
+        start = start if begin is None else np.clip(begin, low, high)
+        if held is not None:
+            place = list(self.priors).index(held)
+            low[place] = high[place] = start[place]
         drop = LEAST_DROP / max(sum(block.samples for block in self.blocks), 1.0)
         ending = Ending(drop, LEAST_DROP, LEAST_RADIUS, most)
         at: Iterate | None = None
@@ -85,7 +94,9 @@ class FitProblem:
             at = replace(at, ended="interrupted")
         assert at is not None
         values, nuisances = self._parts(at.vector)
-        return Optimum(values, nuisances, at.cost, at.residual, at.slopes, self.scales, at.number, at.ended)
+        return Optimum(
+            values, nuisances, at.cost, at.residual, at.slopes, self.scales, at.vector, at.number, at.ended
+        )
 
     def _parts(self, vector: Array) -> tuple[dict[str, float], list[Array]]:
         moved, *nuisances = np.split(vector, self._ends[:-1])

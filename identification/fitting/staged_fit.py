@@ -49,8 +49,9 @@ def _fit_stage(
     sigma = campaign.sigma
     blocks = [ResidualBlock(bench.stands[n], stage.channels, sigma, stage.filter) for n in stage.train]
     priors = {name: campaign.priors[name] for name in stage.parameters}
-    optimum = FitProblem(blocks, priors, found.values, accuracy).minimise(report, interruptible=True)
-    return FittedStage(stage, optimum, uncertainty(optimum, blocks, priors), blocks)
+    problem = FitProblem(blocks, priors, found.values, accuracy)
+    optimum = problem.minimise(report, interruptible=True)
+    return FittedStage(stage, problem, optimum, uncertainty(optimum, blocks, priors))
 
 
 def fit_starts(
