@@ -2,12 +2,12 @@
 
     python benchmarks/coverage.py [--fits 600] [--seed 1] [--jobs 2] [--out coverage.json]
 
-The machines are integrated from equations written out here: an oscillator whose spring hardens, two masses on
-a table whose motion is prescribed, a slide that rubs. Their parameters are drawn within 20 % of what the model
-says, which knows nothing of them but wide bounds. Three records of 12 s at 200 Hz begin in motion and hold
-white noise; noise that is coloured; white noise and a random force on the machine that nobody measured; white
-noise and a law that the model lacks. The size of noise is never stated. Told is how many of the intervals hold
-the true parameter, by profiles of the misfit and by 1.96 standard errors.
+The machines are integrated from equations written out here: an oscillator whose spring hardens, two masses
+on a table whose motion is prescribed, a slide that rubs. Their parameters are drawn within 20 % of what the
+model says, which knows nothing of them but wide bounds. Three records of 12 s at 200 Hz begin in motion and
+hold white noise; noise that is coloured; white noise and a random force on the machine that nobody measured;
+white noise and a law that the model lacks. The size of noise is never stated. Told is how many of the
+intervals hold the true parameter, by profiles of the misfit and by 1.96 standard errors.
 """
 
 from __future__ import annotations

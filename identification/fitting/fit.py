@@ -129,7 +129,8 @@ def _find_intervals(found: Fit, level: float, tell: Callable[[str], None]) -> No
     last = {name: done for done in found.stages for name in done.uncertainty.errors}
     for done in found.stages:
         errors = {name: e for name, e in done.uncertainty.errors.items() if last[name] is done}
-        for name, interval in profiled(done.problem, done.optimum, errors, level, tell):
+        freedom = done.uncertainty.freedom
+        for name, interval in profiled(done.problem, done.optimum, errors, level, freedom, tell):
             found.intervals[name] = interval
 
 

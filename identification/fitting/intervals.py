@@ -56,21 +56,23 @@ def profiled(
     optimum: Optimum,
     errors: Mapping[str, float],
     level: float,
+    freedom: float = inf,
     tell: Callable[[str], None] = lambda line: None,
 ) -> Iterator[tuple[str, Interval]]:
     """Yield parameters of a fit with their intervals, by how the cost rises with all others fitted.
 
-        min over the others of cost(p) - cost(estimate) <= z^2 (e/e_white)^2,
+        min over the others of cost(p) - cost(estimate) <= q^2 (e/e_white)^2,
 
-    with z the quantile of the normal distribution, e the standard error, and e_white what it would be if
-    residuals were white. Where the cost is a parabola, that is the estimate and z standard errors to either
-    side; elsewhere the interval follows the cost, and need not be symmetric.
+    with q the quantile of Student's t, e the standard error, and e_white what it would be if residuals were
+    white noise as it was thought to be. Where the cost is a parabola, that is the estimate and q standard
+    errors to either side; elsewhere the interval follows the cost, and need not be symmetric.
 
     Args:
         problem: what was fitted.
         optimum: where it ended.
         errors: the standard errors, by the parameters whose intervals are wanted.
         level: share of intervals that are to hold the truth.
+        freedom: degrees of freedom of the standard errors.
         tell: called with a line of progress.
 
     Raises:
@@ -79,10 +81,10 @@ def profiled(
     Sources: D. J. Venzon, S. H. Moolgavkar, Applied Statistics 37 (1988) 87-94; for residuals that are not
     white J. T. Kent, Biometrika 69 (1982) 19-27, section 3.
     """
-    from scipy.stats import norm
+    from scipy.stats import t
 
     inverse = np.linalg.pinv(optimum.slopes.T @ optimum.slopes, rcond=1e-14, hermitian=True)
-    quantile = float(norm.isf((1 - level) / 2))
+    quantile = float(t.isf((1 - level) / 2, freedom))
     for name, error in errors.items():
         place = list(problem.priors).index(name)
         told = float(inverse[place, place])

@@ -16,7 +16,10 @@ from .residual_block import ResidualBlock
 UNTOLD_SHARE = 0.7  # of a prior's standard deviation, above which records say next to nothing
 TIED_CORRELATION = 0.95
 BOUND_TOLERANCE = 1e-6
-LONGEST_LAG_SHARE = 0.1  # of the samples
+STRETCHES = 6, 12  # least and most of all records together, each left out once
+STRETCH_RATIO = 3.0  # of the length of a stretch to the time over which a residual goes on
+GOES_ON = 4.0  # [standard errors of the autocorrelation of white noise] above which it does
+LAGS, WHITE_CHANCE = 40, 0.01  # of the autocorrelation, and below which a residual is not white
 
 
 @dataclass(frozen=True, eq=False)
@@ -25,24 +28,31 @@ class Uncertainty:
 
     `own` are standard errors of the values that each record has of its own.
 
-    Standard errors allow for residuals that are not white: the covariance is H^-1 G H^-1, with H the
-    information under white noise and G the scatter of the scores under the autocorrelation of the residuals.
+    Where residuals are white, the covariance is H^-1 G H^-1, with H the information and G its scatter by the
+    variance of each channel. Where they are not, noise is coloured, or the machine does what the model does
+    not: then the fit is held against itself. The covariance is that of the jackknife over STRETCHES of the
+    records, as long as what residuals do goes on, and of neighbours that move the fit the same way. It asks
+    neither for one spectrum at all times nor for channels that have nothing to do with each other. `freedom`
+    is one less than the number of stretches, otherwise infinite.
 
-    Source: W. K. Newey, K. D. West, Econometrica 55 (1987) 703-708.
+    Sources: G. M. Ljung, G. E. P. Box, Biometrika 65 (1978) 297-303; J. Shao, C. F. J. Wu, Annals of
+    Statistics 17 (1989) 1176-1197; A. C. Cameron, D. L. Miller, Journal of Human Resources 50 (2015) 317-372,
+    section VI.
     """
 
     errors: dict[str, float]
     correlation: Array
     warnings: list[str]
     own: list[dict[str, float]]
+    freedom: float
 
 
 def uncertainty(optimum: Optimum, blocks: list[ResidualBlock], priors: Mapping[str, Prior]) -> Uncertainty:
     """Return what is known of the parameters at an optimum."""
     count = len(priors)
     inverse = np.linalg.pinv(optimum.slopes.T @ optimum.slopes, rcond=1e-14, hermitian=True)
-    scatter = _scatter(optimum, blocks)
-    covariance = inverse @ scatter @ inverse
+    are_white = _are_white(_correlations(optimum.residual, blocks))
+    covariance, freedom = (_plain if are_white else _jackknife)(optimum, blocks, inverse)
     sd, white = (np.sqrt(np.maximum(np.diag(known), 0.0)) for known in (covariance, inverse))
     own, told = _own(optimum, blocks, sd, white)
     covariance, sd = covariance[:count, :count], sd[:count]
@@ -52,7 +62,7 @@ def uncertainty(optimum: Optimum, blocks: list[ResidualBlock], priors: Mapping[s
     errors = dict(zip(priors, (sd * optimum.scales).tolist(), strict=True))
     each = zip(priors, optimum.values.values(), priors.values(), white[:count] * optimum.scales, strict=True)
     warnings = [line for one in each for line in _untold(*one)]
-    return Uncertainty(errors, correlation, [*warnings, *told, *_tied(errors, correlation)], own)
+    return Uncertainty(errors, correlation, [*warnings, *told, *_tied(errors, correlation)], own, freedom)
 
 
 def _own(
@@ -71,43 +81,95 @@ def _own(
     return errors, told
 
 
-def _scatter(optimum: Optimum, blocks: Sequence[ResidualBlock]) -> Array:
-    """Return the covariance of the scores: of residuals as coloured as they are, and of the priors."""
-    residual, slopes = optimum.residual, optimum.slopes
-    scatter, begin = np.zeros((slopes.shape[1], slopes.shape[1])), 0
+def _are_white(correlations: Sequence[tuple[Array, int]]) -> bool:
+    """Tell whether no channel of any record has a residual that goes on from sample to sample."""
+    from scipy.stats import chi2
+
+    found, lags = 0.0, 0
+    for correlation, count in correlations:
+        first = correlation[1 : LAGS + 1]
+        found += count * (count + 2) * float((first**2 / (count - 1.0 - np.arange(len(first)))).sum())
+        lags += len(first)
+    return not lags or bool(found < chi2.isf(WHITE_CHANCE, lags))
+
+
+def _correlations(residual: Array, blocks: Sequence[ResidualBlock]) -> list[tuple[Array, int]]:
+    """Return the autocorrelation of each channel in each record, to a quarter of it, and how many samples."""
+    found, begin = list[tuple[Array, int]](), 0
     for block in blocks:
-        rows = slice(begin, begin + block.rows)
-        own = np.flatnonzero(slopes[rows].any(axis=0))
-        if len(own):
-            scatter[np.ix_(own, own)] += _coloured(residual[rows], slopes[rows][:, own], block)
+        count = len(block.record.time)
+        for first in range(begin, begin + len(block.channels) * count, count):
+            channel = residual[first : first + count]
+            power = np.abs(np.fft.rfft(channel, 2 * count)) ** 2
+            found.append(
+                (np.fft.irfft(power)[: count // 4 + 1] / max(float(channel @ channel), 1e-300), count)
+            )
         begin += block.rows
-    return np.asarray(scatter + slopes[begin:].T @ slopes[begin:])
+    return found
 
 
-def _coloured(residual: Array, slopes: Array, block: ResidualBlock) -> Array:
-    """Return slopes' covariance under the autocorrelation of the residual, channel by channel."""
-    from scipy.signal import fftconvolve
+def _plain(optimum: Optimum, blocks: Sequence[ResidualBlock], inverse: Array) -> tuple[Array, float]:
+    """Return the covariance by the variance of each channel in each record."""
+    residual, slopes = optimum.residual, optimum.slopes
+    scatter, begin = np.zeros_like(inverse), 0
+    for block in blocks:
+        count = len(block.record.time)
+        for first in range(begin, begin + len(block.channels) * count, count):
+            rows = slice(first, first + count)
+            scatter += float(np.mean(residual[rows] ** 2)) * (slopes[rows].T @ slopes[rows])
+        begin += block.rows
+    scatter += _known(slopes, blocks)
+    return inverse @ scatter @ inverse, np.inf
 
-    count = len(block.channels)
-    sampled = count * len(block.record.time)
-    total = slopes[sampled:].T @ slopes[sampled:]  # where pieces join
-    channels = zip(np.split(residual[:sampled], count), np.split(slopes[:sampled], count), strict=True)
-    for left, own in channels:
-        total += own.T @ fftconvolve(own, autocovariance(left)[:, None], mode="same", axes=0)
-    return total
+
+def _jackknife(optimum: Optimum, blocks: Sequence[ResidualBlock], inverse: Array) -> tuple[Array, float]:
+    """Return the covariance by how the optimum moves, to first order, where a stretch is left out.
+
+    Variances are larger where neighbours move it the same way.
+    """
+    residual, slopes = optimum.residual, optimum.slopes
+    information = slopes.T @ slopes
+    total, beside, count = np.zeros_like(inverse), np.zeros(len(inverse)), 0
+    for record in _stretches(residual, blocks):
+        moved = []
+        for rows in record:
+            own = slopes[rows]
+            moved.append(np.linalg.lstsq(information - own.T @ own, own.T @ residual[rows], rcond=1e-12)[0])
+        each = np.array(moved)
+        total += each.T @ each
+        beside += 2 * (each[1:] * each[:-1]).sum(axis=0)
+        count += len(each)
+    alone = np.maximum(np.diag(total), 1e-300)
+    larger = np.sqrt(1 + np.maximum(beside, 0.0) / alone)
+    covariance = (count - 1) / count * total * np.outer(larger, larger)
+    return covariance + inverse @ _known(slopes, blocks) @ inverse, count - 1.0
 
 
-def autocovariance(residual: Array) -> Array:
-    """Return the autocovariance at lags from -L to L, tapered; L where it sinks into its own scatter."""
-    count = len(residual)
-    spectrum = np.fft.rfft(residual, 2 * count)
-    covariance = np.fft.irfft(np.abs(spectrum) ** 2)[: max(2, int(LONGEST_LAG_SHARE * count))] / count
-    small = np.abs(covariance) < 2 * covariance[0] / np.sqrt(count)
-    quiet = np.flatnonzero(small[:-1] & small[1:])
-    last = int(quiet[0]) if len(quiet) else len(covariance)
-    half = covariance[: max(1, 2 * last)]
-    half = half * (1 - np.arange(len(half)) / len(half))
-    return np.concatenate([half[:0:-1], half])
+def _known(slopes: Array, blocks: Sequence[ResidualBlock]) -> Array:
+    """Return the scatter of the scores of priors, and of what joins pieces of a record."""
+    total, begin = np.zeros((slopes.shape[1], slopes.shape[1])), 0
+    for block in blocks:
+        joints = slopes[begin + len(block.channels) * len(block.record.time) : begin + block.rows]
+        total += joints.T @ joints
+        begin += block.rows
+    return total + slopes[begin:].T @ slopes[begin:]
+
+
+def _stretches(residual: Array, blocks: Sequence[ResidualBlock]) -> Iterator[list[Array]]:
+    """Yield by record the rows of its stretches, of all channels."""
+    lasting = 0.0
+    for correlation, count in _correlations(residual, blocks):
+        beyond = np.flatnonzero(np.abs(correlation) > GOES_ON / np.sqrt(count))
+        lasting = max(lasting, float(beyond[-1]) if len(beyond) else 0.0)
+    total, begin = sum(len(block.record.time) for block in blocks), 0
+    least, most = STRETCHES
+    number = min(max(total / (STRETCH_RATIO * max(lasting, 1.0)), least), most)
+    for block in blocks:
+        count = len(block.record.time)
+        parts = max(round(number * count / total), -(-2 // len(blocks)))
+        channels = begin + count * np.arange(len(block.channels))[:, None]
+        yield [(channels + part).ravel() for part in np.array_split(np.arange(count), parts)]
+        begin += block.rows
 
 
 def _tied(errors: Mapping[str, float], correlation: Array) -> Iterator[str]:

@@ -169,7 +169,9 @@ def test_a_parameter_that_runs_away_is_not_said_to_stand_where_it_was_assumed() 
     prior = Prior(center=4.0, sd=2.0, min=0.0, max=np.inf)
     expected = {4.5: "it stays near the 4 that was assumed", 5072.0: "it went from 4 to 5072 all the same"}
     for value, words in expected.items():
-        at = Optimum({"d": value}, [], 1.0, np.zeros(1), np.eye(1), np.array([2.0]), 5, "converged")
+        at = Optimum(
+            {"d": value}, [], 1.0, np.zeros(1), np.eye(1), np.array([2.0]), np.zeros(1), 5, "converged"
+        )
         (warning,) = uncertainty(at, [], {"d": prior}).warnings
         assert f"the records say next to nothing about it; {words}" in warning
 

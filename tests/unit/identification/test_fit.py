@@ -103,7 +103,7 @@ def test_stages_fit_what_they_are_told_and_pass_it_on() -> None:
 def test_multiple_shooting_finds_the_same() -> None:
     found = ia.fit(campaign(train=[{**campaign().train[0], "shooting": 0.5}], test=[]))
     assert found.values["spring.k"] == pytest.approx(1100.0, rel=0.01)
-    assert len(found.stages[0].blocks[0].pieces) == 4
+    assert len(found.stages[0].problem.blocks[0].pieces) == 4
 
 
 def test_motion_is_predicted_from_force_when_the_source_is_exchanged() -> None:
