@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace
+from typing import TypeVar
 
 import numpy as np
 
+from ...components import SimulationError
 from ..criteria import (
     CERTAIN_GAP_SHARE,
     CERTAIN_RESIDUAL_SHARE,
@@ -30,6 +32,7 @@ from .resolution import unresolved
 from .steadiness import Unsteady, unsteady
 from .verdict import Evidence, Verdict, moved_parameters
 
+Told = TypeVar("Told")
 OPEN_END = "partial", "unknown"  # verdicts that leave something unexplained
 NOT_BY_SINES = (
     "No sine within what was measured parts them by more than twice the noise; measure another quantity, or "
@@ -54,7 +57,9 @@ def decided(
     """
     alone = replace(study, executor=None, report=None)
     all_told = not best.effects or study.late() or _leaves_noise(best, study)
-    changing = [] if all_told else [*unsteady(alone, best)]
+    changing, unknown = list[Unsteady](), list[str]()
+    if not all_told:
+        changing, unknown = _told("whether effects change with time", alone, best, unsteady)
     best = certain_part(best, base, rounds, study, changing)
     first, beyond = rounds[0] if rounds else Round(base, [], []), _round_on(best, rounds)
     known, foretold = [best, *_alike(best, rounds, rivals, alone)], Foretold(alone)
@@ -73,7 +78,9 @@ def decided(
         word, further = "ambiguous", separating(study, best, alike[0]) or NOT_BY_SINES
     open_end = word in OPEN_END
     astray = led_astray(study.campaign, base) if best is not base else ()
-    doubts = () if study.late() else unresolved(alone, best)
+    doubts, untold = list[str](), list[str]()
+    if not study.late():
+        doubts, untold = _told("how well records tell the effects", alone, best, unresolved)
     suspected = suspicions(study, best) if open_end else ()
     return Verdict(
         verdict=word,
@@ -97,6 +104,7 @@ def decided(
             *cautions(study.campaign, best),
             *astray,
             *doubts,
+            *dict.fromkeys((*unknown, *untold)),
         ),
         further=_ranked(study, beyond) if best.effects and beyond is not None else (),
         counterfactual=tuple(counterfactuals(foretold, base, best)),
@@ -106,6 +114,16 @@ def decided(
             if id(other) in apart
         ),
     )
+
+
+def _told(
+    what: str, study: Study, model: Refit, tell: Callable[[Study, Refit], Iterable[Told]]
+) -> tuple[list[Told], list[str]]:
+    """Return what is told of a model; nothing, and a note, if it cannot be run beside where it is."""
+    try:
+        return [*tell(study, model)], []
+    except SimulationError as error:
+        return [], [f"{what} is not known: {str(error).partition(chr(10))[0]}"]
 
 
 def closed_by(best: Refit, base: Refit, study: Study) -> float:

@@ -14,6 +14,7 @@ from inertance.diagnosis.effects.effect import effect_of
 from inertance.diagnosis.effects.hypothesis import Hypothesis
 from inertance.diagnosis.models.study import study_of, thinned
 from inertance.diagnosis.search.joint_fit import JointFit
+from inertance.diagnosis.verdict import decide
 from inertance.diagnosis.verdict.steadiness import Unsteady, unsteady
 from inertance.identification import Accuracy, Campaign, Record
 
@@ -101,3 +102,21 @@ def test_what_ages_is_not_named_as_a_law_that_does_not(cart: Any) -> None:
     assert "cubic_stiffness" not in [placed.effect.kind for placed in found.effects]
     assert any("cubic_stiffness at guide would have to fade" in note for note in found.notes)
     assert "too little to be named" not in found.sentence
+
+
+def test_a_model_that_cannot_be_run_beside_where_it_is_has_its_verdict_and_a_note(
+    cart: Any, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Play in a stiff contact may be fitted at the edge of what the integrator is granted."""
+
+    def cannot(*_: Any) -> Any:
+        raise ia.SimulationError("train: 'carriage' moves far faster than the record\nmore of it")
+
+    monkeypatch.setattr(decide, "unsteady", cannot)
+    monkeypatch.setattr(decide, "unresolved", cannot)
+    *train, test = records(cart, 0.6)
+    found = ia.diagnose(Campaign(cart.rig(), CHANNELS, PRIORS, train, [test]))
+    assert found.effects
+    why = "is not known: train: 'carriage' moves far faster than the record"
+    assert f"whether effects change with time {why}" in found.notes
+    assert f"how well records tell the effects {why}" in found.notes
