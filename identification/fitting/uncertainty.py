@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from itertools import combinations
 
 import numpy as np
+from numpy.typing import NDArray
 
 from ...base import Array
 from ..campaign.priors import Prior
@@ -50,7 +51,8 @@ class Uncertainty:
 def uncertainty(optimum: Optimum, blocks: list[ResidualBlock], priors: Mapping[str, Prior]) -> Uncertainty:
     """Return what is known of the parameters at an optimum."""
     count = len(priors)
-    inverse = np.linalg.pinv(optimum.slopes.T @ optimum.slopes, rcond=1e-14, hermitian=True)
+    information = optimum.slopes.T @ optimum.slopes
+    inverse: Array = np.asarray(np.linalg.pinv(information, rcond=1e-14, hermitian=True), dtype=float)
     are_white = _are_white(_correlations(optimum.residual, blocks))
     covariance, freedom = (_plain if are_white else _jackknife)(optimum, blocks, inverse)
     sd, white = (np.sqrt(np.maximum(np.diag(known), 0.0)) for known in (covariance, inverse))
@@ -155,7 +157,7 @@ def _known(slopes: Array, blocks: Sequence[ResidualBlock]) -> Array:
     return total + slopes[begin:].T @ slopes[begin:]
 
 
-def _stretches(residual: Array, blocks: Sequence[ResidualBlock]) -> Iterator[list[Array]]:
+def _stretches(residual: Array, blocks: Sequence[ResidualBlock]) -> Iterator[list[NDArray[np.intp]]]:
     """Yield by record the rows of its stretches, of all channels."""
     lasting = 0.0
     for correlation, count in _correlations(residual, blocks):

@@ -186,11 +186,12 @@ def test_standard_errors_know_of_a_force_that_nobody_measured() -> None:
     truth = {"spring.k": 1080.0, "spring.k3": 4.4e5, "damper.d": 5.4}
     scores = []
     for seed in range(8):
-        draw, records = np.random.default_rng(seed), []
+        draw, records = np.random.default_rng(seed), list[dict[str, Record]]()
         for _ in range(3):
             motion = Multisine(rms=12.0, low=0.5, high=8.0, period=12.0, seed=int(draw.integers(1000)))
             drive = ia.identification.sampled(motion, stop=12.0, rate=100.0, fade=0.5)
-            unknown = 0.15 * lfilter([0.7], [1.0, -0.7], draw.normal(size=len(drive.time)))
+            forgetting = lfilter([0.7], [1.0, -0.7], draw.normal(size=len(drive.time)))
+            unknown = 0.15 * np.asarray(forgetting, dtype=float)
             shaken = ia.Sampled(drive.time, drive.values + unknown)
             x = recorded(hardening(), truth, shaken, "push.f", {"x": ("mass.s", 1e-5)}).values["x"]
             records.append({"record": Record(f"run {len(records)}", drive.time, {"u": drive.values, "x": x})})

@@ -16,7 +16,7 @@ from inertance.diagnosis.effects.hypothesis import Hypothesis
 from inertance.diagnosis.effects.sites import Site
 from inertance.diagnosis.models.study import Study, study_of
 from inertance.diagnosis.search import crew as fitters
-from inertance.diagnosis.search import joint_fit, score_test
+from inertance.diagnosis.search import joint_fit, record_start, score_test
 from inertance.diagnosis.search import round as searched
 from inertance.diagnosis.search.joint_fit import JointFit
 from inertance.diagnosis.search.model_comparison import Refit
@@ -339,7 +339,7 @@ def test_models_stay_where_noise_hardly_turns_out_other(cart: Any, ratio: float,
 @pytest.fixture
 def asked(monkeypatch: pytest.MonkeyPatch) -> list[float | None]:
     """How closely it was asked each time where a record begins."""
-    drops, begin = list[float | None](), joint_fit.begun
+    drops, begin = list[float | None](), record_start.begun
 
     def begun(experiment: Any, rest: Any, run_from: Any, known: Any, drop: float | None) -> Any:
         drops.append(drop)
