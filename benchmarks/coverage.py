@@ -14,6 +14,7 @@ from __future__ import annotations
 
 import argparse
 import json
+import sys
 from collections.abc import Callable, Mapping, Sequence
 from concurrent.futures import ProcessPoolExecutor
 from dataclasses import asdict, dataclass
@@ -221,9 +222,13 @@ def main() -> None:
     parser.add_argument("--jobs", type=int, default=2)
     parser.add_argument("--out", type=Path, default=Path("coverage.json"))
     given = parser.parse_args()
+    found: list[dict[str, Any]] = []
     with ProcessPoolExecutor(given.jobs) as pool:
-        found = list(pool.map(partial(one, seed=given.seed), range(given.fits), chunksize=4))
-    given.out.write_text(json.dumps(found, indent=1))
+        for case in pool.map(partial(one, seed=given.seed), range(given.fits)):
+            found.append(case)
+            given.out.write_text(json.dumps(found, indent=1))
+            print(f"\r{len(found)}/{given.fits} fits", end="", file=sys.stderr, flush=True)
+    print(file=sys.stderr)
     print(table(found))
 
 
