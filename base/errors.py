@@ -6,6 +6,11 @@ from collections.abc import Iterable
 class InertanceError(Exception):
     """Anything the library refuses or fails to do, told in words."""
 
+    @property
+    def headline(self) -> str:
+        """The first line of what is told."""
+        return str(self).partition("\n")[0]
+
 
 class ModelError(InertanceError, ValueError):
     """A component or a network that cannot be turned into equations; lists every problem found."""

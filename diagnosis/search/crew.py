@@ -97,7 +97,7 @@ def _made(study: Study, fit: Fit) -> Refit | str:
             effects = [*fit.base.effects, placed]
             found = JointFit(study, fit.base.parameters, effects, fit.base).fitted(fit.starts, fit.known)
     except InertanceError as error:
-        return f"its fit ended early: {str(error).partition(chr(10))[0]}"
+        return f"its fit ended early: {error.headline}"
     values = found.effects[-1].values
     if not placed.effect.credible(values):
         return f"no such machine: {', '.join(f'{name} = {value:.3g}' for name, value in values.items())}"

@@ -48,7 +48,7 @@ def run_round(study: Study, base: Refit, rounds: list[Round], before: Sequence[R
     except InertanceError as error:
         if not base.effects:
             raise
-        rounds.append(Round(base, [], [], unscreened=_first_line(error)))
+        rounds.append(Round(base, [], [], unscreened=error.headline))
         return rounds[-1]
     rounds.append(Round(base, list(candidates), []))
     same = (done for done in before if done.base.labels == base.labels)
@@ -121,11 +121,7 @@ def _screened_as_given(study: Study) -> tuple[list[Candidate], str]:
     try:
         return screen(study, study.campaign.start), ""
     except InertanceError as error:
-        return [], _first_line(error)
-
-
-def _first_line(error: InertanceError) -> str:
-    return str(error).partition("\n")[0]
+        return [], error.headline
 
 
 def only_bends(placed: Hypothesis, base: Refit, first: Round) -> str:

@@ -129,7 +129,7 @@ def _left(study: Study, model: Refit) -> list[Left]:
         try:
             found.append(joint.predicted(experiment))
         except InertanceError as error:
-            found.append(str(error).partition("\n")[0])
+            found.append(error.headline)
     return found
 
 

@@ -123,7 +123,7 @@ def _told(
     try:
         return [*tell(study, model)], []
     except SimulationError as error:
-        return [], [f"{what} is not known: {str(error).partition(chr(10))[0]}"]
+        return [], [f"{what} is not known: {error.headline}"]
 
 
 def closed_by(best: Refit, base: Refit, study: Study) -> float:

@@ -14,6 +14,7 @@ from .problem import FitProblem, Optimum
 
 MOST_REFITS = 12  # to find one end
 END_TOLERANCE = 0.02  # of the rise that an end is found by, as a share of its root
+STEEP = 4.0  # [level] of the root of a rise, from where on halving finds the end sooner than a secant
 FURTHER_RATIO = 3.0  # by which a step goes further where nothing has risen yet
 LOWER_COST = 1.0  # [chi squared] by which a fit with a parameter held is better than one that ended elsewhere
 
@@ -89,7 +90,7 @@ def profiled(
         place = list(problem.priors).index(name)
         told = float(inverse[place, place])
         white = sqrt(max(told, 0.0)) * float(optimum.scales[place])
-        reach = quantile * (error / white if white > 0 else 1.0)
+        reach = quantile * (error / white if white > 0 and error > 0 else 1.0)
         along = np.asarray(inverse[:, place] / (told or 1.0), dtype=float)
         ends = {}
         for side in (-1.0, 1.0):
@@ -125,13 +126,14 @@ class _Side:
                 return self.center + self.side * away, self.note
             further = self._next(inside, outside)
             moved, away = moved * (further / away), further
-        open_ended = not np.isfinite(outside[0])
-        return self.side * inf if open_ended else self.center + self.side * inside[0], self.note
+        away, rise = outside
+        last = away if np.isfinite(rise) or away == inf else inside[0]
+        return self.center + self.side * last, self.note
 
     def _next(self, inside: tuple[float, float], outside: tuple[float, float]) -> float:
         """Return the distance to try next, by the farthest that is inside and the nearest that is not."""
         (near, below), (far, above) = inside, outside
-        if np.isfinite(above):
+        if above < STEEP:
             return near + (far - near) * (1 - below) / (above - below)
         if np.isfinite(far):
             return 0.5 * (near + far)

@@ -1,11 +1,14 @@
 """Profile-likelihood intervals: as standard errors where the cost is a parabola, as the cost elsewhere."""
 
+from types import SimpleNamespace
 from typing import Any
 
 import inertance as ia
 import numpy as np
 import pytest
 from inertance.identification import Campaign, FitInterruptedError, Multisine, Record
+from inertance.identification.campaign.priors import Prior
+from inertance.identification.fitting.intervals import profiled
 
 RATE = 200.0
 CHANNELS = {"x": {"input": "table.s_ref", "unit": "m"}, "F": {"output": "cell.f", "unit": "N"}}
@@ -114,3 +117,34 @@ def test_interrupted_it_keeps_the_intervals_that_are_known() -> None:
 def test_a_level_is_a_share(level: Any) -> None:
     with pytest.raises(ia.ModelError, match="intervals"):
         ia.fit(campaign(rig(), rig(), STRAIGHT), intervals=level)
+
+
+def test_a_record_that_the_model_meets_to_the_last_digit_has_intervals_by_its_noise() -> None:
+    model = rig()
+    train = [{"record": record(model, noise=0.0), "initial": "rest"}]
+    found = ia.fit(Campaign(model, CHANNELS, STRAIGHT, train, [], noise={"F": 0.3}), intervals=0.95)
+    assert found.errors["spring.k"] == 0.0
+    assert 980.0 < found.intervals["spring.k"].low < 1000.0 < found.intervals["spring.k"].high < 1020.0
+
+
+class Walled:
+    """A problem of one parameter whose cost is nothing up to a wall, and then a thousand."""
+
+    def __init__(self, wall: float) -> None:
+        self.wall, self.priors = wall, {"p": Prior(0.0, np.inf, -1e3, 1e3)}
+
+    def minimise(self, begin: Any, held: str) -> Any:
+        cost = 1e3 * float(abs(begin[0]) > self.wall)
+        return SimpleNamespace(vector=begin, cost=cost, values={"p": float(begin[0])})
+
+
+@pytest.mark.parametrize("wall", [1e-5, 1e-3, 0.4, 7.0, 300.0])
+def test_an_end_that_is_a_wall_is_not_told_too_near(wall: float) -> None:
+    """No root of the rise is ever at the level: what is told is behind the wall, not before it."""
+    optimum: Any = SimpleNamespace(
+        vector=np.zeros(1), values={"p": 0.0}, cost=0.0, slopes=np.ones((1, 1)), scales=np.ones(1)
+    )
+    problem: Any = Walled(wall)
+    ((_, found),) = profiled(problem, optimum, {"p": 1.0}, 0.95)
+    assert found.low <= -wall
+    assert found.high >= wall

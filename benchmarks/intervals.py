@@ -1,6 +1,6 @@
 """Do 95 % intervals hold the truth? Fits of machines whose parameters are known, by what disturbs records.
 
-    python benchmarks/coverage.py [--fits 600] [--seed 1] [--jobs 2] [--out coverage.json]
+    python benchmarks/intervals.py [--fits 600] [--seed 1] [--jobs 2] [--out intervals.json]
 
 The machines are integrated from equations written out here: an oscillator whose spring hardens, two masses
 on a table whose motion is prescribed, a slide that rubs. Their parameters are drawn within 20 % of what the
@@ -25,6 +25,7 @@ from typing import Any
 
 import inertance as ia
 import numpy as np
+from blind.measures import wilson
 from inertance.identification import Campaign, Record
 from numpy.typing import NDArray
 
@@ -195,10 +196,8 @@ def near(row: Mapping[str, float]) -> bool:
 
 def share(told: Sequence[bool]) -> str:
     """Return a share with its Wilson 95 % interval."""
-    n, p, z2 = len(told), sum(told) / len(told), QUANTILE**2
-    middle, half = p + z2 / (2 * n), QUANTILE * (p * (1 - p) / n + z2 / (4 * n * n)) ** 0.5
-    low, high = ((middle + side * half) / (1 + z2 / n) for side in (-1, 1))
-    return f"{p:.1%} ({low:.1%} to {high:.1%})"
+    low, high = wilson(sum(told), len(told))
+    return f"{sum(told) / len(told):.1%} ({low:.1%} to {high:.1%})"
 
 
 def table(found: Sequence[Mapping[str, Any]]) -> str:
@@ -220,7 +219,7 @@ def main() -> None:
     parser.add_argument("--fits", type=int, default=600)
     parser.add_argument("--seed", type=int, default=1)
     parser.add_argument("--jobs", type=int, default=2)
-    parser.add_argument("--out", type=Path, default=Path("coverage.json"))
+    parser.add_argument("--out", type=Path, default=Path("intervals.json"))
     given = parser.parse_args()
     found: list[dict[str, Any]] = []
     with ProcessPoolExecutor(given.jobs) as pool:
