@@ -207,6 +207,7 @@ void core_least_norm(double columns[], double right[], int length, int count, in
                      const double b[], double x[]);
 
 /* events.c */
+void core_forget_sizes(Core *c);
 int core_watch(Core *c, double t, const double y[], const double rates[], Watched *w);
 double core_near_zero(const Core *c, int i);
 int core_can_fire(const Core *c, int i);

@@ -12,6 +12,12 @@ int core_can_fire(const Core *c, int i) { return core_leavable(c, i) && !c->mute
 
 double core_near_zero(const Core *c, int i) { return fmax(INDICATOR_FLOOR, INDICATOR_ROUNDING * c->seen[i]); }
 
+/* Forget how large indicators and their rates have been. */
+void core_forget_sizes(Core *c) {
+    memset(c->seen, 0, sizeof c->seen);
+    for (int i = 0; i < NG; i++) c->fastest[i] = 1;
+}
+
 /* Evaluate indicators and their rates where states have `rates`; remember their size. */
 int core_watch(Core *c, double t, const double y[], const double rates[], Watched *w) {
     double sum = 0;

@@ -248,6 +248,7 @@ CoreStatus core_jump(Core *c, const double seen[], const Observer *told, int *ch
     Kept kept;
     CoreStatus status = core_rates(c, 0);
     if (status != CORE_OK || !since(c, seen, jump)) return status;
+    core_forget_sizes(c);
     core_switching(c);
     memcpy(before, c->expressions, NE * sizeof *before);
     memcpy(path, c->y, NX * sizeof *path);

@@ -113,10 +113,9 @@ static CoreStatus seek(Core *c, const Given *given, StartRoom *room) {
 
 /* Forget what has been seen of events. */
 static void forget(Core *c) {
-    memset(c->seen, 0, sizeof c->seen);
+    core_forget_sizes(c);
     memset(c->raised, 0, sizeof c->raised);
     memset(c->muted, 0, sizeof c->muted);
-    for (int i = 0; i < NG; i++) c->fastest[i] = 1;
 }
 
 static void note_shock(void *context, const Core *c, int change, int stays, double impulse) {

@@ -5,7 +5,7 @@ from typing import Any
 import inertance as ia
 import numpy as np
 import pytest
-from hypothesis import given, settings
+from hypothesis import example, given, settings
 from hypothesis import strategies as st
 from inertance import (
     CoulombFriction,
@@ -80,16 +80,19 @@ def ending(net: Network, solver: str) -> Any:
 def held_against_ramps(machine: Any, drive: Any, height: float, solver: str) -> None:
     jumped = ending(network(machine, drive(), signals.Step(height=height, start_time=JUMP)), solver)
     near = 2e-4 * max(1.0, np.abs(jumped).max())
-    missed = []
+    ends, missed = {}, []
     for duration in (1e-5, 1e-6, 1e-4):  # one that comes near is enough
         ramp = signals.Ramp(height=height, duration=duration, start_time=JUMP)
         try:
-            missed.append(np.abs(jumped - ending(network(machine, drive(), ramp), "auto")).max())
+            ends[duration] = ending(network(machine, drive(), ramp), "auto")
         except ia.SimulationError:  # at very short ramps, whose speed is 1e6 m/s, modes may not settle
             continue
+        missed.append(np.abs(jumped - ends[duration]).max())
         if missed[-1] <= near:
             return
-    pytest.fail(f"missed by {missed}")
+    if {1e-4, 1e-5} <= ends.keys():  # the force of a ramp acts late by half of it: so to no duration at all
+        missed.append(np.abs(jumped - (10 * ends[1e-5] - ends[1e-4]) / 9).max())
+    assert min(missed, default=np.inf) <= near, f"missed by {missed}"
 
 
 @given(machines((*YIELDING, *RIGID)), st.sampled_from([1.0, -1.0]))
@@ -99,6 +102,7 @@ def test_a_speed_that_jumps_does_what_short_ramps_do(machine: Any, height: float
 
 
 @given(machines(YIELDING), st.sampled_from([0.2, -0.2]))
+@example(([0.5, 3.0], [((0, 2), "spring", 1.0), ((0, 3), "friction", 0.0), ((2, 3), "spring", 0.0)]), 0.2)
 @settings(max_examples=25, deadline=None)
 def test_a_position_that_jumps_does_what_short_ramps_do(machine: Any, height: float) -> None:
     held_against_ramps(machine, Position, height, "auto")
@@ -108,3 +112,13 @@ def test_a_position_that_jumps_does_what_short_ramps_do(machine: Any, height: fl
 @settings(max_examples=5, deadline=None)
 def test_a_compiled_run_does_so_too(machine: Any) -> None:
     held_against_ramps(machine, Speed, 1.0, "compiled")
+
+
+@pytest.mark.parametrize("solver", ["auto", "compiled"])
+def test_what_nearly_rests_after_a_very_fast_motion_breaks_away(solver: str) -> None:
+    """At 2e5 m/s a speed of 1e-7 m/s is rounding; once the motion has ended it is one."""
+    machine = [0.5, 3.0], [((0, 2), "spring", 1.0), ((0, 3), "friction", 0.0), ((2, 3), "spring", 0.0)]
+    ramp = signals.Ramp(height=0.2, duration=1e-6, start_time=JUMP)
+    run = network(machine, Position(), ramp).simulate(END, solver=solver)
+    slips = [event.time for event in run.events if event.target == "forward"]
+    assert slips[-1] == pytest.approx(0.3226455, abs=1e-6)  # where the spring between the masses overcomes it

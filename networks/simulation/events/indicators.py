@@ -27,10 +27,14 @@ class Indicators:
     def __post_init__(self) -> None:
         dae = self.closed.dae
         self.functions = self.closed.switch_functions
-        count = len(dae.switching.changes)
-        self.muted, self._seen, self._fastest = np.zeros(count, dtype=bool), np.zeros(count), np.ones(count)
+        self.muted = np.zeros(len(dae.switching.changes), dtype=bool)
+        self.forget_sizes()
         begin = dae.p.numel()
         self._modes = slice(begin, begin + dae.modes.numel())
+
+    def forget_sizes(self) -> None:
+        """Forget how large indicators and their rates have been, as where what is given jumps."""
+        self._seen, self._fastest = np.zeros(len(self.muted)), np.ones(len(self.muted))
 
     def copy(self) -> Indicators:
         """Return indicators that know as much, and go on by themselves."""

@@ -156,6 +156,7 @@ class Switcher:
         size = self.shocks.since(seen, point, resets)
         if not size.any():
             return []
+        self.indicators.forget_sizes()
         before, during = self._everything(point), self.during(point)
         self._check_modes(during, size)
         pushes = self.shocks.act(during, size)
