@@ -8,6 +8,13 @@ void core_stale(Core *c) {
     c->fresh = 0;
     c->slope_fresh = 0;
     c->pending = 0;
+    c->ahead = 0;
+}
+
+/* Something was set: what followed from it is stale, and may soon be so again. */
+static void touch(Core *c) {
+    core_stale(c);
+    c->calm = 0;
 }
 
 double *core_modes(Core *c) { return c->q + NP; }
@@ -19,6 +26,7 @@ void core_reset(Core *c) {
     for (int i = 0; i < NG; i++) c->fastest[i] = 1;
     c->u_time = NAN;
     c->interval = 1;
+    c->reach = -INFINITY;
     c->crowd = CROWD_COUNT;
 }
 
@@ -34,7 +42,7 @@ static CoreStatus not_finite(Core *c, const char *name, double value) {
 
 static CoreStatus set(Core *c, const char *name, double *number, double value) {
     if (!isfinite(value)) return not_finite(c, name, value);
-    if (value != *number) core_stale(c);
+    if (value != *number) touch(c);
     *number = value;
     return CORE_OK;
 }
@@ -67,7 +75,7 @@ CoreStatus core_set_slope(Core *c, int i, double value) {
                          model_input_name[i], value);
     c->drift[i] = value;
     c->u_time = NAN;
-    core_stale(c);
+    touch(c);
     return CORE_OK;
 }
 
@@ -189,7 +197,7 @@ CoreStatus core_indicators(Core *c, const double **g) {
     CoreStatus status = core_rates(c, 0);
     if (status != CORE_OK) return status;
     if (!(c->fresh & FRESH_INDICATORS)) {
-        if (!core_watch(c, c->t, c->y, c->rates, &c->left)) return impossible(c, "indicators are not finite");
+        if (!core_watch_here(c)) return impossible(c, "indicators are not finite");
         for (int i = 0; i < NG; i++)
             c->indicators[i] =
                 core_leavable(c, i) ? c->left.value[i] - c->raised[i] - 2 * core_near_zero(c, i) : -1;
@@ -251,7 +259,8 @@ CoreStatus core_advance(Core *c, double stop, double rtol, double atol, double f
 
 CoreStatus core_advance_told(Core *c, double stop, double rtol, double atol, double fixed_step,
                              int return_early, const Observer *told, CoreStop *reached) {
-    int happened, changed, due = core_any_due(c); /* what is given may have jumped since the last step */
+    /* What is given may have jumped since the last step; inside a step that goes on, nothing has. */
+    int happened, changed, due = c->ahead ? 0 : core_any_due(c);
     if (due < 0) return impossible(c, "indicators are not finite");
     *reached = CORE_EVENT;
     if (due && return_early) return CORE_OK;

@@ -19,6 +19,11 @@
 #endif
 #define MESSAGE 1024
 
+/* As fmax and fmin, of which a number that is none must come second; calls of those cost more than they do.
+ */
+static inline double core_larger(double a, double b) { return a > b ? a : b; }
+static inline double core_smaller(double a, double b) { return a < b ? a : b; }
+
 #ifdef __GNUC__
 #define SAYS(place) __attribute__((format(printf, place, place + 1)))
 #else
@@ -86,10 +91,14 @@ struct Core {
     double seen[ROOM(NG)], fastest[ROOM(NG)]; /* sizes of indicators and of their rates */
     double raised[ROOM(NG)]; /* where indicators stood after the last events, if they were falling */
     int muted[ROOM(NG)]; /* risen above zero, but not allowed to fire */
+    int open[ROOM(NG)], open_count; /* those that can fire in the present modes, muted or not */
     int adrift, shared[ROOM(NB)]; /* blocks (adrift: one more than its number) that modes leave singular */
     int pending; /* one more than the indicator on whose crossing the core stands */
 
     double h, last_error, last_h; /* next step size; of the last accepted step */
+    double reach;     /* up to where steps may lead beyond the instant at which they are asked to stop */
+    int ahead, calm;  /* whether the core stands inside its last step; advances since anything was set */
+    double ahead_end; /* where that step ends */
     int corners;     /* of data, still to be landed on */
     double interval; /* what time is long or short against: step of communication or of output */
     int crowd;       /* events in an interval that are more than can be meant */
@@ -103,7 +112,7 @@ struct Core {
 
     char message[MESSAGE];
 
-    /* Scratch: nothing here outlives a call, except as `slope_fresh` says. */
+    /* Scratch: nothing here outlives a call, except as `slope_fresh` and `ahead` say. */
     double slope[ROOM(NSLOPE)], by_time[ROOM(NY)];
     int still[ROOM(NY)], still_count;
     double stage[STAGES][ROOM(NY)], trial[ROOM(NY)], value[ROOM(NY)], full[ROOM(NROWS) + ROOM(NY)];
@@ -145,7 +154,7 @@ typedef struct {
 
 /* On the way to `stop`, and the step that is to be tried next, of length `h`, zero if none is. */
 typedef struct {
-    double stop, rtol, atol, fixed;
+    double stop, reach, rtol, atol, fixed; /* steps may lead beyond `stop`, up to `reach` */
     int early;
     const Observer *told;
     double most; /* length of the next step, while an indicator rests on zero */
@@ -180,7 +189,7 @@ CoreStatus core_enter_legs(Core *c, int *changed);
 int core_next_time(Core *c, double *time);
 
 /* core.c */
-enum { FRESH_ALGEBRA = 1, FRESH_RATES = 2, FRESH_VARIABLES = 4, FRESH_INDICATORS = 8 };
+enum { FRESH_ALGEBRA = 1, FRESH_RATES = 2, FRESH_VARIABLES = 4, FRESH_INDICATORS = 8, FRESH_LEFT = 16 };
 void core_stale(Core *c);
 int core_knows_inputs(Core *c, double t);
 double core_free_at(const Core *c, int i, double t);
@@ -209,6 +218,8 @@ void core_least_norm(double columns[], double right[], int length, int count, in
 /* events.c */
 void core_forget_sizes(Core *c);
 int core_watch(Core *c, double t, const double y[], const double rates[], Watched *w);
+int core_watch_here(Core *c);
+void core_list_open(Core *c);
 double core_near_zero(const Core *c, int i);
 int core_can_fire(const Core *c, int i);
 int core_leavable(const Core *c, int i);

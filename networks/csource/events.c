@@ -10,7 +10,15 @@ int core_leavable(const Core *c, int i) {
 
 int core_can_fire(const Core *c, int i) { return core_leavable(c, i) && !c->muted[i]; }
 
-double core_near_zero(const Core *c, int i) { return fmax(INDICATOR_FLOOR, INDICATOR_ROUNDING * c->seen[i]); }
+void core_list_open(Core *c) {
+    c->open_count = 0;
+    for (int i = 0; i < NG; i++)
+        if (core_leavable(c, i)) c->open[c->open_count++] = i;
+}
+
+double core_near_zero(const Core *c, int i) {
+    return core_larger(INDICATOR_FLOOR, INDICATOR_ROUNDING * c->seen[i]);
+}
 
 /* Forget how large indicators and their rates have been. */
 void core_forget_sizes(Core *c) {
@@ -28,29 +36,37 @@ int core_watch(Core *c, double t, const double y[], const double rates[], Watche
     core_evaluate(c, model_watch, t, y, &call);
     for (int i = 0; i < NG; i++) {
         sum += fabs(w->value[i]) + fabs(w->rate[i]);
-        c->seen[i] = fmax(c->seen[i], fabs(w->value[i]));
-        c->fastest[i] = fmax(c->fastest[i], fabs(w->rate[i]));
+        c->seen[i] = core_larger(fabs(w->value[i]), c->seen[i]);
+        c->fastest[i] = core_larger(fabs(w->rate[i]), c->fastest[i]);
     }
     return isfinite(sum);
+}
+
+/* Evaluate them where the core stands, with rates that are fresh, unless that is done. */
+int core_watch_here(Core *c) {
+    if (c->fresh & FRESH_LEFT) return 1;
+    if (!core_watch(c, c->t, c->y, c->rates, &c->left)) return 0;
+    c->fresh |= FRESH_LEFT;
+    return 1;
 }
 
 void core_switching(Core *c) { core_evaluate(c, model_switch, c->t, c->y, &(Call){.res = {c->expressions}}); }
 
 static int is_ready(const Core *c, int i, int forced) {
+    if (!core_can_fire(c, i)) return 0;
     const double *g = c->left.value, *rate = c->left.rate, near = core_near_zero(c, i);
     int rising = rate[i] > RATE_NOISE * c->fastest[i];
     int ready = g[i] > near || (g[i] > -near && rising);
     if (g[i] <= LEAVING_RATIO * near && rate[i] < -RATE_NOISE * c->fastest[i]) ready = 0;
     if (forced >= 0 && model_change_mode[i] == model_change_mode[forced])
         ready = ready || (g[i] == g[forced] && rate[i] == rate[forced]);
-    return ready && core_can_fire(c, i);
+    return ready;
 }
 
 /* List what fires, the strongest of each mode, by number. Returns how many, or -1. */
 static int firing(Core *c, int forced, int fired[]) {
     int strongest[ROOM(NM)], count = 0, any = 0;
-    const double *rates;
-    if (core_rates(c, &rates) != CORE_OK || !core_watch(c, c->t, c->y, rates, &c->left)) return -1;
+    if (core_rates(c, 0) != CORE_OK || !core_watch_here(c)) return -1;
     for (int i = 0; i < NG && !any; i++) any = is_ready(c, i, forced);
     if (!any) return 0;
     core_switching(c);

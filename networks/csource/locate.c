@@ -8,7 +8,7 @@
 #define CHECKS 3
 #define MOST_PIECES 100000
 #define SHORTEST_PIECE 1e-9 /* share of a step */
-#define PER_INTERVAL 4
+#define FAR 10
 
 static const double SHARES[CHECKS] = {GOLDEN, 0.5, 1 - GOLDEN};
 
@@ -26,7 +26,9 @@ static Cubic cubic(const Watched *left, const Watched *right, int i, double span
 
 static double cubic_at(const Cubic *p, double x) { return p->a + x * (p->da + x * (p->c2 + x * p->c3)); }
 
-static double bound(const Cubic *p) { return fmax(p->a, p->b) + CUBIC_CREST * (fabs(p->da) + fabs(p->db)); }
+static double bound(const Cubic *p) {
+    return core_larger(p->a, p->b) + CUBIC_CREST * (fabs(p->da) + fabs(p->db));
+}
 
 static double peak(const Cubic *p) {
     double lean = 3 * (p->b - p->a) - p->da - p->db;
@@ -57,21 +59,33 @@ static double root(const Cubic *p, double near) {
 
 /* Whether cubics tell what indicators do between two instants, a third between them being known. */
 static int resolved(const Core *c, double span, double share) {
-    for (int i = 0; i < NG; i++) {
-        if (!core_leavable(c, i)) continue;
+    for (int k = 0; k < c->open_count; k++) {
+        int i = c->open[k];
         Cubic p = cubic(&c->left, &c->right, i, span);
         double seen = c->middle.value[i], error = fabs(seen - cubic_at(&p, share)),
                near = core_near_zero(c, i);
-        double range = fmax(fmax(p.a, p.b), seen) - fmin(fmin(p.a, p.b), seen);
-        if (error > CUBIC_MISSES * range + near && fmax(bound(&p), seen) + 10 * error > near) return 0;
+        double range = core_larger(core_larger(p.a, p.b), seen) - core_smaller(core_smaller(p.a, p.b), seen);
+        if (error > CUBIC_MISSES * range + near && core_larger(bound(&p), seen) + 10 * error > near) return 0;
     }
     return 1;
 }
 
 static int timed(const Core *c) {
-    for (int i = 0; i < NG; i++)
-        if (model_change_timed[i] && core_leavable(c, i)) return 1;
+    for (int k = 0; k < c->open_count; k++)
+        if (model_change_timed[c->open[k]]) return 1;
     return 0;
+}
+
+/* Whether all are farther below zero than FAR times what they move in the whole step, as both its ends tell.
+ */
+static int far_below(const Core *c) {
+    for (int k = 0; k < c->open_count; k++) {
+        int i = c->open[k];
+        double a = c->left.value[i], b = c->last.value[i];
+        double moves = fabs(b - a) + c->step.h * (fabs(c->left.rate[i]) + fabs(c->last.rate[i]));
+        if (!(core_larger(a, b) < -FAR * moves)) return 0;
+    }
+    return 1;
 }
 
 /* Algebraic unknowns follow time, which a step need not: they are solved for where it matters. Rates are
@@ -85,8 +99,9 @@ static int watch_inside(Core *c, double t, Watched *w) {
 
 static int first(const Core *c, double span, double *share) {
     int found = -1;
-    for (int i = 0; i < NG; i++) {
-        if (!core_can_fire(c, i)) continue;
+    for (int k = 0; k < c->open_count; k++) {
+        int i = c->open[k];
+        if (c->muted[i]) continue;
         Cubic p = cubic(&c->left, &c->right, i, span);
         double near = core_near_zero(c, i), at;
         if (bound(&p) <= near || !rises(&p, near)) continue;
@@ -102,17 +117,14 @@ static int first(const Core *c, double span, double *share) {
 /* Look for the first crossing in the last step, `left` and `last` being known at its ends. Returns 1 if there
  * is one, 0 if not, -1 if indicators are not finite. */
 int core_locate(Core *c, Crossing *crossing) {
+    core_list_open(c);
     double stop = c->step.t + c->step.h, a = c->step.t;
     double shortest = fmax(SHORTEST_PIECE * c->step.h, 1e-15 * fmax(1, fabs(stop)));
     int checks = timed(c) ? CHECKS : 1; /* what time does, no step follows; one check may pass by chance */
-    double longest = checks > 1 ? c->interval / PER_INTERVAL : INFINITY;
-    if (NG == 0) return 0;
+    if (NG == 0 || (checks == 1 && far_below(c))) return 0;
     for (int piece = 0; piece < MOST_PIECES && a < stop; piece++) {
-        double b = fmin(stop, a + longest), share = 0;
-        if (b >= stop) {
-            b = stop;
-            c->right = c->last;
-        } else if (!watch_inside(c, b, &c->right)) return -1;
+        double b = stop, share = 0;
+        c->right = c->last;
         for (int k = 0; k < checks && b - a > shortest;) {
             double middle = a + SHARES[k] * (b - a);
             if (!watch_inside(c, middle, &c->middle)) return -1;

@@ -117,8 +117,11 @@ static CoreStatus depart(Lane *lane) {
     const Block *block = lane->block;
     c->interval = block->interval;
     lane->told = (Observer){lane, fired, stepped, landed};
-    lane->travel =
-        (Travel){.stop = block->stop, .rtol = block->rtol, .atol = block->atol, .told = &lane->told};
+    lane->travel = (Travel){.stop = block->stop,
+                            .reach = block->stop,
+                            .rtol = block->rtol,
+                            .atol = block->atol,
+                            .told = &lane->told};
     lane->next = lane->counted = 0;
     lane->crossed = -INFINITY;
     lane->lost = 0;

@@ -14,6 +14,10 @@
 #define NOT_FINITE "indicators are not finite"
 /* Corners of data landed on, once one was too much for a step that would end among them. */
 #define CORNERS 16
+/* Advances over which a step may lead, those for which it is worth it, and how near to an event it goes. */
+#define MOST_AHEAD 1000
+#define FEWEST_AHEAD 4
+#define SHARE_BEFORE 0.9
 #define MOST_STEPS 10000000
 #define MOST_WORK 5e7
 #define PATIENCE 1e6
@@ -106,7 +110,7 @@ double core_accept(Core *c, Travel *travel, double error) {
 static CoreStatus look_around(Core *c) {
     CoreStatus status = core_rates(c, 0);
     if (status != CORE_OK) return status;
-    return core_watch(c, c->t, c->y, c->rates, &c->left) ? CORE_OK : failed(c, NOT_FINITE);
+    return core_watch_here(c) ? CORE_OK : failed(c, NOT_FINITE);
 }
 
 static void tell_landed(Core *c, const Travel *travel, int after, int switched) {
@@ -158,8 +162,29 @@ static void commit(Core *c, double t) {
     memcpy(c->rates, c->end_rates, sizeof c->rates);
     core_stale(c);
     c->t = t;
-    c->fresh = FRESH_ALGEBRA | FRESH_RATES;
+    c->fresh = FRESH_ALGEBRA | FRESH_RATES | FRESH_LEFT;
     c->left = c->last;
+}
+
+/* Let the core stand inside the last step, in which nothing happens, at the instant it was asked for. */
+static CoreStatus stand_inside(Core *c, Travel *travel, double end) {
+    core_stale(c);
+    c->t = travel->stop;
+    core_step_dense(c, c->t, c->y, 0);
+    if (core_rates(c, 0) != CORE_OK) return failed(c, "the interpolation leads where rates are not finite");
+    c->ahead = 1;
+    c->ahead_end = end;
+    return CORE_OK;
+}
+
+/* Step again, for beyond what is asked for something happens: to somewhat before, or no farther than asked.
+ */
+static CoreStatus step_shorter(Core *c, Travel *travel, const Crossing *crossing) {
+    double before = c->t + SHARE_BEFORE * (crossing->t - c->t), span = travel->stop - travel->from;
+    int worth = before - travel->stop > FEWEST_AHEAD * span;
+    travel->reach = worth ? before : travel->stop;
+    if (!worth) c->calm = -FEWEST_AHEAD;
+    return look_around(c);
 }
 
 /* Go onto a crossing in the last step and fire what fires there, or leave it to be fired. */
@@ -186,8 +211,10 @@ CoreStatus core_conclude(Core *c, Travel *travel, double t) {
     memcpy(began, c->left.rate, sizeof began);
     if (!core_watch(c, t, c->step.end, c->end_rates, &c->last)) return failed(c, NOT_FINITE);
     for (int i = 0; i < NG; i++) c->muted[i] = c->muted[i] && c->last.value[i] > -core_near_zero(c, i);
+    c->fresh &= ~FRESH_LEFT; /* from piece to piece `left` moves on */
     int found = core_locate(c, &crossing);
     if (found < 0) return failed(c, NOT_FINITE);
+    if (!found && t > travel->stop) return stand_inside(c, travel, t);
     if (!found) {
         commit(c, t);
         travel->most = INFINITY;
@@ -196,6 +223,7 @@ CoreStatus core_conclude(Core *c, Travel *travel, double t) {
     }
     memcpy(c->seen, seen, sizeof seen); /* what lies beyond an event is never reached, and has no size */
     memcpy(c->fastest, fastest, sizeof fastest);
+    if (t > travel->stop) return step_shorter(c, travel, &crossing);
     int i = crossing.indicator, flat = crossing.t <= c->t && began[i] <= RATE_NOISE * c->fastest[i];
     if (flat && c->step.h > SHORTEST * c->interval) { /* it rests on zero: see whether it really leaves */
         travel->most = c->step.h / 8;
@@ -205,7 +233,9 @@ CoreStatus core_conclude(Core *c, Travel *travel, double t) {
     return land_and_fire(c, travel, &crossing);
 }
 
-static double bound_of(const Core *c, const Travel *travel) { return fmin(travel->stop, core_end_of_leg(c)); }
+static double bound_of(const Core *c, const Travel *travel) {
+    return fmin(travel->reach, core_end_of_leg(c));
+}
 
 static int is_there(const Core *c, double bound) { return bound - c->t <= 4 * TINY * fabs(bound); }
 
@@ -276,6 +306,24 @@ static CoreStatus check_wish(Core *c, double stop, double rtol, double atol) {
     return rtol > 0 && atol > 0 ? CORE_OK : core_fail(c, CORE_ERROR, "tolerances must be above 0");
 }
 
+/* Let steps lead beyond where the core is asked to stop, if it has been left alone for a while. */
+static double chosen_reach(Core *c, const Travel *travel) {
+    const Observer *told = travel->told;
+    double span = travel->stop - c->t, last = fmin(c->reach, model_data_span[1]);
+    int alone = ++c->calm > 1 && travel->fixed <= 0 && !(told && told->stepped);
+    for (int i = 0; i < NG; i++) alone = alone && !c->muted[i];
+    for (int i = 0; i < NU; i++) alone = alone && c->drift[i] == 0;
+    return alone ? fmax(travel->stop, fmin(last, travel->stop + MOST_AHEAD * span)) : travel->stop;
+}
+
+/* Go on in the step inside which the core stands; tell whether that is all that is asked for. */
+static CoreStatus go_on(Core *c, Travel *travel, int *arrived) {
+    *arrived = travel->stop < c->ahead_end;
+    if (*arrived) return stand_inside(c, travel, c->ahead_end);
+    commit(c, c->ahead_end);
+    return CORE_OK;
+}
+
 /* Make ready to go from where the core stands. */
 CoreStatus core_depart(Core *c, Travel *travel) {
     travel->begin = c->steps;
@@ -310,7 +358,10 @@ CoreStatus core_travel(Core *c, double stop, double rtol, double atol, double fi
     *reached = CORE_ARRIVED;
     CoreStatus status = check_wish(c, stop, rtol, atol);
     if (status != CORE_OK) return status;
-    status = core_depart(c, &travel);
+    travel.reach = chosen_reach(c, &travel);
+    int arrived = 0;
+    if (c->ahead) status = go_on(c, &travel, &arrived);
+    if (status == CORE_OK && !arrived) status = core_depart(c, &travel);
     while (status == CORE_OK && core_underway(c, &travel)) {
         status = travel.h > 0 ? core_stride(c, &travel) : core_aim(c, &travel);
         if (status == CORE_OK && !told && !(fixed_step > 0))

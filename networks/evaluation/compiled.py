@@ -13,6 +13,7 @@ from numpy.typing import ArrayLike
 from ...base import Array
 
 MOST_POINTS, BATCH_ENTRIES = 512, 65536  # points of a batch; entries of the arguments at all of its points
+FEWEST = 2  # points of a batch: of one alone, arguments would be vectors
 FEW, MOST_FEWS = 16, 8  # share of them that a small batch takes, and of which at most so many are taken
 
 
@@ -84,9 +85,9 @@ class Batch:
 
     def __init__(self, function: Any) -> None:
         self._shapes = [function.size_out(i) for i in range(function.n_out())]
-        most = max(1, min(MOST_POINTS, BATCH_ENTRIES // max(1, function.nnz_in())))
+        most = max(FEWEST, min(MOST_POINTS, BATCH_ENTRIES // max(1, function.nnz_in())))
         self._many = most, Compiled(function.map(most))
-        few = max(1, most // FEW)
+        few = max(FEWEST, most // FEW)
         self._few = few, Compiled(function.map(few))
         self._free = Lock()
 
