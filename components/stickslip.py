@@ -48,6 +48,11 @@ class Sticking(Lossy):
         yield self.mode.goes("backward", "stuck", when=speed > 0, reset=stop)
 
 
+def _onward(speed: Expression) -> Expression:
+    """Return a speed that is not below zero; its slope at zero is 1, while that of |speed| would be 0."""
+    return ca.if_else(speed >= 0, speed, 0.0)
+
+
 class StickSlip(Sticking):
     """Dry friction with three modes.
 
@@ -87,12 +92,11 @@ class StickSlip(Sticking):
         return level if self.regularised else ca.fmax(level, 0.0)
 
     def laws(self) -> dict[str, Expression]:
-        """What vanishes in each mode."""
-        speed = ca.fabs(self.speed)
+        """What vanishes in each mode; friction keeps the slope that it has in motion where that comes to rest."""
         return {
             "stuck": self.acceleration,
-            "forward": self.resistance - self.sliding(speed),
-            "backward": self.resistance + self.sliding_back(speed),
+            "forward": self.resistance - self.sliding(_onward(self.speed)),
+            "backward": self.resistance + self.sliding_back(_onward(-self.speed)),
         }
 
     def equations(self) -> Stated:

@@ -5,8 +5,6 @@ from __future__ import annotations
 import doctest
 import re
 import shlex
-import subprocess
-import sys
 from collections.abc import Iterator
 from contextlib import redirect_stdout
 from io import StringIO
@@ -17,8 +15,10 @@ from unittest.mock import patch
 
 import inertance
 import pytest
+from inertance.cli import app
 from inertance.diagnosis.effects.effect import EFFECTS
 from matplotlib import pyplot
+from typer.testing import CliRunner
 
 ROOT = Path(__file__).parents[2]
 PAGES = [ROOT / "README.md", *sorted((ROOT / "docs").glob("*.md"))]
@@ -104,9 +104,9 @@ def test_every_component_is_listed() -> None:
 
 
 @pytest.mark.parametrize("command", [c for c in COMMAND.findall(CLI) if c not in LONG])
-def test_commands_run(command: str, tmp_path: Path) -> None:
+def test_commands_run(command: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.chdir(tmp_path)
     for name, content in FILE.findall(CLI):
         (tmp_path / name).write_text(content, encoding="utf-8")
-    words = [sys.executable, "-m", *shlex.split(command)]
-    done = subprocess.run(words, cwd=tmp_path, capture_output=True, text=True, check=False)
-    assert done.returncode == 0, done.stderr
+    done = CliRunner().invoke(app, shlex.split(command)[1:])
+    assert done.exit_code == 0, (done.output, done.exception)

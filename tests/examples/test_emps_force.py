@@ -24,7 +24,12 @@ def missed(example: Any, read: list[Record], coulomb: bool, late: float = 0.0) -
     values = ia.fit(campaign).values
     record, motion = read[1], read[1].sampled("q", delay=-late)
     run = campaign.network.simulate(
-        record.time[-1], step=1e-3, inputs={"motion.s_ref": motion}, parameters=values, progress=False
+        record.time[-1],
+        step=1e-3,
+        inputs={"motion.s_ref": motion},
+        parameters=values,
+        solver="compiled",
+        progress=False,
     )
     moving = np.abs(run["carriage.v"]) > 1e-4
     left = np.interp(run.time, record.time, record.values["F"]) - run["drive.f"]

@@ -16,7 +16,7 @@ from inertance.components.language import (
     Parameter,
 )
 
-FEW = settings(max_examples=10, deadline=None, suppress_health_check=[HealthCheck.too_slow])
+FEW = settings(max_examples=5, deadline=None, suppress_health_check=[HealthCheck.too_slow])
 
 
 @pytest.mark.parametrize("name", with_flanges())
@@ -140,7 +140,7 @@ def scaled(name: str, path: str, value: float, scale: float) -> float:
 
 
 @pytest.mark.parametrize("name", NEW)
-@settings(max_examples=4, deadline=None, suppress_health_check=[HealthCheck.too_slow])
+@settings(max_examples=3, deadline=None, suppress_health_check=[HealthCheck.too_slow])
 @given(data=st.data())
 def test_the_book_closes_whatever_the_numbers_and_the_start(name: str, data: st.DataObject) -> None:
     dae = assembled(name)

@@ -14,7 +14,8 @@ from numpy.typing import NDArray
 
 Array = NDArray[np.float64]
 SOLVERS = ("cvodes", "idas", "rosenbrock", "compiled")
-TIME = np.linspace(0.0, 5.0, 501)
+STOP = 3.0
+TIME = np.linspace(0.0, STOP, 301)
 
 
 def smooth(length: float = 1.0, mass: float = 1.0) -> ia.Network:
@@ -51,7 +52,7 @@ def push(size: float, kind: str) -> Any:
 
 def course(build: Callable[..., ia.Network], length: float, mass: float, kind: str, solver: str) -> Array:
     run = build(length, mass).simulate(
-        5.0, step=0.01, inputs={"push.f": push(length * mass, kind)}, solver=solver
+        STOP, step=0.01, inputs={"push.f": push(length * mass, kind)}, solver=solver
     )
     assert run.notes == []
     found: Array = run.at("mass.s", TIME) / length
@@ -61,7 +62,7 @@ def course(build: Callable[..., ia.Network], length: float, mass: float, kind: s
 @cache
 def wanted(build: Callable[..., ia.Network], kind: str) -> Array:
     net = build()
-    run = net.simulate(5.0, step=0.01, inputs={"push.f": push(1.0, kind)}, rtol=1e-10, atol=1e-14)
+    run = net.simulate(STOP, step=0.01, inputs={"push.f": push(1.0, kind)}, rtol=1e-10, atol=1e-14)
     found: Array = run.at("mass.s", TIME)
     return found
 

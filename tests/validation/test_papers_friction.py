@@ -65,7 +65,7 @@ def driven(r: float, beta: float) -> ia.Result:
     )  # fmt: skip
     net.connect(net.wall.flange, net.spring.flange_a, net.rub.flange_a)
     net.connect(net.spring.flange_b, net.rub.flange_b, net.mass.flange, net.push.flange)
-    run: ia.Result = net.simulate(300.0, step=0.02, rtol=1e-9, atol=1e-11)
+    run: ia.Result = net.simulate(100.0, step=0.02, rtol=1e-9, atol=1e-11)
     return run
 
 
@@ -75,14 +75,14 @@ def test_forced_vibration_with_coulomb_friction(r: float, share: float) -> None:
     beta = share * bound(r)
     U, V = sin(pi / r) / (r * (1 + cos(pi / r))), 1 / (1 - r**2)
     run = driven(r, beta)
-    assert run.peak("mass.s", begin=250.0) == pytest.approx(sqrt(V**2 - beta**2 * U**2), rel=2e-5)
-    assert run.share("rub.mode", "stuck", begin=250.0) < 1e-6
+    assert run.peak("mass.s", begin=60.0) == pytest.approx(sqrt(V**2 - beta**2 * U**2), rel=2e-5)
+    assert run.share("rub.mode", "stuck", begin=60.0) < 1e-6
 
 
 @pytest.mark.parametrize("r", [0.6, 0.85, 1.2])
 def test_stops_begin_at_the_bound(r: float) -> None:
     """Just above the bound the mass rests for a while in each half period, just below it does not."""
     below, above = (
-        driven(r, share * bound(r)).share("rub.mode", "stuck", begin=250.0) for share in (0.98, 1.04)
+        driven(r, share * bound(r)).share("rub.mode", "stuck", begin=60.0) for share in (0.98, 1.04)
     )
     assert below < 1e-6 < 1e-3 < above

@@ -50,6 +50,7 @@ def measured(
             partial(_pushed, motion, force),
             (0.0, time[-1]),
             np.zeros(order),
+            "LSODA",
             t_eval=time,
             rtol=1e-7,
             atol=1e-10,
@@ -100,7 +101,7 @@ def test_friction_damper_with_clearance() -> None:
         held = 4.0 * np.clip(press / 4.0, -1.0, 1.0)
         return [v, (push - 3000.0 * s - 6.0 * v - held) / 2.0, (press - held) / oil]
 
-    records = measured(motion, 3, {"s": 0}, 12.0, 12.0, 0.005, duration=10.0)
+    records = measured(motion, 3, {"s": 0}, 12.0, 12.0, 0.005, duration=6.0)
     net = Network(
         "damped",
         wall=Fixed(),
@@ -112,7 +113,7 @@ def test_friction_damper_with_clearance() -> None:
     )
     net.connect(net.wall.flange, net.spring.flange_a, net.loss.flange_a, net.slider.flange_a)
     net.connect(net.spring.flange_b, net.loss.flange_b, net.slider.flange_b, net.mass.flange, net.push.flange)
-    found = verdict(net, {"s": "mass.s"}, ["spring.k", "loss.d", "slider.f_c", "mass.m"], records)
+    found = verdict(net, {"s": "mass.s"}, ["spring.k", "loss.d", "slider.f_c"], records)
     assert found.verdict == "effect"
     assert [placed.label for placed in found.effects] == ["backlash at slider"]
     assert found.effects[0].values["eps"] == pytest.approx(play, rel=0.15)

@@ -162,17 +162,12 @@ def test_a_full_standard_output_is_named() -> None:
 
 
 @pytest.mark.parametrize("terminal", LEGACY)
-def test_terminals_of_other_encodings_are_written_to(terminal: str) -> None:
-    done = commands(["components", "Spring"], ["components"], **LEGACY[terminal])
+def test_terminals_of_other_encodings_are_written_to_and_files_are_utf_8(terminal: str) -> None:
+    shown = ["components", "Spring"], ["components"]
+    run = ["run", "model.py:swing", "--out", "maß und größe.csv"]
+    done = commands(*shown, run, ["fmu", "export", "model.py:swing", "ü.fmu"], **LEGACY[terminal])
     assert (done.returncode, done.stderr) == (0, b"")
     assert b">= 0" in done.stdout
     assert b"SpringDamper" in done.stdout
-
-
-@pytest.mark.parametrize("terminal", LEGACY)
-def test_files_are_utf_8_whatever_the_terminal(terminal: str) -> None:
-    run = ["run", "model.py:swing", "--out", "maß und größe.csv"]
-    done = commands(run, ["fmu", "export", "model.py:swing", "ü.fmu"], **LEGACY[terminal])
-    assert (done.returncode, done.stderr) == (0, b"")
     assert len(ia.load_table("maß und größe.csv")) == 501
     assert ia.FMU("ü.fmu").name == "schwinge – größe"

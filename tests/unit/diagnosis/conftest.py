@@ -6,6 +6,7 @@ from dataclasses import dataclass
 import inertance as ia
 import numpy as np
 import pytest
+from inertance.diagnosis.effects.effect import EFFECTS
 from inertance.identification import Multisine, Record, sampled
 from numpy.typing import NDArray
 
@@ -56,6 +57,14 @@ class Carriage:
         noise = self.noise * np.random.default_rng(seed).standard_normal(len(x))
         seen = sensor(drive.time, x) if sensor else x
         return Record(f"run {seed}", drive.time, {"F": drive.values, "x": seen + noise})
+
+
+@pytest.fixture
+def few_effects(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Let a diagnosis try but some effects, where what is tested is not how it tells them from all others."""
+    tried = "coulomb_friction", "viscous_damping", "cubic_stiffness", "sensor_delay", "actuator_delay"
+    for kind in EFFECTS.keys() - {*tried, "quadratic_damping", "sensor_gain"}:
+        monkeypatch.delitem(EFFECTS, kind)
 
 
 @pytest.fixture(scope="session")

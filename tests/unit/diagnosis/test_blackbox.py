@@ -69,6 +69,7 @@ def late(t: Array, x: Array) -> Array:
     return np.interp(t - 0.008, t, x)
 
 
+@pytest.mark.usefixtures("few_effects")
 @pytest.mark.parametrize(("model", "port"), [("rig2.fmu:CS", PORT), ("rig3.fmu:ME", {})])
 def test_a_sensor_that_is_late_around_an_fmu(
     carriage: Callable[..., Any], fmus: Path, model: str, port: dict[str, str]
@@ -84,6 +85,7 @@ def test_a_sensor_that_is_late_around_an_fmu(
     assert any("no [port]" in note for note in found.notes) == (not port)
 
 
+@pytest.mark.usefixtures("few_effects")
 def test_friction_at_the_port_of_an_fmu(cart: Any, fmus: Path, tmp_path: Path) -> None:
     found = diagnose(campaign_on(cart, "rig2.fmu", fmus, cart.rubbing()))
     assert found.verdict == "effect"
@@ -115,6 +117,7 @@ def shaken(k: float = 800.0) -> ia.Network:
     return net.connect(net.spring.flange_b, net.mass.flange, net.free.flange)
 
 
+@pytest.mark.usefixtures("few_effects")
 def test_friction_at_a_free_port_of_an_fmu_on_a_table(tmp_path: Path) -> None:
     ia.export_fmu(shaken(), tmp_path / "shaken.fmu", outputs=["mass.s", "mass.v"])
     truth = shaken(k=820.0)
@@ -172,6 +175,7 @@ def moved(fmu: Path) -> ia.Network:
     return net.connect(net.strut.flange_b, net.motion.flange)
 
 
+@pytest.mark.usefixtures("few_effects")
 @pytest.mark.parametrize("is_file", [True, False])
 def test_an_fmu_that_is_moved_and_gives_a_force(tmp_path: Path, is_file: bool) -> None:
     ia.export_fmu(strut(), tmp_path / "strut.fmu", outputs=["cell.f"])
@@ -214,6 +218,7 @@ def joined(fmu: Path, force: str = "push.f") -> ia.Network:
     return net.connect(net.cell.flange_b, net.body.flange)
 
 
+@pytest.mark.usefixtures("few_effects")
 def test_a_network_with_an_fmu_in_it(cart: Any, fmus: Path) -> None:
     records = [cart.measured(cart.rig(k=820.0), seed, late) for seed in (1, 2)]
     campaign = Campaign(

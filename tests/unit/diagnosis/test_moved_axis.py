@@ -30,12 +30,12 @@ def axis() -> ia.Network:
 
 def recorded(seed: int, law: Law, highest: float) -> Record:
     """Return a record whose force also has that of a law of distance and speed, and noise of 0.1 N."""
-    moved = sampled(Multisine(rms=0.04, low=0.1, high=highest, period=8.0, seed=seed), stop=8.0, rate=250.0)
+    moved = sampled(Multisine(rms=0.04, low=0.1, high=highest, period=6.0, seed=seed), stop=6.0, rate=125.0)
     t, s = moved.time, moved.values
     v = np.gradient(s, t)
     force = 20 * np.gradient(v, t) + 150 * v + law(s + 0.3, v)
     noise = 0.1 * np.random.default_rng(seed).standard_normal(len(t))
-    inside = slice(25, -25)
+    inside = slice(12, -12)
     return Record(f"run {seed}", t[inside], {"s": (s + 0.3)[inside], "F": (force + noise)[inside]})
 
 

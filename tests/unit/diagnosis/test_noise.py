@@ -204,7 +204,8 @@ def test_low_passed_records_of_a_sound_machine_miss_nothing(cart: Any) -> None:
     assert floor.sigma == pytest.approx(NOISE * np.sqrt(2 * 60.0 / RATE), rel=0.3)
 
 
-def test_friction_is_found_in_low_passed_records(cart: Any) -> None:
+def test_friction_is_found_in_low_passed_records(carriage: Callable[..., Any]) -> None:
+    cart = carriage(rate=RATE, duration=4.0, noise=NOISE)
     found = verdict_on(cart, [filtered(cart.measured(cart.rubbing(), n), 60.0) for n in (1, 2, 3)])
     assert [placed.label for placed in found.effects] == ["coulomb_friction at guide"]
     assert found.effects[0].values["f_c"] == pytest.approx(0.8, rel=0.05)

@@ -26,7 +26,7 @@ CHANNELS = {
     "x": {"output": "carriage.s", "unit": "m"},
 }
 PRIORS = {"spring.k": {"rel": 0.1}, "guide.d": {"rel": 0.3}}
-RATE, NOISE = 1000.0, 1e-5
+RATE, NOISE = 250.0, 1e-5
 
 
 @pytest.fixture(scope="module")

@@ -167,10 +167,12 @@ def test_what_would_only_bend_the_law_of_what_was_found_is_not_fitted(
     assert done.failed["cubic_damping at guide"] == "tried"
 
 
+@pytest.mark.usefixtures("few_effects")
 def test_a_model_that_cannot_be_screened_ends_the_search_and_nothing_else(
-    cart: Any, monkeypatch: pytest.MonkeyPatch
+    carriage: Callable[..., Any], monkeypatch: pytest.MonkeyPatch
 ) -> None:
     """With what was found it runs; beside probes it may not."""
+    cart = carriage(rate=100.0, duration=4.0, noise=NOISE)
     screened = score_test.screen
 
     def screen(study: Study, parameters: Any, effects: Any = (), near: Any = None) -> list[Candidate]:
@@ -180,7 +182,7 @@ def test_a_model_that_cannot_be_screened_ends_the_search_and_nothing_else(
 
     monkeypatch.setattr(searched, "screen", screen)
     other = cart.rubbing()
-    other.add(stop=ia.CubicSpring(k=0.0, k3=3e5))
+    other.add(stop=ia.CubicSpring(k=0.0, k3=1e5))
     other.connect(other.wall.flange, other.stop.flange_a).connect(other.stop.flange_b, other.carriage.flange)
     records = [{"record": cart.measured(other, seed), "initial": "rest"} for seed in (1, 2, 3)]
     found = ia.diagnose(Campaign(cart.rig(), CHANNELS, PRIORS, records[:2], records[2:], noise={"x": NOISE}))

@@ -25,7 +25,7 @@ Sensor = Callable[[Array, Array], Array]
 
 search = import_module("inertance.diagnosis.diagnose")
 
-RATE, DURATION, NOISE = 250.0, 6.0, 2e-5
+RATE, DURATION, NOISE = 125.0, 4.0, 2e-5
 
 
 @pytest.fixture(scope="module")
@@ -65,6 +65,7 @@ def _unfitted(joint: JointFit, *given: Any, fitted: Any = JointFit.fitted) -> An
     return joint.seen(begun) if begun is not None else fitted(joint, *given)
 
 
+@pytest.mark.usefixtures("few_effects")
 @pytest.mark.parametrize("line", ["screening", "fitted"])
 def test_an_interrupted_diagnosis_states_no_verdict(cart: Any, tmp_path: Path, line: str) -> None:
     def interrupt(told: str) -> None:
@@ -82,6 +83,7 @@ def test_an_interrupted_diagnosis_states_no_verdict(cart: Any, tmp_path: Path, l
     assert "Nothing yet: the diagnosis was stopped before its end" in page
 
 
+@pytest.mark.usefixtures("few_effects")
 @pytest.mark.parametrize("stopped", [True, False])
 def test_an_effect_found_before_noise_was_heard_again_is_kept(
     cart: Any, monkeypatch: pytest.MonkeyPatch, stopped: bool

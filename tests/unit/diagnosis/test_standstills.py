@@ -75,9 +75,12 @@ KNOWN = {
 }
 
 
-@pytest.mark.parametrize("known", KNOWN.values(), ids=KNOWN)
-@pytest.mark.parametrize("friction", [0.0, 3.0])
-def test_pauses_count_neither_as_gap_nor_as_quiet(friction: float, known: tuple[float, float]) -> None:
+CASES = [(3.0, known) for known in KNOWN] + [(0.0, "unknown"), (0.0, "filtered")]
+
+
+@pytest.mark.parametrize(("friction", "case"), CASES)
+def test_pauses_count_neither_as_gap_nor_as_quiet(friction: float, case: str) -> None:
+    known = KNOWN[case]
     found = ia.diagnose(campaign(friction, *known))
     kinds = [placed.effect.kind for placed in found.effects]
     assert kinds == (["coulomb_friction"] if friction else [])

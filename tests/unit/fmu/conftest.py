@@ -7,13 +7,15 @@ import shutil
 import subprocess
 import sys
 import zipfile
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
+from contextlib import nullcontext
 from pathlib import Path
 from typing import Any
 
 import fmpy
 import pytest
-from inertance.fmu.check import states
+from inertance.fmu.check import against_network, sections, states
+from inertance.fmu.check.other_process import OtherProcess
 
 MODELS = {"body": 1, "ball": 2, "clock": 3, "saw": 4, "spring": 5, "relay": 6}
 STATES = {
@@ -140,8 +142,17 @@ def make_fmu(tmp_path_factory: pytest.TempPathFactory) -> MakeFMU:
     return make
 
 
+@pytest.fixture(scope="session")
+def other_process() -> Iterator[OtherProcess]:
+    """The other process of many checks, of which each would else begin one of its own."""
+    with OtherProcess() as other:
+        yield other
+
+
 @pytest.fixture
-def few_instances(monkeypatch: pytest.MonkeyPatch) -> None:
-    """Let checks of FMUs make few instances; how many there may be is tried in test_jumps."""
+def few_instances(monkeypatch: pytest.MonkeyPatch, other_process: OtherProcess) -> None:
+    """Let checks of FMUs make few instances, here and in one other process; test_jumps tries the others."""
     monkeypatch.setattr(states, "INSTANCES", 3)
     monkeypatch.setattr(states, "REPEATED", 2)
+    for module in (against_network, sections):
+        monkeypatch.setattr(module, "OtherProcess", lambda: nullcontext(other_process))

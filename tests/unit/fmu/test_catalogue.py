@@ -10,7 +10,6 @@ import fmpy
 import inertance as ia
 import pytest
 from inertance import machines, rotational
-from inertance.fmu.check import states as check_states
 
 pytestmark = pytest.mark.skipif(
     not any(shutil.which(name) for name in ("cc", "gcc", "clang")), reason="there is no C compiler"
@@ -194,8 +193,8 @@ MACHINES: dict[str, tuple[Callable[[], tuple[ia.Network, dict[str, float]]], str
 
 
 @pytest.mark.parametrize("name", MACHINES)
-def test_an_fmu_does_what_its_network_does(name: str, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(check_states, "INSTANCES", 5)
+@pytest.mark.usefixtures("few_instances")
+def test_an_fmu_does_what_its_network_does(name: str) -> None:
     make, version, start = MACHINES[name]
     net, inputs = make()
     report = ia.fmu.check_fmu(net, 0.5, step=5e-3, versions=[version], inputs=inputs, start=start)

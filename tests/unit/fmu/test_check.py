@@ -72,6 +72,7 @@ def test_a_file_is_held_against_itself(exported: Path) -> None:
     assert "1 event" in report.of("FMI 3.0 ME", "run").told
 
 
+@pytest.mark.usefixtures("few_instances")
 def test_a_wrong_derivative_is_found(exported: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     right = probe_module.Probe.directional
     monkeypatch.setattr(probe_module.Probe, "directional", lambda *given: right(*given) * 1.00001)
@@ -83,6 +84,7 @@ def test_a_wrong_derivative_is_found(exported: Path, monkeypatch: pytest.MonkeyP
     assert found.limit == derivatives.LIMIT
 
 
+@pytest.mark.usefixtures("few_instances")
 def test_a_state_that_is_not_restored_is_found(exported: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(probe_module.Probe, "restore_state", lambda probe, state: None)
     report = ia.fmu.check_fmu(exported, isolated=False)
@@ -91,6 +93,7 @@ def test_a_state_that_is_not_restored_is_found(exported: Path, monkeypatch: pyte
         assert report.of(f"FMI 3.0 {kind}", "reset equals fresh").passed is True
 
 
+@pytest.mark.usefixtures("few_instances")
 def test_another_network_is_found(monkeypatch: pytest.MonkeyPatch) -> None:
     heavier = ball().with_values(weight=ia.ConstantForce(f_constant=-4.906))
     write = ia.export_fmu

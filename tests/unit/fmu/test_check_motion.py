@@ -7,17 +7,13 @@ from pathlib import Path
 
 import inertance as ia
 import pytest
-from inertance.fmu.check import states as check_states
 
-pytestmark = pytest.mark.skipif(
-    not any(shutil.which(name) for name in ("cc", "gcc", "clang")), reason="there is no C compiler"
-)
-
-
-@pytest.fixture(autouse=True)
-def few(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(check_states, "INSTANCES", 2)
-    monkeypatch.setattr(check_states, "REPEATED", 1)
+pytestmark = [
+    pytest.mark.skipif(
+        not any(shutil.which(name) for name in ("cc", "gcc", "clang")), reason="there is no C compiler"
+    ),
+    pytest.mark.usefixtures("few_instances"),
+]
 
 
 def held() -> ia.Network:

@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 from elements import GRAVE, STARTS, elements, rig
 from inertance.cli.catalogue import all_names
-from inertance.fmu.check import derivatives, states
+from inertance.fmu.check import derivatives
 
 NAMES = sorted(set(elements()) - GRAVE, key=lambda name: (name in STARTS, name))  # GRAVE hold the others
 FMUS = 4
@@ -17,10 +17,8 @@ FMUS = 4
 
 @pytest.fixture
 def whole(monkeypatch: pytest.MonkeyPatch) -> None:
-    """Compare the derivatives of all elements, and make few instances, to be quick."""
+    """Compare the derivatives of all elements."""
     monkeypatch.setattr(derivatives, "KNOWNS_COMPARED", 1000)
-    monkeypatch.setattr(states, "INSTANCES", 3)
-    monkeypatch.setattr(states, "REPEATED", 2)
 
 
 def warm_rig(name: str) -> ia.Network:
@@ -32,7 +30,7 @@ def warm_rig(name: str) -> ia.Network:
     not any(shutil.which(name) for name in ("cc", "gcc", "clang")), reason="there is no C compiler"
 )
 @pytest.mark.parametrize("part", range(FMUS))
-@pytest.mark.usefixtures("whole")
+@pytest.mark.usefixtures("whole", "few_instances")
 def test_an_fmu_of_many_elements_does_what_their_network_does(part: int) -> None:
     names = {name.replace(".", "_").lower(): name for name in NAMES[part::FMUS]}
     net = ia.Network("many", **{key: warm_rig(name) for key, name in names.items()})

@@ -52,8 +52,11 @@ HANDS: dict[str, tuple[Callable[[], Any], dict[str, Any], dict[str, tuple[float,
 }
 
 
-@pytest.mark.parametrize("case", HANDS)
-@pytest.mark.parametrize("version", VERSIONS)
+# What a tool gives is set by calls that differ between versions; what is built in is C, the same for both.
+CASES = [(case, v) for case in HANDS for v in (VERSIONS if HANDS[case][2] else VERSIONS[len(case) % 2 :][:1])]
+
+
+@pytest.mark.parametrize(("case", "version"), CASES)
 def test_what_is_driven_starts_to_slide_as_natively(case: str, version: str, tmp_path: Path) -> None:
     """With the speed given to the FMU it was stuck to a belt that passed by, with 0.5 N for 5 N."""
     hand, inputs, given = HANDS[case]

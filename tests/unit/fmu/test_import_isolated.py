@@ -44,28 +44,28 @@ def test_crashes(
 
 
 def test_a_call_that_never_returns(make_fmu: Make) -> None:
-    fmu = FMU(make_fmu("body"), isolated=True, timeout=2.0)
-    with pytest.raises(FMUError, match="did not return from 'derivatives' within 2 s and was ended"):
+    fmu = FMU(make_fmu("body"), isolated=True, timeout=0.7)
+    with pytest.raises(FMUError, match=r"did not return from 'derivatives' within 0\.7 s and was ended"):
         fmu.simulate(1.0, parameters={"fault": 4, "when": 0.1}, step=0.05)
 
 
 @pytest.mark.parametrize(("call", "named"), [(1, "instantiate"), (2, "start"), (3, "started"), (4, "step")])
 def test_the_time_waited_is_what_was_asked(make_fmu: Make, call: int, named: str) -> None:
-    fmu = FMU(make_fmu("body", f"HANG={call}"), isolated=True, timeout=1.5)
+    fmu = FMU(make_fmu("body", f"HANG={call}"), isolated=True, timeout=0.5)
     began = clock.monotonic()
-    with pytest.raises(FMUError, match=rf"did not return from '{named}' within 1\.5 s and was ended"):
+    with pytest.raises(FMUError, match=rf"did not return from '{named}' within 0\.5 s and was ended"):
         fmu.simulate(0.1, kind="CS", step=0.05)
-    assert 1.5 < clock.monotonic() - began < 40  # with the start of a Python
+    assert 0.5 < clock.monotonic() - began < 40  # with the start of a Python
 
 
 @pytest.mark.parametrize("call", [5, 6], ids=["terminate", "free"])
 def test_the_time_asked_is_what_the_end_of_an_fmu_is_given(make_fmu: Make, call: int) -> None:
-    instance = FMU(make_fmu("body", f"HANG={call}"), isolated=True, timeout=1.0).instantiate("CS")
+    instance = FMU(make_fmu("body", f"HANG={call}"), isolated=True, timeout=0.5).instantiate("CS")
     instance.start(0.0, 1.0, 1e-6, [], [])
     instance.started()
     began = clock.monotonic()
     instance.close()
-    assert 1.0 <= clock.monotonic() - began < 40
+    assert 0.5 <= clock.monotonic() - began < 40
 
 
 def test_an_interrupt_ends_what_hangs_at_once(make_fmu: Make) -> None:

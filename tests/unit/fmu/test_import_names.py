@@ -127,13 +127,18 @@ SOURCES = [
 ]
 
 
+@pytest.fixture(scope="module")
+def good(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """A system of one FMU with a parameter; the FMU, `a.fmu`, stands beside it."""
+    folder = tmp_path_factory.mktemp("good")
+    inner = FMU(export_fmu(small(), folder / "a.fmu"))
+    system = SystemStructure("system", {"a": inner}, parameters={"a": {"mass.m": 2.0}})
+    return system.write(folder / "good.ssp")
+
+
 @pytest.mark.parametrize("source", SOURCES)
 @pytest.mark.parametrize("what", ["component", "values"])
-def test_sources_of_a_system_that_lead_out_of_it(tmp_path: Path, source: str, what: str) -> None:
-    inner = FMU(export_fmu(small(), tmp_path / "a.fmu"))
-    good = SystemStructure("system", {"a": inner}, parameters={"a": {"mass.m": 2.0}}).write(
-        tmp_path / "good.ssp"
-    )
+def test_sources_of_a_system_that_lead_out_of_it(good: Path, tmp_path: Path, source: str, what: str) -> None:
     with zipfile.ZipFile(good) as archive:
         files = {name: archive.read(name) for name in archive.namelist()}
     text = files["SystemStructure.ssd"].decode()
@@ -144,7 +149,7 @@ def test_sources_of_a_system_that_lead_out_of_it(tmp_path: Path, source: str, wh
         text = f'{text[:begin]}<ssd:ParameterBinding source="{source}">{text[end:]}'
     bad = tmp_path / "inside" / "bad.ssp"
     bad.parent.mkdir()
-    shutil.copy(inner.path, tmp_path / "evil.fmu")
+    shutil.copy(good.with_name("a.fmu"), tmp_path / "evil.fmu")
     with zipfile.ZipFile(bad, "w") as archive:
         for name, content in {**files, "SystemStructure.ssd": text.encode()}.items():
             archive.writestr(name, content)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import shutil
 from collections.abc import Callable
+from itertools import cycle
 from typing import Any
 
 import casadi as ca
@@ -11,18 +12,10 @@ import inertance as ia
 import numpy as np
 import pytest
 from inertance import machines, rotational
-from inertance.fmu.check import states
 
 pytestmark = pytest.mark.skipif(
     not any(shutil.which(name) for name in ("cc", "gcc", "clang")), reason="there is no C compiler"
 )
-
-
-@pytest.fixture(autouse=True)
-def few(monkeypatch: pytest.MonkeyPatch) -> None:
-    """Make few instances, to be quick."""
-    monkeypatch.setattr(states, "INSTANCES", 3)
-    monkeypatch.setattr(states, "REPEATED", 2)
 
 
 def building() -> ia.Network:
@@ -84,10 +77,11 @@ MACHINES: dict[str, tuple[Callable[[], ia.Network], float, dict[str, float]]] = 
 }
 
 
-@pytest.mark.parametrize("name", MACHINES)
-def test_a_machine_agrees_with_its_fmus(name: str) -> None:
+@pytest.mark.parametrize(("name", "version"), list(zip(MACHINES, cycle(("2.0", "3.0")))))
+@pytest.mark.usefixtures("few_instances")
+def test_a_machine_agrees_with_its_fmu(name: str, version: str) -> None:
     make, stop, inputs = MACHINES[name]
-    report = ia.fmu.check_fmu(make(), stop, step=stop / 100, inputs=inputs)
+    report = ia.fmu.check_fmu(make(), stop, step=stop / 100, versions=[version], inputs=inputs)
     assert report.passed, str(report)
 
 

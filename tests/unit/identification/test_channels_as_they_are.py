@@ -54,7 +54,7 @@ def commanded(seed: int, rate: float = 100.0, length: float = 4.0, begin: float 
 
 
 def test_a_held_command_that_acts_late_is_fitted_to_the_noise() -> None:
-    records = [{"record": commanded(seed)} for seed in (1, 2)]
+    records = [{"record": commanded(seed, length=2.4)} for seed in (1, 2)]
     found = ia.fit(Campaign(model(), HOLD, PRIORS, records[:1], records[1:], {"x": NOISE}))
     assert found.values["spring.k"] == pytest.approx(440.0, abs=4 * found.errors["spring.k"])
     assert found.errors["spring.k"] < 0.2

@@ -1,6 +1,7 @@
 """What a fit says of itself: misfit, priors, units, signs, noise and records that make it doubtful."""
 
 import json
+from functools import cache
 from pathlib import Path
 from typing import Any
 
@@ -34,14 +35,9 @@ def model() -> ia.Network:
     return net.connect(net.spring.flange_b, net.mass.flange, net.push.flange)
 
 
-def measured(
-    seed: int,
-    *,
-    k: float = 440.0,
-    k3: float = 0.0,
-    times: dict[str, float] | None = None,
-) -> Record:
-    """Return a record of the rig, computed by SciPy; `times` multiplies columns."""
+@cache
+def moved(seed: int, k: float, k3: float) -> tuple[Array, Array, Array]:
+    """Return time, force and motion of the rig, computed by SciPy."""
     rng = np.random.default_rng(seed)
     t = np.arange(int(RATE * LENGTH) + 1) / RATE
     lines = np.arange(0.4, 5.0, 0.2)
@@ -54,7 +50,15 @@ def measured(
         return [y[1], (float(given(at)) - k * y[0] - 6.0 * y[1] - k3 * y[0] ** 3) / 2.0]
 
     run = solve_ivp(rates, (0, t[-1]), [0.01, 0.1], t_eval=t, rtol=1e-8, atol=1e-10, max_step=1e-2)
-    columns = {"F": force, "x": run.y[0] + NOISE * rng.normal(size=len(t))}
+    return t, force, run.y[0] + NOISE * rng.normal(size=len(t))
+
+
+def measured(
+    seed: int, *, k: float = 440.0, k3: float = 0.0, times: dict[str, float] | None = None
+) -> Record:
+    """Return a record of the rig; `times` multiplies columns."""
+    t, force, motion = moved(seed, k, k3)
+    columns = {"F": force, "x": motion}
     return Record(f"run {seed}", t, {n: v * (times or {}).get(n, 1.0) for n, v in columns.items()})
 
 

@@ -80,7 +80,7 @@ def test_what_records_do_not_tell_has_no_limit() -> None:
     """No record reaches where friction begins to slide: it may be as large as one likes."""
     truth, model = rig(1080.0, 5.0, 400.0, m=2.0), rig(1000.0, 4.0, 300.0, m=2.0)
     asked = {**STRAIGHT, "rub.f_c": {"min": 0.0}}
-    found = ia.fit(campaign(truth, model, asked), intervals=0.95)
+    found = ia.fit(campaign(truth, model, asked), solver="compiled", intervals=0.95)
     friction = found.intervals["rub.f_c"]
     assert friction.high == np.inf
     assert 1.0 < friction.low < 300.0
@@ -94,8 +94,8 @@ def test_a_profile_that_leads_to_something_better_mends_the_fit() -> None:
     told = list[str]()
     asked = {"spring.k": {"rel": 0.2}, "spring.d": {"rel": 0.5}, "rub.f_c": {"min": 0.0, "max": 50.0}}
     case = campaign(truth, model, asked)
-    assert abs(ia.fit(case).values["spring.k"] - 1080.0) > 100.0
-    found = ia.fit(case, intervals=0.95, report=told.append)
+    assert abs(ia.fit(case, solver="compiled").values["spring.k"] - 1080.0) > 100.0
+    found = ia.fit(case, solver="compiled", intervals=0.95, report=told.append)
     assert "a profile has led to a lower misfit: fitting again from there" in told
     assert found.values["spring.k"] == pytest.approx(1080.0, rel=5e-3)
     assert found.intervals["rub.f_c"].low < 0.2 < found.intervals["rub.f_c"].high

@@ -39,7 +39,7 @@ def watch():
     while signal.getsignal(signal.SIGINT) is signal.default_int_handler:
         time.sleep(0.01)
     computing = time.process_time()
-    while time.process_time() < computing + 0.5:
+    while time.process_time() < computing + 0.2:
         time.sleep(0.01)
     print("begun", flush=True)
     os.read(ear, 1)

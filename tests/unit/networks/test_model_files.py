@@ -121,10 +121,13 @@ def test_run_imports_what_stands_beside_a_model(tmp_path: Path, source: str) -> 
     assert "rig" in ran("run", tmp_path / "here/rig.py:build", "--input", tmp_path / "u.csv")
 
 
-@PLACES
-def test_fit_and_diagnose_import_what_stands_beside_a_model(tmp_path: Path, source: str) -> None:
-    file = campaign(tmp_path / "here", source)
+def test_fit_imports_what_stands_beside_a_model(tmp_path: Path) -> None:
+    file = campaign(tmp_path / "here", AT_THE_TOP)
     assert "spring.k" in ran("fit", file, "--starts", 2, "--workers", 2)
+
+
+def test_diagnose_imports_what_stands_beside_a_model(tmp_path: Path) -> None:
+    file = campaign(tmp_path / "here", INSIDE)
     assert "friction" in ran("diagnose", file, "--jobs", 2, "--solver", "cvodes")
 
 

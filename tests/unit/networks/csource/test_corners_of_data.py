@@ -30,11 +30,12 @@ def rubbing(motion: ia.Sampled) -> ia.Network:
 
 @pytest.mark.parametrize("seed", [1, 2])
 def test_a_step_ends_at_a_corner_that_it_cannot_pass(seed: int) -> None:
-    run = rubbing(measured(seed)).simulate(STOP, step=4e-3, solver="compiled", rtol=1e-7)
+    stop = STOP / 2
+    run = rubbing(measured(seed)).simulate(stop, step=4e-3, solver="compiled", rtol=1e-7)
     assert run.stats["events"] > 20
-    assert run.stats["steps"] < 3.5 * RATE * STOP  # twice as many where it has to find each corner
-    exact = rubbing(measured(seed)).simulate(STOP, step=4e-3, solver="cvodes", rtol=1e-9, atol=1e-13)
-    times = np.linspace(0.0, STOP, 501)
+    assert run.stats["steps"] < 3.5 * RATE * stop  # twice as many where it has to find each corner
+    exact = rubbing(measured(seed)).simulate(stop, step=4e-3, solver="cvodes", rtol=1e-9, atol=1e-13)
+    times = np.linspace(0.0, stop, 251)
     for name in ("mass.s", "mass.v"):
         a, b = (np.interp(times, one.time, one[name]) for one in (run, exact))
         assert np.abs(a - b).max() < 1e-4 * np.abs(b).max(), name

@@ -63,7 +63,7 @@ def linearised(strut: ia.TwoTerminal) -> StateSpace:
     return ia.analysis.linearise(net, ["der(probe.s_ref)"], ["strut.f"])
 
 
-@pytest.mark.parametrize("seed", range(200))
+@pytest.mark.parametrize("seed", range(120))
 def test_random_positive_real_functions_are_realised(seed: int) -> None:
     num, den = positive_real_function(seed)
     assert ia.synthesis.positive_real((num, den))
@@ -71,7 +71,12 @@ def test_random_positive_real_functions_are_realised(seed: int) -> None:
     s = 1j * FREQUENCIES
     wanted = np.polyval(num, s) / np.polyval(den, s)
     assert np.abs(linearised(strut)(s).ravel() / wanted - 1).max() < 1e-8
+    if seed % 5 == 0:  # of every kind
+        assert_it_moves(strut, num, den)
 
+
+def assert_it_moves(strut: ia.TwoTerminal, num: Coefficients, den: Coefficients) -> None:
+    """Push a mass on it, and compare its speed with that which the function gives."""
     net = ia.Network("pushed", wall=ia.Fixed(), strut=strut, mass=ia.Mass(m=1.0), push=ia.Force(f=1.0))
     net.connect(net.wall.flange, net.strut.flange_a)
     net.connect(net.strut.flange_b, net.mass.flange, net.push.flange)
