@@ -92,7 +92,7 @@ class StickSlip(Sticking):
         return level if self.regularised else ca.fmax(level, 0.0)
 
     def laws(self) -> dict[str, Expression]:
-        """What vanishes in each mode; friction keeps the slope that it has in motion where that comes to rest."""
+        """What vanishes in each mode; at rest friction has the slope of the motion before or after."""
         return {
             "stuck": self.acceleration,
             "forward": self.resistance - self.sliding(_onward(self.speed)),

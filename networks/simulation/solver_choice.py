@@ -27,7 +27,7 @@ COMPILE_SECONDS = 0.25  # of a small model, twice what it takes where the core i
 WRITE_SECONDS = 3e-5  # to write an instruction of a model as C
 SOON = 0.05  # s that writing may take before a first run, if what looks like it was worth compiling before
 FINEST_COMPILED = 1e-10  # relative tolerance; for less, methods of a higher order pay
-HYBRID_SHARE = 0.125  # of the tolerance: as exact across events as multistep methods are made to be
+HYBRID_SHARE = 1 / 32  # of the tolerance, by which compiled hybrid runs are as exact as those by CVODES
 _FORESEEN: WeakKeyDictionary[Flat, int] = WeakKeyDictionary()
 _ACCOUNTS: WeakKeyDictionary[Flat, dict[str, Account]] = WeakKeyDictionary()
 
