@@ -1,4 +1,4 @@
-"""What every room stands on: errors, arguments, files, processes, Ctrl-C."""
+"""What every room stands on: errors, arguments, files, Ctrl-C."""
 
 from .arrays import Array as Array
 from .arrays import Complex as Complex
@@ -59,7 +59,6 @@ from .interrupts import heed as heed
 from .interrupts import interruptible as interruptible
 from .numerics import computing as computing
 from .private_imports import module_of as module_of
-from .processes import Processes as Processes
 from .quiet import numpy_on_symbols as numpy_on_symbols
 from .text_table import aligned as aligned
 from .units import BASES as BASES

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from ..base import Processes
+from ..base.processes import Processes
 from ..components import InertanceError, ModelError
 from .arguments import SOLVER_NAMES
 from .failure import FAILED, WRONG_USE, failing

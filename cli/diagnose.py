@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 from rich.markup import escape
 
-from ..base import Processes
+from ..base.processes import Processes
 from ..components import InertanceError, ModelError
 from .arguments import SOLVER_NAMES
 from .failure import FAILED, INTERRUPTED, WRONG_USE, fail, failing

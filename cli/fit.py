@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from ..base import Processes
+from ..base.processes import Processes
 from ..components import ModelError
 from .arguments import SOLVER_NAMES
 from .failure import INTERRUPTED, WRONG_USE, fail, failing

@@ -90,7 +90,7 @@ def _solve_single(
     chosen, targets = equations[cuts[single]], unknowns[cuts[single]]
     starts = system.family_starts()
     family_of = np.searchsorted(starts, chosen, side="right") - 1
-    for number in np.unique(family_of).tolist():
+    for number in sorted(set(family_of.tolist())):
         family = system.families[number]
         members = np.flatnonzero(family_of == number)
         members = members[np.argsort(chosen[members])]

@@ -9,7 +9,8 @@ from concurrent.futures import FIRST_COMPLETED, BrokenExecutor, Executor, Future
 from functools import cache
 from typing import Any
 
-from ...base import ModelError, Processes
+from ...base import ModelError
+from ...base.processes import Processes
 from .work import Row, Values, work
 
 Point = tuple[str, Values]

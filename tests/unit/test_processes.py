@@ -3,7 +3,7 @@
 import os
 
 import pytest
-from inertance.base import Processes
+from inertance.base.processes import Processes
 
 THREADS = "OPENBLAS_NUM_THREADS"
 
