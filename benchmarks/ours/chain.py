@@ -14,6 +14,7 @@ from inertance import Damper, Fixed, Mass, Network, Spring, rotational, simulate
 
 MASS, STIFFNESS, DAMPING, SPEED = 1.0, 1.0e4, 10.0, 1.0  # kg, N/m, N.s/m, m/s
 DURATION, OUTPUTS = 1.0, 100
+RTOL, ATOL = 1e-6, 1e-8
 
 
 def warm_up() -> None:
@@ -51,7 +52,7 @@ def main() -> None:
     marks.append(perf_counter())
     dae = net.dae()
     marks.append(perf_counter())
-    run = simulate(dae, DURATION, step=DURATION / OUTPUTS)
+    run = simulate(dae, DURATION, step=DURATION / OUTPUTS, rtol=RTOL, atol=ATOL)
     value = float(run["m1.s"][-1])
     marks.append(perf_counter())
     cpu, wall = process_time() - cpu, marks[-1] - marks[0]
