@@ -17,6 +17,7 @@ import numpy as np
 from .pantelides import Equation, System
 
 EXPLICIT_SIZE = 8  # torn variables up to which a linear block is solved symbolically
+LEAST_SLOPE = 1e-12  # of an equation in a variable for which it is solved
 
 
 @dataclass(eq=False)
@@ -46,7 +47,7 @@ class Torn:
 
 @dataclass(eq=False)
 class _Cell:
-    """A variable in an equation: its local symbols, whether its slope varies, or depends on modes."""
+    """A variable in an equation: its symbols, whether its slope varies (or is zero), or depends on modes."""
 
     pattern: tuple[int, ...]
     curved: bool
@@ -62,6 +63,7 @@ def tear(system: System, equations: list[Equation], variables: list[int], symbol
     `symbols` are all variables, as `padded` returns them.
     """
     cells = {e: _cells(system, e, set(variables)) for e in equations}
+    _leave_vanishing(system, cells, symbols)
     follow, tears, rest = _order(system, variables, cells)
     assigned = _explicit(system, follow, cells, symbols)
     residuals = [system.residual(e, symbols) for e in rest]
@@ -98,6 +100,26 @@ def _cells(system: System, equation: Equation, variables: set[int]) -> dict[int,
         curved = slope is None or (not isinstance(slope, float) and ca.depends_on(slope, form.locals))
         found[variable] = _Cell(pattern, curved, slope is not None and form.is_hybrid(slope))
     return found
+
+
+def _leave_vanishing(system: System, cells: _Cells, symbols: Any) -> None:
+    """Let no equation be solved for a variable in which its slope is zero, as parameters stand."""
+    alike: dict[tuple[int, tuple[int, ...]], list[tuple[int, _Cell]]] = defaultdict(list)
+    for (number, row), held in cells.items():
+        for cell in held.values():
+            if not (cell.curved or cell.hybrid):
+                alike[number, cell.pattern].append((row, cell))
+    table, time = system.flat.table, system.flat.time
+    for (number, pattern), members in alike.items():
+        slope = system.families[number].form.slope(pattern)
+        if isinstance(slope, float):
+            continue
+        members.sort(key=lambda member: member[0])
+        rows = np.array([row for row, _ in members])
+        slopes = system.families[number].evaluate(slope, rows, symbols, time)
+        found = ca.Function("slopes", [table.symbols, time], [slopes])(table.defaults, 0.0)
+        for (_, cell), value in zip(members, found.full().ravel().tolist(), strict=True):
+            cell.curved = abs(value) < LEAST_SLOPE
 
 
 def _order(

@@ -7,7 +7,9 @@ from typing import Any
 import inertance as ia
 import numpy as np
 import pytest
+from elements import rig
 from inertance import machines, rotational
+from inertance.cli.catalogue import all_names
 
 SERVO: dict[str, Any] = {
     "k_p": 40.0, "k_d": 0.6, "band": 0.01, "period": 5e-3, "delay": 2e-3, "ratio": 200.0, "J": 1e-7,
@@ -40,3 +42,23 @@ def test_a_start_that_fixes_no_state_goes_with_a_sample_at_once(order: tuple[str
     assert run.at("servo.hold.sample", 0.001) == pytest.approx(40.0 * (0.5 - 0.01))
     assert run["servo.hold.count"][-1] == 21
     assert np.ptp(run["arm.phi"]) > 0.01
+
+
+def test_no_equation_is_solved_for_what_its_parameters_take_out() -> None:
+    """Beside these, in this order, a differential of ratio 1 was solved for its support, 1 - ratio over."""
+    names = [
+        "MassWithStopAndFriction", "Move", "Tyre", "VariableInerter", "machines.DigressiveDamper",
+        "machines.MechatronicInerter", "machines.Servo", "machines.TMD", "machines.TorsionalDamper",
+        "rotational.BearingFriction", "rotational.BilinearSpring", "rotational.Brake",
+        "rotational.ConstantSpeed", "rotational.CoulombFriction", "rotational.CubicSpring",
+        "rotational.DahlFriction", "rotational.Differential", "thermal.HeatCapacitor",
+    ]  # fmt: skip
+    parts = {}
+    for name in names:
+        warm = {"useHeatPort": True} if "useHeatPort" in all_names()[name].fields else {}
+        parts[name.replace(".", "_").lower()] = rig(name, still=True, **warm)
+    net = ia.Network("many", **parts)
+    alone = rig("rotational.Differential", still=True).simulate(0.1)
+    beside = net.simulate(0.1)
+    for name in ("body0.w", "body1.w", "body3.w"):
+        assert beside[f"rotational_differential.{name}"][-1] == pytest.approx(alone[name][-1], rel=1e-5)
