@@ -2,8 +2,11 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import replace
 
+from ..criteria import LAW_LEAVES_SHARE
+from ..effects.hypothesis import Hypothesis
 from ..law.sought import Sought, sought
 from ..models.study import FMUStudy, Study
 from ..search.model_comparison import Refit
@@ -17,17 +20,24 @@ from .verdict import Verdict
 def beyond_the_list(study: Study, verdict: Verdict) -> Verdict:
     """Return a verdict that knows of a static law of its own, or of the force that none explains.
 
-    It is looked for where something stays unexplained, if there is time and the model's equations are known.
+    It is looked for where something stays unexplained, or where several static effects at one site leave
+    more than noise, if there is time and the model's equations are known.
     """
-    if verdict.verdict not in OPEN_END or study.late() or isinstance(study, FMUStudy):
+    if study.late() or isinstance(study, FMUStudy):
         return verdict
+    if verdict.verdict not in OPEN_END:
+        return _in_place(study, verdict, several=2)
     study.tell("looking for a law of its own")
     evidence = verdict.evidence
     found = sought(evidence.study.displaced(evidence.after.effects), evidence.after)
     if found is None or found.model is None:
-        return replace(verdict, sought=found)
-    found = _alone(evidence.study, found) or found
-    model, before = found.model, found.before
+        return _in_place(study, replace(verdict, sought=found), several=1)
+    return _with_law(study, verdict, _alone(evidence.study, found) or found)
+
+
+def _with_law(study: Study, verdict: Verdict, found: Sought) -> Verdict:
+    """Return a verdict with the law that was found."""
+    evidence, model, before = verdict.evidence, found.model, found.before
     assert model is not None
     kept = [number for number, placed in enumerate(verdict.effects) if placed.label in before.labels]
     return replace(
@@ -46,17 +56,57 @@ def beyond_the_list(study: Study, verdict: Verdict) -> Verdict:
     )
 
 
+def _in_place(study: Study, verdict: Verdict, several: int) -> Verdict:
+    """Return one law in place of so many static effects at a site, if they leave much more than it does.
+
+    Each of them may be but a part of the curve that is there, as far as its form allows.
+    """
+    evidence, after = verdict.evidence, verdict.evidence.after
+    parts = max(_by_site(after), key=len, default=[])
+    if len(parts) < several or after.is_noise(evidence.study.judged):
+        return verdict
+    found = _sought_without(evidence.study, after, parts)
+    if found is None or found.model is None:
+        return verdict
+    left = 1.0 - closed_by(found.model, evidence.refit, study)
+    if left > LAW_LEAVES_SHARE * (1.0 - closed_by(after, evidence.refit, study)):
+        return verdict
+    return _with_law(study, verdict, found)
+
+
+def _by_site(model: Refit) -> list[list[Hypothesis]]:
+    """Return the static effects of a model, those of one motion together."""
+    found: list[list[Hypothesis]] = []
+    for placed in (p for p in model.effects if p.effect.is_static):
+        alike = next((parts for parts in found if _is_at(placed, parts[0])), None)
+        if alike is None:
+            found.append([placed])
+        else:
+            alike.append(placed)
+    return found
+
+
+def _is_at(placed: Hypothesis, other: Hypothesis) -> bool:
+    return placed.site.path in (other.site.path, *other.site.same)
+
+
 def _alone(study: Study, found: Sought) -> Sought | None:
     """Return the law in place of effects at its site that are laws like it, if it holds so, too."""
     assert found.law is not None
     site = found.law.site
     here = site.path, *site.same
     parts = [p for p in found.before.effects if p.effect.is_static and p.site.path in here]
-    less: Refit | None = found.before
+    return _sought_without(study, found.before, parts) if parts else None
+
+
+def _sought_without(study: Study, model: Refit, parts: Sequence[Hypothesis]) -> Sought | None:
+    """Return the law at the site of some effects of a model that takes their place."""
+    less: Refit | None = model
     for placed in parts:
         less = less and without(study, next(p for p in less.effects if p.label == placed.label), less)
-    if not parts or less is None:
+    if less is None:
         return None
-    study.tell(f"looking for it in place of {' and '.join(placed.label for placed in parts)}")
+    study.tell(f"looking for a law in place of {' and '.join(placed.label for placed in parts)}")
     alone = sought(study.displaced(less.effects), less)
-    return alone if alone and alone.law and alone.law.site.path == site.path else None
+    here = parts[0].site.path, *parts[0].site.same
+    return alone if alone and alone.law and alone.law.site.path in here else None
