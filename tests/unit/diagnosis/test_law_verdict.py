@@ -124,30 +124,48 @@ def test_a_law_that_no_list_has_is_the_verdict(lawful: Verdict) -> None:
     assert lawful.to_dict()["remainder"] is None
 
 
-def test_a_law_takes_the_place_of_effects_that_are_laws_like_it() -> None:
-    """Damping was called certain: the force that is left beside it has a law, and so has their sum."""
+def with_effects(word: str, **values: dict[str, float]) -> tuple[Study, Verdict]:
+    """Return a verdict that names effects at the link, fitted from values of their own."""
     records = campaign(lacks=True)
     study = Study(records, Accuracy())
     nominal = JointFit(study, records.start)
     start, base = nominal.seen(nominal.start), nominal.fitted()
     (site,) = (site for site in study.sites if site.path == "link")
-    damping = Hypothesis(effect_of("quadratic_damping"), site, "quadratic_damping_1", {"c": 5.0})
-    best = JointFit(study, base.parameters, [damping]).fitted()
+    there = [
+        Hypothesis(effect_of(kind), site, f"{kind}_{k}", own) for k, (kind, own) in enumerate(values.items())
+    ]
+    best = JointFit(study, base.parameters, there).fitted()
     plain = decided(study, start, base, base, [], [], {})
-    certain = replace(
+    return study, replace(
         plain,
-        verdict="partial",
+        verdict=word,
         effects=best.effects,
-        confidence=(0.9,),
+        confidence=(0.9,) * len(there),
         equivalent=(("cubic_damping", "link"),),
         evidence=replace(plain.evidence, after=best),
     )
-    found = beyond_the_list(study, certain)
+
+
+@pytest.mark.parametrize(
+    ("word", "effects"),
+    [
+        ("partial", {"quadratic_damping": {"c": 5.0}}),
+        ("effect", {"quadratic_damping": {"c": 5.0}, "cubic_stiffness": {"k3": 100.0}}),
+    ],
+)
+def test_a_law_takes_the_place_of_effects_that_are_laws_like_it(word: str, effects: Any) -> None:
+    """Damping was called certain: the force that is left beside it has a law, and so has their sum."""
+    found = beyond_the_list(*with_effects(word, **effects))
     assert found.verdict == "law"
     assert found.law is not None
     assert found.law.site.path == "link"
     assert (found.effects, found.confidence, found.equivalent) == ((), (), ())
     assert found.closed > 0.95
+
+
+def test_one_effect_that_is_named_stays() -> None:
+    study, named = with_effects("effect", quadratic_damping={"c": 5.0})
+    assert beyond_the_list(study, named) is named
 
 
 def test_the_network_with_the_law_runs_linearises_and_is_an_fmu(lawful: Verdict, tmp_path: Path) -> None:
