@@ -219,7 +219,5 @@ LAW_SITES = 3  # [1] at which laws are tried, the likeliest for a force first; e
 LAW_FORESEEN_SHARE = 0.8  # [1] of what is missing that a law must foresee to be tried in free runs; blind
 LAW_CLOSED_SHARE = 0.8  # [1] of the gap on the test runs that a law must close; blind
 LAW_CHANGING_SHARE = 0.1  # [1] of the square of what it leaves, that it takes by changing with time; blind
-LAW_LEAVES_SHARE = (
-    0.5  # [1] of what several static effects at a site leave, which one law in their place may; blind
-)
+LAW_LEAVES_SHARE = 0.5  # [1] of what effects at a site leave that a law in their place may leave; blind
 LAW_LEAST_GAIN = 0.01  # [1] of what is missing that a richer law must foresee more; effort

@@ -19,8 +19,7 @@
 #endif
 #define MESSAGE 1024
 
-/* As fmax and fmin, of which a number that is none must come second; calls of those cost more than they do.
- */
+/* As fmax and fmin, whose calls cost more than they do; a number that is none must come second. */
 static inline double core_larger(double a, double b) { return a > b ? a : b; }
 static inline double core_smaller(double a, double b) { return a < b ? a : b; }
 

@@ -8,7 +8,7 @@
 #define CHECKS 3
 #define MOST_PIECES 100000
 #define SHORTEST_PIECE 1e-9 /* share of a step */
-#define FAR 10
+#define FAR_BELOW 10
 
 static const double SHARES[CHECKS] = {GOLDEN, 0.5, 1 - GOLDEN};
 
@@ -76,14 +76,13 @@ static int timed(const Core *c) {
     return 0;
 }
 
-/* Whether all are farther below zero than FAR times what they move in the whole step, as both its ends tell.
- */
+/* Whether all lie farther below zero than some times what they move in the step, as its ends tell. */
 static int far_below(const Core *c) {
     for (int k = 0; k < c->open_count; k++) {
         int i = c->open[k];
         double a = c->left.value[i], b = c->last.value[i];
         double moves = fabs(b - a) + c->step.h * (fabs(c->left.rate[i]) + fabs(c->last.rate[i]));
-        if (!(core_larger(a, b) < -FAR * moves)) return 0;
+        if (!(core_larger(a, b) < -FAR_BELOW * moves)) return 0;
     }
     return 1;
 }

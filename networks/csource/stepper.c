@@ -177,8 +177,7 @@ static CoreStatus stand_inside(Core *c, Travel *travel, double end) {
     return CORE_OK;
 }
 
-/* Step again, for beyond what is asked for something happens: to somewhat before, or no farther than asked.
- */
+/* Step again, as something happens beyond what is asked for: to somewhat before, or no farther. */
 static CoreStatus step_shorter(Core *c, Travel *travel, const Crossing *crossing) {
     double before = c->t + SHARE_BEFORE * (crossing->t - c->t), span = travel->stop - travel->from;
     int worth = before - travel->stop > FEWEST_AHEAD * span;
