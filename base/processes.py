@@ -10,6 +10,8 @@ from multiprocessing.connection import Connection, wait
 from threading import Thread
 from typing import Any, TypeVar
 
+from .interrupts import interruptible
+
 T = TypeVar("T")
 THREADS = "OPENBLAS_NUM_THREADS"
 
@@ -29,7 +31,7 @@ class Processes(ProcessPoolExecutor):
 
     def submit(self, fn: Callable[..., T], /, *args: Any, **kwargs: Any) -> Future[T]:
         """See `ProcessPoolExecutor.submit`; processes that begin here do so without Ctrl-C."""
-        with _held_back(), _one_thread():
+        with interruptible(), _held_back(), _one_thread():  # a thread here may be woken by what is held back
             return super().submit(fn, *args, **kwargs)
 
     def abandon(self) -> None:

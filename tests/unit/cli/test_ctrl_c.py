@@ -80,7 +80,7 @@ def interrupted(sign: str, *arguments: str) -> tuple[str, str]:
     out, _ = process.communicate(timeout=LONGEST)
     err = ERRORS.read_text()
     assert process.returncode == 130, err
-    assert "Traceback" not in err
+    assert "Traceback" not in err, err
     until = time.monotonic() + LONGEST
     while is_alive(process.pid):
         assert time.monotonic() < until, "a process is left behind"
