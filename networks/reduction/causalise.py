@@ -17,7 +17,7 @@ import numpy as np
 from ...base import Flags, Ints
 from ..flattening.vectors import column, pick, stacked
 from .pantelides import System, counted
-from .tearing import Torn, tear
+from .tearing import Torn, ZeroSlopes, tear
 
 _Solved = list[tuple[Ints, Ints, Any]]  # blocks, their variables and what these are, in any order
 
@@ -57,10 +57,10 @@ def causalise(system: System, states: list[int], symbols: Any, values: Any, also
     solved: _Solved = []
     done = _solve_single(system, equations, unknowns, cuts, values, solved)
     torn: list[Torn] = []
-    every = system.equations()
+    every, zero = system.equations(), ZeroSlopes(system, values)
     for block in np.flatnonzero(~done):
         span = slice(cuts[block], cuts[block + 1])
-        result = tear(system, [every[e] for e in equations[span]], unknowns[span].tolist(), values)
+        result = tear(system, [every[e] for e in equations[span]], unknowns[span].tolist(), values, zero)
         torn.append(result)
         if result.expressions:
             variables, found = zip(*result.expressions, strict=True)

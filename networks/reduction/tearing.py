@@ -9,11 +9,13 @@ from __future__ import annotations
 
 from collections import defaultdict
 from dataclasses import dataclass
+from functools import cache
 from typing import Any
 
 import casadi as ca
 import numpy as np
 
+from ...base import Flags
 from .pantelides import Equation, System
 
 EXPLICIT_SIZE = 8  # torn variables up to which a linear block is solved symbolically
@@ -57,13 +59,30 @@ class _Cell:
 _Cells = dict[Equation, dict[int, _Cell]]
 
 
-def tear(system: System, equations: list[Equation], variables: list[int], symbols: Any) -> Torn:
+class ZeroSlopes:
+    """Where slopes that parameters alone make are zero as these stand, found once for all of a form."""
+
+    def __init__(self, system: System, symbols: Any) -> None:
+        self._system, self._symbols = system, symbols
+        self.of_form = cache(self._of_form)
+
+    def _of_form(self, number: int, pattern: tuple[int, ...]) -> Flags:
+        """Tell of each equation of a family whether its slope is zero in what a pattern stands for."""
+        family, flat = self._system.families[number], self._system.flat
+        slope = family.form.slope(pattern)
+        slopes = family.evaluate(slope, np.arange(len(family)), self._symbols, flat.time)
+        found = ca.Function("slopes", [flat.table.symbols, flat.time], [slopes])(flat.table.defaults, 0.0)
+        return np.asarray(np.abs(found.full().ravel()) < LEAST_SLOPE)
+
+
+def tear(
+    system: System, equations: list[Equation], variables: list[int], symbols: Any, zero: ZeroSlopes
+) -> Torn:
     """Solve equations for as many variables, explicitly if what is torn is linear and small.
 
     `symbols` are all variables, as `padded` returns them.
     """
-    cells = {e: _cells(system, e, set(variables)) for e in equations}
-    _leave_vanishing(system, cells, symbols)
+    cells = {e: _cells(system, e, set(variables), zero) for e in equations}
     follow, tears, rest = _order(system, variables, cells)
     assigned = _explicit(system, follow, cells, symbols)
     residuals = [system.residual(e, symbols) for e in rest]
@@ -88,7 +107,7 @@ def tear(system: System, equations: list[Equation], variables: list[int], symbol
     return Torn(assigned, tears, left, matrix, completion, tears, hybrid, labels)
 
 
-def _cells(system: System, equation: Equation, variables: set[int]) -> dict[int, _Cell]:
+def _cells(system: System, equation: Equation, variables: set[int], zero: ZeroSlopes) -> dict[int, _Cell]:
     """Return, for each variable of the block in an equation, how it can be solved for."""
     number, row = equation
     family = system.families[number]
@@ -98,28 +117,11 @@ def _cells(system: System, equation: Equation, variables: set[int]) -> dict[int,
         pattern = tuple(((family.columns[row] == variable) * family.signs[row]).tolist())
         slope = form.slope(pattern)
         curved = slope is None or (not isinstance(slope, float) and ca.depends_on(slope, form.locals))
-        found[variable] = _Cell(pattern, curved, slope is not None and form.is_hybrid(slope))
+        hybrid = slope is not None and form.is_hybrid(slope)
+        if not (curved or hybrid or isinstance(slope, float)):
+            curved = bool(zero.of_form(number, pattern)[row])
+        found[variable] = _Cell(pattern, curved, hybrid)
     return found
-
-
-def _leave_vanishing(system: System, cells: _Cells, symbols: Any) -> None:
-    """Let no equation be solved for a variable in which its slope is zero, as parameters stand."""
-    alike: dict[tuple[int, tuple[int, ...]], list[tuple[int, _Cell]]] = defaultdict(list)
-    for (number, row), held in cells.items():
-        for cell in held.values():
-            if not (cell.curved or cell.hybrid):
-                alike[number, cell.pattern].append((row, cell))
-    table, time = system.flat.table, system.flat.time
-    for (number, pattern), members in alike.items():
-        slope = system.families[number].form.slope(pattern)
-        if isinstance(slope, float):
-            continue
-        members.sort(key=lambda member: member[0])
-        rows = np.array([row for row, _ in members])
-        slopes = system.families[number].evaluate(slope, rows, symbols, time)
-        found = ca.Function("slopes", [table.symbols, time], [slopes])(table.defaults, 0.0)
-        for (_, cell), value in zip(members, found.full().ravel().tolist(), strict=True):
-            cell.curved = abs(value) < LEAST_SLOPE
 
 
 def _order(
