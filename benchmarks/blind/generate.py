@@ -17,6 +17,8 @@ from pathlib import Path
 from typing import Any
 
 import case
+import needles.case
+import needles.plan
 import numpy as np
 import plan
 import second.case
@@ -30,6 +32,7 @@ GENERATIONS: dict[int, tuple[Any, Any, int]] = {
     1: (plan.drafts, case.make, 240),
     2: (second.plan.drafts, second.case.make, 300),
     3: (third.plan.drafts, third.case.make, 60),
+    4: (needles.plan.drafts, needles.case.make, 30),
 }
 
 
@@ -68,7 +71,7 @@ def main(arguments: Sequence[str] | None = None) -> None:
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawTextHelpFormatter)
     parser.add_argument("folder", type=Path)
     parser.add_argument("--generation", type=int, choices=GENERATIONS, default=1)
-    parser.add_argument("--cases", type=int, help="240, 300 or 60 by generation, if not given")
+    parser.add_argument("--cases", type=int, help="240, 300, 60 or 30 by generation, if not given")
     parser.add_argument("--seed", type=int, default=SCORED, help=f"{CALIBRATION} is the calibration set")
     parser.add_argument("--jobs", type=int, default=2)
     given = parser.parse_args(arguments)

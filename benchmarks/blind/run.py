@@ -24,7 +24,7 @@ from generate import CALIBRATION, GENERATIONS, SCORED, generate
 from score import missed, report
 
 LIMIT = 600.0
-NAMES = {1: "blind", 2: "blind2", 3: "blind3"}
+NAMES = {1: "blind", 2: "blind2", 3: "blind3", 4: "needles"}
 
 
 def diagnose(case: Path, cores: int = 1) -> str:
@@ -52,7 +52,7 @@ def main(arguments: Sequence[str] | None = None) -> None:
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawTextHelpFormatter)
     parser.add_argument("--folder", type=Path, help="where cases go; blind_SEED_CASES if not given")
     parser.add_argument("--generation", type=int, choices=GENERATIONS, default=1)
-    parser.add_argument("--cases", type=int, help="240, 300 or 60 by generation, if not given")
+    parser.add_argument("--cases", type=int, help="240, 300, 60 or 30 by generation, if not given")
     parser.add_argument("--sample", type=int, help="only so many cases; any first 24, 30 or 12 are balanced")
     parser.add_argument("--seed", type=int, default=SCORED, help=f"{CALIBRATION} is the calibration set")
     parser.add_argument("--jobs", type=int, default=2, help="cases at a time")

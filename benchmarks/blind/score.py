@@ -16,6 +16,7 @@ from statistics import mean, median
 from typing import Any
 
 from measures import Scored, alarm, is_outside, null_cases, share
+from needles import score as sharp
 from seal import unseal
 from second import score as later
 from third import score as beyond
@@ -131,6 +132,9 @@ def report(folder: Path) -> list[Scored]:
     if any(case.label.get("generation") == 3 for case in cases):
         show(f"diagnosis, {len(cases)} cases", beyond.table(cases))
         show("right by kind", beyond.by_kind(cases))
+        return cases
+    if any(case.label.get("generation") == 4 for case in cases):
+        show(f"needles, {len(cases)} cases", sharp.table(cases))
         return cases
     second = any(case.label.get("generation") == 2 for case in cases)
     show(f"diagnosis, {len(cases)} cases", later.table(cases) if second else table(cases))

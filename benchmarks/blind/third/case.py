@@ -27,37 +27,15 @@ def make(draft: Draft, folder: Path) -> dict[str, Any]:
     """Write campaign, model and records of a case, and return its label."""
     rng = np.random.default_rng(draft.seed)
     machine = MACHINES[draft.machine]
-    values = {
-        name: value * (1 + rng.choice([-1, 1]) * rng.uniform(0.03, 0.12))
-        if name in machine.uncertain
-        else value
-        for name, value in machine.values.items()
-    }
+    values = off_nominal(machine, rng)
     begin = "motion" if rng.uniform() < 0.5 else "rest"
-    drive = _drive(machine, begin, rng)
+    given = drive(machine, begin, rng)
     row = np.array(machine.joints[draft.joint].row)
-    plain = run(machine, values, Cause(), drive, 1 / RATE)
-    travel, speed = (float(np.std(part @ row)) for part in plain)
-    inertia = machine.inertias[int(np.argmax(np.abs(row)))]
-    force = max(machine.drive[0], inertia * float(np.std(np.gradient(plain[1] @ row, 1 / RATE, axis=0))))
+    travel, speed, force = usual(machine, draft.joint, values, given)
     cause = _cause(draft, machine, (travel, speed, draft.size * force), rng)
-    q, v = run(machine, values, cause, drive, 1 / RATE)
+    q, v = run(machine, values, cause, given, 1 / RATE)
+    filed = write(folder, machine, begin, draft.noise, given, q, v, rng)
     kept = slice(round(BEFORE * RATE) if begin == "motion" else 0, None)
-    every = int(rng.choice([8, 16]))
-    filed = bool(rng.uniform() < 0.4)
-    folder.mkdir(parents=True, exist_ok=True)
-    shutil.copy(MODELS / f"{machine.name}.py", folder / "model.py")
-    outputs = {name: (v if rate else q)[kept, :, at] for name, (at, rate, _, _) in machine.outputs.items()}
-    sigma = {name: draft.noise * float(np.std(seen)) for name, seen in outputs.items()}
-    units = {name: FILED[unit] if filed else (unit, 1.0) for name, (*_, unit) in machine.outputs.items()}
-    for number, name in enumerate(RECORDS):
-        columns = {"u": drive[::2][kept][::every, number]}
-        for channel, seen in outputs.items():
-            noisy = seen[::every, number] + sigma[channel] * rng.standard_normal(len(columns["u"]))
-            columns[channel] = noisy * units[channel][1]
-        time = np.arange(len(columns["u"])) * every / RATE
-        np.savez_compressed(folder / f"{name}.npz", time=np.round(time, 6), **columns)
-    (folder / "campaign.toml").write_text(_campaign(machine, units, begin))
     return {
         "generation": 3,
         "verdict": draft.verdict,
@@ -77,11 +55,58 @@ def make(draft: Draft, folder: Path) -> dict[str, Any]:
     }
 
 
-def _drive(machine: Machine, begin: str, rng: np.random.Generator) -> Array:
+def off_nominal(machine: Machine, rng: np.random.Generator) -> dict[str, float]:
+    """Return parameters of which those that are uncertain are off."""
+    return {
+        name: value * (1 + rng.choice([-1, 1]) * rng.uniform(0.03, 0.12))
+        if name in machine.uncertain
+        else value
+        for name, value in machine.values.items()
+    }
+
+
+def usual(machine: Machine, joint: str, values: dict[str, float], given: Array) -> tuple[float, float, float]:
+    """Return how far and fast a joint moves, and how much force acts there, where nothing else does."""
+    row, rate = np.array(machine.joints[joint].row), 1 / RATE
+    plain = run(machine, values, Cause(), given, rate)
+    travel, speed = (float(np.std(part @ row)) for part in plain)
+    inertia = machine.inertias[int(np.argmax(np.abs(row)))]
+    return (
+        travel,
+        speed,
+        max(machine.drive[0], inertia * float(np.std(np.gradient(plain[1] @ row, rate, axis=0)))),
+    )
+
+
+def write(
+    folder: Path, machine: Machine, begin: str, noise: float, given: Array, q: Array, v: Array,
+    rng: np.random.Generator,
+) -> bool:  # fmt: skip
+    """Write campaign, model and records, and tell whether they are in mm."""
+    kept = slice(round(BEFORE * RATE) if begin == "motion" else 0, None)
+    every = int(rng.choice([8, 16]))
+    filed = bool(rng.uniform() < 0.4)
+    folder.mkdir(parents=True, exist_ok=True)
+    shutil.copy(MODELS / f"{machine.name}.py", folder / "model.py")
+    outputs = {name: (v if rate else q)[kept, :, at] for name, (at, rate, _, _) in machine.outputs.items()}
+    sigma = {name: noise * float(np.std(seen)) for name, seen in outputs.items()}
+    units = {name: FILED[unit] if filed else (unit, 1.0) for name, (*_, unit) in machine.outputs.items()}
+    for number, name in enumerate(RECORDS):
+        columns = {"u": given[::2][kept][::every, number]}
+        for channel, seen in outputs.items():
+            noisy = seen[::every, number] + sigma[channel] * rng.standard_normal(len(columns["u"]))
+            columns[channel] = noisy * units[channel][1]
+        time = np.arange(len(columns["u"])) * every / RATE
+        np.savez_compressed(folder / f"{name}.npz", time=np.round(time, 6), **columns)
+    (folder / "campaign.toml").write_text(_campaign(machine, units, begin))
+    return filed
+
+
+def drive(machine: Machine, begin: str, rng: np.random.Generator, rate: int = RATE) -> Array:
     """Return the input of all records at half steps: random, a sweep, a sine; random again, two sines."""
     size, low, high = machine.drive
     seconds = LASTING + (BEFORE if begin == "motion" else 0.0)
-    t = np.arange(2 * round(seconds * RATE) + 1) / (2 * RATE)
+    t = np.arange(2 * round(seconds * rate) + 1) / (2 * rate)
 
     def random() -> Array:
         f = rng.uniform(low, high, 40)[:, None]
