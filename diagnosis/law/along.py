@@ -9,6 +9,7 @@ import numpy as np
 
 from ...base import Array
 from ...identification import Experiment, Prediction
+from ..criteria import LOST_SHARE, LOST_STANDARD_DEVIATIONS
 from ..effects.effect import Motion
 from ..effects.hypothesis import Hypothesis, driven, sensed
 from ..models.force import Force, push_of
@@ -64,7 +65,7 @@ class Bench:
 
 @dataclass(frozen=True, eq=False)
 class Beside:
-    """A run of a record, with what it began and was computed with."""
+    """A run of a record, with what it began and was computed with; what is missed counts `until` a sample."""
 
     bench: Bench
     experiment: Experiment
@@ -73,6 +74,7 @@ class Beside:
     number: int
     force: Force | None
     found: Prediction
+    until: int | None = None
 
     @property
     def t(self) -> Array:
@@ -86,21 +88,29 @@ class Beside:
 
     @property
     def residual(self) -> Array:
-        """What was measured less what was predicted, in units of noise, (instants, outputs)."""
+        """What was measured less what was predicted where it counts, in noise, (instants, outputs)."""
         elapsed, measured = self.experiment.elapsed(self.found.time), self.experiment.compared.values
         columns = [
             (measured[n] - sensed(elapsed, n, v, self.bench.effects)) * self.experiment.weights[n]
             for n, v in self.found.values.items()
         ]
-        return np.column_stack(columns)
+        return np.column_stack(columns) * self._counts
 
     @property
     def left(self) -> Array:
         """The residual less offsets, (instants, outputs)."""
         residual, names = self.residual, list(self.found.values)
         free = [names.index(name) for name in self.experiment.offset]
-        residual[:, free] -= residual[:, free].mean(axis=0)
+        if self.until != 0:
+            residual[: self.until, free] -= residual[: self.until, free].mean(axis=0)
         return residual
+
+    def followed(self, whole: Experiment) -> int:
+        """Return the samples before it strays by a good part of what is seen in the record that it is of."""
+        moved = np.array([whole.compared.values[name] * whole.weights[name] for name in self.found.values])
+        allowed = np.maximum(LOST_SHARE * moved.std(axis=1), LOST_STANDARD_DEVIATIONS)
+        lost = (np.abs(self.left) > allowed).any(axis=1)
+        return int(lost.argmax()) if lost.any() else len(lost)
 
     def answers(self, number: int, forces: Array) -> Array:
         """Return what forces at a site change, in units of noise.
@@ -113,7 +123,15 @@ class Beside:
     @property
     def _weights(self) -> Array:
         """What samples count, (instants, outputs, 1)."""
-        return np.column_stack([self.experiment.weights[name] for name in self.found.values])[:, :, None]
+        weights = np.column_stack([self.experiment.weights[name] for name in self.found.values])
+        return (weights * self._counts)[:, :, None]
+
+    @property
+    def _counts(self) -> Array:
+        """1 where what is missed counts, 0 elsewhere, (instants, 1)."""
+        return (np.arange(len(self.found.time)) < (np.inf if self.until is None else self.until))[
+            :, None
+        ].astype(float)
 
     def columns(self, fixed: bool = False) -> tuple[Array, int, Array]:
         """Return the columns of a `Course` at the instants of the record, how many are shared, and priors.
@@ -132,7 +150,7 @@ class Beside:
             given = np.array([self.given[name] for name in bench.names])
             missed = missed + shared @ ((given - bench.centers) / bench.scales)
         free = nuisance_slopes(experiment, found, experiment.weights)
-        own = np.swapaxes(free.reshape(shape[1], shape[0], -1), 0, 1)
+        own = np.swapaxes(free.reshape(shape[1], shape[0], -1), 0, 1) * self._counts[:, :, None]
         weights = np.zeros(own.shape[2])
         if experiment.unknown:
             end = own.shape[2] - len(experiment.offset)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from itertools import combinations
 from typing import Any
 
@@ -11,7 +11,15 @@ import numpy as np
 
 from ...base import Array
 from ...components import Component, ModelError
-from ..criteria import CLEAR_STANDARD_ERRORS, LAW_FINER, LAW_LEAST_GAIN, LAW_PAIR_SHARE
+from ..criteria import (
+    CLEAR_STANDARD_ERRORS,
+    LAW_FINER,
+    LAW_LEAST_GAIN,
+    LAW_MANY_TIMES,
+    LAW_MOST_POINTS,
+    LAW_PAIR_SHARE,
+    LAW_RESOLVED,
+)
 from ..effects.effect import Motion
 from ..effects.sites import Site
 from .along import Beside
@@ -84,6 +92,36 @@ class Law:
         """Whether a component can have it: a law of position, of speed, or of both."""
         return self.variables in STATIC
 
+    def along(self, motion: Motion) -> Array:
+        """Return its force along a motion, whose distances count from the origin."""
+        return np.asarray(self.grid.basis(motion) @ self.values)
+
+    @property
+    def length(self) -> float:
+        """Over which distance its force changes by its size; infinite unless it is of position alone."""
+        if self.variables != ("position",):
+            return np.inf
+        places = np.concatenate([motion.s for motion in self.motions])
+        force, step = self.grid.axes[0], 1e-3 * float(np.ptp(places))
+        there, beyond = (force.basis(places + way) @ self.values for way in (0.0, step))
+        slope = float(np.sqrt(np.mean((beyond - there) ** 2))) / step
+        return float(np.std(there)) / slope if slope else np.inf
+
+    @property
+    def given(self) -> dict[str, float]:
+        """The parameters beside it."""
+        return self.beside(self.fit.moved)
+
+    def beside(self, moved: Array) -> dict[str, float]:
+        """Return parameters that are so far from the centers of their priors."""
+        bench = self.runs[0].bench
+        values = bench.centers + bench.scales * moved
+        priors = bench.study.campaign.priors
+        return {
+            n: float(np.clip(v, priors[n].min, priors[n].max))
+            for n, v in zip(bench.names, values, strict=True)
+        }
+
     @property
     def motions(self) -> list[Motion]:
         """How the site moved in each record, distances from the origin."""
@@ -98,6 +136,17 @@ class Law:
     def table(self) -> list[tuple[float, ...]]:
         """Rows for a `TabulatedForce`."""
         return rows_of(self.grid, self.values)
+
+    def finer(self) -> Law:
+        """Return the same law with twice as many points over position, if it is smooth; itself if not."""
+        axis = self.grid.axes[0]
+        points = 2 * len(axis.points) - 1
+        if not axis.smooth or points > LAW_MOST_POINTS:
+            return self
+        grid = Grid((replace(axis, points=np.linspace(axis.points[0], axis.points[-1], points)),))
+        values = axis.basis(grid.axes[0].points) @ self.values
+        fit = replace(self.fit, grid=grid, values=values)
+        return replace(self, points=grid.places, values=values, fit=fit)
 
     def component(self) -> Component:
         """Return a `TabulatedForce` that has this law.
@@ -184,17 +233,27 @@ class Drawing:
         self.motions = [moved(run, number, self.origin) for run in runs]
         self.nothing = fitted(Tallies.of(runs, number, None), None)
 
-    def grid(self, variables: Sequence[str]) -> Grid:
+    def grid(self, variables: Sequence[str], finer: int = 1) -> Grid:
         """Return the points of a law over variables."""
-        return Grid(tuple(Axis.over(name, self.motions, len(variables) > 1) for name in variables))
+        return Grid(tuple(Axis.over(name, self.motions, len(variables) > 1, finer) for name in variables))
 
     def tallies(self, grid: Grid) -> Tallies:
         """Return what there is to fit a law by."""
         return Tallies.of(self.runs, self.number, grid, self.origin)
 
     def fitted(self, variables: Sequence[str]) -> Fitted:
-        """Return the law over variables."""
-        grid = self.grid(variables)
+        """Return the law over variables; of position with as many points as its waves take."""
+        found = self._fitted(self.grid(variables))
+        for finer in LAW_MANY_TIMES if tuple(variables) == ("position",) else ():
+            if found.foreseen <= LAW_RESOLVED * self.left:
+                break
+            closer = self._fitted(self.grid(variables, finer))
+            if not self._clearly(closer, found):
+                break
+            found = closer
+        return found
+
+    def _fitted(self, grid: Grid) -> Fitted:
         return fitted(self.tallies(grid), grid)
 
     def foreseen(self) -> float:
@@ -204,7 +263,9 @@ class Drawing:
     def share(self, law: Fitted) -> float:
         """Return the share of what is missing that a law foresees."""
         floor = min(self.left, self.nothing.foreseen) ** 2
-        return 1 - (law.foreseen**2 - floor) / max(self.nothing.foreseen**2 - floor, 1e-300)
+        if self.nothing.foreseen**2 <= floor:
+            return 0.0
+        return 1 - (law.foreseen**2 - floor) / (self.nothing.foreseen**2 - floor)
 
     def law(
         self, variables: Sequence[str] | None = None, among: Sequence[tuple[str, ...]] | None = None
@@ -246,6 +307,10 @@ class Drawing:
         """Tell whether a law takes away much of what a simpler one leaves, and clearly."""
         floor = min(self.left, plain.foreseen) ** 2
         less = richer.foreseen**2 - floor < LAW_PAIR_SHARE * (plain.foreseen**2 - floor)
-        less &= self.share(richer) - self.share(plain) > LAW_LEAST_GAIN
-        drop = plain.squares - richer.squares
-        return less and float(drop.mean()) > CLEAR_STANDARD_ERRORS * float(drop.std()) / len(drop) ** 0.5
+        more = self.share(richer) - self.share(plain) > LAW_LEAST_GAIN
+        return bool(less and more) and self._clearly(richer, plain)
+
+    def _clearly(self, better: Fitted, worse: Fitted) -> bool:
+        """Tell whether a law foresees clearly more than another one."""
+        drop = worse.squares - better.squares
+        return bool(drop.mean() > CLEAR_STANDARD_ERRORS * drop.std() / len(drop) ** 0.5)

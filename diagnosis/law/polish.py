@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -37,7 +37,7 @@ def placed(law: Law, name: str = NAME) -> Hypothesis:
 
 
 @dataclass(frozen=True, eq=False)
-class _Trial:
+class Trial:
     """A model with a law, and its free runs."""
 
     values: Array
@@ -49,6 +49,21 @@ class _Trial:
         """What they miss, squared."""
         return float(sum((run.left**2).sum() for run in self.runs))
 
+    @property
+    def left(self) -> float:
+        """The root mean square of it, in units of noise."""
+        return float(np.sqrt(self.squares / sum(run.left.size for run in self.runs)))
+
+    @property
+    def followed(self) -> list[int]:
+        """For how many samples each run follows its record."""
+        return [run.followed(run.experiment) for run in self.runs]
+
+    def until(self, samples: Sequence[int]) -> Trial:
+        """Return the trial with runs that count until a sample each."""
+        runs = [replace(run, until=count) for run, count in zip(self.runs, samples, strict=True)]
+        return replace(self, runs=runs)
+
 
 @dataclass(frozen=True, eq=False)
 class Polished:
@@ -57,11 +72,13 @@ class Polished:
     Attributes:
         model: with the law, held against all records.
         changing: share of the square of what is left that it would take if it grew or faded with time.
+        left: root mean square of what it misses of the training records [noise].
     """
 
     law: Law
     model: Refit
     changing: float
+    left: float
 
 
 @computing("a law in free runs")
@@ -75,70 +92,82 @@ def polished(study: Study, law: Law) -> Polished:
         return _polished(study, law)
 
 
-def _polished(study: Study, law: Law) -> Polished:
-    first = law.runs[0].bench
-    priors = study.campaign.priors
-    given = {name: priors[name].at(float(b)) for name, b in zip(first.names, law.fit.moved, strict=True)}
-    begins = {run.experiment.name: run.begin for run in law.runs}
-    drawn = through(law.grid, law.motions, law.forces, FORCE_LAW_STIFFNESS)
-    here = min(
-        (_run(study, law, values, given, begins) for values in (law.values, drawn)),
-        key=lambda one: one.squares,
+def first_trial(study: Study, law: Law) -> Trial:
+    """Return the model with a law as it was drawn, from where it was, in free runs."""
+    first, given = law.runs[0].bench, law.given
+    bench = Bench(study, first.names, [*first.effects, placed(law)])
+    begins = (
+        [bench.begin(experiment, given, {}) for experiment in study.campaign.training]
+        if study.pieces
+        else [run.begin for run in law.runs]
     )
+    drawn = through(law.grid, law.motions, law.forces, FORCE_LAW_STIFFNESS)
+    tried = (_run(study, law, values, given, begins) for values in (law.values, drawn))
+    return min(tried, key=lambda one: (-sum(one.followed), one.squares))
+
+
+def _polished(study: Study, law: Law) -> Polished:
+    first, here = law.runs[0].bench, first_trial(study, law)
     for _ in range(LAW_POLISHES):
-        step = _step(study, law, here)
+        followed = here.followed
+        before = here.until(followed)
+        step = _step(study, law, before)
         for share in (1.0, 0.5, 0.25, 0.1):
             try:
                 there = step(share)
             except SimulationError:
                 continue
-            if there.squares < here.squares:
+            if there.until(followed).squares < before.squares:
                 break
         else:
             break
-        ended = there.squares > (1 - START_DROP_RATIO) * here.squares
-        here = there
-        if ended:
+        drop = 1 - there.until(followed).squares / before.squares
+        here, farther = there, sum(there.followed) > sum(followed)
+        if drop < START_DROP_RATIO and not farther:
             break
-    found = replace(law, values=here.values)
+    found = replace(law, values=here.values, fit=replace(law.fit, moved=_moved(study, here.given)))
     joint = JointFit(study, here.given, [*first.effects, placed(found)])
-    return Polished(found, joint.seen(joint.start), _changing(found, here))
+    return Polished(found, joint.seen(joint.start), _changing(found, here), here.left)
 
 
-def _run(
-    study: Study, law: Law, values: Array, given: Mapping[str, float], begins: Mapping[str, Begin]
-) -> _Trial:
+def _moved(study: Study, given: Mapping[str, float]) -> Array:
+    """Return how far parameters are from the centers of their priors."""
+    priors = [study.campaign.priors[name] for name in given]
+    return np.array([(value - p.center) / p.scale for value, p in zip(given.values(), priors, strict=True)])
+
+
+def _run(study: Study, law: Law, values: Array, given: Mapping[str, float], begins: Sequence[Begin]) -> Trial:
     effects = law.runs[0].bench.effects
     bench = Bench(study, [*given], [*effects, placed(replace(law, values=values))])
-    runs = [bench.run(e, given, begins[e.name]) for e in study.campaign.training]
-    return _Trial(values, given, runs)
+    pairs = zip(study.campaign.training, begins, strict=True)
+    runs = [bench.run(experiment, given, begin) for experiment, begin in pairs]
+    return Trial(values, given, runs)
 
 
-def _step(study: Study, law: Law, here: _Trial) -> Callable[[float], _Trial]:
+def _step(study: Study, law: Law, here: Trial) -> Callable[[float], Trial]:
     """Return what makes a trial a share of the way to what is best along the runs so far."""
-    centers, scales = here.runs[0].bench.centers, here.runs[0].bench.scales
-    before = (np.array([*here.given.values()]) - centers) / scales
+    before = _moved(study, here.given)
     tallies = Tallies.of(here.runs, law.number, law.grid, law.origin, here.values)
     found = fitted(tallies.held(before, LAW_HELD_SHARE), law.grid, stiffness=law.fit.stiffness)
     unknown = np.concatenate([found.moved, found.values])
-    begun = {}
+    begun = []
     for run in here.runs:
         stacked, own, priors, _ = beside(run, law.number, law.grid, law.origin, here.values)
         left = stacked[:, :, 0] - stacked[:, :, 1:] @ unknown
-        begun[run.experiment.name] = own_of(left, own, priors)
+        begun.append(own_of(left, own, priors))
 
-    def trial(share: float) -> _Trial:
+    def trial(share: float) -> Trial:
         values = here.values + share * (found.values - here.values)
         parameters = before + share * (found.moved - before)
         known = study.campaign.priors
         given = {name: known[name].at(float(b)) for name, b in zip(here.given, parameters, strict=True)}
-        begins = {run.experiment.name: run.began(share * begun[run.experiment.name], 0) for run in here.runs}
+        begins = [run.began(share * own, 0) for run, own in zip(here.runs, begun, strict=True)]
         return _run(study, law, values, given, begins)
 
     return trial
 
 
-def _changing(law: Law, trial: _Trial) -> float:
+def _changing(law: Law, trial: Trial) -> float:
     """Return the share of the square of what is left that a law would take if it changed with time.
 
     Like effects, see `verdict.steadiness`: by a share of itself that grows from the beginning of each record

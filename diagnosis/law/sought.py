@@ -93,7 +93,7 @@ def sought(study: Study, model: Refit) -> Sought | None:
         missing = force_of(study, model)
         if missing.misfit > missing.before:
             return None
-        missing, law, foreseen = _best_law(study, model, missing)
+        missing, law, foreseen = best_law(study, model, missing)
     except InertanceError:
         return None
     if law.explained < LAW_FORESEEN_SHARE:
@@ -104,7 +104,7 @@ def sought(study: Study, model: Refit) -> Sought | None:
         found = polished(study, law)
     except InertanceError:
         return Sought(model, missing, foreseen, None, "cannot be run in the model")
-    return Sought(model, missing, foreseen, _drawn(missing, found), _refused(model, found))
+    return Sought(model, missing, foreseen, _drawn(missing, found), refusal(model, found))
 
 
 def _drawn(missing: MissingForce, found: Polished) -> Polished:
@@ -116,9 +116,7 @@ def _drawn(missing: MissingForce, found: Polished) -> Polished:
 
 
 @computing("the search for a law")
-def _best_law(
-    study: Study, model: Refit, missing: MissingForce
-) -> tuple[MissingForce, Law, dict[str, float]]:
+def best_law(study: Study, model: Refit, missing: MissingForce) -> tuple[MissingForce, Law, dict[str, float]]:
     """Return the force where a static law foresees most of it, the law, and by site how much that is.
 
     The likeliest site for a force is kept if a law there foresees enough.
@@ -139,7 +137,7 @@ def _best_law(
     return missing, law, foreseen
 
 
-def _refused(model: Refit, found: Polished) -> str:
+def refusal(model: Refit, found: Polished) -> str:
     """Return why a law does not hold on the test runs."""
     closed = (model.misfit - found.model.misfit) / max(model.misfit - 1.0, 1e-9)
     if not is_clear(model, found.model) or closed < LAW_CLOSED_SHARE:

@@ -50,6 +50,7 @@ class Study:
     """What is diagnosed and how: a campaign, how runs are computed, who fits, and who hears of progress.
 
     Its model is a network, of an `FMUStudy` an FMU. Nothing is begun after `deadline` [s, monotonic].
+    Its records may be `pieces` of the measured ones, so long at most [s].
     """
 
     campaign: Campaign
@@ -57,6 +58,7 @@ class Study:
     executor: Executor | None = None
     report: Report | None = None
     deadline: float = inf
+    pieces: float | None = None
 
     def late(self) -> bool:
         """Whether the time that was granted has passed."""

@@ -5,8 +5,9 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import replace
 
-from ..criteria import LAW_LEAVES_SHARE
+from ..criteria import LAW_LEAVES_SHARE, LOST_STANDARD_DEVIATIONS
 from ..effects.hypothesis import Hypothesis
+from ..law.in_pieces import InPieces, judged, refitted
 from ..law.sought import Sought, sought
 from ..models.study import FMUStudy, Study
 from ..search.model_comparison import Refit
@@ -14,7 +15,8 @@ from ..search.tried import without
 from .counterfactual import Foretold, counterfactuals
 from .decide import OPEN_END, closed_by
 from .gap import gaps
-from .verdict import Verdict
+from .named import alike, named
+from .verdict import Evidence, Verdict
 
 
 def beyond_the_list(study: Study, verdict: Verdict) -> Verdict:
@@ -27,12 +29,89 @@ def beyond_the_list(study: Study, verdict: Verdict) -> Verdict:
         return verdict
     if verdict.verdict not in OPEN_END:
         return _in_place(study, verdict, several=2)
+    found = _in_whole(study, verdict)
+    if found.verdict not in OPEN_END and not _is_lost(found):
+        return found
+    inner = _in_pieces(study, replace(verdict, sought=found.sought))
+    return found if inner.verdict in OPEN_END else inner
+
+
+def _is_lost(verdict: Verdict) -> bool:
+    """Tell whether free runs with a law part from records that it was fitted to."""
+    found = None if verdict.sought is None else verdict.sought.found
+    return found is not None and found.left > LOST_STANDARD_DEVIATIONS
+
+
+def _in_pieces(study: Study, verdict: Verdict) -> Verdict:
+    """Return the verdict with what holds in pieces of the records, where no free run follows them."""
+    if study.late():
+        return verdict
+    study.tell("looking for what holds in pieces of the records")
+    alone = verdict.evidence.study
+    inside = InPieces.of(alone, verdict.evidence.refit)
+    if inside is None:
+        return verdict
+    return _listed_in_pieces(verdict, inside) or _law_in_pieces(verdict, inside) or verdict
+
+
+def _listed_in_pieces(verdict: Verdict, inside: InPieces) -> Verdict | None:
+    """Return the verdict that names an effect of the list which holds in pieces of records."""
+    listed = alike(inside.law, inside.model)
+    pieces = inside.cut_by_effect(listed)
+    if pieces is None:
+        return None
+    evidence = _evidence_in(pieces, inside, verdict)
+    where_it_was = replace(evidence.refit, starts=())
+    return named(pieces, evidence, listed, where_it_was, [_told(inside.study, pieces)])
+
+
+def _law_in_pieces(verdict: Verdict, inside: InPieces) -> Verdict | None:
+    """Return the verdict with a law that holds in pieces of records."""
+    by_law = inside.sought()
+    if by_law is None:
+        return None
+    pieces, found = by_law
+    evidence = _evidence_in(pieces, inside, verdict)
+    found = judged(found, evidence.refit)
+    if found.model is None:
+        return None
+    notes = *verdict.notes, _told(inside.study, pieces)
+    return _with_law(
+        pieces, replace(verdict, evidence=evidence, effects=(), confidence=(), notes=notes), found
+    )
+
+
+def _evidence_in(pieces: Study, inside: InPieces, verdict: Verdict) -> Evidence:
+    start, base = refitted(pieces, inside.model)
+    return replace(verdict.evidence, study=pieces, nominal=start, refit=base, after=base)
+
+
+def _told(study: Study, pieces: Study) -> str:
+    parts, whole = len(pieces.campaign.experiments), len(study.campaign.experiments)
+    return (
+        f"judged by {parts} pieces of {whole} records, {pieces.pieces:.3g} s long at most, each from where "
+        "the machine was: no free run follows it through all of them"
+    )
+
+
+def _in_whole(study: Study, verdict: Verdict) -> Verdict:
+    """Return the verdict with a law that holds in free runs of whole records."""
     study.tell("looking for a law of its own")
     evidence = verdict.evidence
     found = sought(evidence.study.displaced(evidence.after.effects), evidence.after)
     if found is None or found.model is None:
         return _in_place(study, replace(verdict, sought=found), several=1)
-    return _with_law(study, verdict, _alone(evidence.study, found) or found)
+    found = _alone(evidence.study, found) or found
+    return _in_its_place(verdict, found) or _with_law(study, verdict, found)
+
+
+def _in_its_place(verdict: Verdict, found: Sought) -> Verdict | None:
+    """Return the verdict that names an effect of the list in place of a law that is like it."""
+    evidence, law, model = verdict.evidence, found.law, found.model
+    if found.before.effects or law is None or model is None or not (listed := alike(law, evidence.refit)):
+        return None
+    near = replace(evidence.refit, starts=model.starts)
+    return named(evidence.study, evidence, listed, near, (), instead=model)
 
 
 def _with_law(study: Study, verdict: Verdict, found: Sought) -> Verdict:

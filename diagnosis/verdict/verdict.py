@@ -213,6 +213,7 @@ class Verdict:
             **self._law,
             "gap": {name: gap.to_dict() for name, gap in self.gap.items()},
             "closed": self.closed,
+            "pieces": self.evidence.study.pieces,
             "counterfactual": [one.to_dict() for one in self.counterfactual],
             "parted": [one.to_dict() for one in self.parted],
             "parameters": dict(self.parameters),

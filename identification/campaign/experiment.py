@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from functools import cached_property
 from pathlib import Path
 from typing import Any
@@ -57,6 +57,7 @@ class Experiment:
         floors: noise of its outputs.
         omitted: at which instants outputs are not compared; none if not given.
         change: of a counterfactual, how its machine had been changed.
+        motion: how the machine moves where it begins, by path in the model, as far as that is known.
     """
 
     record: Record
@@ -73,6 +74,7 @@ class Experiment:
     floors: Mapping[str, NoiseFloor] = field(default_factory=dict)
     omitted: Flags | None = None
     change: Change | None = None
+    motion: Mapping[str, float] = field(default_factory=dict)
 
     def given(self, parameters: Mapping[str, float]) -> dict[str, float]:
         """Return parameters of the model as they were in this record."""
@@ -88,6 +90,21 @@ class Experiment:
     def compared(self) -> Record:
         """The record at the instants at which outputs are compared."""
         return self.record.thinned(self.every)
+
+    def part(self, begin: int, end: int, motion: Mapping[str, float]) -> Experiment:
+        """Return the part between two of the instants at which outputs are compared, begun in a motion."""
+        window = float(self.compared.time[begin]), float(self.compared.time[end])
+        record = self.record.window(*window)
+        omitted = None if self.omitted is None else self.omitted[begin : end + 1]
+        return replace(
+            self,
+            record=record,
+            initial="fit",
+            window=window,
+            repeat_of=None,
+            omitted=omitted,
+            motion=motion,
+        )
 
     def elapsed(self, time: Array) -> Array:
         """Return how long the run it was cut from has lasted at instants of its clock [s]."""

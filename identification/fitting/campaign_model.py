@@ -150,10 +150,12 @@ class RecordModel:
         self._measured_starts: dict[float, dict[str, float]] = {}  # by instant
 
     def rest(self, parameters: Values, at: float | None = None) -> Array:
-        """Return the model's start values; motions that are measured start where they were measured."""
+        """Return the model's start values; motions that are measured or known start where they were."""
         begin = float(self.record.time[0]) if at is None else at
         guess: dict[str, float] = {}
-        if self.experiment.initial == "fit":
+        if self.experiment.motion and at is None:
+            guess = dict(self.experiment.motion)
+        elif self.experiment.initial == "fit":
             if begin not in self._measured_starts:
                 self._measured_starts[begin] = self._measured_start(begin)
             guess = self._measured_starts[begin]

@@ -181,7 +181,9 @@ def test_the_network_with_the_law_runs_linearises_and_is_an_fmu(lawful: Verdict,
     assert missed[2] > 10 * NOISE
     assert missed[0] < 0.1 * missed[2]
     linear = linearise(network, ["push.f"], ["cart.s"])
-    assert np.linalg.eigvals(linear.A).real.max() < 0
+    usual = linearise(true, ["push.f"], ["cart.s"])  # at rest the law has a corner, so damping has two values
+    found, expected = (np.sort(np.abs(np.linalg.eigvals(one.A))) for one in (linear, usual))
+    assert np.allclose(found, expected, rtol=0.1)
     net = carts()
     exec("from inertance import TabulatedForce\n" + "\n".join(lawful.lines), {"net": net})
     again = net.simulate(3.0, step=0.01, inputs=push, parameters=lawful.parameters)

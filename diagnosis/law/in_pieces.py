@@ -1,0 +1,140 @@
+"""What follows a machine in pieces of its records, where no free run follows it through whole ones."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from contextlib import suppress
+from copy import copy
+from dataclasses import dataclass, replace
+from functools import cached_property
+from math import inf
+
+from ...base import computing
+from ...components import InertanceError
+from ..criteria import (
+    LAW_FORESEEN_SHARE,
+    LAW_RESOLVED,
+    LIKENED_LEAST_GAIN,
+    PIECE_ROUNDS,
+    PIECE_WON_SHARE,
+)
+from ..effects.hypothesis import Hypothesis
+from ..models.network_predictor import NetworkPredictor
+from ..models.study import Study
+from ..search.joint_fit import JointFit
+from ..search.model_comparison import Refit
+from ..search.score_test import Candidate
+from .along import Beside
+from .law import Law
+from .missing_force import MissingForce, force_of
+from .pieces import Follower, cut
+from .polish import placed, polished
+from .search import Search
+from .sought import Sought, best_law, refusal
+
+
+@dataclass(frozen=True, eq=False)
+class InPieces:
+    """A law that is foreseen along the motion that the missing force makes, and learnt in pieces of records.
+
+    A free run with it parts from the machine sooner or later, as a small error grows in valleys and at gaps.
+    A piece ends where a run does so, and another begins where the machine is.
+
+    Attributes:
+        study: with whole records.
+        model: in them.
+        missing: the force.
+        law: as the training records tell it.
+        foreseen: how much of the force a law foresees, by site.
+    """
+
+    study: Study
+    model: Refit
+    missing: MissingForce
+    law: Law
+    foreseen: dict[str, float]
+
+    @classmethod
+    @computing("the search for what records in pieces lack")
+    def of(cls, study: Study, model: Refit) -> InPieces | None:
+        """Return it for a model; None where no law foresees enough, or none follows the machine for long.
+
+        A model without states, as of a rig that prescribes all motion, loses nothing in free runs.
+        """
+        if not NetworkPredictor(study.campaign, (), (), ()).dae.state_names:
+            return None
+        try:
+            missing, law, foreseen = best_law(study, model, force_of(study, model))
+            if law.explained < LAW_FORESEEN_SHARE:
+                return None
+            learnt = _learnt(study, law, missing)
+        except InertanceError:
+            return None
+        return None if learnt is None else cls(study, model, missing, learnt, foreseen)
+
+    def cut_by_effect(self, listed: Sequence[Candidate]) -> Study | None:
+        """Return the records in pieces that the plainest of the effects likest to the law follows."""
+        most = max((c.gain for c in listed), default=0.0)
+        alike = [c for c in listed if c.gain > most - LIKENED_LEAST_GAIN * self.model.cost]
+        for candidate in sorted(alike, key=lambda c: len(c.values))[:1]:
+            name = f"{candidate.effect.kind}_1"
+            effect = Hypothesis(candidate.effect, candidate.site, name, candidate.values)
+            with suppress(InertanceError):
+                return self._cut(effect, candidate.parameters)
+        return None
+
+    def sought(self) -> tuple[Study, Sought] | None:
+        """Return the records in pieces that the law follows, and what comes of it there."""
+        try:
+            pieces = self._cut(placed(self.law), self.law.given)
+            return pieces, Sought(self.model, self.missing, self.foreseen, polished(pieces, self.law), "")
+        except InertanceError:
+            return None
+
+    def _cut(self, effect: Hypothesis, given: Mapping[str, float]) -> Study:
+        """Return the records in pieces that an effect follows."""
+        runs = [*self.missing.settled.runs, *self._tested]
+        return cut(self.study, Follower.of(self.study, self.law, effect, runs, given), runs)
+
+    @cached_property
+    def _tested(self) -> Sequence[Beside]:
+        """The test records along the motion that the missing force makes at the same site."""
+        campaign, count = copy(self.study.campaign), len(self.study.campaign.training)
+        campaign.training, campaign.testing = self.study.campaign.testing, []
+        near = replace(self.model, starts=self.model.starts[count:])
+        number, rough = self.missing.settled.number, self.missing.settled.rough
+        return Search(replace(self.study, campaign=campaign), near).settled(number, rough).runs
+
+
+def _learnt(study: Study, law: Law, missing: MissingForce) -> Law | None:
+    """Return a law fitted to pieces of the training records; what is learnt of it makes them longer."""
+    training = copy(study.campaign)
+    training.testing = []
+    alone, runs = replace(study, campaign=training), missing.settled.runs
+    learnt, left = None, inf
+    for _ in range(PIECE_ROUNDS):
+        if study.late():
+            break
+        try:
+            pieces = cut(alone, Follower.of(alone, law, placed(law), runs, law.given), runs)
+            found = polished(pieces, law)
+        except InertanceError:
+            break
+        settled = found.left <= LAW_RESOLVED * max(1.0, missing.misfit)
+        if settled or found.left > PIECE_WON_SHARE * left:
+            return found.law if settled or learnt is None else learnt
+        learnt, left = found.law, found.left
+        law = learnt.finer()
+    return learnt
+
+
+def refitted(study: Study, model: Refit) -> tuple[Refit, Refit]:
+    """Return a model without effects as it was given, and fitted, in the records of another study."""
+    joint = JointFit(study, model.parameters)
+    return joint.seen(joint.vector(study.campaign.start, [])), joint.fitted()
+
+
+def judged(found: Sought, base: Refit) -> Sought:
+    """Return what came of a law, held against a model in the same records."""
+    assert found.found is not None
+    return replace(found, before=base, refused=refusal(base, found.found))

@@ -1,0 +1,155 @@
+"""Effects of the list that a law is like: fitted to it along the motion of the machine, before any run."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import replace
+
+import numpy as np
+
+from ...base import Array
+from ..criteria import LIKENED_POINTS, LIKENED_SHAPE_SPREAD
+from ..effects.effect import EFFECTS, Effect, Motion, Values
+from ..effects.sites import Site
+from ..models.probes import scaled
+from ..search.model_comparison import Refit
+from ..search.score_test import Candidate
+from .law import Law
+from .regression import apart
+
+
+def likened(law: Law, base: Refit) -> list[Candidate]:
+    """Return static effects and those in series at the site of a law that do what it does.
+
+    An effect in series stretches by what that force would stretch the part that it stands beside. What
+    constants of stiffness and damping may be off is left out of account. The likest comes first, with the
+    values that make it so; its gain is so much of what a model misses as it has of the force.
+    """
+    pairs = [(run.motion(law.number), law.along(m)) for run, m in zip(law.runs, law.motions, strict=True)]
+    points = sum(len(force) for _, force in pairs)
+    every = slice(None, None, max(1, points // LIKENED_POINTS))
+    motions, forces = [_at(m, every) for m, _ in pairs], [force[every] for _, force in pairs]
+    site = scaled(law.site, motions, None)
+    found = []
+    for effect in EFFECTS.values():
+        if not _may_act(effect, site):
+            continue
+        if effect.place == "series":
+            fit = _in_series(effect, site, motions, forces)
+        else:
+            fit = _across(effect, site, motions, forces)
+        widest = max(fit.motions, key=lambda m: m.travel)
+        tried = [fit.of(shape) for shape in effect.shaped(site.domain, widest)]
+        values, share = fit.refined(max(tried, key=lambda one: one[1]))
+        given = law.given if effect.place == "series" else _beside(law, effect, site, values)
+        found.append(Candidate(effect, site, values, share * base.cost, 1.0, given))
+    return sorted(found, key=lambda candidate: -candidate.gain)
+
+
+def _beside(law: Law, effect: Effect, site: Site, values: Values) -> dict[str, float]:
+    """Return parameters beside an effect: they do what is linear in a law, in the outputs, in its place."""
+    slopes, wanted = [], []
+    for run, moved in zip(law.runs, law.motions, strict=True):
+        motion = run.motion(law.number)
+        rest = law.along(moved) - _force(effect, site, motion, values)
+        columns, shared, priors = run.columns()
+        answer = run.answers(law.number, rest[:, None])
+        whole = np.concatenate([columns[:, :, 1 : 1 + shared], answer], axis=2)
+        left = apart(whole, columns[:, :, 1 + shared :], priors).reshape(-1, shared + 1)
+        slopes.append(left[:, :-1])
+        wanted.append(left[:, -1])
+    further = np.linalg.lstsq(np.concatenate(slopes), np.concatenate(wanted), rcond=None)[0]
+    return law.beside(law.fit.moved + further)
+
+
+def _force(effect: Effect, site: Site, motion: Motion, values: Values) -> Array:
+    """Return the force of an effect along a motion."""
+    assert effect.basis is not None
+    sizes = [size.name for size in effect.sizes(site.domain)]
+    shape = {name: value for name, value in values.items() if name not in sizes}
+    units = effect.basis(replace(motion, s=motion.s - effect.origin(site)), shape)
+    return np.asarray(np.column_stack(units) @ np.array([values[name] for name in sizes]))
+
+
+def _at(motion: Motion, points: slice) -> Motion:
+    """Return a motion at some of its points."""
+    names = ("t", "s", "v", "f", "a")
+    return replace(motion, **{name: getattr(motion, name)[points] for name in names})
+
+
+def _may_act(effect: Effect, site: Site) -> bool:
+    of_now = effect.is_static or (effect.place == "series" and not effect.memory and not effect.ages)
+    here = effect.place in site.places and site.domain in effect.quantities
+    return of_now and here and effect.basis is not None and (site.grounded or not effect.grounded)
+
+
+def _across(effect: Effect, site: Site, motions: Sequence[Motion], forces: Sequence[Array]) -> _Fit:
+    force = np.concatenate(forces)
+    told = np.concatenate([m.s for m in motions]), force - force.mean()
+    about = [replace(m, s=m.s - effect.origin(site), missed=told) for m in motions]
+    return _Fit(
+        effect, site.domain, about, force, np.concatenate([np.column_stack([m.s, m.v]) for m in about])
+    )
+
+
+def _in_series(effect: Effect, site: Site, motions: Sequence[Motion], forces: Sequence[Array]) -> _Fit:
+    """Return the fit of a stretch: of what the force at a site takes off the one through a part there."""
+    borne = np.concatenate([m.f for m in motions])
+    moved = np.concatenate([np.column_stack([m.s, m.v, np.ones(len(m.s))]) for m in motions])
+    stiffness = float(np.linalg.lstsq(moved, borne, rcond=None)[0][0])
+    about = [
+        replace(m, s=m.s - effect.origin(site), f=m.f + force)
+        for m, force in zip(motions, forces, strict=True)
+    ]
+    stretch = -np.concatenate(forces) / (stiffness or 1.0)
+    passed = np.concatenate([m.f for m in about])
+    return _Fit(effect, site.domain, about, stretch, passed[:, None])
+
+
+class _Fit:
+    """Values of an effect with which it is most like something along motions, beside what is linear."""
+
+    def __init__(
+        self, effect: Effect, domain: str, motions: Sequence[Motion], wanted: Array, linear: Array
+    ) -> None:
+        self.effect, self.domain, self.motions = effect, domain, motions
+        self.wanted, self.linear = wanted, linear
+        self.all_of_it = self._left(np.zeros((len(wanted), 0)), np.zeros(0))[1] or 1.0
+
+    def of(self, shape: Values) -> tuple[dict[str, float], float]:
+        """Return sizes with a shape, and the share of the square of what is wanted that they have."""
+        assert self.effect.basis is not None
+        columns = np.concatenate([np.column_stack(self.effect.basis(m, shape)) for m in self.motions])
+        sizes = self.effect.sizes(self.domain)
+        found, left = self._left(columns, np.array([size.low for size in sizes]))
+        values = dict(zip([size.name for size in sizes], found.tolist(), strict=True))
+        return {**values, **shape}, 1 - left / self.all_of_it
+
+    def _left(self, columns: Array, low: Array) -> tuple[Array, float]:
+        from scipy.optimize import lsq_linear
+
+        whole = np.column_stack([columns, self.linear])
+        scale = np.linalg.norm(whole, axis=0)
+        scale[scale == 0] = 1.0
+        least = np.concatenate(
+            [np.where(np.isfinite(low), 0.0, -np.inf), np.full(self.linear.shape[1], -np.inf)]
+        )
+        found = lsq_linear(whole / scale, self.wanted, (least, np.inf))
+        return np.maximum(found.x[: len(low)] / scale[: len(low)], low), 2 * float(found.cost)
+
+    def refined(self, best: tuple[dict[str, float], float]) -> tuple[dict[str, float], float]:
+        """Return values with shapes about the best so far that make it liker."""
+        from scipy.optimize import minimize
+
+        names = [q.name for q in self.effect.quantities[self.domain] if q.shape]
+        first = np.array([best[0][name] for name in names])
+        if not names or not first.all():
+            return best
+
+        def at(factors: Array) -> tuple[dict[str, float], float]:
+            return self.of(dict(zip(names, (first * np.exp(factors)).tolist(), strict=True)))
+
+        corners = np.vstack([np.zeros(len(names)), LIKENED_SHAPE_SPREAD * np.eye(len(names))])
+        options = {"initial_simplex": corners, "maxiter": 60 * len(names)}
+        ended = minimize(lambda x: -at(x)[1], corners[0], method="Nelder-Mead", options=options)
+        return max(best, at(ended.x), key=lambda one: one[1])

@@ -1,0 +1,144 @@
+"""Records cut in pieces, each followed by a run: for motions that no free run follows for long."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from contextlib import suppress
+from copy import copy
+from dataclasses import dataclass, replace
+from itertools import islice
+
+import numpy as np
+
+from ...components import SimulationError
+from ...identification import Experiment
+from ..criteria import (
+    LOST_LENGTH_SHARE,
+    LOST_STANDARD_DEVIATIONS,
+    PIECE_KEPT,
+    PIECE_SAMPLES,
+    PIECE_STARTS,
+    PIECES,
+)
+from ..effects.hypothesis import Hypothesis
+from ..models.study import Study
+from .along import Bench, Beside
+from .law import Law
+from .regression import own_of
+
+
+@dataclass(frozen=True, eq=False)
+class Follower:
+    """A model that is to follow a machine, at a site by `within` a distance.
+
+    `states` are those of the model that all effects are beside.
+    """
+
+    bench: Bench
+    given: Mapping[str, float]
+    states: Sequence[str]
+    site: int
+    within: float
+
+    @classmethod
+    def of(
+        cls, study: Study, law: Law, effect: Hypothesis, runs: Sequence[Beside], given: Mapping[str, float]
+    ) -> Follower:
+        """Return that with an effect beside the model of some runs, where a law says how near it must be."""
+        beside = runs[0].bench
+        bench = Bench(study, beside.names, [*beside.effects, effect])
+        within = LOST_LENGTH_SHARE * law.length
+        return cls(bench, given, beside.predictor.dae.state_names, law.number, within)
+
+    def followed(self, run: Beside, along: Beside, begin: int) -> int:
+        """Return for how many samples a run of a piece follows a record, and one that goes along it."""
+        kept = run.followed(along.experiment)
+        if not goes_along(along):
+            return kept
+        there = along.motion(self.site).s[along.found.at][begin : begin + len(run.found.at)]
+        away = np.abs(run.motion(self.site).s[run.found.at] - there) > self.within
+        return min(kept, int(away.argmax())) if away.any() else kept
+
+
+def cut(study: Study, follower: Follower, runs: Sequence[Beside]) -> Study:
+    """Return a study with a record for each piece of what it has, of which `runs` go along what was measured.
+
+    Raises:
+        SimulationError: if there would be very many.
+    """
+    campaign = copy(study.campaign)
+    count = len(campaign.training)
+    campaign.training, campaign.testing = (
+        [piece for run in some for piece in _few(_pieces(follower, run))]
+        for some in (runs[:count], runs[count:])
+    )
+    longest = max(float(np.ptp(piece.record.time)) for piece in campaign.experiments)
+    return replace(study, campaign=campaign, pieces=longest)
+
+
+def _few(pieces: Iterator[Experiment]) -> list[Experiment]:
+    found = [*islice(pieces, PIECES + 1)]
+    if len(found) > PIECES:
+        raise SimulationError(f"{found[0].name}: no run follows the machine for long")
+    return found
+
+
+def _pieces(follower: Follower, along: Beside) -> Iterator[Experiment]:
+    """Yield the pieces of a record: where a model is lost, another begins as it moved shortly before.
+
+    It may also begin as the machine does in a run `along` what was measured.
+    """
+    experiment = along.experiment
+    time = experiment.compared.time
+    begin, end, last = 0, 2 * PIECE_SAMPLES, len(time) - 1
+    before: Beside | None = None
+    while begin < last:
+        there = along if begin == 0 or before is None or goes_along(along) else None
+        motions = [_motion(run, time[begin], follower) for run in (there, before) if run is not None]
+        found, kept = _begun(follower, along, begin, min(end, last), motions)
+        if begin + kept > end < last:
+            end = min(begin + 2 * kept, last)
+            continue
+        stop = last if begin + kept >= last else begin + max(int(PIECE_KEPT * kept), PIECE_SAMPLES)
+        stop = last if last - stop < PIECE_SAMPLES else stop
+        motion = motions[0] if found is None else _motion(found, time[begin], follower)
+        yield experiment.part(begin, stop, motion)
+        begin, end, before = stop, stop + max(kept, 2 * PIECE_SAMPLES), found
+
+
+def goes_along(run: Beside) -> bool:
+    """Tell whether a run is where the machine was."""
+    return bool(np.sqrt(np.mean(run.left**2)) < LOST_STANDARD_DEVIATIONS)
+
+
+def _motion(run: Beside, time: float, follower: Follower) -> dict[str, float]:
+    """Return the states of the model without a law in a run, by path."""
+    found = run.found.run
+    return {name: float(found.at(name, time)) for name in follower.states}
+
+
+def _begun(
+    follower: Follower, along: Beside, begin: int, end: int, motions: Sequence[Mapping[str, float]]
+) -> tuple[Beside | None, int]:
+    """Return the run of a piece that follows farthest, from a motion or what that tells, and how far."""
+    best: tuple[Beside | None, int] = None, 0
+    for motion in motions:
+        with suppress(SimulationError):
+            found = _settled(follower, along, begin, along.experiment.part(begin, end, motion))
+            best = found if best[0] is None or found[1] > best[1] else best
+    return best
+
+
+def _settled(follower: Follower, along: Beside, begin: int, piece: Experiment) -> tuple[Beside, int]:
+    bench, given = follower.bench, follower.given
+    run = bench.run(piece, given, bench.begin(piece, given, {}))
+    kept = follower.followed(run, along, begin)
+    for _ in range(PIECE_STARTS):
+        columns, _, priors = replace(run, until=max(kept, PIECE_SAMPLES)).columns(fixed=True)
+        step = own_of(columns[:, :, 0], columns[:, :, 1:], priors)
+        other = bench.run(piece, given, run.began(step, 0))
+        farther = follower.followed(other, along, begin)
+        if farther <= kept:
+            break
+        run, kept = other, farther
+    return run, kept
