@@ -56,15 +56,16 @@ class InPieces:
 
     @classmethod
     @computing("the search for what records in pieces lack")
-    def of(cls, study: Study, model: Refit) -> InPieces | None:
+    def of(cls, study: Study, model: Refit, known: MissingForce | None = None) -> InPieces | None:
         """Return it for a model; None where no law foresees enough, or none follows the machine for long.
 
-        A model without states, as of a rig that prescribes all motion, loses nothing in free runs.
+        The missing force may be known. A model without states, as of a rig that prescribes all motion, loses
+        nothing in free runs.
         """
         if not NetworkPredictor(study.campaign, (), (), ()).dae.state_names:
             return None
         try:
-            missing, law, foreseen = best_law(study, model, force_of(study, model))
+            missing, law, foreseen = best_law(study, model, known or force_of(study, model))
             if law.explained < LAW_FORESEEN_SHARE:
                 return None
             learnt = _learnt(study, law, missing)

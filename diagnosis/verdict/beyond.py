@@ -47,8 +47,9 @@ def _in_pieces(study: Study, verdict: Verdict) -> Verdict:
     if study.late():
         return verdict
     study.tell("looking for what holds in pieces of the records")
-    alone = verdict.evidence.study
-    inside = InPieces.of(alone, verdict.evidence.refit)
+    evidence, known = verdict.evidence, verdict.sought
+    of_refit = known is not None and not known.before.effects
+    inside = InPieces.of(evidence.study, evidence.refit, known.missing if known and of_refit else None)
     if inside is None:
         return verdict
     return _listed_in_pieces(verdict, inside) or _law_in_pieces(verdict, inside) or verdict
