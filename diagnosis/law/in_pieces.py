@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from contextlib import suppress
 from copy import copy
 from dataclasses import dataclass, replace
 from functools import cached_property
@@ -75,14 +74,16 @@ class InPieces:
 
     def cut_by_effect(self, listed: Sequence[Candidate]) -> Study | None:
         """Return the records in pieces that the plainest of the effects likest to the law follows."""
-        most = max((c.gain for c in listed), default=0.0)
-        alike = [c for c in listed if c.gain > most - LIKENED_LEAST_GAIN * self.model.cost]
-        for candidate in sorted(alike, key=lambda c: len(c.values))[:1]:
-            name = f"{candidate.effect.kind}_1"
-            effect = Hypothesis(candidate.effect, candidate.site, name, candidate.values)
-            with suppress(InertanceError):
-                return self._cut(effect, candidate.parameters)
-        return None
+        if not listed:
+            return None
+        least = listed[0].gain - LIKENED_LEAST_GAIN * self.model.cost
+        plainest = min((c for c in listed if c.gain > least), key=lambda c: len(c.values))
+        name = f"{plainest.effect.kind}_1"
+        effect = Hypothesis(plainest.effect, plainest.site, name, plainest.values)
+        try:
+            return self._cut(effect, plainest.parameters)
+        except InertanceError:
+            return None
 
     def sought(self) -> tuple[Study, Sought] | None:
         """Return the records in pieces that the law follows, and what comes of it there."""
