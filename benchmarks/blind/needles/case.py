@@ -2,16 +2,16 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
 
 import numpy as np
-from needles.plan import Draft
 from numpy.typing import NDArray
 from third.case import RATE, off_nominal, usual, write
 from third.case import drive as driven
 from third.machines import MACHINES, Cause, Joint, Machine, run
+from third.plan import Draft
 
 Array = NDArray[np.float64]
 ANSWERS = {
@@ -33,6 +33,20 @@ SETTLING = 6  # runs in which the stiffness at the turning points comes to twice
 FINER = 4  # steps of a stiff contact
 
 
+@dataclass(frozen=True)
+class _Rig:
+    """A machine with its true parameters, its input at half steps, and whether its records begin at rest."""
+
+    machine: Machine
+    values: dict[str, float]
+    drive: Array
+    begin: str
+
+    def run(self, cause: Cause, rate: float = RATE) -> tuple[Array, Array]:
+        """Return coordinates and speeds."""
+        return run(self.machine, self.values, cause, self.drive, 1 / rate)
+
+
 def make(draft: Draft, folder: Path) -> dict[str, Any]:
     """Write campaign, model and records of a case, and return its label."""
     rng = np.random.default_rng(draft.seed)
@@ -42,8 +56,9 @@ def make(draft: Draft, folder: Path) -> dict[str, Any]:
     finer = FINER if draft.kind == "stiff_play" else 1
     drive = driven(machine, begin, rng, RATE * finer)
     cause = {"valleys": _valleys, "stiff_play": _stiff_play, "hardening": _hardening}[draft.kind]
-    acting = cause(draft, machine, values, drive, begin, rng)
-    q, v = (seen[::finer] for seen in run(machine, values, acting, drive, 1 / RATE / finer))
+    rig = _Rig(machine, values, drive, begin)
+    acting = cause(draft, rig, rng)
+    q, v = (seen[::finer] for seen in rig.run(acting, RATE * finer))
     write(folder, machine, begin, draft.noise, drive[::finer], q, v, rng)
     return {
         "generation": 4,
@@ -60,33 +75,19 @@ def make(draft: Draft, folder: Path) -> dict[str, Any]:
     }
 
 
-def _valleys(
-    draft: Draft,
-    machine: Machine,
-    values: dict[str, float],
-    drive: Array,
-    begin: str,
-    rng: np.random.Generator,
-) -> Cause:
+def _valleys(draft: Draft, rig: _Rig, rng: np.random.Generator) -> Cause:
     """Return a ripple as large as what drives the machine; one that begins at rest begins in a valley."""
-    travel, _, force = usual(machine, draft.joint, values, drive)
+    travel, _, force = usual(rig.machine, draft.joint, rig.values, rig.drive)
     size = force * np.interp(draft.size, (0, 1), AMPLITUDES)
-    period, phase = travel * rng.uniform(*PERIODS), 0.0 if begin == "rest" else rng.uniform(0, 2 * np.pi)
+    period, phase = travel * rng.uniform(*PERIODS), 0.0 if rig.begin == "rest" else rng.uniform(0, 2 * np.pi)
     return Cause(draft.joint, lambda t, s, v: size * np.sin(2 * np.pi * s / period + phase))
 
 
-def _stiff_play(
-    draft: Draft,
-    machine: Machine,
-    values: dict[str, float],
-    drive: Array,
-    begin: str,
-    rng: np.random.Generator,
-) -> Cause:
+def _stiff_play(draft: Draft, rig: _Rig, rng: np.random.Generator) -> Cause:
     """Return a stiff coupling that carries beyond a gap."""
-    plain = run(machine, values, Cause("coupling", _contact(values, 0.0)), drive, 1 / RATE / FINER)[0]
+    plain, _ = rig.run(Cause("coupling", _contact(rig.values, 0.0)), RATE * FINER)
     half = 0.5 * float(np.ptp(plain[:, 0, 1])) * np.geomspace(*GAPS, 101)[round(100 * draft.size)]
-    return Cause("coupling", _contact(values, half))
+    return Cause("coupling", _contact(rig.values, half))
 
 
 def _contact(values: dict[str, float], half: float) -> Any:
@@ -100,19 +101,12 @@ def _contact(values: dict[str, float], half: float) -> Any:
     return torque
 
 
-def _hardening(
-    draft: Draft,
-    machine: Machine,
-    values: dict[str, float],
-    drive: Array,
-    begin: str,
-    rng: np.random.Generator,
-) -> Cause:
+def _hardening(draft: Draft, rig: _Rig, rng: np.random.Generator) -> Cause:
     """Return a cubic spring that is, where the motion turns, 1.8 to 2.5 times as stiff as without it."""
-    row, more = np.array(machine.joints[draft.joint].row), np.interp(draft.size, (0, 1), (0.8, 1.5))
-    stiffness, cubic = values[machine.joints[draft.joint].k], 0.0
+    joint, more = rig.machine.joints[draft.joint], np.interp(draft.size, (0, 1), (0.8, 1.5))
+    stiffness, cubic = rig.values[joint.k], 0.0
     for _ in range(SETTLING):
-        moved = run(machine, values, _cubic(draft.joint, cubic), drive, 1 / RATE)[0] @ row
+        moved = rig.run(_cubic(draft.joint, cubic))[0] @ np.array(joint.row)
         cubic = more * stiffness / (3 * float(np.quantile(np.abs(moved), 0.99)) ** 2)
     return _cubic(draft.joint, cubic)
 

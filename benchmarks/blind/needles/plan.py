@@ -2,25 +2,12 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 import numpy as np
+from third.plan import Draft
 
 KINDS = {"valleys": ("rotor", "slide"), "stiff_play": ("screw",), "hardening": ("slide", "pair")}
 RIPPLED = {"rotor": ("bearing", "brake"), "slide": ("rail",)}
 HARDENED = {"slide": ("rail",), "pair": ("left", "middle", "right")}
-
-
-@dataclass(frozen=True)
-class Draft:
-    """What a case is to be; `size` says how strong, by kind, and the noise is a share of the output."""
-
-    kind: str
-    machine: str
-    joint: str
-    size: float
-    noise: float
-    seed: int
 
 
 def drafts(count: int, seed: int) -> list[Draft]:
@@ -32,7 +19,6 @@ def drafts(count: int, seed: int) -> list[Draft]:
             machine = str(rng.choice(KINDS[kind]))
             joints = {"valleys": RIPPLED, "hardening": HARDENED}.get(kind, {"screw": ("coupling",)})[machine]
             noise = float(rng.choice([0.001, 0.003, 0.01]))
-            made.append(
-                Draft(kind, machine, str(rng.choice(joints)), rng.uniform(), noise, int(rng.integers(2**63)))
-            )
+            joint, size, own = str(rng.choice(joints)), rng.uniform(), int(rng.integers(2**63))
+            made.append(Draft("effect", kind, machine, joint, size, noise, own))
     return made[:count]
