@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import Any
 
 import numpy as np
@@ -135,6 +135,16 @@ class Effect:
     def is_static(self) -> bool:
         """Whether it is a force across a site that position and speed alone decide."""
         return self.place == "across" and not self.memory and not self.ages
+
+    def may_act(self, site: Site) -> bool:
+        """Tell whether it is a force or stretch of a kind that may act at a site."""
+        here = self.place in site.places and site.domain in self.quantities
+        unfit = (self.memory and site.instant) or (self.grounded and not site.grounded)
+        return self.basis is not None and here and not unfit
+
+    def about(self, motion: Motion, site: Site) -> Motion:
+        """Return a motion of a site with its distances as they count for the effect."""
+        return replace(motion, s=motion.s - self.origin(site))
 
     def generalises(self, kind: str) -> bool:
         """Tell whether a kind is a special case of this one."""

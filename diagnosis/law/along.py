@@ -129,9 +129,9 @@ class Beside:
     @property
     def _counts(self) -> Array:
         """1 where what is missed counts, 0 elsewhere, (instants, 1)."""
-        return (np.arange(len(self.found.time)) < (np.inf if self.until is None else self.until))[
-            :, None
-        ].astype(float)
+        counts = np.zeros((len(self.found.time), 1))
+        counts[: self.until] = 1.0
+        return counts
 
     def columns(self, fixed: bool = False) -> tuple[Array, int, Array]:
         """Return the columns of a `Course` at the instants of the record, how many are shared, and priors.

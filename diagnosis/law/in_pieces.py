@@ -80,27 +80,33 @@ class InPieces:
         plainest = min((c for c in listed if c.gain > least), key=lambda c: len(c.values))
         name = f"{plainest.effect.kind}_1"
         effect = Hypothesis(plainest.effect, plainest.site, name, plainest.values)
+        return self._cut(effect, plainest.parameters)
+
+    def cut_by_law(self) -> Study | None:
+        """Return the records in pieces that the law follows."""
+        return self._cut(placed(self.law), self.law.given)
+
+    def sought(self, pieces: Study, base: Refit) -> Sought | None:
+        """Return what comes of the law in pieces of the records, held against a model in them."""
         try:
-            return self._cut(effect, plainest.parameters)
+            found = polished(pieces, self.law)
         except InertanceError:
             return None
+        return Sought(base, self.missing, self.foreseen, found, refusal(base, found))
 
-    def sought(self) -> tuple[Study, Sought] | None:
-        """Return the records in pieces that the law follows, and what comes of it there."""
+    def _cut(self, effect: Hypothesis, given: Mapping[str, float]) -> Study | None:
+        """Return the records in pieces that an effect follows; None if it follows none for long."""
         try:
-            pieces = self._cut(placed(self.law), self.law.given)
-            return pieces, Sought(self.model, self.missing, self.foreseen, polished(pieces, self.law), "")
+            runs = [*self.missing.settled.runs, *self._tested]
+            return cut(self.study, Follower.of(self.study, self.law, effect, runs, given), runs)
         except InertanceError:
             return None
-
-    def _cut(self, effect: Hypothesis, given: Mapping[str, float]) -> Study:
-        """Return the records in pieces that an effect follows."""
-        runs = [*self.missing.settled.runs, *self._tested]
-        return cut(self.study, Follower.of(self.study, self.law, effect, runs, given), runs)
 
     @cached_property
     def _tested(self) -> Sequence[Beside]:
         """The test records along the motion that the missing force makes at the same site."""
+        if not self.study.campaign.testing:
+            return []
         campaign, count = copy(self.study.campaign), len(self.study.campaign.training)
         campaign.training, campaign.testing = self.study.campaign.testing, []
         near = replace(self.model, starts=self.model.starts[count:])
@@ -122,9 +128,10 @@ def _learnt(study: Study, law: Law, missing: MissingForce) -> Law | None:
             found = polished(pieces, law)
         except InertanceError:
             break
-        settled = found.left <= LAW_RESOLVED * max(1.0, missing.misfit)
-        if settled or found.left > PIECE_WON_SHARE * left:
-            return found.law if settled or learnt is None else learnt
+        if found.left <= LAW_RESOLVED * max(1.0, missing.misfit):
+            return found.law
+        if found.left > PIECE_WON_SHARE * left:
+            break
         learnt, left = found.law, found.left
         law = learnt.finer()
     return learnt
@@ -134,9 +141,3 @@ def refitted(study: Study, model: Refit) -> tuple[Refit, Refit]:
     """Return a model without effects as it was given, and fitted, in the records of another study."""
     joint = JointFit(study, model.parameters)
     return joint.seen(joint.vector(study.campaign.start, [])), joint.fitted()
-
-
-def judged(found: Sought, base: Refit) -> Sought:
-    """Return what came of a law, held against a model in the same records."""
-    assert found.found is not None
-    return replace(found, before=base, refused=refusal(base, found.found))

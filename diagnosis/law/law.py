@@ -115,12 +115,8 @@ class Law:
     def beside(self, moved: Array) -> dict[str, float]:
         """Return parameters that are so far from the centers of their priors."""
         bench = self.runs[0].bench
-        values = bench.centers + bench.scales * moved
         priors = bench.study.campaign.priors
-        return {
-            n: float(np.clip(v, priors[n].min, priors[n].max))
-            for n, v in zip(bench.names, values, strict=True)
-        }
+        return {name: priors[name].at(share) for name, share in zip(bench.names, moved.tolist(), strict=True)}
 
     @property
     def motions(self) -> list[Motion]:

@@ -8,7 +8,7 @@ from dataclasses import replace
 import numpy as np
 
 from ...base import Array
-from ..criteria import LIKENED_POINTS, LIKENED_SHAPE_SPREAD
+from ..criteria import LIKENED_POINTS, LIKENED_SHAPE_SPREAD, LIKENED_SHARE
 from ..effects.effect import EFFECTS, Effect, Motion, Values
 from ..effects.sites import Site
 from ..models.probes import scaled
@@ -23,7 +23,8 @@ def likened(law: Law, base: Refit) -> list[Candidate]:
 
     An effect in series stretches by what that force would stretch the part that it stands beside. What
     constants of stiffness and damping may be off is left out of account. The likest comes first, with the
-    values that make it so; its gain is so much of what a model misses as it has of the force.
+    values that make it so; its gain is so much of what a model misses as it has of the force. Those that do
+    much less than the law are left out.
     """
     pairs = [(run.motion(law.number), law.along(m)) for run, m in zip(law.runs, law.motions, strict=True)]
     points = sum(len(force) for _, force in pairs)
@@ -32,7 +33,8 @@ def likened(law: Law, base: Refit) -> list[Candidate]:
     site = scaled(law.site, motions, None)
     found = []
     for effect in EFFECTS.values():
-        if not _may_act(effect, site):
+        of_now = effect.is_static or (effect.place == "series" and not effect.memory and not effect.ages)
+        if not of_now or not effect.may_act(site):
             continue
         if effect.place == "series":
             fit = _in_series(effect, site, motions, forces)
@@ -41,6 +43,8 @@ def likened(law: Law, base: Refit) -> list[Candidate]:
         widest = max(fit.motions, key=lambda m: m.travel)
         tried = [fit.of(shape) for shape in effect.shaped(site.domain, widest)]
         values, share = fit.refined(max(tried, key=lambda one: one[1]))
+        if share <= LIKENED_SHARE:
+            continue
         given = law.given if effect.place == "series" else _beside(law, effect, site, values)
         found.append(Candidate(effect, site, values, share * base.cost, 1.0, given))
     return sorted(found, key=lambda candidate: -candidate.gain)
@@ -67,7 +71,7 @@ def _force(effect: Effect, site: Site, motion: Motion, values: Values) -> Array:
     assert effect.basis is not None
     sizes = [size.name for size in effect.sizes(site.domain)]
     shape = {name: value for name, value in values.items() if name not in sizes}
-    units = effect.basis(replace(motion, s=motion.s - effect.origin(site)), shape)
+    units = effect.basis(effect.about(motion, site), shape)
     return np.asarray(np.column_stack(units) @ np.array([values[name] for name in sizes]))
 
 
@@ -77,16 +81,10 @@ def _at(motion: Motion, points: slice) -> Motion:
     return replace(motion, **{name: getattr(motion, name)[points] for name in names})
 
 
-def _may_act(effect: Effect, site: Site) -> bool:
-    of_now = effect.is_static or (effect.place == "series" and not effect.memory and not effect.ages)
-    here = effect.place in site.places and site.domain in effect.quantities
-    return of_now and here and effect.basis is not None and (site.grounded or not effect.grounded)
-
-
 def _across(effect: Effect, site: Site, motions: Sequence[Motion], forces: Sequence[Array]) -> _Fit:
     force = np.concatenate(forces)
     told = np.concatenate([m.s for m in motions]), force - force.mean()
-    about = [replace(m, s=m.s - effect.origin(site), missed=told) for m in motions]
+    about = [replace(effect.about(m, site), missed=told) for m in motions]
     return _Fit(
         effect, site.domain, about, force, np.concatenate([np.column_stack([m.s, m.v]) for m in about])
     )
@@ -97,10 +95,8 @@ def _in_series(effect: Effect, site: Site, motions: Sequence[Motion], forces: Se
     borne = np.concatenate([m.f for m in motions])
     moved = np.concatenate([np.column_stack([m.s, m.v, np.ones(len(m.s))]) for m in motions])
     stiffness = float(np.linalg.lstsq(moved, borne, rcond=None)[0][0])
-    about = [
-        replace(m, s=m.s - effect.origin(site), f=m.f + force)
-        for m, force in zip(motions, forces, strict=True)
-    ]
+    pairs = zip(motions, forces, strict=True)
+    about = [replace(effect.about(m, site), f=m.f + force) for m, force in pairs]
     stretch = -np.concatenate(forces) / (stiffness or 1.0)
     passed = np.concatenate([m.f for m in about])
     return _Fit(effect, site.domain, about, stretch, passed[:, None])

@@ -94,13 +94,11 @@ def polished(study: Study, law: Law) -> Polished:
 
 def first_trial(study: Study, law: Law) -> Trial:
     """Return the model with a law as it was drawn, from where it was, in free runs."""
-    first, given = law.runs[0].bench, law.given
-    bench = Bench(study, first.names, [*first.effects, placed(law)])
-    begins = (
-        [bench.begin(experiment, given, {}) for experiment in study.campaign.training]
-        if study.pieces
-        else [run.begin for run in law.runs]
-    )
+    given, begins = law.given, [run.begin for run in law.runs]
+    if study.pieces:
+        first = law.runs[0].bench
+        bench = Bench(study, first.names, [*first.effects, placed(law)])
+        begins = [bench.begin(experiment, given, {}) for experiment in study.campaign.training]
     drawn = through(law.grid, law.motions, law.forces, FORCE_LAW_STIFFNESS)
     tried = (_run(study, law, values, given, begins) for values in (law.values, drawn))
     return min(tried, key=lambda one: (-sum(one.followed), one.squares))
@@ -159,8 +157,7 @@ def _step(study: Study, law: Law, here: Trial) -> Callable[[float], Trial]:
     def trial(share: float) -> Trial:
         values = here.values + share * (found.values - here.values)
         parameters = before + share * (found.moved - before)
-        known = study.campaign.priors
-        given = {name: known[name].at(float(b)) for name, b in zip(here.given, parameters, strict=True)}
+        given = law.beside(parameters)
         begins = [run.began(share * own, 0) for run, own in zip(here.runs, begun, strict=True)]
         return _run(study, law, values, given, begins)
 

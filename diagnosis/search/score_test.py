@@ -181,15 +181,11 @@ def _forces(
     widest = max(motions, key=lambda m: m.travel)
     for effect in EFFECTS.values():
         stretched = effect.place == "series"
-        if effect.basis is None or effect.place not in site.places or stretched != (probe == "stretch"):
-            continue
-        if site.domain not in effect.quantities or (effect.memory and site.instant):
+        if effect.basis is None or not effect.may_act(site) or stretched != (probe == "stretch"):
             continue
         if not motion.travel or (stretched and not motion.f.any()):
             continue
-        if effect.grounded and not site.grounded:
-            continue
-        about = replace(motion, s=motion.s - effect.origin(site))
+        about = effect.about(motion, site)
         for shape in effect.shaped(site.domain, widest):
             yield effect, shape, np.column_stack(effect.basis(about, shape))
 

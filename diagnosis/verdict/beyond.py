@@ -7,7 +7,8 @@ from dataclasses import replace
 
 from ..criteria import LAW_LEAVES_SHARE, LOST_STANDARD_DEVIATIONS
 from ..effects.hypothesis import Hypothesis
-from ..law.in_pieces import InPieces, judged, refitted
+from ..law.in_pieces import InPieces, refitted
+from ..law.likened import likened
 from ..law.sought import Sought, sought
 from ..models.study import FMUStudy, Study
 from ..search.model_comparison import Refit
@@ -15,7 +16,7 @@ from ..search.tried import without
 from .counterfactual import Foretold, counterfactuals
 from .decide import OPEN_END, closed_by
 from .gap import gaps
-from .named import alike, named
+from .named import named
 from .verdict import Evidence, Verdict
 
 
@@ -57,7 +58,7 @@ def _in_pieces(study: Study, verdict: Verdict) -> Verdict:
 
 def _listed_in_pieces(verdict: Verdict, inside: InPieces) -> Verdict | None:
     """Return the verdict that names an effect of the list which holds in pieces of records."""
-    listed = alike(inside.law, inside.model)
+    listed = likened(inside.law, inside.model)
     pieces = inside.cut_by_effect(listed)
     if pieces is None:
         return None
@@ -68,18 +69,16 @@ def _listed_in_pieces(verdict: Verdict, inside: InPieces) -> Verdict | None:
 
 def _law_in_pieces(verdict: Verdict, inside: InPieces) -> Verdict | None:
     """Return the verdict with a law that holds in pieces of records."""
-    by_law = inside.sought()
-    if by_law is None:
+    pieces = inside.cut_by_law()
+    if pieces is None:
         return None
-    pieces, found = by_law
     evidence = _evidence_in(pieces, inside, verdict)
-    found = judged(found, evidence.refit)
-    if found.model is None:
+    found = inside.sought(pieces, evidence.refit)
+    if found is None or found.model is None:
         return None
     notes = *verdict.notes, _told(inside.study, pieces)
-    return _with_law(
-        pieces, replace(verdict, evidence=evidence, effects=(), confidence=(), notes=notes), found
-    )
+    inner = replace(verdict, evidence=evidence, effects=(), confidence=(), notes=notes)
+    return _with_law(pieces, inner, found)
 
 
 def _evidence_in(pieces: Study, inside: InPieces, verdict: Verdict) -> Evidence:
@@ -109,7 +108,7 @@ def _in_whole(study: Study, verdict: Verdict) -> Verdict:
 def _in_its_place(verdict: Verdict, found: Sought) -> Verdict | None:
     """Return the verdict that names an effect of the list in place of a law that is like it."""
     evidence, law, model = verdict.evidence, found.law, found.model
-    if found.before.effects or law is None or model is None or not (listed := alike(law, evidence.refit)):
+    if found.before.effects or law is None or model is None or not (listed := likened(law, evidence.refit)):
         return None
     near = replace(evidence.refit, starts=model.starts)
     return named(evidence.study, evidence, listed, near, (), instead=model)

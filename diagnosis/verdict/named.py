@@ -4,9 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from ..criteria import LAW_LEAVES_SHARE, LIKENED_SHARE
-from ..law.law import Law
-from ..law.likened import likened
+from ..criteria import LAW_LEAVES_SHARE
 from ..models.study import Study
 from ..search.choice import taken
 from ..search.model_comparison import Refit
@@ -15,11 +13,6 @@ from ..search.round import Round, go_on
 from ..search.score_test import Candidate
 from .decide import closed_by, decided, explains
 from .verdict import Evidence, Verdict
-
-
-def alike(law: Law, base: Refit) -> list[Candidate]:
-    """Return the effects of the list that do nearly all that a law does, the likest first."""
-    return [c for c in likened(law, base) if c.gain > LIKENED_SHARE * base.cost]
 
 
 def named(

@@ -1,5 +1,6 @@
 """Records in pieces: what no free run follows is learnt there, and named; a machine held by valleys."""
 
+from copy import copy
 from itertools import pairwise
 from typing import Any
 
@@ -8,6 +9,7 @@ import numpy as np
 import pytest
 from inertance.diagnosis import Verdict
 from inertance.diagnosis.criteria import PIECE_SAMPLES
+from inertance.diagnosis.law.in_pieces import InPieces
 from inertance.diagnosis.law.missing_force import force_of
 from inertance.diagnosis.models.study import Study
 from inertance.diagnosis.search.joint_fit import JointFit
@@ -106,6 +108,18 @@ def test_pieces_are_whole_records_and_begin_where_the_machine_is(study: Study, v
         measured = [part.compared.values["x"][0] for part in parts]
         begun = [part.motion["block.s"] for part in parts]
         assert np.abs(np.subtract(measured, begun)).max() < 30 * NOISE
+
+
+def test_records_without_a_test_among_them_are_cut_as_well(study: Study) -> None:
+    untested = copy(study.campaign)
+    untested.testing = []
+    alone = Study(untested, study.accuracy)
+    base = JointFit(alone, untested.start).fitted()
+    missing = force_of(alone, base)
+    pieces = InPieces(alone, base, missing, missing.law(("position",)), {}).cut_by_law()
+    assert pieces is not None
+    assert not pieces.campaign.testing
+    assert {part.source for part in pieces.campaign.training} == {e.source for e in untested.training}
 
 
 def test_windows_of_one_file_begin_each_where_it_does() -> None:
