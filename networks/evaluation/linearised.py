@@ -22,7 +22,7 @@ if TYPE_CHECKING:
 class Line:
     """A run with the slopes along it; `edges` are the last points of its segments but the last.
 
-    Those of them at which modes switch are `switched`; if it is `pushed`, more than parameters is to change.
+    Those of them at which modes switch are `switched`.
     """
 
     result: Result
@@ -33,22 +33,22 @@ class Line:
     edges: NDArray[np.intp]
     switched: NDArray[np.intp]
     crossed_by_u: Array
-    pushed: bool
 
 
-def linearised(result: Result, slopes: Slopes, saltation: SaltationMatrices, pushed: bool) -> Line:
-    """Return a run with the slopes of what begins with the states' rates, also in what is `pushed`."""
+def linearised(result: Result, slopes: Slopes, saltation: SaltationMatrices) -> Line:
+    """Return a run with the slopes of what begins with the states' rates."""
     points = result.points
     to_x, to_p, to_u = slopes(points)
-    steps = steps_along(points, slopes, to_x, to_p, pushed)
+    steps = steps_along(points, slopes, to_x, to_p)
     passed = dict(passages(result))
     edges = np.cumsum([len(segment) for segment in result.segments])[:-1] - 1
     switched, by_u = edges[[*passed]], np.zeros((0, 0, 0))
     if passed:
         parts = np.cumsum([to_x.shape[2], to_p.shape[2]])
         by_x, by_p, by_u = np.split(saltation(result.closed, [*passed.values()]), parts, axis=2)
-        steps.map[switched], steps.own[switched], steps.weight[switched] = by_x, by_p, 0.0
-    return Line(result, to_x, to_p, to_u, steps, edges, switched, by_u, pushed)
+        steps.map[switched], steps.own[switched] = by_x, by_p
+        steps.here[switched] = steps.there[switched] = 0.0
+    return Line(result, to_x, to_p, to_u, steps, edges, switched, by_u)
 
 
 def held(dae: DAE, segment: Segment, moved: Array) -> Array:

@@ -16,30 +16,32 @@ UNEVENNESS = 0.01  # of slopes over an interval, times its length, from which it
 CORNER = 3  # neighbouring intervals of them that there are at most at a corner of what is even elsewhere
 BLOCK = 512  # intervals at a time, whose matrices stay in a processor's cache
 STRAIGHT = 0.1  # the same, up to which an interval stays whole where slopes go on in a line
-SOFT = 4.0  # size of slopes, times the length, up to which their exponential is summed as a series
+SUMMED = 1.0  # size of slopes, times the length, up to which their exponential is summed as a series
+DOUBLINGS = 5  # of lengths that are short enough for that; what is stiffer has settled
 
 
 @dataclass(frozen=True, eq=False)
 class Steps:
     """What becomes of changes of the states from each point to the next.
 
-    With B dp + b forcing the changes dx,
+    With B dp + b forcing the changes dx, straight from point to point,
 
-        dx' = map dx + own dp + weight (b + b')/2.
+        dx' = map dx + own dp + here b + there b'.
 
     Attributes:
         map: (intervals, states, states).
         own: (intervals, states, parameters).
-        weight: (intervals, states, states); (intervals, states, 0) if nothing but parameters is to change.
+        here, there: (intervals, states, states).
     """
 
     map: Array
     own: Array
-    weight: Array
+    here: Array
+    there: Array
 
     def reversed(self) -> Steps:
         """Return the steps by which what the end is sensitive to goes back to the start."""
-        return Steps(np.swapaxes(self.map, 1, 2)[::-1], self.own[::-1], self.weight[::-1])
+        return Steps(np.swapaxes(self.map, 1, 2)[::-1], *(m[::-1] for m in (self.own, self.here, self.there)))
 
     def carry(self, moved: Array, added: Array) -> Array:
         """Return the changes at all points, (points, states, columns), that begin as `moved`.
@@ -70,30 +72,30 @@ def _followed(maps: Array, moved: Array, added: Array) -> Array:
     return states
 
 
-def steps_along(points: Points, slopes: Slopes, to_x: Array, to_p: Array, pushed: bool) -> Steps:
+def steps_along(points: Points, slopes: Slopes, to_x: Array, to_p: Array) -> Steps:
     """Return the steps between all points, from the slopes in states and parameters there.
 
-    If more than parameters is to change, they are `pushed` by what else does.
     Intervals over which slopes change much, as at a clearance, are cut into parts.
     """
-    A, B = _rates(to_x, to_p, pushed)
+    n = to_x.shape[2]
+    A, B = to_x[:, :n], to_p[:, :n]
     scale = _balance(A)
     lengths = np.diff(points.t)
     if slopes.still:
-        matrices = _repeated(points, A, to_p[:, : len(scale)], scale)
-    else:
-        matrices = _single(lengths, _middle(A), _middle(B), scale)
-        uneven = _uneven(A, lengths, scale)
-        if len(uneven):
-            halves = np.full(len(uneven), 2)
-            matrices[uneven], bent = _in_parts(points, uneven, halves, slopes, scale, pushed)
-            parts = _parts(uneven, bent)
-            fine = parts > 2
-            if np.any(fine):
-                some, count = uneven[fine], parts[fine]
-                matrices[some], _ = _in_parts(points, some, count, slopes, scale, pushed)
-    ends = np.cumsum([len(scale), to_p.shape[2]])
-    return Steps(*np.split(matrices, ends, axis=2))
+        return _forced(*_repeated(points, A, scale), B)
+    steps = _forced(*_single(lengths, _middle(A), scale), B)
+    uneven = _uneven(A, lengths, scale)
+    if len(uneven):
+        bent = _cut(steps, points, uneven, np.full(len(uneven), 2), slopes, scale)
+        parts = _parts(uneven, bent)
+        fine = parts > 2
+        if np.any(fine):
+            _cut(steps, points, uneven[fine], parts[fine], slopes, scale)
+    return steps
+
+
+def _forced(map: Array, here: Array, there: Array, B: Array) -> Steps:
+    return Steps(map, here @ B[:-1] + there @ B[1:], here, there)
 
 
 def _uneven(A: Array, lengths: Array, scale: Array) -> Any:
@@ -118,36 +120,36 @@ def _parts(uneven: Any, bent: Array) -> Any:
     return np.minimum(parts, MOST_PARTS).astype(int)
 
 
-def _rates(to_x: Array, to_p: Array, pushed: bool) -> tuple[Array, Array]:
-    """Return the slopes of the states' rates in the states, and in what forces them: parameters and rates."""
-    n = to_x.shape[2]
-    A = to_x[:, :n]
-    own = to_p[:, :n]
-    return A, np.concatenate([own, np.broadcast_to(np.eye(n), A.shape)], axis=2) if pushed else own
-
-
-def _in_parts(
-    points: Points, intervals: Any, counts: Any, slopes: Slopes, scale: Array, pushed: bool
-) -> tuple[Array, Array]:
-    """Return the matrices of intervals in parts, and how far slopes in their middle are off a line."""
+def _cut(steps: Steps, points: Points, intervals: Any, counts: Any, slopes: Slopes, scale: Array) -> Array:
+    """Put in the steps of intervals in parts, and return how far slopes in their middle are off a line."""
     n, finer = len(scale), points.within(intervals, counts)
     to_x, to_p, _ = slopes(finer)
-    A, B = _rates(to_x, to_p, pushed)
+    A, B = to_x[:, :n], to_p[:, :n]
     last = np.cumsum(counts + 1) - 1
     first = last - counts
     inside = np.ones(len(finer.t) - 1, dtype=bool)
     inside[last[:-1]] = False
-    lengths, a, b = (m[inside] for m in (np.diff(finer.t), _middle(A), _middle(B)))
-    steps, begins = _single(lengths, a, b, scale), np.cumsum(counts) - counts
-    total = steps[begins]
+    maps, here, there = _single(np.diff(finer.t)[inside], _middle(A)[inside], scale)
+    own = here @ B[:-1][inside] + there @ B[1:][inside]
+    begins = np.cumsum(counts) - counts
+    passed = (np.arange(len(maps)) - np.repeat(begins, counts))[:, None, None]
+    begun, ended = ((passed + more) / np.repeat(counts, counts)[:, None, None] for more in (0, 1))
+    falling, rising = here * (1 - begun) + there * (1 - ended), here * begun + there * ended
+    added = np.concatenate([own, falling, rising], axis=2)
+    product, gathered = maps[begins], added[begins]
     for k in range(1, int(counts.max())):
         on = np.flatnonzero(counts > k)
-        step = steps[begins[on] + k]
-        moved = step[:, :, :n] @ total[on]
-        moved[:, :, n:] += step[:, :, n:]
-        total[on] = moved
+        step = maps[begins[on] + k]
+        product[on] = step @ product[on]
+        gathered[on] = step @ gathered[on] + added[begins[on] + k]
+    steps.map[intervals] = product
+    ends = np.cumsum([own.shape[2], n])
+    for kept, part in zip(
+        (steps.own, steps.here, steps.there), np.split(gathered, ends, axis=2), strict=True
+    ):
+        kept[intervals] = part
     bent = _size(A[first + counts // 2] - 0.5 * (A[first] + A[last]), scale)
-    return total, bent * (finer.t[last] - finer.t[first])
+    return np.asarray(bent * (finer.t[last] - finer.t[first]))
 
 
 def _middle(values: Array) -> Array:
@@ -170,60 +172,72 @@ def _size(A: Array, scale: Array) -> Array:
     return np.asarray(np.abs(flat).max(axis=1, initial=0.0))
 
 
-def _single(lengths: Array, A: Array, B: Array, scale: Array) -> Array:
-    """Return exp(h A), and its integral times B, side by side."""
-    n, columns = A.shape[1], A.shape[1] + B.shape[2]
-    found = np.empty((len(A), n, columns))
-    inner, outer = scale.T / scale, np.concatenate([scale / scale.T, np.tile(scale, B.shape[2])], axis=1)
+def _single(lengths: Array, A: Array, scale: Array) -> tuple[Array, Array, Array]:
+    """Return exp(h A), and what forces at both ends of an interval add, straight between them."""
+    maps, here, there = (np.empty(A.shape) for _ in range(3))
+    inner, outer = scale.T / scale, scale / scale.T
     for begin in range(0, len(A), BLOCK):
         some = slice(begin, begin + BLOCK)
         h = lengths[some, None, None]
-        found[some] = _exponential(h * A[some] * inner, h * B[some] / scale) * outer
-    return found
+        maps[some], first, second = (part * outer for part in _exponential(h * A[some] * inner))
+        here[some], there[some] = h * (first - second), h * second
+    return maps, here, there
 
 
-def _exponential(Z: Array, b: Array) -> Array:
-    """Return exp(Z), and its integral times b: where Z is large, by a rational function."""
-    stiff = np.einsum("kij,kij->k", Z, Z) > SOFT**2
-    if not np.any(stiff):
-        return _series(Z, b)
-    found = np.empty((*Z.shape[:2], Z.shape[2] + b.shape[2]))
-    found[stiff], found[~stiff] = _rational(Z[stiff], b[stiff]), _series(Z[~stiff], b[~stiff])
-    return found
+def _exponential(Z: Array) -> tuple[Array, Array, Array]:
+    """Return e^Z, (e^Z - 1)/Z and (e^Z - 1 - Z)/Z^2; where Z is large, by a rational function.
+
+    The last is summed for a part of Z, and doubled from there: it is a quarter of the second's square and
+    half of itself before.
+
+    Source: B. Skaflestad, W. M. Wright, The scaling and modified squaring method for matrix functions related
+    to the exponential, Applied Numerical Mathematics 59 (2009) 783-799.
+    """
+    one, size = np.eye(Z.shape[1]), np.sqrt(np.einsum("kij,kij->k", Z, Z))
+    doublings = np.ceil(np.log2(np.maximum(size / SUMMED, 1.0)))
+    stiff = doublings > DOUBLINGS
+    doublings = np.where(stiff, 0, doublings)
+    part = np.where(stiff, 0.0, 0.5**doublings)[:, None, None] * Z
+    second = _series(part)
+    first = one + part @ second
+    for number in range(int(doublings.max(initial=0))):
+        on = doublings > number
+        second[on] = 0.25 * first[on] @ first[on] + 0.5 * second[on]
+        part[on] *= 2
+        first[on] = one + part[on] @ second[on]
+    found = one + Z @ first
+    if np.any(stiff):
+        found[stiff], first[stiff], second[stiff] = _rational(Z[stiff])
+    return found, first, second
 
 
-def _series(Z: Array, b: Array) -> Array:
-    """Return exp(Z), and its integral times b, by terms up to order 9 and 8."""
+def _series(Z: Array) -> Array:
+    """Return (e^Z - 1 - Z)/Z^2 by terms up to order 8."""
     one, Z2 = np.eye(Z.shape[1]), Z @ Z
     Z3 = Z2 @ Z
-    mean = one / 24 + Z / 120 + Z2 / 720 + Z3 @ (one / 5040 + Z / 40320 + Z2 / 362880)
-    mean = one + Z / 2 + Z2 / 6 + Z3 @ mean
-    return np.concatenate([one + Z @ mean, mean @ b], axis=2)
+    rest = one / 120 + Z / 720 + Z2 / 5040 + Z3 @ (one / 40320 + Z / 362880 + Z2 / 3628800)
+    return np.asarray(one / 2 + Z / 6 + Z2 / 24 + Z3 @ rest)
 
 
-def _rational(Z: Array, b: Array) -> Array:
-    """Return exp(Z), and its integral times b, as Radau IIA of order 5 does, which damps what dies out."""
+def _rational(Z: Array) -> Array:
+    """Return the same as Radau IIA of order 5 does, which damps what dies out."""
     one, Z2 = np.eye(Z.shape[1]), Z @ Z
-    Z3 = Z2 @ Z
-    left = one - 0.6 * Z + 0.15 * Z2 - Z3 / 60
-    right = np.concatenate([one + 0.4 * Z + 0.05 * Z2, (one - 0.1 * Z + Z2 / 60) @ b], axis=2)
+    left = one - 0.6 * Z + 0.15 * Z2 - Z2 @ Z / 60
+    right = one + 0.4 * Z + 0.05 * Z2, one - 0.1 * Z + Z2 / 60, one / 2 - 2 / 15 * Z + Z2 / 60
     try:
-        return np.asarray(np.linalg.solve(left, right), dtype=float)
+        return np.asarray([np.linalg.solve(left, part) for part in right], dtype=float)
     except np.linalg.LinAlgError:
         raise SimulationError(
             "slopes along the run are beyond what can be followed between its points"
         ) from None
 
 
-def _repeated(points: Points, A: Array, B: Array, scale: Array) -> Array:
-    """Return the same where A is constant in each segment: few steps differ."""
-    n, lengths = len(scale), np.diff(points.t)
+def _repeated(points: Points, A: Array, scale: Array) -> tuple[Array, Array, Array]:
+    """Return the same as for single intervals where A is constant in each segment: few steps differ."""
+    lengths = np.diff(points.t)
     segment = np.cumsum(np.any(np.diff(points.q, axis=0) != 0, axis=1))
     rounded = np.round(lengths / max(float(lengths.max(initial=0.0)), 1e-300), 9)
     kinds = np.column_stack([segment, rounded])
     _, first, kind = np.unique(kinds, axis=0, return_index=True, return_inverse=True)
-    few = _single(lengths[first], A[first + 1], np.broadcast_to(np.eye(n), (len(first), n, n)), scale)
-    many = few[kind.ravel()]
-    weight = many[:, :, n:]
-    own = weight @ _middle(B)
-    return np.concatenate([many[:, :, :n], own, weight], axis=2)
+    maps, here, there = _single(lengths[first], A[first + 1], scale)
+    return maps[kind.ravel()], here[kind.ravel()], there[kind.ravel()]

@@ -96,7 +96,7 @@ def sensitivities_along(result: Result, names: Sequence[str], wanted: StartValue
                 "followed through its shock; give a ramp instead of the jump, or exact=False"
             )
     columns = pick(dae.p, [dae.parameters.index[name] for name in names])
-    line = linearised(result, Slopes(dae, dae.ode, columns), SaltationMatrices(dae, columns), pushed=False)
+    line = linearised(result, Slopes(dae, dae.ode, columns), SaltationMatrices(dae, columns))
     first = result.segments[0]
     point = Point(*first.point(0))
     moved = start_slopes(result.closed, point, wanted, slopes_of_constants(dae, point, names))

@@ -42,7 +42,8 @@ class Variations:
 
         d(dx)/dt = A dx + B dp,   dy = C dx + D dp,
 
-    integrated from point to point with the means of A and B (Radau IIA of order 5). Where modes switch at
+    integrated from point to point by the exponential of the mean of A, with B dp straight between the points
+    (where it is stiff, by Radau IIA of order 5). Where modes switch at
     g = 0, the instant moves by dt = -dg/g', and with R the slope of the reset the state by
 
         dx+ = R (dx- + x'- dt) - x'+ dt.
@@ -116,7 +117,7 @@ class Variations:
         ):
             raise ModelError(f"start is an array of numbers of shape {(nx, count)}, got {shown(start)}")
         moved = np.hstack([np.zeros((nx, count)) if start is None else start, np.eye(nx)])
-        line = self._linearised(result, pushed=False)
+        line = self._linearised(result)
         added = np.zeros((len(line.steps.own), nx, count + nx))
         added[:, :, :count] = line.steps.own
         slopes = line.to_x[:, nx:] @ line.steps.carry(held(self.dae, result.segments[0], moved), added)
@@ -147,7 +148,7 @@ class Variations:
         rows, weights = self._pushes(line, changes)
         by_u = line.to_u[:, :, rows]
         forcing = by_u[:, :nx] @ weights
-        added = line.steps.weight @ (0.5 * (forcing[1:] + forcing[:-1]))
+        added = line.steps.here @ forcing[:-1] + line.steps.there @ forcing[1:]
         if len(line.switched):
             added[line.switched] = line.crossed_by_u[:, :, rows] @ weights[line.switched]
         states = line.steps.carry(np.zeros((nx, weights.shape[2])), added)
@@ -175,7 +176,7 @@ class Variations:
         rows = [row_of[name] for name in names]
         signs = np.array([self.dae.inputs[row].sign for row in rows])
         by_u = line.to_u[:, :, rows] * signs
-        here, there = (0.5 * line.steps.weight @ part for part in (by_u[:-1, :nx], by_u[1:, :nx]))
+        here, there = line.steps.here @ by_u[:-1, :nx], line.steps.there @ by_u[1:, :nx]
         if len(line.switched):
             here[line.switched] = line.crossed_by_u[:, :, rows] * signs
         return Forced(line.steps.map, here, there, line.to_x[:, nx:], by_u[:, nx:])
@@ -205,10 +206,9 @@ class Variations:
         by_u = line.to_u[:, :, row]
         seen = np.einsum("ksx,ks->kx", line.to_x[:, nx:], weights)[:, :, None]
         back = line.steps.reversed().carry(seen[-1], seen[-2::-1])[::-1][1:, :, 0]
-        share = 0.5 * np.einsum("kij,ki->kj", line.steps.weight, back)
         forced = np.zeros((len(by_u), nx))
-        forced[:-1] += share
-        forced[1:] += share
+        forced[:-1] += np.einsum("kij,ki->kj", line.steps.here, back)
+        forced[1:] += np.einsum("kij,ki->kj", line.steps.there, back)
         found = np.einsum("kx,kx->k", by_u[:, :nx], forced) + np.einsum("ks,ks->k", by_u[:, nx:], weights)
         if len(line.switched):
             crossed = line.crossed_by_u[:, :, row]
@@ -229,11 +229,11 @@ class Variations:
         of_q[[place[name] for name in self.parameters], range(len(self.parameters))] = 1.0
         return start_slopes(result.closed, point, start_values(self.dae, start, {}), of_q)
 
-    def _linearised(self, result: Result, pushed: bool = True) -> Line:
-        """Return the slopes along a run, also in what is `pushed`; those of the last run are kept."""
-        if self._line is None or self._line.result is not result or (pushed and not self._line.pushed):
+    def _linearised(self, result: Result) -> Line:
+        """Return the slopes along a run; those of the last run are kept."""
+        if self._line is None or self._line.result is not result:
             self._check_jumps(result)
-            self._line = linearised(result, self._slopes, self._saltation, pushed)
+            self._line = linearised(result, self._slopes, self._saltation)
         return self._line
 
     def _check_jumps(self, result: Result) -> None:

@@ -132,3 +132,27 @@ def test_rigid_impacts_are_refused_by_name() -> None:
         ia.ModelError, match="'hard' has shocks, through which sensitivities are not followed"
     ):
         net.simulate(1.0, sensitivities=["mass.m"])
+
+
+def test_forces_are_followed_through_a_mode_that_samples_hardly_resolve() -> None:
+    """A stiff shaft swings 0.45 times between samples, turned by a force that is straight between them."""
+    net = ia.Network(
+        "shaft", torque=ia.rotational.Torque(), coupling=ia.rotational.SpringDamper(c=6e3, d=0.6)
+    )
+    net.add(motor=ia.rotational.Inertia(J=0.02), load=ia.rotational.Inertia(J=0.03))
+    net.connect(net.torque.flange, net.motor.flange, net.coupling.flange_a)
+    net.connect(net.coupling.flange_b, net.load.flange)
+    dae, t = net.dae(), np.arange(0.0, 1.0, 0.004)
+    rng = np.random.default_rng(3)
+    turned, more = rng.standard_normal((2, len(t)))
+    signals = ["motor.w", "load.phi"]
+
+    def run(push: float) -> ia.Result:
+        drive = ia.Sampled(t, turned + push * more, interpolation="linear")
+        return ia.simulate(dae, t[-1], step=0.004, inputs={"torque.tau": drive}, **TIGHT)
+
+    low, nominal, high = (run(push) for push in (-0.5, 0.0, 0.5))
+    wanted = np.column_stack([high.at(name, t) - low.at(name, t) for name in signals])
+    change = np.interp(nominal.time, t, more)[:, None]
+    found = ia.Variations(dae, signals, []).pushed(nominal, {"torque.tau": change})
+    assert np.abs(found[np.searchsorted(nominal.time, t - 1e-9), :, 0] - wanted).max() < 1e-6 * wanted.max()
