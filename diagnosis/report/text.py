@@ -18,7 +18,11 @@ from ..verdict.ranked import Ranked
 from ..verdict.verdict import Verdict
 from ..verdict.wording import foretold, left_of
 
-SOURCES = {"stated": "as stated", "spectrum": "from the top of the spectrum"}  # of noise, in words
+SOURCES = {
+    "stated": "as stated",
+    "spectrum": "from the top of the spectrum",
+    "quietest instants": "from the quietest instants",
+}  # of noise, in words
 
 
 def number(value: float) -> str:

@@ -17,7 +17,7 @@ PRIOR_DEVIATIONS = 3.0  # of a prior within which a parameter should stay
 MISSED_SHARE = 0.3  # share of a signal that must be missed before a channel is suspected
 WHITE_SHARE = 0.8  # share of a residual that is white noise, above which the noise was but stated wrongly
 INCOMPLETE = "the model lacks something, or a channel is not what it says"
-SOURCES = {"stated": "[noise]", "spectrum": "the spectrum"}
+SOURCES = {"stated": "[noise]", "spectrum": "the spectrum", "quietest instants": "the quietest instants"}
 
 
 def warnings(fit: Fit) -> Iterator[str]:

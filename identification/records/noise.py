@@ -13,11 +13,15 @@ from .record import Record
 
 NOISE_BAND = (0.6, 0.95)  # of the spectrum
 LEAST_RANGE_SHARE = 1e-6
-JUMPY_RATIO = 2.0  # of the scatter that most samples have there, above which steps are seen; noise has 1
+ROUNDING_SHARE = 1e-9  # of a range, up to which differences are none
+EVENTFUL_RATIO = 1.5  # of what the quietest instants have, above which a signal has events; noise has 1
+QUIETEST = 0.25  # of the instants
+FEWEST_INSTANTS = 200  # of which some are known to be quiet
 NORMAL_SCATTER = 1.4826  # standard deviations of a normal distribution in its median absolute deviation
 
 
 SPECTRUM, SENSOR_STEPS, LEFT_BY_FIT = "spectrum", "steps of the sensor", "what a fit leaves"
+QUIETEST_INSTANTS = "quietest instants"  # as impacts or steps make the rest
 LEVEL_RATIO = 0.6  # of the density in the octave below, at which a spectrum does not fall
 FEWEST_DENSITIES = 8  # of a spectrum that are looked at
 PASSED_BAND = (0.3, 0.7)  # of what a filter has left
@@ -71,16 +75,18 @@ class NoiseFloor:
 def spectral_floor(values: Array, rate: float | None = None) -> NoiseFloor:
     """Estimate white noise from the spectrum between 60 and 95 % of its top, where machines hardly move.
 
-    Where few instants hold most of that, steps of the signal do, and what most instants have is taken. Not
-    below what the steps of a digital sensor make. What lies far below any sensor's noise was left by a
-    filter: at a rate [Hz] that is given, the band is told that the filter has left.
+    Where the quietest instants have much less than that, steps and impacts of the signal make it, and what
+    those instants have is taken. Not below what the steps of a digital sensor make. What lies far below any
+    sensor's noise was left by a filter: at a rate [Hz] that is given, the band is told that it has left.
     """
     density = density_of(values)
     level = _level(density, NOISE_BAND)
-    sigma = level / _jumpiness(values)
+    quiet = _quietest(values)
+    eventful = level > EVENTFUL_RATIO * quiet
+    sigma = quiet if eventful else level
     quantum = _quantum(values) / np.sqrt(12)
     span = float(np.ptp(values))
-    source = SENSOR_STEPS if quantum > sigma else SPECTRUM
+    source = SENSOR_STEPS if quantum > sigma else QUIETEST_INSTANTS if eventful else SPECTRUM
     floor = max(sigma, quantum, LEAST_RANGE_SHARE * span)
     passed = np.flatnonzero(density > FILTERED_DENSITY_RATIO * 2 * level**2)
     if rate is None or floor > QUIET_RANGE_SHARE * span or not len(passed):
@@ -119,7 +125,8 @@ def _usual_scatter(values: Array) -> float:
 def is_noise(residual: Array, signal: Array, rate: float, stretches: int) -> bool:
     """Tell whether something is as strong at all frequencies that a filter may have left, and at all times.
 
-    Its mean is small. If it is weak above a frequency, it must be strong where the signal is weak, too.
+    Its mean is small. If it is weak above a frequency, it must be strong where the signal is weak, too. If it
+    is weak above none, it is as strong in the quietest instants: impacts are at all frequencies as well.
 
     Args:
         residual: what a model misses.
@@ -135,6 +142,8 @@ def is_noise(residual: Array, signal: Array, rate: float, stretches: int) -> boo
     if follows or 0.5 * float(np.mean(density[1:end])) > FLAT_RATIO * noise.white(rate) ** 2:
         return False
     if np.mean(residual) ** 2 > MEAN_POWER_SHARE * np.mean(residual**2):
+        return False
+    if noise.share(rate) == 1 and noise.sigma > EVENTFUL_RATIO * _quietest(residual):
         return False
     return _is_even(residual, stretches, noise.share(rate))
 
@@ -184,12 +193,18 @@ def repeated_floor(record: Record, other: Record, channel: str) -> NoiseFloor:
     return NoiseFloor(max(float(difference.std() / np.sqrt(2)), least), "repeats")
 
 
-def _jumpiness(values: Array) -> float:
-    """Return by how much steps of a signal raise the upper spectrum, 1 if it holds noise alone."""
-    fast = _banded(values, NOISE_BAND)
-    usual = _usual_scatter(fast)
-    ratio = float(fast.std()) / usual if usual else 1.0
-    return ratio if ratio > JUMPY_RATIO else 1.0
+def _quietest(values: Array) -> float:
+    """Return the standard deviation of white noise with the third differences of the quietest instants.
+
+    Neighbours that were held or interpolated tell of no noise, and do not count. Infinite for few instants.
+    """
+    from scipy.stats import halfnorm
+
+    change = np.abs(np.diff(values, 3)) / np.sqrt(1 + 9 + 9 + 1)
+    change = change[change > ROUNDING_SHARE * np.ptp(values)]
+    if len(change) < FEWEST_INSTANTS:
+        return inf
+    return float(np.quantile(change, QUIETEST) / halfnorm.ppf(QUIETEST))
 
 
 def _banded(values: Array, band: tuple[float, float]) -> Array:
